@@ -1,0 +1,205 @@
+"""The one door to numba: the lines a student reads are the lines that run, at the speed of C.
+
+`compiled` turns a function into machine code the first time it is called with a new kind of argument, and keeps that code on
+disk for the next process. What it compiled from stays reachable as `.py_func`, and gives the same numbers.
+
+`generic` makes a question that each kind of record answers in its own way; `record` lets compiled code call a record's methods.
+A *record* is a NamedTuple of arrays, numbers and records: the one kind of object that Python and compiled code share.
+
+Without numba, or under NUMBA_DISABLE_JIT=1, everything still works and gives the same answers, slowly.
+
+The cache. numba notices a change in a compiled function's own file only, never in what it calls. So the code is kept in a folder
+named by a digest of all the package's sources, private to its user; and only what those sources fully determine is kept: functions
+of this package, for records of this package. KINOEDU_CACHE names another place for it. Where no folder can be written, code is
+compiled anew in each process.
+"""
+
+import functools
+import hashlib
+import inspect
+import os
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, Protocol, TypeVar, cast
+
+from .errors import DuplicateKind
+
+try:
+    import numba
+    from numba.core.caching import FunctionCache
+    from numba.extending import overload, overload_method, register_jitable
+except ImportError:  # pragma: no cover - tried in a process of its own
+    numba = None
+
+PACKAGE = __name__.partition(".")[0]
+JIT = numba is not None and not numba.config.DISABLE_JIT
+
+F = TypeVar("F", bound=Callable[..., Any])
+C = TypeVar("C", bound=type)
+
+
+class Compiled(Protocol):
+    """A function with the Python body it was compiled from."""
+
+    py_func: Callable[..., Any]
+
+    def __call__(self, *args: Any) -> Any: ...
+
+
+def cache_folder() -> Path | None:
+    """The writable folder that holds this version's machine code, or None where there is none."""
+    digest = hashlib.sha256()
+    for source in sorted(Path(__file__).parent.rglob("*.py")):
+        digest.update(source.read_bytes())
+    try:
+        folder = _user_cache() / digest.hexdigest()[:16]
+        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+        tempfile.TemporaryFile(dir=folder).close()
+    except (OSError, RuntimeError):  # RuntimeError: the user has no home
+        return None
+    return folder
+
+
+def _user_cache() -> Path:
+    if "KINOEDU_CACHE" in os.environ:
+        return Path(os.environ["KINOEDU_CACHE"])
+    import platformdirs
+
+    return Path(platformdirs.user_cache_dir(PACKAGE, appauthor=False))
+
+
+CACHE = cache_folder() if JIT else None
+
+
+def _is_ours(kind: Any) -> bool:
+    """Whether a numba type is made of nothing but numbers, arrays and this package's records."""
+    record_class = getattr(kind, "instance_class", None)
+    if record_class is None:
+        return True
+    return record_class.__module__.partition(".")[0] == PACKAGE and all(map(_is_ours, kind.types))
+
+
+if JIT:
+
+    class _PackageCache(FunctionCache):
+        """Keeps code on disk only where the package's sources determine it: a record from elsewhere brings code from elsewhere."""
+
+        def load_overload(self, sig: Any, target_context: Any) -> Any:
+            return super().load_overload(sig, target_context) if all(map(_is_ours, sig)) else None
+
+        def save_overload(self, sig: Any, data: Any) -> None:
+            if all(map(_is_ours, data.signature.args)):
+                super().save_overload(sig, data)
+
+
+def compiled(function: Callable[..., Any]) -> Compiled:
+    """Compile `function` at its first call for each kind of arguments; `.py_func` is the Python it came from.
+
+    >>> @compiled
+    ... def twice(x):
+    ...     return x + x
+    >>> twice(2.0) == twice.py_func(2.0)
+    True
+    """
+    if not JIT:
+        function.py_func = function  # type: ignore[attr-defined]
+        return cast(Compiled, function)
+    dispatcher = numba.njit(nogil=True)(function)
+    if CACHE is not None and function.__module__.partition(".")[0] == PACKAGE:
+        previous, numba.config.CACHE_DIR = numba.config.CACHE_DIR, str(CACHE)
+        try:
+            dispatcher._cache = _PackageCache(function)
+        except RuntimeError:  # a function typed at a prompt, or a folder that has gone: compiled anew in each process
+            pass
+        finally:
+            numba.config.CACHE_DIR = previous
+    return cast(Compiled, dispatcher)
+
+
+def callable_from_compiled(function: F) -> F:
+    """Leave `function` as it is in Python, and let compiled code call it too.
+
+    For the steps of an algorithm that are handed a problem: interpreted, they may be handed a recorder or a reader's own object.
+    """
+    return cast(F, register_jitable(function)) if JIT else function
+
+
+def generic(records: int) -> Callable[[Callable[..., Any]], Any]:
+    """Make a question whose answer depends on the kinds of its first `records` arguments.
+
+    The decorated function answers for kinds that have registered no answer of their own. Answers are plain functions: compiled
+    code takes them in, the interpreter runs them.
+
+    >>> @generic(1)
+    ... def legs(animal):
+    ...     return 0
+    >>> @legs.register(int)
+    ... def legs_of_a_number(animal):
+    ...     return animal
+    >>> legs(4), legs("snake")
+    (4, 0)
+    """
+
+    def make(default: Callable[..., Any]) -> Any:
+        answers: dict[tuple[type, ...], Callable[..., Any]] = {}
+
+        @functools.wraps(default)
+        def ask(*args: Any) -> Any:
+            return answers.get(tuple(map(type, args[:records])), default)(*args)
+
+        def register(*kinds: type) -> Callable[[F], F]:
+            def keep(answer: F) -> F:
+                if kinds in answers:
+                    names = ", ".join(kind.__name__ for kind in kinds)
+                    raise DuplicateKind(f"{default.__name__} already has an answer for ({names}); register a kind of your own")
+                answers[kinds] = answer
+                return answer
+
+            return keep
+
+        def choose(*args: Any) -> Callable[..., Any]:
+            return answers.get(tuple(getattr(arg, "instance_class", arg) for arg in args[:records]), default)
+
+        if JIT:
+            overload(ask, strict=False)(choose)
+        ask.register = register  # type: ignore[attr-defined]
+        return ask
+
+    return make
+
+
+_methods: dict[str, dict[type, Callable[..., Any]]] = {}
+
+
+def record(record_class: C) -> C:
+    """Let compiled code call the methods of a NamedTuple class, as Python can.
+
+    >>> from typing import NamedTuple
+    >>> @record
+    ... class Circle(NamedTuple):
+    ...     radius: float
+    ...     def area(self):
+    ...         return 3.0 * self.radius * self.radius
+    >>> @compiled
+    ... def area_of(circle):
+    ...     return circle.area()
+    >>> area_of(Circle(2.0))
+    12.0
+    """
+    for name, method in vars(record_class).items():
+        if callable(method) and not name.startswith("_"):
+            if name not in _methods:
+                _methods[name] = {}
+                if JIT:
+                    overload_method(numba.types.BaseNamedTuple, name, strict=False)(_chooser(name, method))
+            _methods[name][record_class] = method
+    return record_class
+
+
+def _chooser(name: str, method: Callable[..., Any]) -> Callable[..., Any]:
+    def choose(self: Any, *args: Any) -> Callable[..., Any] | None:
+        return _methods[name].get(getattr(self, "instance_class", type(None)))
+
+    choose.__signature__ = inspect.signature(method)  # type: ignore[attr-defined]  # numba folds arguments by it
+    return choose

@@ -1,0 +1,22 @@
+"""Geometry of the plane: lines, segments, polygons, convex polygons. Every relation is exact, every distance good to 1e-12."""
+
+from .convex import convex_hull, convex_polygons_intersect, point_in_convex_polygon
+from .lines import line_through_points, orientation, point_line_distance
+from .polygons import point_in_polygon, point_polygon_distance, polygon_tangent
+from .segments import closest_point_on_segment, point_segment_distance, segment_intersection, segments_intersect
+
+__all__ = [
+    "closest_point_on_segment",
+    "convex_hull",
+    "convex_polygons_intersect",
+    "line_through_points",
+    "orientation",
+    "point_in_convex_polygon",
+    "point_in_polygon",
+    "point_line_distance",
+    "point_polygon_distance",
+    "point_segment_distance",
+    "polygon_tangent",
+    "segment_intersection",
+    "segments_intersect",
+]

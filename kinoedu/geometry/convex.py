@@ -1,0 +1,148 @@
+"""Convex polygons: membership, intersection, hulls, and any polygon as a union of them."""
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ..compiled import compiled
+from ..errors import InvalidPolygon
+from .checks import Array, as_points, one_or_many
+from .exact import turn
+from .rings import as_convex_ring, first_reflex, ring_turn
+
+
+def point_in_convex_polygon(q: ArrayLike, P: ArrayLike) -> bool:
+    """Whether q lies in the convex polygon P, shape (n, 2), or on its boundary: never to the right of an edge. Exact. O(n).
+
+    q may be many points, shape (m, 2): then the answer has shape (m,). Raises InvalidPolygon where P is not convex, InvalidPoint.
+
+    >>> point_in_convex_polygon((1, 1), [(0, 0), (4, 0), (0, 4)]), point_in_convex_polygon((3, 2), [(0, 0), (4, 0), (0, 4)])
+    (True, False)
+    """
+    points, ring = as_points(q, "q"), as_convex_ring(P, "P")
+    return one_or_many(q, points_in_convex(points, ring))
+
+
+def convex_polygons_intersect(P1: ArrayLike, P2: ArrayLike) -> bool:
+    """Whether two convex polygons, shapes (n, 2) and (m, 2), share a point; touching counts. Exact. O(n m).
+
+    They are apart exactly when all of one lies strictly to the right of an edge of the other (separating axis theorem).
+    Raises InvalidPolygon where one is not convex, InvalidPoint.
+
+    >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
+    >>> convex_polygons_intersect(square, [(1, 1), (2, 1), (2, 2)]), convex_polygons_intersect(square, [(2, 0), (3, 0), (3, 1)])
+    (True, False)
+    """
+    P, Q = as_convex_ring(P1, "P1"), as_convex_ring(P2, "P2")
+    return not (has_separating_edge(P, Q) or has_separating_edge(Q, P))
+
+
+def convex_hull(points: ArrayLike) -> Array:
+    """The corners of the smallest convex set that holds the points, counter-clockwise from the leftmost; shape (k, 2).
+
+    Points on an edge of the hull are left out; points of one line give its two ends, equal points give one. O(n log n), exact.
+    Source: A. M. Andrew, "Another efficient algorithm for convex hulls in two dimensions" (1979). Raises InvalidPoint.
+
+    >>> convex_hull([(0, 0), (1, 0), (2, 0), (1, 1), (2, 2), (0, 2)])
+    array([[0., 0.],
+           [2., 0.],
+           [2., 2.],
+           [0., 2.]])
+    """
+    ordered = np.unique(as_points(points), axis=0)
+    if len(ordered) < 3:
+        return ordered
+    return np.concatenate([chain(ordered)[:-1], chain(ordered[::-1].copy())[:-1]])
+
+
+@compiled
+def chain(points: Array) -> Array:
+    """The points, in their order, without those at which the way does not turn left."""
+    kept = np.empty_like(points)
+    size = 0
+    for p in points:
+        while size > 1 and turn(kept[size - 2, 0], kept[size - 2, 1], kept[size - 1, 0], kept[size - 1, 1], p[0], p[1]) <= 0:
+            size -= 1
+        kept[size] = p
+        size += 1
+    return kept[:size]
+
+
+@compiled
+def in_convex(x: float, y: float, ring: Array) -> bool:
+    """Whether a point lies in a convex ring."""
+    for i in range(len(ring)):
+        if turn(ring[i - 1, 0], ring[i - 1, 1], ring[i, 0], ring[i, 1], x, y) < 0:
+            return False
+    return True
+
+
+@compiled
+def points_in_convex(points: Array, ring: Array) -> Array:
+    """Whether each point lies in a convex ring, shape (m,)."""
+    inside = np.empty(len(points), np.bool_)
+    for i in range(len(points)):
+        inside[i] = in_convex(points[i, 0], points[i, 1], ring)
+    return inside
+
+
+@compiled
+def has_separating_edge(P: Array, Q: Array) -> bool:
+    """Whether all of Q lies strictly to the right of one edge of P."""
+    for i in range(len(P)):
+        apart = True
+        for q in Q:
+            if turn(P[i - 1, 0], P[i - 1, 1], P[i, 0], P[i, 1], q[0], q[1]) >= 0:
+                apart = False
+                break
+        if apart:
+            return True
+    return False
+
+
+def convex_parts(ring: Array, holes: Sequence[Array] = ()) -> list[Array]:
+    """Convex polygons, made of the ring's own vertices, that together are exactly the ring without its holes.
+
+    A constrained Delaunay triangulation whose triangles are joined, one after another, while they stay convex (after Hertel and
+    Mehlhorn, 1983: at most four times as many parts as needed). The ring is as `as_ring` returns it; so is each hole.
+    """
+    if not holes and first_reflex(ring) < 0:
+        return [ring]
+    return joined(triangles(ring, holes))
+
+
+def triangles(ring: Array, holes: Sequence[Array]) -> list[Array]:
+    """A constrained Delaunay triangulation of a ring with holes: counter-clockwise triangles, shape (3, 2) each."""
+    import shapely
+
+    polygon = shapely.Polygon(ring, holes)
+    if not polygon.is_valid:
+        raise InvalidPolygon(f"a room must lie inside its polygon, apart from other rooms: {shapely.is_valid_reason(polygon)}")
+    corners = [np.array(t.exterior.coords)[:3] for t in shapely.constrained_delaunay_triangles(polygon).geoms]
+    turns = [ring_turn(t) for t in corners]
+    return [t if sign > 0 else t[::-1].copy() for t, sign in zip(corners, turns, strict=True) if sign]
+
+
+def joined(parts: list[Array]) -> list[Array]:
+    """The same region in fewer convex parts: two that share an edge become one where the result is convex."""
+    done: list[Array] = []
+    while parts:
+        part = parts.pop()
+        for i, other in enumerate(parts):
+            union = joined_at_edge(part, other)
+            if union is not None and first_reflex(union) < 0:
+                parts[i] = union
+                break
+        else:
+            done.append(part)
+    return done
+
+
+def joined_at_edge(P: Array, Q: Array) -> Array | None:
+    """The ring round two parts that share an edge, or None where they share none."""
+    for i in range(len(P)):
+        for j in range(len(Q)):
+            if (P[i - 1] == Q[j]).all() and (P[i] == Q[j - 1]).all():
+                return np.concatenate([np.roll(P, -i, axis=0), np.roll(Q, -j, axis=0)[1:-1]])
+    return None

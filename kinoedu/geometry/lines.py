@@ -1,0 +1,56 @@
+"""Lines, and which side of one a point lies on. Bullo & Smith, Lectures on Robotic Planning and Kinematics, section 1.5."""
+
+import math
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ..errors import InvalidSegment
+from .checks import Array, as_point
+from .exact import cross, length, sum_of_products, turn
+
+
+def orientation(a: ArrayLike, b: ArrayLike, c: ArrayLike) -> int:
+    """Whether a, b, c turn left (1), turn right (-1) or lie on one line (0). Exact for every finite input.
+
+    Parameters are points of shape (2,). Raises InvalidPoint.
+
+    >>> orientation((0, 0), (1, 0), (1, 1)), orientation((0, 0), (0.1, 0.3), (0.2, 0.6))
+    (1, 0)
+    """
+    a, b, c = as_point(a, "a"), as_point(b, "b"), as_point(c, "c")
+    return int(turn(a[0], a[1], b[0], b[1], c[0], c[1]))
+
+
+def line_through_points(p1: ArrayLike, p2: ArrayLike) -> tuple[float, float, float]:
+    """The line {(x, y): a x + b y + c = 0} through two distinct points, with a^2 + b^2 = 1.
+
+    (a, b) points to the left of the way from p1 to p2, so a x + b y + c is the signed distance of (x, y), positive on the left.
+    Raises InvalidSegment where the points coincide, InvalidPoint.
+
+    >>> line_through_points((0, 1), (5, 1))
+    (0.0, 1.0, -1.0)
+    """
+    p1, p2 = two_points(p1, p2)
+    dx, dy = p2 - p1
+    size = length(dx, dy)
+    m, e = sum_of_products(np.array([p1[0], -p2[0]]), np.array([p2[1], p1[1]]))
+    return float(-dy / size) + 0.0, float(dx / size), math.ldexp(m, e) / size + 0.0
+
+
+def point_line_distance(q: ArrayLike, p1: ArrayLike, p2: ArrayLike) -> float:
+    """The distance from q to the line through p1 and p2. Raises InvalidSegment where p1 and p2 coincide, InvalidPoint.
+
+    >>> point_line_distance((3, 4), (0, 0), (1, 0))
+    4.0
+    """
+    q, (p1, p2) = as_point(q, "q"), two_points(p1, p2)
+    return float(abs(cross(p1[0], p1[1], p2[0], p2[1], q[0], q[1])) / length(p2[0] - p1[0], p2[1] - p1[1]))
+
+
+def two_points(p1: ArrayLike, p2: ArrayLike) -> tuple[Array, Array]:
+    """Two distinct points, or InvalidSegment."""
+    p1, p2 = as_point(p1, "p1"), as_point(p2, "p2")
+    if (p1 == p2).all():
+        raise InvalidSegment(f"two distinct points make a line, got {tuple(p1.tolist())} twice")
+    return p1, p2

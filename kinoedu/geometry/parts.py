@@ -1,0 +1,103 @@
+"""`Parts`: what every robot's body and every obstacle is made of.
+
+The record table (every record is a NamedTuple; compiled code reads its fields):
+
+| record | fields |
+|---|---|
+| `Parts` | points (n, 2), first (k + 1,), radius (k,): part i is points[first[i]:first[i + 1]], grown by radius[i] |
+| `RoundRobot` | body: Parts of one point |
+| `PolygonWorldRecord` | boundary, rings, discs, obstacles: Parts, index: PartsIndex, lo and hi (worlds/polygon_world.py) |
+| `TerrainRecord` | free (rows, columns), resolution, origin, lo and hi (worlds/terrain.py) |
+| `RealSpace` | lo and hi (d,) (spaces/real.py) |
+| `ProblemRecord` | robot, world, space, start, goal, clearance, asked (problems.py) |
+
+One vertex with a radius is a disc, two a rounded bar such as an arm's link, three or more a convex polygon, counter-clockwise; a
+non-convex polygon is several parts. So one distance routine judges them all.
+"""
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..compiled import compiled
+from .checks import Array
+from .exact import turn
+from .segments import between, segment_distance
+
+
+class Parts(NamedTuple):
+    """Convex pieces in one flat array."""
+
+    points: Array
+    first: NDArray[np.int64]
+    radius: Array
+
+
+def make_parts(pieces: Sequence[Array], radius: Sequence[float]) -> Parts:
+    """Lay convex pieces, each of shape (n_i, 2), one after another.
+
+    >>> make_parts([np.zeros((1, 2)), np.eye(3, 2)], [0.5, 0.0]).first
+    array([0, 1, 4])
+    """
+    first = np.cumsum([0, *map(len, pieces)], dtype=np.int64)
+    return Parts(np.concatenate([np.empty((0, 2)), *pieces]), first, np.array(radius, np.float64))
+
+
+def part_boxes(parts: Parts) -> Array:
+    """The bounding box (x0, y0, x1, y1) of each part with its radius, shape (k, 4)."""
+    spans = [parts.points[a:b] for a, b in zip(parts.first[:-1], parts.first[1:], strict=True)]
+    lo = np.array([span.min(axis=0) for span in spans]).reshape(-1, 2) - parts.radius[:, None]
+    hi = np.array([span.max(axis=0) for span in spans]).reshape(-1, 2) + parts.radius[:, None]
+    return np.hstack([lo, hi])
+
+
+@compiled
+def segment_meets_part(ax: float, ay: float, bx: float, by: float, parts: Parts, i: int) -> bool:
+    """Whether the closed segment a-b shares a point with part i, its radius left aside. Exact.
+
+    A segment and a polygon are apart exactly when the segment's line has the polygon strictly on one side, or the segment lies
+    strictly to the right of an edge (separating axis theorem). The segment may be a single point.
+    """
+    points, begin, end = parts.points, parts.first[i], parts.first[i + 1]
+    if end - begin == 1:
+        x, y = points[begin, 0], points[begin, 1]
+        return between(ax, ay, bx, by, x, y) and turn(ax, ay, bx, by, x, y) == 0
+    left, right = 0, 0
+    last = end - 1
+    for k in range(begin, end):
+        side = turn(ax, ay, bx, by, points[k, 0], points[k, 1])
+        left += side > 0
+        right += side < 0
+        px, py, qx, qy = points[last, 0], points[last, 1], points[k, 0], points[k, 1]
+        if turn(px, py, qx, qy, ax, ay) < 0 and turn(px, py, qx, qy, bx, by) < 0:
+            return False
+        last = k
+    return left < end - begin and right < end - begin
+
+
+@compiled
+def segment_part_distance(ax: float, ay: float, bx: float, by: float, parts: Parts, i: int) -> float:
+    """The distance between the segment a-b and part i, its radius left aside; 0 where they meet."""
+    if segment_meets_part(ax, ay, bx, by, parts, i):
+        return 0.0
+    points, begin, end = parts.points, parts.first[i], parts.first[i + 1]
+    best = np.inf
+    last = end - 1
+    for k in range(begin, end):
+        px, py, qx, qy = points[last, 0], points[last, 1], points[k, 0], points[k, 1]
+        to_corner = segment_distance(qx, qy, ax, ay, bx, by)
+        to_edge = min(segment_distance(ax, ay, px, py, qx, qy), segment_distance(bx, by, px, py, qx, qy))
+        best = min(best, min(to_corner, to_edge))
+        last = k
+    return best
+
+
+@compiled
+def motion_touches_part(ax: float, ay: float, bx: float, by: float, radius: float, parts: Parts, i: int) -> bool:
+    """Whether a disc moved along a-b touches part i: exact for a point against a polygon, to 1e-12 where something is round."""
+    reach = radius + parts.radius[i]
+    if reach == 0.0:
+        return segment_meets_part(ax, ay, bx, by, parts, i)
+    return segment_part_distance(ax, ay, bx, by, parts, i) <= reach * (1.0 + 1e-15)

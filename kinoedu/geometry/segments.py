@@ -1,0 +1,201 @@
+"""Segments: the nearest point on one, the distance to it, and where two of them meet. Bullo & Smith, section 1.5."""
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ..compiled import compiled
+from .checks import Array, as_point, as_points, one_or_many
+from .exact import cross, facing, length, turn
+
+
+def closest_point_on_segment(q: ArrayLike, p1: ArrayLike, p2: ArrayLike) -> tuple[Array, int]:
+    """The point of the segment p1-p2 nearest to q, and the region that q lies in.
+
+    Region 0: the nearest point is inside the segment; 1: it is p1; 2: it is p2. Where p1 = p2 the region is 1.
+    Raises InvalidPoint.
+
+    >>> closest_point_on_segment((1, 2), (0, 0), (4, 0))
+    (array([1., 0.]), 0)
+    >>> closest_point_on_segment((7, 4), (0, 0), (4, 0))
+    (array([4., 0.]), 2)
+    """
+    q, p1, p2 = as_point(q, "q"), as_point(p1, "p1"), as_point(p2, "p2")
+    x, y, region = closest_on_segment(q[0], q[1], p1[0], p1[1], p2[0], p2[1])
+    return np.array([x, y]), int(region)
+
+
+def point_segment_distance(q: ArrayLike, p1: ArrayLike, p2: ArrayLike) -> float:
+    """The distance from q to the segment p1-p2, which may be a single point; to 1e-12 of itself. Raises InvalidPoint.
+
+    q may be many points, shape (m, 2): then the answer has shape (m,).
+
+    >>> point_segment_distance((7, 4), (0, 0), (4, 0))
+    5.0
+    """
+    points, p1, p2 = as_points(q, "q"), as_point(p1, "p1"), as_point(p2, "p2")
+    return one_or_many(q, distances_to_segment(points, p1, p2))
+
+
+def segments_intersect(p1: ArrayLike, p2: ArrayLike, p3: ArrayLike, p4: ArrayLike) -> bool:
+    """Whether the closed segments p1-p2 and p3-p4 share a point; a segment may be a single point. Exact. Raises InvalidPoint.
+
+    Each argument may be many points, shape (m, 2): then the answer has shape (m,).
+
+    >>> segments_intersect((0, 0), (2, 0), (1, 0), (1, 5)), segments_intersect((0, 0), (2, 0), (3, 0), (5, 0))
+    (True, False)
+    """
+    names = ("p1", "p2", "p3", "p4")
+    ends = [as_points(p, name) for p, name in zip((p1, p2, p3, p4), names, strict=True)]
+    size = max(map(len, ends))
+    answers = pairs_meet(*(np.broadcast_to(end, (size, 2)) for end in ends))
+    return one_or_many(max((p1, p2, p3, p4), key=np.ndim), answers)
+
+
+def segment_intersection(p1: ArrayLike, p2: ArrayLike, p3: ArrayLike, p4: ArrayLike) -> Array:
+    """What the closed segments p1-p2 and p3-p4 share: no point, one, or the two ends of an overlap in the order from p1
+    to p2; shape (k, 2), k = 0, 1, 2.
+
+    How many points there are is decided exactly; a point where one segment ends is that very end. Raises InvalidPoint.
+
+    >>> segment_intersection((0, 0), (4, 4), (0, 4), (4, 0))
+    array([[2., 2.]])
+    >>> segment_intersection((0, 0), (4, 0), (1, 0), (9, 0))
+    array([[1., 0.],
+           [4., 0.]])
+    """
+    a, b, c, d = as_point(p1, "p1"), as_point(p2, "p2"), as_point(p3, "p3"), as_point(p4, "p4")
+    points = np.empty((2, 2))
+    return points[: shared_points(a, b, c, d, points)]
+
+
+@compiled
+def closest_on_segment(
+    px: float, py: float, ax: float, ay: float, bx: float, by: float
+) -> tuple[float, float, int]:
+    """The point of a-b nearest to p as x, y, and the region of p: 0 inside, 1 at a, 2 at b."""
+    if facing(ax, ay, bx, by, px, py) <= 0:
+        return ax, ay, 1
+    if facing(bx, by, ax, ay, px, py) <= 0:
+        return bx, by, 2
+    ux, uy = bx - ax, by - ay
+    size = length(ux, uy)
+    along = ((px - ax) * (ux / size) + (py - ay) * (uy / size)) / size
+    if along > 0.5:  # from the nearer end, for the smaller error
+        along = ((px - bx) * (ux / size) + (py - by) * (uy / size)) / size
+        return bx + along * ux, by + along * uy, 0
+    return ax + along * ux, ay + along * uy, 0
+
+
+@compiled
+def between(ax: float, ay: float, bx: float, by: float, px: float, py: float) -> bool:
+    """Whether p, known to lie on the line through a and b, lies on the segment from a to b."""
+    return min(ax, bx) <= px <= max(ax, bx) and min(ay, by) <= py <= max(ay, by)
+
+
+@compiled
+def segments_meet(
+    ax: float, ay: float, bx: float, by: float, cx: float, cy: float, dx: float, dy: float
+) -> bool:
+    """Whether the closed segments a-b and c-d share a point; either may be a single point. Exact."""
+    if max(ax, bx) < min(cx, dx) or max(cx, dx) < min(ax, bx) or max(ay, by) < min(cy, dy) or max(cy, dy) < min(ay, by):
+        return False
+    a_side, b_side = turn(cx, cy, dx, dy, ax, ay), turn(cx, cy, dx, dy, bx, by)
+    c_side, d_side = turn(ax, ay, bx, by, cx, cy), turn(ax, ay, bx, by, dx, dy)
+    if a_side * b_side < 0 and c_side * d_side < 0:
+        return True
+    return (
+        (a_side == 0 and between(cx, cy, dx, dy, ax, ay))
+        or (b_side == 0 and between(cx, cy, dx, dy, bx, by))
+        or (c_side == 0 and between(ax, ay, bx, by, cx, cy))
+        or (d_side == 0 and between(ax, ay, bx, by, dx, dy))
+    )
+
+
+@compiled
+def segment_distance(px: float, py: float, ax: float, ay: float, bx: float, by: float) -> float:
+    """The distance from p to the segment a-b."""
+    if facing(ax, ay, bx, by, px, py) <= 0:
+        return length(px - ax, py - ay)
+    if facing(bx, by, ax, ay, px, py) <= 0:
+        return length(px - bx, py - by)
+    return abs(cross(ax, ay, bx, by, px, py)) / length(bx - ax, by - ay)
+
+
+@compiled
+def segments_distance(
+    ax: float, ay: float, bx: float, by: float, cx: float, cy: float, dx: float, dy: float
+) -> float:
+    """The distance between the segments a-b and c-d, 0 where they meet."""
+    if segments_meet(ax, ay, bx, by, cx, cy, dx, dy):
+        return 0.0
+    return min(
+        min(segment_distance(ax, ay, cx, cy, dx, dy), segment_distance(bx, by, cx, cy, dx, dy)),
+        min(segment_distance(cx, cy, ax, ay, bx, by), segment_distance(dx, dy, ax, ay, bx, by)),
+    )
+
+
+@compiled
+def distances_to_segment(points: Array, a: Array, b: Array) -> Array:
+    """The distance of each point to one segment, shape (m,)."""
+    distances = np.empty(len(points))
+    for i in range(len(points)):
+        distances[i] = segment_distance(points[i, 0], points[i, 1], a[0], a[1], b[0], b[1])
+    return distances
+
+
+@compiled
+def pairs_meet(a: Array, b: Array, c: Array, d: Array) -> Array:
+    """Whether segment i of the first kind meets segment i of the second, shape (m,)."""
+    meet = np.empty(len(a), np.bool_)
+    for i in range(len(a)):
+        meet[i] = segments_meet(a[i, 0], a[i, 1], b[i, 0], b[i, 1], c[i, 0], c[i, 1], d[i, 0], d[i, 1])
+    return meet
+
+
+@compiled
+def shared_points(a: Array, b: Array, c: Array, d: Array, out: Array) -> int:
+    """Write what two segments share into out, shape (2, 2), and return how many points it is."""
+    if not segments_meet(a[0], a[1], b[0], b[1], c[0], c[1], d[0], d[1]):
+        return 0
+    a_side, b_side = turn(c[0], c[1], d[0], d[1], a[0], a[1]), turn(c[0], c[1], d[0], d[1], b[0], b[1])
+    c_side, d_side = turn(a[0], a[1], b[0], b[1], c[0], c[1]), turn(a[0], a[1], b[0], b[1], d[0], d[1])
+    if a_side == 0 and b_side == 0 and c_side == 0 and d_side == 0:
+        return shared_stretch(a, b, c, d, out)
+    if a_side == 0:
+        out[0] = a
+    elif b_side == 0:
+        out[0] = b
+    elif c_side == 0:
+        out[0] = c
+    elif d_side == 0:
+        out[0] = d
+    else:
+        out[0] = proper_crossing(a, b, c, d)
+    return 1
+
+
+@compiled
+def proper_crossing(a: Array, b: Array, c: Array, d: Array) -> Array:
+    """Where a-b and c-d cross, both in their insides: the point that divides a-b as its ends' distances from c-d do."""
+    from_a = abs(cross(c[0], c[1], d[0], d[1], a[0], a[1]))
+    from_b = abs(cross(c[0], c[1], d[0], d[1], b[0], b[1]))
+    if from_a <= from_b:
+        return a + from_a / (from_a + from_b) * (b - a)
+    return b + from_b / (from_a + from_b) * (a - b)
+
+
+@compiled
+def before(p: Array, q: Array) -> bool:
+    """Whether p comes before q from left to right, and from below where neither is further left."""
+    return p[0] < q[0] or (p[0] == q[0] and p[1] < q[1])
+
+
+@compiled
+def shared_stretch(a: Array, b: Array, c: Array, d: Array, out: Array) -> int:
+    """What two meeting segments of one line share, from the end nearer to a to the end nearer to b."""
+    if before(b, a) != before(d, c):
+        c, d = d, c
+    forward = before(a, b) or (a == b).all() and before(c, d)
+    out[0] = c if before(a, c) == forward else a
+    out[1] = b if before(b, d) == forward else d
+    return 2 if before(out[0], out[1]) or before(out[1], out[0]) else 1

@@ -1,0 +1,5 @@
+"""Planners: each takes a problem and returns a plan."""
+
+from .rrt import rrt
+
+__all__ = ["rrt"]

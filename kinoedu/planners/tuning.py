@@ -1,0 +1,38 @@
+"""Tuning arguments, checked: each becomes a plain number, or InvalidParameter says which was wrong and what it may be."""
+
+from numbers import Integral, Real
+from typing import Any
+
+import numpy as np
+
+from ..errors import InvalidParameter
+
+
+def positive(value: Any, name: str) -> float:
+    """A finite number above zero.
+
+    >>> positive(2, "step")
+    2.0
+    """
+    if not is_real(value) or not 0.0 < value < np.inf:
+        raise InvalidParameter(f"{name} must be a positive number, got {value!r}")
+    return float(value)
+
+
+def share(value: Any, name: str) -> float:
+    """A number from 0 to 1."""
+    if not is_real(value) or not 0.0 <= value <= 1.0:
+        raise InvalidParameter(f"{name} must be a number from 0 to 1, got {value!r}")
+    return float(value)
+
+
+def whole(value: Any, name: str, *, least: int) -> int:
+    """A whole number, not less than `least`; at most a hundred million, which is more than memory holds nodes for."""
+    if isinstance(value, bool) or not isinstance(value, Integral) or not least <= value <= 100_000_000:
+        raise InvalidParameter(f"{name} must be a whole number from {least} to 100,000,000, got {value!r}")
+    return int(value)
+
+
+def is_real(value: Any) -> bool:
+    """Whether a value is a number; True and False are not."""
+    return isinstance(value, Real) and not isinstance(value, bool | np.bool_)

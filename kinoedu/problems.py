@@ -1,0 +1,220 @@
+"""A problem answers a planner's questions; a plan is the planner's answer; a recorder writes the questions down.
+
+Planners never see robots or worlds. They ask: `problem.sample(rng)`, `.distance(a, b)`, `.steer(a, b, step)`, `.is_free(q)`,
+`.is_free_path(a, b)`, `.is_semi_free_path(a, b)`, `.nearest(tree, q)`, and read `problem.start` and `problem.goal`. So one planner
+serves every robot in every world, and a reader's own object with these names as well.
+"""
+
+from dataclasses import dataclass, field
+from functools import singledispatch
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from .collision import is_free, is_free_path, is_semi_free_path
+from .compiled import record
+from .errors import InvalidGoal, InvalidParameter, InvalidPoint, InvalidStart
+from .geometry.checks import Array, as_array, shortened
+from .robots.round import RoundRobot
+from .spaces import RealSpace, distance, interpolate, nearest, sample
+
+MOTIONS, PLACES = 0, 1  # what ProblemRecord.asked counts: is_free_path or is_semi_free_path, and is_free
+
+
+@record
+class ProblemRecord(NamedTuple):
+    """What `Problem` makes. Configurations have shape (d,), float64."""
+
+    robot: Any
+    world: Any
+    space: Any
+    start: Array
+    goal: Array
+    clearance: float
+    asked: NDArray[np.int64]
+
+    def sample(self, rng: np.random.Generator) -> Array:
+        """A configuration drawn uniformly, free or not."""
+        return sample(self.space, rng)
+
+    def distance(self, a: Array, b: Array) -> float:
+        """The distance between two configurations."""
+        return distance(self.space, a, b)
+
+    def steer(self, a: Array, b: Array, step: float) -> Array:
+        """The configuration at most `step` from a on the way to b."""
+        whole = distance(self.space, a, b)
+        return b.copy() if whole <= step else interpolate(self.space, a, b, step / whole)
+
+    def nearest(self, tree: Any, q: Array) -> int:
+        """The number of the tree's node nearest to q."""
+        return nearest(self.space, tree, q)
+
+    def is_free(self, q: Array) -> bool:
+        """Whether the robot at q touches nothing."""
+        self.asked[PLACES] += 1
+        return is_free(self.robot, self.world, q, self.clearance)
+
+    def is_free_path(self, a: Array, b: Array) -> bool:
+        """Whether the whole motion from a to b touches nothing."""
+        self.asked[MOTIONS] += 1
+        return is_free_path(self.robot, self.world, a, b, self.clearance)
+
+    def is_semi_free_path(self, a: Array, b: Array) -> bool:
+        """Whether the motion from a to b enters nothing; contact is allowed."""
+        self.asked[MOTIONS] += 1
+        return is_semi_free_path(self.robot, self.world, a, b, self.clearance)
+
+
+def Problem(robot: Any, world: Any, start: ArrayLike, goal: ArrayLike, *, clearance: float = 0.0) -> ProblemRecord:
+    """Find a free path for a robot in a world from start to goal.
+
+    Parameters
+    ----------
+    robot : Point() or Disk(radius), ...
+    world : PolygonWorld(...), Terrain(...) or what read_world(path) returns.
+    start, goal : configurations, shape (d,); (x, y) for a point or a disk. Both must be free.
+    clearance : the whole robot keeps more than this away from every obstacle, in the world's unit of length.
+
+    Raises InvalidStart, InvalidGoal, InvalidPoint, InvalidParameter.
+
+    >>> from kinoedu.robots import Point
+    >>> from kinoedu.worlds import PolygonWorld
+    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
+    >>> problem = Problem(Point(), world, start=(1, 1), goal=(9, 1))
+    >>> problem.is_free_path(problem.start, problem.goal), problem.distance(problem.start, problem.goal)
+    (False, 8.0)
+    """
+    margin = as_array(clearance, "clearance")
+    if margin.ndim or margin < 0.0:
+        raise InvalidParameter(f"clearance must be one length, zero or more, got {clearance!r}")
+    space = space_of(robot, world)
+    q_start, q_goal = as_configuration(start, space, "start"), as_configuration(goal, space, "goal")
+    problem = ProblemRecord(robot, world, space, q_start, q_goal, float(margin), np.zeros(2, np.int64))
+    for q, name, error in ((q_start, "start", InvalidStart), (q_goal, "goal", InvalidGoal)):
+        if not problem.is_free(q):
+            raise error(f"the {name} {tuple(q.tolist())} is not free: {why_not_free(problem, q)}")
+    problem.asked[:] = 0
+    return problem
+
+
+@singledispatch
+def space_of(robot: Any, world: Any) -> Any:
+    """The configuration space of a robot in a world; each kind of robot has its own."""
+    raise InvalidParameter(f"expected a robot such as Point() or Disk(1), got {shortened(robot)}")
+
+
+@space_of.register
+def _(robot: RoundRobot, world: Any) -> RealSpace:
+    return RealSpace(world.lo, world.hi)
+
+
+def as_configuration(value: ArrayLike, space: Any, name: str) -> Array:
+    """A configuration of a space, shape (d,), or InvalidPoint."""
+    q = as_array(value, name)
+    if q.shape != space.lo.shape:
+        raise InvalidPoint(f"{name} must be {len(space.lo)} numbers, got {shortened(value)}")
+    return q
+
+
+def why_not_free(problem: ProblemRecord, q: Array) -> str:
+    """What is wrong with a configuration that is not free, and what to do, in words."""
+    lo, hi = problem.world.lo, problem.world.hi
+    if (q[: len(lo)] <= lo).any() or (q[: len(hi)] >= hi).any():
+        return f"it must lie inside the world, between {tuple(lo.tolist())} and {tuple(hi.tolist())}, not on its rim"
+    margin = f" with a clearance of {problem.clearance:g}" if problem.clearance else ""
+    return f"the robot{margin} is outside, inside an obstacle or touching one there; move it into the open"
+
+
+def as_generator(rng: int | np.random.Generator) -> np.random.Generator:
+    """A random generator from a seed; a generator is used as it is. Raises InvalidParameter.
+
+    >>> as_generator(0).random() == np.random.default_rng(0).random()
+    True
+    """
+    if isinstance(rng, np.random.Generator):
+        return rng
+    if isinstance(rng, bool) or not isinstance(rng, int | np.integer) or rng < 0:
+        raise InvalidParameter(f"rng must be a seed (0, 1, 2, ...) or a numpy Generator, got {rng!r}")
+    return np.random.default_rng(int(rng))
+
+
+class Tree(NamedTuple):
+    """A tree in the order it grew: nodes (n, d), the root first; parent (n,), -1 for the root."""
+
+    nodes: Array
+    parent: NDArray[np.int64]
+
+
+@dataclass(frozen=True, eq=False)
+class Plan:
+    """A planner's answer.
+
+    path : (n, d) from start to goal, or None where none was found; then `reason` says why.
+    cost : the path's length, infinite without a path.
+    tree, roadmap, walk : what was built on the way, in the order it was built; the ones that the planner has.
+    stats : counts such as nodes, iterations, and checks (motions judged).
+    problem : what was asked.
+    """
+
+    path: Array | None
+    cost: float
+    tree: Tree | None = None
+    roadmap: Any = None
+    walk: Any = None
+    stats: dict[str, int] = field(default_factory=dict)
+    reason: str = ""
+    problem: Any = None
+
+    def __repr__(self) -> str:
+        counts = ", ".join(f"{value:,} {name}" for name, value in self.stats.items())
+        found = f"path of {len(self.path)} points, length {self.cost:.6g}" if self.path is not None else f"no path: {self.reason}"
+        return f"<Plan: {found}; {counts}>"
+
+
+class Question(NamedTuple):
+    """One question asked of a problem: its name, what was given, what was answered."""
+
+    name: str
+    given: tuple[Any, ...]
+    answer: Any
+
+
+class Recorder:
+    """A problem that writes down every question it is asked, in order, in `log`.
+
+    A planner given a recorder runs its interpreted body and grows the very same tree.
+
+    >>> from kinoedu import Point, Problem, Terrain
+    >>> recorder = Recorder(Problem(Point(), Terrain([[1, 1], [1, 1]]), start=(0.5, 0.5), goal=(1.5, 1.5)))
+    >>> recorder.is_free_path(recorder.start, recorder.goal)
+    True
+    >>> recorder.log[0].name, recorder.counts()
+    ('is_free_path', {'is_free_path': 1})
+    """
+
+    QUESTIONS = ("sample", "distance", "steer", "nearest", "is_free", "is_free_path", "is_semi_free_path")
+
+    def __init__(self, problem: Any) -> None:
+        self.problem = problem
+        self.log: list[Question] = []
+
+    def __getattr__(self, name: str) -> Any:
+        if name == "problem":  # while being unpickled or copied there is none yet
+            raise AttributeError(name)
+        answer = getattr(self.problem, name)
+        return self._recorded(name, answer) if name in self.QUESTIONS else answer
+
+    def _recorded(self, name: str, question: Any) -> Any:
+        def ask(*given: Any) -> Any:
+            answer = question(*given)
+            kept = tuple(g.copy() if isinstance(g, np.ndarray) else g for g in given)
+            self.log.append(Question(name, kept, answer.copy() if isinstance(answer, np.ndarray) else answer))
+            return answer
+
+        return ask
+
+    def counts(self) -> dict[str, int]:
+        """How often each question was asked."""
+        return {name: n for name in self.QUESTIONS if (n := sum(question.name == name for question in self.log))}

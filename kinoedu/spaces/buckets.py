@@ -1,0 +1,127 @@
+"""The nearest node of a growing tree, by a grid of buckets over the first two coordinates.
+
+While a tree is small all nodes are compared. Then only the buckets round the query are, ring by ring, until no farther ring can
+hold a nearer node. Nodes of any dimension may be kept so: their distance is at least that of their first two coordinates.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..compiled import compiled
+from ..geometry.checks import Array
+
+SMALL = 400  # up to here comparing all is faster
+NODES_PER_BUCKET = 2.0
+
+
+class GrowingTree(NamedTuple):
+    """A tree under construction: room for `len(nodes)` nodes, of which the first size[0] are there.
+
+    Bucket (i, j) covers lo + (i, j) * cell. Its nodes are a chain: head[j * columns + i], then next[node], until -1.
+    """
+
+    nodes: Array
+    parent: NDArray[np.int64]
+    size: NDArray[np.int64]
+    lo: Array
+    cell: float
+    columns: int
+    rows: int
+    head: NDArray[np.int64]
+    next: NDArray[np.int64]
+
+
+def empty_tree(capacity: int, lo: Array, hi: Array) -> GrowingTree:
+    """A tree without nodes, for configurations between lo and hi, shapes (d,)."""
+    plane = np.append(hi - lo, 0.0)[:2] if len(lo) < 2 else (hi - lo)[:2]
+    buckets = max(capacity / NODES_PER_BUCKET, 1.0)
+    cell = float(max(np.sqrt(plane[0] * plane[1] / buckets), plane.max() / buckets)) or 1.0
+    columns, rows = np.maximum(np.ceil(plane / cell), 1).astype(int).tolist()
+    return GrowingTree(
+        np.empty((capacity, len(lo))),
+        np.empty(capacity, np.int64),
+        np.zeros(1, np.int64),
+        np.append(lo, 0.0)[:2] if len(lo) < 2 else lo[:2].copy(),
+        cell,
+        columns,
+        rows,
+        np.full(columns * rows, -1, np.int64),
+        np.empty(capacity, np.int64),
+    )
+
+
+@compiled
+def add(tree: GrowingTree, q: Array, parent: int) -> int:
+    """Append a node; returns its number."""
+    node = tree.size[0]
+    tree.size[0] = node + 1
+    tree.nodes[node] = q
+    tree.parent[node] = parent
+    i, j = bucket_of(tree, q)
+    bucket = j * tree.columns + i
+    tree.next[node] = tree.head[bucket]
+    tree.head[bucket] = node
+    return node
+
+
+@compiled
+def bucket_of(tree: GrowingTree, q: Array) -> tuple[int, int]:
+    """The column and row of q's bucket; the outermost ones take what lies beyond."""
+    y = q[1] if len(q) > 1 else 0.0
+    i = min(max((q[0] - tree.lo[0]) / tree.cell, 0.0), tree.columns - 1.0)
+    j = min(max((y - tree.lo[1]) / tree.cell, 0.0), tree.rows - 1.0)
+    return int(i), int(j)
+
+
+@compiled
+def squared_distance(a: Array, b: Array) -> float:
+    """|b - a|^2."""
+    total = 0.0
+    for i in range(len(a)):
+        total += (b[i] - a[i]) * (b[i] - a[i])
+    return total
+
+
+@compiled
+def nearest_in_buckets(tree: GrowingTree, q: Array) -> int:
+    """The number of the node with the least Euclidean distance to q, the first among equals."""
+    if tree.size[0] <= SMALL:
+        return nearest_of_all(tree, q)
+    column, row = bucket_of(tree, q)
+    best, best_distance = -1, np.inf
+    for ring in range(max(tree.columns, tree.rows)):
+        gap = (ring - 1) * tree.cell  # what lies in this ring of buckets is at least so far away
+        if ring > 1 and best_distance < gap * gap:
+            break
+        for j in range(max(row - ring, 0), min(row + ring, tree.rows - 1) + 1):
+            whole_row = abs(j - row) == ring
+            stride = 1 if whole_row else max(2 * ring, 1)
+            for i in range(column - ring, column + ring + 1, stride):
+                if 0 <= i < tree.columns:
+                    best, best_distance = nearest_in_bucket(tree, j * tree.columns + i, q, best, best_distance)
+    return best
+
+
+@compiled
+def nearest_in_bucket(tree: GrowingTree, bucket: int, q: Array, best: int, best_distance: float) -> tuple[int, float]:
+    """The better of the best node so far and those of one bucket, with its squared distance."""
+    node = tree.head[bucket]
+    while node >= 0:
+        d = squared_distance(tree.nodes[node], q)
+        if d < best_distance or (d == best_distance and node < best):
+            best, best_distance = node, d
+        node = tree.next[node]
+    return best, best_distance
+
+
+@compiled
+def nearest_of_all(tree: GrowingTree, q: Array) -> int:
+    """The same by comparing every node."""
+    best, best_distance = 0, np.inf
+    for node in range(tree.size[0]):
+        d = squared_distance(tree.nodes[node], q)
+        if d < best_distance:
+            best, best_distance = node, d
+    return best

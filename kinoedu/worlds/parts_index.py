@@ -1,0 +1,83 @@
+"""A grid of cells that tells which parts are near: a motion is judged against those few instead of all."""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..compiled import compiled
+from ..geometry.checks import Array
+from ..geometry.parts import Parts, motion_touches_part, part_boxes
+
+MARGIN = 0.01  # of a cell: boxes are grown by it, so that no rounding of a cell's number loses a part
+
+
+class PartsIndex(NamedTuple):
+    """Cell (i, j) covers lo + (i, j) * cell and holds parts[first[j * columns + i] : first[j * columns + i + 1]]."""
+
+    lo: Array
+    cell: float
+    columns: int
+    rows: int
+    first: NDArray[np.int64]
+    parts: NDArray[np.int64]
+    boxes: Array
+
+
+def index_parts(parts: Parts, lo: Array, hi: Array) -> PartsIndex:
+    """About four cells for each part over the box lo..hi. A world far from the origin for its size gets one cell."""
+    boxes = part_boxes(parts)
+    size = (hi - lo).max()
+    divisions = int(np.ceil(2.0 * np.sqrt(len(boxes)))) or 1
+    if np.abs([lo, hi]).max() > 1e9 * size:
+        divisions = 1
+    cell = float(size / divisions)
+    columns, rows = np.maximum(np.ceil((hi - lo) / cell - MARGIN), 1).astype(int).tolist()
+    low = np.clip(np.floor((boxes[:, :2] - lo) / cell - MARGIN), 0, [columns - 1, rows - 1]).astype(int)
+    high = np.clip(np.floor((boxes[:, 2:] - lo) / cell + MARGIN), 0, [columns - 1, rows - 1]).astype(int)
+    held: list[list[int]] = [[] for _ in range(columns * rows)]
+    for part, ((i0, j0), (i1, j1)) in enumerate(zip(low.tolist(), high.tolist(), strict=True)):
+        for j in range(j0, j1 + 1):
+            for i in range(i0, i1 + 1):
+                held[j * columns + i].append(part)
+    first = np.cumsum([0, *map(len, held)], dtype=np.int64)
+    return PartsIndex(lo, cell, columns, rows, first, np.array([p for cell in held for p in cell], np.int64), boxes)
+
+
+@compiled
+def stretch_in_band(ax: float, ay: float, bx: float, by: float, low: float, high: float) -> tuple[float, float]:
+    """The least and greatest x of the part of a-b with low <= y <= high, to rounding; a-b is known to enter the band."""
+    if ay == by:
+        return min(ax, bx), max(ax, bx)
+    if ay > by:
+        ax, ay, bx, by = bx, by, ax, ay
+    x0 = ax if ay >= low else ax + (low - ay) / (by - ay) * (bx - ax)
+    x1 = bx if by <= high else ax + (high - ay) / (by - ay) * (bx - ax)
+    return min(x0, x1), max(x0, x1)
+
+
+@compiled
+def clip(value: float, high: int) -> int:
+    """The whole number below value, kept within 0..high."""
+    return int(min(max(value, 0.0), float(high)))
+
+
+@compiled
+def motion_touches_any(ax: float, ay: float, bx: float, by: float, radius: float, parts: Parts, index: PartsIndex) -> bool:
+    """Whether a disc moved along a-b touches a part. Row by row, the cells that the motion passes are looked up."""
+    x0, x1 = min(ax, bx) - radius, max(ax, bx) + radius
+    y0, y1 = min(ay, by) - radius, max(ay, by) + radius
+    ox, oy, cell = index.lo[0], index.lo[1], index.cell
+    for j in range(clip((y0 - oy) / cell, index.rows - 1), clip((y1 - oy) / cell, index.rows - 1) + 1):
+        bottom, top = oy + (j - MARGIN) * cell, oy + (j + 1.0 + MARGIN) * cell
+        left, right = stretch_in_band(ax, ay, bx, by, bottom - radius, top + radius)
+        begin = clip((left - radius - ox) / cell - MARGIN, index.columns - 1)
+        end = clip((right + radius - ox) / cell + MARGIN, index.columns - 1)
+        for entry in range(index.first[j * index.columns + begin], index.first[j * index.columns + end + 1]):
+            i = index.parts[entry]
+            box = index.boxes[i]
+            if x1 < box[0] or x0 > box[2] or y1 < box[1] or y0 > box[3]:
+                continue
+            if motion_touches_part(ax, ay, bx, by, radius, parts, i):
+                return True
+    return False

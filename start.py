@@ -1,0 +1,299 @@
+"""Sets kinoedu up in .venv beside this file, once, and then starts what is asked.
+
+This file must parse on any Python, so that one which is too old says so in a line: no f-strings, no annotations.
+"""
+import hashlib
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import time
+
+HELP = """usage: python start.py [command ...]
+
+  python start.py                    set up, then open the course in JupyterLab
+  python start.py test [arguments]   set up, add the test tools, run pytest
+  python start.py command ...        set up, then run a command of kinoedu, as in: python start.py plan --help
+
+The set-up is done once, in .venv beside this file, and needs the network only then.
+"""
+HERE = os.path.dirname(os.path.abspath(__file__))
+VENV = os.path.join(HERE, ".venv")
+LOG = os.path.join(VENV, "install.log")
+STAMP = os.path.join(VENV, "installed.json")
+PYTHON = os.path.join(VENV, *(["Scripts", "python.exe"] if os.name == "nt" else ["bin", "python"]))
+COURSE, TESTS = "environment.txt", "tests/environment.txt"
+MEGABYTES = {COURSE: 700, TESTS: 300}
+PIP_OPTIONS = ["--no-deps", "--only-binary", ":all:", "-r"]
+
+# Variables that would lead .venv to the packages of the environment this file was called from.
+FOREIGN = re.compile("CONDA|VIRTUAL_ENV|PYTHON(PATH|HOME|STARTUP)$|__PYVENV_LAUNCHER__|PIP_(TARGET|PREFIX|ROOT)$")
+
+# In the words of pip, uv, venv and the operating systems. The first that is found is told.
+CAUSES = [
+    (r"no space left|not enough space|os error (28|112)\b|quota", "the disk is full; make room and run this again"),
+    (r"long path", "the path of this folder is too long; move it to a shorter one and run this again"),
+    (r"no module named '?(venv|ensurepip)|ensurepip is (not available|disabled)",
+     "this Python cannot make environments; install its venv module (Debian, Ubuntu: sudo apt install python3-venv)"),
+    (r"connection|timed? ?out|getaddrinfo|name resolution|failed to fetch|error sending|dns error|sslerror|proxyerror",
+     "packages cannot be downloaded; connect to the network and run this again"),
+    (r"no matching distribution|no solution found|no wheels|requires-python",
+     "a package is not made for this Python or computer; use Python 3.11 to 3.14, 64 bits"),
+    (r"permission|not permitted|access is denied|os error (5|13|30)\b|read-only",
+     "cannot write in %s; close what runs from it, or copy the folder to a place of yours" % HERE),
+]
+
+
+class Stop(Exception):
+    """The set-up cannot go on; the message says why and what to do."""
+
+
+def main(arguments):
+    """Do what the arguments ask; the exit status."""
+    try:
+        require_python(sys.version_info)
+        if arguments[:1] in (["-h"], ["--help"]):
+            sys.stdout.write(HELP)
+            return 0
+        return start(arguments)
+    except KeyboardInterrupt:
+        return 130
+    except Stop as stop:
+        say("start.py: %s" % stop)
+    except (OSError, subprocess.CalledProcessError) as error:
+        say("start.py: %s" % explain(str(error)))
+    return 2
+
+
+def require_python(version):
+    """Refuse a Python on which kinoedu does not run."""
+    if tuple(version[:2]) < (3, 11):
+        raise Stop("kinoedu needs Python 3.11 or newer, and this is Python %d.%d" % tuple(version[:2]))
+
+
+def start(arguments):
+    """Set up what the command needs, and become that command."""
+    if arguments[:1] == ["test"]:
+        set_up([COURSE, TESTS])
+        os.chdir(HERE)
+        return become(["-m", "pytest", "--rootdir", HERE] + arguments[1:])
+    set_up([COURSE])
+    if not arguments:
+        subprocess.call([PYTHON, "-P", "-m", "kinoedu", "warm"], env=environment())
+    return become(["-m", "kinoedu"] + (arguments or ["lab"]))
+
+
+def become(arguments):
+    """Run Python in place of this process, deaf to modules that happen to lie in the current folder."""
+    line = [PYTHON, "-P"] + arguments
+    if os.name != "nt":
+        os.execve(PYTHON, line, environment())
+    import signal  # exec on Windows would give the prompt back at once
+    signal.signal(signal.SIGINT, lambda *_: None)  # Ctrl-C reaches the command too, and is its to answer
+    return subprocess.call(line, env=environment())
+
+
+def environment():
+    """The caller's environment variables as if .venv, and nothing else, were activated."""
+    kept = {name: value for name, value in os.environ.items() if not FOREIGN.match(name)}
+    path = os.path.dirname(PYTHON) + os.pathsep + kept.get("PATH", os.defpath)
+    return dict(kept, VIRTUAL_ENV=VENV, PATH=path, PIP_USER="0")
+
+
+def set_up(pins):
+    """Bring .venv to what the files pin. When it is there already nothing is written and nobody waits."""
+    if not missing(pins):
+        return
+    with open(os.path.abspath(__file__), "rb") as lock:
+        wait_for(lock)
+        if os.path.exists(LOG):
+            os.remove(LOG)
+        tools = ([with_uv] if shutil.which("uv") else []) + [with_pip]
+        if not any(bring(pins, tool, lock) for tool in tools):
+            raise Stop("%s (log: %s)" % (explain(read_log()), LOG))
+
+
+def bring(pins, tool, lock):
+    """Install what is missing, into a new .venv where the old is not to be trusted; whether all succeeded."""
+    if not installed():
+        make_venv(lock)
+    return all(install(name, tool, lock) for name in missing(pins))
+
+
+def missing(pins):
+    """The files whose content is not what .venv was last brought to."""
+    stamp = installed()
+    return [name for name in pins if stamp.get(name) != digest(name)]
+
+
+def digest(name):
+    with open(os.path.join(HERE, name), "rb") as file:
+        return hashlib.sha256(file.read()).hexdigest()
+
+
+def installed():
+    """The stamp of .venv; empty if that was left half-way, or its Python is gone or has become another."""
+    try:
+        with open(STAMP) as file:
+            stamp = json.load(file)
+        return stamp if stamp["python"] == binary_interface() else {}
+    except (OSError, ValueError, KeyError, TypeError, subprocess.CalledProcessError):
+        return {}
+
+
+def write_stamp(stamp):
+    """Write it whole or not at all."""
+    with open(STAMP + ".new", "w") as file:
+        json.dump(stamp, file)
+    os.replace(STAMP + ".new", STAMP)
+
+
+def binary_interface():
+    """What compiled packages in .venv must fit, such as .cpython-311-x86_64-linux-gnu.so."""
+    return ask("importlib.machinery.EXTENSION_SUFFIXES[0]")
+
+
+def packages():
+    """The folder of .venv that packages are installed in."""
+    return ask("sysconfig.get_path('purelib')")
+
+
+def contents():
+    """What is installed, but for the installer itself."""
+    return {name for name in os.listdir(packages()) if not re.match("_?(pip|setuptools|pkg_resources|distutils)", name)}
+
+
+def ask(expression):
+    """The value of an expression in the Python of .venv."""
+    code = "import importlib.machinery, json, sysconfig; print(json.dumps(%s))" % expression
+    with open(os.devnull, "w") as nothing:
+        return json.loads(subprocess.check_output([PYTHON, "-I", "-c", code], env=environment(), stderr=nothing))
+
+
+def make_venv(lock):
+    """An empty .venv in place of whatever was there, which imports kinoedu from this folder."""
+    if os.path.exists(STAMP):
+        os.remove(STAMP)  # first, or a .venv whose deletion was interrupted would seem whole
+    base = getattr(sys, "_base_executable", None) or sys.executable  # we may run on the .venv that is deleted here
+    made = subprocess.run([base, "-I", "-m", "venv", "--clear", "--without-pip", VENV], stdin=subprocess.DEVNULL,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env=environment(), **shared(lock))
+    if made.returncode:
+        raise Stop(explain(made.stdout.decode("utf-8", "replace")))
+    with open(os.path.join(packages(), "kinoedu.pth"), "w") as file:
+        file.write(os.path.relpath(HERE, packages()) + "\n")  # relative: it holds when the folder is moved
+    write_stamp({"python": binary_interface()})
+
+
+def install(name, tool, lock):
+    """Install what a file pins. Meanwhile .venv has no stamp, so that it is made anew after a kill or a failure."""
+    stamp, before = installed(), contents()
+    if name not in stamp and shutil.disk_usage(VENV).free < MEGABYTES[name] * 10**6:
+        raise Stop("%d MB of disk are needed in %s; make room and run this again" % (MEGABYTES[name], HERE))
+    how = tool.__name__.replace("_", " ")
+    tell = progress("installing %s %s (%d MB, once, a few minutes)" % (name, how, MEGABYTES[name]))
+    os.remove(STAMP)
+    try:
+        done = tool(name, lock, tell)
+        if done:
+            write_stamp(dict(stamp, **{name: digest(name)}))
+        return done
+    finally:
+        tell("\n")
+        if not os.path.exists(STAMP) and contents() == before:
+            write_stamp(stamp)  # stopped while downloading: what was whole still is
+
+
+def with_uv(name, lock, tell):
+    return finish([shutil.which("uv"), "pip", "install", "--python", PYTHON] + PIP_OPTIONS + [name], lock, tell)
+
+
+def with_pip(name, lock, tell):
+    """Compiling bytecode is left to the first import, as most modules are never imported."""
+    pip = [PYTHON, "-I", "-m", "pip", "install", "--no-compile", "--no-input", "--disable-pip-version-check"]
+    return (finish([PYTHON, "-I", "-m", "ensurepip"], lock, tell)
+            and finish(pip + ["--retries", "2"] + PIP_OPTIONS + [name], lock, tell))
+
+
+def finish(line, lock, tell):
+    """Run an installer to its end, its output in the log; whether it succeeded."""
+    with open(LOG, "ab") as log:
+        try:
+            child = subprocess.Popen(line, stdin=subprocess.DEVNULL, stdout=log, stderr=log, cwd=HERE,
+                                     env=environment(), **shared(lock))
+        except OSError as error:
+            log.write(str(error).encode("utf-8", "replace"))
+            return False
+        try:
+            while child.poll() is None:
+                tell()
+                time.sleep(0.1)
+        finally:
+            child.terminate()
+            child.wait()
+        return child.returncode == 0
+
+
+def progress(text):
+    """A function that tells the seconds since now, on one line of a terminal."""
+    began, live = time.time(), sys.stderr.isatty()
+    if not live:
+        say(text)
+
+    def tell(end=""):
+        if live:
+            sys.stderr.write("\r%s: %d s%s" % (text, time.time() - began, end))
+            sys.stderr.flush()
+    return tell
+
+
+def read_log():
+    with open(LOG, errors="replace") as file:
+        return file.read()
+
+
+def explain(text):
+    """One line for what an installer or the operating system said."""
+    for pattern, advice in CAUSES:
+        if re.search("(?i)" + pattern, text):
+            return advice
+    return "the set-up failed: " + "".join(text.strip().splitlines()[-1:])
+
+
+def say(line):
+    sys.stderr.write(line + "\n")
+    sys.stderr.flush()
+
+
+def wait_for(lock):
+    """Take the lock on this file; the system frees it when its last holder has died."""
+    if not taken(lock):
+        say("another start.py is setting up; waiting")
+        while not taken(lock):
+            time.sleep(0.2)
+
+
+def taken(lock):
+    try:
+        if os.name == "nt":
+            import msvcrt
+            os.lseek(lock.fileno(), 1 << 30, os.SEEK_SET)  # past the end: what is locked cannot be read
+            msvcrt.locking(lock.fileno(), msvcrt.LK_NBLCK, 1)
+        else:
+            import fcntl
+            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except (BlockingIOError, PermissionError):
+        return False
+    except OSError:
+        pass  # some network disks know no locks: go on without
+    return True
+
+
+def shared(lock):
+    """Lets an installer hold the lock too, should this process be killed before it."""
+    return {} if os.name == "nt" else {"pass_fds": [lock.fileno()]}
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
