@@ -2,6 +2,7 @@
 
 This file must parse on any Python, so that one which is too old says so in a line: no f-strings, no annotations.
 """
+# ruff: noqa: UP031, RUF005 (newer ways to format and join would not parse there)
 import hashlib
 import json
 import os

@@ -24,20 +24,21 @@ WINDOWS = os.name == "nt"
 needs_signals = pytest.mark.skipif(WINDOWS, reason="the signals of POSIX")
 
 STUB = """
-import json, os, sys
+import json, os, random, sys
 told = dict(arguments=sys.argv[1:], folder=os.getcwd(), prefix=sys.prefix, file=__file__, pid=os.getpid(),
             path=sys.path, variables=dict(os.environ))
 print(json.dumps(told))
 sys.exit(int(sys.argv[2]) if sys.argv[1:2] == ["exit"] else 0)
 """
 
-# "half" leaves a package half-written and fails; "kill" does so and takes start.py with it; "wait" ends at a signal.
+# "half" leaves a package half-written and fails, "kill" does so and takes start.py with it, "wait" waits for a file.
 FAKE_UV = """
 import os, pathlib, sys, time
 here, python, role = pathlib.Path(__file__).parent, pathlib.Path(sys.argv[4]), os.environ.get("FAKE_UV", "install")
 with open(here / "calls", "a") as calls:
     calls.write(sys.argv[-1] + "\\n")
-while role == "wait" and not (here / "go").exists():
+limit = time.monotonic() + 60
+while role == "wait" and not (here / "go").exists() and time.monotonic() < limit:
     time.sleep(0.02)
 if role in ("half", "kill"):
     next(python.parent.parent.glob("[Ll]ib/**/site-packages")).joinpath("half").mkdir()
@@ -129,7 +130,7 @@ def test_an_old_python_is_refused_in_one_line_with_both_versions(version, monkey
     monkeypatch.setattr(sys, "version_info", version)
     assert start.main(["lab"]) == 2
     told = capsys.readouterr().err
-    assert told.count("\n") == 1 and "3.11" in told and "%d.%d" % version[:2] in told
+    assert told.count("\n") == 1 and "3.11" in told and f"{version[0]}.{version[1]}" in told
 
 
 def test_help_needs_no_set_up(course):
@@ -140,7 +141,7 @@ def test_help_needs_no_set_up(course):
 # --- set up, and step aside -----------------------------------------------------------------------------------------
 
 def test_arguments_folder_and_status_pass_through(course, tmp_path):
-    """A name such as exit or a relative path means what it means where the user stands."""
+    """A relative path means what it means where the user stands, and no module that lies there is imported."""
     (tmp_path / "random.py").write_text("raise SystemExit('a file beside the user got in the way')")
     ended = course.run("exit", "7", "två ord", cwd=tmp_path)
     assert ended.status == 7

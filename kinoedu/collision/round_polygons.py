@@ -6,7 +6,7 @@ from ..compiled import compiled
 from ..geometry.checks import Array
 from ..geometry.exact import cross, length, turn
 from ..geometry.parts import segment_part_distance
-from ..geometry.segments import segment_distance, shared_points
+from ..geometry.segments import shared_points
 from ..robots.round import RoundRobot
 from ..worlds.parts_index import motion_touches_any
 from ..worlds.polygon_world import PolygonWorldRecord
@@ -18,7 +18,7 @@ ROUND = 1e-12  # contact of what is round is decided to this share of its radius
 @is_free_path.register(RoundRobot, PolygonWorldRecord)
 def round_among_polygons(robot: RoundRobot, world: PolygonWorldRecord, a: Array, b: Array, clearance: float) -> bool:
     """Both ends inside the hull of the boundary, and no part touched on the way. A point's motion is judged exactly."""
-    radius = robot.body.radius[0] + clearance
+    radius = robot.radius + clearance
     return (
         is_inside(a, radius, world.hull)
         and is_inside(b, radius, world.hull)
@@ -43,7 +43,7 @@ def is_inside(q: Array, radius: float, ring: Array) -> bool:
 @is_semi_free_path.register(RoundRobot, PolygonWorldRecord)
 def round_sliding_on_polygons(robot: RoundRobot, world: PolygonWorldRecord, a: Array, b: Array, clearance: float) -> bool:
     """A disc slides where its centre keeps the radius; a point where it never passes through the inside of what is solid."""
-    radius = robot.body.radius[0] + clearance
+    radius = robot.radius + clearance
     return disc_slides(world, a, b, radius) if radius > 0.0 else point_slides(world, a, b)
 
 
@@ -69,8 +69,9 @@ def point_slides(world: PolygonWorldRecord, a: Array, b: Array) -> bool:
     Between two neighbouring contacts a motion is inside a solid, outside, or along edges. It penetrates where both its left and
     its right are solid, be it the same obstacle or two that touch.
     """
-    for disc in world.discs:
-        if segment_distance(disc[0], disc[1], a[0], a[1], b[0], b[1]) < disc[2] * (1.0 - ROUND):
+    parts = world.obstacles
+    for i in range(len(parts.radius)):
+        if parts.radius[i] > 0.0 and segment_part_distance(a[0], a[1], b[0], b[1], parts, i) < parts.radius[i] * (1.0 - ROUND):
             return False
     contacts = np.sort(contacts_along(world, a, b))
     for i in range(len(contacts) - 1):
@@ -84,48 +85,45 @@ def point_slides(world: PolygonWorldRecord, a: Array, b: Array) -> bool:
 @compiled
 def contacts_along(world: PolygonWorldRecord, a: Array, b: Array) -> Array:
     """The fractions of the motion at which it meets an edge, with 0 and 1."""
-    found = np.empty(2 + 2 * len(world.rings))
+    found = np.empty(2 + 2 * len(world.edges))
     found[0], found[1], size = 0.0, 1.0, 2
     points = np.empty((2, 2))
     whole = length(b[0] - a[0], b[1] - a[1])
-    for ring in range(len(world.owner)):
-        begin, end = world.first[ring], world.first[ring + 1]
-        for k in range(begin, end):
-            c, d = world.rings[k], world.rings[k + 1 if k + 1 < end else begin]
-            for i in range(shared_points(a, b, c, d, points)):
-                found[size] = length(points[i, 0] - a[0], points[i, 1] - a[1]) / whole if whole > 0.0 else 0.0
-                size += 1
+    for edge in world.edges:
+        for i in range(shared_points(a, b, edge[0:2], edge[2:4], points)):
+            found[size] = length(points[i, 0] - a[0], points[i, 1] - a[1]) / whole if whole > 0.0 else 0.0
+            size += 1
     return found[:size]
 
 
 @compiled
 def solid_sides(world: PolygonWorldRecord, a: Array, b: Array, t: float) -> tuple[bool, bool]:
-    """Whether what lies just left, and just right, of the motion a-b at its fraction t is solid."""
+    """Whether what lies just left, and just right, of the motion a-b at its fraction t is solid.
+
+    Solid by solid: by the edge that the motion runs along, or else by how often the solid's rings wind round the point.
+    """
     x, y = a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])
     left, right = False, False
-    winding, along = 0, 0
-    for ring in range(len(world.owner)):
-        if ring == 0 or world.owner[ring] != world.owner[ring - 1]:
-            winding, along = (1, 0) if ring == 0 else (0, 0)
-        begin, end = world.first[ring], world.first[ring + 1]
-        for k in range(begin, end):
-            c, d = world.rings[k], world.rings[k + 1 if k + 1 < end else begin]
-            if edge_runs_along(a, b, c, d, x, y):
-                along = 1 if (d[0] - c[0]) * (b[0] - a[0]) + (d[1] - c[1]) * (b[1] - a[1]) > 0.0 else -1
-            elif (c[1] > y) != (d[1] > y):
-                side = turn(c[0], c[1], d[0], d[1], x, y)
-                winding += 1 if side > 0 and d[1] > y else (-1 if side < 0 and c[1] > y else 0)
-        if ring == len(world.owner) - 1 or world.owner[ring + 1] != world.owner[ring]:
+    winding, along = 1, 0  # the outside winds once round everything, and its clockwise ring takes that back
+    for i in range(len(world.edges)):
+        cx, cy, dx, dy, solid = world.edges[i, 0], world.edges[i, 1], world.edges[i, 2], world.edges[i, 3], world.edges[i, 4]
+        if edge_runs_along(a, b, cx, cy, dx, dy, x, y):
+            along = 1 if (dx - cx) * (b[0] - a[0]) + (dy - cy) * (b[1] - a[1]) > 0.0 else -1
+        elif (cy > y) != (dy > y):
+            side = turn(cx, cy, dx, dy, x, y)
+            winding += int(side > 0 and dy > y) - int(side < 0 and cy > y)
+        if i + 1 == len(world.edges) or world.edges[i + 1, 4] != solid:
             left = left or along > 0 or (along == 0 and winding != 0)
             right = right or along < 0 or (along == 0 and winding != 0)
+            winding, along = 0, 0
     return left, right
 
 
 @compiled
-def edge_runs_along(a: Array, b: Array, c: Array, d: Array, x: float, y: float) -> bool:
+def edge_runs_along(a: Array, b: Array, cx: float, cy: float, dx: float, dy: float, x: float, y: float) -> bool:
     """Whether the edge c-d lies on the line a-b and reaches past (x, y) on both sides."""
-    if turn(a[0], a[1], b[0], b[1], c[0], c[1]) != 0 or turn(a[0], a[1], b[0], b[1], d[0], d[1]) != 0:
+    if turn(a[0], a[1], b[0], b[1], cx, cy) != 0 or turn(a[0], a[1], b[0], b[1], dx, dy) != 0:
         return False
     if abs(b[0] - a[0]) >= abs(b[1] - a[1]):
-        return min(c[0], d[0]) < x < max(c[0], d[0])
-    return min(c[1], d[1]) < y < max(c[1], d[1])
+        return min(cx, dx) < x < max(cx, dx)
+    return min(cy, dy) < y < max(cy, dy)

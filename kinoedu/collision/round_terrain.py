@@ -21,7 +21,7 @@ SLACK = 1e-3  # of a cell: rows are looked up a little beyond the motion
 def round_on_terrain(robot: RoundRobot, world: TerrainRecord, a: Array, b: Array, clearance: float) -> bool:
     """Inside the terrain and touching no blocked cell, not even its corner."""
     ax, ay, bx, by = in_cells(world, a, b)
-    radius = (robot.body.radius[0] + clearance) / world.resolution
+    radius = (robot.radius + clearance) / world.resolution
     rows, columns = world.free.shape
     if not (min(ax, bx) > radius and max(ax, bx) < columns - radius and min(ay, by) > radius and max(ay, by) < rows - radius):
         return False
@@ -32,7 +32,7 @@ def round_on_terrain(robot: RoundRobot, world: TerrainRecord, a: Array, b: Array
 def round_sliding_on_terrain(robot: RoundRobot, world: TerrainRecord, a: Array, b: Array, clearance: float) -> bool:
     """Entering no blocked cell; a point does not pass between two blocked cells that share an edge either."""
     ax, ay, bx, by = in_cells(world, a, b)
-    radius = (robot.body.radius[0] + clearance) / world.resolution * (1.0 - ROUND)
+    radius = (robot.radius + clearance) / world.resolution * (1.0 - ROUND)
     rows, columns = world.free.shape
     if not (min(ax, bx) >= radius and max(ax, bx) <= columns - radius and min(ay, by) >= radius and max(ay, by) <= rows - radius):
         return False

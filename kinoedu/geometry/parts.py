@@ -5,14 +5,16 @@ The record table (every record is a NamedTuple; compiled code reads its fields):
 | record | fields |
 |---|---|
 | `Parts` | points (n, 2), first (k + 1,), radius (k,): part i is points[first[i]:first[i + 1]], grown by radius[i] |
-| `RoundRobot` | body: Parts of one point |
-| `PolygonWorldRecord` | boundary, rings, discs, obstacles: Parts, index: PartsIndex, lo and hi (worlds/polygon_world.py) |
+| `RoundRobot` | radius (its body, Parts of one point, is made when asked for) |
+| `PolygonWorldRecord` | edges (m, 5), hull, obstacles: Parts, index: PartsIndex, lo and hi (worlds/polygon_world.py) |
+| `PartsIndex` | x, y, cell, columns, rows, first, parts, boxes (worlds/parts_index.py) |
 | `TerrainRecord` | free (rows, columns), resolution, origin, lo and hi (worlds/terrain.py) |
 | `RealSpace` | lo and hi (d,) (spaces/real.py) |
 | `ProblemRecord` | robot, world, space, start, goal, clearance, asked (problems.py) |
 
 One vertex with a radius is a disc, two a rounded bar such as an arm's link, three or more a convex polygon, counter-clockwise; a
-non-convex polygon is several parts. So one distance routine judges them all.
+non-convex polygon is several parts. So one distance routine judges them all. Records hold few arrays: compiled code counts a
+reference to each of them wherever a record is handed on.
 """
 
 from collections.abc import Sequence

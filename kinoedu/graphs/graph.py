@@ -38,7 +38,7 @@ class GraphRecord(NamedTuple):
 
     def degree(self, u: int) -> int:
         """How many edges leave node u."""
-        return self.first[u + 1] - self.first[u]
+        return len(self.neighbours(u))
 
     def neighbours(self, u: int) -> NDArray[np.int64]:
         """The nodes that an edge from u leads to, in increasing order."""

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from ..compiled import callable_from_compiled, compiled
+from ..compiled import body, callable_from_compiled
 from ..problems import MOTIONS, Plan, as_generator
 from ..spaces.buckets import GrowingTree, add
 from .answers import plan_from_tree
@@ -14,7 +14,7 @@ from .asking import askable, body_for, new_tree, world_size
 from .tuning import positive, share, whole
 
 
-@compiled
+@body
 def grow(
     problem: Any, tree: GrowingTree, step: float, goal_bias: float, max_iterations: int, rng: np.random.Generator
 ) -> tuple[int, int]:

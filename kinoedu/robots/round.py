@@ -12,12 +12,17 @@ from ..geometry.parts import Parts, make_parts
 class RoundRobot(NamedTuple):
     """A body of one point with a radius, moved without turning."""
 
-    body: Parts
+    radius: float
+
+    @property
+    def body(self) -> Parts:
+        """The body as Parts, at the origin."""
+        return make_parts([np.zeros((1, 2))], [self.radius])
 
 
 def Point() -> RoundRobot:
     """A robot without size. Its motions among polygons and on terrains are judged exactly."""
-    return RoundRobot(make_parts([np.zeros((1, 2))], [0.0]))
+    return RoundRobot(0.0)
 
 
 def Disk(radius: float) -> RoundRobot:
@@ -29,4 +34,4 @@ def Disk(radius: float) -> RoundRobot:
     size = as_array(radius, "radius")
     if size.ndim or size <= 0.0:
         raise InvalidRobot(f"a disk's radius must be one positive length, got {radius!r}; a robot without size is Point()")
-    return RoundRobot(make_parts([np.zeros((1, 2))], [float(size)]))
+    return RoundRobot(float(size))

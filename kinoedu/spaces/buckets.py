@@ -19,13 +19,14 @@ NODES_PER_BUCKET = 2.0
 class GrowingTree(NamedTuple):
     """A tree under construction: room for `len(nodes)` nodes, of which the first size[0] are there.
 
-    Bucket (i, j) covers lo + (i, j) * cell. Its nodes are a chain: head[j * columns + i], then next[node], until -1.
+    Bucket (i, j) covers (x, y) + (i, j) * cell. Its nodes are a chain: head[j * columns + i], then next[node], until -1.
     """
 
     nodes: Array
     parent: NDArray[np.int64]
     size: NDArray[np.int64]
-    lo: Array
+    x: float
+    y: float
     cell: float
     columns: int
     rows: int
@@ -43,7 +44,8 @@ def empty_tree(capacity: int, lo: Array, hi: Array) -> GrowingTree:
         np.empty((capacity, len(lo))),
         np.empty(capacity, np.int64),
         np.zeros(1, np.int64),
-        np.append(lo, 0.0)[:2] if len(lo) < 2 else lo[:2].copy(),
+        float(lo[0]),
+        float(lo[1]) if len(lo) > 1 else 0.0,
         cell,
         columns,
         rows,
@@ -70,17 +72,17 @@ def add(tree: GrowingTree, q: Array, parent: int) -> int:
 def bucket_of(tree: GrowingTree, q: Array) -> tuple[int, int]:
     """The column and row of q's bucket; the outermost ones take what lies beyond."""
     y = q[1] if len(q) > 1 else 0.0
-    i = min(max((q[0] - tree.lo[0]) / tree.cell, 0.0), tree.columns - 1.0)
-    j = min(max((y - tree.lo[1]) / tree.cell, 0.0), tree.rows - 1.0)
+    i = min(max((q[0] - tree.x) / tree.cell, 0.0), tree.columns - 1.0)
+    j = min(max((y - tree.y) / tree.cell, 0.0), tree.rows - 1.0)
     return int(i), int(j)
 
 
 @compiled
-def squared_distance(a: Array, b: Array) -> float:
-    """|b - a|^2."""
+def squared_distance(nodes: Array, node: int, q: Array) -> float:
+    """|nodes[node] - q|^2."""
     total = 0.0
-    for i in range(len(a)):
-        total += (b[i] - a[i]) * (b[i] - a[i])
+    for i in range(len(q)):
+        total += (nodes[node, i] - q[i]) * (nodes[node, i] - q[i])
     return total
 
 
@@ -109,7 +111,7 @@ def nearest_in_bucket(tree: GrowingTree, bucket: int, q: Array, best: int, best_
     """The better of the best node so far and those of one bucket, with its squared distance."""
     node = tree.head[bucket]
     while node >= 0:
-        d = squared_distance(tree.nodes[node], q)
+        d = squared_distance(tree.nodes, node, q)
         if d < best_distance or (d == best_distance and node < best):
             best, best_distance = node, d
         node = tree.next[node]
@@ -121,7 +123,7 @@ def nearest_of_all(tree: GrowingTree, q: Array) -> int:
     """The same by comparing every node."""
     best, best_distance = 0, np.inf
     for node in range(tree.size[0]):
-        d = squared_distance(tree.nodes[node], q)
+        d = squared_distance(tree.nodes, node, q)
         if d < best_distance:
             best, best_distance = node, d
     return best

@@ -13,9 +13,13 @@ MARGIN = 0.01  # of a cell: boxes are grown by it, so that no rounding of a cell
 
 
 class PartsIndex(NamedTuple):
-    """Cell (i, j) covers lo + (i, j) * cell and holds parts[first[j * columns + i] : first[j * columns + i + 1]]."""
+    """Cell (i, j) covers (x, y) + (i, j) * cell and holds parts[first[j * columns + i] : first[j * columns + i + 1]].
 
-    lo: Array
+    boxes (k, 4) are the bounding boxes of all parts. Few arrays: compiled code counts a reference to each at every call.
+    """
+
+    x: float
+    y: float
     cell: float
     columns: int
     rows: int
@@ -41,7 +45,8 @@ def index_parts(parts: Parts, lo: Array, hi: Array) -> PartsIndex:
             for i in range(i0, i1 + 1):
                 held[j * columns + i].append(part)
     first = np.cumsum([0, *map(len, held)], dtype=np.int64)
-    return PartsIndex(lo, cell, columns, rows, first, np.array([p for cell in held for p in cell], np.int64), boxes)
+    found = np.array([part for parts_held in held for part in parts_held], np.int64)
+    return PartsIndex(float(lo[0]), float(lo[1]), cell, columns, rows, first, found, boxes)
 
 
 @compiled
@@ -67,7 +72,7 @@ def motion_touches_any(ax: float, ay: float, bx: float, by: float, radius: float
     """Whether a disc moved along a-b touches a part. Row by row, the cells that the motion passes are looked up."""
     x0, x1 = min(ax, bx) - radius, max(ax, bx) + radius
     y0, y1 = min(ay, by) - radius, max(ay, by) + radius
-    ox, oy, cell = index.lo[0], index.lo[1], index.cell
+    ox, oy, cell, boxes = index.x, index.y, index.cell, index.boxes
     for j in range(clip((y0 - oy) / cell, index.rows - 1), clip((y1 - oy) / cell, index.rows - 1) + 1):
         bottom, top = oy + (j - MARGIN) * cell, oy + (j + 1.0 + MARGIN) * cell
         left, right = stretch_in_band(ax, ay, bx, by, bottom - radius, top + radius)
@@ -75,8 +80,7 @@ def motion_touches_any(ax: float, ay: float, bx: float, by: float, radius: float
         end = clip((right + radius - ox) / cell + MARGIN, index.columns - 1)
         for entry in range(index.first[j * index.columns + begin], index.first[j * index.columns + end + 1]):
             i = index.parts[entry]
-            box = index.boxes[i]
-            if x1 < box[0] or x0 > box[2] or y1 < box[1] or y0 > box[3]:
+            if x1 < boxes[i, 0] or x0 > boxes[i, 2] or y1 < boxes[i, 1] or y0 > boxes[i, 3]:
                 continue
             if motion_touches_part(ax, ay, bx, by, radius, parts, i):
                 return True

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ..errors import InvalidWorld
 from ..geometry.checks import Array, as_array, as_point
@@ -18,19 +18,16 @@ from .parts_index import PartsIndex, index_parts
 class PolygonWorldRecord(NamedTuple):
     """What `PolygonWorld` makes; planners and figures read it, nothing writes it.
 
-    Ring i is rings[first[i]:first[i + 1]] and belongs to solid owner[i]; what is solid lies to the left of every edge. Solid 0 is
-    the outside: ring 0 is the boundary, clockwise. The others are the polygonal obstacles in their order, each counter-clockwise,
-    with its rooms clockwise. `discs` holds the round obstacles as rows x, y, radius.
+    Row i of `edges` is x, y, next x, next y, solid: an edge with what is solid to its left, ring after ring. Solid 0 is the
+    outside: the first ring is the boundary, clockwise. The others are the polygonal obstacles in their order, each
+    counter-clockwise, followed by its rooms, clockwise.
 
-    For collision the same is held as convex parts: `hull` is the convex hull of the boundary, outside of which all is solid;
-    `obstacles` has the convex parts of every obstacle and of the pockets between boundary and hull.
+    For collision the same is held as convex parts: `hull` (k, 2) is the convex hull of the boundary, outside of which all is
+    solid; `obstacles` has the convex parts of every obstacle and of the pockets between boundary and hull, and last the round
+    obstacles. lo and hi are the corners of the bounding box.
     """
 
-    boundary: Array
-    rings: Array
-    first: NDArray[np.int64]
-    owner: NDArray[np.int64]
-    discs: Array
+    edges: Array
     hull: Array
     obstacles: Parts
     index: PartsIndex
@@ -56,32 +53,41 @@ def PolygonWorld(boundary: ArrayLike, obstacles: Iterable[Any] = ()) -> PolygonW
     """
     outline = as_ring(boundary, "boundary")
     hull = convex_hull(outline)
-    rings, owner, pieces = [outline[::-1]], [0], pockets(outline, hull)
-    discs: list[Array] = []
+    solids, pieces, discs = [[outline[::-1]]], pockets(outline, hull), []
     for number, obstacle in enumerate(obstacles):
         name = f"obstacle {number}"
         if is_pair_with_radius(obstacle):
             discs.append(as_disc(*obstacle, name))
-            continue
-        ring, rooms = as_polygon_with_rooms(obstacle, name)
-        pieces += convex_parts(ring, rooms)
-        owner += [max(owner) + 1] * (1 + len(rooms))
-        rings += [ring, *(room[::-1] for room in rooms)]
-    centres = [disc[None, :2] for disc in discs]
-    parts = make_parts(pieces + centres, [0.0] * len(pieces) + [float(disc[2]) for disc in discs])
+        else:
+            ring, rooms = as_polygon_with_rooms(obstacle, name)
+            pieces += convex_parts(ring, rooms)
+            solids.append([ring, *(room[::-1] for room in rooms)])
+    centres, radii = [disc[None, :2] for disc in discs], [float(disc[2]) for disc in discs]
+    parts = make_parts(pieces + centres, [0.0] * len(pieces) + radii)
+    edges = np.concatenate([edges_of(ring, solid) for solid, rings in enumerate(solids) for ring in rings])
     lo, hi = outline.min(axis=0), outline.max(axis=0)
-    return PolygonWorldRecord(
-        outline,
-        np.concatenate(rings),
-        np.cumsum([0, *map(len, rings)], dtype=np.int64),
-        np.array(owner, np.int64),
-        np.array(discs).reshape(-1, 3),
-        hull,
-        parts,
-        index_parts(parts, lo, hi),
-        lo,
-        hi,
-    )
+    return PolygonWorldRecord(edges, hull, parts, index_parts(parts, lo, hi), lo, hi)
+
+
+def edges_of(ring: Array, solid: int) -> Array:
+    """A ring's edges as rows of `PolygonWorldRecord.edges`, shape (n, 5)."""
+    return np.hstack([ring, np.roll(ring, -1, axis=0), np.full((len(ring), 1), float(solid))])
+
+
+def rings_of(world: PolygonWorldRecord) -> list[list[Array]]:
+    """The rings of each solid: the boundary's first, clockwise; then each polygonal obstacle's own and its rooms'."""
+    begins = [0, *(np.flatnonzero((world.edges[1:, :2] != world.edges[:-1, 2:4]).any(axis=1)) + 1), len(world.edges)]
+    solids: list[list[Array]] = [[] for _ in range(int(world.edges[-1, 4]) + 1)]
+    for begin, end in zip(begins[:-1], begins[1:], strict=True):
+        solids[int(world.edges[begin, 4])].append(world.edges[begin:end, :2])
+    return solids
+
+
+def discs_of(world: PolygonWorldRecord) -> Array:
+    """The round obstacles as rows x, y, radius, shape (k, 3)."""
+    parts = world.obstacles
+    k = int((parts.radius > 0.0).sum())
+    return np.hstack([parts.points[len(parts.points) - k :], parts.radius[len(parts.radius) - k :, None]])
 
 
 def is_pair_with_radius(obstacle: Any) -> bool:
