@@ -12,7 +12,7 @@ The rooms of the house: `geometry`, `graphs`, `spaces`, `worlds`, `robots`, `col
 """
 
 from . import collision, geometry, graphs, planners, problems, robots, spaces, worlds
-from .planners import rrt
+from .planners import plan_on_grid, prm, rrt
 from .problems import Plan, Problem, Recorder
 from .robots import Disk, Point
 from .worlds import PolygonWorld, Terrain, read_world

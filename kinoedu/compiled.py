@@ -123,20 +123,21 @@ OPTIONS = {"nogil": True, "error_model": "numpy"}  # numpy: a float divided by z
 def compiled(function: Callable[..., Any]) -> Compiled:
     """Compile `function` at its first call for each kind of arguments; `.py_func` is the Python it came from.
 
-    Compiled callers take its code in, so that handing it a record costs nothing.
-
     >>> @compiled
     ... def twice(x):
     ...     return x + x
     >>> twice(2.0) == twice.py_func(2.0)
     True
     """
-    return _dispatcher(function, function, forceinline=True)
-
-
-def compiled_apart(function: Callable[..., Any]) -> Compiled:
-    """The same for code that is long and seldom reached: callers call it, and stay short themselves."""
     return _dispatcher(function, function)
+
+
+def inlined(function: Callable[..., Any]) -> Compiled:
+    """The same for a short kernel that is handed records: its compiled callers take its code in, so that no record is passed on.
+
+    Not for kernels of numbers alone: the compiler knows better which of those to take in.
+    """
+    return _dispatcher(function, function, forceinline=True)
 
 
 def body(function: Callable[..., Any]) -> Compiled:
@@ -147,10 +148,10 @@ def body(function: Callable[..., Any]) -> Compiled:
     """
     if not JIT:
         return compiled(function)
-    inlined = numba.njit(forceinline=True, **OPTIONS)(function)
+    whole = numba.njit(forceinline=True, **OPTIONS)(function)
 
     def start(*args: Any) -> Any:
-        return inlined(*borrowed(args))
+        return whole(*borrowed(args))
 
     dispatcher = _dispatcher(start, function)
     dispatcher.py_func = function

@@ -147,6 +147,13 @@ class Tree(NamedTuple):
     parent: NDArray[np.int64]
 
 
+class Roadmap(NamedTuple):
+    """A roadmap in the order it grew: nodes (n, d), and edges (m, 2), pairs of node numbers."""
+
+    nodes: Array
+    edges: NDArray[np.int64]
+
+
 @dataclass(frozen=True, eq=False)
 class Plan:
     """A planner's answer.

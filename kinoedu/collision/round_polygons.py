@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ..compiled import compiled
+from ..compiled import compiled, inlined
 from ..geometry.checks import Array
 from ..geometry.exact import cross, length, turn
 from ..geometry.parts import segment_part_distance
@@ -22,11 +22,11 @@ def round_among_polygons(robot: RoundRobot, world: PolygonWorldRecord, a: Array,
     return (
         is_inside(a, radius, world.hull)
         and is_inside(b, radius, world.hull)
-        and not motion_touches_any(a[0], a[1], b[0], b[1], radius, world.obstacles, world.index)
+        and not motion_touches_any(a[0], a[1], b[0], b[1], radius, world.obstacles, world.cells)
     )
 
 
-@compiled
+@inlined
 def is_inside(q: Array, radius: float, ring: Array) -> bool:
     """Whether a disc lies inside a convex ring without touching it."""
     last = len(ring) - 1

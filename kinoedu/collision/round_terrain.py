@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from ..compiled import compiled
+from ..compiled import compiled, inlined
 from ..geometry.checks import Array
 from ..geometry.exact import turn
 from ..geometry.segments import segments_distance
@@ -25,7 +25,7 @@ def round_on_terrain(robot: RoundRobot, world: TerrainRecord, a: Array, b: Array
     rows, columns = world.free.shape
     if not (min(ax, bx) > radius and max(ax, bx) < columns - radius and min(ay, by) > radius and max(ay, by) < rows - radius):
         return False
-    return not meets_blocked(world, ax, ay, bx, by, radius, True)
+    return not meets_blocked(world.free, ax, ay, bx, by, radius, True)
 
 
 @is_semi_free_path.register(RoundRobot, TerrainRecord)
@@ -36,12 +36,12 @@ def round_sliding_on_terrain(robot: RoundRobot, world: TerrainRecord, a: Array, 
     rows, columns = world.free.shape
     if not (min(ax, bx) >= radius and max(ax, bx) <= columns - radius and min(ay, by) >= radius and max(ay, by) <= rows - radius):
         return False
-    if meets_blocked(world, ax, ay, bx, by, radius, False):
+    if meets_blocked(world.free, ax, ay, bx, by, radius, False):
         return False
     return radius > 0.0 or not (runs_in_wall(world.free, ay, by, ax, bx) or runs_in_wall(world.free.T, ax, bx, ay, by))
 
 
-@compiled
+@inlined
 def in_cells(world: TerrainRecord, a: Array, b: Array) -> tuple[float, float, float, float]:
     """Two positions in units of cells from the lower left corner."""
     ox, oy, side = world.origin[0], world.origin[1], world.resolution
@@ -49,12 +49,11 @@ def in_cells(world: TerrainRecord, a: Array, b: Array) -> tuple[float, float, fl
 
 
 @compiled
-def meets_blocked(world: TerrainRecord, ax: float, ay: float, bx: float, by: float, radius: float, closed: bool) -> bool:
+def meets_blocked(free: np.ndarray, ax: float, ay: float, bx: float, by: float, radius: float, closed: bool) -> bool:
     """Whether a disc moved along a-b meets a blocked cell. Row by row, every cell within reach is looked up.
 
     `closed` cells include their edges and corners; otherwise only their insides count.
     """
-    free = world.free
     rows, columns = free.shape
     low, high = min(ay, by) - radius, max(ay, by) + radius
     for j in range(max(math.ceil(low) - 1, 0), min(math.floor(high), rows - 1) + 1):

@@ -11,7 +11,7 @@ import math
 
 import numpy as np
 
-from ..compiled import compiled, compiled_apart
+from ..compiled import compiled
 
 SPLITTER = 134217729.0  # 2^27 + 1: cuts a 53-bit number into two halves whose products are exact
 ROUNDING = 3.3306690738754716e-16  # (3 + 16 eps) eps: bounds the relative error of a computed cross product
@@ -43,7 +43,7 @@ def two_product(a: float, b: float) -> tuple[float, float]:
     return product, a_low * b_low - (((product - a_high * b_high) - a_low * b_high) - a_high * b_low)
 
 
-@compiled_apart
+@compiled
 def sum_of_products(x: np.ndarray, y: np.ndarray) -> tuple[float, int]:
     """The exact sum of x[i] * y[i]: (m, e) with the sum m * 2^e, m rounded once and of the right sign. Any finite numbers."""
     expansion = np.empty(2 * len(x))
@@ -57,7 +57,7 @@ def sum_of_products(x: np.ndarray, y: np.ndarray) -> tuple[float, int]:
     return total(expansion, size), 0
 
 
-@compiled_apart
+@compiled
 def scaled_sum_of_products(x: np.ndarray, y: np.ndarray) -> tuple[float, int]:
     """The same where products overflow or underflow: each becomes two terms m * 2^e with an exponent of its own.
 
@@ -131,13 +131,13 @@ def grow(expansion: np.ndarray, size: int, term: float) -> int:
     return kept
 
 
-@compiled_apart
+@compiled
 def exact_cross(ax: float, ay: float, bx: float, by: float, cx: float, cy: float) -> tuple[float, int]:
     """(b - a) x (c - a), exactly, as (m, e)."""
     return sum_of_products(np.array([ax, -ay, bx, -by, cx, -cy]), np.array([by, bx, cy, cx, ay, ax]))
 
 
-@compiled_apart
+@compiled
 def exact_dot(ax: float, ay: float, bx: float, by: float, cx: float, cy: float) -> tuple[float, int]:
     """(b - a) . (c - a), exactly, as (m, e)."""
     return sum_of_products(
@@ -160,7 +160,7 @@ def turn(ax: float, ay: float, bx: float, by: float, cx: float, cy: float) -> in
     return turn_exactly(ax, ay, bx, by, cx, cy)
 
 
-@compiled_apart
+@compiled
 def turn_exactly(ax: float, ay: float, bx: float, by: float, cx: float, cy: float) -> int:
     """The sign of (b - a) x (c - a), decided without rounding."""
     acx, e1 = two_sum(ax, -cx)

@@ -6,7 +6,7 @@ The record table (every record is a NamedTuple; compiled code reads its fields):
 |---|---|
 | `Parts` | points (n, 2), first (k + 1,), radius (k,): part i is points[first[i]:first[i + 1]], grown by radius[i] |
 | `RoundRobot` | radius (its body, Parts of one point, is made when asked for) |
-| `PolygonWorldRecord` | edges (m, 5), hull, obstacles: Parts, index: PartsIndex, lo and hi (worlds/polygon_world.py) |
+| `PolygonWorldRecord` | edges (m, 5), hull, obstacles: Parts, cells: PartsIndex, lo and hi (worlds/polygon_world.py) |
 | `PartsIndex` | x, y, cell, columns, rows, first, parts, boxes (worlds/parts_index.py) |
 | `TerrainRecord` | free (rows, columns), resolution, origin, lo and hi (worlds/terrain.py) |
 | `RealSpace` | lo and hi (d,) (spaces/real.py) |
@@ -23,7 +23,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..compiled import compiled
+from ..compiled import inlined
 from .checks import Array
 from .exact import turn
 from .segments import between, segment_distance
@@ -55,7 +55,7 @@ def part_boxes(parts: Parts) -> Array:
     return np.hstack([lo, hi])
 
 
-@compiled
+@inlined
 def segment_meets_part(ax: float, ay: float, bx: float, by: float, parts: Parts, i: int) -> bool:
     """Whether the closed segment a-b shares a point with part i, its radius left aside. Exact.
 
@@ -79,7 +79,7 @@ def segment_meets_part(ax: float, ay: float, bx: float, by: float, parts: Parts,
     return left < end - begin and right < end - begin
 
 
-@compiled
+@inlined
 def segment_part_distance(ax: float, ay: float, bx: float, by: float, parts: Parts, i: int) -> float:
     """The distance between the segment a-b and part i, its radius left aside; 0 where they meet."""
     if segment_meets_part(ax, ay, bx, by, parts, i):
@@ -96,7 +96,7 @@ def segment_part_distance(ax: float, ay: float, bx: float, by: float, parts: Par
     return best
 
 
-@compiled
+@inlined
 def motion_touches_part(ax: float, ay: float, bx: float, by: float, radius: float, parts: Parts, i: int) -> bool:
     """Whether a disc moved along a-b touches part i: exact for a point against a polygon, to 1e-12 where something is round."""
     reach = radius + parts.radius[i]

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..compiled import compiled
+from ..compiled import body, compiled
 from ..errors import InvalidGraph
 from ..geometry.checks import Array
 from .graph import degree, edge
@@ -54,7 +54,7 @@ def expansions(graph: Any, start: int, goal: int, estimate: Array, cost: Array, 
                 heappush(frontier, (cost[v] + estimate[v], estimate[v], v))
 
 
-@compiled
+@body
 def search(graph: Any, start: int, goal: int, estimate: Array) -> tuple[Array, NDArray[np.int64], NDArray[np.int64]]:
     """Run the expansions to their end; goal = -1 expands all that can be reached."""
     cost, parent = np.full(len(estimate), np.inf), np.full(len(estimate), -1, np.int64)

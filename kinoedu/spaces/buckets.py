@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..compiled import compiled
+from ..compiled import inlined
 from ..geometry.checks import Array
 
 SMALL = 400  # up to here comparing all is faster
@@ -54,7 +54,7 @@ def empty_tree(capacity: int, lo: Array, hi: Array) -> GrowingTree:
     )
 
 
-@compiled
+@inlined
 def add(tree: GrowingTree, q: Array, parent: int) -> int:
     """Append a node; returns its number."""
     node = tree.size[0]
@@ -68,7 +68,7 @@ def add(tree: GrowingTree, q: Array, parent: int) -> int:
     return node
 
 
-@compiled
+@inlined
 def bucket_of(tree: GrowingTree, q: Array) -> tuple[int, int]:
     """The column and row of q's bucket; the outermost ones take what lies beyond."""
     y = q[1] if len(q) > 1 else 0.0
@@ -77,7 +77,7 @@ def bucket_of(tree: GrowingTree, q: Array) -> tuple[int, int]:
     return int(i), int(j)
 
 
-@compiled
+@inlined
 def squared_distance(nodes: Array, node: int, q: Array) -> float:
     """|nodes[node] - q|^2."""
     total = 0.0
@@ -86,7 +86,7 @@ def squared_distance(nodes: Array, node: int, q: Array) -> float:
     return total
 
 
-@compiled
+@inlined
 def nearest_in_buckets(tree: GrowingTree, q: Array) -> int:
     """The number of the node with the least Euclidean distance to q, the first among equals."""
     if tree.size[0] <= SMALL:
@@ -106,7 +106,7 @@ def nearest_in_buckets(tree: GrowingTree, q: Array) -> int:
     return best
 
 
-@compiled
+@inlined
 def nearest_in_bucket(tree: GrowingTree, bucket: int, q: Array, best: int, best_distance: float) -> tuple[int, float]:
     """The better of the best node so far and those of one bucket, with its squared distance."""
     node = tree.head[bucket]
@@ -118,7 +118,7 @@ def nearest_in_bucket(tree: GrowingTree, bucket: int, q: Array, best: int, best_
     return best, best_distance
 
 
-@compiled
+@inlined
 def nearest_of_all(tree: GrowingTree, q: Array) -> int:
     """The same by comparing every node."""
     best, best_distance = 0, np.inf

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..compiled import compiled
+from ..compiled import compiled, inlined
 from ..geometry.checks import Array
 from ..geometry.parts import Parts, motion_touches_part, part_boxes
 
@@ -67,19 +67,19 @@ def clip(value: float, high: int) -> int:
     return int(min(max(value, 0.0), float(high)))
 
 
-@compiled
-def motion_touches_any(ax: float, ay: float, bx: float, by: float, radius: float, parts: Parts, index: PartsIndex) -> bool:
+@inlined
+def motion_touches_any(ax: float, ay: float, bx: float, by: float, radius: float, parts: Parts, cells: PartsIndex) -> bool:
     """Whether a disc moved along a-b touches a part. Row by row, the cells that the motion passes are looked up."""
     x0, x1 = min(ax, bx) - radius, max(ax, bx) + radius
     y0, y1 = min(ay, by) - radius, max(ay, by) + radius
-    ox, oy, cell, boxes = index.x, index.y, index.cell, index.boxes
-    for j in range(clip((y0 - oy) / cell, index.rows - 1), clip((y1 - oy) / cell, index.rows - 1) + 1):
+    ox, oy, cell, boxes = cells.x, cells.y, cells.cell, cells.boxes
+    for j in range(clip((y0 - oy) / cell, cells.rows - 1), clip((y1 - oy) / cell, cells.rows - 1) + 1):
         bottom, top = oy + (j - MARGIN) * cell, oy + (j + 1.0 + MARGIN) * cell
         left, right = stretch_in_band(ax, ay, bx, by, bottom - radius, top + radius)
-        begin = clip((left - radius - ox) / cell - MARGIN, index.columns - 1)
-        end = clip((right + radius - ox) / cell + MARGIN, index.columns - 1)
-        for entry in range(index.first[j * index.columns + begin], index.first[j * index.columns + end + 1]):
-            i = index.parts[entry]
+        begin = clip((left - radius - ox) / cell - MARGIN, cells.columns - 1)
+        end = clip((right + radius - ox) / cell + MARGIN, cells.columns - 1)
+        for entry in range(cells.first[j * cells.columns + begin], cells.first[j * cells.columns + end + 1]):
+            i = cells.parts[entry]
             if x1 < boxes[i, 0] or x0 > boxes[i, 2] or y1 < boxes[i, 1] or y0 > boxes[i, 3]:
                 continue
             if motion_touches_part(ax, ay, bx, by, radius, parts, i):

@@ -30,7 +30,7 @@ class PolygonWorldRecord(NamedTuple):
     edges: Array
     hull: Array
     obstacles: Parts
-    index: PartsIndex
+    cells: PartsIndex
     lo: Array
     hi: Array
 
