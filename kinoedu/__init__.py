@@ -11,10 +11,36 @@ True
 The rooms of the house: `geometry`, `graphs`, `spaces`, `worlds`, `robots`, `collision`, `problems`, `planners`, `figures`.
 """
 
-from . import collision, geometry, graphs, planners, problems, robots, spaces, worlds
+from . import collision, geometry, graphs, planners, problems, robots, scenes, spaces, worlds
 from .planners import plan_on_grid, prm, rrt
 from .problems import Plan, Problem, Recorder
 from .robots import Disk, Point
+from .scenes import read_scene, write_scene
 from .worlds import PolygonWorld, Terrain, read_world
 
 __version__ = "0.1.0"
+
+__all__ = [
+    "Disk",
+    "Plan",
+    "Point",
+    "PolygonWorld",
+    "Problem",
+    "Recorder",
+    "Terrain",
+    "collision",
+    "geometry",
+    "graphs",
+    "plan_on_grid",
+    "planners",
+    "prm",
+    "problems",
+    "read_scene",
+    "read_world",
+    "robots",
+    "rrt",
+    "scenes",
+    "spaces",
+    "worlds",
+    "write_scene",
+]

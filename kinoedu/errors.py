@@ -18,7 +18,7 @@ class InvalidSegment(KinoeduError):
 
 
 class InvalidPolygon(KinoeduError):
-    """A ring of vertices is too short, has no area, repeats a vertex, crosses or touches itself, or is not convex where it must be."""
+    """A ring of vertices is too short, has no area, repeats a vertex, meets itself, or is not convex where it must be."""
 
 
 class InvalidWorld(KinoeduError):

@@ -701,7 +701,7 @@ POINT_TAKERS = {
     "point_in_convex_polygon": lambda q: point_in_convex_polygon(q, SQUARE),
     "point_polygon_distance": lambda q: point_polygon_distance(q, SQUARE),
     "polygon_tangent": lambda q: polygon_tangent(q, SQUARE),
-    "convex_hull": lambda q: convex_hull([(0, 0), q, (1, 0)]) if np.shape(q) == (2,) else convex_hull(q),
+    "convex_hull": lambda q: convex_hull([(0, 0), q, (1, 0)]),
 }
 
 

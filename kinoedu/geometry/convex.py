@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from ..compiled import compiled
 from ..errors import InvalidPolygon
@@ -79,7 +79,7 @@ def in_convex(x: float, y: float, ring: Array) -> bool:
 
 
 @compiled
-def points_in_convex(points: Array, ring: Array) -> Array:
+def points_in_convex(points: Array, ring: Array) -> NDArray[np.bool_]:
     """Whether each point lies in a convex ring, shape (m,)."""
     inside = np.empty(len(points), np.bool_)
     for i in range(len(points)):

@@ -140,9 +140,7 @@ def exact_cross(ax: float, ay: float, bx: float, by: float, cx: float, cy: float
 @compiled
 def exact_dot(ax: float, ay: float, bx: float, by: float, cx: float, cy: float) -> tuple[float, int]:
     """(b - a) . (c - a), exactly, as (m, e)."""
-    return sum_of_products(
-        np.array([bx, -bx, -ax, ax, by, -by, -ay, ay]), np.array([cx, ax, cx, ax, cy, ay, cy, ay])
-    )
+    return sum_of_products(np.array([bx, -bx, -ax, ax, by, -by, -ay, ay]), np.array([cx, ax, cx, ax, cy, ay, cy, ay]))
 
 
 @compiled
@@ -205,7 +203,7 @@ def length(x: float, y: float) -> float:
 
 @compiled
 def facing(ax: float, ay: float, bx: float, by: float, cx: float, cy: float) -> int:
-    """The sign of (b - a) . (c - a): 1 where b and c lie on one side of a, -1 on opposite sides, 0 at a right angle. Never wrong."""
+    """The sign of (b - a) . (c - a): 1 where c lies ahead of a as b does, -1 behind, 0 at a right angle. Never wrong."""
     along, across = (bx - ax) * (cx - ax), (by - ay) * (cy - ay)
     dot = along + across
     if abs(dot) > ROUNDING * (abs(along) + abs(across)) and abs(dot) > SAFE:

@@ -4,7 +4,7 @@ A polygon is a closed set: its boundary belongs to it.
 """
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from ..compiled import compiled
 from .checks import Array, as_point, as_points, one_or_many
@@ -74,7 +74,7 @@ def place(x: float, y: float, ring: Array) -> int:
 
 
 @compiled
-def places(points: Array, ring: Array) -> Array:
+def places(points: Array, ring: Array) -> NDArray[np.int64]:
     """Where each point is, shape (m,): 1 inside the ring, 0 on it, -1 outside."""
     answers = np.empty(len(points), np.int64)
     for i in range(len(points)):

@@ -1,7 +1,7 @@
 """Segments: the nearest point on one, the distance to it, and where two of them meet. Bullo & Smith, section 1.5."""
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from ..compiled import compiled
 from .checks import Array, as_point, as_points, one_or_many
@@ -69,9 +69,7 @@ def segment_intersection(p1: ArrayLike, p2: ArrayLike, p3: ArrayLike, p4: ArrayL
 
 
 @compiled
-def closest_on_segment(
-    px: float, py: float, ax: float, ay: float, bx: float, by: float
-) -> tuple[float, float, int]:
+def closest_on_segment(px: float, py: float, ax: float, ay: float, bx: float, by: float) -> tuple[float, float, int]:
     """The point of a-b nearest to p as x, y, and the region of p: 0 inside, 1 at a, 2 at b."""
     if facing(ax, ay, bx, by, px, py) <= 0:
         return ax, ay, 1
@@ -93,9 +91,7 @@ def between(ax: float, ay: float, bx: float, by: float, px: float, py: float) ->
 
 
 @compiled
-def segments_meet(
-    ax: float, ay: float, bx: float, by: float, cx: float, cy: float, dx: float, dy: float
-) -> bool:
+def segments_meet(ax: float, ay: float, bx: float, by: float, cx: float, cy: float, dx: float, dy: float) -> bool:
     """Whether the closed segments a-b and c-d share a point; either may be a single point. Exact."""
     if max(ax, bx) < min(cx, dx) or max(cx, dx) < min(ax, bx) or max(ay, by) < min(cy, dy) or max(cy, dy) < min(ay, by):
         return False
@@ -122,9 +118,7 @@ def segment_distance(px: float, py: float, ax: float, ay: float, bx: float, by: 
 
 
 @compiled
-def segments_distance(
-    ax: float, ay: float, bx: float, by: float, cx: float, cy: float, dx: float, dy: float
-) -> float:
+def segments_distance(ax: float, ay: float, bx: float, by: float, cx: float, cy: float, dx: float, dy: float) -> float:
     """The distance between the segments a-b and c-d, 0 where they meet."""
     if segments_meet(ax, ay, bx, by, cx, cy, dx, dy):
         return 0.0
@@ -144,7 +138,7 @@ def distances_to_segment(points: Array, a: Array, b: Array) -> Array:
 
 
 @compiled
-def pairs_meet(a: Array, b: Array, c: Array, d: Array) -> Array:
+def pairs_meet(a: Array, b: Array, c: Array, d: Array) -> NDArray[np.bool_]:
     """Whether segment i of the first kind meets segment i of the second, shape (m,)."""
     meet = np.empty(len(a), np.bool_)
     for i in range(len(a)):
@@ -195,7 +189,7 @@ def shared_stretch(a: Array, b: Array, c: Array, d: Array, out: Array) -> int:
     """What two meeting segments of one line share, from the end nearer to a to the end nearer to b."""
     if before(b, a) != before(d, c):
         c, d = d, c
-    forward = before(a, b) or (a == b).all() and before(c, d)
+    forward = before(a, b) or ((a == b).all() and before(c, d))
     out[0] = c if before(a, c) == forward else a
     out[1] = b if before(b, d) == forward else d
     return 2 if before(out[0], out[1]) or before(out[1], out[0]) else 1

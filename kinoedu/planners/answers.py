@@ -1,5 +1,6 @@
 """From what a planner built to the Plan it returns."""
 
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -13,7 +14,7 @@ from ..spaces.buckets import GrowingTree
 
 def path_cost(problem: Any, path: Array) -> float:
     """The length of a path, in the problem's own distance."""
-    return float(sum(problem.distance(a, b) for a, b in zip(path[:-1], path[1:], strict=True)))
+    return float(sum(problem.distance(a, b) for a, b in pairwise(path)))
 
 
 def plan_along(problem: Any, nodes: Array, numbers: NDArray[np.int64] | None, reason: str, **built: Any) -> Plan:

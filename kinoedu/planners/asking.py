@@ -20,7 +20,9 @@ class OwnProblem:
     def __init__(self, problem: Any) -> None:
         missing = [name for name in self.NEEDED if not hasattr(problem, name)]
         if missing:
-            raise InvalidParameter(f"a problem must answer {', '.join(self.NEEDED)}; this {type(problem).__name__} lacks {', '.join(missing)}")
+            raise InvalidParameter(
+                f"a problem must answer {', '.join(self.NEEDED)}; this {type(problem).__name__} lacks {', '.join(missing)}"
+            )
         self.problem = problem
         self.start, self.goal = as_array(problem.start, "start"), as_array(problem.goal, "goal")
         self.asked = np.zeros(2, np.int64)

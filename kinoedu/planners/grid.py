@@ -2,6 +2,7 @@
 pathfinding" (2012), whose moves these are: to the eight neighbours, diagonally only past two free cells.
 """
 
+from itertools import product
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -151,7 +152,9 @@ def grid_for(problem: ProblemRecord, spacing: float | None) -> Lattice | CellGri
     side = world_size(problem) / 100.0 if spacing is None else spacing
     columns, rows = np.maximum(np.floor((problem.space.hi - problem.space.lo) / side + 1e-9), 1).astype(int).tolist()
     if columns * rows > 50_000_000:
-        raise InvalidParameter(f"spacing {side:g} makes a grid of {columns} x {rows} nodes, more than 50 million; choose a larger one")
+        raise InvalidParameter(
+            f"spacing {side:g} makes a grid of {columns} x {rows} nodes, more than 50 million; choose a larger one"
+        )
     return Lattice(problem, x, y, side, columns, rows)
 
 
@@ -165,7 +168,7 @@ def joined_node(problem: ProblemRecord, grid: Lattice | CellGrid, q: Array) -> i
     """The nearest of the nine grid nodes round q that a free motion joins it to, or -1."""
     size = np.array([grid.columns, grid.rows])
     cell = np.clip(np.floor((q - [grid.x, grid.y]) / grid.side).astype(int), 0, size - 1)
-    around = [cell + (i, j) for i in (-1, 0, 1) for j in (-1, 0, 1)]
+    around = [cell + np.array(step) for step in product((-1, 0, 1), repeat=2)]
     nodes = np.array([j * grid.columns + i for i, j in around if 0 <= i < grid.columns and 0 <= j < grid.rows])
     places = centres(grid, nodes)
     for i in np.argsort(((places - q) ** 2).sum(axis=1), kind="stable"):

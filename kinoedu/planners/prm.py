@@ -91,4 +91,6 @@ def why_apart(graph: Any) -> str:
     for node, name in ((0, "start"), (1, "goal")):
         if graph.degree(node) == 0:
             return f"no node of {graph.size:,} can be reached from the {name}; sample more nodes"
-    return f"start and goal lie in different parts of the roadmap of {graph.size:,} nodes; sample more nodes, or join more neighbours"
+    return (
+        f"start and goal lie in different parts of the roadmap of {graph.size:,} nodes; sample more nodes, or join more neighbours"
+    )

@@ -1,6 +1,6 @@
 """Tuning arguments, checked: each becomes a plain number, or InvalidParameter says which was wrong and what it may be."""
 
-from numbers import Integral, Real
+from numbers import Real
 from typing import Any
 
 import numpy as np
@@ -28,7 +28,7 @@ def share(value: Any, name: str) -> float:
 
 def whole(value: Any, name: str, *, least: int) -> int:
     """A whole number, not less than `least`; at most a hundred million, which is more than memory holds nodes for."""
-    if isinstance(value, bool) or not isinstance(value, Integral) or not least <= value <= 100_000_000:
+    if isinstance(value, bool) or not isinstance(value, int | np.integer) or not least <= value <= 100_000_000:
         raise InvalidParameter(f"{name} must be a whole number from {least} to 100,000,000, got {value!r}")
     return int(value)
 

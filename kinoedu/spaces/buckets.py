@@ -59,10 +59,11 @@ def add(tree: GrowingTree, q: Array, parent: int) -> int:
     """Append a node; returns its number."""
     node = tree.size[0]
     tree.size[0] = node + 1
-    tree.nodes[node] = q
+    for i in range(len(q)):
+        tree.nodes[node, i] = q[i]
     tree.parent[node] = parent
-    i, j = bucket_of(tree, q)
-    bucket = j * tree.columns + i
+    column, row = bucket_of(tree, q)
+    bucket = row * tree.columns + column
     tree.next[node] = tree.head[bucket]
     tree.head[bucket] = node
     return node

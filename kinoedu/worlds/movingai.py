@@ -60,9 +60,7 @@ def _header(path: Path, head: str) -> tuple[int, int]:
     entries = [line.split() for line in head.splitlines() if line.strip()]
     keys = sorted(words[0] for words in entries)
     if keys != ["height", "type", "width"] or any(len(words) != 2 for words in entries):
-        raise UnreadableScene(
-            f"{path}: expected lines 'type octile', 'height ...', 'width ...' before 'map', got {head[:80]!r}"
-        )
+        raise UnreadableScene(f"{path}: expected lines 'type octile', 'height ...', 'width ...' before 'map', got {head[:80]!r}")
     header = dict(entries)
     if header["type"] != "octile":
         raise UnreadableScene(f"{path}: expected 'type octile', got 'type {header['type'][:40]}'")

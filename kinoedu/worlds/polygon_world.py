@@ -1,6 +1,7 @@
 """A world of polygons and discs: exact, with rooms inside holes."""
 
 from collections.abc import Iterable, Sequence
+from itertools import pairwise
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -57,7 +58,7 @@ def PolygonWorld(boundary: ArrayLike, obstacles: Iterable[Any] = ()) -> PolygonW
     for number, obstacle in enumerate(obstacles):
         name = f"obstacle {number}"
         if is_pair_with_radius(obstacle):
-            discs.append(as_disc(*obstacle, name))
+            discs.append(as_disc(obstacle[0], obstacle[1], name))
         else:
             ring, rooms = as_polygon_with_rooms(obstacle, name)
             pieces += convex_parts(ring, rooms)
@@ -78,7 +79,7 @@ def rings_of(world: PolygonWorldRecord) -> list[list[Array]]:
     """The rings of each solid: the boundary's first, clockwise; then each polygonal obstacle's own and its rooms'."""
     begins = [0, *(np.flatnonzero((world.edges[1:, :2] != world.edges[:-1, 2:4]).any(axis=1)) + 1), len(world.edges)]
     solids: list[list[Array]] = [[] for _ in range(int(world.edges[-1, 4]) + 1)]
-    for begin, end in zip(begins[:-1], begins[1:], strict=True):
+    for begin, end in pairwise(begins):
         solids[int(world.edges[begin, 4])].append(world.edges[begin:end, :2])
     return solids
 

@@ -120,6 +120,4 @@ def check_size(where: str | Path, columns: int, rows: int) -> None:
     if columns < 1 or rows < 1:
         raise UnreadableScene(f"{where}: expected at least one column and one row, got {columns} x {rows}")
     if columns * rows > MAX_CELLS:
-        raise SceneTooLarge(
-            f"{where}: expected at most {MAX_CELLS:,} cells, got {columns:,} x {rows:,}; shrink it"
-        )
+        raise SceneTooLarge(f"{where}: expected at most {MAX_CELLS:,} cells, got {columns:,} x {rows:,}; shrink it")

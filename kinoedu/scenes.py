@@ -1,0 +1,163 @@
+"""Scenes: a problem as a JSON file, version 1.
+
+    {"version": 1,
+     "about": "optional words",
+     "robot": {"kind": "point"}  or  {"kind": "disk", "radius": 0.5},
+     "world": {"kind": "polygons", "boundary": [[x, y], ...],
+               "obstacles": [{"polygon": [[x, y], ...], "rooms": [[[x, y], ...], ...]}, {"centre": [x, y], "radius": r}]}
+          or  {"kind": "terrain", "rows": ["..@", "..."], "resolution": 1.0, "origin": [0.0, 0.0]}
+          or  {"kind": "map", "file": "a map or picture beside the scene"},
+     "start": [x, y], "goal": [x, y],
+     "clearance": 0.0}
+
+`obstacles`, `rooms`, `resolution`, `origin` and `clearance` may be left out. A terrain's rows are written as they look, the top one
+first: "." is free, "@" is blocked. What a reader does not know it refuses, naming the field.
+"""
+
+import json
+import os
+import tempfile
+from collections.abc import Callable
+from functools import singledispatch
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from .errors import KinoeduError, UnknownFormat, UnreadableScene
+from .fields import Field, parsed
+from .geometry.checks import shortened
+from .problems import Problem, ProblemRecord
+from .robots import Disk, Point
+from .robots.round import RoundRobot
+from .worlds import PolygonWorld, Terrain, read_world
+from .worlds.polygon_world import PolygonWorldRecord, discs_of, rings_of
+from .worlds.reading import read_text
+from .worlds.terrain import TerrainRecord
+
+VERSION = 1
+FREE, BLOCKED = ".", "@"
+
+
+def read_scene(path: str | os.PathLike[str]) -> ProblemRecord:
+    """The problem in a JSON scene. Raises UnreadableScene, with the field at fault, or UnknownFormat for another extension.
+
+    Wrong polygons, a start that is not free and the like raise their own errors (InvalidPolygon, InvalidStart), with the file's name.
+    """
+    file = Path(path)
+    if file.suffix.lower() != ".json":
+        raise UnknownFormat(f"{file}: a scene ends in .json; maps and pictures are read by read_world")
+    try:
+        return problem_from(Field("scene", parsed(read_text(file)), file.parent))
+    except KinoeduError as error:
+        raise type(error)(f"{file}: {error}" if str(file) not in str(error) else str(error)) from error
+
+
+def problem_from(scene: Field) -> ProblemRecord:
+    """A problem from the whole scene."""
+    if isinstance(scene.value, dict) and scene.value.get("version") not in (VERSION, None):
+        raise UnreadableScene(
+            f"scene.version must be {VERSION}, got {shortened(scene.value['version'])}; this kinoedu knows no other"
+        )
+    fields = scene.members(("version", "robot", "world", "start", "goal"), ("about", "clearance"))
+    return Problem(
+        fields["robot"].kind(ROBOTS),
+        fields["world"].kind(WORLDS),
+        fields["start"].numbers(),
+        fields["goal"].numbers(),
+        clearance=fields["clearance"].number() if "clearance" in fields else 0.0,
+    )
+
+
+def point_from(field: Field) -> RoundRobot:
+    """A point robot."""
+    field.members(("kind",))
+    return Point()
+
+
+def disk_from(field: Field) -> RoundRobot:
+    """A disk robot."""
+    return Disk(field.members(("kind", "radius"))["radius"].number())
+
+
+def polygons_from(field: Field) -> PolygonWorldRecord:
+    """A world of polygons and discs."""
+    fields = field.members(("kind", "boundary"), ("obstacles",))
+    obstacles = fields["obstacles"].items() if "obstacles" in fields else []
+    return PolygonWorld(fields["boundary"].points(), [obstacle_from(obstacle) for obstacle in obstacles])
+
+
+def obstacle_from(field: Field) -> Any:
+    """An obstacle as PolygonWorld takes it."""
+    if isinstance(field.value, dict) and "radius" in field.value:
+        fields = field.members(("centre", "radius"))
+        return fields["centre"].numbers(), fields["radius"].number()
+    fields = field.members(("polygon",), ("rooms",))
+    rooms = [room.points() for room in fields["rooms"].items()] if "rooms" in fields else []
+    return (fields["polygon"].points(), rooms) if rooms else fields["polygon"].points()
+
+
+def terrain_from(field: Field) -> TerrainRecord:
+    """A terrain from its rows, the top one first."""
+    fields = field.members(("kind", "rows"), ("resolution", "origin"))
+    rows = [row.text() for row in fields["rows"].items()]
+    for row in fields["rows"].items():
+        if set(row.value) - {FREE, BLOCKED} or len(row.value) != len(rows[0]):
+            raise row.wrong(f'{len(rows[0])} cells, each "{FREE}" for free or "{BLOCKED}" for blocked')
+    return Terrain(
+        np.array([[cell == FREE for cell in row] for row in rows[::-1]]).reshape(len(rows), -1),
+        resolution=fields["resolution"].number() if "resolution" in fields else 1.0,
+        origin=fields["origin"].numbers() if "origin" in fields else (0.0, 0.0),
+    )
+
+
+def map_from(field: Field) -> Any:
+    """A world from a file beside the scene."""
+    return read_world(field.folder / field.members(("kind", "file"))["file"].text())
+
+
+ROBOTS: dict[str, Callable[[Field], Any]] = {"point": point_from, "disk": disk_from}
+WORLDS: dict[str, Callable[[Field], Any]] = {"polygons": polygons_from, "terrain": terrain_from, "map": map_from}
+
+
+def write_scene(problem: ProblemRecord, path: str | os.PathLike[str]) -> None:
+    """Write a problem as a JSON scene that read_scene reads back equal, whole or not at all. Raises UnknownFormat, OSError."""
+    file = Path(path)
+    if file.suffix.lower() != ".json":
+        raise UnknownFormat(f"{file}: a scene ends in .json")
+    scene = {
+        "version": VERSION,
+        "robot": described(problem.robot),
+        "world": described(problem.world),
+        "start": problem.start.tolist(),
+        "goal": problem.goal.tolist(),
+        "clearance": problem.clearance,
+    }
+    with tempfile.NamedTemporaryFile("w", encoding="utf-8", dir=file.parent, suffix=".part", delete=False) as part:
+        json.dump(scene, part, indent=1)
+    os.replace(part.name, file)
+
+
+@singledispatch
+def described(thing: Any) -> dict[str, Any]:
+    """A robot or a world as a scene's object."""
+    raise UnreadableScene(f"scenes cannot hold a {type(thing).__name__} yet")
+
+
+@described.register
+def _(robot: RoundRobot) -> dict[str, Any]:
+    return {"kind": "disk", "radius": robot.radius} if robot.radius else {"kind": "point"}
+
+
+@described.register
+def _(world: PolygonWorldRecord) -> dict[str, Any]:
+    (outline,), *solids = [[ring.tolist() for ring in rings] for rings in rings_of(world)]
+    polygons = [{"polygon": ring, **({"rooms": rooms} if rooms else {})} for ring, *rooms in solids]
+    discs = [{"centre": [x, y], "radius": r} for x, y, r in discs_of(world).tolist()]
+    return {"kind": "polygons", "boundary": outline[::-1], "obstacles": polygons + discs}
+
+
+@described.register
+def _(world: TerrainRecord) -> dict[str, Any]:
+    rows = ["".join(FREE if free else BLOCKED for free in row) for row in world.free[::-1].tolist()]
+    return {"kind": "terrain", "rows": rows, "resolution": world.resolution, "origin": world.origin.tolist()}
