@@ -15,7 +15,7 @@ from . import collision, geometry, graphs, planners, problems, robots, scenes, s
 from .planners import plan_on_grid, prm, rrt
 from .problems import Plan, Problem, Recorder
 from .robots import Disk, Point
-from .scenes import read_scene, write_scene
+from .scenes import read_problem, read_scene, write_scene
 from .worlds import PolygonWorld, Terrain, read_world
 
 __version__ = "0.1.0"
@@ -35,6 +35,7 @@ __all__ = [
     "planners",
     "prm",
     "problems",
+    "read_problem",
     "read_scene",
     "read_world",
     "robots",

@@ -18,6 +18,7 @@ compiled anew in each process.
 import functools
 import hashlib
 import inspect
+import logging
 import os
 import tempfile
 from collections.abc import Callable
@@ -36,6 +37,8 @@ except ImportError:  # pragma: no cover - tried in a process of its own
 
 PACKAGE = __name__.partition(".")[0]
 JIT = numba is not None and not numba.config.DISABLE_JIT
+
+log = logging.getLogger(PACKAGE)
 
 F = TypeVar("F", bound=Callable[..., Any])
 C = TypeVar("C", bound=type)
@@ -87,8 +90,13 @@ if JIT:
     class _PackageCache(FunctionCache):
         """Keeps code on disk only where the package's sources determine it: a record from elsewhere brings code from elsewhere."""
 
+        is_body = False
+
         def load_overload(self, sig: Any, target_context: Any) -> Any:
-            return super().load_overload(sig, target_context) if all(map(_is_ours, sig)) else None
+            found = super().load_overload(sig, target_context) if all(map(_is_ours, sig)) else None
+            if found is None and self.is_body:
+                log.info("compiling %s once; the next run starts at once", self._name.rpartition(".")[2])
+            return found
 
         def save_overload(self, sig: Any, data: Any) -> None:
             if all(map(_is_ours, data.signature.args)):
@@ -155,6 +163,7 @@ def body(function: Callable[..., Any]) -> Compiled:
 
     dispatcher = _dispatcher(start, function)
     dispatcher.py_func = function
+    dispatcher._cache.is_body = True  # type: ignore[attr-defined]
     return dispatcher
 
 

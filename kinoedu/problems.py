@@ -136,7 +136,7 @@ def as_generator(rng: int | np.random.Generator) -> np.random.Generator:
     if isinstance(rng, np.random.Generator):
         return rng
     if isinstance(rng, bool) or not isinstance(rng, int | np.integer) or rng < 0:
-        raise InvalidParameter(f"rng must be a seed (0, 1, 2, ...) or a numpy Generator, got {rng!r}")
+        raise InvalidParameter(f"the seed (rng) must be 0, 1, 2, ... or a numpy Generator, got {rng!r}")
     return np.random.default_rng(int(rng))
 
 

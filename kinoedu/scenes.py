@@ -23,14 +23,16 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
-from .errors import KinoeduError, UnknownFormat, UnreadableScene
+from .errors import InvalidParameter, KinoeduError, UnknownFormat, UnreadableScene
 from .fields import Field, parsed
-from .geometry.checks import shortened
+from .geometry.checks import Array, shortened
 from .problems import Problem, ProblemRecord
 from .robots import Disk, Point
 from .robots.round import RoundRobot
 from .worlds import PolygonWorld, Terrain, read_world
+from .worlds.movingai import read_scenario, scenario_beside
 from .worlds.polygon_world import PolygonWorldRecord, discs_of, rings_of
 from .worlds.reading import read_text
 from .worlds.terrain import TerrainRecord
@@ -161,3 +163,43 @@ def _(world: PolygonWorldRecord) -> dict[str, Any]:
 def _(world: TerrainRecord) -> dict[str, Any]:
     rows = ["".join(FREE if free else BLOCKED for free in row) for row in world.free[::-1].tolist()]
     return {"kind": "terrain", "rows": rows, "resolution": world.resolution, "origin": world.origin.tolist()}
+
+
+def read_problem(
+    path: str | os.PathLike[str],
+    *,
+    robot: RoundRobot | None = None,
+    start: ArrayLike | None = None,
+    goal: ArrayLike | None = None,
+    query: int | None = None,
+    clearance: float = 0.0,
+) -> ProblemRecord:
+    """A problem from any file that kinoedu reads.
+
+    A JSON scene is a whole problem. A map or picture is a world: give start and goal, or for a MovingAI map the number of a `query`
+    of the scenario beside it (0 by default). The robot is a point unless another is given.
+
+    Raises UnreadableScene or UnknownFormat, InvalidParameter where something is missing or given twice, InvalidStart, InvalidGoal.
+    """
+    file = Path(path)
+    if file.suffix.lower() == ".json":
+        if (robot, start, goal, query, clearance) != (None, None, None, None, 0.0):
+            raise InvalidParameter(f"{file}: a scene has its own robot, start, goal and clearance; give none beside it")
+        return read_scene(file)
+    world = read_world(file)
+    if (start is None) != (goal is None) or (start is not None and query is not None):
+        raise InvalidParameter(f"{file}: give both start and goal, or the number of a query of its scenario")
+    if start is None or goal is None:
+        start, goal = query_of(file, 0 if query is None else query)
+    return Problem(Point() if robot is None else robot, world, start, goal, clearance=clearance)
+
+
+def query_of(file: Path, number: int) -> tuple[Array, Array]:
+    """Start and goal of one query of the scenario that lies beside a map."""
+    scenario = scenario_beside(file) if file.suffix.lower() == ".map" else None
+    if scenario is None:
+        raise InvalidParameter(f"{file}: no scenario (.scen) lies beside it; give a start and a goal")
+    queries = read_scenario(scenario)
+    if not 0 <= number < len(queries):
+        raise InvalidParameter(f"{scenario} has queries 0 to {len(queries) - 1}, got {number}")
+    return queries[number].start, queries[number].goal

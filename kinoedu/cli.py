@@ -1,0 +1,185 @@
+"""The command line: kinoedu plan | lab | warm."""
+
+import argparse
+import os
+import sys
+import time
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from .errors import KinoeduError
+from .progress import stage
+
+DESCRIPTION = "kinoedu: a motion-planning course you can run."
+
+PLAN_HELP = """\
+Plan a path in a scene, a map or a picture, and draw it.
+
+SCENE is one of
+  .json            a scene: robot, world, start and goal (see kinoedu/scenes.py)
+  .map             a MovingAI map; --query K takes start and goal from the .scen beside it
+  .png .bmp .pgm   a picture: bright is free, dark is blocked; needs --start and --goal
+  .yaml            a ROS map with its picture; needs --start and --goal
+
+x goes right, y goes up, from the lower left corner; a pixel or map cell is one unit long (a ROS map's are in metres).
+"""
+
+PLAN_EXAMPLES = """\
+examples:
+  kinoedu plan street.map --query 7 --planner prm --seed 3 --out street.png
+  kinoedu plan terrain.png --start 10,10 --goal 246,246 --step 20 --out plan.png
+  kinoedu plan scene.json --planner astar
+
+exit status: 0 a path was found, 1 there is none (with the reason), 2 the input was wrong
+"""
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run one command; returns the exit status."""
+    arguments = parser().parse_args(argv)
+    try:
+        return int(arguments.run(arguments))
+    except (KinoeduError, OSError) as error:
+        print(f"kinoedu: {' '.join(str(error).split())}", file=sys.stderr)
+        return 2
+    except KeyboardInterrupt:
+        return 130
+
+
+def parser() -> argparse.ArgumentParser:
+    """All commands and their options."""
+    top = argparse.ArgumentParser(prog="kinoedu", description=DESCRIPTION)
+    commands = top.add_subparsers(title="commands", required=True, metavar="COMMAND")
+    plan = commands.add_parser(
+        "plan",
+        help="plan a path in a scene, a map or a picture, and draw it",
+        description=PLAN_HELP,
+        epilog=PLAN_EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    add_plan_options(plan)
+    plan.set_defaults(run=run_plan)
+    lab = commands.add_parser("lab", help="open the course in JupyterLab", description="Open the course in JupyterLab.")
+    lab.add_argument("--no-browser", action="store_true", help="print the address instead of opening a browser")
+    lab.set_defaults(run=run_lab)
+    warm = commands.add_parser("warm", help="compile what the course uses, once", description="Compile what the course uses, once.")
+    warm.set_defaults(run=run_warm)
+    return top
+
+
+def add_plan_options(plan: argparse.ArgumentParser) -> None:
+    """The options of `kinoedu plan`."""
+    plan.add_argument("scene", metavar="SCENE", type=Path, help="the file to plan in")
+    plan.add_argument("--planner", choices=("rrt", "prm", "astar"), default="rrt", help="default: %(default)s")
+    plan.add_argument("--seed", type=int, default=0, metavar="N", help="of the random numbers; same seed, same plan (default: 0)")
+    plan.add_argument("--out", type=Path, metavar="FILE", help="draw the plan into a picture: .png, .svg or .pdf")
+    where = plan.add_argument_group("where")
+    where.add_argument("--query", type=int, metavar="K", help="the K-th query, from 0, of a map's scenario (default: 0)")
+    where.add_argument("--start", type=numbers, metavar="X,Y", help="where the robot starts")
+    where.add_argument("--goal", type=numbers, metavar="X,Y", help="where it is to go")
+    where.add_argument("--radius", type=float, metavar="R", help="the robot is a disk of this radius (default: a point)")
+    where.add_argument("--clearance", type=float, default=0.0, metavar="C", help="keep this far from obstacles (default: 0)")
+    how = plan.add_argument_group("how")
+    how.add_argument("--step", type=float, metavar="D", help="rrt: the longest edge (default: a twentieth of the world's diagonal)")
+    how.add_argument("--nodes", type=int, metavar="N", help="rrt: give up after so many nodes; prm: how many to sample")
+    how.add_argument("--neighbours", type=int, metavar="K", help="prm: how many neighbours each node is joined to (default: 10)")
+    how.add_argument("--spacing", type=float, metavar="D", help="astar: the side of the grid's cells")
+
+
+def numbers(text: str) -> list[float]:
+    """Numbers between commas."""
+    return [float(part) for part in text.split(",")]
+
+
+def run_plan(arguments: argparse.Namespace) -> int:
+    """Read, plan, draw, and say in one line what came out."""
+    check_picture(arguments.out)
+    from .problems import as_generator  # imported here so that --help is quick
+    from .scenes import read_problem
+
+    as_generator(arguments.seed)
+    with stage(f"reading {arguments.scene.name}"):
+        problem = read_problem(
+            arguments.scene,
+            robot=robot_for(arguments.radius),
+            start=arguments.start,
+            goal=arguments.goal,
+            query=arguments.query,
+            clearance=arguments.clearance,
+        )
+    with stage(f"planning with {arguments.planner}"):
+        started = time.perf_counter()
+        plan = planned(problem, arguments)
+        seconds = time.perf_counter() - started
+    if arguments.out is not None:
+        with stage(f"drawing {arguments.out.name}"):
+            save_picture(plan, arguments.out)
+    counts = ", ".join(f"{count:,} {name}" for name, count in plan.stats.items())
+    answer = f"found: length {plan.cost:.8g}" if plan.path is not None else f"no path: {plan.reason}"
+    print(f"{answer}; {seconds:.3f} s, {counts}" + (f"; drawn in {arguments.out}" if arguments.out else ""))
+    return 0 if plan.path is not None else 1
+
+
+def robot_for(radius: float | None) -> Any:
+    """A disk of the radius given, or nothing said."""
+    from .robots import Disk
+
+    return None if radius is None else Disk(radius)
+
+
+def planned(problem: Any, arguments: argparse.Namespace) -> Any:
+    """Ask the planner that was named, with the options that were given."""
+    from .planners import plan_on_grid, prm, rrt
+
+    if arguments.planner == "astar":
+        return plan_on_grid(problem, spacing=arguments.spacing)
+    if arguments.planner == "prm":
+        given = {"n": arguments.nodes, "k": arguments.neighbours}
+        return prm(problem, rng=arguments.seed, **{name: value for name, value in given.items() if value is not None})
+    given = {"step": arguments.step, "max_nodes": arguments.nodes}
+    return rrt(problem, rng=arguments.seed, **{name: value for name, value in given.items() if value is not None})
+
+
+def check_picture(path: Path | None) -> None:
+    """Refuse a picture that could not be written, before any work is done."""
+    if path is None:
+        return
+    if path.suffix.lower() not in (".png", ".svg", ".pdf"):
+        raise OSError(f"--out {path}: a picture ends in .png, .svg or .pdf")
+    if not path.absolute().parent.is_dir():
+        raise OSError(f"--out {path}: there is no folder {path.absolute().parent}")
+
+
+def save_picture(plan: Any, path: Path) -> None:
+    """Draw a plan into a file, whole or not at all."""
+    import matplotlib
+
+    matplotlib.use("agg")
+    from matplotlib import pyplot as plt
+
+    from .figures import draw_plan
+
+    draw_plan(plan)
+    part = path.with_name(path.name + ".part")
+    try:
+        plt.savefig(part, format=path.suffix[1:].lower(), dpi=120)
+        os.replace(part, path)
+    finally:
+        part.unlink(missing_ok=True)
+        plt.close()
+
+
+def run_lab(arguments: argparse.Namespace) -> int:
+    """Open the tour in JupyterLab."""
+    from .lab import open_lab
+
+    return open_lab(browser=not arguments.no_browser)
+
+
+def run_warm(_: argparse.Namespace) -> int:
+    """Compile ahead."""
+    from .warm import warm_up
+
+    warm_up()
+    return 0

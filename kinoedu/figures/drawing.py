@@ -1,0 +1,194 @@
+"""Worlds, problems and plans as matplotlib figures. Each function takes ax=None and returns the artists it drew."""
+
+from functools import singledispatch
+from typing import Any
+
+import numpy as np
+from matplotlib import patheffects
+from matplotlib import pyplot as plt
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
+from matplotlib.collections import LineCollection
+from matplotlib.colors import ListedColormap
+from matplotlib.patches import Circle, PathPatch
+from matplotlib.path import Path as Outline
+from numpy.typing import ArrayLike
+
+from ..geometry.checks import Array
+from ..problems import Plan, ProblemRecord, Roadmap, Tree
+from ..robots.round import RoundRobot
+from ..worlds.polygon_world import PolygonWorldRecord, discs_of, rings_of
+from ..worlds.terrain import TerrainRecord
+from . import palette
+
+HALO = [patheffects.withStroke(linewidth=3.5, foreground="white")]
+
+
+def axes_for(world: Any, ax: Axes | None = None, *, size: float = 7.5) -> Axes:
+    """The axes given, or new ones of a figure that has the world's shape, its longer side `size` inches; equal scales, labelled."""
+    if ax is None:
+        extent = world.hi - world.lo
+        width, height = np.maximum(size * extent / extent.max(), 2.2)
+        _, ax = plt.subplots(figsize=(width + 1.0, height + 1.0), layout="constrained")
+    ax.set_aspect("equal")
+    margin = 0.01 * (world.hi - world.lo).max()
+    ax.set_xlim(world.lo[0] - margin, world.hi[0] + margin)
+    ax.set_ylim(world.lo[1] - margin, world.hi[1] + margin)
+    ax.set_xlabel("x", fontsize=palette.TEXT_SIZE)
+    ax.set_ylabel("y", fontsize=palette.TEXT_SIZE)
+    ax.tick_params(labelsize=palette.TEXT_SIZE - 1)
+    return ax
+
+
+@singledispatch
+def draw_world(world: Any, ax: Axes | None = None) -> list[Artist]:
+    """Draw what is free and what is not."""
+    raise TypeError(f"a figure cannot draw a {type(world).__name__}")
+
+
+@draw_world.register
+def _(world: PolygonWorldRecord, ax: Axes | None = None) -> list[Artist]:
+    ax = axes_for(world, ax)
+    (outline,), *solids = rings_of(world)
+    outside = PathPatch(compound([frame(world), outline]), facecolor=palette.OUTSIDE, edgecolor=palette.OBSTACLE, zorder=1)
+    polygons = [PathPatch(compound(rings), facecolor=palette.OBSTACLE, edgecolor=palette.OBSTACLE, zorder=1) for rings in solids]
+    discs = [Circle((x, y), r, facecolor=palette.OBSTACLE, zorder=1) for x, y, r in discs_of(world)]
+    ax.set_facecolor(palette.FREE)
+    return [ax.add_patch(patch) for patch in (outside, *polygons, *discs)]
+
+
+def frame(world: PolygonWorldRecord) -> Array:
+    """A box well round the world, counter-clockwise."""
+    (x0, y0), (x1, y1) = world.lo - (world.hi - world.lo), world.hi + (world.hi - world.lo)
+    return np.array([(x0, y0), (x1, y0), (x1, y1), (x0, y1)])
+
+
+def compound(rings: list[Array]) -> Outline:
+    """One outline of rings, those of opposite sense cut out of each other."""
+    return Outline.make_compound_path(*(Outline(np.vstack([ring, ring[:1]]), closed=True) for ring in rings))
+
+
+@draw_world.register
+def _(world: TerrainRecord, ax: Axes | None = None) -> list[Artist]:
+    ax = axes_for(world, ax)
+    (x0, y0), (x1, y1) = world.lo, world.hi
+    colours = ListedColormap([palette.OBSTACLE, palette.FREE])
+    ax.set_facecolor(palette.OUTSIDE)
+    image = ax.imshow(
+        world.free, origin="lower", extent=(x0, x1, y0, y1), cmap=colours, vmin=0, vmax=1, interpolation="nearest", zorder=1
+    )
+    return [image]
+
+
+def draw_problem(problem: ProblemRecord, ax: Axes | None = None) -> list[Artist]:
+    """Draw the world, and the robot at start and goal."""
+    ax = axes_for(problem.world, ax)
+    artists = draw_world(problem.world, ax)
+    for q, name, colour, marker in ((problem.start, "start", palette.START, "o"), (problem.goal, "goal", palette.GOAL, "*")):
+        artists += draw_robot(problem.robot, q, ax, colour)
+        size = 9 if marker == "o" else 15
+        artists += ax.plot(*q[:2], marker, color=colour, markersize=size, markeredgecolor="white", markeredgewidth=1.2, zorder=7)
+        artists.append(label_beside(q, name, colour, problem.world, ax))
+    return artists
+
+
+def label_beside(q: Array, name: str, colour: str, world: Any, ax: Axes) -> Artist:
+    """A name next to a configuration, on the side where there is room."""
+    right = q[0] < world.lo[0] + 0.75 * (world.hi[0] - world.lo[0])
+    up = q[1] < world.lo[1] + 0.85 * (world.hi[1] - world.lo[1])
+    return ax.annotate(
+        name,
+        q[:2],
+        xytext=(9 if right else -9, 9 if up else -9),
+        textcoords="offset points",
+        ha="left" if right else "right",
+        va="bottom" if up else "top",
+        fontsize=palette.TEXT_SIZE,
+        fontweight="bold",
+        color=colour,
+        path_effects=HALO,
+        zorder=8,
+    )
+
+
+@singledispatch
+def draw_robot(robot: Any, q: Array, ax: Axes, colour: str = palette.ROBOT) -> list[Artist]:
+    """Draw a robot's body at a configuration."""
+    raise TypeError(f"a figure cannot draw a {type(robot).__name__}")
+
+
+@draw_robot.register
+def _(robot: RoundRobot, q: Array, ax: Axes, colour: str = palette.ROBOT) -> list[Artist]:
+    if robot.radius == 0.0:
+        return []
+    return [ax.add_patch(Circle((q[0], q[1]), robot.radius, facecolor=colour, alpha=0.35, edgecolor=colour, zorder=6))]
+
+
+def draw_edges(segments: ArrayLike, ax: Axes, colour: str, *, width: float, zorder: float) -> list[Artist]:
+    """Draw segments, shape (m, 2, 2)."""
+    return [ax.add_collection(LineCollection(np.asarray(segments), colors=colour, linewidths=width, zorder=zorder), autolim=False)]
+
+
+def draw_tree(tree: Tree, ax: Axes, *, upto: int | None = None) -> list[Artist]:
+    """Draw a tree, or its first `upto` nodes: the tree as it was then."""
+    grown = np.arange(1, len(tree.nodes) if upto is None else max(upto, 1))
+    grown = grown[tree.parent[grown] >= 0]
+    segments = np.stack([tree.nodes[tree.parent[grown]], tree.nodes[grown]], axis=1)[:, :, :2]
+    return draw_edges(segments, ax, palette.TREE, width=line_width(len(tree.nodes)), zorder=3)
+
+
+def draw_roadmap(roadmap: Roadmap, ax: Axes, *, upto: int | None = None) -> list[Artist]:
+    """Draw a roadmap's nodes, and its edges or the first `upto` of them."""
+    edges = roadmap.edges[:upto]
+    dots = ax.plot(*roadmap.nodes[:, :2].T, ".", color=palette.TREE, markersize=dot_size(len(roadmap.nodes)), zorder=3.5)
+    return [*draw_edges(roadmap.nodes[edges][:, :, :2], ax, palette.ROADMAP, width=0.8, zorder=3), *dots]
+
+
+def line_width(n: int) -> float:
+    """Thinner lines for more of them."""
+    return float(np.clip(2.0 - 0.4 * np.log10(max(n, 1)), 0.5, 1.6))
+
+
+def dot_size(n: int) -> float:
+    """Smaller dots for more of them."""
+    return float(np.clip(9.0 - 2.0 * np.log10(max(n, 1)), 1.5, 8.0))
+
+
+def draw_path(path: Array, ax: Axes) -> list[Artist]:
+    """Draw a path, shape (n, d), on a dark casing that keeps it visible on anything."""
+    casing = ax.plot(*path[:, :2].T, color=palette.INK, linewidth=5.0, solid_capstyle="round", zorder=4)
+    return [*casing, *ax.plot(*path[:, :2].T, color=palette.PATH, linewidth=3.0, solid_capstyle="round", zorder=5)]
+
+
+def draw_plan(plan: Plan, ax: Axes | None = None, *, upto: int | None = None, title: str | None = None) -> list[Artist]:
+    """Draw a plan: its problem, what was built on the way, and the path.
+
+    upto : show only the first so many nodes of the tree or edges of the roadmap, and the path only when all are there.
+    """
+    ax = axes_for(plan.problem.world, ax)
+    artists = draw_problem(plan.problem, ax)
+    total = 0
+    if plan.tree is not None:
+        total = len(plan.tree.nodes)
+        artists += draw_tree(plan.tree, ax, upto=upto)
+    if plan.roadmap is not None:
+        total = len(plan.roadmap.edges)
+        artists += draw_roadmap(plan.roadmap, ax, upto=upto)
+    whole = upto is None or upto >= total
+    if plan.path is not None and whole:
+        artists += draw_path(plan.path, ax)
+    ax.set_title(
+        summary(plan, total if whole or upto is None else upto) if title is None else title, fontsize=palette.TEXT_SIZE, wrap=True
+    )
+    return artists
+
+
+def summary(plan: Plan, shown: int) -> str:
+    """What a plan's figure shows, in words."""
+    what = "roadmap edges" if plan.roadmap is not None else "tree nodes"
+    total = len(plan.roadmap.edges) if plan.roadmap is not None else len(plan.tree.nodes) if plan.tree is not None else 0
+    if shown < total:
+        return f"{shown:,} of {total:,} {what}"
+    if plan.path is None:
+        return f"No path: {plan.reason}"
+    return f"A path of length {plan.cost:.4g}, found with {total:,} {what}"

@@ -1,0 +1,18 @@
+"""The colours of the course: each means the same on every page, and stays apart for colour-blind eyes and on a projector.
+
+After M. Okabe and K. Ito, "Color universal design" (2008). Line styles and markers differ as well.
+"""
+
+START = "#007A5E"
+GOAL = "#C44E00"
+OBSTACLE = "#4B5563"
+FREE = "#FFFFFF"
+OUTSIDE = "#9CA3AF"
+TREE = "#0072B2"
+ROADMAP = "#3B9BD9"
+PATH = "#E69F00"
+ROBOT = "#CC79A7"
+CONTACT = "#000000"
+INK = "#111827"
+
+TEXT_SIZE = 13

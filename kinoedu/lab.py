@@ -1,0 +1,66 @@
+"""Open the course in JupyterLab: on this computer only, with its token kept."""
+
+import json
+import os
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+from .errors import UnreadableScene
+
+COURSE = Path(__file__).resolve().parent.parent
+TOUR = "notebooks/00_tour.ipynb"
+
+
+def open_lab(*, browser: bool = True) -> int:
+    """Run JupyterLab at the tour until it is stopped; returns its exit status. Without a display the address is printed only."""
+    if not (COURSE / TOUR).is_file():
+        raise UnreadableScene(f"{COURSE / TOUR} is missing: start the course from its own folder, with python start.py")
+    server = subprocess.Popen(lab_command(browser=browser and has_display()), cwd=COURSE)
+    try:
+        address = address_of(server)
+        if address:
+            print(f"\nThe course is open at\n\n    {address}\n\nStop it with Ctrl-C.\n", flush=True)
+        return server.wait()
+    except KeyboardInterrupt:
+        server.wait()
+        return 130
+
+
+def lab_command(*, browser: bool) -> list[str]:
+    """The command that starts JupyterLab."""
+    command = [
+        sys.executable,
+        "-m",
+        "jupyterlab",
+        TOUR,
+        "--ServerApp.ip=127.0.0.1",
+        "--ServerApp.answer_yes=True",
+        "--log-level=WARN",
+    ]
+    if not browser:
+        command.append("--no-browser")
+    if hasattr(os, "geteuid") and os.geteuid() == 0:
+        command.append("--allow-root")  # root in a container; the token still guards it
+    return command
+
+
+def has_display() -> bool:
+    """Whether a browser could open a window here."""
+    return sys.platform in ("win32", "darwin") or bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
+
+
+def address_of(server: "subprocess.Popen[bytes]") -> str | None:
+    """The tour's address with its token, once the server has written it down; None where it ended before."""
+    from jupyter_core.paths import jupyter_runtime_dir
+
+    note = Path(jupyter_runtime_dir()) / f"jpserver-{server.pid}.json"
+    while server.poll() is None:
+        try:
+            running = json.loads(note.read_text(encoding="utf-8"))
+        except (OSError, ValueError):
+            time.sleep(0.1)
+            continue
+        return f"{running['url']}lab/tree/{TOUR}?token={running['token']}"
+    return None

@@ -1,0 +1,49 @@
+"""What is being done and for how long, on standard error: a line that moves in a terminal, a line for each stage elsewhere."""
+
+import logging
+import sys
+import threading
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+
+class Notes(logging.Handler):
+    """The last remark logged while a stage runs, such as that something is compiled once."""
+
+    last = ""
+
+    def emit(self, record: logging.LogRecord) -> None:
+        """Keep it."""
+        self.last = record.getMessage()
+
+
+@contextmanager
+def stage(what: str) -> Iterator[None]:
+    """Say what is being done while it is."""
+    if not sys.stderr.isatty():
+        print(f"{what} ...", file=sys.stderr, flush=True)
+        yield
+        return
+    notes, done = Notes(), threading.Event()
+    logger = logging.getLogger("kinoedu")
+    level = logger.level
+    logger.setLevel(logging.INFO)
+    logger.addHandler(notes)
+    line = threading.Thread(target=_move, args=(what, notes, done), daemon=True)
+    line.start()
+    try:
+        yield
+    finally:
+        done.set()
+        line.join()
+        logger.removeHandler(notes)
+        logger.setLevel(level)
+
+
+def _move(what: str, notes: Notes, done: threading.Event) -> None:
+    started = time.monotonic()
+    while not done.wait(0.1):
+        remark = f" ({notes.last})" if notes.last else ""
+        print(f"\r\033[K{what} ... {time.monotonic() - started:.0f} s{remark}", end="", file=sys.stderr, flush=True)
+    print("\r\033[K", end="", file=sys.stderr, flush=True)

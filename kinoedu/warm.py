@@ -1,0 +1,24 @@
+"""Compile ahead what the course uses, so that no lesson waits for it."""
+
+from .compiled import CACHE
+from .planners import plan_on_grid, prm, rrt
+from .problems import Problem
+from .progress import stage
+from .robots import Point
+from .worlds import PolygonWorld, Terrain
+
+
+def warm_up() -> None:
+    """Run every planner once in every kind of world. What is compiled already is left; without a cache nothing is gained."""
+    if CACHE is None or (CACHE / "warm").exists():
+        return
+    worlds = {
+        "polygons": PolygonWorld([(0, 0), (9, 0), (9, 9), (5, 8), (0, 9)], [[(4, 0), (5, 0), (5, 5)], ((7, 5), 1.0)]),
+        "terrain": Terrain([[1] * 9] * 9),
+    }
+    jobs = [(planner, kind) for kind in worlds for planner in (rrt, prm, plan_on_grid)]
+    for number, (planner, kind) in enumerate(jobs, start=1):
+        with stage(f"compiling once, {number} of {len(jobs)}: {planner.__name__} on {kind}"):
+            problem = Problem(Point(), worlds[kind], (1, 1), (8, 8))
+            planner(problem, **({} if planner is plan_on_grid else {"rng": 0}))
+    (CACHE / "warm").touch()
