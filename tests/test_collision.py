@@ -6,6 +6,7 @@ against shapely, for every motion that is not within rounding of a contact.
 
 import math
 from fractions import Fraction
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -48,7 +49,7 @@ def semi_free(robot: Any, world: Any, a: Any, b: Any, clearance: float = 0.0) ->
     return bool(is_semi_free_path(robot, world, at(*a), at(*b), clearance))
 
 
-# ---- polygons, exactly ----------------------------------------------------------------------------------------------------------
+# ---- polygons, exactly -------------------------------------------------------------------------------------------------------
 
 
 class ExactWorld:
@@ -83,7 +84,7 @@ class ExactWorld:
         u = minus(b, a)
         k = 0 if u[0] else 1
         cuts = sorted({Fraction(0), Fraction(1), *((p[k] - a[k]) / u[k] for e in self.edges for p in shared_exactly(a, b, *e))})
-        for t in [(s + e) / 2 for s, e in zip(cuts[:-1], cuts[1:], strict=True)]:
+        for t in [(s + e) / 2 for s, e in pairwise(cuts)]:
             x, y = a[0] + t * u[0], a[1] + t * u[1]
             if all(self.is_solid((x - side * u[1], y + side * u[0])) for side in (EPSILON, -EPSILON)):
                 return False
@@ -115,7 +116,8 @@ def exact_worlds(draw: Any) -> ExactWorld:
 def test_points_among_polygons_are_judged_exactly(world: ExactWorld, motions: Any) -> None:
     """Free, semi-free and the place itself, both ways, on whole numbers where motions graze, slide and touch at corners."""
     corners = [edge[0] for edge in world.edges]
-    motions = [*motions, *zip(corners[::2], corners[1::2], strict=False), *((corner, m[0]) for corner, m in zip(corners, motions, strict=False))]
+    motions += zip(corners[::2], corners[1::2], strict=False)
+    motions += [(corner, a) for corner, (a, _) in zip(corners, motions, strict=False)]
     for a, b in motions:
         assert bool(is_free(Point(), world.record, at(*a), 0.0)) is world.is_free(a, a)
         if a == b:
@@ -278,7 +280,7 @@ def test_a_sliver_of_a_wall_stops_everything(width: float, robot: Any) -> None:
         assert free(robot, world, a, (0.4, a[1]))
 
 
-# ---- polygons, against shapely --------------------------------------------------------------------------------------------------
+# ---- polygons, against shapely -----------------------------------------------------------------------------------------------
 
 
 def random_world(rng: np.random.Generator, scale: float, shift: float) -> tuple[Any, list[Any], list[Any]]:
@@ -350,9 +352,8 @@ def test_the_index_finds_what_looking_at_every_part_finds() -> None:
     for k in range(300):
         x, y = rng.integers(-52, 52, 2).tolist()
         size = float(rng.choice([0.5, 1, 1, 2, 9]))
-        obstacles.append(
-            [((x, y), size / 2), [(x, y), (x + size, y), (x, y + size)], [(x, y), (x + size, y), (x + size, y + size), (x, y + size)]][k % 3]
-        )
+        square = [(x, y), (x + size, y), (x + size, y + size), (x, y + size)]
+        obstacles.append((((x, y), size / 2), square[:3], square)[k % 3])
     world = PolygonWorld([(-50, -50), (50, -50), (50, 30), (-50, 30)], obstacles)
     parts, cells = world.obstacles, world.cells
     found = 0
@@ -382,7 +383,7 @@ def test_a_world_without_obstacles_is_free_inside() -> None:
     assert not free(Disk(1.0), world, (1, 1), (3, 3))
 
 
-# ---- terrains -------------------------------------------------------------------------------------------------------------------
+# ---- terrains ----------------------------------------------------------------------------------------------------------------
 
 
 class ExactTerrain:
@@ -422,16 +423,15 @@ class ExactTerrain:
         for k, size in ((0, self.columns), (1, self.rows)):
             cuts |= {t for line in range(-1, size + 2) if u[k] for t in [(line - a[k]) / u[k]] if 0 < t < 1}
         ordered = sorted(cuts)
-        for t in [(s + e) / 2 for s, e in zip(ordered[:-1], ordered[1:], strict=True)]:
+        for t in [(s + e) / 2 for s, e in pairwise(ordered)]:
             x, y = a[0] + t * u[0], a[1] + t * u[1]
             if all(self.is_solid(x - e * u[1] + e * e, y + e * u[0] + e * e) for e in (EPSILON, -EPSILON)):
                 return False
         return True
 
 
-bitmaps = st.integers(1, 5).flatmap(
-    lambda columns: st.lists(st.lists(st.sampled_from([True, True, False]), min_size=columns, max_size=columns), min_size=1, max_size=5)
-)
+cell = st.sampled_from([True, True, False])
+bitmaps = st.integers(1, 5).flatmap(lambda n: st.lists(st.lists(cell, min_size=n, max_size=n), min_size=1, max_size=5))
 halves = st.tuples(st.integers(-1, 11), st.integers(-1, 11)).map(lambda p: (Fraction(p[0], 2), Fraction(p[1], 2)))
 placements = st.sampled_from([(1.0, (0.0, 0.0)), (0.5, (3.0, -7.0)), (0.125, (-2.0, 1.5)), (64.0, (1024.0, -4096.0))])
 
@@ -492,7 +492,15 @@ class TestTerrainContact:
 
     @pytest.mark.parametrize(
         ("q", "semi"),
-        [((0.5, 0.5), True), ((1, 1.5), True), ((1, 1), True), ((3, 2), True), ((0, 0.5), True), ((1.5, 1.5), False), ((2, 1.5), False)],
+        [
+            pytest.param((0.5, 0.5), True, id="in the open"),
+            pytest.param((1, 1.5), True, id="on an edge"),
+            pytest.param((1, 1), True, id="at a corner"),
+            pytest.param((3, 2), True, id="between two cells that meet at a corner"),
+            pytest.param((0, 0.5), True, id="on the rim"),
+            pytest.param((1.5, 1.5), False, id="inside"),
+            pytest.param((2, 1.5), False, id="on an edge that two cells share"),
+        ],
     )
     def test_standing_still(self, q: Any, semi: bool) -> None:
         """The inside of a cell, or of the edge that two blocked cells share, is not semi-free; a contact is."""
@@ -528,9 +536,8 @@ def test_motions_on_terrains_agree_with_shapely(side: float, origin: Any) -> Non
         rows, columns = rng.integers(1, 14, 2).tolist()
         cells = rng.random((rows, columns)) < 0.8
         world = Terrain(cells, resolution=side, origin=origin)
-        blocked = shapely.MultiPolygon(
-            [shapely.box(*(np.array(origin) + side * np.array(p)), *(np.array(origin) + side * (np.array(p) + 1))) for p in np.argwhere(~cells)[:, ::-1]]
-        )
+        corners = np.array(origin) + side * np.argwhere(~cells)[:, ::-1]
+        blocked = shapely.MultiPolygon([shapely.box(x, y, x + side, y + side) for x, y in corners])
         for _ in range(60):
             a = rng.uniform(-0.2, 1.2, 2) * (columns, rows) if rng.random() < 0.2 else rng.uniform(0, 1, 2) * (columns, rows)
             b = rng.uniform(0, 1, 2) * (columns, rows) if rng.random() < 0.4 else a + rng.normal(0, 0.7, 2)
@@ -538,7 +545,7 @@ def test_motions_on_terrains_agree_with_shapely(side: float, origin: Any) -> Non
             line = shapely.LineString([a, b])
             rim = min((np.minimum(a, b) - world.lo).min(), (world.hi - np.maximum(a, b)).min())
             gap = min(line.distance(blocked) if not cells.all() else math.inf, rim)
-            inside = max(line.intersection(cell).length for cell in blocked.geoms) if not cells.all() else 0.0
+            inside = max(line.intersection(box).length for box in blocked.geoms) if not cells.all() else 0.0
             for reach in (0.0, 0.2 * side, 1.3 * side):
                 robot = Disk(reach) if reach else Point()
                 answer = free(robot, world, a, b)
@@ -593,7 +600,7 @@ def test_a_bad_terrain_is_refused_by_name(cells: Any, options: Any, error: Any, 
     assert words in str(caught.value)
 
 
-# ---- what makes a world and a problem -------------------------------------------------------------------------------------------
+# ---- what makes a world and a problem ----------------------------------------------------------------------------------------
 
 INNER = [(1, 1), (3, 1), (3, 3), (1, 3)]
 

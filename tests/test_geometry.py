@@ -48,7 +48,7 @@ CORNER = [(0, 0), (4, 0), (4, 4), (2, 4), (2, 2), (0, 2)]
 SQUARE = [(0, 0), (4, 0), (4, 4), (0, 4)]
 
 
-# ---- exact oracles --------------------------------------------------------------------------------------------------------------
+# ---- exact oracles -----------------------------------------------------------------------------------------------------------
 
 
 def exact(p: Any) -> Exact:
@@ -159,7 +159,7 @@ def is_close(value: float, squared: Fraction, tolerance: Fraction = Fraction(1, 
     return (1 - tolerance) ** 2 * squared <= Fraction(value) ** 2 <= (1 + tolerance) ** 2 * squared
 
 
-# ---- what is drawn --------------------------------------------------------------------------------------------------------------
+# ---- what is drawn -----------------------------------------------------------------------------------------------------------
 
 lattice = st.tuples(st.integers(-6, 6), st.integers(-6, 6)).map(lambda p: (float(p[0]), float(p[1])))
 tenths = st.tuples(st.integers(-9, 9), st.integers(-9, 9)).map(lambda p: (p[0] * 0.1, p[1] * 0.1))
@@ -178,7 +178,10 @@ measured = st.one_of(  # no coordinate between 0 and 1e-100: whose squares, and 
 )
 
 
-def alike(count: int, kinds: Any = (lattice, tenths, st.one_of(ulps, diagonal), wild)) -> Any:
+KINDS = (lattice, tenths, st.one_of(ulps, diagonal), wild)
+
+
+def alike(count: int, kinds: Any = KINDS) -> Any:
     """Several points of one kind, now and then repeated, so that degenerate cases are common."""
     return st.one_of(*[st.lists(kind, min_size=count, max_size=count).map(tuple) for kind in kinds])
 
@@ -186,7 +189,8 @@ def alike(count: int, kinds: Any = (lattice, tenths, st.one_of(ulps, diagonal), 
 @st.composite
 def simple_polygons(draw: Any, most: int = 8, reach: int = 6) -> list[Floats]:
     """A simple lattice polygon: points are put, one after another, into the first edge where nothing crosses."""
-    points = draw(st.lists(st.tuples(st.integers(-reach, reach), st.integers(-reach, reach)), min_size=3, max_size=most, unique=True))
+    number = st.integers(-reach, reach)
+    points = draw(st.lists(st.tuples(number, number), min_size=3, max_size=most, unique=True))
     assume(turn_of(*points[:3]))
     ring = points[:3]
     for p in points[3:]:
@@ -200,7 +204,8 @@ def simple_polygons(draw: Any, most: int = 8, reach: int = 6) -> list[Floats]:
 @st.composite
 def convex_polygons(draw: Any, reach: int = 6) -> list[Floats]:
     """A convex lattice polygon in either direction, with points on its edges now and then."""
-    points = draw(st.lists(st.tuples(st.integers(-reach, reach), st.integers(-reach, reach)), min_size=3, max_size=7, unique=True))
+    number = st.integers(-reach, reach)
+    points = draw(st.lists(st.tuples(number, number), min_size=3, max_size=7, unique=True))
     corners = hull_exactly(points)
     assume(len(corners) > 2)
     a, b = corners[0], corners[1]
@@ -234,7 +239,7 @@ def moved(points: Any, move: tuple[float, float]) -> list[Floats]:
     return [(x * move[0] + move[1], y * move[0] + move[1]) for x, y in points]
 
 
-# ---- the collected cases --------------------------------------------------------------------------------------------------------
+# ---- the collected cases -----------------------------------------------------------------------------------------------------
 
 
 def cases(kind: str) -> list[Any]:
@@ -244,7 +249,8 @@ def cases(kind: str) -> list[Any]:
 def test_no_case_is_left_out() -> None:
     """Every kind of case in the collection has a test below."""
     kinds = Counter(case["kind"] for case in CASES)
-    assert kinds == dict(orient=45, seg_seg=54, point_seg=29, point_poly=41, point_poly_dist=41, convex_pair=68, tangent=30)
+    wanted = {"orient": 45, "seg_seg": 54, "point_seg": 29, "point_poly": 41, "point_poly_dist": 41, "convex_pair": 68, "tangent": 30}
+    assert kinds == wanted
 
 
 @pytest.mark.parametrize(("case", "expected"), cases("orient"))
@@ -301,7 +307,7 @@ def test_collected_tangents(case: Any, expected: Any) -> None:
     assert polygon_tangent(case["p"], case["poly"]) == pytest.approx(np.array(expected["tangent_ccw"]), rel=1e-12, abs=1e-12)
 
 
-# ---- orientation ----------------------------------------------------------------------------------------------------------------
+# ---- orientation -------------------------------------------------------------------------------------------------------------
 
 
 @LAW
@@ -334,7 +340,7 @@ def test_orientation_changes_sign_when_two_points_swap(points: Any) -> None:
         assert orientation(*(points[i] for i in order)) == (straight if even else -straight)
 
 
-# ---- segments -------------------------------------------------------------------------------------------------------------------
+# ---- segments ----------------------------------------------------------------------------------------------------------------
 
 
 @LAW
@@ -426,7 +432,7 @@ def test_closest_point_and_its_region(points: Any) -> None:
     assert max(abs(Fraction(g) - w) for g, w in zip(near, wanted, strict=True)) <= reach / 10**12
 
 
-# ---- lines ----------------------------------------------------------------------------------------------------------------------
+# ---- lines -------------------------------------------------------------------------------------------------------------------
 
 
 @LAW
@@ -463,7 +469,7 @@ def test_a_line_has_no_negative_zero() -> None:
         assert "-0.0" not in [str(number) for number in line_through_points(p1, p2)]
 
 
-# ---- polygons -------------------------------------------------------------------------------------------------------------------
+# ---- polygons ----------------------------------------------------------------------------------------------------------------
 
 
 @SLOW_LAW
@@ -578,7 +584,7 @@ def test_convex_hull_is_exact_near_a_line(points: Any) -> None:
         assert all(turn_of(hull[0], hull[-1], p) == 0 for p in points)
 
 
-# ---- convex parts ---------------------------------------------------------------------------------------------------------------
+# ---- convex parts ------------------------------------------------------------------------------------------------------------
 
 
 def holes_in(polygon: Any, corners: Any) -> list[list[Floats]]:
@@ -638,7 +644,7 @@ def test_a_comb_is_cut_into_few_parts() -> None:
     assert sum(map(twice_area, parts)) == twice_area(as_ring(comb))
 
 
-# ---- batches --------------------------------------------------------------------------------------------------------------------
+# ---- batches -----------------------------------------------------------------------------------------------------------------
 
 
 @LAW
@@ -669,7 +675,7 @@ def test_one_answer_is_a_plain_python_value() -> None:
     assert segments_intersect([(0, 0)], (1, 1), (0, 1), (1, 0)).shape == (1,)
 
 
-# ---- what enters ----------------------------------------------------------------------------------------------------------------
+# ---- what enters -------------------------------------------------------------------------------------------------------------
 
 BAD_POINTS = [
     pytest.param((math.nan, 0), "finite", id="nan"),

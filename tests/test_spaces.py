@@ -61,8 +61,17 @@ def test_the_nearest_node_is_what_brute_force_finds(kind: str, d: int) -> None:
     assert tree.parent.tolist() == list(range(-1, 2999))
 
 
-@pytest.mark.parametrize(("lo", "hi"), [((0, 0), (1, 1e-6)), ((0, 0), (1e-6, 1)), ((1e6, -1e6), (1e6 + 1, -1e6 + 1)), ((0, 0), (1, 0)), ((2, 2), (2, 2))])
-@pytest.mark.parametrize("capacity", [500, 100_000])
+@pytest.mark.parametrize(
+    ("lo", "hi"),
+    [
+        pytest.param((0, 0), (1, 1e-6), id="low"),
+        pytest.param((0, 0), (1e-6, 1), id="narrow"),
+        pytest.param((1e6, -1e6), (1e6 + 1, -1e6 + 1), id="far away"),
+        pytest.param((0, 0), (1, 0), id="flat"),
+        pytest.param((2, 2), (2, 2), id="a point"),
+    ],
+)
+@pytest.mark.parametrize("capacity", [500, 10_000])
 def test_the_nearest_node_in_odd_boxes(lo: Any, hi: Any, capacity: int) -> None:
     """Thin, far away, flat and empty boxes; room for just these nodes or for far more."""
     rng = np.random.default_rng(7)

@@ -24,12 +24,12 @@ from . import palette
 HALO = [patheffects.withStroke(linewidth=3.5, foreground="white")]
 
 
-def axes_for(world: Any, ax: Axes | None = None, *, size: float = 7.5) -> Axes:
+def axes_for(world: Any, ax: Axes | None = None, *, size: float = 6.5) -> Axes:
     """The axes given, or new ones of a figure that has the world's shape, its longer side `size` inches; equal scales, labelled."""
     if ax is None:
         extent = world.hi - world.lo
         width, height = np.maximum(size * extent / extent.max(), 2.2)
-        _, ax = plt.subplots(figsize=(width + 1.0, height + 1.0), layout="constrained")
+        _, ax = plt.subplots(figsize=(width + 1.0, height + 1.0), dpi=80, layout="constrained")
     ax.set_aspect("equal")
     margin = 0.01 * (world.hi - world.lo).max()
     ax.set_xlim(world.lo[0] - margin, world.hi[0] + margin)
