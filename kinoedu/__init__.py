@@ -8,8 +8,12 @@ A plan in four lines:
 >>> plan.path is not None
 True
 
-The rooms of the house: `geometry`, `graphs`, `spaces`, `worlds`, `robots`, `collision`, `problems`, `planners`, `figures`.
+The rooms of the house: `geometry`, `graphs`, `spaces`, `worlds`, `robots`, `collision`, `problems`, `planners`, `scenes`; and
+`figures` and `boards`, which are imported when first used, because they bring matplotlib and ipywidgets.
 """
+
+from importlib import import_module
+from typing import Any
 
 from . import collision, geometry, graphs, planners, problems, robots, scenes, spaces, worlds
 from .planners import plan_on_grid, prm, rrt
@@ -20,6 +24,14 @@ from .worlds import PolygonWorld, Terrain, read_world
 
 __version__ = "0.1.0"
 
+
+def __getattr__(name: str) -> Any:
+    """Import the rooms that draw at their first use."""
+    if name in ("figures", "boards"):
+        return import_module(f"{__name__}.{name}")
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
 __all__ = [
     "Disk",
     "Plan",
@@ -28,7 +40,9 @@ __all__ = [
     "Problem",
     "Recorder",
     "Terrain",
+    "boards",
     "collision",
+    "figures",
     "geometry",
     "graphs",
     "plan_on_grid",

@@ -1,7 +1,6 @@
 """The command line: kinoedu plan | lab | warm."""
 
 import argparse
-import os
 import sys
 import time
 from collections.abc import Sequence
@@ -114,7 +113,9 @@ def run_plan(arguments: argparse.Namespace) -> int:
         seconds = time.perf_counter() - started
     if arguments.out is not None:
         with stage(f"drawing {arguments.out.name}"):
-            save_picture(plan, arguments.out)
+            from .figures import save_plan
+
+            save_plan(plan, arguments.out)
     counts = ", ".join(f"{count:,} {name}" for name, count in plan.stats.items())
     answer = f"found: length {plan.cost:.8g}" if plan.path is not None else f"no path: {plan.reason}"
     print(f"{answer}; {seconds:.3f} s, {counts}" + (f"; drawn in {arguments.out}" if arguments.out else ""))
@@ -149,25 +150,6 @@ def check_picture(path: Path | None) -> None:
         raise OSError(f"--out {path}: a picture ends in .png, .svg or .pdf")
     if not path.absolute().parent.is_dir():
         raise OSError(f"--out {path}: there is no folder {path.absolute().parent}")
-
-
-def save_picture(plan: Any, path: Path) -> None:
-    """Draw a plan into a file, whole or not at all."""
-    import matplotlib
-
-    matplotlib.use("agg")
-    from matplotlib import pyplot as plt
-
-    from .figures import draw_plan
-
-    draw_plan(plan)
-    part = path.with_name(path.name + ".part")
-    try:
-        plt.savefig(part, format=path.suffix[1:].lower(), dpi=120)
-        os.replace(part, path)
-    finally:
-        part.unlink(missing_ok=True)
-        plt.close()
 
 
 def run_lab(arguments: argparse.Namespace) -> int:

@@ -4,7 +4,7 @@
      "about": "optional words",
      "robot": {"kind": "point"}  or  {"kind": "disk", "radius": 0.5},
      "world": {"kind": "polygons", "boundary": [[x, y], ...],
-               "obstacles": [{"polygon": [[x, y], ...], "rooms": [[[x, y], ...], ...]}, {"centre": [x, y], "radius": r}]}
+               "obstacles": [{"polygon": [[x, y], ...], "rooms": [[[x, y], ...]]}, {"centre": [x, y], "radius": r}]}
           or  {"kind": "terrain", "rows": ["..@", "..."], "resolution": 1.0, "origin": [0.0, 0.0]}
           or  {"kind": "map", "file": "a map or picture beside the scene"},
      "start": [x, y], "goal": [x, y],
@@ -44,7 +44,7 @@ FREE, BLOCKED = ".", "@"
 def read_scene(path: str | os.PathLike[str]) -> ProblemRecord:
     """The problem in a JSON scene. Raises UnreadableScene, with the field at fault, or UnknownFormat for another extension.
 
-    Wrong polygons, a start that is not free and the like raise their own errors (InvalidPolygon, InvalidStart), with the file's name.
+    Wrong polygons, a start that is not free and so on raise their own errors (InvalidPolygon, InvalidStart), with the file's name.
     """
     file = Path(path)
     if file.suffix.lower() != ".json":

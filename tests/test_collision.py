@@ -146,7 +146,7 @@ def test_parts_of_a_free_path_are_free(world: ExactWorld, motions: Any, i: int, 
 class TestContact:
     """Touching is contact: not free; but semi-free unless both sides are solid."""
 
-    box = PolygonWorld(BOX, [[(0, 0), (4, 0), (4, 4), (0, 4)], [(4, 0), (8, 0), (8, 4), (4, 4)], [(8, 4), (12, 4), (12, 8), (8, 8)]])
+    box = PolygonWorld(BOX, [SQUARE, [(x + 4, y) for x, y in SQUARE], [(x + 8, y + 4) for x, y in SQUARE]])
 
     @pytest.mark.parametrize(
         ("a", "b", "semi"),

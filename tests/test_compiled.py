@@ -49,8 +49,8 @@ def problems() -> dict[str, Any]:
 def digest(plan: Any) -> str:
     """Every bit of a plan's tree, path, cost and counts."""
     path = b"" if plan.path is None else plan.path.tobytes()
-    counts = json.dumps(plan.stats, sort_keys=True).encode()
-    return hashlib.sha256(plan.tree.nodes.tobytes() + plan.tree.parent.tobytes() + path + counts + repr(plan.cost).encode()).hexdigest()
+    told = json.dumps([plan.stats, plan.cost], sort_keys=True).encode()
+    return hashlib.sha256(plan.tree.nodes.tobytes() + plan.tree.parent.tobytes() + path + told).hexdigest()
 
 
 def digests(wrapped: Any = lambda problem: problem, nodes: int = 450) -> dict[str, str]:

@@ -30,7 +30,14 @@ class Explorer(widgets.VBox):
         self.planner = widgets.Dropdown(options=PLANNERS, description="planner", layout=wide, style=style)
         self.seed = widgets.IntSlider(0, 0, 99, description="seed", layout=wide, style=style)
         self.step = widgets.FloatSlider(
-            size / 20, min=size / 200, max=size / 4, step=size / 200, readout_format=".1f", description="step", layout=wide, style=style
+            size / 20,
+            min=size / 200,
+            max=size / 4,
+            step=size / 200,
+            readout_format=".1f",
+            description="step",
+            layout=wide,
+            style=style,
         )
         self.growth = widgets.IntSlider(FRAMES, 0, FRAMES, description="growth", readout=False, layout=wide, style=style)
         self.play = widgets.Play(min=0, max=FRAMES, interval=100, description="watch it grow")
@@ -62,7 +69,9 @@ class Explorer(widgets.VBox):
 
     def redraw(self, _: Any = None) -> None:
         """Show the plan as far as it had grown."""
-        built = len(self.plan.roadmap.edges) if self.plan.roadmap is not None else len(self.plan.tree.nodes) if self.plan.tree else 0
+        built = (
+            len(self.plan.roadmap.edges) if self.plan.roadmap is not None else len(self.plan.tree.nodes) if self.plan.tree else 0
+        )
         ax = axes_for(self.problem.world)
         draw_plan(self.plan, ax, upto=None if self.growth.value == FRAMES else built * self.growth.value // FRAMES)
         stream = io.BytesIO()

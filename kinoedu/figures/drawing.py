@@ -24,12 +24,17 @@ from . import palette
 HALO = [patheffects.withStroke(linewidth=3.5, foreground="white")]
 
 
-def axes_for(world: Any, ax: Axes | None = None, *, size: float = 6.5) -> Axes:
-    """The axes given, or new ones of a figure that has the world's shape, its longer side `size` inches; equal scales, labelled."""
+def figure_size(world: Any) -> tuple[float, float]:
+    """Width and height in inches of a figure that has the world's shape."""
+    extent = world.hi - world.lo
+    width, height = np.maximum(6.5 * extent / extent.max(), 2.2)
+    return float(width) + 1.0, float(height) + 1.0
+
+
+def axes_for(world: Any, ax: Axes | None = None) -> Axes:
+    """The axes given, or those of a new figure of the world's shape: equal scales, labelled."""
     if ax is None:
-        extent = world.hi - world.lo
-        width, height = np.maximum(size * extent / extent.max(), 2.2)
-        _, ax = plt.subplots(figsize=(width + 1.0, height + 1.0), dpi=80, layout="constrained")
+        _, ax = plt.subplots(figsize=figure_size(world), dpi=80, layout="constrained")
     ax.set_aspect("equal")
     margin = 0.01 * (world.hi - world.lo).max()
     ax.set_xlim(world.lo[0] - margin, world.hi[0] + margin)
@@ -98,7 +103,7 @@ def label_beside(q: Array, name: str, colour: str, world: Any, ax: Axes) -> Arti
     up = q[1] < world.lo[1] + 0.85 * (world.hi[1] - world.lo[1])
     return ax.annotate(
         name,
-        q[:2],
+        (q[0], q[1]),
         xytext=(9 if right else -9, 9 if up else -9),
         textcoords="offset points",
         ha="left" if right else "right",
@@ -126,7 +131,8 @@ def _(robot: RoundRobot, q: Array, ax: Axes, colour: str = palette.ROBOT) -> lis
 
 def draw_edges(segments: ArrayLike, ax: Axes, colour: str, *, width: float, zorder: float) -> list[Artist]:
     """Draw segments, shape (m, 2, 2)."""
-    return [ax.add_collection(LineCollection(np.asarray(segments), colors=colour, linewidths=width, zorder=zorder), autolim=False)]
+    lines = list(np.asarray(segments))
+    return [ax.add_collection(LineCollection(lines, colors=colour, linewidths=width, zorder=zorder), autolim=False)]
 
 
 def draw_tree(tree: Tree, ax: Axes, *, upto: int | None = None) -> list[Artist]:
