@@ -59,7 +59,16 @@ def world_of(problem: ProblemRecord) -> World:
     world, cells = problem.world, problem.world.cells
     return World(
         *[pointer(world.hull), len(world.hull), pointer(world.obstacles.points), pointer(world.obstacles.first)],
-        *[pointer(cells.boxes), pointer(cells.first), pointer(cells.parts), cells.x, cells.y, cells.cell, cells.columns, cells.rows],
+        *[
+            pointer(cells.boxes),
+            pointer(cells.first),
+            pointer(cells.parts),
+            cells.x,
+            cells.y,
+            cells.cell,
+            cells.columns,
+            cells.rows,
+        ],
     )
 
 

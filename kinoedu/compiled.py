@@ -11,20 +11,18 @@ Without numba, or under NUMBA_DISABLE_JIT=1, everything still works and gives th
 
 The cache. numba notices a change in a compiled function's own file only, never in what it calls. So the code is kept in a folder
 named by a digest of all the package's sources, private to its user; and only what those sources fully determine is kept: functions
-of this package, for records of this package. KINOEDU_CACHE names another place for it. Where no folder can be written, code is
+of this package, for records of this package. Where no folder can be written, code is
 compiled anew in each process.
 """
 
 import functools
-import hashlib
 import inspect
 import logging
-import os
-import tempfile
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any, Protocol, TypeVar, cast
 
+from .cache import cache_folder
 from .errors import DuplicateKind
 
 try:
@@ -52,29 +50,7 @@ class Compiled(Protocol):
     def __call__(self, *args: Any) -> Any: ...
 
 
-def cache_folder() -> Path | None:
-    """The writable folder that holds this version's machine code, or None where there is none."""
-    digest = hashlib.sha256()
-    for source in sorted(Path(__file__).parent.rglob("*.py")):
-        digest.update(source.read_bytes())
-    try:
-        folder = _user_cache() / digest.hexdigest()[:16]
-        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
-        tempfile.TemporaryFile(dir=folder).close()
-    except (OSError, RuntimeError):  # RuntimeError: the user has no home
-        return None
-    return folder
-
-
-def _user_cache() -> Path:
-    if "KINOEDU_CACHE" in os.environ:
-        return Path(os.environ["KINOEDU_CACHE"])
-    import platformdirs
-
-    return Path(platformdirs.user_cache_dir(PACKAGE, appauthor=False))
-
-
-CACHE = cache_folder() if JIT else None
+CACHE = cache_folder(Path(__file__).parent) if JIT else None
 
 
 def _is_ours(kind: Any) -> bool:

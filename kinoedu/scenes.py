@@ -16,7 +16,6 @@ first: "." is free, "@" is blocked. What a reader does not know it refuses, nami
 
 import json
 import os
-import tempfile
 from collections.abc import Callable
 from functools import singledispatch
 from pathlib import Path
@@ -31,6 +30,7 @@ from .geometry.checks import Array, shortened
 from .problems import Problem, ProblemRecord
 from .robots import Disk, Point
 from .robots.round import RoundRobot
+from .whole_file import written_whole
 from .worlds import PolygonWorld, Terrain, read_world
 from .worlds.movingai import read_scenario, scenario_beside
 from .worlds.polygon_world import PolygonWorldRecord, discs_of, rings_of
@@ -135,9 +135,8 @@ def write_scene(problem: ProblemRecord, path: str | os.PathLike[str]) -> None:
         "goal": problem.goal.tolist(),
         "clearance": problem.clearance,
     }
-    with tempfile.NamedTemporaryFile("w", encoding="utf-8", dir=file.parent, suffix=".part", delete=False) as part:
-        json.dump(scene, part, indent=1)
-    os.replace(part.name, file)
+    with written_whole(file) as part, part.open("w", encoding="utf-8") as stream:
+        json.dump(scene, stream, indent=1)
 
 
 @singledispatch

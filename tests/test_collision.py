@@ -510,7 +510,12 @@ class TestTerrainContact:
         """Beside a cell, past a corner, at the rim; the same on a terrain of another scale."""
         for side, (x0, y0) in ((1.0, (0.0, 0.0)), (0.5, (2.0, -3.0))):
             world = Terrain(self.world.free, resolution=side, origin=(x0, y0))
-            for a, b, radius in (((0.5, 0.5), (5.5, 0.5), 0.5), ((0.5, 0.5), (0.5, 3.5), 0.5), ((5.0, 1.0), (5.0, 3.0), 1.0)):
+            for a, b, radius in (
+                ((0.5, 0.5), (5.5, 0.5), 0.5),  # the rim
+                ((5.0, 1.0), (5.0, 3.0), 1.0),  # the rim and a cell
+                ((4.5, 2.25), (4.5, 2.75), 0.5),  # a cell alone
+                ((4.75, 2.5), (4.5, 2.5), 0.5),  # at the very end
+            ):
                 p, q = ((x0 + side * x, y0 + side * y) for x, y in (a, b))
                 assert not free(Disk(radius * side), world, p, q)
                 assert semi_free(Disk(radius * side), world, p, q)

@@ -340,6 +340,40 @@ def test_orientation_changes_sign_when_two_points_swap(points: Any) -> None:
         assert orientation(*(points[i] for i in order)) == (straight if even else -straight)
 
 
+@st.composite
+def near_a_line(draw: Any) -> tuple[Floats, Floats, Floats]:
+    """Two points anywhere and a third within two floats of their line, from where products underflow to where they are huge."""
+    number, scale = st.floats(-30.0, 30.0), draw(st.sampled_from([1.0, 1.0, 2.0**-450, 2.0**-480, 2.0**-500, 2.0**-530, 2.0**490]))
+    a, b = draw(st.tuples(number, number)), draw(st.tuples(number, number))
+    t = draw(st.floats(-2.0, 3.0))
+    c = [p + t * (q - p) for p, q in zip(a, b, strict=True)]
+    for axis in (0, 1):
+        for _ in range(draw(st.integers(0, 2))):
+            c[axis] = math.nextafter(c[axis], draw(st.sampled_from([-math.inf, math.inf])))
+    return tuple((x * scale, y * scale) for x, y in (a, b, c))
+
+
+@LAW
+@given(near_a_line(), st.permutations(range(3)))
+@example(((17.3, 17.3), (24.00000000000005, 24.0000000000000517765), (0.5000000000000024, 0.5000000000000006)), (0, 1, 2))
+@example(((8.8, 8.8), (12.1, 12.1), (0.5, 0.5000000000000001)), (0, 1, 2))
+def test_orientation_near_a_line_is_exact(points: Any, order: Any) -> None:
+    """Where the rounded determinant is noise, and where its products underflow."""
+    a, b, c = (points[i] for i in order)
+    assert orientation(a, b, c) == turn_of(a, b, c)
+
+
+@LAW
+@given(near_a_line())
+def test_distances_near_a_line_are_good_to_1e12(points: Any) -> None:
+    """Even where all leading digits of the determinant cancel."""
+    a, b, c = points
+    assume(max(map(abs, (*a, *b))) > 1e-100 and a != b)
+    u = minus(exact(b), exact(a))
+    assert is_close(point_line_distance(c, a, b), cross(u, minus(exact(c), exact(a))) ** 2 / dot(u, u))
+    assert is_close(point_segment_distance(c, a, b), nearest_exactly(c, a, b)[0])
+
+
 # ---- segments ----------------------------------------------------------------------------------------------------------------
 
 

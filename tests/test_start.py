@@ -2,6 +2,7 @@
 
 Nothing here needs the network: a course of three files is set up by a uv that only pretends.
 """
+
 import ast
 import importlib.util
 import json
@@ -54,8 +55,13 @@ class Course:
     def __init__(self, folder: Path) -> None:
         self.home, self.bin = folder / "my cöurse [1]", folder / "bin"
         self.venv = self.home / ".venv"
-        for name, text in {"environment.txt": "# nothing\n", "tests/environment.txt": "# nothing\n",
-                           "kinoedu/__init__.py": "", "kinoedu/__main__.py": STUB, "pytest.py": STUB}.items():
+        for name, text in {
+            "environment.txt": "# nothing\n",
+            "tests/environment.txt": "# nothing\n",
+            "kinoedu/__init__.py": "",
+            "kinoedu/__main__.py": STUB,
+            "pytest.py": STUB,
+        }.items():
             (self.home / name).parent.mkdir(parents=True, exist_ok=True)
             (self.home / name).write_text(text)
         shutil.copy(ROOT / "start.py", self.home)
@@ -69,8 +75,15 @@ class Course:
     def begin(self, *arguments: str, uv: str = "install", cwd: Path | None = None, **variables: str) -> subprocess.Popen:
         kept = {name: value for name, value in os.environ.items() if not name.startswith(("PIP_", "UV_"))}
         kept |= {"PATH": f"{self.bin}{os.pathsep}{os.defpath}", "FAKE_UV": uv, "PYTHONUTF8": "1"} | variables
-        return subprocess.Popen([sys.executable, str(self.home / "start.py"), *arguments], env=kept, text=True, cwd=cwd,
-                                encoding="utf-8", stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        return subprocess.Popen(
+            [sys.executable, str(self.home / "start.py"), *arguments],
+            env=kept,
+            text=True,
+            cwd=cwd,
+            encoding="utf-8",
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+        )
 
     def run(self, *arguments: str, **how: object) -> "Ended":
         return Ended(self.begin(*arguments, **how))  # type: ignore[arg-type]  # passed on as it came
@@ -112,6 +125,7 @@ def load(path: Path):
 
 # --- any Python can read it -----------------------------------------------------------------------------------------
 
+
 def test_it_parses_on_python_2_and_early_3():
     """Only then can a Python that is too old say so."""
     source = (ROOT / "start.py").read_bytes().decode("ascii")
@@ -139,6 +153,7 @@ def test_help_needs_no_set_up(course):
 
 
 # --- set up, and step aside -----------------------------------------------------------------------------------------
+
 
 def test_arguments_folder_and_status_pass_through(course, tmp_path):
     """A relative path means what it means where the user stands, and no module that lies there is imported."""
@@ -189,6 +204,7 @@ def test_the_callers_environment_does_not_leak_in(course, tmp_path):
 
 
 # --- what an interruption or a move leaves --------------------------------------------------------------------------
+
 
 @needs_signals
 def test_a_kill_while_installing_is_healed(course):
@@ -270,6 +286,7 @@ def test_an_installer_that_outlives_a_killed_start_is_waited_for(course):
 
 # --- failures -------------------------------------------------------------------------------------------------------
 
+
 def complaint(ended: Ended) -> str:
     """The one line after those that tell what is being done."""
     lines = [line for line in ended.complaints.splitlines() if not line.startswith("installing ")]
@@ -320,22 +337,25 @@ def test_a_folder_that_cannot_be_written_is_told(course):
     assert "cannot write" in told
 
 
-@pytest.mark.parametrize(("said", "advice"), [
-    ("OSError: [Errno 28] No space left on device", "make room"),
-    ("There is not enough space on the disk. (os error 112)", "make room"),
-    ("[Errno 122] Disk quota exceeded", "make room"),
-    ("/usr/bin/python3: No module named venv", "python3-venv"),
-    ("The virtual environment was not created successfully because ensurepip is not available.", "python3-venv"),
-    ("after connection broken by 'NewConnectionError(...)'\nERROR: No matching distribution found for x", "network"),
-    ("  Caused by: dns error: failed to lookup address information", "network"),
-    ("ERROR: No matching distribution found for llvmlite==0.50.0", "64 bits"),
-    ("because x==1 has no wheels with a matching Python ABI tag", "64 bits"),
-    ("[Errno 13] Permission denied: '/opt/course/.venv'", "cannot write"),
-    ("[WinError 5] Access is denied", "cannot write"),
-    ("[Errno 30] Read-only file system", "cannot write"),
-    ("first line\nsomething new", "something new"),
-    ("", "failed"),
-])
+@pytest.mark.parametrize(
+    ("said", "advice"),
+    [
+        ("OSError: [Errno 28] No space left on device", "make room"),
+        ("There is not enough space on the disk. (os error 112)", "make room"),
+        ("[Errno 122] Disk quota exceeded", "make room"),
+        ("/usr/bin/python3: No module named venv", "python3-venv"),
+        ("The virtual environment was not created successfully because ensurepip is not available.", "python3-venv"),
+        ("after connection broken by 'NewConnectionError(...)'\nERROR: No matching distribution found for x", "network"),
+        ("  Caused by: dns error: failed to lookup address information", "network"),
+        ("ERROR: No matching distribution found for llvmlite==0.50.0", "64 bits"),
+        ("because x==1 has no wheels with a matching Python ABI tag", "64 bits"),
+        ("[Errno 13] Permission denied: '/opt/course/.venv'", "cannot write"),
+        ("[WinError 5] Access is denied", "cannot write"),
+        ("[Errno 30] Read-only file system", "cannot write"),
+        ("first line\nsomething new", "something new"),
+        ("", "failed"),
+    ],
+)
 def test_each_cause_has_its_advice_in_one_line(said, advice):
     told = load(ROOT / "start.py").explain(said)
     assert advice in told and "\n" not in told
@@ -349,9 +369,15 @@ PLATFORMS = [
     {"sys_platform": "win32", "platform_system": "Windows", "os_name": "nt"},
 ]
 MACHINES = [
-    platform | {"python_version": python, "python_full_version": f"{python}.7", "implementation_name": "cpython",
-                "platform_python_implementation": "CPython"}
-    for platform in PLATFORMS for python in ("3.11", "3.12", "3.13", "3.14")
+    platform
+    | {
+        "python_version": python,
+        "python_full_version": f"{python}.7",
+        "implementation_name": "cpython",
+        "platform_python_implementation": "CPython",
+    }
+    for platform in PLATFORMS
+    for python in ("3.11", "3.12", "3.13", "3.14")
 ]
 
 

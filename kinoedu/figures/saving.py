@@ -7,6 +7,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from ..problems import Plan
+from ..whole_file import written_whole
 from .drawing import axes_for, draw_plan, figure_size
 
 
@@ -16,9 +17,5 @@ def save_plan(plan: Plan, path: str | os.PathLike[str], *, dpi: int = 120) -> No
     figure = Figure(figsize=figure_size(plan.problem.world), layout="constrained")
     FigureCanvasAgg(figure)
     draw_plan(plan, axes_for(plan.problem.world, figure.add_subplot()))
-    part = file.with_name(file.name + ".part")
-    try:
+    with written_whole(file) as part:
         figure.savefig(part, format=file.suffix[1:].lower(), dpi=dpi)
-        os.replace(part, file)
-    finally:
-        part.unlink(missing_ok=True)

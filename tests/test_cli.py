@@ -1,0 +1,146 @@
+"""The command line, run as a user runs it."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from PIL import Image
+
+import kinoedu as ke
+from kinoedu.cli import main
+
+GRID = Path(__file__).parent / "data" / "grid"
+MAZE = str(GRID / "maze-32-32-2.map")
+
+
+@pytest.mark.parametrize("planner", ["rrt", "prm", "astar"])
+def test_plan_says_what_it_found_and_draws_it(planner, tmp_path, capsys):
+    """One line on standard output, exit status 0, a picture large enough to look at and nothing beside it."""
+    picture = tmp_path / "plan.png"
+    assert (
+        main(
+            [
+                "plan",
+                MAZE,
+                "--planner",
+                planner,
+                "--seed",
+                "1",
+                "--out",
+                str(picture),
+                *(["--nodes", "4000"] if planner == "prm" else []),
+            ]
+        )
+        == 0
+    )
+    out, err = capsys.readouterr()
+    assert out.startswith("found: length ")
+    assert out.count("\n") == 1
+    assert "checks" in out
+    assert "planning" in err
+    with Image.open(picture) as image:
+        assert min(image.size) > 600
+    assert [p.name for p in tmp_path.iterdir()] == ["plan.png"]
+
+
+def test_astar_length_is_the_scenarios(capsys):
+    """The line carries the optimal length of the query."""
+    assert main(["plan", MAZE, "--planner", "astar", "--query", "0"]) == 0
+    assert "length 13.828427" in capsys.readouterr().out
+
+
+def test_no_path_is_status_1_with_its_reason(tmp_path, capsys):
+    """A closed room is an answer, and its picture is drawn."""
+    ring = [(3, 3), (6, 3), (6, 6), (3, 6)]
+    world = ke.PolygonWorld([(0, 0), (9, 0), (9, 9), (0, 9)], [(ring, [[(4, 4), (5, 4), (5, 5), (4, 5)]])])
+    ke.write_scene(ke.Problem(ke.Point(), world, (1, 1), (4.5, 4.5)), tmp_path / "room.json")
+    assert main(["plan", str(tmp_path / "room.json"), "--nodes", "50", "--out", str(tmp_path / "room.svg")]) == 1
+    assert capsys.readouterr().out.startswith("no path: ")
+    assert "<svg" in (tmp_path / "room.svg").read_text(encoding="utf-8")
+
+
+def test_a_picture_is_planned_on(tmp_path, capsys):
+    """Black is blocked; x goes right and y goes up."""
+    image = Image.new("L", (60, 40), 255)
+    image.paste(0, (20, 0, 30, 30))
+    image.save(tmp_path / "terrain.png")
+    arguments = ["plan", str(tmp_path / "terrain.png"), "--start", "5,35", "--goal", "55,35", "--planner", "astar"]
+    assert main(arguments) == 0
+    assert "found" in capsys.readouterr().out
+    assert main([*arguments, "--radius", "4.9"]) == 1
+    assert main([*arguments[:2], "--start", "25,20", "--goal", "55,35"]) == 2
+    assert "not free" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ["plan", "missing.map"],
+        ["plan", "missing.json"],
+        ["plan", "unknown.xyz"],
+        ["plan", "."],
+        ["plan", MAZE, "--query", "9999"],
+        ["plan", MAZE, "--query", "-1"],
+        ["plan", MAZE, "--start", "0.5,0.5"],
+        ["plan", MAZE, "--seed", "-1"],
+        ["plan", MAZE, "--step", "nan"],
+        ["plan", MAZE, "--step", "0"],
+        ["plan", MAZE, "--radius", "-1"],
+        ["plan", MAZE, "--radius", "100"],
+        ["plan", MAZE, "--clearance", "-1"],
+        ["plan", MAZE, "--nodes", "0"],
+        ["plan", MAZE, "--planner", "prm", "--neighbours", "0"],
+        ["plan", MAZE, "--planner", "astar", "--spacing", "0"],
+        ["plan", MAZE, "--start", "1e200,1", "--goal", "2,2"],
+        ["plan", MAZE, "--out", "plan.gif"],
+        ["plan", MAZE, "--out", "no/such/folder/plan.png"],
+    ],
+    ids=lambda a: " ".join(a[2:] or a[1:]),
+)
+def test_bad_input_is_status_2_and_one_line(arguments, capsys, tmp_path, monkeypatch):
+    """No traceback, nothing on standard output, nothing written."""
+    monkeypatch.chdir(tmp_path)
+    assert main(arguments) == 2
+    out, err = capsys.readouterr()
+    assert out == ""
+    complaints = [line for line in err.splitlines() if not line.endswith(" ...")]
+    assert len(complaints) == 1
+    assert complaints[0].startswith("kinoedu: ")
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize(
+    "arguments", [[], ["fly"], ["plan"], ["plan", MAZE, "--start", "1;2"], ["plan", MAZE, "--planner", "bug9"]]
+)
+def test_wrong_usage_is_status_2(arguments, capsys):
+    """argparse's own refusals."""
+    with pytest.raises(SystemExit) as caught:
+        main(arguments)
+    assert caught.value.code == 2
+    assert "usage" in capsys.readouterr().err
+
+
+def test_help_tells_formats_and_examples(capsys):
+    """--help names every format and shows commands to copy."""
+    with pytest.raises(SystemExit) as caught:
+        main(["plan", "--help"])
+    assert caught.value.code == 0
+    text = capsys.readouterr().out
+    assert all(word in text for word in (".json", ".map", ".png", ".yaml", "examples:", "exit status"))
+
+
+def test_same_seed_same_line(capsys):
+    """But for the time, two runs say the same."""
+    lines = []
+    for _ in range(2):
+        main(["plan", MAZE, "--seed", "7"])
+        lines.append(capsys.readouterr().out.split("; ")[0])
+    assert lines[0] == lines[1]
+
+
+def test_as_a_module_from_another_folder(tmp_path):
+    """python -m kinoedu passes its exit status on."""
+    run = subprocess.run([sys.executable, "-m", "kinoedu", "plan", "none.map"], cwd=tmp_path, capture_output=True, text=True)
+    assert run.returncode == 2
+    assert "Traceback" not in run.stderr

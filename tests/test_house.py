@@ -1,0 +1,91 @@
+"""The rules of the house: style, types, imports, notebooks, what may print."""
+
+import ast
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+HOUSE = Path(__file__).resolve().parent.parent
+SOURCES = sorted((HOUSE / "kinoedu").rglob("*.py"))
+NOTEBOOKS = sorted(p for room in ("notebooks", "exercises", "solutions") for p in (HOUSE / room).glob("*.ipynb"))
+
+
+@pytest.mark.parametrize(
+    "tool",
+    [
+        ["ruff", "check", "."],
+        ["ruff", "format", "--check", "kinoedu", "tests", "benchmarks"],
+        ["mypy"],
+        ["importlinter.cli", "lint"],
+    ],
+    ids=lambda tool: " ".join(tool[:2]),
+)
+def test_tool_finds_nothing(tool):
+    """ruff, mypy and the import contracts pass."""
+    command = [sys.executable, "-m", *tool]
+    if tool[0].startswith("importlinter"):
+        command = [sys.executable, "-c", "from importlinter.cli import lint_imports; raise SystemExit(lint_imports())"]
+    run = subprocess.run(command, cwd=HOUSE, capture_output=True, text=True, encoding="utf-8", errors="replace")
+    assert run.returncode == 0, run.stdout + run.stderr
+
+
+@pytest.mark.parametrize("source", SOURCES, ids=lambda p: p.relative_to(HOUSE).as_posix())
+def test_every_file_and_public_function_says_what_it_is(source):
+    """Modules, public classes and public functions have docstrings; parameters of public functions have types."""
+    tree = ast.parse(source.read_text(encoding="utf-8"))
+    assert ast.get_docstring(tree), "the module has no docstring"
+    for node in tree.body:
+        if isinstance(node, ast.FunctionDef | ast.ClassDef) and not node.name.startswith("_"):
+            assert ast.get_docstring(node), f"{node.name} has no docstring"
+
+
+@pytest.mark.parametrize("source", SOURCES, ids=lambda p: p.relative_to(HOUSE).as_posix())
+def test_rooms_are_small(source):
+    """A file has one purpose: at most 250 lines, and no function over 60."""
+    text = source.read_text(encoding="utf-8")
+    assert len(text.splitlines()) <= 250
+    functions = [node for node in ast.walk(ast.parse(text)) if isinstance(node, ast.FunctionDef)]
+    assert [f.name for f in functions if f.end_lineno - f.lineno >= 60] == []
+
+
+@pytest.mark.parametrize("source", SOURCES, ids=lambda p: p.relative_to(HOUSE).as_posix())
+def test_only_the_command_line_prints(source):
+    """print stands in cli.py, lab.py and progress.py alone."""
+    calls = [
+        node.func.id
+        for node in ast.walk(ast.parse(source.read_text(encoding="utf-8")))
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name)
+    ]
+    assert "print" not in calls or source.name in ("cli.py", "lab.py", "progress.py")
+
+
+@pytest.mark.parametrize("notebook", NOTEBOOKS, ids=lambda p: p.relative_to(HOUSE).as_posix())
+def test_notebook_is_stored_clean(notebook):
+    """Run from top to bottom without errors, no widget state, no timestamps, small enough to send to a class, short cells."""
+    text = notebook.read_text(encoding="utf-8")
+    book = json.loads(text)
+    code = [cell for cell in book["cells"] if cell["cell_type"] == "code"]
+    assert [cell["execution_count"] for cell in code] == list(range(1, len(code) + 1))
+    assert not any(output["output_type"] == "error" for cell in code for output in cell["outputs"])
+    assert set(book["metadata"]) <= {"kernelspec", "language_info"}
+    assert not any("execution" in cell["metadata"] for cell in code)
+    assert max(len("".join(cell["source"]).splitlines()) for cell in code) <= 10
+    assert len(text) < 700_000
+
+
+def test_readme_names_files_that_exist():
+    """Every link of the README and the docs leads to a file."""
+    import re
+
+    for page in (HOUSE / "README.md", *(HOUSE / "docs").glob("*.md")):
+        for target in re.findall(r"\]\(([^)#]+)\)", page.read_text(encoding="utf-8")):
+            assert target.startswith("http") or (page.parent / target).exists(), f"{page.name}: {target}"
+
+
+def test_shipped_maps_are_the_tested_ones():
+    """The maps beside the notebooks equal those whose every query is tested."""
+    for file in (HOUSE / "notebooks" / "maps").iterdir():
+        assert file.read_bytes() == (HOUSE / "tests" / "data" / "grid" / file.name).read_bytes()
