@@ -28,7 +28,7 @@ def compiled_test(problem: ProblemRecord) -> FreeMotion:
 
 
 class Setup:
-    """A problem as OMPL's objects: `information` and `definition`; `motions` and `places` stop a planner after so many free ones."""
+    """A problem as OMPL's objects: `information` and `definition`; `motions` and `places` stop a planner after so many yeses."""
 
     def __init__(self, problem: ProblemRecord, free: FreeMotion) -> None:
         from ompl import base, util

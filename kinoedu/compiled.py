@@ -56,9 +56,9 @@ CACHE = cache_folder(Path(__file__).parent) if JIT else None
 def _is_ours(kind: Any) -> bool:
     """Whether a numba type is made of nothing but numbers, arrays and this package's records."""
     record_class = getattr(kind, "instance_class", None)
-    if record_class is None:
-        return True
-    return record_class.__module__.partition(".")[0] == PACKAGE and all(map(_is_ours, kind.types))
+    if record_class is not None and record_class.__module__.partition(".")[0] != PACKAGE:
+        return False
+    return all(map(_is_ours, getattr(kind, "types", ())))
 
 
 if JIT:

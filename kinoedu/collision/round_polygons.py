@@ -4,9 +4,9 @@ import numpy as np
 
 from ..compiled import compiled, inlined
 from ..geometry.checks import Array
-from ..geometry.exact import cross, length, turn
+from ..geometry.exact import height, length, turn
 from ..geometry.parts import segment_part_distance
-from ..geometry.segments import shared_points
+from ..geometry.segments import segment_distance, shared_points
 from ..robots.round import RoundRobot
 from ..worlds.parts_index import motion_touches_any
 from ..worlds.polygon_world import PolygonWorldRecord
@@ -35,7 +35,7 @@ def is_inside(q: Array, radius: float, ring: Array) -> bool:
         last = i
         if turn(px, py, rx, ry, q[0], q[1]) <= 0:
             return False
-        if radius > 0.0 and cross(px, py, rx, ry, q[0], q[1]) <= radius * length(rx - px, ry - py):
+        if radius > 0.0 and height(px, py, rx, ry, q[0], q[1]) <= radius:
             return False
     return True
 
@@ -52,9 +52,9 @@ def disc_slides(world: PolygonWorldRecord, a: Array, b: Array, radius: float) ->
     """Whether a disc moved from a to b penetrates nothing, to 1e-12 of its radius."""
     for i in range(len(world.hull)):
         p, r = world.hull[i - 1], world.hull[i]
-        least = radius * (1.0 - ROUND) * length(r[0] - p[0], r[1] - p[1])
-        if cross(p[0], p[1], r[0], r[1], a[0], a[1]) < least or cross(p[0], p[1], r[0], r[1], b[0], b[1]) < least:
-            return False
+        for q in (a, b):
+            if height(p[0], p[1], r[0], r[1], q[0], q[1]) < radius * (1.0 - ROUND):
+                return False
     for i in range(len(world.obstacles.radius)):
         reach = (radius + world.obstacles.radius[i]) * (1.0 - ROUND)
         if segment_part_distance(a[0], a[1], b[0], b[1], world.obstacles, i) < reach:
@@ -73,13 +73,46 @@ def point_slides(world: PolygonWorldRecord, a: Array, b: Array) -> bool:
     for i in range(len(parts.radius)):
         if parts.radius[i] > 0.0 and segment_part_distance(a[0], a[1], b[0], b[1], parts, i) < parts.radius[i] * (1.0 - ROUND):
             return False
-    contacts = np.sort(contacts_along(world, a, b))
-    for i in range(len(contacts) - 1):
-        if contacts[i + 1] - contacts[i] > ROUND or len(contacts) == 2:
-            left, right = solid_sides(world, a, b, 0.5 * (contacts[i] + contacts[i + 1]))
-            if left and right:
-                return False
+    if a[0] == b[0] and a[1] == b[1]:
+        return not is_within(world, a)
+    for t in stretches(world, a, b):
+        if is_inside_solid(world, a, b, t):
+            return False
     return True
+
+
+@compiled
+def is_within(world: PolygonWorldRecord, q: Array) -> bool:
+    """Whether all round a point is solid: along every edge that passes through it, on both sides, as soon as it is left."""
+    touched = False
+    for edge in world.edges:
+        if segment_distance(q[0], q[1], edge[0], edge[1], edge[2], edge[3]) > 0.0:
+            continue
+        touched = True
+        for end in (edge[0:2], edge[2:4]):
+            if (end[0] != q[0] or end[1] != q[1]) and not is_inside_solid(world, q, end, stretches(world, q, end)[0]):
+                return False
+    anywhere = np.array([q[0] + 1.0, q[1]])
+    return touched or is_inside_solid(world, q, anywhere, 0.0)
+
+
+@compiled
+def is_inside_solid(world: PolygonWorldRecord, a: Array, b: Array, t: float) -> bool:
+    """Whether what lies on either side of the motion a-b at its fraction t is solid."""
+    left, right = solid_sides(world, a, b, t)
+    return left and right
+
+
+@compiled
+def stretches(world: PolygonWorldRecord, a: Array, b: Array) -> Array:
+    """The middles, as fractions of the motion a-b, of its stretches between neighbouring contacts."""
+    contacts = np.sort(contacts_along(world, a, b))
+    middles, size = np.empty(len(contacts)), 0
+    for i in range(len(contacts) - 1):
+        if contacts[i + 1] - contacts[i] > ROUND:
+            middles[size] = 0.5 * (contacts[i] + contacts[i + 1])
+            size += 1
+    return middles[:size]
 
 
 @compiled

@@ -38,6 +38,8 @@ def round_sliding_on_terrain(robot: RoundRobot, world: TerrainRecord, a: Array, 
         return False
     if meets_blocked(world.free, ax, ay, bx, by, radius, False):
         return False
+    if radius == 0.0 and ax == bx and ay == by:
+        return has_free_neighbour(world.free, ax, ay)
     return radius > 0.0 or not (runs_in_wall(world.free, ay, by, ax, bx) or runs_in_wall(world.free.T, ax, bx, ay, by))
 
 
@@ -106,4 +108,15 @@ def runs_in_wall(free: np.ndarray, ay: float, by: float, ax: float, bx: float) -
     for i in range(max(math.floor(min(ax, bx)), 0), min(math.ceil(max(ax, bx)), columns)):
         if (j == 0 or not free[j - 1, i]) and (j == rows or not free[j, i]):
             return True
+    return False
+
+
+@compiled
+def has_free_neighbour(free: np.ndarray, x: float, y: float) -> bool:
+    """Whether one of the up to four cells that hold a point is free."""
+    rows, columns = free.shape
+    for j in range(max(math.ceil(y) - 1, 0), min(math.floor(y), rows - 1) + 1):
+        for i in range(max(math.ceil(x) - 1, 0), min(math.floor(x), columns - 1) + 1):
+            if free[j, i]:
+                return True
     return False

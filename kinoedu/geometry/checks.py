@@ -15,7 +15,7 @@ def as_array(value: ArrayLike, name: str) -> Array:
     """Any numbers as float64, each finite and at most 1e150 in size; InvalidPoint otherwise."""
     try:
         array = np.array(value, dtype=np.float64)
-    except (TypeError, ValueError) as error:
+    except (TypeError, ValueError, OverflowError) as error:
         raise InvalidPoint(f"{name} must be numbers in a regular array, got {shortened(value)}") from error
     if not np.all(np.isfinite(array)):
         raise InvalidPoint(f"{name} must be finite, got {shortened(value)}")

@@ -179,14 +179,14 @@ def turn_exactly(ax: float, ay: float, bx: float, by: float, cx: float, cy: floa
 
 
 @compiled
-def cross(ax: float, ay: float, bx: float, by: float, cx: float, cy: float) -> float:
-    """(b - a) x (c - a) to within 1e-12 of itself, however near to zero."""
-    left, right = (ax - cx) * (by - cy), (ay - cy) * (bx - cx)
-    det = left - right
+def height(ax: float, ay: float, bx: float, by: float, px: float, py: float) -> float:
+    """The signed distance of p from the line a-b, positive on its left, to within 1e-12 of itself, however near to zero."""
+    left, right = (ax - px) * (by - py), (ay - py) * (bx - px)
+    det, base = left - right, length(bx - ax, by - ay)
     if abs(det) > 1e-3 * (abs(left) + abs(right)) and abs(det) > SAFE:
-        return det
-    m, e = exact_cross(ax, ay, bx, by, cx, cy)
-    return math.ldexp(m, e)
+        return det / base
+    m, e = exact_cross(ax, ay, bx, by, px, py)
+    return math.ldexp(m / base, e)
 
 
 @compiled

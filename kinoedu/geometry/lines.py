@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike
 
 from ..errors import InvalidSegment
 from .checks import Array, as_point
-from .exact import cross, length, sum_of_products, turn
+from .exact import height, length, sum_of_products, turn
 
 
 def orientation(a: ArrayLike, b: ArrayLike, c: ArrayLike) -> int:
@@ -35,7 +35,7 @@ def line_through_points(p1: ArrayLike, p2: ArrayLike) -> tuple[float, float, flo
     dx, dy = p2 - p1
     size = length(dx, dy)
     m, e = sum_of_products(np.array([p1[0], -p2[0]]), np.array([p2[1], p1[1]]))
-    return float(-dy / size) + 0.0, float(dx / size), math.ldexp(m, e) / size + 0.0
+    return float(-dy / size) + 0.0, float(dx / size), math.ldexp(m / size, e) + 0.0
 
 
 def point_line_distance(q: ArrayLike, p1: ArrayLike, p2: ArrayLike) -> float:
@@ -45,7 +45,7 @@ def point_line_distance(q: ArrayLike, p1: ArrayLike, p2: ArrayLike) -> float:
     4.0
     """
     q, (p1, p2) = as_point(q, "q"), two_points(p1, p2)
-    return float(abs(cross(p1[0], p1[1], p2[0], p2[1], q[0], q[1])) / length(p2[0] - p1[0], p2[1] - p1[1]))
+    return float(abs(height(p1[0], p1[1], p2[0], p2[1], q[0], q[1])))
 
 
 def two_points(p1: ArrayLike, p2: ArrayLike) -> tuple[Array, Array]:

@@ -5,7 +5,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..compiled import compiled
 from .checks import Array, as_point, as_points, one_or_many
-from .exact import cross, facing, length, turn
+from .exact import facing, height, length, turn
 
 
 def closest_point_on_segment(q: ArrayLike, p1: ArrayLike, p2: ArrayLike) -> tuple[Array, int]:
@@ -114,7 +114,7 @@ def segment_distance(px: float, py: float, ax: float, ay: float, bx: float, by: 
         return length(px - ax, py - ay)
     if facing(bx, by, ax, ay, px, py) <= 0:
         return length(px - bx, py - by)
-    return abs(cross(ax, ay, bx, by, px, py)) / length(bx - ax, by - ay)
+    return abs(height(ax, ay, bx, by, px, py))
 
 
 @compiled
@@ -171,8 +171,8 @@ def shared_points(a: Array, b: Array, c: Array, d: Array, out: Array) -> int:
 @compiled
 def proper_crossing(a: Array, b: Array, c: Array, d: Array) -> Array:
     """Where a-b and c-d cross, both in their insides: the point that divides a-b as its ends' distances from c-d do."""
-    from_a = abs(cross(c[0], c[1], d[0], d[1], a[0], a[1]))
-    from_b = abs(cross(c[0], c[1], d[0], d[1], b[0], b[1]))
+    from_a = abs(height(c[0], c[1], d[0], d[1], a[0], a[1]))
+    from_b = abs(height(c[0], c[1], d[0], d[1], b[0], b[1]))
     if from_a <= from_b:
         return a + from_a / (from_a + from_b) * (b - a)
     return b + from_b / (from_a + from_b) * (a - b)

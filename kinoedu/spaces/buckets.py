@@ -93,16 +93,18 @@ def nearest_in_buckets(tree: GrowingTree, q: Array) -> int:
     if tree.size[0] <= SMALL:
         return nearest_of_all(tree, q)
     column, row = bucket_of(tree, q)
-    best, best_distance = -1, np.inf
-    for ring in range(max(tree.columns, tree.rows)):
+    best, best_distance = nearest_in_bucket(tree, row * tree.columns + column, q, -1, np.inf)
+    for ring in range(1, max(tree.columns, tree.rows)):
         gap = (ring - 1) * tree.cell  # what lies in this ring of buckets is at least so far away
-        if ring > 1 and best_distance < gap * gap:
+        if best_distance < gap * gap:
             break
-        for j in range(max(row - ring, 0), min(row + ring, tree.rows - 1) + 1):
-            whole_row = abs(j - row) == ring
-            stride = 1 if whole_row else max(2 * ring, 1)
-            for i in range(column - ring, column + ring + 1, stride):
-                if 0 <= i < tree.columns:
+        for j in (row - ring, row + ring):
+            if 0 <= j < tree.rows:
+                for i in range(max(column - ring, 0), min(column + ring, tree.columns - 1) + 1):
+                    best, best_distance = nearest_in_bucket(tree, j * tree.columns + i, q, best, best_distance)
+        for i in (column - ring, column + ring):
+            if 0 <= i < tree.columns:
+                for j in range(max(row - ring + 1, 0), min(row + ring - 1, tree.rows - 1) + 1):
                     best, best_distance = nearest_in_bucket(tree, j * tree.columns + i, q, best, best_distance)
     return best
 

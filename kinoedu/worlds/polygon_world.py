@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..errors import InvalidWorld
+from ..errors import InvalidPolygon, InvalidWorld
 from ..geometry.checks import Array, as_array, as_point
 from ..geometry.convex import convex_hull, convex_parts
 from ..geometry.parts import Parts, make_parts
@@ -61,7 +61,10 @@ def PolygonWorld(boundary: ArrayLike, obstacles: Iterable[Any] = ()) -> PolygonW
             discs.append(as_disc(obstacle[0], obstacle[1], name))
         else:
             ring, rooms = as_polygon_with_rooms(obstacle, name)
-            pieces += convex_parts(ring, rooms)
+            try:
+                pieces += convex_parts(ring, rooms)
+            except InvalidPolygon as error:
+                raise InvalidPolygon(f"{name}: {error}") from error
             solids.append([ring, *(room[::-1] for room in rooms)])
     centres, radii = [disc[None, :2] for disc in discs], [float(disc[2]) for disc in discs]
     parts = make_parts(pieces + centres, [0.0] * len(pieces) + radii)
@@ -93,7 +96,7 @@ def discs_of(world: PolygonWorldRecord) -> Array:
 
 def is_pair_with_radius(obstacle: Any) -> bool:
     """Whether an obstacle is written (centre, radius)."""
-    return isinstance(obstacle, Sequence | np.ndarray) and len(obstacle) == 2 and np.ndim(obstacle[1]) == 0
+    return isinstance(obstacle, Sequence | np.ndarray) and len(obstacle) == 2 and np.isscalar(obstacle[1])
 
 
 def as_disc(centre: ArrayLike, radius: float, name: str) -> Array:
@@ -108,8 +111,8 @@ def as_polygon_with_rooms(obstacle: Any, name: str) -> tuple[Array, list[Array]]
     """An obstacle's outer ring and the rings of its rooms."""
     try:
         polygon, rooms = obstacle
-        has_rooms = len(polygon) > 2 and len(rooms[0]) > 2
-    except (TypeError, ValueError, IndexError, KeyError):
+        has_rooms = len(polygon) > 2
+    except (TypeError, ValueError):
         has_rooms = False
     if not has_rooms:
         return as_ring(obstacle, name), []

@@ -35,7 +35,10 @@ def Terrain(free: ArrayLike, *, resolution: float = 1.0, origin: ArrayLike = (0.
     >>> Terrain([[True, False], [True, True]]).hi
     array([2., 2.])
     """
-    cells = np.array(free)
+    try:
+        cells = np.array(free)
+    except ValueError as error:
+        raise InvalidWorld("a terrain needs a bitmap of shape (rows, columns), got rows of different lengths") from error
     if cells.ndim != 2 or cells.size == 0:
         raise InvalidWorld(f"a terrain needs a bitmap of shape (rows, columns), got shape {cells.shape}")
     if cells.dtype != np.bool_ and not np.isin(cells, (0, 1)).all():

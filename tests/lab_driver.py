@@ -1,0 +1,85 @@
+"""A real JupyterLab in headless Chromium, for tests: start it, open a notebook, run it, look at it."""
+
+import json
+import os
+import secrets
+import shutil
+import socket
+import subprocess
+import sys
+import time
+import urllib.request
+from contextlib import contextmanager, suppress
+from pathlib import Path
+
+CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
+FLAGS = [
+    "--no-sandbox",
+    "--disable-gpu",
+    "--disable-quic",
+    "--no-first-run",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+]
+RUN_ALL = """async () => {
+    const panel = jupyterapp.shell.currentWidget;
+    await panel.context.ready; await panel.sessionContext.ready; await panel.sessionContext.session.kernel.info;
+    await jupyterapp.commands.execute('notebook:run-all-cells');
+    return panel.content.model.toJSON(); }"""
+
+
+@contextmanager
+def lab(course: Path, home: Path):
+    """A JupyterLab server on `course` with settings of its own; yields (address, token)."""
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        port = probe.getsockname()[1]
+    token = secrets.token_hex(16)
+    environment = dict(os.environ, JUPYTER_TOKEN=token, IPYTHONDIR=str(home / "ipython"))
+    for name in ("JUPYTER_CONFIG_DIR", "JUPYTERLAB_SETTINGS_DIR", "JUPYTERLAB_WORKSPACES_DIR", "JUPYTER_RUNTIME_DIR"):
+        environment[name] = str(home / name.lower())
+    quiet = home / "jupyterlab_settings_dir" / "@jupyterlab" / "apputils-extension" / "notification.jupyterlab-settings"
+    quiet.parent.mkdir(parents=True)
+    quiet.write_text(json.dumps({"fetchNews": "false", "checkForUpdates": False}))
+    command = [sys.executable, "-m", "jupyterlab", "--no-browser", "--allow-root", "--ServerApp.ip=127.0.0.1"]
+    command += [f"--ServerApp.port={port}", "--ServerApp.port_retries=0", "--expose-app-in-browser"]
+    with (home / "server.log").open("w+") as log:
+        server = subprocess.Popen(command, cwd=course, env=environment, stdout=log, stderr=subprocess.STDOUT)
+        try:
+            wait_for(f"http://127.0.0.1:{port}/api?token={token}", server, home / "server.log")
+            yield f"http://127.0.0.1:{port}", token
+        finally:
+            server.terminate()
+            server.wait(30)
+
+
+def wait_for(address: str, server: "subprocess.Popen[bytes]", log: Path) -> None:
+    """Until the server answers."""
+    while server.poll() is None:
+        with suppress(OSError), urllib.request.urlopen(address, timeout=5):
+            return
+        time.sleep(0.1)
+    raise RuntimeError(f"JupyterLab ended: {log.read_text()}")
+
+
+@contextmanager
+def notebook_page(address: str, token: str, notebook: str):
+    """A page with the notebook open; `page.outside` lists requests that would leave this computer, which are refused."""
+    from playwright.sync_api import sync_playwright
+
+    with sync_playwright() as play:
+        browser = play.chromium.launch(executable_path=CHROMIUM, headless=True, args=FLAGS)
+        page = browser.new_context(viewport={"width": 1280, "height": 1000}).new_page()
+        page.set_default_timeout(120_000)
+        page.outside = []
+        page.route(
+            lambda url: not url.startswith((address, "data:", "blob:")),
+            lambda route: (page.outside.append(route.request.url), route.abort()),
+        )
+        page.goto(f"{address}/lab/tree/{notebook}?reset&token={token}")
+        page.wait_for_selector(".jp-Notebook .jp-Cell")
+        try:
+            yield page
+        finally:
+            browser.close()
