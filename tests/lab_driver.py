@@ -71,7 +71,7 @@ def notebook_page(address: str, token: str, notebook: str):
     with sync_playwright() as play:
         browser = play.chromium.launch(executable_path=CHROMIUM, headless=True, args=FLAGS)
         page = browser.new_context(viewport={"width": 1280, "height": 1000}).new_page()
-        page.set_default_timeout(120_000)
+        page.set_default_timeout(60_000)
         page.outside = []
         page.route(
             lambda url: not url.startswith((address, "data:", "blob:")),

@@ -31,6 +31,7 @@ def test_the_tour_runs_and_its_explorer_moves(course, tmp_path):
         code = [cell for cell in book["cells"] if cell["cell_type"] == "code"]
         assert all(cell["execution_count"] for cell in code)
         assert [o["evalue"] for cell in code for o in cell["outputs"] if o["output_type"] == "error"] == []
+        page.locator("img.kinoedu-explorer").first.scroll_into_view_if_needed()  # JupyterLab renders what is in view
         said = "document.querySelector('.kinoedu-state').innerText"
         page.wait_for_function(f"() => {said}.startsWith('A path of length')")
         picture, told = page.locator("img.kinoedu-explorer").first, page.locator(".kinoedu-state").first.inner_text()
