@@ -59,8 +59,8 @@ def ruler(n: int) -> Contestant:
 
 
 def pathplanning(n: int) -> Contestant:
-    """Its native PRM*, on the same boxes, which it knows natively. It joins all within a radius: one that has as many motions
-    judged as kinoedu judges.
+    """Its native PRM*, on the same boxes, which it knows natively. It joins all within a radius: one that has about as
+    many motions judged as kinoedu judges, near the rim of the world fewer.
     """
     from pathplanning.core.contracts import ContinuousProblem, GoalState
     from pathplanning.core.params import RoadmapParams

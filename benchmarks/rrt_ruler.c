@@ -32,7 +32,7 @@ static inline double squared(const Tree *t, int64_t node, double x, double y) {
 static int64_t nearest(const Tree *t, double x, double y) {
     int64_t best = 0, column, row;
     double least = INFINITY;
-    if (t->size <= 400) {
+    if (t->size <= 150) {
         for (int64_t node = 0; node < t->size; node++) {
             double d = squared(t, node, x, y);
             if (d < least) { least = d; best = node; }
@@ -41,10 +41,14 @@ static int64_t nearest(const Tree *t, double x, double y) {
     }
     bucket_of(t, x, y, &column, &row);
     int64_t rings = t->columns > t->rows ? t->columns : t->rows;
+    double dx = x - t->x - column * t->cell, dy = y - t->y - row * t->cell;
+    double margin = fmin(fmin(dx, t->cell - dx), fmin(dy, t->cell - dy)) - 1e-9 * t->cell;
     for (int64_t ring = 0; ring < rings; ring++) {
-        double gap = (ring - 1) * t->cell;
-        if (ring > 1 && least < gap * gap) break;
+        double gap = (ring - 1) * t->cell + margin;
+        if (gap > 0.0 && least < gap * gap) break;
         for (int64_t j = row - ring < 0 ? 0 : row - ring; j <= row + ring && j < t->rows; j++) {
+            double between = fmax(j * t->cell - (y - t->y), (y - t->y) - (j + 1) * t->cell) - 1e-9 * t->cell;
+            if (j != row && between > 0.0 && between * between > least) continue;
             int64_t stride = j == row - ring || j == row + ring ? 1 : (ring ? 2 * ring : 1);
             for (int64_t i = column - ring; i <= column + ring; i += stride) {
                 if (i < 0 || i >= t->columns) continue;

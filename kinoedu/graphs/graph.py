@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..compiled import generic, record
+from ..compiled import compiled, generic, record
 from ..errors import InvalidGraph
 from ..geometry.checks import Array
 
@@ -65,11 +65,26 @@ def Graph(size: int, edges: ArrayLike, weights: ArrayLike | None = None, *, dire
         raise InvalidGraph(f"{len(pairs)} edges need as many weights, got shape {costs.shape}")
     if not (costs >= 0.0).all():
         raise InvalidGraph(f"weights must be zero or more, got {costs[~(costs >= 0.0)][0]:g}")
-    leaving = pairs if directed else np.concatenate([pairs, pairs[:, ::-1]])
-    order = np.lexsort((leaving[:, 1], leaving[:, 0]))
-    first = np.concatenate([[0], np.cumsum(np.bincount(leaving[:, 0], minlength=size))]).astype(np.int64)
-    weight = (costs if directed else np.concatenate([costs, costs]))[order]
-    return GraphRecord(size, pairs, costs, first, leaving[order, 1].copy(), weight)
+    ways = pairs if directed else np.concatenate([pairs, pairs[:, ::-1]])
+    costs_there = costs if directed else np.concatenate([costs, costs])
+    _, by_target = counting_sort(ways[:, 1], np.arange(len(ways)), size)
+    first, order = counting_sort(ways[:, 0], by_target, size)
+    return GraphRecord(size, pairs, costs, first, ways[order, 1], costs_there[order])
+
+
+@compiled
+def counting_sort(keys: NDArray[np.int64], order: NDArray[np.int64], size: int) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Where each key from 0 to size begins, (size + 1,), and `order` with its keys in increasing order, stable. O(n + size)."""
+    at = np.zeros(size + 2, np.int64)
+    for key in keys:
+        at[key + 2] += 1
+    for key in range(2, size + 2):
+        at[key] += at[key - 1]
+    sorted_order = np.empty(len(order), np.int64)
+    for i in order:
+        sorted_order[at[keys[i] + 1]] = i
+        at[keys[i] + 1] += 1
+    return at[:-1], sorted_order
 
 
 def as_edges(edges: ArrayLike, size: int) -> NDArray[np.int64]:

@@ -9,10 +9,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..compiled import inlined
+from ..compiled import compiled, inlined
 from ..geometry.checks import Array
 
-SMALL = 400  # up to here comparing all is faster
+SMALL = 150  # up to here comparing all is faster
 NODES_PER_BUCKET = 2.0
 
 
@@ -93,20 +93,29 @@ def nearest_in_buckets(tree: GrowingTree, q: Array) -> int:
     if tree.size[0] <= SMALL:
         return nearest_of_all(tree, q)
     column, row = bucket_of(tree, q)
-    best, best_distance = nearest_in_bucket(tree, row * tree.columns + column, q, -1, np.inf)
+    x, y = q[0] - tree.x, (q[1] if len(q) > 1 else 0.0) - tree.y
+    best, least = nearest_in_bucket(tree, row * tree.columns + column, q, -1, np.inf)
     for ring in range(1, max(tree.columns, tree.rows)):
-        gap = (ring - 1) * tree.cell  # what lies in this ring of buckets is at least so far away
-        if best_distance < gap * gap:
+        below, above = squared_gap(y, row - ring, tree.cell), squared_gap(y, row + ring, tree.cell)
+        left, right = squared_gap(x, column - ring, tree.cell), squared_gap(x, column + ring, tree.cell)
+        if least < min(min(below, above), min(left, right)):
             break
-        for j in (row - ring, row + ring):
-            if 0 <= j < tree.rows:
+        for j, gap in ((row - ring, below), (row + ring, above)):
+            if 0 <= j < tree.rows and gap <= least:
                 for i in range(max(column - ring, 0), min(column + ring, tree.columns - 1) + 1):
-                    best, best_distance = nearest_in_bucket(tree, j * tree.columns + i, q, best, best_distance)
-        for i in (column - ring, column + ring):
-            if 0 <= i < tree.columns:
+                    best, least = nearest_in_bucket(tree, j * tree.columns + i, q, best, least)
+        for i, gap in ((column - ring, left), (column + ring, right)):
+            if 0 <= i < tree.columns and gap <= least:
                 for j in range(max(row - ring + 1, 0), min(row + ring - 1, tree.rows - 1) + 1):
-                    best, best_distance = nearest_in_bucket(tree, j * tree.columns + i, q, best, best_distance)
+                    best, least = nearest_in_bucket(tree, j * tree.columns + i, q, best, least)
     return best
+
+
+@compiled
+def squared_gap(offset: float, number: int, cell: float) -> float:
+    """The square of how far a coordinate is from a column or row of buckets, less a little for rounding."""
+    gap = max(max(number * cell - offset, offset - (number + 1) * cell) - 1e-9 * cell, 0.0)
+    return gap * gap
 
 
 @inlined
