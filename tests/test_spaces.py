@@ -12,6 +12,7 @@ from kinoedu.errors import InvalidParameter
 from kinoedu.problems import as_generator
 from kinoedu.spaces import RealSpace, distance, interpolate, nearest, sample
 from kinoedu.spaces.buckets import SMALL, add, empty_tree
+from kinoedu.spaces.closest import fill, k_closest_in_buckets
 
 LAW = settings(derandomize=True, deadline=None, database=None, max_examples=200, suppress_health_check=list(HealthCheck))
 KINDS = ["spread", "clumped", "lattice", "one place", "on a line", "beyond the box"]
@@ -164,3 +165,24 @@ def test_a_space_without_answers_says_so() -> None:
     for ask in (lambda: distance("space", 1, 2), lambda: interpolate("space", 1, 2, 0.5), lambda: sample("space", 0)):
         with pytest.raises(TypeError, match="space"):
             ask()
+
+
+@pytest.mark.parametrize("shape", [(2, 1), (40, 1), (2, 2), (300, 2), (900, 2)], ids=str)
+@pytest.mark.parametrize("kind", ["spread", "lattice", "clumped", "one line", "one place"])
+def test_k_closest_in_buckets_equals_brute_force(shape, kind):
+    """The same distances in the same order, the first among equals, never the node itself."""
+    rng = np.random.default_rng(5)
+    nodes = {
+        "spread": rng.random(shape),
+        "lattice": rng.integers(0, 5, shape).astype(float),
+        "clumped": 1e3 * rng.integers(0, 2, shape) + 1e-3 * rng.random(shape),
+        "one line": np.repeat(rng.random((shape[0], 1)), shape[1], axis=1),
+        "one place": np.ones(shape),
+    }[kind]
+    tree = empty_tree(len(nodes), nodes.min(axis=0), nodes.max(axis=0))
+    fill(tree, nodes)
+    for k in {1, min(7, len(nodes) - 1)}:
+        found = k_closest_in_buckets(tree, k)
+        apart = ((nodes[:, None] - nodes[None]) ** 2).sum(axis=2)
+        np.fill_diagonal(apart, np.inf)
+        assert np.array_equal(found, np.argsort(apart, axis=1, kind="stable")[:, :k])

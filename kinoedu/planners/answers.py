@@ -1,20 +1,25 @@
 """From what a planner built to the Plan it returns."""
 
-from itertools import pairwise
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ..compiled import body
 from ..geometry.checks import Array
 from ..graphs import extract_path
 from ..problems import Plan, Tree
 from ..spaces.buckets import GrowingTree
+from .asking import body_for
 
 
+@body
 def path_cost(problem: Any, path: Array) -> float:
     """The length of a path, in the problem's own distance."""
-    return float(sum(problem.distance(a, b) for a, b in pairwise(path)))
+    cost = 0.0
+    for i in range(1, len(path)):
+        cost += problem.distance(path[i - 1], path[i])
+    return cost
 
 
 def plan_along(problem: Any, nodes: Array, numbers: NDArray[np.int64] | None, reason: str, **built: Any) -> Plan:
@@ -22,7 +27,7 @@ def plan_along(problem: Any, nodes: Array, numbers: NDArray[np.int64] | None, re
     if numbers is None:
         return Plan(None, np.inf, reason=reason, problem=problem, **built)
     path = nodes[numbers]
-    return Plan(path, path_cost(problem, path), problem=problem, **built)
+    return Plan(path, float(body_for(problem, path_cost)(problem, path)), problem=problem, **built)
 
 
 def plan_from_tree(problem: Any, tree: GrowingTree, at_goal: int, reason: str, **stats: int) -> Plan:

@@ -7,18 +7,25 @@ from numpy.typing import NDArray
 
 from ..geometry.checks import Array
 from ..spaces import RealSpace
+from ..spaces.buckets import empty_tree
+from ..spaces.closest import fill, k_closest_in_buckets
 
 
 def k_closest(problem: Any, nodes: Array, k: int) -> NDArray[np.int64]:
     """The k nodes closest to each of the nodes (n, d), nearest first, itself left out; shape (n, min(k, n - 1)).
 
-    In R^n by a k-d tree, O(n log n); in a space that only knows distances by asking for all of them, O(n^2).
+    On the line and in the plane by buckets, O(n) for nodes spread evenly; in more dimensions by a k-d tree, O(n log n); in a space
+    that only knows distances by asking for all of them, O(n^2).
     """
     k = min(k, len(nodes) - 1)
     if not isinstance(getattr(problem, "space", None), RealSpace):
         apart = np.array([[problem.distance(a, b) for b in nodes] for a in nodes])
         np.fill_diagonal(apart, np.inf)
         return np.argsort(apart, axis=1, kind="stable")[:, :k]
+    if nodes.shape[1] <= 2:
+        tree = empty_tree(len(nodes), nodes.min(axis=0), nodes.max(axis=0))
+        fill(tree, nodes)
+        return k_closest_in_buckets(tree, k)
     from scipy.spatial import cKDTree
 
     _, found = cKDTree(nodes).query(nodes, k=k + 1)
