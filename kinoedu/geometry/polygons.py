@@ -40,18 +40,21 @@ def polygon_tangent(q: ArrayLike, polygon: ArrayLike) -> Array:
     """The unit vector in which a robot at q starts to circle a polygon counter-clockwise, shape (2,).
 
     Where the nearest boundary point is inside an edge, it is the direction of that edge; where it is a vertex, the tangent to the
-    circle round that vertex through q; at the vertex itself, the direction of the edge that leaves it. Among equally near edges
-    the first counts. Raises InvalidPolygon, InvalidPoint.
+    circle round that vertex through q, in the sense in which the edges go on there; at the vertex itself, the direction of the edge
+    that leaves it. Among equally near edges the first counts. Raises InvalidPolygon, InvalidPoint.
 
     >>> polygon_tangent((2, -1), [(0, 0), (4, 0), (4, 4), (0, 4)])
     array([1., 0.])
     """
     q, ring = as_point(q, "q"), as_ring(polygon)
     edge, x, y, region = nearest_on_ring(q[0], q[1], ring)
+    start = (edge + 1) % len(ring) if region == 2 else edge
+    before, vertex, after = ring[start - 1], ring[start], ring[(start + 1) % len(ring)]
     direction = np.array([y - q[1], q[0] - x])
     if region == 0 or not direction.any():
-        start = edge if region != 2 else (edge + 1) % len(ring)
-        direction = ring[(start + 1) % len(ring)] - ring[start]
+        direction = after - vertex
+    elif turn(before[0], before[1], vertex[0], vertex[1], after[0], after[1]) < 0:
+        direction = -direction  # a vertex that turns inward is nearest only to what is inside
     return direction / length(direction[0], direction[1]) + 0.0
 
 
