@@ -4,6 +4,7 @@ import copy
 import json
 import os
 from contextlib import suppress
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -192,6 +193,12 @@ def test_a_map_beside_a_scene(tmp_path):
         "goal": [2.5, 0.5],
     }
     assert ke.read_scene(written(tmp_path, scene)).world.free.tolist() == [[True, True, True], [True, True, False]]
+
+
+def test_the_documented_scene_is_a_scene(tmp_path):
+    """The example in the docs reads as it stands."""
+    page = (Path(__file__).parent.parent / "docs" / "files.md").read_text(encoding="utf-8")
+    assert ke.read_scene(written(tmp_path, page.split("```json")[1].split("```")[0])).robot.radius == 0.25
 
 
 def test_read_problem_wants_each_thing_once(tmp_path):
