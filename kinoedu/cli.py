@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from .errors import KinoeduError
+from .errors import InvalidParameter, KinoeduError
 from .progress import stage
 
 DESCRIPTION = "kinoedu: a motion-planning course you can run."
@@ -26,9 +26,9 @@ x goes right, y goes up, from the lower left corner; a pixel or map cell is one 
 
 PLAN_EXAMPLES = """\
 examples:
-  kinoedu plan street.map --query 7 --planner prm --seed 3 --out street.png
-  kinoedu plan terrain.png --start 10,10 --goal 246,246 --step 20 --out plan.png
-  kinoedu plan scene.json --planner astar
+  python start.py plan notebooks/maps/Paris_1_256.map --query 324 --planner prm --seed 3 --out plan.png
+  python start.py plan notebooks/maps/maze-128-128-10.map --start 5,5 --goal 120,120 --planner astar
+  python start.py plan scene.json --step 0.5
 
 exit status: 0 a path was found, 1 there is none (with the reason), 2 the input was wrong
 """
@@ -81,14 +81,24 @@ def add_plan_options(plan: argparse.ArgumentParser) -> None:
     where.add_argument("--clearance", type=float, default=0.0, metavar="C", help="keep this far from obstacles (default: 0)")
     how = plan.add_argument_group("how")
     how.add_argument("--step", type=float, metavar="D", help="rrt: the longest edge (default: a twentieth of the world's diagonal)")
-    how.add_argument("--nodes", type=int, metavar="N", help="rrt: give up after so many nodes; prm: how many to sample")
-    how.add_argument("--neighbours", type=int, metavar="K", help="prm: how many neighbours each node is joined to (default: 10)")
-    how.add_argument("--spacing", type=float, metavar="D", help="astar: the side of the grid's cells")
+    how.add_argument(
+        "--nodes", type=int, metavar="N", help="rrt: give up after so many nodes (10,000); prm: how many to sample (1,000)"
+    )
+    how.add_argument("--neighbours", type=int, metavar="K", help="prm: how many neighbours each node is tried with (default: 10)")
+    how.add_argument(
+        "--spacing",
+        type=float,
+        metavar="D",
+        help="astar: the side of the grid's cells (default: the map's own, or a hundredth of the world)",
+    )
 
 
 def numbers(text: str) -> list[float]:
     """Numbers between commas."""
-    return [float(part) for part in text.split(",")]
+    try:
+        return [float(part) for part in text.split(",")]
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"expected X,Y such as 10,20, got {text!r}") from None
 
 
 def run_plan(arguments: argparse.Namespace) -> int:
@@ -107,7 +117,7 @@ def run_plan(arguments: argparse.Namespace) -> int:
             query=arguments.query,
             clearance=arguments.clearance,
         )
-    with stage(f"planning with {arguments.planner}"):
+    with stage(f"planning with {arguments.planner}") as notes:
         started = time.perf_counter()
         plan = planned(problem, arguments)
         seconds = time.perf_counter() - started
@@ -118,7 +128,8 @@ def run_plan(arguments: argparse.Namespace) -> int:
             save_plan(plan, arguments.out)
     counts = ", ".join(f"{count:,} {name}" for name, count in plan.stats.items())
     answer = f"found: length {plan.cost:.8g}" if plan.path is not None else f"no path: {plan.reason}"
-    print(f"{answer}; {seconds:.3f} s, {counts}" + (f"; drawn in {arguments.out}" if arguments.out else ""))
+    compiling = " with compiling, once" if notes.last else ""
+    print(f"{answer}; {seconds:.3f} s{compiling}, {counts}" + (f"; drawn in {arguments.out}" if arguments.out else ""))
     return 0 if plan.path is not None else 1
 
 
@@ -129,17 +140,27 @@ def robot_for(radius: float | None) -> Any:
     return None if radius is None else Disk(radius)
 
 
+OPTIONS = {
+    "rrt": {"step": "step", "nodes": "max_nodes"},
+    "prm": {"nodes": "n", "neighbours": "k"},
+    "astar": {"spacing": "spacing"},
+}
+
+
 def planned(problem: Any, arguments: argparse.Namespace) -> Any:
-    """Ask the planner that was named, with the options that were given."""
+    """Ask the planner that was named, with the options that were given; one that it does not have is refused."""
     from .planners import plan_on_grid, prm, rrt
 
+    given = {name: getattr(arguments, name) for name in ("step", "nodes", "neighbours", "spacing")}
+    given = {name: value for name, value in given.items() if value is not None}
+    names = OPTIONS[arguments.planner]
+    for name in given:
+        if name not in names:
+            raise InvalidParameter(f"--planner {arguments.planner} has no --{name}; it has {', '.join('--' + n for n in names)}")
+    tuning = {names[name]: value for name, value in given.items()}
     if arguments.planner == "astar":
-        return plan_on_grid(problem, spacing=arguments.spacing)
-    if arguments.planner == "prm":
-        given = {"n": arguments.nodes, "k": arguments.neighbours}
-        return prm(problem, rng=arguments.seed, **{name: value for name, value in given.items() if value is not None})
-    given = {"step": arguments.step, "max_nodes": arguments.nodes}
-    return rrt(problem, rng=arguments.seed, **{name: value for name, value in given.items() if value is not None})
+        return plan_on_grid(problem, **tuning)
+    return (rrt if arguments.planner == "rrt" else prm)(problem, rng=arguments.seed, **tuning)
 
 
 def check_picture(path: Path | None) -> None:

@@ -1,8 +1,8 @@
 """A problem answers a planner's questions; a plan is the planner's answer; a recorder writes the questions down.
 
 Planners never see robots or worlds. They ask: `problem.sample(rng)`, `.distance(a, b)`, `.steer(a, b, step)`, `.is_free(q)`,
-`.is_free_path(a, b)`, `.is_semi_free_path(a, b)`, `.nearest(tree, q)`, and read `problem.start` and `problem.goal`. So one planner
-serves every robot in every world, and a reader's own object with these names as well.
+`.is_free_path(a, b)`, `.nearest(tree, q)`, those that walk along obstacles `.is_semi_free_path(a, b)`, and read `problem.start` and
+`problem.goal`. So one planner serves every robot in every world, and a reader's own object with these names as well.
 """
 
 from dataclasses import dataclass, field
@@ -68,7 +68,7 @@ class ProblemRecord(NamedTuple):
 
 
 def Problem(robot: Any, world: Any, start: ArrayLike, goal: ArrayLike, *, clearance: float = 0.0) -> ProblemRecord:
-    """Find a free path for a robot in a world from start to goal.
+    """The task: a robot, a world, and where it is to go from where.
 
     Parameters
     ----------
@@ -162,7 +162,7 @@ class Plan:
     cost : the path's length, infinite without a path.
     tree, roadmap, walk : what was built on the way, in the order it was built; the ones that the planner has.
     stats : counts such as nodes, iterations, and checks (motions judged).
-    problem : what was asked.
+    problem : what was asked; planner : who answered.
     """
 
     path: Array | None
@@ -173,6 +173,7 @@ class Plan:
     stats: dict[str, int] = field(default_factory=dict)
     reason: str = ""
     problem: Any = None
+    planner: str = ""
 
     def __repr__(self) -> str:
         counts = ", ".join(f"{value:,} {name}" for name, value in self.stats.items())

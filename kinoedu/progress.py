@@ -19,21 +19,16 @@ class Notes(logging.Handler):
 
 
 @contextmanager
-def stage(what: str) -> Iterator[None]:
-    """Say what is being done while it is."""
-    if not sys.stderr.isatty():
-        print(f"{what} ...", file=sys.stderr, flush=True)
-        yield
-        return
-    notes, done = Notes(), threading.Event()
-    logger = logging.getLogger("kinoedu")
+def stage(what: str) -> Iterator[Notes]:
+    """Say what is being done while it is; yields what was remarked meanwhile."""
+    notes, done, logger = Notes(), threading.Event(), logging.getLogger("kinoedu")
     level = logger.level
     logger.setLevel(logging.INFO)
     logger.addHandler(notes)
-    line = threading.Thread(target=_move, args=(what, notes, done), daemon=True)
+    line = threading.Thread(target=move if sys.stderr.isatty() else stand, args=(what, notes, done), daemon=True)
     line.start()
     try:
-        yield
+        yield notes
     finally:
         done.set()
         line.join()
@@ -41,9 +36,15 @@ def stage(what: str) -> Iterator[None]:
         logger.setLevel(level)
 
 
-def _move(what: str, notes: Notes, done: threading.Event) -> None:
+def move(what: str, notes: Notes, done: threading.Event) -> None:
+    """Keep one line of a terminal up to date, and clear it in the end."""
     started = time.monotonic()
     while not done.wait(0.1):
         remark = f" ({notes.last})" if notes.last else ""
         print(f"\r\033[K{what} ... {time.monotonic() - started:.0f} s{remark}", end="", file=sys.stderr, flush=True)
     print("\r\033[K", end="", file=sys.stderr, flush=True)
+
+
+def stand(what: str, notes: Notes, done: threading.Event) -> None:
+    """Say it once, for a file or a pipe."""
+    print(f"{what} ...", file=sys.stderr, flush=True)

@@ -13,7 +13,7 @@ from ..worlds.parts_index import stretch_in_band
 from ..worlds.terrain import TerrainRecord
 from .asks import is_free_path, is_semi_free_path
 
-ROUND = 1e-12  # contact of a disc is decided to this share of its radius
+ROUND = 1e-12  # a disc slides where it keeps its radius but for this share
 SLACK = 1e-3  # of a cell: rows are looked up a little beyond the motion
 
 
@@ -40,7 +40,7 @@ def round_sliding_on_terrain(robot: RoundRobot, world: TerrainRecord, a: Array, 
         return False
     if radius == 0.0 and ax == bx and ay == by:
         return has_free_neighbour(world.free, ax, ay)
-    return radius > 0.0 or not (runs_in_wall(world.free, ay, by, ax, bx) or runs_in_wall(world.free.T, ax, bx, ay, by))
+    return radius > 0.0 or not (runs_in_wall(world.free, ax, bx, ay, by) or runs_in_wall(world.free.T, ay, by, ax, bx))
 
 
 @inlined
@@ -99,8 +99,11 @@ def cell_distance(ax: float, ay: float, bx: float, by: float, i: int, j: int) ->
 
 
 @compiled
-def runs_in_wall(free: np.ndarray, ay: float, by: float, ax: float, bx: float) -> bool:
-    """Whether a motion along a grid line y = const has blocked cells on both sides somewhere. What is outside is blocked."""
+def runs_in_wall(free: np.ndarray, ax: float, bx: float, ay: float, by: float) -> bool:
+    """Whether a motion along a grid line y = const has blocked cells on both sides somewhere, as has all that is outside.
+
+    For a line x = const hand over free.T, and y for x.
+    """
     if ay != by or ay != math.floor(ay) or ax == bx:
         return False
     rows, columns = free.shape

@@ -27,14 +27,14 @@ HALO = [patheffects.withStroke(linewidth=3.5, foreground="white")]
 def figure_size(world: Any) -> tuple[float, float]:
     """Width and height in inches of a figure that has the world's shape."""
     extent = world.hi - world.lo
-    width, height = np.maximum(6.5 * extent / extent.max(), 2.2)
+    width, height = np.maximum(6.0 * extent / extent.max(), 2.2)
     return float(width) + 1.0, float(height) + 1.0
 
 
 def axes_for(world: Any, ax: Axes | None = None) -> Axes:
     """The axes given, or those of a new figure of the world's shape: equal scales, labelled."""
     if ax is None:
-        _, ax = plt.subplots(figsize=figure_size(world), dpi=80, layout="constrained")
+        _, ax = plt.subplots(figsize=figure_size(world), dpi=72, layout="constrained")
     ax.set_aspect("equal")
     margin = 0.01 * (world.hi - world.lo).max()
     ax.set_xlim(world.lo[0] - margin, world.hi[0] + margin)
@@ -191,10 +191,11 @@ def draw_plan(plan: Plan, ax: Axes | None = None, *, upto: int | None = None, ti
 
 def summary(plan: Plan, shown: int) -> str:
     """What a plan's figure shows, in words."""
-    what = "roadmap edges" if plan.roadmap is not None else "tree nodes"
-    total = len(plan.roadmap.edges) if plan.roadmap is not None else len(plan.tree.nodes) if plan.tree is not None else 0
+    total, built = (
+        (len(plan.roadmap.edges), "edges") if plan.roadmap is not None else (len(plan.tree.nodes) if plan.tree else 0, "nodes")
+    )
     if shown < total:
-        return f"{shown:,} of {total:,} {what}"
+        return f"{plan.planner}: {shown:,} of {total:,} {built}"
     if plan.path is None:
-        return f"No path: {plan.reason}"
-    return f"A path of length {plan.cost:.4g}, found with {total:,} {what}"
+        return f"{plan.planner}: no path, {plan.reason}"
+    return f"{plan.planner}: a path of length {plan.cost:.4g}, {total:,} {built}"

@@ -13,7 +13,8 @@ from .rings import as_convex_ring, first_reflex, ring_turn
 
 
 def point_in_convex_polygon(q: ArrayLike, P: ArrayLike) -> bool:
-    """Whether q lies in the convex polygon P, shape (n, 2), or on its boundary: never to the right of an edge. Exact. O(n).
+    """Whether q lies in the convex polygon P, shape (n, 2), or on its boundary: never to the right of an edge. Exact. O(n) a
+    point, after an O(n^2) check that the polygon is simple.
 
     q may be many points, shape (m, 2): then the answer has shape (m,). Raises InvalidPolygon where P is not convex, InvalidPoint.
 
@@ -25,7 +26,8 @@ def point_in_convex_polygon(q: ArrayLike, P: ArrayLike) -> bool:
 
 
 def convex_polygons_intersect(P1: ArrayLike, P2: ArrayLike) -> bool:
-    """Whether two convex polygons, shapes (n, 2) and (m, 2), share a point; touching counts. Exact. O(n m).
+    """Whether two convex polygons, shapes (n, 2) and (m, 2), share a point; touching counts. Exact. O(n m), after an
+    O(n^2 + m^2) check that both are simple.
 
     They are apart exactly when all of one lies strictly to the right of an edge of the other (separating axis theorem).
     Raises InvalidPolygon where one is not convex, InvalidPoint.

@@ -14,7 +14,7 @@ import numpy as np
 from ..compiled import compiled
 
 SPLITTER = 134217729.0  # 2^27 + 1: cuts a 53-bit number into two halves whose products are exact
-ROUNDING = 3.3306690738754716e-16  # (3 + 16 eps) eps: bounds the relative error of a computed cross product
+ROUNDING = 3.3306690738754716e-16  # (3 + 16 eps) eps with eps = 2^-53: bounds the relative error of a computed cross product
 SAFE = 1e-270  # above it a product's rounding error is a normal number
 HUGE = 1e302  # below it a handful of products can be added
 WINDOW = 800  # exponents that can be summed at once without underflow
@@ -52,8 +52,8 @@ def sum_of_products(x: np.ndarray, y: np.ndarray) -> tuple[float, int]:
         product, error = two_product(x[i], y[i])
         if not (SAFE < abs(product) < HUGE) and x[i] != 0.0 and y[i] != 0.0:
             return scaled_sum_of_products(x, y)
-        size = grow(expansion, size, error)
-        size = grow(expansion, size, product)
+        size = add_exactly(expansion, size, error)
+        size = add_exactly(expansion, size, product)
     return total(expansion, size), 0
 
 
@@ -78,7 +78,7 @@ def scaled_sum_of_products(x: np.ndarray, y: np.ndarray) -> tuple[float, int]:
         size = 0
         for i in range(len(m)):
             if m[i] != 0.0 and e[i] > top - WINDOW:
-                size = grow(expansion, size, math.ldexp(m[i], e[i] - top))
+                size = add_exactly(expansion, size, math.ldexp(m[i], e[i] - top))
                 m[i] = 0.0
         result, rest = total(expansion, size), largest_exponent(m, e)
         if rest == NOTHING or abs(result) > math.ldexp(1.0, rest - top + 64):
@@ -117,7 +117,7 @@ def largest_exponent(m: np.ndarray, e: np.ndarray) -> int:
 
 
 @compiled
-def grow(expansion: np.ndarray, size: int, term: float) -> int:
+def add_exactly(expansion: np.ndarray, size: int, term: float) -> int:
     """Add a term to an expansion of `size` components, smallest first, without error; returns its new size."""
     kept = 0
     for i in range(size):
@@ -145,7 +145,7 @@ def exact_dot(ax: float, ay: float, bx: float, by: float, cx: float, cy: float) 
 
 @compiled
 def turn(ax: float, ay: float, bx: float, by: float, cx: float, cy: float) -> int:
-    """The sign of (b - a) x (c - a): 1 where a, b, c turn left, -1 right, 0 on one line. Never wrong.
+    """The sign of (b - a) x (c - a) = (a - c) x (b - c): 1 where a, b, c turn left, -1 right, 0 on one line. Never wrong.
 
     Three steps, each for what the one before cannot decide: the rounded value; the exact difference of the two products, when the
     coordinate differences are exact (points on a lattice); the exact value.

@@ -10,7 +10,10 @@ The record table (every record is a NamedTuple; compiled code reads its fields):
 | `PartsIndex` | x, y, cell, columns, rows, first, parts, boxes (worlds/parts_index.py) |
 | `TerrainRecord` | free (rows, columns), resolution, origin, lo and hi (worlds/terrain.py) |
 | `RealSpace` | lo and hi (d,) (spaces/real.py) |
+| `GrowingTree` | nodes, parent, size, and the buckets of its nearest neighbours (spaces/buckets.py) |
+| `GraphRecord` | size, edges, weights, first, to, weight (graphs/graph.py) |
 | `ProblemRecord` | robot, world, space, start, goal, clearance, asked (problems.py) |
+| `Lattice`, `CellGrid` | a grid's place and size, over a problem or over cells (planners/grid.py) |
 
 One vertex with a radius is a disc, two a rounded bar such as an arm's link, three or more a convex polygon, counter-clockwise; a
 non-convex polygon is several parts. So one distance routine judges them all. Records hold few arrays: compiled code counts a

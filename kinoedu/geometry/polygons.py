@@ -14,7 +14,8 @@ from .segments import between, closest_on_segment, segment_distance
 
 
 def point_in_polygon(q: ArrayLike, polygon: ArrayLike) -> bool:
-    """Whether q lies in a simple polygon, shape (n, 2), or on its boundary. Exact. O(n).
+    """Whether q lies in a simple polygon, shape (n, 2), or on its boundary. Exact. O(n) a point, after an O(n^2) check that
+    the polygon is simple.
 
     q may be many points, shape (m, 2): then the answer has shape (m,). Raises InvalidPolygon, InvalidPoint.
 
@@ -26,7 +27,8 @@ def point_in_polygon(q: ArrayLike, polygon: ArrayLike) -> bool:
 
 
 def point_polygon_distance(q: ArrayLike, polygon: ArrayLike) -> float:
-    """The distance from q to a simple polygon, shape (n, 2); 0 inside and on the boundary. O(n).
+    """The distance from q to a simple polygon, shape (n, 2); 0 inside and on the boundary. O(n) a point, after
+    an O(n^2) check that the polygon is simple.
 
     q may be many points, shape (m, 2): then the answer has shape (m,). Raises InvalidPolygon, InvalidPoint.
 

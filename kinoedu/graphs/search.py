@@ -18,8 +18,9 @@ from .graph import degree, edge
 
 
 class Search(NamedTuple):
-    """The result of a search: cost (n,) from the start, infinite where it did not come; parent (n,), -1 for the start and for
-    nodes not reached; expanded (k,), the nodes in the order in which they were settled.
+    """The result of a search: cost (n,) from the start, final for expanded nodes, else the least found so far, or infinite;
+    parent (n,), -1 for the start and for nodes not reached; expanded (k,), the nodes in the order in which they were settled, some
+    again where an estimate is not consistent.
     """
 
     cost: Array

@@ -30,9 +30,9 @@ def plan_along(problem: Any, nodes: Array, numbers: NDArray[np.int64] | None, re
     return Plan(path, float(body_for(problem, path_cost)(problem, path)), problem=problem, **built)
 
 
-def plan_from_tree(problem: Any, tree: GrowingTree, at_goal: int, reason: str, **stats: int) -> Plan:
+def plan_from_tree(planner: str, problem: Any, tree: GrowingTree, at_goal: int, reason: str, **stats: int) -> Plan:
     """A plan that goes from the tree's root to the node at the goal; -1 where there is none."""
     n = int(tree.size[0])
     grown = Tree(tree.nodes[:n].copy(), tree.parent[:n].copy())
     numbers = extract_path(grown.parent, at_goal) if at_goal >= 0 else None
-    return plan_along(problem, grown.nodes, numbers, reason, tree=grown, stats={"nodes": n, **stats})
+    return plan_along(problem, grown.nodes, numbers, reason, planner=planner, tree=grown, stats={"nodes": n, **stats})

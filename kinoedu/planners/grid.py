@@ -1,5 +1,7 @@
-"""Shortest paths on a grid laid over the plane, by A*. LaValle, section 5.4.2; N. R. Sturtevant, "Benchmarks for grid-based
-pathfinding" (2012), whose moves these are: to the eight neighbours, diagonally only past two free cells.
+"""Shortest paths on a grid laid over the plane, by A*: from each node to its eight neighbours, where the motion is free.
+
+LaValle, section 5.4.2. On a terrain's own cells these are the moves of N. R. Sturtevant, "Benchmarks for grid-based pathfinding"
+(2012): diagonally only past two free cells, since touching is contact.
 """
 
 from itertools import product
@@ -8,6 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from ..compiled import compiled
 from ..errors import InvalidParameter
 from ..geometry.checks import Array
 from ..graphs import astar
@@ -62,47 +65,47 @@ ROW_STEP = (0, 0, -1, 1, -1, -1, 1, 1)
 
 
 @degree.register(Lattice)
-def lattice_degree(grid: Lattice, u: int) -> int:
-    """Eight moves."""
-    return 8
-
-
 @degree.register(CellGrid)
-def cell_degree(grid: CellGrid, u: int) -> int:
+def grid_degree(grid: Any, u: int) -> int:
     """Eight moves."""
     return 8
+
+
+@compiled
+def moved(columns: int, rows: int, u: int, k: int) -> tuple[int, int]:
+    """Column and row after move k from node u; (-1, -1) outside the grid."""
+    i, j = u % columns + COLUMN_STEP[k], u // columns + ROW_STEP[k]
+    return (i, j) if 0 <= i < columns and 0 <= j < rows else (-1, -1)
 
 
 @edge.register(Lattice)
 def lattice_edge(grid: Lattice, u: int, k: int) -> tuple[int, float]:
     """Move k, where its motion is free."""
-    i, j = u % grid.columns, u // grid.columns
-    to_i, to_j = i + COLUMN_STEP[k], j + ROW_STEP[k]
-    if not (0 <= to_i < grid.columns and 0 <= to_j < grid.rows):
+    i, j = moved(grid.columns, grid.rows, u, k)
+    if i < 0:
         return -1, 0.0
-    here = np.array([grid.x + (i + 0.5) * grid.side, grid.y + (j + 0.5) * grid.side])
-    there = np.array([grid.x + (to_i + 0.5) * grid.side, grid.y + (to_j + 0.5) * grid.side])
+    here = np.array([grid.x + (u % grid.columns + 0.5) * grid.side, grid.y + (u // grid.columns + 0.5) * grid.side])
+    there = np.array([grid.x + (i + 0.5) * grid.side, grid.y + (j + 0.5) * grid.side])
     if not grid.problem.is_free_path(here, there):
         return -1, 0.0
-    return to_j * grid.columns + to_i, grid.side if k < 4 else SQRT2 * grid.side
+    return j * grid.columns + i, grid.side if k < 4 else SQRT2 * grid.side
 
 
 @edge.register(CellGrid)
 def cell_edge(grid: CellGrid, u: int, k: int) -> tuple[int, float]:
     """Move k, where the cell is free and, for a diagonal move, the two beside it are."""
-    i, j = u % grid.columns, u // grid.columns
-    to_i, to_j = i + COLUMN_STEP[k], j + ROW_STEP[k]
-    if not (0 <= to_i < grid.columns and 0 <= to_j < grid.rows and grid.free[to_j, to_i]):
+    i, j = moved(grid.columns, grid.rows, u, k)
+    if i < 0 or not grid.free[j, i]:
         return -1, 0.0
     if k < 4:
-        return to_j * grid.columns + to_i, grid.side
-    if not (grid.free[j, to_i] and grid.free[to_j, i]):
+        return j * grid.columns + i, grid.side
+    if not (grid.free[u // grid.columns, i] and grid.free[j, u % grid.columns]):
         return -1, 0.0
-    return to_j * grid.columns + to_i, SQRT2 * grid.side
+    return j * grid.columns + i, SQRT2 * grid.side
 
 
 def plan_on_grid(problem: ProblemRecord, *, spacing: float | None = None) -> Plan:
-    """The shortest path of grid moves between start and goal; A* with the octile distance.
+    """The shortest path of grid moves between the nodes that start and goal are joined to; A* with the octile distance.
 
     Parameters
     ----------
@@ -125,18 +128,21 @@ def plan_on_grid(problem: ProblemRecord, *, spacing: float | None = None) -> Pla
     first, last = (joined_node(problem, grid, q) for q in (problem.start, problem.goal))
     if first < 0 or last < 0:
         name = "start" if first < 0 else "goal"
-        return Plan(None, np.inf, reason=f"no grid node is in free reach of the {name}; try a finer spacing", problem=problem)
+        return Plan(
+            None, np.inf, reason=f"no grid node is in free reach of the {name}; try a finer spacing", problem=problem, planner="A*"
+        )
     numbers, found = astar(grid, first, last, octile(grid, last))
     order = np.full(grid.size, -1)
     order[found.expanded] = np.arange(len(found.expanded))
     tree = Tree(centres(grid, found.expanded), np.where(found.parent[found.expanded] < 0, -1, order[found.parent[found.expanded]]))
-    stats = {"expanded": len(found.expanded), "checks": int(problem.asked[MOTIONS] - before)}
+    looked_at = 8 * len(found.expanded) if isinstance(grid, CellGrid) else 0  # moves judged by cells, without asking the problem
+    stats = {"expanded": len(found.expanded), "checks": int(problem.asked[MOTIONS] - before) + looked_at}
     reason = f"the goal cannot be reached on a grid of spacing {grid.side:g}; a finer one may have a path"
     if numbers is None:
-        return plan_along(problem, tree.nodes, None, reason, tree=tree, stats=stats)
+        return plan_along(problem, tree.nodes, None, reason, planner="A*", tree=tree, stats=stats)
     path = np.concatenate([[problem.start], centres(grid, numbers), [problem.goal]])
     path = path[np.append(True, (path[1:] != path[:-1]).any(axis=1))]
-    return plan_along(problem, path, np.arange(len(path)), reason, tree=tree, stats=stats)
+    return plan_along(problem, path, np.arange(len(path)), reason, planner="A*", tree=tree, stats=stats)
 
 
 def grid_for(problem: ProblemRecord, spacing: float | None) -> Lattice | CellGrid:

@@ -67,7 +67,8 @@ def prm(problem: Any, *, n: int = 1000, k: int = 10, rng: int | np.random.Genera
     rng : a seed or a numpy Generator.
 
     Returns a Plan with its `roadmap`: start and goal are its nodes 0 and 1. Without a path `plan.reason` tells which of the two is
-    cut off. Probabilistically complete. Raises InvalidParameter.
+    cut off. Probabilistically complete where k grows with n like log n (S. Karaman, E. Frazzoli, 2011); a fixed small k may leave
+    the roadmap in pieces however many nodes it has. Raises InvalidParameter.
 
     >>> from kinoedu import Point, PolygonWorld, Problem
     >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
@@ -83,7 +84,7 @@ def prm(problem: Any, *, n: int = 1000, k: int = 10, rng: int | np.random.Genera
     graph = Graph(len(nodes), edges, lengths)
     numbers, _ = astar(graph, 0, 1, body_for(asked, distances_to)(asked, nodes, asked.goal))
     stats = {"nodes": len(nodes), "edges": len(edges), "checks": int(asked.asked[MOTIONS] - before)}
-    return plan_along(asked, nodes, numbers, why_apart(graph), roadmap=Roadmap(nodes, edges), stats=stats)
+    return plan_along(asked, nodes, numbers, why_apart(graph), planner="PRM", roadmap=Roadmap(nodes, edges), stats=stats)
 
 
 def why_apart(graph: Any) -> str:

@@ -18,10 +18,11 @@ from .tuning import positive, share, whole
 def grow(
     problem: Any, tree: GrowingTree, step: float, goal_bias: float, max_iterations: int, rng: np.random.Generator
 ) -> tuple[int, int]:
-    """Grow the tree until it reaches the goal or is full; returns the goal's node, or -1, and the iterations made."""
+    """Grow the tree until it reaches the goal, is full, or has had its iterations; returns the goal's node, or -1, and how many."""
     at_goal = join_goal(problem, tree, add(tree, problem.start, -1), step)
     iteration = 0
-    while at_goal < 0 and iteration < max_iterations and tree.size[0] < len(tree.nodes) - 1:
+    room = len(tree.nodes) - 1  # one more is kept for the goal
+    while at_goal < 0 and iteration < max_iterations and tree.size[0] < room:
         iteration += 1
         q_rand = problem.goal if rng.random() < goal_bias else problem.sample(rng)
         near = problem.nearest(tree, q_rand)
@@ -60,8 +61,9 @@ def rrt(
     max_nodes, max_iterations : where to give up; by default ten iterations for each node.
     rng : a seed or a numpy Generator.
 
-    Returns a Plan with its `tree`; without a path `plan.reason` says what ran out. Probabilistically complete: if a path with some
-    clearance exists, the chance of not finding it goes to zero with the number of nodes. Raises InvalidParameter.
+    Returns a Plan with its `tree`; without a path `plan.reason` says what ran out. Probabilistically complete for goal_bias < 1: if
+    a path with some clearance exists, the chance of missing it goes to zero as max_nodes and max_iterations grow.
+    Raises InvalidParameter.
 
     >>> from kinoedu import Point, PolygonWorld, Problem
     >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
@@ -78,4 +80,4 @@ def rrt(
     at_goal, iterations = body_for(asked, grow)(asked, tree, delta, bias, limit, as_generator(rng))
     reason = f"after {iterations:,} iterations none of {tree.size[0]:,} nodes reaches the goal; allow more nodes, or another step"
     checks = int(asked.asked[MOTIONS] - before)
-    return plan_from_tree(asked, tree, at_goal, reason, iterations=int(iterations), checks=checks)
+    return plan_from_tree("RRT", asked, tree, at_goal, reason, iterations=int(iterations), checks=checks)

@@ -21,7 +21,7 @@ class RoundRobot(NamedTuple):
 
 
 def Point() -> RoundRobot:
-    """A robot without size. Its motions among polygons and on terrains are judged exactly."""
+    """A robot without size. Its motions are judged exactly; on a terrain where positions in cells are exact, as at resolution 1."""
     return RoundRobot(0.0)
 
 
