@@ -13,7 +13,7 @@ from ..compiled import compiled, inlined
 from ..geometry.checks import Array
 
 SMALL = 150  # up to here comparing all is faster
-NODES_PER_BUCKET = 2.0
+NODES_PER_BUCKET = 1.0
 
 
 class GrowingTree(NamedTuple):
