@@ -1,11 +1,15 @@
 """The command line: kinoedu plan | lab | warm."""
 
 import argparse
+import io
+import re
 import sys
+import threading
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from concurrent.futures import Future, wait
 from pathlib import Path
-from typing import Any
+from typing import Any, NoReturn
 
 from .errors import InvalidParameter, KinoeduError
 from .progress import stage
@@ -37,18 +41,34 @@ exit status: 0 a path was found, 1 there is none (with the reason), 2 the input 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run one command; returns the exit status."""
     arguments = parser().parse_args(argv)
+    if isinstance(sys.stdout, io.TextIOWrapper):
+        sys.stdout.reconfigure(errors="backslashreplace")  # a name that the terminal cannot show is no reason to fail
     try:
         return int(arguments.run(arguments))
     except (KinoeduError, OSError) as error:
         print(f"kinoedu: {' '.join(str(error).split())}", file=sys.stderr)
-        return 2
+    except MemoryError:
+        print("kinoedu: this computer's memory is not enough for that; ask for fewer nodes or a coarser grid", file=sys.stderr)
     except KeyboardInterrupt:
         return 130
+    return 2
+
+
+class Parser(argparse.ArgumentParser):
+    """An argument parser whose complaint is one line, and for which -9,-9 is a value."""
+
+    def __init__(self, *args: Any, **options: Any) -> None:
+        super().__init__(*args, **options)
+        self._negative_number_matcher = re.compile(r"^-[\d.]+(e[-+]?\d+)?(,-?[\d.]+(e[-+]?\d+)?)*$")
+
+    def error(self, message: str) -> NoReturn:
+        """Say what is wrong and where help is."""
+        self.exit(2, f"{self.prog}: {message}; see {self.prog} --help\n")
 
 
 def parser() -> argparse.ArgumentParser:
     """All commands and their options."""
-    top = argparse.ArgumentParser(prog="kinoedu", description=DESCRIPTION)
+    top = Parser(prog="kinoedu", description=DESCRIPTION)
     commands = top.add_subparsers(title="commands", required=True, metavar="COMMAND")
     plan = commands.add_parser(
         "plan",
@@ -103,7 +123,7 @@ def numbers(text: str) -> list[float]:
 
 def run_plan(arguments: argparse.Namespace) -> int:
     """Read, plan, draw, and say in one line what came out."""
-    check_picture(arguments.out)
+    check_picture(arguments.out, arguments.scene)
     from .problems import as_generator  # imported here so that --help is quick
     from .scenes import read_problem
 
@@ -119,7 +139,7 @@ def run_plan(arguments: argparse.Namespace) -> int:
         )
     with stage(f"planning with {arguments.planner}") as notes:
         started = time.perf_counter()
-        plan = planned(problem, arguments)
+        plan = interruptible(lambda: planned(problem, arguments))
         seconds = time.perf_counter() - started
     if arguments.out is not None:
         with stage(f"drawing {arguments.out.name}"):
@@ -138,6 +158,22 @@ def robot_for(radius: float | None) -> Any:
     from .robots import Disk
 
     return None if radius is None else Disk(radius)
+
+
+def interruptible(work: Callable[[], Any]) -> Any:
+    """Do it in another thread, so that Ctrl-C is heard while compiled code runs."""
+    answer: Future[Any] = Future()
+
+    def run() -> None:
+        try:
+            answer.set_result(work())
+        except BaseException as error:
+            answer.set_exception(error)
+
+    threading.Thread(target=run, daemon=True).start()
+    while not answer.done():
+        wait([answer], timeout=0.1)
+    return answer.result()
 
 
 OPTIONS = {
@@ -163,12 +199,14 @@ def planned(problem: Any, arguments: argparse.Namespace) -> Any:
     return (rrt if arguments.planner == "rrt" else prm)(problem, rng=arguments.seed, **tuning)
 
 
-def check_picture(path: Path | None) -> None:
+def check_picture(path: Path | None, scene: Path) -> None:
     """Refuse a picture that could not be written, before any work is done."""
     if path is None:
         return
     if path.suffix.lower() not in (".png", ".svg", ".pdf"):
         raise OSError(f"--out {path}: a picture ends in .png, .svg or .pdf")
+    if path.is_dir() or (path.exists() and scene.exists() and path.samefile(scene)):
+        raise OSError(f"--out {path}: is a folder or the scene itself; name another file")
     if not path.absolute().parent.is_dir():
         raise OSError(f"--out {path}: there is no folder {path.absolute().parent}")
 

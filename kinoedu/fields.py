@@ -51,7 +51,10 @@ class Field(NamedTuple):
         """A number; true and false are none."""
         if isinstance(self.value, bool) or not isinstance(self.value, int | float):
             raise self.wrong("a number")
-        return float(self.value)
+        try:
+            return float(self.value)
+        except OverflowError:
+            raise self.wrong("a number of at most 300 digits") from None
 
     def numbers(self) -> list[float]:
         """A list of numbers."""

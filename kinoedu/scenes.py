@@ -189,11 +189,11 @@ def read_problem(
     if (start is None) != (goal is None) or (start is not None and query is not None):
         raise InvalidParameter(f"{file}: give both start and goal, or the number of a query of its scenario")
     if start is None or goal is None:
-        start, goal = query_of(file, 0 if query is None else query)
+        start, goal = query_of(file, world, 0 if query is None else query)
     return Problem(Point() if robot is None else robot, world, start, goal, clearance=clearance)
 
 
-def query_of(file: Path, number: int) -> tuple[Array, Array]:
+def query_of(file: Path, world: Any, number: int) -> tuple[Array, Array]:
     """Start and goal of one query of the scenario that lies beside a map."""
     scenario = scenario_beside(file) if file.suffix.lower() == ".map" else None
     if scenario is None:
@@ -201,4 +201,8 @@ def query_of(file: Path, number: int) -> tuple[Array, Array]:
     queries = read_scenario(scenario)
     if not 0 <= number < len(queries):
         raise InvalidParameter(f"{scenario} has queries 0 to {len(queries) - 1}, got {number}")
-    return queries[number].start, queries[number].goal
+    meant = queries[number]
+    if world.free.shape != (meant.rows, meant.columns):
+        size = f"{world.free.shape[1]} x {world.free.shape[0]}"
+        raise UnreadableScene(f"{scenario}: query {number} is for a map of {meant.columns} x {meant.rows} cells, {file} has {size}")
+    return meant.start, meant.goal

@@ -1,5 +1,6 @@
 """The command line, run as a user runs it."""
 
+import signal
 import subprocess
 import sys
 from pathlib import Path
@@ -94,6 +95,9 @@ def test_a_picture_is_planned_on(tmp_path, capsys):
         ["plan", MAZE, "--planner", "astar", "--spacing", "0"],
         ["plan", MAZE, "--start", "1e200,1", "--goal", "2,2"],
         ["plan", MAZE, "--out", "plan.gif"],
+        ["plan", MAZE, "--spacing", "1"],
+        ["plan", MAZE, "--planner", "prm", "--step", "1"],
+        ["plan", MAZE, "--start", "-9,-9", "--goal", "-1e3,2"],
         ["plan", MAZE, "--out", "no/such/folder/plan.png"],
     ],
     ids=lambda a: " ".join(a[2:] or a[1:]),
@@ -118,7 +122,39 @@ def test_wrong_usage_is_status_2(arguments, capsys):
     with pytest.raises(SystemExit) as caught:
         main(arguments)
     assert caught.value.code == 2
-    assert "usage" in capsys.readouterr().err
+    err = capsys.readouterr().err
+    assert err.count("\n") == 1
+    assert "--help" in err
+
+
+def test_a_picture_never_overwrites_its_scene(tmp_path, capsys):
+    """Nor a folder; the scene is as it was."""
+    Image.new("L", (40, 40), 255).save(tmp_path / "map.png")
+    before = (tmp_path / "map.png").read_bytes()
+    for out in ("map.png", "sub/../map.png"):
+        (tmp_path / "sub").mkdir(exist_ok=True)
+        assert main(["plan", str(tmp_path / "map.png"), "--start", "5,5", "--goal", "9,9", "--out", str(tmp_path / out)]) == 2
+    (tmp_path / "folder.png").mkdir()
+    assert main(["plan", MAZE, "--out", str(tmp_path / "folder.png")]) == 2
+    assert (tmp_path / "map.png").read_bytes() == before
+    assert capsys.readouterr().out == ""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows sends no SIGINT to one process")
+def test_ctrl_c_is_heard_while_planning(tmp_path):
+    """Status 130 and no traceback, long before a hopeless search of millions of nodes would end."""
+    ring = [(3, 3), (6, 3), (6, 6), (3, 6)]
+    world = ke.PolygonWorld([(0, 0), (9, 0), (9, 9), (0, 9)], [(ring, [[(4, 4), (5, 4), (5, 5), (4, 5)]])])
+    ke.write_scene(ke.Problem(ke.Point(), world, (1, 1), (4.5, 4.5)), tmp_path / "room.json")
+    command = [sys.executable, "-m", "kinoedu", "plan", str(tmp_path / "room.json"), "--nodes", "10000000"]
+    run = subprocess.Popen(command, stderr=subprocess.PIPE, text=True)
+    heard = ""
+    while "planning" not in heard:
+        heard += run.stderr.readline()
+    run.send_signal(signal.SIGINT)
+    rest = run.communicate(timeout=120)[1]
+    assert run.returncode == 130
+    assert "Traceback" not in rest
 
 
 def test_help_tells_formats_and_examples(capsys):

@@ -14,9 +14,12 @@ LIMIT = 1e150  # squares of larger coordinates overflow
 def as_array(value: ArrayLike, name: str) -> Array:
     """Any numbers as float64, each finite and at most 1e150 in size; InvalidPoint otherwise."""
     try:
-        array = np.array(value, dtype=np.float64)
-    except (TypeError, ValueError, OverflowError) as error:
-        raise InvalidPoint(f"{name} must be numbers in a regular array, got {shortened(value)}") from error
+        given = np.asarray(value)
+        array = np.array(value, dtype=np.float64) if given.dtype.kind in "iufO" else None
+    except (TypeError, ValueError, OverflowError):
+        array = None
+    if array is None or isinstance(value, np.ma.MaskedArray):
+        raise InvalidPoint(f"{name} must be real numbers in a regular array, got {shortened(value)}")
     if not np.all(np.isfinite(array)):
         raise InvalidPoint(f"{name} must be finite, got {shortened(value)}")
     if array.size and np.abs(array).max() > LIMIT:

@@ -128,23 +128,31 @@ def triangles(ring: Array, holes: Sequence[Array]) -> list[Array]:
 
 def joined(parts: list[Array]) -> list[Array]:
     """The same region in fewer convex parts: two that share an edge become one where the result is convex."""
-    done: list[Array] = []
-    while parts:
-        part = parts.pop()
-        for i, other in enumerate(parts):
-            union = joined_at_edge(part, other)
-            if union is not None and first_reflex(union) < 0:
-                parts[i] = union
-                break
-        else:
-            done.append(part)
-    return done
+    whole: dict[int, Array] = dict(enumerate(parts))
+    beyond = {edge: number for number, part in whole.items() for edge in edges(part)}  # an edge is shared by its reverse
+    for number in range(len(parts)):
+        open_edges = edges(whole[number]) if number in whole else []
+        while open_edges:
+            a, b = open_edges.pop()
+            other = beyond.get((b, a))
+            if other is None or other == number:
+                continue
+            union = joined_at_edge(whole[number], whole[other], a, b)
+            if first_reflex(union) < 0:
+                beyond.update(dict.fromkeys(edges(whole.pop(other)), number))
+                whole[number] = union
+                open_edges = edges(union)
+    return list(whole.values())
 
 
-def joined_at_edge(P: Array, Q: Array) -> Array | None:
-    """The ring round two parts that share an edge, or None where they share none."""
-    for i in range(len(P)):
-        for j in range(len(Q)):
-            if (P[i - 1] == Q[j]).all() and (P[i] == Q[j - 1]).all():
-                return np.concatenate([np.roll(P, -i, axis=0), np.roll(Q, -j, axis=0)[1:-1]])
-    return None
+def edges(ring: Array) -> list[tuple[tuple[float, ...], tuple[float, ...]]]:
+    """A ring's edges as pairs of points."""
+    points = [tuple(point) for point in ring.tolist()]
+    return list(zip(points, points[1:] + points[:1], strict=True))
+
+
+def joined_at_edge(P: Array, Q: Array, a: tuple[float, ...], b: tuple[float, ...]) -> Array:
+    """The ring round two parts of which P has the edge a-b and Q the edge b-a."""
+    i = int(np.flatnonzero((P == b).all(axis=1))[0])
+    j = int(np.flatnonzero((Q == a).all(axis=1))[0])
+    return np.concatenate([np.roll(P, -i, axis=0), np.roll(Q, -j, axis=0)[1:-1]])

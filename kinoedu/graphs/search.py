@@ -16,6 +16,8 @@ from ..errors import InvalidGraph
 from ..geometry.checks import Array
 from .graph import degree, edge
 
+ROUNDING = 1e-12  # of a cost
+
 
 class Search(NamedTuple):
     """The result of a search: cost (n,) from the start, final for expanded nodes, else the least found so far, or infinite;
@@ -32,8 +34,8 @@ class Search(NamedTuple):
 def expansions(graph: Any, start: int, goal: int, estimate: Array, cost: Array, parent: NDArray[np.int64]) -> Iterator[int]:
     """Yield the nodes in the order in which they are expanded: least cost so far plus estimate first. Fills cost and parent.
 
-    An estimate that never exceeds the true remaining cost makes the first path found a shortest one; where it is not consistent
-    too, a node may be expanded again.
+    An estimate that never exceeds the true remaining cost makes the first path found a shortest one; where it is not consistent, a
+    node is expanded again whenever that gains more than rounding.
     """
     settled = np.zeros(len(cost), np.bool_)
     cost[start] = 0.0
@@ -48,11 +50,12 @@ def expansions(graph: Any, start: int, goal: int, estimate: Array, cost: Array, 
             return
         for k in range(degree(graph, u)):
             v, weight = edge(graph, u, k)
-            if v >= 0 and cost[u] + weight < cost[v]:
-                cost[v] = cost[u] + weight
-                parent[v] = u
-                settled[v] = False
-                heappush(frontier, (cost[v] + estimate[v], estimate[v], v))
+            if v < 0 or cost[u] + weight >= cost[v] * (1.0 - ROUNDING if settled[v] else 1.0):
+                continue
+            cost[v] = cost[u] + weight
+            parent[v] = u
+            settled[v] = False
+            heappush(frontier, (cost[v] + estimate[v], estimate[v], v))
 
 
 @body

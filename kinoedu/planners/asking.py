@@ -6,43 +6,68 @@ from typing import Any
 import numpy as np
 
 from ..compiled import Compiled
-from ..errors import InvalidParameter
+from ..errors import InvalidParameter, InvalidPoint
 from ..geometry.checks import Array, as_array
 from ..problems import MOTIONS, ProblemRecord, Recorder
 from ..spaces.buckets import GrowingTree, empty_tree
 
 
 class OwnProblem:
-    """A reader's own problem object, with what it leaves out: arrays for start and goal, the nearest node, a count of checks."""
+    """A reader's own problem object, every answer checked, and with what it leaves out: the nearest node, a count of checks."""
 
     NEEDED = ("start", "goal", "sample", "distance", "steer", "is_free_path")
 
     def __init__(self, problem: Any) -> None:
         missing = [name for name in self.NEEDED if not hasattr(problem, name)]
         if missing:
-            raise InvalidParameter(
-                f"a problem must answer {', '.join(self.NEEDED)}; this {type(problem).__name__} lacks {', '.join(missing)}"
-            )
+            given = type(problem).__name__
+            raise InvalidParameter(f"a problem must answer {', '.join(self.NEEDED)}; this {given} lacks {', '.join(missing)}")
         self.problem = problem
-        self.start, self.goal = as_array(problem.start, "start"), as_array(problem.goal, "goal")
+        self.start = np.atleast_1d(as_array(problem.start, "start"))
+        self.goal = self._configuration(problem.goal, "goal")
         self.asked = np.zeros(2, np.int64)
 
-    def __getattr__(self, name: str) -> Any:
-        return getattr(self.problem, name)
+    def _configuration(self, value: Any, name: str) -> Array:
+        """A configuration of the start's shape."""
+        q = np.atleast_1d(as_array(value, name))
+        if q.shape != self.start.shape or q.ndim != 1:
+            raise InvalidPoint(f"{name} must have the start's shape {self.start.shape}, got {q.shape}")
+        return q
+
+    def sample(self, rng: np.random.Generator) -> Array:
+        """The reader's sample."""
+        return self._configuration(self.problem.sample(rng), "sample")
+
+    def steer(self, a: Array, b: Array, step: float) -> Array:
+        """The reader's step."""
+        return self._configuration(self.problem.steer(a, b, step), "steer")
+
+    def distance(self, a: Array, b: Array) -> float:
+        """The reader's distance."""
+        d = as_array(self.problem.distance(a, b), "distance")
+        if d.ndim or d < 0.0:
+            raise InvalidParameter(f"distance must be one number, zero or more, got {d}")
+        return float(d)
+
+    def is_free(self, q: Array) -> bool:
+        """The reader's answer, or a motion that stays where it is."""
+        own = getattr(self.problem, "is_free", None)
+        return bool(np.all(self.problem.is_free_path(q, q) if own is None else own(q)))
 
     def is_free_path(self, a: Array, b: Array) -> bool:
         """The reader's answer, counted."""
         self.asked[MOTIONS] += 1
-        return bool(self.problem.is_free_path(a, b))
+        return bool(np.all(self.problem.is_free_path(a, b)))
 
     def nearest(self, tree: GrowingTree, q: Array) -> int:
         """The first of the nodes nearest by the reader's distance."""
-        return int(np.argmin([self.problem.distance(node, q) for node in tree.nodes[: tree.size[0]]]))
+        return int(np.argmin([self.distance(node, q) for node in tree.nodes[: tree.size[0]]]))
 
 
 def askable(problem: Any) -> Any:
-    """The problem itself where it is this package's, otherwise a reader's object made whole."""
-    return problem if isinstance(problem, ProblemRecord | Recorder) else OwnProblem(problem)
+    """The problem itself where it is this package's, or a recorder of one; otherwise a reader's object, checked and made whole."""
+    inner = problem.problem if isinstance(problem, Recorder) else problem
+    return problem if isinstance(inner, ProblemRecord) else OwnProblem(problem)
 
 
 def body_for(problem: Any, body: Compiled) -> Callable[..., Any]:

@@ -140,7 +140,10 @@ def plan_on_grid(problem: ProblemRecord, *, spacing: float | None = None) -> Pla
     reason = f"the goal cannot be reached on a grid of spacing {grid.side:g}; a finer one may have a path"
     if numbers is None:
         return plan_along(problem, tree.nodes, None, reason, planner="A*", tree=tree, stats=stats)
-    path = np.concatenate([[problem.start], centres(grid, numbers), [problem.goal]])
+    nodes = centres(grid, numbers)
+    if first == last and problem.is_free_path(problem.start, problem.goal):
+        nodes = nodes[:0]  # both in one cell: no way round by its centre
+    path = np.concatenate([[problem.start], nodes, [problem.goal]])
     path = path[np.append(True, (path[1:] != path[:-1]).any(axis=1))]
     return plan_along(problem, path, np.arange(len(path)), reason, planner="A*", tree=tree, stats=stats)
 
@@ -156,11 +159,13 @@ def grid_for(problem: ProblemRecord, spacing: float | None) -> Lattice | CellGri
             return CellGrid(world.free, x, y, world.resolution, columns, rows)
         return Lattice(problem, x, y, world.resolution, columns, rows)
     side = world_size(problem) / 100.0 if spacing is None else spacing
-    columns, rows = np.maximum(np.floor((problem.space.hi - problem.space.lo) / side + 1e-9), 1).astype(int).tolist()
-    if columns * rows > 50_000_000:
+    extent = problem.space.hi - problem.space.lo
+    width, height = extent.tolist()
+    if side > max(width, height) or max(width / side, 1.0) * max(height / side, 1.0) > 50e6:
         raise InvalidParameter(
-            f"spacing {side:g} makes a grid of {columns} x {rows} nodes, more than 50 million; choose a larger one"
+            f"spacing {side:g} must be within the world's size {extent.max():g} and make at most 50 million nodes"
         )
+    columns, rows = np.maximum(np.floor(extent / side + 1e-9), 1).astype(int).tolist()
     return Lattice(problem, x, y, side, columns, rows)
 
 

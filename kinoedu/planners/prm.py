@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..compiled import body
+from ..errors import InvalidParameter
 from ..geometry.checks import Array
 from ..graphs import Graph, astar
 from ..problems import MOTIONS, Plan, Roadmap, as_generator
@@ -77,7 +78,11 @@ def prm(problem: Any, *, n: int = 1000, k: int = 10, rng: int | np.random.Genera
     True
     """
     asked, samples = askable(problem), whole(n, "n", least=0)
-    closest = whole(k, "k", least=1)
+    closest = min(whole(k, "k", least=1), samples + 1)
+    if samples * closest > 100_000_000:
+        raise InvalidParameter(
+            f"n * k must not exceed 100,000,000, got {samples:,} * {closest:,}; sample fewer nodes or join fewer"
+        )
     before = asked.asked[MOTIONS]
     nodes = body_for(asked, sample_free)(asked, samples, 100 * samples, as_generator(rng))
     edges, lengths = body_for(asked, join)(asked, nodes, k_closest(asked, nodes, closest))

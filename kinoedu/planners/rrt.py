@@ -74,8 +74,9 @@ def rrt(
     asked = askable(problem)
     delta = positive(world_size(asked) / 20.0 if step is None else step, "step")
     bias = share(goal_bias, "goal_bias")
-    tree = new_tree(asked, whole(max_nodes, "max_nodes", least=1) + 1)
-    limit = whole(10 * max_nodes if max_iterations is None else max_iterations, "max_iterations", least=0)
+    most = whole(max_nodes, "max_nodes", least=1)
+    limit = 10 * most if max_iterations is None else whole(max_iterations, "max_iterations", least=0)
+    tree = new_tree(asked, most + 1)
     before = asked.asked[MOTIONS]
     at_goal, iterations = body_for(asked, grow)(asked, tree, delta, bias, limit, as_generator(rng))
     reason = f"after {iterations:,} iterations none of {tree.size[0]:,} nodes reaches the goal; allow more nodes, or another step"

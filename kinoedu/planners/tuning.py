@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import InvalidParameter
+from ..geometry.checks import LIMIT, shortened
 
 
 def positive(value: Any, name: str) -> float:
@@ -14,8 +15,8 @@ def positive(value: Any, name: str) -> float:
     >>> positive(2, "step")
     2.0
     """
-    if not is_real(value) or not 0.0 < value < np.inf:
-        raise InvalidParameter(f"{name} must be a positive number, got {value!r}")
+    if not is_real(value) or not 0.0 < value <= LIMIT or float(value) == 0.0:
+        raise InvalidParameter(f"{name} must be a positive number, at most 1e150, got {shortened(value)}")
     return float(value)
 
 
@@ -27,9 +28,9 @@ def share(value: Any, name: str) -> float:
 
 
 def whole(value: Any, name: str, *, least: int) -> int:
-    """A whole number, not less than `least`; at most a hundred million, which is more than memory holds nodes for."""
-    if isinstance(value, bool) or not isinstance(value, int | np.integer) or not least <= value <= 100_000_000:
-        raise InvalidParameter(f"{name} must be a whole number from {least} to 100,000,000, got {value!r}")
+    """A whole number, not less than `least`; at most ten million, which is what memory holds nodes for."""
+    if isinstance(value, bool) or not isinstance(value, int | np.integer) or not least <= value <= 10_000_000:
+        raise InvalidParameter(f"{name} must be a whole number from {least} to 10,000,000, got {value!r}")
     return int(value)
 
 

@@ -59,7 +59,7 @@ def add(tree: GrowingTree, q: Array, parent: int) -> int:
     """Append a node; returns its number."""
     node = tree.size[0]
     tree.size[0] = node + 1
-    for i in range(len(q)):
+    for i in range(tree.nodes.shape[1]):
         tree.nodes[node, i] = q[i]
     tree.parent[node] = parent
     column, row = bucket_of(tree, q)

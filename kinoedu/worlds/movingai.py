@@ -19,13 +19,16 @@ class Query(NamedTuple):
     """One line of a scenario: where to go on which map, and the length of the best way.
 
     `start` and `goal` (2,) are centres of cells in a terrain of resolution 1 at the origin, y up. `length` is
-    the shortest octile length: moves between centres, diagonally only past two free cells.
+    the shortest octile length: moves between centres, diagonally only past two free cells. `columns` and `rows` are
+    the size of the map that is meant.
     """
 
     map_name: str
     start: NDArray[np.float64]
     goal: NDArray[np.float64]
     length: float
+    columns: int
+    rows: int
 
 
 def read_map(path: str | os.PathLike[str]) -> TerrainRecord:
@@ -117,7 +120,7 @@ def _query(line: str, where: str) -> Query:
         if x >= width or y >= height:
             raise UnreadableScene(f"{where}: expected a cell of the {width} x {height} map, got ({x}, {y})")
     start, goal = (np.array([x + 0.5, height - 1 - y + 0.5]) for x, y in ends)
-    return Query(words[1], start, goal, _length(words[8], where))
+    return Query(words[1], start, goal, _length(words[8], where), width, height)
 
 
 def _whole_number(word: str, where: str) -> int:

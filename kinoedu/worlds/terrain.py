@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..errors import InvalidWorld
-from ..geometry.checks import Array, as_array, as_point
+from ..geometry.checks import LIMIT, Array, as_array, as_point
 
 
 class TerrainRecord(NamedTuple):
@@ -48,4 +48,6 @@ def Terrain(free: ArrayLike, *, resolution: float = 1.0, origin: ArrayLike = (0.
         raise InvalidWorld(f"a terrain's resolution must be one positive length, got {resolution}")
     corner = as_point(origin, "origin")
     extent = float(side) * np.array(cells.shape[::-1], np.float64)
+    if not (corner + float(side) > corner).all() or not (np.abs(corner + extent) <= LIMIT).all():
+        raise InvalidWorld(f"cells of {float(side):g} cannot be told apart at {tuple(corner.tolist())}, or reach beyond 1e150")
     return TerrainRecord(np.ascontiguousarray(cells, np.bool_), float(side), corner, corner, corner + extent)
