@@ -1,7 +1,5 @@
 """Where polygons enter: vertices become a checked ring, counter-clockwise and simple, or a named error says why they cannot."""
 
-from collections.abc import Sequence
-
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -52,11 +50,6 @@ def as_convex_ring(vertices: ArrayLike, name: str = "polygon") -> Array:
     if i >= 0:
         raise InvalidPolygon(f"{name} must be convex, but turns inward at vertex {tuple(ring[i].tolist())}")
     return ring
-
-
-def as_rings(polygons: Sequence[ArrayLike], name: str = "polygon") -> list[Array]:
-    """Many rings, each named by its number where it is refused."""
-    return [as_ring(polygon, f"{name} {i}") for i, polygon in enumerate(polygons)]
 
 
 @compiled
