@@ -1,0 +1,46 @@
+"""The words that students read, in one catalogue: `en.toml` beside this file.
+
+A translation is another such file. `KINOEDU_LANGUAGE=de` reads `de.toml` first and `en.toml` for what is missing there.
+"""
+
+import os
+import tomllib
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+HERE = Path(__file__).parent
+
+
+def say(key: str, /, **values: Any) -> str:
+    """The words under a dotted key, with `{name}` filled in. Raises KeyError where no catalogue has them.
+
+    >>> say("check.score", right=3, total=4)
+    '3 of 4 rules hold'
+    """
+    language = os.environ.get("KINOEDU_LANGUAGE", "en")
+    for name in dict.fromkeys((language, "en")):
+        words = found(catalogue(name), key)
+        if words is not None:
+            return words.format(**values)
+    raise KeyError(f"no words for {key!r} in {HERE / 'en.toml'}")
+
+
+def has_words(key: str) -> bool:
+    """Whether the English catalogue has words under a key."""
+    return found(catalogue("en"), key) is not None
+
+
+@cache
+def catalogue(language: str) -> dict[str, Any]:
+    """A language's words; none where there is no file for it."""
+    file = HERE / f"{language}.toml"
+    return tomllib.loads(file.read_text(encoding="utf-8")) if language.isalpha() and file.is_file() else {}
+
+
+def found(words: dict[str, Any], key: str) -> str | None:
+    """The words under a dotted key, or None."""
+    here: Any = words
+    for part in key.split("."):
+        here = here.get(part) if isinstance(here, dict) else None
+    return here if isinstance(here, str) else None
