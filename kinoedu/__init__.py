@@ -27,7 +27,7 @@ __version__ = "0.1.0"
 
 def __getattr__(name: str) -> Any:
     """Import the rooms that draw at their first use."""
-    if name in ("figures", "boards"):
+    if name in ("figures", "boards", "course"):
         return import_module(f"{__name__}.{name}")
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
@@ -42,6 +42,7 @@ __all__ = [
     "Terrain",
     "boards",
     "collision",
+    "course",
     "figures",
     "geometry",
     "graphs",

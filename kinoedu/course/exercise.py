@@ -1,0 +1,156 @@
+"""What an exercise is: cases, a call, a judge.
+
+`cases` and `judge` know the truth and never meet student code. `call` runs student code and knows nothing. A check in a notebook,
+the project's tests and the grader run the same three; only where `call` runs differs.
+"""
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Iterator
+from typing import Any, ClassVar, NamedTuple
+
+import numpy as np
+
+from ..words import has_words, say
+from .outcomes import Answer, Late, Misshapen, Outcome, Raised
+from .shapes import Record, Shape
+
+
+class Case(NamedTuple):
+    """One input: the kind of input it is, and the arguments by name."""
+
+    kind: str
+    given: dict[str, Any]
+
+
+class Verdict(NamedTuple):
+    """What the judge says of one outcome.
+
+    score : 1.0 for right, 0.0 for wrong. rule : the key of the rule that was broken, or "". wanted : in words, what was right.
+    """
+
+    score: float
+    rule: str = ""
+    wanted: str = ""
+
+    @property
+    def is_right(self) -> bool:
+        """Whether nothing was wrong."""
+        return self.score >= 1.0
+
+
+RIGHT = Verdict(1.0)
+
+
+class Slip(NamedTuple):
+    """A known misconception: its key in the catalogue, and what a program that has it answers to a case's arguments."""
+
+    key: str
+    answer: Callable[..., Any]
+
+
+class Exercise(ABC):
+    """One function to write. Subclasses declare what is below, and are listed in `kinoedu.course.exercises`.
+
+    name : what the function is called. lesson : the notebook that asks for it. kinds : the kinds of input, each worth the same.
+    given, answer : the shapes of a case's arguments and of the answer. seconds : the time for one call.
+    slips : known misconceptions. source : the library's own function, withheld when graded; None where there is none.
+    """
+
+    name: ClassVar[str]
+    lesson: ClassVar[str]
+    kinds: ClassVar[tuple[str, ...]]
+    given: ClassVar[Record]
+    answer: ClassVar[Shape]
+    seconds: ClassVar[float] = 5.0
+    slips: ClassVar[tuple[Slip, ...]] = ()
+    source: ClassVar[Callable[..., Any] | None] = None
+
+    @abstractmethod
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """Cases from small to large, some of every kind; the same for the same rng."""
+
+    def call(self, function: Callable[..., Any], given: dict[str, Any]) -> Any:
+        """Run the student's function on a case's arguments, in the order in which they are declared."""
+        return function(*given.values())
+
+    @abstractmethod
+    def value_verdict(self, case: Case, value: Any) -> Verdict:
+        """Judge an answer of the declared shape."""
+
+    def judge(self, case: Case, outcome: Outcome) -> Verdict:
+        """Judge what became of a call."""
+        if isinstance(outcome, Answer):
+            return self.value_verdict(case, outcome.value)
+        rule = {Misshapen: "shape", Raised: "raised", Late: "late"}[type(outcome)]
+        return Verdict(0.0, rule, self.wanted(case))
+
+    @abstractmethod
+    def wanted(self, case: Case) -> str:
+        """What the answer to a case should be, in words."""
+
+    @abstractmethod
+    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+        """Draw a case, what was answered and what is true, into matplotlib axes."""
+
+    def words(self, key: str, **values: Any) -> str:
+        """This exercise's words for a key, or those that all exercises share."""
+        own = f"{self.name}.{key}"
+        return say(own if has_words(own) else f"exercise.{key}", **values)
+
+
+class ValueExercise(Exercise):
+    """An exercise whose answers are numbers that equal the reference's up to rounding, or a ValueError that it must raise."""
+
+    tolerance: ClassVar[float] = 1e-6
+
+    @staticmethod
+    @abstractmethod
+    def reference(*given: Any) -> Any:
+        """The true answer, or a ValueError where there is none."""
+
+    def truth(self, case: Case) -> Any:
+        """The true answer, or the ValueError."""
+        try:
+            return self.reference(*case.given.values())
+        except ValueError as refusal:
+            return refusal
+
+    def judge(self, case: Case, outcome: Outcome) -> Verdict:
+        """Where the reference refuses the input, a ValueError is the right answer and anything else is not."""
+        if not isinstance(self.truth(case), ValueError):
+            return super().judge(case, outcome)
+        if isinstance(outcome, Raised) and "ValueError" in outcome.kinds:
+            return RIGHT
+        return Verdict(0.0, "late" if isinstance(outcome, Late) else case.kind, self.wanted(case))
+
+    def value_verdict(self, case: Case, value: Any) -> Verdict:
+        """Right where the value is the reference's."""
+        return RIGHT if self.same(value, self.truth(case)) else Verdict(0.0, case.kind, self.wanted(case))
+
+    def same(self, value: Any, truth: Any) -> bool:
+        """Whether two answers are the same but for rounding; nan is the same as nan."""
+        with np.errstate(invalid="ignore"):
+            near = np.abs(np.subtract(value, truth)) <= self.tolerance * (1.0 + np.abs(truth))
+        return bool(np.all(near | (np.equal(value, truth)) | (np.isnan(value) & np.isnan(truth))))
+
+    def wanted(self, case: Case) -> str:
+        """The true answer in words."""
+        truth = self.truth(case)
+        return say("exercise.wanted_error") if isinstance(truth, ValueError) else spoken(truth)
+
+
+def spoken(value: Any) -> str:
+    """A value as a student would write it: at most ten digits, no trailing zeros.
+
+    >>> spoken(np.array([[0.0, 1.5], [2.0, 1 / 3]])), spoken(5.0), spoken(True)
+    ('[(0, 1.5), (2, 0.3333333333)]', '5', 'True')
+    """
+    if isinstance(value, bool | np.bool_ | str) or value is None:
+        return repr(value)
+    if isinstance(value, np.ndarray) and value.ndim == 1:
+        value = tuple(value)
+    if isinstance(value, tuple):
+        return "(" + ", ".join(map(spoken, value)) + ("," if len(value) == 1 else "") + ")"
+    if isinstance(value, np.ndarray | list) and np.ndim(value) != 0:
+        return "[" + ", ".join(map(spoken, value)) + "]"
+    return f"{float(value) + 0.0:.10g}"

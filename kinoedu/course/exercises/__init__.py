@@ -1,0 +1,34 @@
+"""Every exercise of the course, by the name of the function that it asks for."""
+
+from ...errors import InvalidParameter
+from ...words import say
+from ..exercise import Exercise
+from .lines import LineThroughPoints, PointLineDistance
+from .polygons import ExposeRayCounting, PointPolygonDistance, PolygonTangent
+from .segments import PointSegmentDistance
+
+EXERCISES: dict[str, Exercise] = {
+    exercise.name: exercise()
+    for exercise in (
+        LineThroughPoints,
+        PointLineDistance,
+        PointSegmentDistance,
+        PointPolygonDistance,
+        PolygonTangent,
+        ExposeRayCounting,
+    )
+}
+
+
+def find(name: str) -> Exercise:
+    """The exercise that asks for a function of this name. Raises InvalidParameter.
+
+    >>> find("point_line_distance").lesson
+    '01_geometry'
+    """
+    if name not in EXERCISES:
+        raise InvalidParameter(say("check.unknown", name=name, names=", ".join(EXERCISES)))
+    return EXERCISES[name]
+
+
+__all__ = ["EXERCISES", "find"]

@@ -1,0 +1,139 @@
+"""Exercises on lines. Bullo & Smith, section 1.5."""
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from ...geometry import line_through_points, point_line_distance, point_segment_distance
+from ...geometry.checks import Array
+from ..exercise import RIGHT, Case, Slip, ValueExercise, Verdict
+from ..outcomes import Answer, Outcome
+from ..shapes import Number, Numbers, Record
+from .chance import points, sizes
+from .pictures import draw_distance, draw_line
+
+POINT = Numbers((2,))
+LEVEL, UPRIGHT = np.eye(2)
+
+
+class LineThroughPoints(ValueExercise):
+    """Two points to the line a x + b y + c = 0 with a^2 + b^2 = 1; either sign."""
+
+    name = "line_through_points"
+    lesson = "01_geometry"
+    kinds = ("slanted", "level", "upright", "coincident")
+    given = Record(p1=POINT, p2=POINT)
+    answer = Numbers((3,))
+    source = staticmethod(line_through_points)
+    slips = (
+        Slip("unscaled", lambda p1, p2: (p1[1] - p2[1], p2[0] - p1[0], p1[0] * p2[1] - p2[0] * p1[1])),
+        Slip("direction", lambda p1, p2: direction_as_normal(p1, p2)),
+        Slip("sign_of_c", lambda p1, p2: np.array(line_through_points(p1, p2)) * (1, 1, -1)),
+    )
+    reference = staticmethod(line_through_points)
+
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """Small whole numbers first."""
+        for kind, p1, p2 in (
+            ("slanted", (0, 0), (3, 4)),
+            ("level", (0, 1), (5, 1)),
+            ("upright", (2, 0), (2, 3)),
+            ("slanted", (0, 5), (5, 0)),
+            ("coincident", (1, 2), (1, 2)),
+        ):
+            yield Case(kind, {"p1": np.array(p1, float), "p2": np.array(p2, float)})
+        for size in sizes(8):
+            p1, p2 = points(rng, 2, size)
+            yield Case("slanted" if (p1 != p2).all() else "level" if p1[1] == p2[1] else "upright", {"p1": p1, "p2": p2})
+            yield Case("level", {"p1": p1, "p2": p1 + LEVEL * rng.choice([-1.0, 1.0]) * (1 + rng.integers(9))})
+            yield Case("upright", {"p1": p1, "p2": p1 + UPRIGHT * rng.choice([-1.0, 1.0]) * (1 + rng.integers(9))})
+            yield Case("coincident", {"p1": p2, "p2": p2})
+
+    def value_verdict(self, case: Case, value: Any) -> Verdict:
+        """a^2 + b^2 = 1, and both points on the line."""
+        if self.same(value, self.truth(case)):
+            return RIGHT
+        a, b, _ = value
+        if not abs(a * a + b * b - 1.0) <= self.tolerance:
+            return Verdict(0.0, "unit", self.wanted(case))
+        return Verdict(0.0, "through", self.wanted(case))
+
+    def same(self, value: Any, truth: Any) -> bool:
+        """A line may be written with either sign."""
+        return super().same(value, truth) or super().same(np.negative(value), truth)
+
+    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+        """The points, the line through them and the student's."""
+        draw_line(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
+
+
+def direction_as_normal(p1: Array, p2: Array) -> tuple[float, float, float]:
+    """A line whose (a, b) points along it instead of across."""
+    a, b = (p2 - p1) / np.sqrt(((p2 - p1) * (p2 - p1)).sum())
+    return a, b, -(a * p1[0] + b * p1[1])
+
+
+class PointLineDistance(ValueExercise):
+    """The distance from a point to a line through two others."""
+
+    name = "point_line_distance"
+    lesson = "01_geometry"
+    kinds = ("beside", "beyond", "on", "upright", "coincident")
+    given = Record(q=POINT, p1=POINT, p2=POINT)
+    answer = Number()
+    source = staticmethod(point_line_distance)
+    slips = (
+        Slip("segment", point_segment_distance),
+        Slip("signed", lambda q, p1, p2: signed_distance(q, p1, p2)),
+        Slip("unscaled", lambda q, p1, p2: abs(cross(p2 - p1, q - p1))),
+        Slip("along", lambda q, p1, p2: abs(float(np.dot(q - p1, p2 - p1))) / float(np.linalg.norm(p2 - p1))),
+        Slip("nearer_point", lambda q, p1, p2: min(np.linalg.norm(q - p1), np.linalg.norm(q - p2))),
+    )
+    reference = staticmethod(point_line_distance)
+
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """Small whole numbers first; both sides of the line, both ways along it."""
+        for kind, q, p1, p2 in (
+            ("beside", (2, 3), (0, 0), (4, 0)),
+            ("beside", (2, -3), (0, 0), (4, 0)),
+            ("beyond", (7, 4), (0, 0), (4, 0)),
+            ("upright", (3, 1), (0, 0), (0, 4)),
+            ("on", (2, 2), (0, 0), (4, 4)),
+            ("beyond", (-3, 1), (0, 0), (4, 0)),
+            ("coincident", (1, 1), (2, 2), (2, 2)),
+        ):
+            yield Case(kind, arguments(q, p1, p2))
+        for size in sizes(6):
+            p1, p2, q = points(rng, 3, size)
+            along = float(np.dot(q - p1, p2 - p1) / np.dot(p2 - p1, p2 - p1))
+            yield Case("beside" if 0 <= along <= 1 else "beyond", arguments(q, p1, p2))
+            yield Case("beside", arguments((p1 + p2) / 2 + rng.uniform(0.2, 2) * turned(p2 - p1), p1, p2))
+            yield Case("beyond", arguments(p2 + rng.integers(1, 4) * (p2 - p1) + turned(p2 - p1), p1, p2))
+            yield Case("on", arguments(p1 + rng.integers(-3, 4) * (p2 - p1), p1, p2))
+            yield Case("upright", arguments(q, p1, p1 + UPRIGHT * (1 + rng.integers(9))))
+            yield Case("coincident", arguments(q, p1, p1))
+
+    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+        """The line, the point, and a circle round it as large as each of the two distances."""
+        draw_distance(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
+
+
+def arguments(q: Any, p1: Any, p2: Any) -> dict[str, Array]:
+    """The arguments of a case."""
+    return {"q": np.array(q, float), "p1": np.array(p1, float), "p2": np.array(p2, float)}
+
+
+def turned(v: Array) -> Array:
+    """A vector turned a quarter to the left."""
+    return np.array([-v[1], v[0]])
+
+
+def cross(u: Array, v: Array) -> float:
+    """The z component of the cross product."""
+    return float(u[0] * v[1] - u[1] * v[0])
+
+
+def signed_distance(q: Array, p1: Array, p2: Array) -> float:
+    """Negative to the right of the way from p1 to p2."""
+    return cross(p2 - p1, q - p1) / float(np.linalg.norm(p2 - p1))

@@ -1,0 +1,240 @@
+"""Exercises on polygons. Bullo & Smith, section 1.5."""
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from ...errors import InvalidPoint, InvalidPolygon
+from ...geometry import point_polygon_distance, point_segment_distance, polygon_tangent
+from ...geometry.checks import Array
+from ...geometry.polygons import nearest_on_ring, place
+from ...geometry.segments import closest_on_segment
+from ...words import say
+from ..exercise import RIGHT, Case, Exercise, Slip, ValueExercise, Verdict
+from ..outcomes import Answer, Outcome
+from ..shapes import Number, Numbers, Record, Together
+from .chance import sizes, star_polygon
+from .lines import POINT, turned
+from .pictures import draw_crossings, draw_distance, draw_tangent
+
+POLYGON = Numbers(("n", 2))
+SQUARE = np.array([(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)])
+CORNER = np.array([(0.0, 0.0), (6.0, 0.0), (6.0, 2.0), (2.0, 2.0), (2.0, 6.0), (0.0, 6.0)])
+
+
+class PointPolygonDistance(ValueExercise):
+    """The distance from a point to a polygon, 0 inside."""
+
+    name = "point_polygon_distance"
+    lesson = "01_geometry"
+    kinds = ("edge", "vertex", "closing", "inside", "boundary")
+    given = Record(q=POINT, polygon=POLYGON)
+    answer = Number()
+    source = staticmethod(point_polygon_distance)
+    slips = (
+        Slip("vertices", lambda q, polygon: min(np.linalg.norm(polygon - q, axis=1))),
+        Slip("open", lambda q, polygon: min(edge_distances(q, polygon)[:-1]) if place(*q, polygon) < 0 else 0.0),
+        Slip("open", lambda q, polygon: min(edge_distances(q, polygon)[:-1])),
+        Slip("rim", lambda q, polygon: min(edge_distances(q, polygon))),
+        Slip("lines", lambda q, polygon: min(line_distances(q, polygon)) if place(*q, polygon) < 0 else 0.0),
+        Slip("lines", lambda q, polygon: min(line_distances(q, polygon))),
+        Slip("farthest", lambda q, polygon: max(edge_distances(q, polygon)) if place(*q, polygon) < 0 else 0.0),
+        Slip("centre", lambda q, polygon: float(np.linalg.norm(q - polygon.mean(axis=0)))),
+        Slip("signed", lambda q, polygon: -min(edge_distances(q, polygon))),
+    )
+    reference = staticmethod(point_polygon_distance)
+
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """A square, an L, then larger stars; q nearest to an edge, a vertex, the edge that closes; inside; on the boundary."""
+        for q in ((2, -1), (7, 8), (-3, 2), (1, 1), (4, 2)):
+            yield self.case(np.array(q, float), SQUARE)
+        for q in ((4, 3), (8, -2), (-1, 5), (1, 5), (5, 1), (2, 2)):
+            yield self.case(np.array(q, float), CORNER)
+        for number, size in enumerate(sizes(6)):
+            polygon = star_polygon(rng, 3 + number // 3, size)
+            for kind in self.kinds:
+                yield self.case(query(rng, polygon, kind), polygon)
+
+    def case(self, q: Array, polygon: Array) -> Case:
+        """A case of the kind that it is."""
+        return Case(kind_of(q, polygon), {"q": q, "polygon": polygon})
+
+    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+        """The polygon, the point, and a circle round it as large as each of the two distances."""
+        draw_distance(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
+
+
+class PolygonTangent(ValueExercise):
+    """The unit vector along which a robot circles a polygon counter-clockwise."""
+
+    name = "polygon_tangent"
+    lesson = "01_geometry"
+    kinds = ("edge", "closing", "vertex")
+    given = Record(q=POINT, polygon=POLYGON)
+    answer = Numbers((2,))
+    source = staticmethod(polygon_tangent)
+    slips = (
+        Slip("clockwise", lambda q, polygon: -polygon_tangent(q, polygon)),
+        Slip("towards", lambda q, polygon: turned(polygon_tangent(q, polygon))),
+        Slip("away", lambda q, polygon: -turned(polygon_tangent(q, polygon))),
+        Slip("unscaled", lambda q, polygon: unscaled_tangent(q, polygon)),
+        Slip("edge_at_vertex", lambda q, polygon: edge_direction(q, polygon, 0)),
+        Slip("edge_at_vertex", lambda q, polygon: edge_direction(q, polygon, -1)),
+        Slip("open", lambda q, polygon: open_tangent(q, polygon)),
+    )
+    reference = staticmethod(polygon_tangent)
+
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """A square, an L, then larger stars; q outside, nearest to an edge, to the edge that closes, or to a vertex."""
+        for polygon, queries in (
+            (SQUARE, ((2, -1), (5, 1), (-3, 2), (7, 8), (-1, -1))),
+            (CORNER, ((3, -2), (3, 4), (-1, 5), (8, 4))),
+        ):
+            for q in queries:
+                yield self.case(np.array(q, float), polygon)
+        for number, size in enumerate(sizes(8)):
+            polygon = star_polygon(rng, 3 + number // 4, size)
+            for kind in self.kinds:
+                yield self.case(query(rng, polygon, kind), polygon)
+
+    def case(self, q: Array, polygon: Array) -> Case:
+        """A case of the kind that it is."""
+        return Case(kind_of(q, polygon), {"q": q, "polygon": polygon})
+
+    def value_verdict(self, case: Case, value: Any) -> Verdict:
+        """First the length, then the direction."""
+        verdict = super().value_verdict(case, value)
+        if not verdict.is_right and not abs(float(np.dot(value, value)) - 1.0) <= self.tolerance:
+            return Verdict(0.0, "unit", self.wanted(case))
+        return verdict
+
+    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+        """The polygon, the nearest point, and both vectors."""
+        draw_tangent(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
+
+
+class ExposeRayCounting(Exercise):
+    """Break it: a point and a polygon on which `ray_counting_distance` is wrong."""
+
+    name = "exposing_case"
+    lesson = "01_geometry"
+    kinds = ("valid", "exposes", "smallest")
+    given = Record()
+    answer = Together((POINT, POLYGON))
+
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """The same question three times: each asks more of the answer."""
+        return (Case(kind, {}) for kind in self.kinds)
+
+    def value_verdict(self, case: Case, value: Any) -> Verdict:
+        """A simple polygon; on which the program is wrong; with three vertices."""
+        q, polygon = value
+        try:
+            wrong = abs(ray_counting_distance(q, polygon) - point_polygon_distance(q, polygon)) > 1e-6
+        except (InvalidPolygon, InvalidPoint) as error:
+            return Verdict(0.0, "valid", str(error))
+        if case.kind != "valid" and not wrong:
+            return Verdict(0.0, "exposes", self.wanted(case))
+        if case.kind == "smallest" and len(polygon) > 3:
+            return Verdict(0.0, "smallest", self.wanted(case))
+        return RIGHT
+
+    def wanted(self, case: Case) -> str:
+        """What is asked for."""
+        return say(f"exposing_case.wanted.{case.kind}")
+
+    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+        """The polygon, the point and what its ray crosses."""
+        draw_crossings(outcome.value if isinstance(outcome, Answer) else None, ax)
+
+
+def ray_counting_distance(q: Array, polygon: Array) -> float:
+    """The distance from q to a polygon, 0 inside: a ray from the inside to the right crosses the boundary an odd number of times.
+
+    It is wrong somewhere. Where?
+    """
+    crossings, distance = 0, np.inf
+    for a, b in zip(polygon, np.roll(polygon, -1, axis=0)):
+        distance = min(distance, point_segment_distance(q, a, b))
+        if a[1] != b[1] and min(a[1], b[1]) <= q[1] <= max(a[1], b[1]):
+            x = a[0] + (q[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0])
+            crossings += x > q[0]
+    return 0.0 if crossings % 2 == 1 else distance
+
+
+def kind_of(q: Array, polygon: Array) -> str:
+    """Where q is: inside, on the boundary, or outside and nearest to an edge, the last edge, or a vertex."""
+    where = place(q[0], q[1], polygon)
+    if where >= 0:
+        return "inside" if where else "boundary"
+    edge, _, _, region = nearest_on_ring(q[0], q[1], polygon)
+    if region != 0:
+        return "vertex"
+    return "closing" if edge == len(polygon) - 1 else "edge"
+
+
+def query(rng: np.random.Generator, polygon: Array, kind: str) -> Array:
+    """A random point of a kind, with one nearest boundary point that is clearly the nearest."""
+    lo, hi = polygon.min(axis=0), polygon.max(axis=0)
+    while True:
+        if kind == "boundary":
+            return polygon[rng.integers(len(polygon))].copy()
+        side = polygon[-1] - polygon[0]
+        beside = polygon[0] + rng.uniform(0.1, 0.9) * side + rng.uniform(0.05, 1.0) * turned(side)
+        anywhere = (lo + hi) / 2 + rng.uniform(-1.0, 1.0, 2) * (hi - lo)
+        q = np.round(beside if kind == "closing" else anywhere, 2) + 0.0
+        if kind_of(q, polygon) == kind and not is_tied(q, polygon):
+            return q
+
+
+def is_tied(q: Array, polygon: Array) -> bool:
+    """Whether two places of the boundary are nearly equally near to q, or q lies nearly on it."""
+    feet = nearest_on_edges(q, polygon)
+    far = np.sqrt(((feet - q) * (feet - q)).sum(axis=1))
+    near = far.argmin()
+    apart = np.abs(feet - feet[near]).max(axis=1)
+    return bool(far[near] < 0.01 or ((far < 1.01 * far[near]) & (apart > 1e-9)).any())
+
+
+def nearest_on_edges(q: Array, polygon: Array) -> Array:
+    """The point of each edge nearest to q, shape (n, 2)."""
+    ends = zip(polygon, np.roll(polygon, -1, axis=0))
+    return np.array([closest_on_segment(q[0], q[1], a[0], a[1], b[0], b[1])[:2] for a, b in ends])
+
+
+def edge_distances(q: Array, polygon: Array) -> Array:
+    """The distance of q to each edge, the closing one last; shape (n,)."""
+    return np.linalg.norm(nearest_on_edges(q, polygon) - q, axis=1)
+
+
+def line_distances(q: Array, polygon: Array) -> Array:
+    """The distance of q to the line through each edge; shape (n,)."""
+    sides = np.roll(polygon, -1, axis=0) - polygon
+    return np.abs(sides[:, 0] * (q - polygon)[:, 1] - sides[:, 1] * (q - polygon)[:, 0]) / np.linalg.norm(sides, axis=1)
+
+
+def edge_direction(q: Array, polygon: Array, step: int) -> Array:
+    """The direction of an edge at the nearest vertex: the one that leaves it (0) or enters it (-1)."""
+    edge, _, _, region = nearest_on_ring(q[0], q[1], polygon)
+    start = edge if region == 0 else ((edge + (region == 2)) % len(polygon) + step) % len(polygon)
+    side = polygon[(start + 1) % len(polygon)] - polygon[start]
+    return side / np.linalg.norm(side)
+
+
+def unscaled_tangent(q: Array, polygon: Array) -> Array:
+    """The right direction, as long as the edge or as q is far from the vertex."""
+    edge, x, y, region = nearest_on_ring(q[0], q[1], polygon)
+    if region != 0:
+        return np.array([y - q[1], q[0] - x])
+    return polygon[(edge + 1) % len(polygon)] - polygon[edge]
+
+
+def open_tangent(q: Array, polygon: Array) -> Array:
+    """The tangent to the polygon without the edge that closes it."""
+    feet = nearest_on_edges(q, polygon)[:-1]
+    near = int(np.linalg.norm(feet - q, axis=1).argmin())
+    side = polygon[near + 1] - polygon[near]
+    at_end = bool(np.abs(feet[near] - polygon[near]).max() < 1e-12 or np.abs(feet[near] - polygon[near + 1]).max() < 1e-12)
+    vector = turned(q - feet[near]) if at_end else side
+    return vector / np.linalg.norm(vector)

@@ -1,0 +1,93 @@
+"""From a program's outcomes to one report: what holds, the smallest case that fails, and what was probably misunderstood.
+
+The cases are judged where the truth is; the outcomes may come from this process, from a sandbox, or from a file.
+"""
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from .exercise import Case, Exercise, ValueExercise, Verdict
+from .outcomes import Answer, Late, Outcome, Raised, outcome_of
+
+
+@dataclass(frozen=True)
+class Failure:
+    """One case that failed: what came, what the judge said, and the misconception that answers just so, or ""."""
+
+    case: Case
+    outcome: Outcome
+    verdict: Verdict
+    slip: str = ""
+
+
+@dataclass(frozen=True)
+class Report:
+    """What a program is worth.
+
+    survived : the cases that were right, for each kind. failed : the kinds with a case that was wrong or that was not reached.
+    failure : the smallest case that failed, or None. unanswered : nothing was written yet.
+    """
+
+    exercise: Exercise
+    survived: dict[str, int] = field(default_factory=dict)
+    failed: tuple[str, ...] = ()
+    failure: Failure | None = None
+    unanswered: bool = False
+
+    @property
+    def is_right(self) -> bool:
+        """Whether every kind of input is answered right."""
+        return not self.failed
+
+    @property
+    def score(self) -> float:
+        """The share of the kinds of input that are answered right, 0 to 1."""
+        return 1.0 - len(self.failed) / len(self.exercise.kinds)
+
+
+def attempt(exercise: Exercise, function: Callable[..., Any], case: Case) -> Outcome:
+    """Call a student's function on a copy of a case. This is all that ever runs student code."""
+    given = exercise.given.decode(exercise.given.encode(case.given))
+    return outcome_of(lambda: exercise.call(function, given), exercise.answer, exercise.seconds)
+
+
+def report_on(exercise: Exercise, cases: Iterable[Case], outcomes: Iterable[Outcome]) -> Report:
+    """Judge outcomes in the order of their cases. Asks for no more after one that came too late or was not written yet."""
+    right = dict.fromkeys(exercise.kinds, 0)
+    failures: list[Failure] = []
+    for case, outcome in zip(cases, outcomes, strict=False):
+        verdict = exercise.judge(case, outcome)
+        if verdict.is_right:
+            right[case.kind] += 1
+        else:
+            failures.append(Failure(case, outcome, verdict))
+        if isinstance(outcome, Late) or is_unanswered(outcome):
+            break
+    broken = {failure.case.kind for failure in failures}
+    failed = tuple(kind for kind in exercise.kinds if kind in broken or not right[kind])
+    if not failures:
+        return Report(exercise, right, failed)
+    first = failures[0]
+    alike = [failure for failure in failures if failure.case.kind == first.case.kind]
+    slip = next((slip.key for slip in exercise.slips if all(explains(exercise, slip.answer, one) for one in alike)), "")
+    failure = Failure(first.case, first.outcome, first.verdict, slip)
+    return Report(exercise, right, failed, failure, is_unanswered(first.outcome))
+
+
+def is_unanswered(outcome: Outcome) -> bool:
+    """Whether a student has not written the function yet."""
+    return isinstance(outcome, Raised) and outcome.is_unanswered
+
+
+def explains(exercise: Exercise, mistaken: Callable[..., Any], failure: Failure) -> bool:
+    """Whether a misconception gives the very answer that a student's program gave."""
+    if not isinstance(exercise, ValueExercise) or not isinstance(failure.outcome, Answer):
+        return False
+    with np.errstate(all="ignore"):
+        try:
+            return exercise.same(failure.outcome.value, mistaken(*failure.case.given.values()))
+        except (ValueError, ZeroDivisionError):
+            return False
