@@ -6,7 +6,7 @@ from typing import Any
 
 from ..words import has_words, say
 from .exercise import Exercise, spoken
-from .judging import Failure, Report
+from .judging import Judged, Report
 from .outcomes import Answer, Misshapen, Outcome, Raised
 
 RULE, CASE, PICTURE, ALL = 1, 2, 3, 4  # the stages: each shows what those before it show, and more
@@ -79,7 +79,7 @@ def told_right(report: Report) -> list[tuple[str, str]]:
     return lines
 
 
-def told_case(exercise: Exercise, failure: Failure) -> list[tuple[str, str]]:
+def told_case(exercise: Exercise, failure: Judged) -> list[tuple[str, str]]:
     """The call that failed, what came of it, and what should have."""
     given = ", ".join(f"{name}={spoken(value)}" for name, value in failure.case.given.items())
     lines = [(say("check.call"), f"{exercise.name}({given})")]
@@ -100,12 +100,12 @@ def outcome_words(exercise: Exercise, outcome: Outcome) -> str:
     return say("check.still_running" if outcome.left_running else "check.late", seconds=exercise.seconds)
 
 
-def rule_words(exercise: Exercise, failure: Failure) -> str:
+def rule_words(exercise: Exercise, failure: Judged) -> str:
     """The rule that was broken."""
     return exercise.words(f"rules.{failure.verdict.rule}")
 
 
-def hint_words(exercise: Exercise, failure: Failure) -> str:
+def hint_words(exercise: Exercise, failure: Judged) -> str:
     """The hint of the misconception that was recognised, else that of the rule."""
     key = f"slips.{failure.slip}" if failure.slip else f"hints.{failure.verdict.rule}"
     if not has_words(f"{exercise.name}.{key}") and not has_words(f"exercise.{key}"):
@@ -124,7 +124,7 @@ def stage_of(report: Report) -> int:
     return min(len(tries), ALL)
 
 
-def picture_of(exercise: Exercise, failure: Failure) -> bytes:
+def picture_of(exercise: Exercise, failure: Judged) -> bytes:
     """The failing case, drawn by the exercise; a PNG."""
     from ..figures.plane import plane_figure
 

@@ -4,7 +4,7 @@ The cases are judged where the truth is; the outcomes may come from this process
 """
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -14,8 +14,8 @@ from .outcomes import Answer, Late, Outcome, Raised, outcome_of
 
 
 @dataclass(frozen=True)
-class Failure:
-    """One case that failed: what came, what the judge said, and the misconception that answers just so, or ""."""
+class Judged:
+    """One case, what came, what the judge said; and where that is wrong the misconception that answers just so, or ""."""
 
     case: Case
     outcome: Outcome
@@ -34,7 +34,7 @@ class Report:
     exercise: Exercise
     survived: dict[str, int] = field(default_factory=dict)
     failed: tuple[str, ...] = ()
-    failure: Failure | None = None
+    failure: Judged | None = None
     unanswered: bool = False
 
     @property
@@ -57,24 +57,29 @@ def attempt(exercise: Exercise, function: Callable[..., Any], case: Case) -> Out
 def report_on(exercise: Exercise, cases: Iterable[Case], outcomes: Iterable[Outcome]) -> Report:
     """Judge outcomes in the order of their cases. Asks for no more after one that came too late or was not written yet."""
     right = dict.fromkeys(exercise.kinds, 0)
-    failures: list[Failure] = []
+    seen: list[Judged] = []
     for case, outcome in zip(cases, outcomes, strict=False):
         verdict = exercise.judge(case, outcome)
-        if verdict.is_right:
-            right[case.kind] += 1
-        else:
-            failures.append(Failure(case, outcome, verdict))
+        seen.append(Judged(case, outcome, verdict))
+        right[case.kind] += verdict.is_right
         if isinstance(outcome, Late) or is_unanswered(outcome):
             break
+    failures = [one for one in seen if not one.verdict.is_right]
     broken = {failure.case.kind for failure in failures}
     failed = tuple(kind for kind in exercise.kinds if kind in broken or not right[kind])
     if not failures:
         return Report(exercise, right, failed)
-    first = failures[0]
-    alike = [failure for failure in failures if failure.case.kind == first.case.kind]
-    slip = next((slip.key for slip in exercise.slips if all(explains(exercise, slip.answer, one) for one in alike)), "")
-    failure = Failure(first.case, first.outcome, first.verdict, slip)
-    return Report(exercise, right, failed, failure, is_unanswered(first.outcome))
+    first = replace(failures[0], slip=slip_in(exercise, failures, seen))
+    return Report(exercise, right, failed, first, is_unanswered(first.outcome))
+
+
+def slip_in(exercise: Exercise, failures: list[Judged], seen: list[Judged]) -> str:
+    """The misconception that explains every failure of the first one's kind and, of several such, the most of all that was seen."""
+    alike = [failure for failure in failures if failure.case.kind == failures[0].case.kind]
+    likely = [slip for slip in exercise.slips if all(explains(exercise, slip.answer, one) for one in alike)]
+    if not likely:
+        return ""
+    return max(likely, key=lambda slip: sum(explains(exercise, slip.answer, one) for one in seen)).key
 
 
 def is_unanswered(outcome: Outcome) -> bool:
@@ -82,9 +87,11 @@ def is_unanswered(outcome: Outcome) -> bool:
     return isinstance(outcome, Raised) and outcome.is_unanswered
 
 
-def explains(exercise: Exercise, mistaken: Callable[..., Any], failure: Failure) -> bool:
+def explains(exercise: Exercise, mistaken: Callable[..., Any], failure: Judged) -> bool:
     """Whether a misconception gives the very answer that a student's program gave."""
     if not isinstance(exercise, ValueExercise) or not isinstance(failure.outcome, Answer):
+        return False
+    if isinstance(exercise.truth(failure.case), ValueError):
         return False
     with np.errstate(all="ignore"):
         try:

@@ -23,9 +23,10 @@ def plane_figure() -> tuple[Figure, Axes]:
     return figure, figure.add_subplot()
 
 
-def frame(points: ArrayLike, ax: Axes, *, margin: float = 0.2) -> tuple[float, float]:
-    """Equal axes that show all of the points, shape (n, 2), and some room round them; returns what is shown, in x."""
+def frame(points: ArrayLike, ax: Axes, *, margin: float = 0.2) -> None:
+    """Equal axes that show all finite points, shape (n, 2), and some room round them."""
     shown = np.asarray(points, float)
+    shown = shown[np.isfinite(shown).all(axis=1)]
     lo, hi = shown.min(axis=0), shown.max(axis=0)
     middle, reach = (lo + hi) / 2, (hi - lo) / 2 * (1.0 + 2.0 * margin)
     height = max(reach[1], reach[0] / SHAPE) or 1.0
@@ -37,7 +38,6 @@ def frame(points: ArrayLike, ax: Axes, *, margin: float = 0.2) -> tuple[float, f
     ax.set_ylabel("y", fontsize=palette.TEXT_SIZE, rotation=0, labelpad=12)
     ax.tick_params(labelsize=palette.TEXT_SIZE - 1)
     ax.grid(color="#E5E7EB", linewidth=0.8, zorder=0)
-    return float(middle[0] - reach[0]), float(middle[0] + reach[0])
 
 
 def title(words: str, ax: Axes) -> Artist:

@@ -1,0 +1,304 @@
+"""The exercise contract: what check() says of right and of wrong answers, and that cases and answers survive the journey."""
+
+import contextlib
+import json
+import re
+import tomllib
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from kinoedu import geometry, words
+from kinoedu.course import EXERCISES, check
+from kinoedu.course.bank import read_bank
+from kinoedu.course.feedback import picture_of, rule_words
+from kinoedu.course.judging import attempt, report_on
+from kinoedu.course.outcomes import Answer, Late, Misshapen, Raised, decode_outcome, encode_outcome
+
+HOUSE = Path(__file__).resolve().parent.parent
+BANK = [item for file in sorted((HOUSE / "solutions" / "bank").glob("*.py")) for item in read_bank(file)]
+
+
+@pytest.fixture(autouse=True)
+def short_time(monkeypatch):
+    """Programs that never end are given up soon, once what they may call is compiled."""
+    polygon = [(0, 0), (4, 0), (0, 3)]
+    geometry.point_in_polygon((1, 1), polygon)
+    for exercise in EXERCISES.values():
+        if exercise.source is not None:
+            exercise.truth(next(exercise.cases(np.random.default_rng(0))))
+        monkeypatch.setattr(type(exercise), "seconds", 1.0)
+
+
+def judged(exercise, function, seed=0):
+    """The report on a function."""
+    cases = list(exercise.cases(np.random.default_rng(seed)))
+    return report_on(exercise, cases, (attempt(exercise, function, case) for case in cases))
+
+
+@pytest.mark.parametrize("item", BANK, ids=lambda item: f"{item.exercise}-{item.function.__name__}")
+def test_a_wrong_answer_is_rejected_with_its_reason(item):
+    """Every program of the bank fails, the misconception is recognised where it has a name, and its case is drawn."""
+    exercise = EXERCISES[item.exercise]
+    report = judged(exercise, item.function)
+    assert not report.is_right
+    assert report.score < 1.0
+    assert report.failure.slip == item.slip
+    assert rule_words(exercise, report.failure)
+    assert picture_of(exercise, report.failure).startswith(b"\x89PNG")
+
+
+@pytest.mark.parametrize("exercise", EXERCISES.values(), ids=list(EXERCISES))
+def test_every_exercise_has_a_bank(exercise):
+    """At least six wrong answers, and a wrong answer for every slip that is named."""
+    mine = [item for item in BANK if item.exercise == exercise.name]
+    assert len(mine) >= 6
+    assert {slip.key for slip in exercise.slips} <= {item.slip for item in mine}
+
+
+@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize("exercise", [e for e in EXERCISES.values() if e.source], ids=lambda e: e.name)
+def test_the_reference_is_accepted_and_every_kind_is_asked(exercise, seed):
+    """The library's own function survives, whatever the seed, and every kind of input has many cases."""
+    report = judged(exercise, exercise.source, seed)
+    assert report.is_right, report.failure
+    assert report.score == 1.0
+    assert min(report.survived.values()) >= 10
+
+
+@pytest.mark.parametrize("exercise", EXERCISES.values(), ids=list(EXERCISES))
+def test_cases_are_the_same_for_the_same_seed_and_others_for_another(exercise):
+    """Cases depend on the seed alone."""
+    first, again, other = (
+        [json.dumps([case.kind, exercise.given.encode(case.given)]) for case in exercise.cases(np.random.default_rng(seed))]
+        for seed in (1, 1, 2)
+    )
+    assert first == again
+    assert first != other or not exercise.given.fields
+
+
+@pytest.mark.parametrize("item", BANK, ids=lambda item: f"{item.exercise}-{item.function.__name__}")
+def test_the_journey_changes_no_verdict(item):
+    """Cases and outcomes sent as JSON, as a grader sends them, are judged as they are here."""
+    exercise = EXERCISES[item.exercise]
+    for case in list(exercise.cases(np.random.default_rng(5)))[:12]:
+        sent = case._replace(
+            given=exercise.given.decode(json.loads(json.dumps(exercise.given.encode(case.given), allow_nan=False)))
+        )
+        outcome = attempt(exercise, item.function, sent)
+        text = json.dumps(encode_outcome(outcome, exercise.answer), allow_nan=False)
+        arrived = decode_outcome(json.loads(text), exercise.answer)
+        assert exercise.judge(sent, arrived) == exercise.judge(case, outcome)
+        if isinstance(outcome, Late):
+            break
+
+
+ALSO_RIGHT = {
+    "line_through_points": [
+        lambda p1, p2: -np.array(EXERCISES["line_through_points"].source(p1, p2)),
+        lambda p1, p2: list(EXERCISES["line_through_points"].source(p2, p1)),
+    ],
+    "point_segment_distance": [lambda *given: np.array(EXERCISES["point_segment_distance"].source(*given))],
+    "polygon_tangent": [lambda *given: list(map(np.float32, EXERCISES["polygon_tangent"].source(*given)))],
+    "exposing_case": [lambda: (np.array([1, 2]), np.array([(4, 2), (0, 4), (0, 0)])), lambda: ([1, 2], [[0, 4], [4, 2], [0, 0]])],
+}
+
+
+@pytest.mark.parametrize(("name", "number"), [(name, i) for name, programs in ALSO_RIGHT.items() for i in range(len(programs))])
+def test_other_right_answers_are_accepted(name, number):
+    """A line of either sign, tuples, lists, numpy's numbers, either orientation."""
+    assert judged(EXERCISES[name], ALSO_RIGHT[name][number]).is_right
+
+
+def test_what_a_student_reads():
+    """The call, both values, the rule, the hint and the section; then what it survived."""
+
+    def point_segment_distance(q, p1, p2):
+        return EXERCISES["point_line_distance"].source(q, p1, p2) if (p1 != p2).any() else 0.0
+
+    said = repr(check(point_segment_distance))
+    assert "point_segment_distance(q=(7, 4), p1=(0, 0), p2=(4, 0))" in said
+    assert "yours gives: 4" in said
+    assert "it should be: 5" in said
+    assert "You measure to the whole line" in said
+    assert "section 3" in said
+    right = repr(check(EXERCISES["point_segment_distance"].source))
+    assert "right, for all" in right
+    assert "To wonder about" in right
+
+
+def test_an_error_shows_the_students_line_and_nothing_of_ours():
+    """The student's own line, the error and its message; no line of the library."""
+
+    def point_line_distance(q, p1, p2):
+        return helper(q)
+
+    def helper(q):
+        return np.linalg.norm(q) / [][0]
+
+    said = repr(check(point_line_distance))
+    assert "IndexError: list index out of range" in said
+    assert "return np.linalg.norm(q) / [][0]" in said
+    assert "return helper(q)" in said
+    assert "within" not in said.split("in your lines")[1].split("Hint")[0]
+
+
+def test_unanswered_is_said_and_not_counted_as_wrong():
+    """NotImplementedError means that nobody has written it yet: no picture, no rule."""
+
+    def polygon_tangent(q, polygon):
+        raise NotImplementedError
+
+    told = check(polygon_tangent)
+    assert "not answered yet" in repr(told)
+    assert told.picture() is None
+    assert told.report.score == 0.0
+
+
+def test_a_hang_ends_with_a_message():
+    """An endless loop, also one that catches everything, ends check()."""
+
+    def polygon_tangent(q, polygon):
+        while True:
+            pass
+
+    def deaf(q, polygon):
+        while True:
+            with contextlib.suppress(BaseException):
+                sum(range(10))
+
+    assert "it was stopped" in repr(check(polygon_tangent))
+    assert "nothing within" in repr(check(deaf, "polygon_tangent"))
+
+
+def test_feedback_can_be_staged(monkeypatch):
+    """First the rule, then the case, then the picture, then the hint; the same failure again earns nothing."""
+    from kinoedu.course import feedback
+
+    monkeypatch.setattr(feedback, "TRIES", {})
+
+    def tell(value):
+        def point_segment_distance(q, p1, p2):
+            return value
+
+        return check(point_segment_distance, staged=True)
+
+    first = tell(1.0)
+    assert "The rule" in repr(first)
+    assert "smallest case" not in repr(first)
+    assert "smallest case" not in repr(tell(1.0))
+    second = tell(3.0)
+    assert "smallest case" in repr(second)
+    assert second.picture() is None
+    third = tell(4.0)
+    assert third.picture() is not None
+    assert "Hint" not in repr(third)
+    assert "Hint" in repr(tell(5.0))
+
+
+def test_a_program_that_changes_its_input_changes_nothing_else():
+    """Each call gets its own copy."""
+
+    def point_polygon_distance(q, polygon):
+        answer = EXERCISES["point_polygon_distance"].source(q, polygon)
+        polygon[:] = 0.0
+        q[:] = np.nan
+        return answer
+
+    assert check(point_polygon_distance).report.is_right
+
+
+class AlwaysEqual:
+    """An answer that calls itself right."""
+
+    def __eq__(self, other):
+        return True
+
+    def __array__(self, *_, **__):
+        raise SystemExit
+
+
+@pytest.mark.parametrize(
+    "value",
+    [
+        AlwaysEqual(),
+        None,
+        "5",
+        True,
+        [1, 2, 3],
+        float("nan"),
+        float("inf"),
+        1e400,
+        10**400,
+        1j,
+        {"a": 1},
+        np.array([[5.0]]),
+        [[[]]],
+        object,
+    ],
+    ids=lambda value: type(value).__name__ + str(value)[:8].strip("<"),
+)
+def test_strange_answers_are_wrong_answers(value):
+    """Whatever a program returns, check() says what was expected and goes on."""
+
+    def point_line_distance(q, p1, p2):
+        return value
+
+    told = check(point_line_distance)
+    assert not told.report.is_right
+    assert "it should be" in repr(told)
+    assert "<script" not in told._repr_html_()
+
+
+def test_what_a_program_says_is_escaped():
+    """Words of a student's program cannot become markup."""
+
+    def point_line_distance(q, p1, p2):
+        raise RuntimeError("<script>alert(1)</script>\ud800")
+
+    assert "<script>" not in check(point_line_distance)._repr_html_()
+
+
+def test_every_word_is_there_and_used():
+    """Each exercise has words for all its kinds, rules, hints, slips and pictures; the catalogue has no words that nothing says."""
+    table = tomllib.loads((HOUSE / "kinoedu" / "words" / "en.toml").read_text(encoding="utf-8"))
+    for exercise in EXERCISES.values():
+        mine = table[exercise.name]
+        assert set(mine["kinds"]) == set(exercise.kinds)
+        assert set(mine.get("slips", {})) == {slip.key for slip in exercise.slips}
+        assert set(mine["rules"]) == set(mine["hints"])
+        assert mine["section"]
+        assert mine["wonder"]
+    sources = "".join(p.read_text(encoding="utf-8") for p in (HOUSE / "kinoedu").rglob("*.[pj][ys]"))
+    for name, rows in table.items():
+        if name not in EXERCISES and name != "exercise":
+            for key, text in rows.items():
+                assert not isinstance(text, str) or re.search(rf'"{name}\.{key}|"{name}\.", ?"{key}"|{name}_{key}', sources), (
+                    f"{name}.{key}"
+                )
+
+
+def test_a_translation_replaces_words_and_falls_back(monkeypatch, tmp_path):
+    """KINOEDU_LANGUAGE reads another catalogue first."""
+    (tmp_path / "xx.toml").write_text('[check]\nhint = "Wink"\n')
+    (tmp_path / "en.toml").write_text((HOUSE / "kinoedu" / "words" / "en.toml").read_text(encoding="utf-8"))
+    monkeypatch.setattr(words, "HERE", tmp_path)
+    monkeypatch.setenv("KINOEDU_LANGUAGE", "xx")
+    words.catalogue.cache_clear()
+    try:
+        assert words.say("check.hint") == "Wink"
+        assert words.say("check.rule") == "The rule"
+    finally:
+        words.catalogue.cache_clear()
+
+
+def test_outcomes_that_are_none_are_refused():
+    """Data that no call can have produced is not taken for an outcome."""
+    from kinoedu.course.shapes import Number, WrongShape
+
+    for data in (None, [], {}, {"kind": "Answer"}, {"kind": "Answer", "value": "5"}, {"kind": "Late"}, {"kind": "x"}):
+        with pytest.raises(WrongShape):
+            decode_outcome(data, Number())
+    for outcome in (Answer(float("nan")), Misshapen("m"), Raised(["ValueError"], "m", ["line 1: x"]), Late(False)):
+        assert repr(decode_outcome(json.loads(json.dumps(encode_outcome(outcome, Number()))), Number())) == repr(outcome)
