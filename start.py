@@ -25,8 +25,9 @@ VENV = os.path.join(HERE, ".venv")
 LOG = os.path.join(VENV, "install.log")
 STAMP = os.path.join(VENV, "installed.json")
 PYTHON = os.path.join(VENV, *(["Scripts", "python.exe"] if os.name == "nt" else ["bin", "python"]))
-COURSE, TESTS = "environment.txt", "tests/environment.txt"
-MEGABYTES = {COURSE: 700, TESTS: 300}
+COURSE, TEACHING, TESTS = "environment.txt", "solutions/environment.txt", "tests/environment.txt"
+MEGABYTES = {COURSE: 700, TEACHING: 100, TESTS: 300}
+TEACHING_COMMANDS = ["release"]
 PIP_OPTIONS = ["--no-deps", "--only-binary", ":all:", "-r"]
 
 # Variables that would lead .venv to the packages of the environment this file was called from.
@@ -77,10 +78,10 @@ def require_python(version):
 def start(arguments):
     """Set up what the command needs, and become that command."""
     if arguments[:1] == ["test"]:
-        set_up([COURSE, TESTS])
+        set_up([COURSE, TEACHING, TESTS])
         os.chdir(HERE)
         return become(["-m", "pytest", "--rootdir", HERE] + arguments[1:])
-    set_up([COURSE])
+    set_up([COURSE, TEACHING] if arguments[:1] and arguments[0] in TEACHING_COMMANDS else [COURSE])
     if not arguments:
         subprocess.call([PYTHON, "-P", "-m", "kinoedu", "warm"], env=environment())
     return become(["-m", "kinoedu"] + (arguments or ["lab"]))
@@ -130,6 +131,8 @@ def missing(pins):
 
 
 def digest(name):
+    if not os.path.exists(os.path.join(HERE, name)):
+        raise Stop("this copy of the course is for students: %s is not in it, nor what needs it" % name)
     with open(os.path.join(HERE, name), "rb") as file:
         return hashlib.sha256(file.read()).hexdigest()
 

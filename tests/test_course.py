@@ -295,7 +295,8 @@ def test_a_translation_replaces_words_and_falls_back(monkeypatch, tmp_path):
 
 def test_outcomes_that_are_none_are_refused():
     """Data that no call can have produced is not taken for an outcome."""
-    from kinoedu.course.shapes import Number, WrongShape
+    from kinoedu.course.plain import WrongShape
+    from kinoedu.course.shapes import Number
 
     for data in (None, [], {}, {"kind": "Answer"}, {"kind": "Answer", "value": "5"}, {"kind": "Late"}, {"kind": "x"}):
         with pytest.raises(WrongShape):

@@ -53,13 +53,13 @@ def test_rooms_are_small(source):
 
 @pytest.mark.parametrize("source", SOURCES, ids=lambda p: p.relative_to(HOUSE).as_posix())
 def test_only_the_command_line_prints(source):
-    """print stands in cli.py, lab.py and progress.py alone."""
+    """print stands in cli, lab.py and progress.py alone."""
     calls = [
         node.func.id
         for node in ast.walk(ast.parse(source.read_text(encoding="utf-8")))
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Name)
     ]
-    assert "print" not in calls or source.name in ("cli.py", "lab.py", "progress.py")
+    assert "print" not in calls or source.parent.name == "cli" or source.name in ("lab.py", "progress.py")
 
 
 @pytest.mark.parametrize("notebook", NOTEBOOKS, ids=lambda p: p.relative_to(HOUSE).as_posix())
@@ -72,7 +72,8 @@ def test_notebook_is_stored_clean(notebook):
     assert not any(output["output_type"] == "error" for cell in code for output in cell["outputs"])
     assert set(book["metadata"]) <= {"kernelspec", "language_info"}
     assert not any("execution" in cell["metadata"] for cell in code)
-    assert max(len("".join(cell["source"]).splitlines()) for cell in code) <= 10
+    longest = 10 if notebook.parent.name == "notebooks" else 25  # an exercise is 5 to 25 lines to write
+    assert max(len("".join(cell["source"]).splitlines()) for cell in code) <= longest
     assert len(text) < 800_000
 
 

@@ -57,6 +57,7 @@ class Course:
         self.venv = self.home / ".venv"
         for name, text in {
             "environment.txt": "# nothing\n",
+            "solutions/environment.txt": "# nothing\n",
             "tests/environment.txt": "# nothing\n",
             "kinoedu/__init__.py": "",
             "kinoedu/__main__.py": STUB,
@@ -192,7 +193,17 @@ def test_tests_run_at_the_root_with_their_own_tools(course, tmp_path):
     assert os.path.samefile(ended.seen[0]["folder"], course.home)
     course.run("test")
     course.run("plan")
-    assert course.calls() == ["environment.txt", "tests/environment.txt"]
+    assert course.calls() == ["environment.txt", "solutions/environment.txt", "tests/environment.txt"]
+
+
+def test_an_instructors_command_brings_its_tools(course):
+    """Releasing needs what a student does not; a student's copy says that it is one."""
+    course.run("plan")
+    course.run("release")
+    assert course.calls() == ["environment.txt", "solutions/environment.txt"]
+    (course.home / "solutions" / "environment.txt").unlink()
+    ended = course.run("release")
+    assert ended.status == 2 and "for students" in ended.complaints and "Traceback" not in ended.complaints
 
 
 def test_the_callers_environment_does_not_leak_in(course, tmp_path):
@@ -257,7 +268,7 @@ def test_an_interrupt_while_downloading_is_quiet_and_costs_nothing(course):
     process.send_signal(signal.SIGINT)
     ended = Ended(process)
     assert ended.status == 130 and "Traceback" not in ended.complaints
-    assert course.run("plan").status == 0 and course.calls() == ["tests/environment.txt"]
+    assert course.run("plan").status == 0 and course.calls() == ["solutions/environment.txt"]
 
 
 def test_two_at_once_install_once(course):
@@ -396,7 +407,7 @@ def pins(name: str, machine: dict[str, str]) -> dict[str, str]:
     return found
 
 
-@pytest.mark.parametrize("name", ["environment.txt", "tests/environment.txt"])
+@pytest.mark.parametrize("name", ["environment.txt", "solutions/environment.txt", "tests/environment.txt"])
 def test_every_line_is_an_exact_pin_from_the_index_of_the_user(name):
     for pin in requirements(name):
         assert re.fullmatch(r"==[^*,]+", str(pin.specifier)) and pin.url is None, pin
@@ -404,11 +415,13 @@ def test_every_line_is_an_exact_pin_from_the_index_of_the_user(name):
 
 @pytest.mark.parametrize("machine", MACHINES, ids=lambda m: f"{m['sys_platform']}-{m['python_version']}")
 def test_pins_satisfy_pyproject_on_every_platform(machine):
-    """What a student installs has every dependency; the tests' file adds their extra and contradicts nothing."""
+    """What a student installs has every dependency; the other files add their extras and contradict nothing."""
     project = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
     course, tests = pins("environment.txt", machine), pins("tests/environment.txt", machine)
+    teaching, extras = pins("solutions/environment.txt", machine), project["optional-dependencies"]
+    assert not course.keys() & teaching.keys() and not (course | teaching).keys() & tests.keys() - course.keys()
     assert all(course[name] == tests[name] for name in course.keys() & tests.keys())
-    for wanted, held in ((project["dependencies"], course), (project["optional-dependencies"]["test"], course | tests)):
+    for wanted, held in ((project["dependencies"], course), (extras["teach"], course | teaching), (extras["test"], course | tests)):
         for requirement in map(Requirement, wanted):
             if requirement.marker is None or requirement.marker.evaluate(machine):
                 version = held.get(canonicalize_name(requirement.name))

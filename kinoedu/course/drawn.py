@@ -5,7 +5,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..words import say
-from .shapes import Listed, Numbers, Record, Shape, Text, wrong
+from .plain import wrong
+from .shapes import Listed, Numbers, Record, Shape, Text
 
 CURVE: Shape = Record(points=Numbers(("n", 2)), label=Text())
 PLOT = Record(

@@ -12,7 +12,8 @@ from types import TracebackType
 from typing import Any, NamedTuple
 
 from ..time_limit import TimeUp, within
-from .shapes import Listed, Record, Shape, Text, Truth, WrongShape
+from .plain import WrongShape
+from .shapes import Listed, Record, Shape, Text, Truth
 
 HERE = str(Path(__file__).resolve().parent.parent)
 

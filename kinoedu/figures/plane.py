@@ -3,6 +3,7 @@
 from textwrap import fill
 
 import numpy as np
+from matplotlib import pyplot as plt
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -21,6 +22,14 @@ def plane_figure() -> tuple[Figure, Axes]:
     figure = Figure(figsize=(7.0, 5.0), layout="constrained")
     FigureCanvasAgg(figure)
     return figure, figure.add_subplot()
+
+
+def axes(points: ArrayLike, words: str) -> Axes:
+    """New axes in the notebook that show all of the points, shape (n, 2), under a title that says what to see."""
+    _, ax = plt.subplots(figsize=(7.0, 5.0), dpi=72, layout="constrained")
+    frame(points, ax, margin=0.3)
+    title(words, ax)
+    return ax
 
 
 def frame(points: ArrayLike, ax: Axes, *, margin: float = 0.2) -> None:

@@ -1,20 +1,15 @@
-"""The command line: kinoedu plan | lab | warm."""
+"""kinoedu plan: a path in a scene, a map or a picture."""
 
 import argparse
-import io
-import re
-import sys
 import threading
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from concurrent.futures import Future, wait
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import Any
 
-from .errors import InvalidParameter, KinoeduError
-from .progress import stage
-
-DESCRIPTION = "kinoedu: a motion-planning course you can run."
+from ..errors import InvalidParameter
+from ..progress import stage
 
 PLAN_HELP = """\
 Plan a path in a scene, a map or a picture, and draw it.
@@ -38,38 +33,8 @@ exit status: 0 a path was found, 1 there is none (with the reason), 2 the input 
 """
 
 
-def main(argv: Sequence[str] | None = None) -> int:
-    """Run one command; returns the exit status."""
-    arguments = parser().parse_args(argv)
-    if isinstance(sys.stdout, io.TextIOWrapper):
-        sys.stdout.reconfigure(errors="backslashreplace")  # a name that the terminal cannot show is no reason to fail
-    try:
-        return int(arguments.run(arguments))
-    except (KinoeduError, OSError) as error:
-        print(f"kinoedu: {' '.join(str(error).split())}", file=sys.stderr)
-    except MemoryError:
-        print("kinoedu: this computer's memory is not enough for that; ask for fewer nodes or a coarser grid", file=sys.stderr)
-    except KeyboardInterrupt:
-        return 130
-    return 2
-
-
-class Parser(argparse.ArgumentParser):
-    """An argument parser whose complaint is one line, and for which -9,-9 is a value."""
-
-    def __init__(self, *args: Any, **options: Any) -> None:
-        super().__init__(*args, **options)
-        self._negative_number_matcher = re.compile(r"^-[\d.]+(e[-+]?\d+)?(,-?[\d.]+(e[-+]?\d+)?)*$")
-
-    def error(self, message: str) -> NoReturn:
-        """Say what is wrong and where help is."""
-        self.exit(2, f"{self.prog}: {message}; see {self.prog} --help\n")
-
-
-def parser() -> argparse.ArgumentParser:
-    """All commands and their options."""
-    top = Parser(prog="kinoedu", description=DESCRIPTION)
-    commands = top.add_subparsers(title="commands", required=True, metavar="COMMAND")
+def add_plan(commands: Any) -> None:
+    """The command and its options."""
     plan = commands.add_parser(
         "plan",
         help="plan a path in a scene, a map or a picture, and draw it",
@@ -79,12 +44,6 @@ def parser() -> argparse.ArgumentParser:
     )
     add_plan_options(plan)
     plan.set_defaults(run=run_plan)
-    lab = commands.add_parser("lab", help="open the course in JupyterLab", description="Open the course in JupyterLab.")
-    lab.add_argument("--no-browser", action="store_true", help="print the address instead of opening a browser")
-    lab.set_defaults(run=run_lab)
-    warm = commands.add_parser("warm", help="compile what the course uses, once", description="Compile what the course uses, once.")
-    warm.set_defaults(run=run_warm)
-    return top
 
 
 def add_plan_options(plan: argparse.ArgumentParser) -> None:
@@ -124,8 +83,8 @@ def numbers(text: str) -> list[float]:
 def run_plan(arguments: argparse.Namespace) -> int:
     """Read, plan, draw, and say in one line what came out."""
     check_picture(arguments.out, arguments.scene)
-    from .problems import as_generator  # imported here so that --help is quick
-    from .scenes import read_problem
+    from ..problems import as_generator  # imported here so that --help is quick
+    from ..scenes import read_problem
 
     as_generator(arguments.seed)
     with stage(f"reading {arguments.scene.name}"):
@@ -143,7 +102,7 @@ def run_plan(arguments: argparse.Namespace) -> int:
         seconds = time.perf_counter() - started
     if arguments.out is not None:
         with stage(f"drawing {arguments.out.name}"):
-            from .figures import save_plan
+            from ..figures import save_plan
 
             save_plan(plan, arguments.out)
     counts = ", ".join(f"{count:,} {name}" for name, count in plan.stats.items())
@@ -155,7 +114,7 @@ def run_plan(arguments: argparse.Namespace) -> int:
 
 def robot_for(radius: float | None) -> Any:
     """A disk of the radius given, or nothing said."""
-    from .robots import Disk
+    from ..robots import Disk
 
     return None if radius is None else Disk(radius)
 
@@ -185,7 +144,7 @@ OPTIONS = {
 
 def planned(problem: Any, arguments: argparse.Namespace) -> Any:
     """Ask the planner that was named, with the options that were given; one that it does not have is refused."""
-    from .planners import plan_on_grid, prm, rrt
+    from ..planners import plan_on_grid, prm, rrt
 
     given = {name: getattr(arguments, name) for name in ("step", "nodes", "neighbours", "spacing")}
     given = {name: value for name, value in given.items() if value is not None}
@@ -209,18 +168,3 @@ def check_picture(path: Path | None, scene: Path) -> None:
         raise OSError(f"--out {path}: is a folder or the scene itself; name another file")
     if not path.absolute().parent.is_dir():
         raise OSError(f"--out {path}: there is no folder {path.absolute().parent}")
-
-
-def run_lab(arguments: argparse.Namespace) -> int:
-    """Open the tour in JupyterLab."""
-    from .lab import open_lab
-
-    return open_lab(browser=not arguments.no_browser)
-
-
-def run_warm(_: argparse.Namespace) -> int:
-    """Compile ahead."""
-    from .warm import warm_up
-
-    warm_up()
-    return 0

@@ -1,0 +1,71 @@
+"""The command line: kinoedu plan | lab | warm | release."""
+
+import argparse
+import io
+import re
+import sys
+from collections.abc import Sequence
+from typing import Any, NoReturn
+
+from ..errors import KinoeduError
+from .plan import add_plan
+from .release import add_release
+
+DESCRIPTION = "kinoedu: a motion-planning course you can run."
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run one command; returns the exit status."""
+    arguments = parser().parse_args(argv)
+    if isinstance(sys.stdout, io.TextIOWrapper):
+        sys.stdout.reconfigure(errors="backslashreplace")  # a name that the terminal cannot show is no reason to fail
+    try:
+        return int(arguments.run(arguments))
+    except (KinoeduError, OSError) as error:
+        print(f"kinoedu: {' '.join(str(error).split())}", file=sys.stderr)
+    except MemoryError:
+        print("kinoedu: this computer's memory is not enough for that; ask for fewer nodes or a coarser grid", file=sys.stderr)
+    except KeyboardInterrupt:
+        return 130
+    return 2
+
+
+class Parser(argparse.ArgumentParser):
+    """An argument parser whose complaint is one line, and for which -9,-9 is a value."""
+
+    def __init__(self, *args: Any, **options: Any) -> None:
+        super().__init__(*args, **options)
+        self._negative_number_matcher = re.compile(r"^-[\d.]+(e[-+]?\d+)?(,-?[\d.]+(e[-+]?\d+)?)*$")
+
+    def error(self, message: str) -> NoReturn:
+        """Say what is wrong and where help is."""
+        self.exit(2, f"{self.prog}: {message}; see {self.prog} --help\n")
+
+
+def parser() -> argparse.ArgumentParser:
+    """All commands and their options."""
+    top = Parser(prog="kinoedu", description=DESCRIPTION)
+    commands = top.add_subparsers(title="commands", required=True, metavar="COMMAND")
+    add_plan(commands)
+    lab = commands.add_parser("lab", help="open the course in JupyterLab", description="Open the course in JupyterLab.")
+    lab.add_argument("--no-browser", action="store_true", help="print the address instead of opening a browser")
+    lab.set_defaults(run=run_lab)
+    warm = commands.add_parser("warm", help="compile what the course uses, once", description="Compile what the course uses, once.")
+    warm.set_defaults(run=run_warm)
+    add_release(commands)
+    return top
+
+
+def run_lab(arguments: argparse.Namespace) -> int:
+    """Open the tour in JupyterLab."""
+    from ..lab import open_lab
+
+    return open_lab(browser=not arguments.no_browser)
+
+
+def run_warm(_: argparse.Namespace) -> int:
+    """Compile ahead."""
+    from ..warm import warm_up
+
+    warm_up()
+    return 0

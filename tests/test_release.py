@@ -1,0 +1,104 @@
+"""Exercises are made from solutions, tell no answers, and are what is committed; students get neither solutions nor bank."""
+
+import json
+import shutil
+import zipfile
+from pathlib import Path
+
+import nbformat
+import pytest
+
+from kinoedu.course.release import assignments, pack, release, without_answers
+from kinoedu.errors import InvalidParameter
+
+HOUSE = Path(__file__).resolve().parent.parent
+
+
+def sources(book):
+    """What the cells say and are, without what running them added."""
+    return [(cell["cell_type"], cell["source"], cell["metadata"], cell["id"]) for cell in book["cells"]]
+
+
+@pytest.mark.parametrize("name", assignments())
+def test_the_committed_exercise_is_what_its_solution_makes(name):
+    """Else it was edited by hand, or not released again: python start.py release."""
+    made = without_answers(HOUSE / "solutions" / f"{name}.ipynb")
+    committed = nbformat.read(HOUSE / "exercises" / f"{name}.ipynb", as_version=4)
+    assert sources(committed) == sources(made)
+
+
+@pytest.mark.parametrize("name", assignments())
+def test_an_exercise_tells_no_answer(name):
+    """No line of a solution, no mark of one, and no output that an answered notebook has."""
+    solution = nbformat.read(HOUSE / "solutions" / f"{name}.ipynb", as_version=4)
+    text = (HOUSE / "exercises" / f"{name}.ipynb").read_text(encoding="utf-8")
+    exercise = json.loads(text)
+    assert "BEGIN SOLUTION" not in text
+    assert "right, for all" not in text
+    said = {"".join(cell["source"]) for cell in exercise["cells"]}
+    for cell in solution.cells:
+        if "BEGIN SOLUTION" in cell.source:
+            secret = cell.source.split("### BEGIN SOLUTION")[1].split("### END SOLUTION")[0]
+            for line in filter(None, map(str.strip, secret.splitlines())):
+                assert not any(line in other for other in said), line
+
+
+@pytest.mark.parametrize("name", assignments())
+def test_points_are_the_kinds_of_input(name):
+    """What nbgrader counts for a check is what the judge counts."""
+    from kinoedu.course import EXERCISES
+
+    for cell in nbformat.read(HOUSE / "solutions" / f"{name}.ipynb", as_version=4).cells:
+        mark = cell.metadata.get("nbgrader", {})
+        if mark.get("grade") and cell.cell_type == "code":
+            exercise = EXERCISES[mark["grade_id"].removeprefix("check_")]
+            assert mark["points"] == len(exercise.kinds)
+            assert exercise.lesson == name
+
+
+@pytest.fixture
+def house(tmp_path):
+    """A small house with one assignment."""
+    for room in ("solutions", "exercises"):
+        (tmp_path / room).mkdir()
+    shutil.copy(HOUSE / "solutions" / "01_geometry.ipynb", tmp_path / "solutions")
+    return tmp_path
+
+
+def test_release_runs_every_cell_and_stores_no_times(house):
+    """The same twice; every check says that nothing is answered yet."""
+    first = release("01_geometry", house).read_text(encoding="utf-8")
+    assert release("01_geometry", house).read_text(encoding="utf-8") == first
+    assert first.count("not answered yet") == 2 * 6  # as text and as HTML
+    assert '"execution"' not in first
+    assert "iopub" not in first
+
+
+def test_release_refuses_what_it_cannot_make(house):
+    """An unknown name, an answer without its end, a notebook that fails: nothing is written."""
+    with pytest.raises(InvalidParameter, match="01_geometry"):
+        release("99_nothing", house)
+    file = house / "solutions" / "01_geometry.ipynb"
+    whole = file.read_text(encoding="utf-8")
+    file.write_text(whole.replace("### END SOLUTION", ""), encoding="utf-8")
+    with pytest.raises(InvalidParameter, match="01_geometry"):
+        release("01_geometry", house)
+    file.write_text(whole.replace("check(line_through_points)", "check(no_such_function)"), encoding="utf-8")
+    with pytest.raises(InvalidParameter, match="no_such_function"):
+        release("01_geometry", house)
+    assert not list((house / "exercises").iterdir())
+
+
+def test_the_students_zip_holds_no_secret(tmp_path):
+    """Lessons, exercises and the library; no solutions, no bank, no tests, nothing that running left behind; the same zip twice."""
+    pack(tmp_path / "a.zip")
+    pack(tmp_path / "b.zip")
+    assert (tmp_path / "a.zip").read_bytes() == (tmp_path / "b.zip").read_bytes()
+    names = zipfile.ZipFile(tmp_path / "a.zip").namelist()
+    assert "kinoedu-course/exercises/01_geometry.ipynb" in names
+    assert "kinoedu-course/notebooks/01_geometry.ipynb" in names
+    assert "kinoedu-course/start.py" in names
+    assert not any("/solutions/" in name or "/tests/" in name or "__pycache__" in name or name.endswith(".part") for name in names)
+    text = b"".join(zipfile.ZipFile(tmp_path / "a.zip").read(name) for name in names)
+    assert b"BEGIN SOLUTION" not in text.replace(b'"BEGIN SOLUTION"', b"")
+    assert b"@wrong(" not in text.replace(b'`@wrong("name_of_the_exercise")`', b"")
