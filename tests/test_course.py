@@ -11,10 +11,11 @@ import pytest
 
 from kinoedu import geometry, words
 from kinoedu.course import EXERCISES, check
+from kinoedu.course.advice import COMPLAINTS
 from kinoedu.course.bank import read_bank
 from kinoedu.course.feedback import picture_of, rule_words
 from kinoedu.course.judging import attempt, report_on
-from kinoedu.course.outcomes import Answer, Late, Misshapen, Raised, decode_outcome, encode_outcome
+from kinoedu.course.outcomes import Answer, Changed, Late, Misshapen, Raised, decode_outcome, encode_outcome
 
 HOUSE = Path(__file__).resolve().parent.parent
 BANK = [item for file in sorted((HOUSE / "solutions" / "bank").glob("*.py")) for item in read_bank(file)]
@@ -118,7 +119,8 @@ def test_what_a_student_reads():
         return EXERCISES["point_line_distance"].source(q, p1, p2) if (p1 != p2).any() else 0.0
 
     said = repr(check(point_segment_distance))
-    assert "point_segment_distance(q=(7, 4), p1=(0, 0), p2=(4, 0))" in said
+    assert "q = np.array([7.0, 4.0])" in said
+    assert "point_segment_distance(q, p1, p2)" in said
     assert "yours gives: 4" in said
     assert "it should be: 5" in said
     assert "You measure to the whole line" in said
@@ -197,16 +199,66 @@ def test_feedback_can_be_staged(monkeypatch):
     assert "Hint" in repr(tell(5.0))
 
 
-def test_a_program_that_changes_its_input_changes_nothing_else():
-    """Each call gets its own copy."""
+def test_a_program_that_changes_its_input_is_told_so():
+    """Each call gets its own copy, and what happened to it is seen."""
 
     def point_polygon_distance(q, polygon):
         answer = EXERCISES["point_polygon_distance"].source(q, polygon)
         polygon[:] = 0.0
-        q[:] = np.nan
         return answer
 
-    assert check(point_polygon_distance).report.is_right
+    told = check(point_polygon_distance)
+    assert "a change of what it was given: polygon" in repr(told)
+    assert told.report.score == 0.0
+
+
+def test_what_a_program_prints_is_shown_for_the_smallest_case_only(capsys):
+    """Prints of two hundred calls do not bury the answer."""
+
+    def point_line_distance(q, p1, p2):
+        print("foot at", p1)
+        return 0.0
+
+    assert repr(check(point_line_distance)).count("foot at [0. 0.]") == 1
+    assert capsys.readouterr().out == ""
+
+
+def test_a_function_that_calls_an_unwritten_one_is_told_which():
+    """Not answered yet is said of the function that is not."""
+
+    def point_segment_distance(q, p1, p2):
+        raise NotImplementedError
+
+    def point_polygon_distance(q, polygon):
+        return point_segment_distance(q, polygon[0], polygon[1])
+
+    assert "calls point_segment_distance, which is not written yet" in repr(check(point_polygon_distance))
+
+
+def complaint(code):
+    """What is advised to a function of this body."""
+    names = {"np": np}
+    exec(compile(f"def point_line_distance(q, p1, p2):\n    {code}", "student.py", "exec"), names)
+    return repr(check(names["point_line_distance"]))
+
+
+@pytest.mark.parametrize(
+    ("code", "advice"),
+    [
+        ("return 0 if p1 == p2 else 1", "np.array_equal"),
+        ("return (q ^ 2)", "In Python the power is **"),
+        ("return p1[2]", "The last of n things"),
+        ("return lenght(q)", "Python does not know this name"),
+        ("return point_line_distance(q, p1, p2)", "calls itself again"),
+        ("return ValueError('no line')", "raised, not returned"),
+        ("return None + 1", "Something is None"),
+        ("return 1 / 0", "Which length is zero"),
+        ("if q[0] > 1e9: d = 1\n    return d", "no value yet"),
+    ],
+)
+def test_common_complaints_of_python_are_explained(code, advice):
+    """In words for those who meet them first."""
+    assert advice in complaint(code)
 
 
 class AlwaysEqual:
@@ -268,11 +320,12 @@ def test_every_word_is_there_and_used():
         assert set(mine["kinds"]) == set(exercise.kinds)
         assert set(mine.get("slips", {})) == {slip.key for slip in exercise.slips}
         assert set(mine["rules"]) == set(mine["hints"])
+        assert all(words.has_words(f"advice.{key}") for key, _, _ in COMPLAINTS)
         assert mine["section"]
         assert mine["wonder"]
     sources = "".join(p.read_text(encoding="utf-8") for p in (HOUSE / "kinoedu").rglob("*.[pj][ys]"))
     for name, rows in table.items():
-        if name not in EXERCISES and name != "exercise":
+        if name not in EXERCISES and name not in ("exercise", "advice"):
             for key, text in rows.items():
                 assert not isinstance(text, str) or re.search(rf'"{name}\.{key}|"{name}\.", ?"{key}"|{name}_{key}', sources), (
                     f"{name}.{key}"
@@ -301,5 +354,11 @@ def test_outcomes_that_are_none_are_refused():
     for data in (None, [], {}, {"kind": "Answer"}, {"kind": "Answer", "value": "5"}, {"kind": "Late"}, {"kind": "x"}):
         with pytest.raises(WrongShape):
             decode_outcome(data, Number())
-    for outcome in (Answer(float("nan")), Misshapen("m"), Raised(["ValueError"], "m", ["line 1: x"]), Late(False)):
+    for outcome in (
+        Answer(float("nan")),
+        Misshapen("m"),
+        Raised(["ValueError"], "m", ["line 1: x"], "f"),
+        Changed(["q"]),
+        Late(False),
+    ):
         assert repr(decode_outcome(json.loads(json.dumps(encode_outcome(outcome, Number()))), Number())) == repr(outcome)

@@ -1,18 +1,30 @@
 """`check(my_function)`: judge a student's function here and now, in the notebook."""
 
+import io
+import warnings
 from collections.abc import Callable, Iterator
+from contextlib import redirect_stdout
 from typing import Any
 
 import numpy as np
 
 from ..errors import InvalidParameter
-from .exercise import Case, Exercise
+from .exercise import Case, Exercise, ValueExercise
 from .exercises import find
 from .feedback import ALL, Feedback, stage_of
 from .judging import Report, attempt, report_on
 from .outcomes import Outcome
 
 PASSED: set[str] = set()  # the exercises that were right in this session: their sources are no secret any more
+
+
+class Printed(io.StringIO):
+    """What a function printed, its first few thousand characters."""
+
+    def write(self, text: str) -> int:
+        """Keep what there is room for."""
+        super().write(text[: max(0, 2000 - self.tell())])
+        return len(text)
 
 
 def check(function: Callable[..., Any], exercise: str = "", *, staged: bool = False) -> Feedback:
@@ -32,15 +44,29 @@ def check(function: Callable[..., Any], exercise: str = "", *, staged: bool = Fa
         raise InvalidParameter(f"check() takes your function, as in check(point_line_distance), and got {function!r}")
     asked = find(exercise or getattr(function, "__name__", ""))
     cases = list(asked.cases(np.random.default_rng(0)))
-    report = report_on(asked, cases, attempts(asked, function, cases))
+    printed: list[Printed] = []
+    warm(asked, cases)
+    report = report_on(asked, cases, attempts(asked, function, cases, printed))
     if report.is_right:
         PASSED.add(asked.name)
-    return Feedback(report, stage_of(report) if staged else ALL)
+    said = printed[report.failure.number].getvalue() if report.failure is not None else ""
+    return Feedback(report, stage_of(report) if staged else ALL, said)
 
 
-def attempts(exercise: Exercise, function: Callable[..., Any], cases: list[Case]) -> Iterator[Outcome]:
-    """The outcome of each case, run when it is asked for."""
-    return (attempt(exercise, function, case) for case in cases)
+def attempts(exercise: Exercise, function: Callable[..., Any], cases: list[Case], printed: list[Printed]) -> Iterator[Outcome]:
+    """The outcome of each case, run when it is asked for; what the function prints is kept apart, warnings are not shown."""
+    for case in cases:
+        printed.append(Printed())
+        with redirect_stdout(printed[-1]), np.errstate(all="ignore"), warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            outcome = attempt(exercise, function, case)
+        yield outcome
+
+
+def warm(exercise: Exercise, cases: list[Case]) -> None:
+    """Ask the reference once, so that its compiling is not on a student's time."""
+    if isinstance(exercise, ValueExercise):
+        exercise.truth(cases[0])
 
 
 __all__ = ["PASSED", "Report", "check"]

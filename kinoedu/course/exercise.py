@@ -11,7 +11,7 @@ from typing import Any, ClassVar, NamedTuple
 import numpy as np
 
 from ..words import has_words, say
-from .outcomes import Answer, Late, Misshapen, Outcome, Raised
+from .outcomes import Answer, Changed, Late, Misshapen, Outcome, Raised
 from .shapes import Record, Shape
 
 
@@ -53,7 +53,8 @@ class Exercise(ABC):
 
     name : what the function is called. lesson : the notebook that asks for it. kinds : the kinds of input, each worth the same.
     given, answer : the shapes of a case's arguments and of the answer. seconds : the time for one call.
-    slips : known misconceptions. source : the library's own function, withheld when graded; None where there is none.
+    slips : known misconceptions. source : the library's own function, withheld when graded; None where there is none. shown : the
+    lines of the library that a student may compare with in the end; those of `source` where they are None.
     """
 
     name: ClassVar[str]
@@ -64,6 +65,7 @@ class Exercise(ABC):
     seconds: ClassVar[float] = 5.0
     slips: ClassVar[tuple[Slip, ...]] = ()
     source: ClassVar[Callable[..., Any] | None] = None
+    shown: ClassVar[Callable[..., Any] | None] = None
 
     @abstractmethod
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
@@ -81,7 +83,7 @@ class Exercise(ABC):
         """Judge what became of a call."""
         if isinstance(outcome, Answer):
             return self.value_verdict(case, outcome.value)
-        rule = {Misshapen: "shape", Raised: "raised", Late: "late"}[type(outcome)]
+        rule = {Misshapen: "shape", Changed: "changed", Raised: "raised", Late: "late"}[type(outcome)]
         return Verdict(0.0, rule, self.wanted(case))
 
     @abstractmethod
@@ -121,7 +123,8 @@ class ValueExercise(Exercise):
             return super().judge(case, outcome)
         if isinstance(outcome, Raised) and "ValueError" in outcome.kinds:
             return RIGHT
-        return Verdict(0.0, "late" if isinstance(outcome, Late) else case.kind, self.wanted(case))
+        rule = {Late: "late", Changed: "changed"}.get(type(outcome), case.kind)
+        return Verdict(0.0, rule, self.wanted(case))
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
         """Right where the value is the reference's."""
@@ -153,4 +156,4 @@ def spoken(value: Any) -> str:
         return "(" + ", ".join(map(spoken, value)) + ("," if len(value) == 1 else "") + ")"
     if isinstance(value, np.ndarray | list) and np.ndim(value) != 0:
         return "[" + ", ".join(map(spoken, value)) + "]"
-    return f"{float(value) + 0.0:.10g}"
+    return f"{float(value) + 0.0 if abs(value) > 1e-12 else 0.0:.10g}"

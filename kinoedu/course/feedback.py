@@ -4,10 +4,13 @@ import io
 from html import escape
 from typing import Any
 
+import numpy as np
+
 from ..words import has_words, say
+from .advice import advice_on
 from .exercise import Exercise, spoken
 from .judging import Judged, Report
-from .outcomes import Answer, Misshapen, Outcome, Raised
+from .outcomes import Answer, Changed, Misshapen, Outcome, Raised
 
 RULE, CASE, PICTURE, ALL = 1, 2, 3, 4  # the stages: each shows what those before it show, and more
 TRIES: dict[str, list[int]] = {}  # for each exercise the failures so far in this session, different ones
@@ -16,23 +19,31 @@ TRIES: dict[str, list[int]] = {}  # for each exercise the failures so far in thi
 class Feedback:
     """A report, told up to a stage. Shows itself in a notebook: words, then the picture of the smallest case that failed."""
 
-    def __init__(self, report: Report, stage: int = ALL) -> None:
+    def __init__(self, report: Report, stage: int = ALL, printed: str = "") -> None:
         self.report = report
         self.stage = stage
+        self.printed = printed
+
+    def told(self) -> list[tuple[str, str]]:
+        """What is said, as pairs of a title and a text."""
+        lines = told(self.report, self.stage)
+        if self.printed and self.stage >= CASE and not self.report.unwritten:
+            lines.insert(3, (say("check.printed"), self.printed.rstrip()))
+        return lines
 
     def __repr__(self) -> str:
-        return "\n".join(f"{title}{': ' if title else ''}{text}" for title, text in told(self.report, self.stage))
+        return "\n".join(laid_out(title, text) for title, text in self.told())
 
     def _repr_html_(self) -> str:
         """The same words, laid out."""
-        sign = "unanswered" if self.report.unanswered else "right" if self.report.is_right else "wrong"
-        rows = [row(title, text) for title, text in told(self.report, self.stage)]
+        sign = "unanswered" if self.report.unwritten else "right" if self.report.is_right else "wrong"
+        rows = [row(title, text) for title, text in self.told()]
         return f"<div class='kinoedu-check kinoedu-{sign}' style='{STYLE[sign]}'>{''.join(rows)}</div>"
 
     def picture(self) -> bytes | None:
         """The smallest failing case as a PNG; None where nothing failed or it is not to be shown yet."""
         failure = self.report.failure
-        if failure is None or self.report.unanswered or self.stage < PICTURE:
+        if failure is None or self.report.unwritten or self.stage < PICTURE:
             return None
         return picture_of(self.report.exercise, failure)
 
@@ -49,8 +60,9 @@ class Feedback:
 def told(report: Report, stage: int) -> list[tuple[str, str]]:
     """What is said, as pairs of a title and a text."""
     exercise, failure = report.exercise, report.failure
-    if report.unanswered:
-        return [("", say("check.unanswered", name=exercise.name))]
+    if report.unwritten:
+        other = report.unwritten != exercise.name
+        return [("", say("check.unwritten" if other else "check.unanswered", name=exercise.name, called=report.unwritten))]
     if failure is None:
         return told_right(report)
     lines = [
@@ -72,8 +84,10 @@ def told_right(report: Report) -> list[tuple[str, str]]:
     """What a right answer survived, and what to wonder about."""
     exercise = report.exercise
     survived = "; ".join(f"{exercise.words(f'kinds.{kind}')} ({report.survived[kind]})" for kind in exercise.kinds)
-    lines = [("", say("check.right", name=exercise.name, cases=sum(report.survived.values())))]
-    lines += [(say("check.survived"), survived), (say("check.wonder"), exercise.words("wonder"))]
+    lines = [("", exercise.words("right", name=exercise.name, cases=sum(report.survived.values())))]
+    if exercise.given.fields:
+        lines.append((say("check.survived"), survived))
+    lines.append((say("check.wonder"), exercise.words("wonder")))
     if exercise.source is not None:
         lines.append((say("check.ours"), say("check.show", name=exercise.name)))
     return lines
@@ -81,8 +95,8 @@ def told_right(report: Report) -> list[tuple[str, str]]:
 
 def told_case(exercise: Exercise, failure: Judged) -> list[tuple[str, str]]:
     """The call that failed, what came of it, and what should have."""
-    given = ", ".join(f"{name}={spoken(value)}" for name, value in failure.case.given.items())
-    lines = [(say("check.call"), f"{exercise.name}({given})")]
+    given = [f"{name} = {as_code(value)}" for name, value in failure.case.given.items()]
+    lines = [(say("check.call"), "\n".join([*given, f"{exercise.name}({', '.join(failure.case.given)})"]))]
     lines += [(say("check.yours"), outcome_words(exercise, failure.outcome)), (say("check.wanted"), failure.verdict.wanted)]
     if isinstance(failure.outcome, Raised) and failure.outcome.lines:
         lines.append((say("check.where"), "\n".join(failure.outcome.lines)))
@@ -95,9 +109,33 @@ def outcome_words(exercise: Exercise, outcome: Outcome) -> str:
         return spoken(outcome.value)
     if isinstance(outcome, Misshapen):
         return outcome.message
+    if isinstance(outcome, Changed):
+        return say("check.changed", names=", ".join(outcome.names))
     if isinstance(outcome, Raised):
         return say("check.raised", kind=outcome.kinds[0] if outcome.kinds else "", message=outcome.message)
     return say("check.still_running" if outcome.left_running else "check.late", seconds=exercise.seconds)
+
+
+def as_code(value: Any) -> str:
+    """A value as a line of Python that a student can copy.
+
+    >>> as_code(np.array([[0.0, 0.5], [2.0, 1.0]])), as_code(2.0)
+    ('np.array([(0.0, 0.5), (2.0, 1.0)])', '2.0')
+    """
+    if isinstance(value, np.ndarray) and value.ndim == 2:
+        return f"np.array([{', '.join(str(tuple(row)) for row in value.tolist())}])"
+    if isinstance(value, np.ndarray):
+        return f"np.array({value.tolist()})"
+    if isinstance(value, list | tuple):
+        return f"[{', '.join(map(as_code, value))}]"
+    return repr(value)
+
+
+def laid_out(title: str, text: str) -> str:
+    """A title and its text; a text of several lines stands below, indented."""
+    if "\n" in text:
+        text = "\n    " + text.replace("\n", "\n    ")
+    return f"{title}: {text}" if title else text
 
 
 def rule_words(exercise: Exercise, failure: Judged) -> str:
@@ -106,7 +144,10 @@ def rule_words(exercise: Exercise, failure: Judged) -> str:
 
 
 def hint_words(exercise: Exercise, failure: Judged) -> str:
-    """The hint of the misconception that was recognised, else that of the rule."""
+    """The hint of the misconception that was recognised, of the error that Python raised, else that of the rule."""
+    advice = advice_on(failure.outcome)
+    if advice:
+        return say(f"advice.{advice}")
     key = f"slips.{failure.slip}" if failure.slip else f"hints.{failure.verdict.rule}"
     if not has_words(f"{exercise.name}.{key}") and not has_words(f"exercise.{key}"):
         key = f"hints.{failure.case.kind}"
@@ -140,7 +181,7 @@ def row(title: str, text: str) -> str:
     body = "<br>".join(escape(text).splitlines())
     if not title:
         return f"<p style='margin:0 0 .4em'><b>{body}</b></p>"
-    kind = "code" if title in (say("check.call"), say("check.yours"), say("check.where")) else "span"
+    kind = "code" if title in (say("check.call"), say("check.yours"), say("check.where"), say("check.printed")) else "span"
     return (
         f"<div style='display:flex;gap:.8em;margin:.15em 0'><span style='flex:0 0 9em;opacity:.75'>{escape(title)}</span>"
         f"<{kind} style='flex:1;white-space:pre-wrap;overflow-wrap:anywhere'>{body}</{kind}></div>"

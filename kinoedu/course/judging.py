@@ -10,17 +10,20 @@ from typing import Any
 import numpy as np
 
 from .exercise import Case, Exercise, ValueExercise, Verdict
-from .outcomes import Answer, Late, Outcome, Raised, outcome_of
+from .outcomes import Answer, Changed, Late, Outcome, Raised, outcome_of
+from .plain import WrongShape
+from .shapes import Shape
 
 
 @dataclass(frozen=True)
 class Judged:
-    """One case, what came, what the judge said; and where that is wrong the misconception that answers just so, or ""."""
+    """One case and its number, what came, what the judge said; and where that is wrong the slip that answers just so, or ""."""
 
     case: Case
     outcome: Outcome
     verdict: Verdict
     slip: str = ""
+    number: int = 0
 
 
 @dataclass(frozen=True)
@@ -28,14 +31,20 @@ class Report:
     """What a program is worth.
 
     survived : the cases that were right, for each kind. failed : the kinds with a case that was wrong or that was not reached.
-    failure : the smallest case that failed, or None. unanswered : nothing was written yet.
+    failure : the smallest case that failed, or None.
     """
 
     exercise: Exercise
     survived: dict[str, int] = field(default_factory=dict)
     failed: tuple[str, ...] = ()
     failure: Judged | None = None
-    unanswered: bool = False
+
+    @property
+    def unwritten(self) -> str:
+        """The function that nobody has written yet: this exercise's, or one that it calls; "" where there is none."""
+        if self.failure is None or not is_unwritten(self.failure.outcome):
+            return ""
+        return getattr(self.failure.outcome, "function", "") or self.exercise.name
 
     @property
     def is_right(self) -> bool:
@@ -51,26 +60,38 @@ class Report:
 def attempt(exercise: Exercise, function: Callable[..., Any], case: Case) -> Outcome:
     """Call a student's function on a copy of a case. This is all that ever runs student code."""
     given = exercise.given.decode(exercise.given.encode(case.given))
-    return outcome_of(lambda: exercise.call(function, given), exercise.answer, exercise.seconds)
+    outcome = outcome_of(lambda: exercise.call(function, dict(given)), exercise.answer, exercise.seconds)
+    changed = [name for name, value in given.items() if not same_data(exercise.given.fields[name], value, case.given[name])]
+    return Changed(changed) if isinstance(outcome, Answer) and changed else outcome
+
+
+def same_data(shape: Shape, value: Any, original: Any) -> bool:
+    """Whether a value is still what it was."""
+    try:
+        return bool(shape.encode(value) == shape.encode(original))
+    except WrongShape:
+        return False
 
 
 def report_on(exercise: Exercise, cases: Iterable[Case], outcomes: Iterable[Outcome]) -> Report:
     """Judge outcomes in the order of their cases. Asks for no more after one that came too late or was not written yet."""
     right = dict.fromkeys(exercise.kinds, 0)
     seen: list[Judged] = []
-    for case, outcome in zip(cases, outcomes, strict=False):
+    for number, (case, outcome) in enumerate(zip(cases, outcomes, strict=False)):
         verdict = exercise.judge(case, outcome)
-        seen.append(Judged(case, outcome, verdict))
+        seen.append(Judged(case, outcome, verdict, number=number))
         right[case.kind] += verdict.is_right
-        if isinstance(outcome, Late) or is_unanswered(outcome):
+        if isinstance(outcome, Late) or is_unwritten(outcome):
             break
     failures = [one for one in seen if not one.verdict.is_right]
     broken = {failure.case.kind for failure in failures}
+    if not any(one.verdict.is_right and isinstance(one.outcome, Answer) for one in seen):
+        broken = set(exercise.kinds)  # to refuse every input is not to refuse the wrong ones
     failed = tuple(kind for kind in exercise.kinds if kind in broken or not right[kind])
     if not failures:
         return Report(exercise, right, failed)
     first = replace(failures[0], slip=slip_in(exercise, failures, seen))
-    return Report(exercise, right, failed, first, is_unanswered(first.outcome))
+    return Report(exercise, right, failed, first)
 
 
 def slip_in(exercise: Exercise, failures: list[Judged], seen: list[Judged]) -> str:
@@ -82,9 +103,9 @@ def slip_in(exercise: Exercise, failures: list[Judged], seen: list[Judged]) -> s
     return max(likely, key=lambda slip: sum(explains(exercise, slip.answer, one) for one in seen)).key
 
 
-def is_unanswered(outcome: Outcome) -> bool:
-    """Whether a student has not written the function yet."""
-    return isinstance(outcome, Raised) and outcome.is_unanswered
+def is_unwritten(outcome: Outcome) -> bool:
+    """Whether a student has not written the function yet, or one that it calls."""
+    return isinstance(outcome, Raised) and outcome.is_unwritten
 
 
 def explains(exercise: Exercise, mistaken: Callable[..., Any], failure: Judged) -> bool:

@@ -8,7 +8,7 @@ import linecache
 import traceback
 from collections.abc import Callable
 from pathlib import Path
-from types import TracebackType
+from types import FrameType, TracebackType
 from typing import Any, NamedTuple
 
 from ..time_limit import TimeUp, within
@@ -30,16 +30,25 @@ class Misshapen(NamedTuple):
     message: str
 
 
+class Changed(NamedTuple):
+    """It changed arrays that it was given; their names."""
+
+    names: list[str]
+
+
 class Raised(NamedTuple):
-    """It raised an exception: the names of its class and of the classes above, its message, and the student's lines on the way."""
+    """It raised an exception: the names of its class and of the classes above, its message, the student's lines on the way, and the
+    name of the student's function that raised it.
+    """
 
     kinds: list[str]
     message: str
     lines: list[str]
+    function: str
 
     @property
-    def is_unanswered(self) -> bool:
-        """Whether it says that nobody has written it yet."""
+    def is_unwritten(self) -> bool:
+        """Whether it says that nobody has written a function yet."""
         return self.kinds[:1] == ["NotImplementedError"]
 
 
@@ -49,10 +58,11 @@ class Late(NamedTuple):
     left_running: bool
 
 
-Outcome = Answer | Misshapen | Raised | Late
+Outcome = Answer | Misshapen | Changed | Raised | Late
 SHAPES: dict[type, Record] = {
     Misshapen: Record(message=Text()),
-    Raised: Record(kinds=Listed(Text()), message=Text(), lines=Listed(Text())),
+    Changed: Record(names=Listed(Text())),
+    Raised: Record(kinds=Listed(Text()), message=Text(), lines=Listed(Text()), function=Text()),
     Late: Record(left_running=Truth()),
 }
 
@@ -78,7 +88,8 @@ def outcome_of(call: Callable[[], Any], shape: Shape, seconds: float) -> Outcome
 def raised(error: BaseException) -> Raised:
     """An exception as plain data."""
     kinds = [kind.__name__ for kind in type(error).__mro__ if kind not in (object, BaseException)]
-    return Raised(kinds, message_of(error), own_lines(error.__traceback__))
+    own = own_steps(error.__traceback__)
+    return Raised(kinds, message_of(error), lines_of(own), own[-1][0].f_code.co_name if own else "")
 
 
 def message_of(error: BaseException) -> str:
@@ -89,11 +100,15 @@ def message_of(error: BaseException) -> str:
         return ""
 
 
-def own_lines(trace: TracebackType | None) -> list[str]:
-    """The lines of the student's own code that an exception passed, outermost first, as "line 3: return 1 / 0"."""
-    steps = [(frame.f_code.co_filename, number) for frame, number in traceback.walk_tb(trace)]
-    own = [(file, number) for file, number in steps if is_students(file)]
-    return [f"line {number}: {text}" for file, number in own[-5:] if (text := linecache.getline(file, number).strip())]
+def own_steps(trace: TracebackType | None) -> list[tuple[FrameType, int]]:
+    """The student's own functions that an exception passed, outermost first, each with the number of the line."""
+    return [(frame, number) for frame, number in traceback.walk_tb(trace) if is_students(frame.f_code.co_filename)]
+
+
+def lines_of(steps: list[tuple[FrameType, int]]) -> list[str]:
+    """Lines of code as "line 3: return 1 / 0"; a line that calls itself again and again only once."""
+    lines = [f"line {number}: {linecache.getline(frame.f_code.co_filename, number).strip()}" for frame, number in steps]
+    return [line for line, after in zip(lines, [*lines[1:], ""]) if line != after and not line.endswith(": ")][-5:]
 
 
 def is_students(file: str) -> bool:

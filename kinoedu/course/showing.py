@@ -41,7 +41,7 @@ def show(function: Callable[..., Any] | str) -> Source:
     """
     name = function if isinstance(function, str) else getattr(function, "__name__", "")
     exercise = EXERCISES.get(name)
-    ours = exercise.source if exercise is not None else function
+    ours = (exercise.shown or exercise.source) if exercise is not None else function
     lines: Any = inspect.unwrap(getattr(ours, "py_func", ours)) if callable(ours) else None
     if not inspect.isfunction(lines) or not lines.__module__.startswith("kinoedu."):
         raise InvalidParameter(say("check.nothing_to_show", what=repr(function)[:80]))

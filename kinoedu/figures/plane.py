@@ -66,6 +66,8 @@ def label(
 ) -> Artist:
     """Words beside a place, readable on anything."""
     x, y = np.asarray(at, float)
+    if offset[0] > 0 and ha == "left" and x > ax.get_xlim()[0] + 0.8 * (ax.get_xlim()[1] - ax.get_xlim()[0]):
+        offset, ha = (-offset[0], offset[1]), "right"  # there is more room on the other side
     return ax.annotate(
         words, (x, y), xytext=offset, textcoords="offset points", fontsize=palette.TEXT_SIZE, fontweight="bold", color=colour,
         path_effects=HALO, zorder=9, ha=ha,

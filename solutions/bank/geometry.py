@@ -270,12 +270,37 @@ def negative_outside(q, polygon):
     return -hollow.function(q, polygon)
 
 
-@wrong("point_polygon_distance")
+@wrong("point_polygon_distance", slip="first_edge")
 def returns_in_the_loop(q, polygon):
     """The return stands inside the loop: only the first edge counts."""
     for a, b in edges(polygon):
         return 0.0 if point_in_polygon(q, polygon) else point_segment_distance(q, a, b)
     return 0.0
+
+
+@wrong("point_polygon_distance")
+def begins_at_a_thousand(q, polygon):
+    """The least so far begins with a number that is not large enough."""
+    least = 1000.0
+    for a, b in edges(polygon):
+        least = min(least, point_segment_distance(q, a, b))
+    return 0.0 if point_in_polygon(q, polygon) else least
+
+
+@wrong("point_segment_distance")
+def changes_its_input(q, p1, p2):
+    """p2 -= p1 works on the caller's array."""
+    before = point_segment_distance(q, p1, p2)
+    p2 -= p1
+    return before
+
+
+@wrong("line_through_points")
+def always_refuses(p1, p2):
+    """numpy's complaint about p1 == p2 is a ValueError too."""
+    if p1 == p2:
+        raise ValueError("one point")
+    return 1.0, 0.0, 0.0
 
 
 @wrong("point_polygon_distance")

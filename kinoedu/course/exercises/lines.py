@@ -101,11 +101,14 @@ class PointLineDistance(ValueExercise):
             ("upright", (3, 1), (0, 0), (0, 4)),
             ("on", (2, 2), (0, 0), (4, 4)),
             ("beyond", (-3, 1), (0, 0), (4, 0)),
+            ("beyond", (9000, 5), (0, 0), (4, 0)),
             ("coincident", (1, 1), (2, 2), (2, 2)),
         ):
             yield Case(kind, arguments(q, p1, p2))
         for size in sizes(6):
             p1, p2, q = points(rng, 3, size)
+            while p1[0] == p2[0]:
+                p1, p2, q = points(rng, 3, size)
             along = float(np.dot(q - p1, p2 - p1) / np.dot(p2 - p1, p2 - p1))
             yield Case("beside" if 0 <= along <= 1 else "beyond", arguments(q, p1, p2))
             yield Case("beside", arguments((p1 + p2) / 2 + rng.uniform(0.2, 2) * turned(p2 - p1), p1, p2))

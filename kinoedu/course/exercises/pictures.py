@@ -9,6 +9,7 @@ from ...geometry.checks import Array
 from ...geometry.polygons import nearest_on_ring
 from ...words import say
 from ..exercise import Case, ValueExercise
+from ..outcomes import Answer
 
 # figures are imported inside the functions: matplotlib is not needed until something is wrong
 
@@ -22,13 +23,19 @@ def draw_line(exercise: ValueExercise, case: Case, value: Array | None, ax: Any)
     if (p1 != p2).any():
         plane.endless(line_through_points(p1, p2), say("picture.true"), ax, colour=palette.START)
     if value is not None:
-        numbers = ", ".join(f"{number:.3g}" for number in value)
+        numbers = ", ".join(f"{number + 0.0:.3g}" for number in value)
         plane.endless(value, say("picture.yours", value=numbers), ax, colour=palette.GOAL, style="--")
     if ax.lines:
         ax.legend(fontsize=palette.TEXT_SIZE, loc="best")
     plane.dot(p1, "p1", ax)
     plane.dot(p2, "p2" if (p1 != p2).any() else "", ax)
-    plane.title(exercise.words(f"pictures.{case.kind}"), ax)
+    plane.title(title_words(exercise, case, value), ax)
+
+
+def title_words(exercise: ValueExercise, case: Case, value: Array | None) -> str:
+    """What to see: the length, where that is what is wrong, else what this kind of input is about."""
+    wrong_length = value is not None and exercise.judge(case, Answer(value)).rule == "unit"
+    return exercise.words(f"pictures.{'unit' if wrong_length else case.kind}")
 
 
 def draw_distance(exercise: ValueExercise, case: Case, value: float | None, ax: Any) -> None:
@@ -86,17 +93,20 @@ def draw_tangent(exercise: ValueExercise, case: Case, value: Array | None, ax: A
     _, x, y, region = nearest_on_ring(q[0], q[1], polygon)
     reach = 0.25 * float(np.ptp(np.vstack([polygon, q]), axis=0).max())
     truth = exercise.truth(case)
-    ends = [q + reach * truth] + ([q + reach * value] if value is not None and np.abs(value).max(initial=0) < 4 else [])
+    size = 0.0 if value is None else float(np.linalg.norm(value))
+    seen = value if value is None or size <= 4.0 else 4.0 * value / size  # a longer arrow is drawn as long as fits
+    ends = [q + reach * truth] + ([q + reach * seen] if seen is not None and np.isfinite(seen).all() else [])
     plane.frame(np.vstack([q, polygon, *ends]), ax, margin=0.15)
     plane.polygon(polygon, ax)
     plane.stretch(q, (x, y), "", ax, style=":")
     if region != 0:
         plane.ring((x, y), float(np.hypot(*(q - (x, y)))), "", ax, colour=palette.OUTSIDE, style=":")
     plane.arrow(q, reach * truth, say("picture.true"), ax, colour=palette.START)
-    if value is not None and np.isfinite(value).all() and value.any():
-        plane.arrow(q, reach * value, say("picture.yours_short"), ax, colour=palette.GOAL, style="--")
+    if seen is not None and np.isfinite(seen).all() and seen.any():
+        words = say("picture.yours_short") if abs(size - 1.0) < 1e-6 else say("picture.yours_long", length=f"{size:.3g}")
+        plane.arrow(q, reach * seen, words, ax, colour=palette.GOAL, style="--")
     plane.dot(q, "q", ax)
-    plane.title(exercise.words(f"pictures.{case.kind}"), ax)
+    plane.title(title_words(exercise, case, value), ax)
 
 
 def draw_crossings(value: tuple[Array, Array] | None, ax: Any) -> None:

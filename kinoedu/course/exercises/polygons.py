@@ -8,7 +8,7 @@ import numpy as np
 from ...errors import InvalidPoint, InvalidPolygon
 from ...geometry import point_polygon_distance, point_segment_distance, polygon_tangent
 from ...geometry.checks import Array
-from ...geometry.polygons import nearest_on_ring, place
+from ...geometry.polygons import distances_to_ring, nearest_on_ring, place
 from ...geometry.segments import closest_on_segment
 from ...words import say
 from ..exercise import RIGHT, Case, Exercise, Slip, ValueExercise, Verdict
@@ -32,6 +32,7 @@ class PointPolygonDistance(ValueExercise):
     given = Record(q=POINT, polygon=POLYGON)
     answer = Number()
     source = staticmethod(point_polygon_distance)
+    shown = staticmethod(distances_to_ring)
     slips = (
         Slip("vertices", lambda q, polygon: min(np.linalg.norm(polygon - q, axis=1))),
         Slip("open", lambda q, polygon: min(edge_distances(q, polygon)[:-1]) if place(*q, polygon) < 0 else 0.0),
@@ -39,6 +40,8 @@ class PointPolygonDistance(ValueExercise):
         Slip("rim", lambda q, polygon: min(edge_distances(q, polygon))),
         Slip("lines", lambda q, polygon: min(line_distances(q, polygon)) if place(*q, polygon) < 0 else 0.0),
         Slip("lines", lambda q, polygon: min(line_distances(q, polygon))),
+        Slip("first_edge", lambda q, polygon: edge_distances(q, polygon)[-1] if place(*q, polygon) < 0 else 0.0),
+        Slip("first_edge", lambda q, polygon: edge_distances(q, polygon)[0] if place(*q, polygon) < 0 else 0.0),
         Slip("farthest", lambda q, polygon: max(edge_distances(q, polygon)) if place(*q, polygon) < 0 else 0.0),
         Slip("centre", lambda q, polygon: float(np.linalg.norm(q - polygon.mean(axis=0)))),
         Slip("signed", lambda q, polygon: -min(edge_distances(q, polygon))),
@@ -47,7 +50,7 @@ class PointPolygonDistance(ValueExercise):
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """A square, an L, then larger stars; q nearest to an edge, a vertex, the edge that closes; inside; on the boundary."""
-        for q in ((2, -1), (7, 8), (-3, 2), (1, 1), (4, 2)):
+        for q in ((2, -1), (7, 8), (-3, 2), (1, 1), (4, 2), (9000, 3)):
             yield self.case(np.array(q, float), SQUARE)
         for q in ((4, 3), (8, -2), (-1, 5), (1, 5), (5, 1), (2, 2)):
             yield self.case(np.array(q, float), CORNER)
@@ -88,7 +91,7 @@ class PolygonTangent(ValueExercise):
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """A square, an L, then larger stars; q outside, nearest to an edge, to the edge that closes, or to a vertex."""
         for polygon, queries in (
-            (SQUARE, ((2, -1), (5, 1), (-3, 2), (7, 8), (-1, -1))),
+            (SQUARE, ((2, -1), (5, 1), (-3, 2), (7, 8), (-1, -1), (9000, 3))),
             (CORNER, ((3, -2), (3, 4), (-1, 5), (8, 4))),
         ):
             for q in queries:

@@ -7,6 +7,7 @@ import numpy as np
 
 from ...geometry import point_line_distance, point_segment_distance
 from ...geometry.checks import Array
+from ...geometry.segments import closest_on_segment
 from ..exercise import Case, Slip, ValueExercise
 from ..outcomes import Answer, Outcome
 from ..shapes import Number, Record
@@ -24,6 +25,7 @@ class PointSegmentDistance(ValueExercise):
     given = Record(q=POINT, p1=POINT, p2=POINT)
     answer = Number()
     source = staticmethod(point_segment_distance)
+    shown = staticmethod(closest_on_segment)
     slips = (
         Slip("line", point_line_distance),
         Slip("ends", lambda q, p1, p2: min(np.linalg.norm(q - p1), np.linalg.norm(q - p2))),
@@ -46,6 +48,7 @@ class PointSegmentDistance(ValueExercise):
             ("point", (3, 4), (0, 0), (0, 0)),
             ("beside", (2, 3), (0, 0), (0, 4)),
             ("beyond_p2", (0, 7), (0, 0), (0, 4)),
+            ("beyond_p1", (-9000, 5), (0, 0), (4, 0)),
         ):
             yield Case(kind, arguments(q, p1, p2))
         for size in sizes(6):
