@@ -16,7 +16,7 @@ from importlib import import_module
 from typing import Any
 
 from . import collision, geometry, graphs, planners, problems, robots, scenes, spaces, worlds
-from .planners import plan_on_grid, prm, rrt
+from .planners import bug0, bug1, bug2, bug2_prelim, bug_base, plan_on_grid, prm, rrt
 from .problems import Plan, Problem, Recorder
 from .robots import Disk, Point
 from .scenes import read_problem, read_scene, write_scene
@@ -41,6 +41,11 @@ __all__ = [
     "Recorder",
     "Terrain",
     "boards",
+    "bug0",
+    "bug1",
+    "bug2",
+    "bug2_prelim",
+    "bug_base",
     "collision",
     "course",
     "figures",

@@ -154,6 +154,28 @@ class Roadmap(NamedTuple):
     edges: NDArray[np.int64]
 
 
+class Walk(NamedTuple):
+    """A bug's walk in its order: points (n, 2), at most a step apart; for each, shape (n,), whether it followed a wall to get
+    there, how far it had come, and how far the goal was; and the numbers of the points where it hit and left walls."""
+
+    points: Array
+    following: NDArray[np.bool_]
+    travelled: Array
+    distance_to_goal: Array
+    hit: NDArray[np.int64]
+    leave: NDArray[np.int64]
+
+    @property
+    def hits(self) -> Array:
+        """Where it came upon a wall, in order, shape (k, 2)."""
+        return self.points[self.hit]
+
+    @property
+    def leaves(self) -> Array:
+        """Where it left a wall, in order, shape (m, 2)."""
+        return self.points[self.leave]
+
+
 @dataclass(frozen=True, eq=False)
 class Plan:
     """A planner's answer.
@@ -169,7 +191,7 @@ class Plan:
     cost: float
     tree: Tree | None = None
     roadmap: Any = None
-    walk: Any = None
+    walk: Walk | None = None
     stats: dict[str, int] = field(default_factory=dict)
     reason: str = ""
     problem: Any = None

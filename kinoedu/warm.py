@@ -1,7 +1,7 @@
 """Compile ahead what the course uses, so that no lesson waits for it."""
 
 from .compiled import CACHE
-from .planners import plan_on_grid, prm, rrt
+from .planners import bug2, plan_on_grid, prm, rrt
 from .problems import Problem
 from .progress import stage
 from .robots import Point
@@ -21,4 +21,6 @@ def warm_up() -> None:
         with stage(f"compiling once, {number} of {len(jobs)}: {planner.__name__} on {kind}"):
             problem = Problem(Point(), worlds[kind], (1, 1), (8, 8))
             planner(problem, **({} if planner is plan_on_grid else {"rng": 0}))
+    with stage("compiling once: bugs"):
+        bug2((1, 1), (8, 8), [[(4, 2), (5, 2), (5, 6)], [(1, 8), (2, 8), (2, 9)]], 1.0)
     (CACHE / "warm").touch()

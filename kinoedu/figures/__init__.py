@@ -2,5 +2,17 @@
 
 from .drawing import draw_path, draw_plan, draw_problem, draw_roadmap, draw_robot, draw_tree, draw_world
 from .saving import save_plan
+from .walks import draw_distance_to_goal, draw_walk
 
-__all__ = ["draw_path", "draw_plan", "draw_problem", "draw_roadmap", "draw_robot", "draw_tree", "draw_world", "save_plan"]
+__all__ = [
+    "draw_distance_to_goal",
+    "draw_path",
+    "draw_plan",
+    "draw_problem",
+    "draw_roadmap",
+    "draw_robot",
+    "draw_tree",
+    "draw_walk",
+    "draw_world",
+    "save_plan",
+]

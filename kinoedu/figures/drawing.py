@@ -17,9 +17,11 @@ from numpy.typing import ArrayLike
 from ..geometry.checks import Array
 from ..problems import Plan, ProblemRecord, Roadmap, Tree
 from ..robots.round import RoundRobot
+from ..worlds.open_world import OpenWorld
 from ..worlds.polygon_world import PolygonWorldRecord, discs_of, rings_of
 from ..worlds.terrain import TerrainRecord
 from . import palette
+from .walks import draw_walk
 
 HALO = [patheffects.withStroke(linewidth=3.5, foreground="white")]
 
@@ -83,6 +85,15 @@ def _(world: TerrainRecord, ax: Axes | None = None) -> list[Artist]:
         world.free, origin="lower", extent=(x0, x1, y0, y1), cmap=colours, vmin=0, vmax=1, interpolation="nearest", zorder=1
     )
     return [image]
+
+
+@draw_world.register
+def _(world: OpenWorld, ax: Axes | None = None) -> list[Artist]:
+    ax = axes_for(world, ax)
+    ax.set_facecolor(palette.FREE)
+    walls = [PathPatch(compound(world.walls), facecolor=palette.OUTSIDE, edgecolor="none", zorder=1)] if world.walls else []
+    polygons = [PathPatch(compound([ring]), facecolor=palette.OBSTACLE, edgecolor="none", zorder=1) for ring in world.obstacles]
+    return [ax.add_patch(patch) for patch in (*walls, *polygons)]
 
 
 def draw_problem(problem: ProblemRecord, ax: Axes | None = None) -> list[Artist]:
@@ -169,7 +180,8 @@ def draw_path(path: Array, ax: Axes) -> list[Artist]:
 def draw_plan(plan: Plan, ax: Axes | None = None, *, upto: int | None = None, title: str | None = None) -> list[Artist]:
     """Draw a plan: its problem, what was built on the way, and the path.
 
-    upto : show only the first so many nodes of the tree or edges of the roadmap, and the path only when all are there.
+    upto : show only the first so many nodes of the tree, edges of the roadmap or points of the walk, and the path only when all are
+        there.
     """
     ax = axes_for(plan.problem.world, ax)
     artists = draw_problem(plan.problem, ax)
@@ -180,8 +192,11 @@ def draw_plan(plan: Plan, ax: Axes | None = None, *, upto: int | None = None, ti
     if plan.roadmap is not None:
         total = len(plan.roadmap.edges)
         artists += draw_roadmap(plan.roadmap, ax, upto=upto)
+    if plan.walk is not None:
+        total = len(plan.walk.points)
+        artists += draw_walk(plan.walk, ax, upto=upto, found=plan.path is not None)
     whole = upto is None or upto >= total
-    if plan.path is not None and whole:
+    if plan.path is not None and plan.walk is None and whole:
         artists += draw_path(plan.path, ax)
     ax.set_title(
         summary(plan, total if whole or upto is None else upto) if title is None else title, fontsize=palette.TEXT_SIZE, wrap=True
@@ -191,11 +206,20 @@ def draw_plan(plan: Plan, ax: Axes | None = None, *, upto: int | None = None, ti
 
 def summary(plan: Plan, shown: int) -> str:
     """What a plan's figure shows, in words."""
-    total, built = (
-        (len(plan.roadmap.edges), "edges") if plan.roadmap is not None else (len(plan.tree.nodes) if plan.tree else 0, "nodes")
-    )
+    total, built = size_built(plan)
     if shown < total:
         return f"{plan.planner}: {shown:,} of {total:,} {built}"
     if plan.path is None:
         return f"{plan.planner}: no path, {plan.reason}"
+    if plan.walk is not None:
+        total, built = len(plan.walk.hit), "hits"
     return f"{plan.planner}: a path of length {plan.cost:.4g}, {total:,} {built}"
+
+
+def size_built(plan: Plan) -> tuple[int, str]:
+    """How much a plan built, and of what."""
+    if plan.walk is not None:
+        return len(plan.walk.points), "points"
+    if plan.roadmap is not None:
+        return len(plan.roadmap.edges), "edges"
+    return len(plan.tree.nodes) if plan.tree else 0, "nodes"

@@ -20,6 +20,24 @@ def positive(value: Any, name: str) -> float:
     return float(value)
 
 
+def none_or_more(value: Any, name: str) -> float:
+    """A finite number, zero or more."""
+    if not is_real(value) or not 0.0 <= value <= LIMIT:
+        raise InvalidParameter(f"{name} must be a number, zero or more, at most 1e150, got {shortened(value)}")
+    return float(value)
+
+
+def one_of(value: Any, name: str, choices: tuple[str, ...]) -> str:
+    """One of a few words.
+
+    >>> one_of("left", "turn", ("left", "right"))
+    'left'
+    """
+    if not isinstance(value, str) or value not in choices:
+        raise InvalidParameter(f"{name} must be {' or '.join(map(repr, choices))}, got {shortened(value)}")
+    return value
+
+
 def share(value: Any, name: str) -> float:
     """A number from 0 to 1."""
     if not is_real(value) or not 0.0 <= value <= 1.0:

@@ -1,0 +1,152 @@
+"""From obstacles to the walls that a robot follows: closed loops of edges, what is solid on their left."""
+
+import math
+from collections import defaultdict
+from collections.abc import Iterable
+from functools import cmp_to_key, partial
+from itertools import combinations
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ...compiled import compiled
+from ...errors import InvalidParameter
+from ...geometry.checks import Array, shortened
+from ...geometry.convex import convex_parts
+from ...geometry.exact import turn
+from ...geometry.polygons import place
+from ...geometry.rings import as_ring, ring_turn
+from ...geometry.segments import segments_meet
+
+CORNER = math.radians(5.0)  # the most that a grown corner turns at once: it stands off by 1 / cos(CORNER / 2) < 1.001 at most
+
+# Where obstacles meet, their union is put on a grid so fine, of the world's size, so that rounding leaves no cracks between them.
+GRID = 2.0**-44
+
+
+class Walls(NamedTuple):
+    """Edge i leads from points[i] to points[after[i]], what is solid on its left, what is free on its right; before undoes after.
+
+    Where two loops touch at a corner, each has a point of its own there, and follows what is free: the way between them is shut.
+    `rings` are the same loops as obstacles and holes, for asking what is inside.
+    """
+
+    points: Array
+    before: NDArray[np.int64]
+    after: NDArray[np.int64]
+    rings: list[Array]
+
+
+def as_rings(obstacles: Iterable[ArrayLike]) -> list[Array]:
+    """Obstacles as checked rings, counter-clockwise. Raises InvalidPolygon, InvalidPoint, InvalidParameter."""
+    if isinstance(obstacles, str) or not isinstance(obstacles, Iterable):
+        raise InvalidParameter(f"obstacles must be a list of polygons, each of shape (n, 2), got {shortened(obstacles)}")
+    return [as_ring(obstacle, f"obstacle {number}") for number, obstacle in enumerate(obstacles)]
+
+
+def make_walls(rings: list[Array], clearance: float) -> Walls:
+    """The walls round checked rings, grown by `clearance`; those that meet, overlap or hold one another are united first."""
+    if clearance > 0.0:
+        rings = [grown(part, clearance) for ring in rings for part in convex_parts(ring)]
+    return linked(united(rings) if any_meet(rings) else rings)
+
+
+def contact(walls: Walls, q: Array) -> int:
+    """Where a point is: 1 inside what is solid, 0 on a wall, -1 in the open. Exact."""
+    inside = -1
+    for ring in walls.rings:
+        where = place(q[0], q[1], ring)
+        if where == 0:
+            return 0
+        inside = -inside if where > 0 else inside  # inside an obstacle; out again in a hole of it; and so on
+    return inside
+
+
+def grown(ring: Array, clearance: float) -> Array:
+    """A convex ring's outline at a distance: edges exactly `clearance` away, each corner round it by tangents to its circle."""
+    edges = np.roll(ring, -1, axis=0) - ring
+    angles = np.arctan2(edges[:, 1], edges[:, 0])
+    outline = []
+    for i in range(len(ring)):
+        bend = (angles[i] - angles[i - 1]) % (2.0 * math.pi)
+        if bend > math.pi:  # a straight corner, rounded to the wrong side
+            continue
+        pieces = max(1, math.ceil(bend / CORNER))
+        half = 0.5 * bend / pieces
+        outward = angles[i - 1] - 0.5 * math.pi + half * (2.0 * np.arange(pieces) + 1.0)
+        outline.append(ring[i] + clearance / math.cos(half) * np.column_stack([np.cos(outward), np.sin(outward)]))
+    points = np.concatenate(outline)
+    return points[(points != np.roll(points, 1, axis=0)).any(axis=1)]
+
+
+def any_meet(rings: list[Array]) -> bool:
+    """Whether any two rings, taken as solid, share a point. Exact."""
+    boxes = [(ring.min(axis=0).tolist(), ring.max(axis=0).tolist()) for ring in rings]
+    for (ring_a, (a_lo, a_hi)), (ring_b, (b_lo, b_hi)) in combinations(zip(rings, boxes), 2):
+        apart = a_lo[0] > b_hi[0] or b_lo[0] > a_hi[0] or a_lo[1] > b_hi[1] or b_lo[1] > a_hi[1]
+        if not apart and rings_meet(ring_a, ring_b):
+            return True
+    return False
+
+
+@compiled
+def rings_meet(P: Array, Q: Array) -> bool:
+    """Whether two solid rings share a point."""
+    if place(P[0, 0], P[0, 1], Q) >= 0 or place(Q[0, 0], Q[0, 1], P) >= 0:
+        return True
+    for i in range(len(P)):
+        for j in range(len(Q)):
+            a, b, c, d = P[i - 1], P[i], Q[j - 1], Q[j]
+            if segments_meet(a[0], a[1], b[0], b[1], c[0], c[1], d[0], d[1]):
+                return True
+    return False
+
+
+def united(rings: list[Array]) -> list[Array]:
+    """The outlines of the union: obstacles counter-clockwise, holes clockwise."""
+    import shapely
+
+    _, power = math.frexp(max(float(np.abs(ring).max()) for ring in rings))
+    scaled = [shapely.Polygon(np.ldexp(ring, -power)) for ring in rings]  # to sizes near 1, which overflow nowhere
+    union = shapely.set_precision(shapely.union_all(scaled), GRID)
+    outlines = []
+    for part in shapely.get_parts(union):
+        for i, outline in enumerate((part.exterior, *part.interiors) if not part.is_empty else ()):
+            ring = np.ldexp(shapely.get_coordinates(outline)[:-1], power)
+            outlines.append(ring if (ring_turn(ring) > 0) == (i == 0) else ring[::-1].copy())
+    return outlines
+
+
+def linked(rings: list[Array]) -> Walls:
+    """Rings as walls; where several touch at a corner, they are joined so that each loop borders one free region."""
+    sizes = [len(ring) for ring in rings]
+    first = np.repeat(np.cumsum([0, *sizes])[:-1], sizes)
+    size = np.repeat(sizes, sizes).astype(np.int64)
+    points = np.concatenate([np.empty((0, 2)), *rings])
+    number = np.arange(len(points))
+    after, before = first + (number - first + 1) % size, first + (number - first - 1) % size
+    if len(np.unique(points, axis=0)) < len(points):
+        join_at_touching_corners(points, before, after)
+    return Walls(points, before, after, rings)
+
+
+def join_at_touching_corners(points: Array, before: NDArray[np.int64], after: NDArray[np.int64]) -> None:
+    """From each edge that arrives at a shared corner go on along the first one met when turning through what is free."""
+    at: defaultdict[Any, list[int]] = defaultdict(list)
+    for i, point in enumerate(points.tolist()):
+        at[tuple(point)].append(i)
+    for shared in at.values():
+        leading = [int(after[i]) for i in shared]
+        for i in shared if len(shared) > 1 else ():
+            after[i] = min(leading, key=cmp_to_key(partial(met_first, points, points[i], points[before[i]])))
+    before[after] = np.arange(len(points))
+
+
+def met_first(points: Array, v: Array, u: Array, i: int, j: int) -> int:
+    """-1 where, turning counter-clockwise round v from u, point i is met before point j; 1 where j is. Exact."""
+    a, b = points[i], points[j]
+    a_late, b_late = turn(*v, *u, *a) < 0, turn(*v, *u, *b) < 0  # in the second half of the turn
+    if a_late != b_late:
+        return 1 if a_late else -1
+    return -int(turn(*v, *a, *b))
