@@ -8,15 +8,16 @@ A plan in four lines:
 >>> plan.path is not None
 True
 
-The rooms of the house: `geometry`, `graphs`, `spaces`, `worlds`, `robots`, `collision`, `problems`, `planners`, `scenes`; and
-`figures` and `boards`, which are imported when first used, because they bring matplotlib and ipywidgets.
+The rooms of the house: `geometry`, `graphs`, `spaces`, `worlds`, `robots`, `collision`, `problems`, `decomposition`, `planners`,
+`scenes`; and `figures` and `boards`, which are imported when first used, because they bring matplotlib and ipywidgets.
 """
 
 from importlib import import_module
 from typing import Any
 
-from . import collision, geometry, graphs, planners, problems, robots, scenes, spaces, worlds
-from .planners import bug0, bug1, bug2, bug2_prelim, bug_base, plan_on_grid, prm, rrt
+from . import collision, decomposition, geometry, graphs, planners, problems, robots, scenes, spaces, worlds
+from .decomposition import decomposition_roadmap, sweep, trapezoidation, triangulation
+from .planners import bug0, bug1, bug2, bug2_prelim, bug_base, plan_by_decomposition, plan_on_grid, prm, rrt
 from .problems import Plan, Problem, Recorder
 from .robots import Disk, Point
 from .scenes import read_problem, read_scene, write_scene
@@ -48,9 +49,12 @@ __all__ = [
     "bug_base",
     "collision",
     "course",
+    "decomposition",
+    "decomposition_roadmap",
     "figures",
     "geometry",
     "graphs",
+    "plan_by_decomposition",
     "plan_on_grid",
     "planners",
     "prm",
@@ -62,6 +66,9 @@ __all__ = [
     "rrt",
     "scenes",
     "spaces",
+    "sweep",
+    "trapezoidation",
+    "triangulation",
     "worlds",
     "write_scene",
 ]

@@ -1,7 +1,9 @@
 """Compile ahead what the course uses, so that no lesson waits for it."""
 
+from typing import Any
+
 from .compiled import CACHE
-from .planners import bug2, plan_on_grid, prm, rrt
+from .planners import bug2, plan_by_decomposition, plan_on_grid, prm, rrt
 from .problems import Problem
 from .progress import stage
 from .robots import Point
@@ -16,11 +18,13 @@ def warm_up() -> None:
         "polygons": PolygonWorld([(0, 0), (9, 0), (9, 9), (5, 8), (0, 9)], [[(4, 0), (5, 0), (5, 5)], ((7, 5), 1.0)]),
         "terrain": Terrain([[1] * 9] * 9),
     }
-    jobs = [(planner, kind) for kind in worlds for planner in (rrt, prm, plan_on_grid)]
+    jobs: list[tuple[Any, str]] = [(planner, kind) for kind in worlds for planner in (rrt, prm, plan_on_grid)]
+    worlds["straight polygons"] = PolygonWorld([(0, 0), (9, 0), (9, 9), (0, 9)], [[(4, 0), (5, 0), (5, 5)]])
+    jobs.append((plan_by_decomposition, "straight polygons"))
     for number, (planner, kind) in enumerate(jobs, start=1):
         with stage(f"compiling once, {number} of {len(jobs)}: {planner.__name__} on {kind}"):
             problem = Problem(Point(), worlds[kind], (1, 1), (8, 8))
-            planner(problem, **({} if planner is plan_on_grid else {"rng": 0}))
+            planner(problem, **({"rng": 0} if planner in (rrt, prm) else {}))
     with stage("compiling once: bugs"):
         bug2((1, 1), (8, 8), [[(4, 2), (5, 2), (5, 6)], [(1, 8), (2, 8), (2, 9)]], 1.0)
     (CACHE / "warm").touch()

@@ -1,16 +1,19 @@
 """Figures: the only place that draws with matplotlib."""
 
+from .decomposition import draw_decomposition, draw_sweep
 from .drawing import draw_path, draw_plan, draw_problem, draw_roadmap, draw_robot, draw_tree, draw_world
 from .saving import save_plan
 from .walks import draw_distance_to_goal, draw_walk
 
 __all__ = [
+    "draw_decomposition",
     "draw_distance_to_goal",
     "draw_path",
     "draw_plan",
     "draw_problem",
     "draw_roadmap",
     "draw_robot",
+    "draw_sweep",
     "draw_tree",
     "draw_walk",
     "draw_world",

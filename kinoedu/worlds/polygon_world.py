@@ -1,7 +1,6 @@
 """A world of polygons and discs: exact, with rooms inside holes."""
 
 from collections.abc import Iterable, Sequence
-from itertools import pairwise
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -80,10 +79,12 @@ def edges_of(ring: Array, solid: int) -> Array:
 
 def rings_of(world: PolygonWorldRecord) -> list[list[Array]]:
     """The rings of each solid: the boundary's first, clockwise; then each polygonal obstacle's own and its rooms'."""
-    begins = [0, *(np.flatnonzero((world.edges[1:, :2] != world.edges[:-1, 2:4]).any(axis=1)) + 1), len(world.edges)]
     solids: list[list[Array]] = [[] for _ in range(int(world.edges[-1, 4]) + 1)]
-    for begin, end in pairwise(begins):
-        solids[int(world.edges[begin, 4])].append(world.edges[begin:end, :2])
+    begin = 0
+    for end, (x, y, solid) in enumerate(world.edges[:, 2:].tolist(), start=1):
+        if x == world.edges[begin, 0] and y == world.edges[begin, 1]:  # the ring is closed; the next may begin at the same point
+            solids[int(solid)].append(world.edges[begin:end, :2])
+            begin = end
     return solids
 
 

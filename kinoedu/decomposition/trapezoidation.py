@@ -1,0 +1,215 @@
+"""Trapezoids: the free space of a polygonal world cut by a vertical wall up and down from every vertex.
+
+Bullo & Smith, section 2.2; M. de Berg, O. Cheong, M. van Kreveld, M. Overmars, Computational Geometry, sections 6.1 and 13.2. The
+algorithm is in sweep.py.
+"""
+
+from collections.abc import Iterator
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..compiled import body, compiled
+from ..errors import InvalidWorld
+from ..geometry.checks import Array, as_point
+from ..graphs.graph import counting_sort
+from .cells import CELLS, CLOSED, WALLS
+from .crossing import CROSSED, side
+from .free_space import edges_to_try
+from .status import ABOVE, CELL, NOBODY
+from .sweep import Sweep, events, new_sweep
+
+
+class Trapezoidation(NamedTuple):
+    """A world cut into trapezoids, in the order in which the sweep line enters them; of those it enters together, the one it
+    leaves first comes first, then the lower.
+
+    trapezoids : (n, 6), rows x_left, x_right, the heights of floor and ceiling at x_left, and those at x_right. Where the two
+        heights of one side are equal, the cell is a triangle.
+    adjacency : (m, 2), pairs (i, j) with a wall of positive length between them, i on the left; in increasing order.
+    walls : (m, 2, 2), those walls: their lower and upper ends.
+    sides : (n, 2), each cell's floor and ceiling, as rows of edges.
+    edges : (k, 4), the edges round the free space, each from its left end to its right end. world : what was cut.
+    """
+
+    trapezoids: Array
+    adjacency: NDArray[np.int64]
+    walls: Array
+    sides: NDArray[np.int64]
+    edges: Array
+    world: Any
+
+    @property
+    def areas(self) -> Array:
+        """The area of each cell, (n,)."""
+        x0, x1, low0, high0, low1, high1 = self.trapezoids.T
+        return (x1 - x0) * ((high0 - low0) + (high1 - low1)) / 2.0
+
+    @property
+    def centres(self) -> Array:
+        """A point inside each cell, (n, 2): half way across, half way up."""
+        x0, x1, low0, high0, low1, high1 = self.trapezoids.T
+        return np.column_stack([(x0 + x1) / 2.0, (low0 + high0 + low1 + high1) / 4.0])
+
+    @property
+    def outlines(self) -> Array:
+        """The corners of each cell, counter-clockwise from the lower left, (n, 4, 2)."""
+        return corners_of(self.trapezoids)
+
+    def cells_at(self, q: ArrayLike) -> NDArray[np.int64]:
+        """The cells that hold the point q: one, those on both sides of a wall that it lies on, or none. Exact, O(n)."""
+        x, y = as_point(q, "q").tolist()
+        return np.flatnonzero(holding(self.trapezoids, self.sides, self.edges, x, y))
+
+
+def corners_of(trapezoids: Array) -> Array:
+    """The corners of trapezoids (n, 6), counter-clockwise from the lower left, (n, 4, 2)."""
+    return trapezoids[:, [[0, 2], [1, 4], [1, 5], [0, 3]]]
+
+
+@compiled
+def holding(trapezoids: Array, sides: NDArray[np.int64], edges: Array, x: float, y: float) -> NDArray[np.bool_]:
+    """Whether each closed cell holds a point, (n,): between its walls, not below its floor, not above its ceiling."""
+    holds = np.zeros(len(sides), np.bool_)
+    for i in range(len(sides)):
+        if trapezoids[i, 0] <= x <= trapezoids[i, 1]:
+            holds[i] = side(edges, sides[i, 0], x, y) >= 0 and side(edges, sides[i, 1], x, y) <= 0
+    return holds
+
+
+KINDS = {  # of a vertex, by how many cells it closes and opens: the table in sweep.py
+    (0, 1): "a room begins",
+    (1, 2): "an obstacle begins",
+    (1, 0): "a room ends",
+    (2, 1): "an obstacle ends",
+    (1, 1): "a bend",
+}
+
+
+class Step(NamedTuple):
+    """One event of the sweep, and what it leaves.
+
+    x : where the line is. vertices : (k, 2), those on it, from bottom to top.
+    closed : (c, 6), the trapezoids that end here, from bottom to top, as rows of `Trapezoidation.trapezoids`.
+    opened : (o, 3), the left walls of the cells that begin here: x, and the heights of floor and ceiling.
+    status : (s, 4), the edges that cross the line just right of x, from bottom to top: floor, ceiling, floor, ceiling, ...; each
+        from its left end to its right end.
+    """
+
+    x: float
+    vertices: Array
+    closed: Array
+    opened: Array
+    status: Array
+
+    @property
+    def kind(self) -> str:
+        """The type of the vertex, in words; where several lie on the line, how many."""
+        return (
+            KINDS.get((len(self.closed), len(self.opened)), "a touch")
+            if len(self.vertices) == 1
+            else f"{len(self.vertices)} vertices"
+        )
+
+
+def trapezoidation(world: Any) -> Trapezoidation:
+    """Cut the free space of a PolygonWorld into trapezoids by a sweep line.
+
+    Obstacles may touch each other and the boundary; where they overlap they are united first, and the points where their edges
+    cross are rounded. Everything else is exact, but for the heights of walls inside an edge, which are good to 1e-15 of the world.
+    A wall stands at every vertex, straight ones too.
+
+    O(n log n) expected for n vertices. Raises InvalidWorld for round obstacles and for terrains.
+
+    >>> from kinoedu.worlds import PolygonWorld
+    >>> cut = trapezoidation(PolygonWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [[(3, 2), (6, 2), (6, 4), (3, 4)]]))
+    >>> cut.areas
+    array([18.,  6.,  6., 18.])
+    >>> cut.adjacency.tolist()
+    [[0, 1], [0, 2], [1, 3], [2, 3]]
+    """
+    done, _ = swept(world)
+    cells, closed = done.cells[: done.sizes[CELLS]], done.closed[: done.sizes[CELLS]]
+    walls, pairs = done.walls[: done.sizes[WALLS]], done.pairs[: done.sizes[WALLS]]
+    cell_order, wall_order, pairs = in_order(cells, closed, pairs)
+    ends = walls[wall_order][:, [[0, 1], [0, 2]]]
+    return Trapezoidation(cells[cell_order], pairs, ends, done.sides[cell_order], done.ends, world)
+
+
+def sweep(world: Any) -> Iterator[Step]:
+    """Yield what the sweep line does at each event, from left to right: the steps of `trapezoidation`, which drains them.
+
+    Raises InvalidWorld as it does, before the first step.
+
+    >>> from kinoedu.worlds import PolygonWorld
+    >>> for step in sweep(PolygonWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [[(3, 3), (6, 2), (5, 4)]])):
+    ...     step.x, len(step.closed), len(step.opened), len(step.status)
+    (0.0, 0, 1, 2)
+    (3.0, 1, 2, 4)
+    (5.0, 1, 1, 4)
+    (6.0, 2, 1, 2)
+    (9.0, 1, 0, 0)
+    """
+    _, edges = swept(world)
+    return steps(new_sweep(edges))
+
+
+def swept(world: Any) -> tuple[Sweep, Array]:
+    """The sweep of a world, to its end, and the edges that it swept."""
+    for edges in edges_to_try(world):
+        state = new_sweep(edges)
+        if drain(state):
+            return state, edges
+    raise InvalidWorld("these obstacles overlap in a way that could not be united; move them a little, or join them yourself")
+
+
+@body
+def drain(state: Sweep) -> bool:
+    """Sweep to the end; False where edges cross."""
+    for met in events(state):
+        if met == CROSSED:
+            return False
+    return True
+
+
+def steps(state: Sweep) -> Iterator[Step]:
+    """What the state of a sweep shows after each event."""
+    met = cells = closed = 0
+    for now in events(state):
+        vertices = state.vertices[state.order[met:now]]
+        ending, beginning = state.closed[closed : state.sizes[CLOSED]], state.cells[cells : state.sizes[CELLS], [0, 2, 3]]
+        yield Step(
+            float(vertices[0, 0]), vertices, state.cells[ending], beginning, state.ends[edges_on_line(state.nodes, state.sides)]
+        )
+        met, cells, closed = now, int(state.sizes[CELLS]), int(state.sizes[CLOSED])
+
+
+def edges_on_line(nodes: NDArray[np.int64], sides: NDArray[np.int64]) -> NDArray[np.int64]:
+    """The edges of the status, from bottom to top, (s,)."""
+    found, node = [], nodes[NOBODY, ABOVE]
+    while node != NOBODY:
+        found.append(sides[nodes[node, CELL]])
+        node = nodes[node, ABOVE]
+    return np.array(found, np.int64).ravel()
+
+
+@compiled
+def in_order(
+    cells: Array, closed: NDArray[np.int64], pairs: NDArray[np.int64]
+) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.int64]]:
+    """From the numbers in which cells were opened to the final ones: which cells (n,), which walls (m,), pairs (m, 2)."""
+    n = len(cells)
+    entered = np.zeros(n, np.int64)
+    for i in range(1, n):
+        entered[i] = entered[i - 1] if cells[i, 0] == cells[i - 1, 0] else i
+    _, cell_order = counting_sort(entered, closed, n)
+    number = np.empty(n, np.int64)
+    for i in range(n):
+        number[cell_order[i]] = i
+    renamed = np.empty_like(pairs)
+    for k in range(len(pairs)):
+        renamed[k, 0], renamed[k, 1] = number[pairs[k, 0]], number[pairs[k, 1]]
+    _, by_right = counting_sort(renamed[:, 1], np.arange(len(pairs)), n)
+    _, wall_order = counting_sort(renamed[:, 0], by_right, n)
+    return cell_order, wall_order, renamed[wall_order]

@@ -1,0 +1,79 @@
+"""Triangles: the other way to cut a polygonal world into convex cells, without walls inside edges.
+
+Bullo & Smith, section 2.2; de Berg et al., chapters 3 and 9. The constrained Delaunay triangulation, whose triangles are as little
+slender as the edges allow, is shapely's.
+"""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..compiled import compiled
+from ..geometry.checks import Array, as_point
+from ..geometry.convex import edges, in_convex, triangles
+from .free_space import as_polygons, free_polygons
+
+
+class Triangulation(NamedTuple):
+    """A world cut into triangles.
+
+    triangles : (n, 3, 2), counter-clockwise. adjacency : (m, 2), pairs (i, j), i < j, with an edge between them, in increasing
+    order. walls : (m, 2, 2), the ends of those edges. world : what was cut.
+    """
+
+    triangles: Array
+    adjacency: NDArray[np.int64]
+    walls: Array
+    world: Any
+
+    @property
+    def areas(self) -> Array:
+        """The area of each cell, (n,)."""
+        (ax, ay), (bx, by) = (self.triangles[:, 1] - self.triangles[:, 0]).T, (self.triangles[:, 2] - self.triangles[:, 0]).T
+        return (ax * by - ay * bx) / 2.0
+
+    @property
+    def centres(self) -> Array:
+        """The centroid of each cell, (n, 2)."""
+        return self.triangles.sum(axis=1) / 3.0
+
+    @property
+    def outlines(self) -> Array:
+        """The corners of each cell, counter-clockwise, (n, 3, 2)."""
+        return self.triangles
+
+    def cells_at(self, q: ArrayLike) -> NDArray[np.int64]:
+        """The cells that hold the point q, those on both sides of an edge that it lies on, or none. Exact, O(n)."""
+        x, y = as_point(q, "q").tolist()
+        return np.flatnonzero(rings_holding(self.triangles, x, y))
+
+
+@compiled
+def rings_holding(rings: Array, x: float, y: float) -> NDArray[np.bool_]:
+    """Whether each convex ring (n, k, 2) holds a point, (n,)."""
+    holds = np.empty(len(rings), np.bool_)
+    for i in range(len(rings)):
+        holds[i] = in_convex(x, y, rings[i])
+    return holds
+
+
+def triangulation(world: Any) -> Triangulation:
+    """Cut the free space of a PolygonWorld into triangles by a constrained Delaunay triangulation, from its vertices alone.
+
+    Raises InvalidWorld for round obstacles and for terrains.
+
+    >>> from kinoedu.worlds import PolygonWorld
+    >>> cut = triangulation(PolygonWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [[(3, 2), (6, 2), (6, 4), (3, 4)]]))
+    >>> len(cut.triangles), len(cut.adjacency), float(cut.areas.sum())
+    (8, 8, 48.0)
+    """
+    cells: list[Array] = []
+    polygons, unit = free_polygons(as_polygons(world))
+    for part in polygons:
+        cells += triangles(np.array(part.exterior.coords)[:-1], [np.array(hole.coords)[:-1] for hole in part.interiors])
+    left_of = {edge: i for i, cell in enumerate(cells) for edge in edges(cell)}  # an edge is shared by its reverse
+    shared = sorted((i, j, a, b) for (a, b), i in left_of.items() if i < (j := left_of.get((b, a), -1)))
+    pairs = np.array([(i, j) for i, j, _, _ in shared], np.int64).reshape(-1, 2)
+    walls = np.array([(a, b) for _, _, a, b in shared]).reshape(-1, 2, 2)
+    return Triangulation(unit * np.array(cells).reshape(-1, 3, 2), pairs, unit * walls, world)
