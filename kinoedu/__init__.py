@@ -30,6 +30,8 @@ def __getattr__(name: str) -> Any:
     """Import the rooms that draw at their first use."""
     if name in ("figures", "boards", "course"):
         return import_module(f"{__name__}.{name}")
+    if name == "board":
+        return import_module(f"{__name__}.boards").board
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 
@@ -41,6 +43,7 @@ __all__ = [
     "Problem",
     "Recorder",
     "Terrain",
+    "board",
     "boards",
     "bug0",
     "bug1",

@@ -29,6 +29,26 @@ RUN_ALL = """async () => {
     return panel.content.model.toJSON(); }"""
 
 
+def needs_chromium():
+    """Skip a test where there is no browser; fail it in CI, which installs one."""
+    if CHROMIUM is None:
+        import pytest
+
+        if os.environ.get("CI"):
+            pytest.fail("this test needs Chromium, which the project's CI installs")
+        pytest.skip("Chromium is not installed here; the same notebooks are run without a browser by nbval")
+
+
+def written_notebook(*cells: str) -> str:
+    """A notebook of code cells, as text."""
+    code = [
+        {"cell_type": "code", "id": f"c{k}", "metadata": {}, "source": cell, "outputs": [], "execution_count": None}
+        for k, cell in enumerate(cells)
+    ]
+    kernel = {"kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"}}
+    return json.dumps({"nbformat": 4, "nbformat_minor": 5, "metadata": kernel, "cells": code})
+
+
 @contextmanager
 def lab(course: Path, home: Path):
     """A JupyterLab server on `course` with settings of its own; yields (address, token)."""
@@ -65,14 +85,18 @@ def wait_for(address: str, server: "subprocess.Popen[bytes]", log: Path) -> None
 
 @contextmanager
 def notebook_page(address: str, token: str, notebook: str):
-    """A page with the notebook open; `page.outside` lists requests that would leave this computer, which are refused."""
+    """A page with the notebook open; `page.outside` lists requests that would leave this computer, which are refused;
+    `page.errors` what the browser complained of.
+    """
     from playwright.sync_api import sync_playwright
 
     with sync_playwright() as play:
         browser = play.chromium.launch(executable_path=CHROMIUM, headless=True, args=FLAGS)
         page = browser.new_context(viewport={"width": 1280, "height": 1000}).new_page()
         page.set_default_timeout(60_000)
-        page.outside = []
+        page.outside, page.errors = [], []
+        page.on("pageerror", lambda error: page.errors.append(str(error)))
+        page.on("console", lambda message: page.errors.append(message.text) if message.type == "error" else None)
         page.route(
             lambda url: not url.startswith((address, "data:", "blob:")),
             lambda route: (page.outside.append(route.request.url), route.abort()),

@@ -6,47 +6,70 @@ import sys
 from pathlib import Path
 
 import pytest
-from lab_driver import CHROMIUM, RUN_ALL, lab, notebook_page
+from lab_driver import RUN_ALL, lab, needs_chromium, notebook_page
 
 from kinoedu.lab import TOUR, has_display, lab_command
 
 HOUSE = Path(__file__).resolve().parent.parent
+TOLD = "document.querySelectorAll('.kinoedu-told')"
 
 
 @pytest.fixture
 def course(tmp_path):
     """A copy of the notebooks, since running them in JupyterLab saves them."""
-    if CHROMIUM is None:
-        if os.environ.get("CI"):
-            pytest.fail("this test needs Chromium, which the project's CI installs")
-        pytest.skip("Chromium is not installed here; the same notebooks are run without a browser by nbval")
+    needs_chromium()
     shutil.copytree(HOUSE / "notebooks", tmp_path / "course" / "notebooks")
     return tmp_path / "course"
 
 
-def test_the_tour_runs_and_its_explorer_moves(course, tmp_path):
-    """All cells run without error and without a request to the outside; scrubbing and another planner change the picture."""
+def test_the_tour_runs_and_its_boards_move(course, tmp_path):
+    """All cells run without error and without a request to the outside; the first board is dragged, scrubbed, and replanned."""
     with lab(course, tmp_path) as (address, token), notebook_page(address, token, TOUR) as page:
         book = page.evaluate(RUN_ALL)
         code = [cell for cell in book["cells"] if cell["cell_type"] == "code"]
         assert all(cell["execution_count"] for cell in code)
         assert [o["evalue"] for cell in code for o in cell["outputs"] if o["output_type"] == "error"] == []
-        page.locator("img.kinoedu-explorer").first.scroll_into_view_if_needed()  # JupyterLab renders what is in view
-        said = "document.querySelector('.kinoedu-state').innerText"
-        page.wait_for_function(f"() => {said}.includes('a path of length')")
-        picture, told = page.locator("img.kinoedu-explorer").first, page.locator(".kinoedu-state").first.inner_text()
-        whole = picture.get_attribute("src")
-        growth = page.locator(".jupyter-widgets:has-text('growth') [role=slider][aria-valuemax='60.0']").first
-        growth.focus()
-        for _ in range(20):
-            growth.press("ArrowLeft")
-        page.wait_for_function(f"() => {said}.includes(' of ') && !{said}.includes('a path')")
-        assert picture.get_attribute("src") != whole
+        board = page.locator(".kinoedu-board").first
+        board.scroll_into_view_if_needed()  # JupyterLab renders what is in view
+        page.wait_for_function(f"() => {TOLD}[0].innerText === 'RRT: a path of length 270.4, 78 nodes'")
+        board.locator("[data-thing=handle-1]").scroll_into_view_if_needed()
+        goal, whole = board.locator("[data-thing=handle-1]").bounding_box(), board.locator("canvas").screenshot()
+        x, y = goal["x"] + goal["width"] / 2, goal["y"] + goal["height"] / 2
+        page.mouse.move(x, y)
+        page.mouse.down()
+        page.mouse.move(x + 34, y, steps=8)  # into a building
+        page.wait_for_function(f"() => {TOLD}[0].innerText.includes('is not free')")
+        page.mouse.move(x, y - 25, steps=8)
+        page.mouse.up()
+        page.wait_for_function(f"() => {TOLD}[0].innerText.includes('a path of length')")
+        assert board.locator("canvas").screenshot() != whole
+        board.locator(".kinoedu-slider").press("Home")
+        page.wait_for_function(f"() => {TOLD}[0].innerText.startsWith('0 of ')")
         page.locator("select").filter(has_text="A* on a grid").first.select_option(label="A* on a grid")
-        page.wait_for_function(f"told => {said}.startsWith('A*: a path') && {said} != told", arg=told)
-        picture.scroll_into_view_if_needed()
+        page.wait_for_function(f"() => {TOLD}[0].innerText.startsWith('A*: a path')")
+        board.scroll_into_view_if_needed()
         page.screenshot(path=os.environ.get("KINOEDU_SCREENSHOT", str(tmp_path / "tour.png")))
-        assert page.outside == []
+        assert page.outside == [] and page.errors == []
+
+
+def test_lesson_1_runs_and_its_board_is_dragged(course, tmp_path):
+    """The whole lesson, and what its prediction asks for: q through the notch, by pointer and by keys."""
+    with lab(course, tmp_path) as (address, token), notebook_page(address, token, "notebooks/01_geometry.ipynb") as page:
+        book = page.evaluate(RUN_ALL)
+        code = [cell for cell in book["cells"] if cell["cell_type"] == "code"]
+        assert all(cell["execution_count"] for cell in code)
+        assert [o["evalue"] for cell in code for o in cell["outputs"] if o["output_type"] == "error"] == []
+        page.evaluate("() => document.querySelector('.kinoedu-board')?.scrollIntoView({block: 'center'})")
+        board = page.locator(".kinoedu-board").first
+        board.scroll_into_view_if_needed()
+        page.wait_for_function(f"() => {TOLD}[0].innerText.includes('distance 0.8')")
+        q = board.locator("[data-thing=handle-0]")
+        q.focus()
+        for _ in range(3):
+            q.press("ArrowLeft")
+        page.wait_for_function(f"() => {TOLD}[0].innerText.includes('distance') && !{TOLD}[0].innerText.includes('distance 0.8,')")
+        page.screenshot(path=os.environ.get("KINOEDU_SCREENSHOT", str(tmp_path / "lesson.png")))
+        assert page.outside == [] and page.errors == []
 
 
 def test_jupyter_keeps_its_token_and_stays_on_this_computer(monkeypatch):

@@ -17,6 +17,7 @@ from numpy.typing import ArrayLike
 from ..geometry.checks import Array
 from ..problems import Plan, ProblemRecord, Roadmap, Tree
 from ..robots.round import RoundRobot
+from ..words import say
 from ..worlds.open_world import OpenWorld
 from ..worlds.polygon_world import PolygonWorldRecord, discs_of, rings_of
 from ..worlds.terrain import TerrainRecord
@@ -185,15 +186,12 @@ def draw_plan(plan: Plan, ax: Axes | None = None, *, upto: int | None = None, ti
     """
     ax = axes_for(plan.problem.world, ax)
     artists = draw_problem(plan.problem, ax)
-    total = 0
+    total, _ = growth_of(plan)
     if plan.tree is not None:
-        total = len(plan.tree.nodes)
         artists += draw_tree(plan.tree, ax, upto=upto)
     if plan.roadmap is not None:
-        total = len(plan.roadmap.edges)
         artists += draw_roadmap(plan.roadmap, ax, upto=upto)
     if plan.walk is not None:
-        total = len(plan.walk.points)
         artists += draw_walk(plan.walk, ax, upto=upto, found=plan.path is not None)
     whole = upto is None or upto >= total
     if plan.path is not None and plan.walk is None and whole:
@@ -206,20 +204,21 @@ def draw_plan(plan: Plan, ax: Axes | None = None, *, upto: int | None = None, ti
 
 def summary(plan: Plan, shown: int) -> str:
     """What a plan's figure shows, in words."""
-    total, built = size_built(plan)
+    total, unit = growth_of(plan)
+    counts = {"planner": plan.planner, "total": f"{total:,}", "unit": unit}
     if shown < total:
-        return f"{plan.planner}: {shown:,} of {total:,} {built}"
+        return say("figure.growing", shown=f"{shown:,}", **counts)
     if plan.path is None:
-        return f"{plan.planner}: no path, {plan.reason}"
+        return say("figure.no_path", planner=plan.planner, reason=plan.reason)
     if plan.walk is not None:
-        total, built = len(plan.walk.hit), "hits"
-    return f"{plan.planner}: a path of length {plan.cost:.4g}, {total:,} {built}"
+        counts |= {"total": f"{len(plan.walk.hit):,}", "unit": say("figure.hits")}
+    return say("figure.path", length=f"{plan.cost:.4g}", **counts)
 
 
-def size_built(plan: Plan) -> tuple[int, str]:
-    """How much a plan built, and of what."""
+def growth_of(plan: Plan) -> tuple[int, str]:
+    """How many steps a plan's growth has, and what a step is, in words."""
     if plan.walk is not None:
-        return len(plan.walk.points), "points"
+        return len(plan.walk.points), say("figure.points")
     if plan.roadmap is not None:
-        return len(plan.roadmap.edges), "edges"
-    return len(plan.tree.nodes) if plan.tree else 0, "nodes"
+        return len(plan.roadmap.edges), say("figure.edges")
+    return len(plan.tree.nodes) if plan.tree is not None else 0, say("figure.nodes")

@@ -17,3 +17,5 @@ CONTACT = "#000000"
 INK = "#111827"
 
 TEXT_SIZE = 13
+
+NAMED = {name.lower(): colour for name, colour in list(globals().items()) if name.isupper() and isinstance(colour, str)}

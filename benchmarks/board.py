@@ -1,0 +1,104 @@
+"""How lively a board is: new plans and paints a second while a thing is dragged, in a real JupyterLab in headless Chromium."""
+
+import argparse
+import sys
+import tempfile
+import time
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+HOUSE = Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(HOUSE / "tests"))
+
+from lab_driver import CHROMIUM, RUN_ALL, lab, notebook_page, written_notebook  # noqa: E402 - beside the tests, which it serves first
+
+SCENE = """
+import kinoedu as ke
+obstacles = [[(2, 3), (3.5, 2.6), (3.9, 6.5), (2.4, 6.1)], [(5, 0.6), (6.2, 0.9), (6, 4.4), (5.2, 4.6)],
+             [(5, 6), (7.2, 5.8), (8, 7.6), (6.2, 7.2), (5.4, 8.2)],
+             [(8, 2), (10.4, 2.4), (10, 3.4), (9.2, 3.1), (8.8, 4.8), (7.8, 4.6)], ((10, 6.2), 0.9)]
+world = ke.PolygonWorld([(0, 0), (12, 0), (12, 9), (0, 9)], obstacles)
+ke.board(ke.Problem(ke.Point(), world, (1, 1), (11, 8)))
+"""
+TOWN = f"""
+import kinoedu as ke
+ke.board(ke.read_problem({str(HOUSE / "notebooks" / "maps" / "Paris_1_256.map")!r}, query=324))
+"""
+LISTEN = """board => { window.events = []; if (board.heard) return; board.heard = true;
+    for (const what of ['asked', 'answered', 'painted'])
+        board.addEventListener('kinoedu-' + what, e => events.push([what, e.detail, performance.now()])); }"""
+# The real mouse holds the thing; its moves are made in the page, a hundred a second, as Playwright's own wait for each other.
+DRAG = """([board, x, y, seconds]) => new Promise(done => {
+    const canvas = board.querySelector('canvas'), began = performance.now(); let moves = 0;
+    const timer = setInterval(() => {
+        const t = (performance.now() - began) / 1000;
+        if (t > seconds) { clearInterval(timer); done(moves / t); return; }
+        const [clientX, clientY] = [x - 40 + 40 * Math.cos(3 * t), y + 40 * Math.sin(3 * t)];
+        canvas.dispatchEvent(new PointerEvent('pointermove', {clientX, clientY, pointerId: 1, bubbles: true})); moves += 1;
+    }, 10); })"""
+GOALS = {"plans": 30.0, "paints": 50.0}
+
+
+def drag(page: Any, name: str, number: int, seconds: float) -> dict[str, float]:
+    """Drag a thing of a board round in circles; what was seen meanwhile."""
+    board = page.locator(".kinoedu-board").nth(number)
+    board.scroll_into_view_if_needed()
+    page.wait_for_timeout(500)
+    box = board.locator(f"[data-thing={name}]").bounding_box()
+    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    board.evaluate(LISTEN)
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x, y + 1)
+    began = time.perf_counter()
+    moves = page.evaluate(DRAG, [board.element_handle(), x, y, seconds])
+    spent = time.perf_counter() - began
+    events = page.evaluate("events.slice()")
+    page.mouse.up()
+    page.wait_for_timeout(500)
+    return {"moves": moves, **seen(events, spent), "stale": float(board.get_attribute("data-stale"))}
+
+
+def seen(events: list[Any], spent: float) -> dict[str, float]:
+    """Rates a second, the delay of an answer in ms, and how often an older answer was painted after a newer one."""
+    asked = {seq: when for what, seq, when in events if what == "asked"}
+    answered = [(seq, when) for what, seq, when in events if what == "answered" and seq in asked]
+    painted = [seq for what, seq, _ in events if what == "painted"]
+    delays = [when - asked[seq] for seq, when in answered]
+    backward = sum(after < before for before, after in zip(painted, painted[1:], strict=False))
+    return {
+        "plans": len(answered) / spent,
+        "paints": len(painted) / spent,
+        "delay": float(np.median(delays)),
+        "late": float(np.percentile(delays, 95)),
+        "backward": backward,
+    }
+
+
+def main() -> None:
+    """Drag on both boards and print a table."""
+    options = argparse.ArgumentParser(description=__doc__)
+    options.add_argument("--seconds", type=float, default=4.0, help="how long each thing is dragged")
+    options.add_argument("--repeats", type=int, default=3)
+    given = options.parse_args()
+    if CHROMIUM is None:
+        sys.exit("skipped: this needs Chromium")
+    print("| what is dragged | moves/s | plans/s | paints/s | delay ms, median | 95 % | out of order | |")
+    print("|---|---:|---:|---:|---:|---:|---:|---|")
+    with tempfile.TemporaryDirectory() as home, tempfile.TemporaryDirectory() as course:
+        (Path(course) / "board.ipynb").write_text(written_notebook(SCENE, TOWN))
+        with lab(Path(course), Path(home)) as (address, token), notebook_page(address, token, "board.ipynb") as page:
+            page.evaluate(RUN_ALL)
+            page.wait_for_selector(".kinoedu-board[data-answers]")
+            for what, name, number in (("goal", "handle-1", 0), ("polygon", "polygon-2", 0), ("goal in the town", "handle-1", 1)):
+                rounds = [drag(page, name, number, given.seconds) for _ in range(given.repeats)]
+                mean = {key: float(np.median([r[key] for r in rounds])) for key in rounds[0]}
+                verdict = "holds" if all(mean[key] >= least for key, least in GOALS.items()) and not mean["backward"] else "MISSED"
+                cells = [f"{mean[key]:.3g}" for key in ("moves", "plans", "paints", "delay", "late", "backward")]
+                print(f"| {what} | {' | '.join(cells)} | {verdict} |", flush=True)
+
+
+if __name__ == "__main__":
+    main()

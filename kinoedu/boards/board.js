@@ -1,0 +1,593 @@
+// The live board of kinoedu. Plain JavaScript, as it stands here: nothing is built, nothing is fetched.
+//
+// This side knows a *scene*: what stands there, and what of it can be dragged. Each change of it is sent to Python, which answers
+// with a *drawing*: layers of lines, dots, arrows and words, and a text. What they mean, only Python knows.
+//
+//   Board   what all views of one widget share: the scene, its changes and the answers to them, how much of the growth is shown
+//   View    one picture of it on a page: what is painted, and what a pointer or a key does
+//
+// A *thing* is what can be moved: {kind: "handle" | "disc" | "polygon", i} or {kind: "vertex", i, r, v}, vertex v of ring r.
+
+const IN_FLIGHT = 3;          // questions under way at once: they hide the delay of the way there and back
+const SLOW = 100;             // ms: an answer that took longer is waited for before the next is asked
+const VERY_SLOW = 1000;       // ms: then nothing is asked before the thing that is dragged is let go
+const PENDING = 250;          // ms after which an answer that is out of date is shown pale
+const QUIET = 600;            // ms without change before the text is read out
+const GROWTH = 4000;          // ms in which the whole growth is played
+const WIDEST = 640, HIGHEST = 560, PAD = 8;   // of the picture, in pixels
+
+const boards = new Map();     // by the widget's key
+
+export default {
+  initialize({ model }) {
+    const board = new Board(model);
+    boards.set(board.key, board);
+    return () => { board.stop(); boards.delete(board.key); };
+  },
+  render({ model, el }) {
+    const view = new View(boards.get(model.get("key")), el);
+    return () => view.close();
+  },
+};
+
+// ---- small tools
+
+const copy = (value) => JSON.parse(JSON.stringify(value));
+const same = (a, b) => JSON.stringify(a) === JSON.stringify(b);
+const clamp = (x, low, high) => Math.min(Math.max(x, low), high);
+const fill = (words, values) => words.replace(/\{(\w+)\}/g, (_, name) => values[name]);
+const floats = (view) => new Float32Array(view.buffer.slice(view.byteOffset, view.byteOffset + view.byteLength));
+const nameOf = (thing) => [thing.kind, thing.i, thing.r, thing.v].filter((part) => part !== undefined).join("-");
+
+function make(tag, className, parent, attributes = {}) {
+  const element = document.createElement(tag);
+  element.className = className;
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+  parent?.append(element);
+  return element;
+}
+
+function inside(x, y, rings) {          // of the first ring and outside the others: a ray to the right crosses an odd number of edges
+  let odd = false;
+  for (const ring of rings) {
+    ring.forEach(([ax, ay], i) => {
+      const [bx, by] = ring[(i + 1) % ring.length];
+      if ((ay > y) !== (by > y) && x < ax + ((y - ay) / (by - ay)) * (bx - ax)) odd = !odd;
+    });
+  }
+  return odd;
+}
+
+// ---- what all views share
+
+class Board {
+  constructor(model) {
+    Object.assign(this, { model, key: model.get("key"), words: model.get("words"), palette: model.get("palette") });
+    this.views = new Set();
+    this.id = Math.random().toString(36).slice(2);       // this page, among those that show the same widget
+    this.scene = copy(model.get("scene"));
+    this.drawing = { text: "", warning: "", note: "", layers: [], total: 0, unit: "" };
+    Object.assign(this, { seq: 0, shown: 0, asked: 0, stale: 0, answers: 0, took: 0 });
+    Object.assign(this, { waiting: false, pendingSince: null, step: 0, playing: null });
+    this.moved = new Map();                              // what moved since Python was last asked
+    model.on("msg:custom", (message, buffers) => this.receive(message, buffers));
+    model.on("change:scene", () => this.replaced());
+    this.model.send({ kind: "hello", from: this.id });
+  }
+
+  stop() { this.pause(); clearTimeout(this.timer); }
+  changed() { this.views.forEach((view) => view.request()); }
+
+  // the scene: where things are, and moving them
+
+  things() {
+    const { handles, polygons, discs } = this.scene;
+    const found = handles.map((_, i) => ({ kind: "handle", i }));
+    polygons.forEach((polygon, i) => { if (polygon.movable) found.push({ kind: "polygon", i }); });
+    discs.forEach((disc, i) => { if (disc.movable) found.push({ kind: "disc", i }); });
+    return found;
+  }
+
+  vertices(i) {
+    const polygon = this.scene.polygons[i];
+    if (!polygon.vertices) return [];
+    return polygon.rings.flatMap((ring, r) => ring.map((_, v) => ({ kind: "vertex", i, r, v })));
+  }
+
+  item(thing) { return this.scene[{ handle: "handles", disc: "discs" }[thing.kind] ?? "polygons"][thing.i]; }
+
+  shape(thing) {                         // its coordinates: a point, or the rings of a polygon
+    const item = this.item(thing);
+    if (thing.kind === "polygon") return item.rings;
+    return thing.kind === "vertex" ? item.rings[thing.r][thing.v] : item.at;
+  }
+
+  place(thing) {                         // one point for it: a polygon's is the middle of its box
+    if (thing.kind !== "polygon") return this.shape(thing);
+    const ring = this.shape(thing)[0];
+    return [0, 1].map((k) => (Math.min(...ring.map((p) => p[k])) + Math.max(...ring.map((p) => p[k]))) / 2);
+  }
+
+  move(thing, from, anchor, to) {        // as far as from the anchor to `to`, the anchor kept within the world; `from` is its shape before
+    const { lo, hi, decimals } = this.scene;
+    const shift = [0, 1].map((k) => clamp(to[k], lo[k], hi[k]) - anchor[k]);
+    const item = this.item(thing);
+    if (thing.kind === "polygon") {
+      const whole = shift.map((d) => Number(d.toFixed(decimals)));
+      item.rings = from.map((ring) => ring.map((p) => p.map((x, k) => Number((x + whole[k]).toFixed(decimals + 3)))));
+    } else {
+      const point = from.map((x, k) => Number((x + shift[k]).toFixed(decimals)));
+      if (thing.kind === "vertex") item.rings[thing.r][thing.v] = point; else item.at = point;
+    }
+    const kind = thing.kind === "vertex" ? "polygon" : thing.kind;
+    this.moved.set(`${kind}-${thing.i}`, [kind, thing.i]);
+    this.seq += 1;
+    this.pendingSince ??= performance.now();
+    this.ask(false);
+    this.changed();
+    clearTimeout(this.timer);
+    this.timer = setTimeout(() => this.changed(), PENDING + 20);
+  }
+
+  settle() {                             // the thing was let go: the scene is kept in the widget's state
+    this.ask(true);
+    this.model.set("scene", copy(this.scene));
+    this.model.save_changes();
+  }
+
+  reset() {
+    const home = this.model.get("home");
+    const mark = (kind) => (_, i) => this.moved.set(`${kind}-${i}`, [kind, i]);
+    this.scene = copy(home);
+    home.handles.forEach(mark("handle"));
+    home.polygons.forEach(mark("polygon"));
+    home.discs.forEach(mark("disc"));
+    this.seq += 1;
+    this.settle();
+    this.changed();
+  }
+
+  replaced() {                           // by Python or by another page: what was answered to it?
+    if (same(this.model.get("scene"), this.scene)) return;
+    this.scene = copy(this.model.get("scene"));
+    this.moved.clear();
+    this.model.send({ kind: "hello", from: this.id });
+    this.changed();
+  }
+
+  // questions and answers
+
+  ask(released) {
+    const limit = this.took > SLOW ? 1 : IN_FLIGHT;
+    if (this.asked >= limit || (this.took > VERY_SLOW && !released)) { this.waiting ||= released || this.took <= VERY_SLOW; return; }
+    this.waiting = false;
+    if (this.moved.size === 0) return;
+    const moved = [...this.moved.values()].map(([kind, i]) => [kind, i, this.shape({ kind, i })]);
+    this.moved.clear();
+    this.asked += 1;
+    this.model.send({ kind: "scene", from: this.id, seq: this.seq, moved });
+    this.tell("asked", this.seq);
+  }
+
+  receive(message, buffers) {
+    if (message.kind === "note") { this.drawing.note = message.text; this.changed(); return; }
+    if (!["drawing", "skipped"].includes(message.kind) || (message.to && message.to !== this.id)) return;
+    if (message.seq !== null) this.asked = Math.max(this.asked - 1, 0);
+    if (message.kind === "drawing") {
+      if (message.seq !== null && message.seq < this.shown) this.stale += 1; else this.show(message, buffers);
+    }
+    if (this.waiting) this.ask(true);
+  }
+
+  show(message, buffers) {
+    const layers = message.layers.map((layer, i) => ({ ...layer, data: floats(buffers[i]) }));
+    const { seq, text, warning, total, unit, took } = message;
+    this.drawing = { text, warning, layers, total, unit, note: "" };
+    this.took = took;
+    this.answers += 1;
+    if (seq !== null) this.shown = seq;
+    this.pendingSince = seq !== null && seq < this.seq ? performance.now() : null;
+    this.playing = null;
+    this.step = total;
+    this.tell("answered", seq);
+    this.changed();
+  }
+
+  tell(what, seq) { this.views.forEach((view) => view.root.dispatchEvent(new CustomEvent(`kinoedu-${what}`, { detail: seq, bubbles: true }))); }
+
+  // growth
+
+  growTo(step) { this.step = clamp(Math.round(step), 0, this.drawing.total); this.changed(); }
+  pause() { this.playing = null; this.changed(); }
+
+  play() {
+    if (this.playing) { this.pause(); return; }
+    const { total } = this.drawing;
+    if (matchMedia("(prefers-reduced-motion: reduce)").matches) {
+      this.growTo(this.step >= total ? 0 : this.step + Math.ceil(total / 20));
+      return;
+    }
+    const from = this.step >= total ? 0 : this.step;
+    const playing = this.playing = { since: null };
+    const tick = (now) => {
+      if (this.playing !== playing) return;
+      playing.since ??= now;
+      this.step = Math.min(Math.floor(from + ((now - playing.since) / GROWTH) * total), total);
+      if (this.step >= total) this.playing = null; else requestAnimationFrame(tick);
+      this.changed();
+    };
+    requestAnimationFrame(tick);
+  }
+
+  text() {
+    const { text, warning, note, total, unit } = this.drawing;
+    if (note) return note;
+    if (this.pendingSince !== null && performance.now() - this.pendingSince > PENDING) return this.words.thinking;
+    if (this.step < total && !warning) return fill(this.words.growth, { shown: this.step, total, unit });
+    return warning || text;
+  }
+}
+
+// ---- one picture of a board
+
+class View {
+  constructor(board, el) {
+    this.board = board;
+    this.grabs = new Map();              // by pointer: each finger may drag a thing of its own
+    this.buttons = new Map();            // by a thing's name
+    this.entered = null;                 // the polygon whose vertices can be reached by the keyboard
+    this.paints = 0;
+    this.build(el);
+    this.listen();
+    this.bitmap = this.bitmapPicture();
+    this.resizing = new ResizeObserver(() => this.resize());
+    this.resizing.observe(this.root);
+    board.views.add(this);
+    this.resize();
+  }
+
+  close() { this.resizing.disconnect(); clearTimeout(this.speaking); this.board.views.delete(this); }
+
+  build(el) {
+    const { words, palette } = this.board;
+    this.root = make("div", "kinoedu-board", el, { "data-lm-suppress-shortcuts": "true" });
+    this.root.style.setProperty("--kinoedu-focus", palette.ink);
+    this.root.style.setProperty("--kinoedu-warning", palette.goal);
+    this.stage = make("div", "kinoedu-stage", this.root);
+    this.canvas = make("canvas", "kinoedu-canvas", this.stage, { role: "img" });
+    this.overlay = make("div", "kinoedu-overlay", this.stage, { role: "group", "aria-label": words.movable });
+    this.growth = make("div", "kinoedu-growth", this.root);
+    this.button = make("button", "kinoedu-play", this.growth, { type: "button" });
+    this.slider = make("input", "kinoedu-slider", this.growth, { type: "range", min: 0, step: 1, "aria-label": words.slider });
+    this.back = make("button", "kinoedu-reset", this.growth, { type: "button" });
+    this.back.textContent = words.reset;
+    this.told = make("div", "kinoedu-told", this.root, { "aria-hidden": "true" });
+    this.state = make("div", "kinoedu-state", this.root, { role: "status", "aria-live": "polite" });
+    make("div", "kinoedu-hint", this.root).textContent = this.board.scene.polygons.some((p) => p.vertices) ? `${words.hint} ${words.deeper}` : words.hint;
+    this.pen = this.canvas.getContext("2d");
+  }
+
+  listen() {
+    const { board, canvas } = this;
+    canvas.addEventListener("pointerdown", (e) => this.grab(e));
+    canvas.addEventListener("pointermove", (e) => this.drag(e));
+    for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, (e) => this.letGo(e));
+    this.root.addEventListener("keydown", (e) => { if (!e.ctrlKey && !e.metaKey) e.stopPropagation(); });    // they are not the notebook's
+    this.button.addEventListener("click", () => board.play());
+    this.back.addEventListener("click", () => board.reset());
+    this.slider.addEventListener("input", () => { board.playing = null; board.growTo(this.slider.valueAsNumber); });
+  }
+
+  // places: the world's (x, y), y up, and the picture's pixels, y down
+
+  resize() {
+    const { lo, hi } = this.board.scene;
+    const [wide, high] = [hi[0] - lo[0], hi[1] - lo[1]];
+    const room = Math.max(Math.min(this.root.clientWidth || WIDEST, WIDEST), 160) - 2 * PAD;
+    this.scale = Math.min(room / wide, (HIGHEST - 2 * PAD) / high);
+    this.width = Math.round(wide * this.scale + 2 * PAD);
+    this.height = Math.round(high * this.scale + 2 * PAD);
+    this.unit = this.scale * Math.max(wide, high);
+    this.stage.style.width = `${this.width}px`;
+    this.stage.style.height = `${this.height}px`;
+    this.growth.style.maxWidth = `${Math.max(this.width, 320)}px`;
+    this.request();
+  }
+
+  toPixels([x, y]) {
+    const { lo } = this.board.scene;
+    return [PAD + (x - lo[0]) * this.scale, this.height - PAD - (y - lo[1]) * this.scale];
+  }
+
+  toWorld(event) {
+    const box = this.canvas.getBoundingClientRect(), { lo } = this.board.scene;
+    const px = ((event.clientX - box.left) / box.width) * this.width, py = ((event.clientY - box.top) / box.height) * this.height;
+    return [lo[0] + (px - PAD) / this.scale, lo[1] + (this.height - PAD - py) / this.scale];
+  }
+
+  // pointers
+
+  under(at, touch) {                     // the thing at a place: points first, the nearest within reach; then what covers it
+    const { board } = this, { scene } = board;
+    const nearest = (things, reach) => {
+      const far = things.map((thing) => { const p = board.place(thing); return Math.hypot(p[0] - at[0], p[1] - at[1]) * this.scale; });
+      const best = far.indexOf(Math.min(...far));
+      return far[best] <= reach ? things[best] : null;
+    };
+    const point = nearest(board.things().filter((thing) => thing.kind === "handle"), touch ? 28 : 16)
+      ?? nearest(scene.polygons.flatMap((_, i) => board.vertices(i)), touch ? 18 : 12);
+    if (point) return point;
+    return board.things().findLast((thing) => {
+      const item = board.item(thing);
+      if (thing.kind === "disc") return Math.hypot(item.at[0] - at[0], item.at[1] - at[1]) <= Math.max(item.radius, 12 / this.scale);
+      return thing.kind === "polygon" && inside(...at, item.rings);
+    }) ?? null;
+  }
+
+  grab(event) {
+    const anchor = this.toWorld(event), thing = this.under(anchor, event.pointerType === "touch");
+    if (!thing || event.button > 0) return;
+    event.preventDefault();
+    this.canvas.setPointerCapture(event.pointerId);
+    const point = thing.kind !== "polygon";
+    const offset = point ? this.board.place(thing).map((x, k) => x - anchor[k]) : [0, 0];     // it does not jump to the pointer
+    this.grabs.set(event.pointerId, { thing, offset, anchor: point ? this.board.place(thing) : anchor, from: copy(this.board.shape(thing)) });
+    if (thing.kind === "vertex") this.enter(thing.i);
+    this.buttons.get(nameOf(thing))?.focus({ preventScroll: true });
+    this.request();
+  }
+
+  drag(event) {
+    const held = this.grabs.get(event.pointerId), at = this.toWorld(event);
+    if (!held) { this.canvas.style.cursor = this.under(at, false) ? "grab" : ""; return; }
+    this.canvas.style.cursor = "grabbing";
+    this.board.move(held.thing, held.from, held.anchor, at.map((x, k) => x + held.offset[k]));
+  }
+
+  letGo(event) {
+    if (!this.grabs.delete(event.pointerId)) return;
+    this.canvas.style.cursor = "";
+    this.board.settle();
+    this.request();
+  }
+
+  // keys: every thing has a button over it, seen only while it has the focus
+
+  press(event, thing) {
+    const way = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], ArrowUp: [0, 1] }[event.key];
+    const { board } = this, { lo, hi } = board.scene;
+    if (way) {
+      const size = Math.max(hi[0] - lo[0], hi[1] - lo[1]) * (event.shiftKey ? 0.05 : 0.01), at = board.place(thing);
+      board.move(thing, copy(board.shape(thing)), at, at.map((x, k) => x + way[k] * size));
+      clearTimeout(this.settling);
+      this.settling = setTimeout(() => board.settle(), 300);
+    } else if (event.key === "Enter" && thing.kind === "polygon" && board.vertices(thing.i).length) {
+      this.enter(thing.i);
+      this.buttons.get(nameOf(board.vertices(thing.i)[0])).focus();
+    } else if (event.key === "Escape" && thing.kind === "vertex") {
+      this.buttons.get(nameOf({ kind: "polygon", i: thing.i }))?.focus();
+      this.enter(null);
+    } else return;
+    event.preventDefault();
+    event.stopPropagation();
+  }
+
+  enter(i) { this.entered = i; this.placeButtons(); }
+
+  placeButtons() {
+    const { board } = this, wanted = new Map();
+    for (const thing of board.things()) {
+      wanted.set(nameOf(thing), thing);
+      if (thing.kind === "polygon" && thing.i === this.entered) board.vertices(thing.i).forEach((v) => wanted.set(nameOf(v), v));
+    }
+    if (!same([...wanted.keys()], [...this.buttons.keys()])) this.makeButtons(wanted);
+    for (const [name, thing] of wanted) {
+      const button = this.buttons.get(name), at = board.place(thing), [px, py] = this.toPixels(at);
+      button.style.transform = `translate(${px - 14}px, ${py - 14}px)`;
+      const label = this.label(thing, at);
+      if (button.ariaLabel !== label) button.ariaLabel = label;
+    }
+  }
+
+  makeButtons(wanted) {                  // in the order of the Tab key: a polygon's vertices follow it
+    const before = this.buttons;
+    this.buttons = new Map([...wanted].map(([name, thing]) => {
+      const button = before.get(name) ?? make("button", "kinoedu-thing", null, { type: "button", "data-thing": name });
+      if (!before.has(name)) button.addEventListener("keydown", (event) => this.press(event, thing));
+      return [name, button];
+    }));
+    before.forEach((button, name) => { if (!wanted.has(name)) button.remove(); });
+    const inOrder = [...this.buttons.values()];
+    inOrder.forEach((button, k) => { if (this.overlay.children[k] !== button) this.overlay.insertBefore(button, this.overlay.children[k] ?? null); });
+  }
+
+  label(thing, [x, y]) {
+    const { words, scene } = this.board, show = (value) => value.toFixed(scene.decimals);
+    const kind = thing.kind === "polygon" && this.board.item(thing).vertices ? "polygon" : thing.kind === "vertex" ? "vertex" : "handle";
+    return fill(words[kind], { name: this.board.item(thing).name, number: thing.v, x: show(x), y: show(y) });
+  }
+
+  // painting: at most once a frame
+
+  request() { this.frame ||= requestAnimationFrame(() => { this.frame = 0; this.paint(); }); }
+
+  paint() {
+    const { board, pen } = this, ratio = window.devicePixelRatio || 1;
+    const [across, down] = [Math.round(this.width * ratio), Math.round(this.height * ratio)];
+    if (this.canvas.width !== across || this.canvas.height !== down) Object.assign(this.canvas, { width: across, height: down });
+    pen.setTransform(across / this.width, 0, 0, down / this.height, 0, 0);
+    pen.lineJoin = pen.lineCap = "round";
+    this.paintWorld();
+    const late = board.pendingSince !== null && performance.now() - board.pendingSince > PENDING;
+    pen.globalAlpha = late ? 0.35 : 1;
+    for (const layer of board.drawing.layers) if (!layer.last || board.step >= board.drawing.total) this[`paint_${layer.kind}`]?.(layer);
+    pen.globalAlpha = 1;
+    board.scene.handles.forEach((handle) => this.paintHandle(handle));
+    this.placeButtons();
+    this.tellState(late);
+    this.paints += 1;
+    this.root.dispatchEvent(new CustomEvent("kinoedu-painted", { detail: board.shown, bubbles: true }));
+  }
+
+  paintWorld() {
+    const { pen, board } = this, { scene, palette } = board;
+    pen.fillStyle = scene.boundary || this.bitmap ? palette.outside : palette.free;
+    pen.fillRect(0, 0, this.width, this.height);
+    if (this.bitmap) this.paintBitmap();
+    pen.lineWidth = 1.5;
+    pen.strokeStyle = palette.obstacle;
+    if (scene.boundary) { this.trace([scene.boundary]); pen.fillStyle = palette.free; pen.fill(); pen.stroke(); }
+    pen.fillStyle = palette.obstacle;
+    for (const polygon of scene.polygons) { this.trace(polygon.rings); pen.fill("evenodd"); }
+    for (const { at, radius } of scene.discs) { pen.beginPath(); pen.arc(...this.toPixels(at), radius * this.scale, 0, 7); pen.fill(); }
+    for (const polygon of scene.polygons) if (polygon.vertices) polygon.rings.flat().forEach((p) => this.dot(p, 4, palette.free, palette.obstacle));
+  }
+
+  trace(rings) {
+    this.pen.beginPath();
+    for (const ring of rings) {
+      ring.forEach((p, k) => (k ? this.pen.lineTo(...this.toPixels(p)) : this.pen.moveTo(...this.toPixels(p))));
+      this.pen.closePath();
+    }
+  }
+
+  bitmapPicture() {                      // one bit a cell, the lowest row first
+    const { size } = this.board.scene, view = this.board.model.get("bitmap"), { palette } = this.board;
+    if (!size || !view || !view.byteLength) return null;
+    const [rows, columns] = size, bits = new Uint8Array(view.buffer, view.byteOffset, view.byteLength);
+    const picture = make("canvas", "", null, { width: columns, height: rows }), pen = picture.getContext("2d");
+    const image = pen.createImageData(columns, rows), pixels = new Uint32Array(image.data.buffer);
+    const colour = (hex) => { const [r, g, b] = [1, 3, 5].map((k) => parseInt(hex.slice(k, k + 2), 16)); return (255 << 24) | (b << 16) | (g << 8) | r; };
+    const free = colour(palette.free), blocked = colour(palette.obstacle);
+    for (let cell = 0; cell < rows * columns; cell += 1) {
+      const row = rows - 1 - Math.floor(cell / columns);
+      pixels[row * columns + (cell % columns)] = bits[cell >> 3] & (128 >> (cell & 7)) ? free : blocked;
+    }
+    pen.putImageData(image, 0, 0);
+    return picture;
+  }
+
+  paintBitmap() {
+    const { lo, hi } = this.board.scene, [x0, y1] = this.toPixels(lo), [x1, y0] = this.toPixels(hi);
+    this.pen.imageSmoothingEnabled = (x1 - x0) * (window.devicePixelRatio || 1) < this.bitmap.width;     // cells stay sharp
+    this.pen.drawImage(this.bitmap, x0, y0, x1 - x0, y1 - y0);
+  }
+
+  paintHandle({ name, at, colour, marker, radius }) {
+    const { pen } = this, { palette, scene } = this.board, [px, py] = this.toPixels(at), paint = palette[colour];
+    if (radius) { pen.globalAlpha = 0.35; pen.fillStyle = paint; pen.beginPath(); pen.arc(px, py, radius * this.scale, 0, 7); pen.fill(); pen.globalAlpha = 1; }
+    if (marker === "star") this.star(px, py, 12, paint); else this.dot(at, 7, paint, palette.free);
+    const right = at[0] < scene.lo[0] + 0.75 * (scene.hi[0] - scene.lo[0]), up = at[1] < scene.lo[1] + 0.85 * (scene.hi[1] - scene.lo[1]);
+    this.write(name, px + (right ? 11 : -11), py + (up ? -15 : 15), paint, right ? "left" : "right", true);
+  }
+
+  dot(at, size, inner, rim) {
+    const { pen } = this;
+    pen.beginPath();
+    pen.arc(...this.toPixels(at), size, 0, 7);
+    Object.assign(pen, { fillStyle: inner, strokeStyle: rim, lineWidth: 1.5 });
+    pen.fill();
+    pen.stroke();
+  }
+
+  star(px, py, size, colour) {
+    const { pen } = this;
+    pen.beginPath();
+    for (let k = 0; k < 10; k += 1) {
+      const r = k % 2 ? size * 0.42 : size, angle = (k * Math.PI) / 5;
+      pen.lineTo(px + r * Math.sin(angle), py - r * Math.cos(angle));
+    }
+    pen.closePath();
+    Object.assign(pen, { fillStyle: colour, strokeStyle: this.board.palette.free, lineWidth: 1.5 });
+    pen.stroke();
+    pen.fill();
+  }
+
+  write(text, px, py, colour, align = "left", bold = false) {
+    const { pen } = this;
+    Object.assign(pen, { font: `${bold ? "bold " : ""}14px system-ui, sans-serif`, textAlign: align, textBaseline: "middle" });
+    Object.assign(pen, { strokeStyle: this.board.palette.free, lineWidth: 4, fillStyle: colour });
+    pen.strokeText(text, px, py);
+    pen.fillText(text, px, py);
+  }
+
+  // layers: places in world sizes from its lower left corner; in one that grows each row ends with the step at which it came
+
+  eachRow({ data, grows }, size, visit) {
+    const stride = size + (grows ? 1 : 0), unit = this.unit, bottom = this.height - PAD;
+    for (let k = 0; k + stride <= data.length; k += stride) {
+      if (grows && data[k + size] > this.board.step) break;
+      visit(PAD + data[k] * unit, bottom - data[k + 1] * unit, data[k + 2] * unit, data[k + 3] * unit, k / stride);
+    }
+  }
+
+  stroke({ colour, width, dash }) {
+    const { pen } = this;
+    Object.assign(pen, { strokeStyle: this.board.palette[colour], lineWidth: width });
+    pen.setLineDash(dash);
+    pen.stroke();
+    pen.setLineDash([]);
+  }
+
+  paint_edges(layer) {
+    const { pen } = this, bottom = this.height - PAD;
+    pen.beginPath();
+    this.eachRow(layer, 4, (px, py, x, y) => { pen.moveTo(px, py); pen.lineTo(PAD + x, bottom - y); });
+    this.stroke(layer);
+  }
+
+  paint_path(layer) {
+    const { pen } = this;
+    pen.beginPath();
+    this.eachRow(layer, 2, (px, py) => pen.lineTo(px, py));
+    if (layer.casing) this.stroke({ ...layer, colour: "ink", width: layer.width + 2, dash: [] });
+    this.stroke(layer);
+  }
+
+  paint_dots(layer) {
+    const { pen } = this;
+    pen.beginPath();
+    this.eachRow(layer, 2, (px, py) => { pen.moveTo(px, py); pen.arc(px, py, layer.width, 0, 7); });
+    pen.fillStyle = this.board.palette[layer.colour];
+    pen.fill();
+  }
+
+  paint_arrows(layer) {
+    const { pen } = this;
+    pen.beginPath();
+    this.eachRow(layer, 4, (px, py, dx, dy) => {
+      const ex = px + dx, ey = py - dy, angle = Math.atan2(ey - py, ex - px);
+      pen.moveTo(px, py);
+      pen.lineTo(ex, ey);
+      for (const turn of [2.6, -2.6]) { pen.moveTo(ex, ey); pen.lineTo(ex + 12 * Math.cos(angle + turn), ey + 12 * Math.sin(angle + turn)); }
+    });
+    this.stroke(layer);
+  }
+
+  paint_labels(layer) {
+    this.eachRow(layer, 2, (px, py, _dx, _dy, k) => {
+      const right = px < 0.75 * this.width;
+      this.write(layer.texts[k], px + (right ? 10 : -10), clamp(py - 12, 12, this.height - 12), this.board.palette[layer.colour], right ? "left" : "right");
+    });
+  }
+
+  // words below the picture
+
+  tellState(late) {
+    const { board } = this, { drawing, words } = board, text = board.text();
+    const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
+    this.told.textContent = text;
+    this.told.classList.toggle("kinoedu-warning", Boolean(drawing.warning) && !drawing.note && !late);
+    this.growth.classList.toggle("kinoedu-nothing", drawing.total === 0);
+    this.slider.max = drawing.total;
+    this.slider.value = board.step;
+    this.slider.setAttribute("aria-valuetext", fill(words.growth, { shown: board.step, total: drawing.total, unit: drawing.unit }));
+    this.button.textContent = board.playing ? words.pause : still ? words.next : words.play;
+    const layers = drawing.layers.map((layer) => layer.kind).join(" "), { shown: seq, seq: newest, answers, stale, step } = board;
+    Object.assign(this.root.dataset, { seq, newest, answers, stale, step, layers, total: drawing.total, paints: this.paints, warning: drawing.warning });
+    if (text === this.last) return;
+    this.last = text;
+    clearTimeout(this.speaking);
+    this.speaking = setTimeout(() => { this.state.textContent = this.last; this.canvas.ariaLabel = this.last; }, QUIET);
+  }
+}

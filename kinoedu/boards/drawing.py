@@ -1,0 +1,120 @@
+"""What a board answers: a drawing, made of layers of lines, dots, arrows and words.
+
+A layer that *grows* says for each of its rows at which step it came, so that the board can show the drawing as it was then.
+Colours go by their names in `kinoedu.figures.palette`, in small letters.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ..geometry.checks import Array
+
+POINTS = {"edges": 2, "path": 1, "dots": 1, "arrows": 1, "labels": 1}  # how many points begin each row
+
+
+class Layer(NamedTuple):
+    """Rows of numbers and how they look; the functions below make it.
+
+    rows : edges x, y, next x, next y; path, dots, labels x, y; arrows x, y, dx, dy.
+    when : for each row the step at which it came, from 1, not decreasing; None where all is there from the beginning.
+    last : it is shown only when everything else has grown.
+    """
+
+    kind: str
+    rows: Array
+    colour: str
+    width: float = 1.0
+    dash: tuple[float, ...] = ()
+    when: Array | None = None
+    last: bool = False
+    casing: bool = False
+    texts: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, eq=False)
+class Drawing:
+    """A board's answer to a scene.
+
+    text : what the picture shows; warning : what is wrong instead. One of them is read out.
+    total : how many steps the growth has, 0 for none; unit : what a step is, in words.
+    """
+
+    layers: Sequence[Layer] = ()
+    text: str = ""
+    warning: str = ""
+    total: int = 0
+    unit: str = ""
+
+    @property
+    def says(self) -> str:
+        """The warning, or else the text."""
+        return self.warning or self.text
+
+
+def edges(
+    segments: ArrayLike, colour: str, *, width: float = 1.2, dash: Sequence[float] = (), when: ArrayLike | None = None
+) -> Layer:
+    """Segments, shape (m, 2, 2)."""
+    return Layer("edges", rows_of(segments, 4), colour, width, tuple(dash), steps_of(when))
+
+
+def path(points: ArrayLike, colour: str, *, width: float = 3.0, dash: Sequence[float] = (), casing: bool = True) -> Layer:
+    """A line through points, shape (n, 2), on a dark casing; shown when everything has grown."""
+    return Layer("path", rows_of(points, 2), colour, width, tuple(dash), last=True, casing=casing)
+
+
+def dots(points: ArrayLike, colour: str, *, radius: float = 2.0, when: ArrayLike | None = None) -> Layer:
+    """Dots, shape (n, 2), of a radius in pixels."""
+    return Layer("dots", rows_of(points, 2), colour, radius, when=steps_of(when))
+
+
+def arrows(begins: ArrayLike, vectors: ArrayLike, colour: str, *, width: float = 3.0) -> Layer:
+    """Arrows from points (n, 2) along vectors (n, 2), in the world's unit."""
+    return Layer("arrows", np.hstack([rows_of(begins, 2), rows_of(vectors, 2)]), colour, width)
+
+
+def labels(points: ArrayLike, texts: Sequence[str], colour: str) -> Layer:
+    """Words beside points, shape (n, 2)."""
+    return Layer("labels", rows_of(points, 2), colour, texts=tuple(texts))
+
+
+def rows_of(values: ArrayLike, columns: int) -> Array:
+    """Numbers as rows."""
+    return np.asarray(values, np.float64).reshape(-1, columns)
+
+
+def steps_of(when: ArrayLike | None) -> Array | None:
+    """Steps as numbers."""
+    return None if when is None else np.asarray(when, np.float64)
+
+
+def encoded(drawing: Drawing, lo: ArrayLike, size: float) -> tuple[dict[str, Any], list[bytes]]:
+    """A drawing as a message and a buffer of float32 for each layer: places as multiples of `size` from the corner lo, a row's step
+    at its end.
+    """
+    about = [
+        {
+            "kind": layer.kind,
+            "colour": layer.colour,
+            "width": layer.width,
+            "dash": list(layer.dash),
+            "grows": layer.when is not None,
+            "last": layer.last,
+            "casing": layer.casing,
+            "texts": list(layer.texts),
+        }
+        for layer in drawing.layers
+    ]
+    buffers, corner = [], np.asarray(lo, np.float64)
+    for layer in drawing.layers:
+        rows = layer.rows / size
+        for k in range(POINTS[layer.kind]):
+            rows[:, 2 * k : 2 * k + 2] = (layer.rows[:, 2 * k : 2 * k + 2] - corner) / size
+        whole = rows if layer.when is None else np.column_stack([rows, layer.when])
+        buffers.append(whole.astype(np.float32).tobytes())
+    words = {"text": drawing.text, "warning": drawing.warning, "total": drawing.total, "unit": drawing.unit}
+    return {"layers": about, **words}, buffers

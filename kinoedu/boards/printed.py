@@ -1,0 +1,129 @@
+"""A board as a picture, for readers without JavaScript: the same scene, the same layers, drawn by matplotlib."""
+
+import io
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.collections import LineCollection
+from matplotlib.colors import ListedColormap
+from matplotlib.figure import Figure
+from matplotlib.patches import Circle, PathPatch
+from PIL import Image, ImageColor
+
+from ..figures import palette
+from ..figures.drawing import HALO, compound
+from .drawing import Drawing, Layer
+from .scene import Scene
+
+DPI = (72, 54)  # dots an inch; the smaller where the picture would take more than ENOUGH bytes
+ENOUGH = 44_000  # a notebook with a dozen boards stays small
+
+
+def printed(scene: Scene, drawing: Drawing, free: Any = None) -> bytes:
+    """A board's scene and what was answered, as a PNG; `free` is the bitmap beneath."""
+    (x0, y0), (x1, y1) = scene["lo"], scene["hi"]
+    size, margin = max(x1 - x0, y1 - y0), 0.01 * max(x1 - x0, y1 - y0)
+    width, height = max(6.0 * (x1 - x0) / size, 2.2) + 1.0, max(6.0 * (y1 - y0) / size, 2.2) + 1.0
+    figure = Figure(figsize=(width, height), dpi=DPI[0], layout="constrained")
+    FigureCanvasAgg(figure)
+    ax = figure.add_subplot()
+    ax.set(aspect="equal", xlim=(x0 - margin, x1 + margin), ylim=(y0 - margin, y1 + margin))
+    ax.set_title(drawing.says, fontsize=palette.TEXT_SIZE, wrap=True)
+    ax.tick_params(labelsize=palette.TEXT_SIZE - 1)
+    print_world(scene, free, ax)
+    for layer in drawing.layers:
+        print_layer(layer, ax)
+    print_handles(scene, ax)
+    pictures = (with_few_colours(figure, dpi) for dpi in DPI)
+    return next((picture for picture in pictures if len(picture) <= ENOUGH), with_few_colours(figure, DPI[-1]))
+
+
+def with_few_colours(figure: Figure, dpi: int) -> bytes:
+    """A figure as a PNG in the course's colours and their mixtures: a quarter of the size, and no colour lost."""
+    stream, small = io.BytesIO(), io.BytesIO()
+    figure.savefig(stream, format="png", dpi=dpi)
+    own = Image.new("P", (1, 1))
+    own.putpalette(mixtures())
+    Image.open(stream).convert("RGB").quantize(palette=own, dither=Image.Dither.NONE).save(small, "png", optimize=True)
+    return small.getvalue()
+
+
+def mixtures() -> list[int]:
+    """The named colours, and each mixed with white, and the lines' with the obstacles': the levels red, green, blue of each."""
+    named = np.array([list(ImageColor.getrgb(colour)) for colour in palette.NAMED.values()])
+    lines, solid = [palette.TREE, palette.ROADMAP, palette.PATH], np.array(ImageColor.getrgb(palette.OBSTACLE))
+    mixed = [share * named + (1.0 - share) * 255.0 for share in (1.0, 0.75, 0.5, 0.25, 0.1)]
+    mixed += [0.5 * np.array(ImageColor.getrgb(line)) + 0.5 * solid for line in lines]
+    return [int(level) for level in np.unique(np.vstack(mixed).round(), axis=0).ravel()]
+
+
+def print_world(scene: Scene, free: Any, ax: Axes) -> None:
+    """What stands there."""
+    (x0, y0), (x1, y1) = scene["lo"], scene["hi"]
+    if free is not None:
+        colours = ListedColormap([palette.OBSTACLE, palette.FREE])
+        ax.imshow(free, origin="lower", extent=(x0, x1, y0, y1), cmap=colours, vmin=0, vmax=1, interpolation="nearest")
+    if scene["boundary"] is not None:
+        ax.set_facecolor(palette.OUTSIDE)
+        ax.add_patch(PathPatch(compound([np.array(scene["boundary"])]), facecolor=palette.FREE, edgecolor=palette.OBSTACLE))
+    for polygon in scene["polygons"]:
+        rings = [wound(np.array(ring), inner=k > 0) for k, ring in enumerate(polygon["rings"])]
+        ax.add_patch(PathPatch(compound(rings), facecolor=palette.OBSTACLE, edgecolor=palette.OBSTACLE))
+    for disc in scene["discs"]:
+        ax.add_patch(Circle(disc["at"], disc["radius"], facecolor=palette.OBSTACLE))
+
+
+def wound(ring: np.ndarray, *, inner: bool) -> np.ndarray:
+    """A ring counter-clockwise, or clockwise for a room, which is so cut out."""
+    x, y = ring.T
+    left = (x * np.roll(y, -1) - np.roll(x, -1) * y).sum() > 0.0
+    return ring[::-1] if left == inner else ring
+
+
+def print_layer(layer: Layer, ax: Axes) -> None:
+    """One layer, whole."""
+    colour, rows = palette.NAMED[layer.colour], layer.rows
+    dash: Any = (0, [2.0 * d / max(layer.width, 1.0) for d in layer.dash]) if layer.dash else "solid"
+    z = 5.5 if layer.last else 3.0  # what comes last lies on the path
+    if layer.kind == "edges":
+        ax.add_collection(
+            LineCollection(list(rows.reshape(-1, 2, 2)), colors=colour, linewidths=layer.width, linestyles=dash, zorder=z)
+        )
+    elif layer.kind == "path":
+        if layer.casing:
+            ax.plot(*rows.T, color=palette.INK, linewidth=layer.width + 2.0, solid_capstyle="round", zorder=4)
+        ax.plot(*rows.T, color=colour, linewidth=layer.width, linestyle=dash, zorder=5)
+    elif layer.kind == "dots":
+        ax.plot(*rows.T, "o", color=colour, markersize=1.6 * layer.width, markeredgewidth=0.0, zorder=z + 0.5)
+    elif layer.kind == "arrows":
+        ax.quiver(*rows.T, angles="xy", scale_units="xy", scale=1.0, color=colour, width=0.008, zorder=6)
+    else:
+        for (x, y), text in zip(rows, layer.texts, strict=True):
+            style: Any = {"fontsize": palette.TEXT_SIZE, "color": colour, "path_effects": HALO, "zorder": 8}
+            ax.annotate(text, (x, y), xytext=(7, 7), textcoords="offset points", **style)
+
+
+def print_handles(scene: Scene, ax: Axes) -> None:
+    """The points to drag, with their names."""
+    for handle in scene["handles"]:
+        (x, y), colour = handle["at"], palette.NAMED[handle["colour"]]
+        if handle["radius"]:
+            ax.add_patch(Circle((x, y), handle["radius"], facecolor=colour, alpha=0.35, zorder=6))
+        marker, size = ("*", 15) if handle["marker"] == "star" else ("o", 9)
+        ax.plot(x, y, marker, color=colour, markersize=size, markeredgecolor="white", markeredgewidth=1.2, zorder=7)
+        style: Any = {"fontsize": palette.TEXT_SIZE, "fontweight": "bold", "color": colour, "path_effects": HALO, "zorder": 8}
+        right, up = (
+            x < scene["lo"][0] + 0.75 * (scene["hi"][0] - scene["lo"][0]),
+            y < scene["lo"][1] + 0.85 * (scene["hi"][1] - scene["lo"][1]),
+        )
+        ax.annotate(
+            handle["name"],
+            (x, y),
+            xytext=(9 if right else -9, 9 if up else -9),
+            textcoords="offset points",
+            ha="left" if right else "right",
+            va="bottom" if up else "top",
+            **style,
+        )

@@ -1,0 +1,389 @@
+"""Boards without a browser: what is asked and answered, what a reader's planner is told, what a notebook keeps."""
+
+import base64
+import io
+import json
+import sys
+import threading
+from contextlib import suppress
+
+import numpy as np
+import pytest
+from PIL import Image
+
+import kinoedu as ke
+from kinoedu.boards import Canvas, Drawing, board, distance_board
+from kinoedu.boards.drawing import edges, encoded, path
+from kinoedu.boards.own import attempt, questions
+from kinoedu.boards.plans import problem_in, scene_of
+from kinoedu.boards.scene import make_scene, moved
+from kinoedu.errors import InvalidParameter, KinoeduError
+
+SQUARE = [(0, 0), (10, 0), (10, 10), (0, 10)]
+WALL = [(4, 0), (6, 0), (6, 8), (4, 8)]
+ROOM = ([(1, 6), (3, 6), (3, 9), (1, 9)], [[(1.5, 6.5), (2.5, 6.5), (2.5, 8.5), (1.5, 8.5)]])
+
+
+def walled(*more):
+    """A wall between start and goal, and more."""
+    return ke.Problem(ke.Point(), ke.PolygonWorld(SQUARE, [WALL, *more]), (1, 1), (9, 1))
+
+
+class Page:
+    """Stands for a browser: what it was sent, and what it sends."""
+
+    def __init__(self, canvas):
+        self.canvas, self.sent = canvas, []
+        canvas.send = lambda content, buffers=None: self.sent.append((content, buffers))
+
+    def says(self, message):
+        """Send a message; the drawings that come back."""
+        self.sent.clear()
+        self.canvas._received(self.canvas, message, [])
+        return [content for content, _ in self.sent if content["kind"] == "drawing"]
+
+    def moves(self, *parts, seq=1):
+        """Send parts of the scene; the one drawing that comes back."""
+        (drawing,) = self.says({"kind": "scene", "from": "page", "seq": seq, "moved": [list(part) for part in parts]})
+        return drawing
+
+
+def test_a_moved_goal_is_planned_anew():
+    """The answer carries the question's number and page, one buffer for each layer, and the path ends at the new goal."""
+    made = board(walled())
+    drawing = Page(made.canvas).moves(("handle", 1, [9, 9]), seq=7)
+    assert (drawing["seq"], drawing["to"]) == (7, "page")
+    assert made.plan.path[-1].tolist() == [9, 9]
+    assert [layer["kind"] for layer in drawing["layers"]] == ["edges", "path"]
+    assert json.loads(json.dumps(drawing)) == drawing  # nothing but plain data
+
+
+def test_a_buffer_holds_places_in_world_sizes_and_when_each_came():
+    """Coordinates count from the world's corner, in its size; the last column is the step; large offsets lose nothing."""
+    drawing = Drawing([edges([[(1e9 + 1, 2), (1e9 + 3, 4)]], "tree", when=[5]), path([(1e9, 0), (1e9 + 10, 10)], "path")])
+    about, (tree, way) = encoded(drawing, (1e9, 0), 10.0)
+    assert np.allclose(np.frombuffer(tree, np.float32), [0.1, 0.2, 0.3, 0.4, 5.0])
+    assert np.frombuffer(way, np.float32).tolist() == [0, 0, 1, 1]
+    assert about["layers"][0]["grows"] and about["layers"][1]["last"]
+
+
+def test_every_planner_draws_its_growth_in_order():
+    """Steps rise from 1 to the number of them; the path comes last."""
+    for planner in ("rrt", "prm", "astar"):
+        drawing = board(walled(), planner=planner, samples=200).canvas.drawing
+        growing = next(layer for layer in drawing.layers if layer.when is not None)
+        assert (np.diff(growing.when) > 0).all() and growing.when[0] >= 1 and growing.when[-1] == drawing.total
+        assert drawing.layers[-1].kind == "path" and drawing.layers[-1].last
+
+
+def test_controls_answer_anew_for_every_page():
+    """Another seed is another plan, sent to all pages without a number; only what the planner takes is shown."""
+    made = board(walled())
+    page, before = Page(made.canvas), made.plan
+    made.seed.value = 5
+    ((content, _),) = page.sent
+    assert content["seq"] is None and content["to"] is None and made.plan is not before
+    made.planner.value = "prm"
+    assert made.step.layout.display == "none" and made.samples.layout.display is None
+    assert "PRM" in repr(made)
+
+
+@pytest.mark.parametrize("step", [None, 0.001, 0.8, 50.0])
+def test_the_first_step_is_kept_by_the_slider(step):
+    """It lies on a notch, or the browser would move it and so show another plan than the notebook has stored."""
+    slider = board(walled(), step=step).step
+    assert slider.value == pytest.approx(np.sqrt(200) / 20 if step is None else step)
+    notches = (slider.value - slider.min) / slider.step
+    assert slider.min <= slider.value <= slider.max and notches == pytest.approx(round(notches), abs=1e-6)
+
+
+def test_the_same_scene_is_answered_once():
+    """hello and a scene that did not change are answered from memory: a reader's slow planner does not run again."""
+    calls = []
+    canvas = Canvas(make_scene((0, 0), (1, 1)), lambda scene: calls.append(scene) or Drawing(text="done"))
+    page = Page(canvas)
+    assert page.says({"kind": "hello", "from": "page"})[0]["text"] == "done"
+    page.moves()
+    canvas.set_state({"scene": canvas.scene})
+    assert len(calls) == 1
+
+
+@pytest.mark.parametrize(
+    ("part", "words"),
+    [
+        (("handle", 0, [5, 5]), "the start (5.0, 5.0) is not free"),
+        (("handle", 1, [20, 1]), "the goal (20.0, 1.0) is not free: it must lie inside the world"),
+        (("polygon", 0, [[[4, 0], [6, 8], [6, 0], [4, 8]]]), "obstacle 0 crosses or touches itself"),
+    ],
+)
+def test_what_cannot_be_planned_is_said_and_nothing_old_is_shown(part, words):
+    """A warning, no layer of the plan before; the next good scene is planned as if nothing had been."""
+    made = board(walled())
+    page, good = Page(made.canvas), made.canvas.drawing.text
+    drawing = page.moves(part)
+    assert words in drawing["warning"] and drawing["layers"] == [] and words in repr(made)
+    kind, number, _ = part
+    back = made.canvas.home[{"handle": "handles", "polygon": "polygons"}[kind]][number]
+    again = page.moves((kind, number, back.get("at", back.get("rings"))))
+    assert again["warning"] == "" and again["text"] == good
+
+
+HOSTILE = [
+    None,
+    "scene",
+    [],
+    {},
+    {"kind": "scene"},
+    {"kind": "scene", "from": "p", "seq": "1", "moved": []},
+    {"kind": "scene", "from": "p", "seq": 1},
+    {"kind": "scene", "from": "p", "seq": 1, "moved": 5},
+    {"kind": "scene", "from": "p", "seq": 1, "moved": [5]},
+    {"kind": "scene", "from": ["p"], "seq": 1, "moved": []},
+    {"kind": ["scene"], "from": "p", "seq": 1, "moved": []},
+    *(
+        {"kind": "scene", "from": "p", "seq": 1, "moved": [part]}
+        for part in (
+            ["handle", 1, [float("nan"), 1]],
+            ["handle", 1, [float("inf"), 1]],
+            ["handle", 1, [None, 1]],
+            ["handle", 1, ["a", "b"]],
+            ["handle", 1, {"x": 1}],
+            ["handle", 1, [1]],
+            ["handle", 1, 10**400],
+            ["handle", -1, [1, 1]],
+            ["handle", 9, [1, 1]],
+            ["handle", True, [1, 1]],
+            ["handle", "0", [1, 1]],
+            ["tower", 0, [1, 1]],
+            [["handle"], 0, [1, 1]],
+            ["polygon", 0, [[1, 1]]],
+            ["polygon", 0, [[[1, 1], [2, 2], [3, 1]]]],
+            ["polygon", 0, None],
+            ["polygon", 0, []],
+            ["disc", 0, [1, 1]],
+        )
+    ),
+]
+
+
+@pytest.mark.parametrize("message", HOSTILE, ids=repr)
+def test_a_broken_front_raises_nothing(message):
+    """Nonsense is told or ignored, and changes nothing: the next good question is answered."""
+    made = board(walled())
+    page, scene = Page(made.canvas), made.canvas.scene
+    assert all(drawing["warning"] for drawing in page.says(message) if (message.get("moved") != []))
+    assert page.moves()["text"] == "RRT: a path of length 23.12, 84 nodes" or page.moves()["warning"] == ""
+    assert made.canvas.scene == scene
+
+
+@pytest.mark.parametrize("scene", [None, 5, {}, {"handles": []}, {"handles": [{}, {}], "polygons": [{}], "discs": []}])
+def test_a_front_cannot_write_nonsense_into_the_state(scene):
+    """A scene that is none is left out; words, colours and home are not a page's to set; a good scene is kept and planned."""
+    made = board(walled())
+    before = made.canvas.scene
+    made.canvas.set_state({"scene": scene, "words": {}, "home": {}})
+    assert made.canvas.scene == before and made.canvas.words and made.canvas.home == before
+    good = moved(before, [("handle", 1, [9, 9])])
+    made.canvas.set_state({"scene": {**good, "lo": "nonsense"}})
+    assert made.canvas.scene == good and made.plan.path[-1].tolist() == [9, 9]
+
+
+def test_an_answer_that_fails_is_told(caplog):
+    """A lesson's own mistake shows on its board and in the log, and the board lives on."""
+    canvas = Canvas(make_scene((0, 0), (1, 1)), lambda scene: 1 / 0)
+    assert "ZeroDivisionError" in repr(canvas) and "could not answer" in caplog.text
+
+
+def test_answers_come_one_at_a_time():
+    """Messages in several threads, as JupyterLab's subshells may bring them, never answer at once."""
+    inside, most = [], []
+
+    def answer(scene):
+        inside.append(1)
+        most.append(len(inside))
+        threading.Event().wait(0.01)
+        inside.pop()
+        return Drawing()
+
+    canvas = Canvas(make_scene((0, 0), (1, 1), handles=[{"name": "q", "at": [0.0, 0.0]}]), answer)
+    pages = [
+        threading.Thread(
+            target=canvas._received,
+            args=(canvas, {"kind": "scene", "from": "p", "seq": k, "moved": [["handle", 0, [k / 9, 0]]]}, []),
+        )
+        for k in range(1, 9)
+    ]
+    for thread in pages:
+        thread.start()
+    for thread in pages:
+        thread.join()
+    assert len(most) == 9 and max(most) == 1
+
+
+@pytest.mark.parametrize(
+    "more", [[], [ROOM], [ROOM, ((8, 5), 1)], [[(4, 0), (4, 8), (3, 4)]]], ids=["wall", "room", "disc", "corner"]
+)
+def test_a_scene_is_its_problem(more):
+    """From the problem to its scene and back: the same world, also where two obstacles begin at one corner."""
+    problem = walled(*more)
+    again = problem_in(json.loads(json.dumps(scene_of(problem))), problem)
+    assert (again.world.edges == problem.world.edges).all()
+    assert (again.world.obstacles.points == problem.world.obstacles.points).all()
+    assert (again.start == problem.start).all() and (again.goal == problem.goal).all()
+
+
+def test_a_terrain_goes_to_the_page_once_as_bits():
+    """One bit a cell in the state; start and goal are all that moves."""
+    free = np.ones((20, 30), bool)
+    free[5:9, 5:9] = False
+    canvas = board(ke.Problem(ke.Disk(0.5), ke.Terrain(free), (1, 1), (25, 15))).canvas
+    bits = np.unpackbits(np.frombuffer(canvas.bitmap, np.uint8))[: free.size]
+    assert (bits.reshape(free.shape) == free).all() and canvas.scene["size"] == [20, 30]
+    assert canvas.scene["polygons"] == [] and canvas.scene["handles"][0]["radius"] == 0.5
+
+
+def around(problem, rng):
+    """A reader's planner: over the wall, after a look the straight way and one at a place."""
+    problem.is_free_path(problem.start, problem.goal)
+    problem.is_free(problem.start)
+    corners = [problem.start, np.array([3.0, 9.0]), np.array([7.0, 9.0]), problem.goal]
+    return corners if all(problem.is_free_path(a, b) for a, b in zip(corners, corners[1:], strict=False)) else None
+
+
+def test_a_readers_planner_is_recorded_judged_and_raced():
+    """What it asked is drawn in its order, blocked motions apart; its length stands beside ours."""
+    made = board(walled(), planner=around)
+    assert made.plan.length == pytest.approx(2 * np.hypot(2, 8) + 4)
+    assert repr(made).startswith("Board(yours: length 20.49, 4 motions asked; ours: length ")
+    free, blocked, places, _ = questions(made.plan.asked)
+    assert free.when.tolist() == [3, 4, 5] and blocked.when.tolist() == [1] and places.when.tolist() == [2]
+    assert (free.colour, blocked.colour) == ("tree", "contact") and blocked.dash and not free.dash
+    assert made.canvas.drawing.total == 5
+
+
+def forever(problem):
+    """Never ends, and catches what it can."""
+    while True:
+        with suppress(Exception):
+            problem.is_free_path(problem.start, problem.goal)
+
+
+def out_of_range(problem):
+    """A mistake in a reader's line."""
+    nodes = [problem.start]
+    return nodes[3]
+
+
+def wrong_step(problem):
+    """A mistake that our code finds."""
+    return ke.rrt(problem, step=-1, rng=0)
+
+
+def leaves(problem):
+    """Ends Python."""
+    raise SystemExit
+
+
+@pytest.mark.parametrize(
+    ("planner", "words"),
+    [
+        (lambda problem: None, "yours: no path, 0 motions asked; ours: length"),
+        (lambda problem: [problem.start, problem.goal], "motion 1 of your path, from (1, 1) to (9, 1), is not free"),
+        (lambda problem: [problem.start, (1, 9)], "your path must end at the goal (9, 1), it ends at (1, 9)"),
+        (lambda problem: [problem.goal], "your path must begin at the start (1, 1), it begins at (9, 1)"),
+        (lambda problem: 5, "it returned 5"),
+        (lambda problem: [], "it returned []"),
+        (lambda problem: [[1, 2, 3]], "it returned [[1, 2, 3]]"),
+        (lambda problem: [[float("nan"), 1]], "it returned [[nan, 1]]"),
+        (out_of_range, "your planner raised IndexError: list index out of range - in its line"),
+        (wrong_step, "return ke.rrt(problem, step=-1, rng=0)"),
+        (leaves, "your planner raised SystemExit"),
+        (lambda problem, rng: ke.rrt(problem, rng=rng), "yours: length"),
+    ],
+)
+def test_what_a_readers_planner_did_is_said(planner, words):
+    """Every way to go wrong has its words, with the reader's own line and none of ours."""
+    told = repr(board(walled(), planner=planner))
+    assert words in told and "kinoedu/" not in told and "site-packages" not in told
+
+
+def test_a_hanging_planner_is_stopped():
+    """Its time is bounded, what it asked is kept in bounds, and the picture shows it."""
+    tried = attempt(forever, walled(), 0, seconds=0.3)
+    assert tried.fault.startswith("your planner took longer than 0.3 seconds and was stopped")
+    assert 0 < len(tried.asked) <= 20_000 and not tried.still_running
+
+
+def test_a_planner_that_cannot_be_stopped_is_not_started_again(monkeypatch):
+    """A second run would only add to the first, which still takes its share of the computer."""
+    released, started = threading.Event(), []
+
+    def waits(problem):
+        started.append(1)
+        released.wait()
+
+    module = sys.modules["kinoedu.boards.board"]  # the package's attribute of that name is the function
+    monkeypatch.setattr(module, "attempt", lambda *given: attempt(*given, seconds=0.1))
+    made = board(walled(), planner=waits)
+    assert "could not be stopped" in repr(made)
+    Page(made.canvas).moves(("handle", 1, [9, 9]))
+    assert "could not be stopped" in repr(made) and len(started) == 1
+    released.set()
+
+
+def test_a_reader_cannot_bend_the_judges_world():
+    """The planner gets a copy: an obstacle removed from it still stands for the judge."""
+
+    def vandal(problem):
+        problem.world.obstacles.points[:] = 0
+        problem.start[:] = problem.goal
+        return [(1, 1), problem.goal]
+
+    assert "motion 1 of your path" in repr(board(walled(), planner=vandal))
+
+
+def test_our_own_functions_are_found_in_the_menu():
+    """board(problem, planner=ke.prm) is board(problem, "prm"); what is no planner is refused."""
+    assert board(walled(), planner=ke.prm, samples=100).planner.value == "prm"
+    for planner in ("rtt", 5, None):
+        with pytest.raises(InvalidParameter, match="planner must be one of rrt, prm, astar"):
+            board(walled(), planner=planner)
+    with pytest.raises(KinoeduError):
+        board("problem")
+
+
+def test_a_notebook_keeps_text_and_a_small_picture():
+    """What stands for a board where there is no JavaScript: the same text, always, and a PNG of less than 60 KB."""
+    made = board(walled(), planner="prm", samples=2000)
+    for widget in (made, made.canvas, distance_board(WALL, q=(1, 9))):
+        data, _ = widget._repr_mimebundle_()
+        assert data["text/plain"] == repr(widget) and "0x" not in repr(widget)
+        assert len(data["image/png"]) < 60_000
+        assert Image.open(io.BytesIO(base64.b64decode(data["image/png"]))).size[0] > 300
+        assert "application/vnd.jupyter.widget-view+json" in data
+    assert repr(board(walled())) == repr(board(walled()))
+
+
+def test_distance_board_tells_distance_nearest_point_and_inside():
+    """Inside an edge, at a vertex, in the polygon; a polygon given clockwise; one that crosses itself is told."""
+    canvas = distance_board(WALL[::-1], q=(1, 4))
+    page = Page(canvas)
+    assert repr(canvas) == "Canvas(distance 3; nearest: inside edge 3)"
+    assert page.moves(("handle", 0, [7, 9]))["text"] == "distance 1.414; nearest: vertex 2"
+    assert page.moves(("handle", 0, [5, 4]))["text"] == "q is in the polygon: distance 0"
+    assert "crosses" in page.moves(("polygon", 0, [[[4, 0], [6, 8], [6, 0], [4, 8]]]))["warning"]
+
+
+def test_a_page_hears_that_something_is_compiled(monkeypatch):
+    """A remark of the compiler reaches the page at once, before the answer."""
+    import logging
+
+    def answer(scene):
+        logging.getLogger("kinoedu").info("compiling grow once")
+        return Drawing(text="done")
+
+    canvas = Canvas(make_scene((0, 0), (1, 1)), answer)
+    page = Page(canvas)
+    canvas.refresh()
+    assert [content["kind"] for content, _ in page.sent] == ["note", "drawing"]
+    assert logging.getLogger("kinoedu").handlers == []
