@@ -16,6 +16,7 @@ from kinoedu.course.bank import read_bank
 from kinoedu.course.feedback import picture_of, rule_words
 from kinoedu.course.judging import attempt, report_on
 from kinoedu.course.outcomes import Answer, Changed, Late, Misshapen, Raised, decode_outcome, encode_outcome
+from kinoedu.errors import InvalidParameter
 
 HOUSE = Path(__file__).resolve().parent.parent
 BANK = [item for file in sorted((HOUSE / "solutions" / "bank").glob("*.py")) for item in read_bank(file)]
@@ -27,8 +28,7 @@ def short_time(monkeypatch):
     polygon = [(0, 0), (4, 0), (0, 3)]
     geometry.point_in_polygon((1, 1), polygon)
     for exercise in EXERCISES.values():
-        if exercise.source is not None:
-            exercise.truth(next(exercise.cases(np.random.default_rng(0))))
+        exercise.wanted(next(iter(exercise.cases(np.random.default_rng(0)))))
         monkeypatch.setattr(type(exercise), "seconds", 1.0)
 
 
@@ -261,6 +261,64 @@ def test_common_complaints_of_python_are_explained(code, advice):
     assert advice in complaint(code)
 
 
+def endless_message():
+    """An exception whose message never ends."""
+
+    class Loud(Exception):
+        def __str__(self):
+            while True:
+                pass
+
+    return Loud()
+
+
+def strange_class():
+    """An exception whose class says nothing of itself."""
+
+    class Meta(type):
+        @property
+        def __mro__(cls):
+            raise RuntimeError
+
+        @property
+        def __name__(cls):
+            raise RuntimeError
+
+    class Strange(Exception, metaclass=Meta):
+        pass
+
+    return Strange("x")
+
+
+@pytest.mark.parametrize("make", [endless_message, strange_class, KeyboardInterrupt, SystemExit, GeneratorExit, StopIteration])
+def test_whatever_a_program_raises_is_an_outcome(make):
+    """Messages and classes are code too, and run within the time limit; an exit does not end the notebook."""
+
+    def point_line_distance(q, p1, p2):
+        raise make()
+
+    assert not check(point_line_distance).report.is_right
+
+
+@pytest.mark.parametrize("value", [3e6, 1e12, -5.0, float("nan")])
+def test_a_picture_of_any_number_is_drawn_soon(value):
+    """A circle that is far larger than the picture is told in words."""
+
+    def point_line_distance(q, p1, p2):
+        return value
+
+    told = check(point_line_distance)
+    assert told.picture().startswith(b"\x89PNG")
+    assert "nan" in repr(told) or value == value
+
+
+@pytest.mark.parametrize("wrong_use", ["point_line_distance", 3.0, None, lambda q: q, 10**60])
+def test_a_check_of_something_else_says_what_it_takes(wrong_use):
+    """A name in quotes, a result instead of the function, a function of another name."""
+    with pytest.raises(InvalidParameter):
+        check(wrong_use)
+
+
 class AlwaysEqual:
     """An answer that calls itself right."""
 
@@ -325,7 +383,7 @@ def test_every_word_is_there_and_used():
         assert mine["wonder"]
     sources = "".join(p.read_text(encoding="utf-8") for p in (HOUSE / "kinoedu").rglob("*.[pj][ys]"))
     for name, rows in table.items():
-        if name not in EXERCISES and name not in ("exercise", "advice"):
+        if name not in EXERCISES and name not in ("exercise", "advice", "board"):  # those are asked for by computed keys
             for key, text in rows.items():
                 assert not isinstance(text, str) or re.search(rf'"{name}\.{key}|"{name}\.", ?"{key}"|{name}_{key}', sources), (
                     f"{name}.{key}"
@@ -349,11 +407,28 @@ def test_a_translation_replaces_words_and_falls_back(monkeypatch, tmp_path):
 def test_outcomes_that_are_none_are_refused():
     """Data that no call can have produced is not taken for an outcome."""
     from kinoedu.course.plain import WrongShape
-    from kinoedu.course.shapes import Number
+    from kinoedu.course.shapes import Number, Numbers
 
-    for data in (None, [], {}, {"kind": "Answer"}, {"kind": "Answer", "value": "5"}, {"kind": "Late"}, {"kind": "x"}):
+    deep = 1.0
+    for _ in range(900):
+        deep = [deep]
+    values = ("5", 10**400, True, None, [1.0], {"a": 1})
+    for data in (
+        None,
+        [],
+        {},
+        {"kind": "Answer"},
+        {"kind": "Late"},
+        {"kind": "x"},
+        *({"kind": "Answer", "value": v} for v in values),
+    ):
         with pytest.raises(WrongShape):
             decode_outcome(data, Number())
+    for value in (deep, [[1, 2], [3]], [[10**400, 1]], [["nan", "NaN"]], 5, [[True, False]]):
+        with pytest.raises(WrongShape):
+            decode_outcome({"kind": "Answer", "value": value}, Numbers(("n", 2)))
+    with pytest.raises(WrongShape):
+        decode_outcome({"kind": "Raised", "kinds": ["x"] * 10_000, "message": "", "lines": [], "function": ""}, Number())
     for outcome in (
         Answer(float("nan")),
         Misshapen("m"),

@@ -9,11 +9,13 @@ from typing import Any
 import numpy as np
 
 from ..errors import InvalidParameter
-from .exercise import Case, Exercise, ValueExercise
+from ..words import say
+from .exercise import Case, Exercise
 from .exercises import find
 from .feedback import ALL, Feedback, stage_of
 from .judging import Report, attempt, report_on
 from .outcomes import Outcome
+from .plain import described
 
 PASSED: set[str] = set()  # the exercises that were right in this session: their sources are no secret any more
 
@@ -41,8 +43,9 @@ def check(function: Callable[..., Any], exercise: str = "", *, staged: bool = Fa
     1.0
     """
     if not callable(function):
-        raise InvalidParameter(f"check() takes your function, as in check(point_line_distance), and got {function!r}")
-    asked = find(exercise or getattr(function, "__name__", ""))
+        raise InvalidParameter(say("check.no_function", what=described(function)))
+    name = exercise or getattr(function, "__name__", "")
+    asked = find(name if isinstance(name, str) else "")
     cases = list(asked.cases(np.random.default_rng(0)))
     printed: list[Printed] = []
     warm(asked, cases)
@@ -65,8 +68,7 @@ def attempts(exercise: Exercise, function: Callable[..., Any], cases: list[Case]
 
 def warm(exercise: Exercise, cases: list[Case]) -> None:
     """Ask the reference once, so that its compiling is not on a student's time."""
-    if isinstance(exercise, ValueExercise):
-        exercise.truth(cases[0])
+    exercise.wanted(cases[0])
 
 
 __all__ = ["PASSED", "Report", "check"]

@@ -132,9 +132,13 @@ class ValueExercise(Exercise):
 
     def same(self, value: Any, truth: Any) -> bool:
         """Whether two answers are the same but for rounding; nan is the same as nan."""
-        with np.errstate(invalid="ignore"):
-            near = np.abs(np.subtract(value, truth)) <= self.tolerance * (1.0 + np.abs(truth))
-        return bool(np.all(near | (np.equal(value, truth)) | (np.isnan(value) & np.isnan(truth))))
+        found, wanted = np.ravel(value).tolist(), np.ravel(truth).tolist()
+        return len(found) == len(wanted) and all(map(self.near, found, wanted))
+
+    def near(self, found: float, wanted: float) -> bool:
+        """The same for two numbers."""
+        both_nan = found != found and wanted != wanted
+        return both_nan or found == wanted or abs(found - wanted) <= self.tolerance * (1.0 + abs(wanted))
 
     def wanted(self, case: Case) -> str:
         """The true answer in words."""
@@ -142,12 +146,17 @@ class ValueExercise(Exercise):
         return say("exercise.wanted_error") if isinstance(truth, ValueError) else spoken(truth)
 
 
+MOST_SHOWN = 12  # points of a long array
+
+
 def spoken(value: Any) -> str:
     """A value as a student would write it: at most ten digits, no trailing zeros.
 
-    >>> spoken(np.array([[0.0, 1.5], [2.0, 1 / 3]])), spoken(5.0), spoken(True)
-    ('[(0, 1.5), (2, 0.3333333333)]', '5', 'True')
+    >>> spoken(np.array([[0.0, 1.5], [2.0, 1 / 3]])), spoken(5.0), spoken(True), spoken((float("nan"), -0.0))
+    ('[(0, 1.5), (2, 0.3333333333)]', '5', 'True', '(nan, 0)')
     """
+    if isinstance(value, list | np.ndarray) and np.ndim(value) > 1 and len(value) > MOST_SHOWN:
+        return say("exercise.and_more", shown=spoken(value[:MOST_SHOWN])[:-1], more=len(value) - MOST_SHOWN)
     if isinstance(value, bool | np.bool_ | str) or value is None:
         return repr(value)
     if isinstance(value, np.ndarray) and value.ndim == 1:
@@ -156,4 +165,4 @@ def spoken(value: Any) -> str:
         return "(" + ", ".join(map(spoken, value)) + ("," if len(value) == 1 else "") + ")"
     if isinstance(value, np.ndarray | list) and np.ndim(value) != 0:
         return "[" + ", ".join(map(spoken, value)) + "]"
-    return f"{float(value) + 0.0 if abs(value) > 1e-12 else 0.0:.10g}"
+    return f"{0.0 if abs(value) <= 1e-12 else float(value):.10g}"

@@ -95,9 +95,14 @@ def report_on(exercise: Exercise, cases: Iterable[Case], outcomes: Iterable[Outc
 
 
 def slip_in(exercise: Exercise, failures: list[Judged], seen: list[Judged]) -> str:
-    """The misconception that explains every failure of the first one's kind and, of several such, the most of all that was seen."""
-    alike = [failure for failure in failures if failure.case.kind == failures[0].case.kind]
-    likely = [slip for slip in exercise.slips if all(explains(exercise, slip.answer, one) for one in alike)]
+    """The misconception that explains every failure of the first one's kind and half of all, and the most of what was seen."""
+    alike = [id(failure) for failure in failures if failure.case.kind == failures[0].case.kind]
+    explained = {slip: [explains(exercise, slip.answer, one) for one in failures] for slip in exercise.slips}
+    likely = [
+        slip
+        for slip, told in explained.items()
+        if 2 * sum(told) >= len(failures) and all(yes for yes, one in zip(told, failures) if id(one) in alike)
+    ]
     if not likely:
         return ""
     return max(likely, key=lambda slip: sum(explains(exercise, slip.answer, one) for one in seen)).key

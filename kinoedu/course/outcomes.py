@@ -12,7 +12,7 @@ from types import FrameType, TracebackType
 from typing import Any, NamedTuple
 
 from ..time_limit import TimeUp, within
-from .plain import WrongShape
+from .plain import WrongShape, class_name
 from .shapes import Listed, Record, Shape, Text, Truth
 
 HERE = str(Path(__file__).resolve().parent.parent)
@@ -58,11 +58,12 @@ class Late(NamedTuple):
     left_running: bool
 
 
+MOST = 32  # classes above an exception's
 Outcome = Answer | Misshapen | Changed | Raised | Late
 SHAPES: dict[type, Record] = {
     Misshapen: Record(message=Text()),
-    Changed: Record(names=Listed(Text())),
-    Raised: Record(kinds=Listed(Text()), message=Text(), lines=Listed(Text()), function=Text()),
+    Changed: Record(names=Listed(Text(), MOST)),
+    Raised: Record(kinds=Listed(Text(), MOST), message=Text(), lines=Listed(Text(), 5), function=Text()),
     Late: Record(left_running=Truth()),
 }
 
@@ -70,24 +71,26 @@ SHAPES: dict[type, Record] = {
 def outcome_of(call: Callable[[], Any], shape: Shape, seconds: float) -> Outcome:
     """Run it for at most so long, and copy what comes out into plain data of its shape."""
 
-    def answered() -> Any:
-        return shape.encode(call())
+    def answered() -> Outcome:
+        try:
+            return Answer(shape.decode(shape.encode(call())))
+        except TimeUp:
+            raise
+        except WrongShape as misfit:
+            return Misshapen(str(misfit))
+        except BaseException as error:  # whatever a program can raise is an outcome; its message may be code of its own
+            return raised(error)
 
     try:
-        return Answer(shape.decode(within(seconds, answered)))
+        return within(seconds, answered)
     except TimeUp as over:
         return Late(over.left_running)
-    except WrongShape as misfit:
-        return Misshapen(str(misfit))
-    except KeyboardInterrupt:
-        raise
-    except BaseException as error:
-        return raised(error)
 
 
 def raised(error: BaseException) -> Raised:
     """An exception as plain data."""
-    kinds = [kind.__name__ for kind in type(error).__mro__ if kind not in (object, BaseException)]
+    above = type.__dict__["__mro__"].__get__(type(error))
+    kinds = [class_name(kind) for kind in above if kind not in (object, BaseException)][:MOST]
     own = own_steps(error.__traceback__)
     return Raised(kinds, message_of(error), lines_of(own), own[-1][0].f_code.co_name if own else "")
 

@@ -14,6 +14,8 @@ class WrongShape(Exception):
 
 def numeric(value: Any, dimensions: tuple[int | str, ...], words: str) -> np.ndarray:
     """A float64 array of the wanted dimensions, copied; or WrongShape."""
+    if type(value) is np.ndarray and not fits(value.shape, dimensions):
+        raise wrong(words, value)  # before it is copied: it may be huge
     try:
         array = np.array(value)
     except Exception:
@@ -41,7 +43,9 @@ def wrong(words: str, value: Any) -> WrongShape:
 
 def described(value: Any) -> str:
     """What a value is, safe and short, for a message: nothing of a stranger's own code is run but its class is named."""
-    kind = type(value).__name__
+    kind = class_name(type(value))
+    if type(value) is int and abs(value) >= 10**50:
+        return say("shape.long_number")
     if value is None or type(value) in (bool, int, float, str):
         text = repr(value)
         return text if len(text) <= 60 else text[:57] + "..."
@@ -50,6 +54,11 @@ def described(value: Any) -> str:
     if type(value) in (list, tuple, dict):
         return say("shape.sized", kind=kind, length=len(value))
     return say("shape.other", kind=kind)
+
+
+def class_name(kind: type) -> str:
+    """A class's name, by Python's own means and not by what the class may say; at most a hundred characters."""
+    return str(type.__dict__["__name__"].__get__(kind))[:100]
 
 
 def spelled(number: float) -> float | str:
@@ -62,13 +71,15 @@ def nested(data: Any) -> Any:
     return [nested(item) for item in data] if isinstance(data, list) else spelled(data)
 
 
-def unnested(data: Any, words: str) -> Any:
-    """Nested lists of floats from JSON."""
-    return [unnested(item, words) for item in data] if isinstance(data, list) else read_number(data, words)
+def unnested(data: Any, words: str, depth: int) -> Any:
+    """Nested lists of floats from JSON, so many lists deep; deeper ones are refused before they are looked into."""
+    if depth == 0 or not isinstance(data, list):
+        return read_number(data, words)
+    return [unnested(item, words, depth - 1) for item in data]
 
 
 def read_number(data: Any, words: str) -> float:
     """A float from JSON."""
-    if type(data) in (int, float) or data in ("nan", "inf", "-inf"):
+    if type(data) is float or (type(data) is int and abs(data) < 2**53) or (type(data) is str and data in ("nan", "inf", "-inf")):
         return float(data)
     raise wrong(words, data)

@@ -70,7 +70,7 @@ class Numbers(NamedTuple):
 
     def decode(self, data: Any) -> np.ndarray:
         """The array, float64."""
-        return numeric(unnested(data, self.words), self.dimensions, self.words)
+        return numeric(unnested(data, self.words, len(self.dimensions)), self.dimensions, self.words)
 
 
 class Truth(NamedTuple):
@@ -143,9 +143,10 @@ class Record:
 
 
 class Listed(NamedTuple):
-    """A list of values of one shape."""
+    """A list of values of one shape, at most so many."""
 
     row: Shape
+    most: int = 100_000
 
     @property
     def words(self) -> str:
@@ -154,13 +155,13 @@ class Listed(NamedTuple):
 
     def encode(self, value: Any) -> list[Any]:
         """A list, a tuple or an array."""
-        if not isinstance(value, list | tuple | np.ndarray):
+        if not isinstance(value, list | tuple | np.ndarray) or len(value) > self.most:
             raise wrong(self.words, value)
         return [self.row.encode(item) for item in value]
 
     def decode(self, data: Any) -> list[Any]:
         """The list."""
-        if not isinstance(data, list):
+        if not isinstance(data, list) or len(data) > self.most:
             raise wrong(self.words, data)
         return [self.row.decode(item) for item in data]
 

@@ -107,16 +107,31 @@ def endless(line: ArrayLike, words: str, ax: Axes, *, colour: str, style: str = 
 def ring(centre: ArrayLike, radius: float, words: str, ax: Axes, *, colour: str, style: str = "-") -> list[Artist]:
     """A circle: all that is so far from the centre. Its words stand where the circle is in view."""
     x, y = np.asarray(centre, float)
+    lo, hi = np.column_stack([ax.get_xlim(), ax.get_ylim()])
+    if radius > 3.0 * float((hi - lo).max()):
+        return [corner_note(f"{words} (outside the picture)", ax, colour=colour)] if words else []
     artists: list[Artist] = [
         ax.add_patch(Circle((x, y), radius, fill=False, edgecolor=colour, linestyle=style, linewidth=2.2, zorder=3))
     ]
-    lo, hi = np.column_stack([ax.get_xlim(), ax.get_ylim()])
     for angle in np.radians((135, 45, 180, 225, 90, 270, 315, 160, 110)):
         at = np.array([x + radius * np.cos(angle), y + radius * np.sin(angle)])
         if words and (lo + (0.22, 0.08) * (hi - lo) < at).all() and (at < hi - (0.12, 0.1) * (hi - lo)).all():
             left = np.cos(angle) < 0.1
             return [*artists, label(at, words, ax, colour=colour, offset=(-6 if left else 6, 4), ha="right" if left else "left")]
-    return artists
+    return [*artists, corner_note(words, ax, colour=colour)] if words else artists
+
+
+def corner_note(words: str, ax: Axes, *, colour: str) -> Artist:
+    """Words in the lower left corner, for what has no place in the picture."""
+    return ax.annotate(
+        words,
+        (0.02, 0.03),
+        xycoords="axes fraction",
+        fontsize=palette.TEXT_SIZE,
+        fontweight="bold",
+        color=colour,
+        path_effects=HALO,
+    )
 
 
 def arrow(at: ArrayLike, vector: ArrayLike, words: str, ax: Axes, *, colour: str, style: str = "-") -> list[Artist]:
@@ -144,7 +159,7 @@ def polygon(vertices: ArrayLike, ax: Axes, *, numbers: bool = True) -> list[Arti
         ax.add_patch(Polygon(points, facecolor="#C7CCD4", edgecolor=palette.OBSTACLE, linewidth=2.0, zorder=2))
     ]
     middle = points.mean(axis=0)
-    for number, point in enumerate(points if numbers else []):
+    for number, point in enumerate(points if numbers and len(points) <= 40 else []):
         inward = middle - point
         size = float(np.sqrt((inward * inward).sum())) or 1.0
         dx, dy = 13.0 * inward / size

@@ -6,7 +6,8 @@ import time
 import numpy as np
 
 from kinoedu.course.bank import wrong
-from kinoedu.geometry import point_in_polygon, point_line_distance, point_segment_distance
+from kinoedu.course.exercises.polygons import ray_counting_distance
+from kinoedu.geometry import point_in_polygon, point_line_distance, point_polygon_distance, point_segment_distance
 
 
 def edges(polygon):
@@ -123,6 +124,38 @@ def dot_for_cross(q, p1, p2):
 def to_the_nearer_point(q, p1, p2):
     """Takes the nearer of the two points."""
     return min(math.dist(q, p1), math.dist(q, p2))
+
+
+@wrong("point_line_distance", slip="square")
+def squared_distance(q, p1, p2):
+    """Forgets the root."""
+    return point_line_distance(q, p1, p2) ** 2
+
+
+@wrong("point_line_distance", slip="half")
+def area_of_the_triangle(q, p1, p2):
+    """Forgets that a triangle is half of a parallelogram."""
+    return point_line_distance(q, p1, p2) / 2
+
+
+@wrong("point_line_distance", slip="vertical")
+def straight_up(q, p1, p2):
+    """Measures along y."""
+    with np.errstate(all="ignore"):
+        return abs(p1[1] + (p2[1] - p1[1]) * (q[0] - p1[0]) / (p2[0] - p1[0]) - q[1])
+
+
+@wrong("point_line_distance", slip="rounded")
+def rounds_its_answer(q, p1, p2):
+    """Rounds its answer."""
+    return round(point_line_distance(q, p1, p2), 2)
+
+
+@wrong("point_line_distance", slip="rounded")
+def small_is_zero(q, p1, p2):
+    """A tolerance where none was asked for."""
+    d = point_line_distance(q, p1, p2)
+    return 0.0 if d < 1e-3 else d
 
 
 @wrong("point_line_distance")
@@ -278,6 +311,18 @@ def returns_in_the_loop(q, polygon):
     return 0.0
 
 
+@wrong("point_polygon_distance", slip="rim")
+def counts_a_ray(q, polygon):
+    """The program of the exercise "break it"."""
+    return ray_counting_distance(q, polygon)
+
+
+@wrong("point_polygon_distance", slip="rounded")
+def two_decimals(q, polygon):
+    """Rounds its answer."""
+    return round(float(point_polygon_distance(q, polygon)), 2)
+
+
 @wrong("point_polygon_distance")
 def begins_at_a_thousand(q, polygon):
     """The least so far begins with a number that is not large enough."""
@@ -287,12 +332,42 @@ def begins_at_a_thousand(q, polygon):
     return 0.0 if point_in_polygon(q, polygon) else least
 
 
+@wrong("point_segment_distance", slip="rounded")
+def rounds_to_cents(q, p1, p2):
+    """Rounds its answer."""
+    return round(float(point_segment_distance(q, p1, p2)), 2)
+
+
+@wrong("point_segment_distance")
+def takes_short_for_a_point(q, p1, p2):
+    """A tolerance where none was asked for."""
+    return math.dist(q, p1) if math.dist(p1, p2) < 0.5 else point_segment_distance(q, p1, p2)
+
+
 @wrong("point_segment_distance")
 def changes_its_input(q, p1, p2):
     """p2 -= p1 works on the caller's array."""
     before = point_segment_distance(q, p1, p2)
     p2 -= p1
     return before
+
+
+@wrong("line_through_points", slip="c_unscaled")
+def c_not_divided(p1, p2):
+    """Divides a and b, and forgets c."""
+    if (p1 == p2).all():
+        raise ValueError("one point")
+    (x, y), size = p2 - p1, math.dist(p1, p2)
+    return -y / size, x / size, y * p1[0] - x * p1[1]
+
+
+@wrong("line_through_points")
+def takes_near_for_the_same(p1, p2):
+    """A tolerance where none was asked for."""
+    if np.allclose(p1, p2, atol=0.1):
+        raise ValueError("one point")
+    x, y = (p2 - p1) / math.dist(p1, p2)
+    return -y, x, y * p1[0] - x * p1[1]
 
 
 @wrong("line_through_points")
@@ -437,6 +512,12 @@ def polygon_first():
 def not_a_number():
     """A coordinate is nan."""
     return (math.nan, 2), [(0, 0), (4, 2), (0, 4)]
+
+
+@wrong("exposing_case")
+def far_away():
+    """It exposes, and its coordinates are too large."""
+    return (1e9, 2e9), [(0, 0), (4e9, 2e9), (0, 4e9)]
 
 
 @wrong("exposing_case")

@@ -29,6 +29,7 @@ class LineThroughPoints(ValueExercise):
     slips = (
         Slip("unscaled", lambda p1, p2: (p1[1] - p2[1], p2[0] - p1[0], p1[0] * p2[1] - p2[0] * p1[1])),
         Slip("direction", lambda p1, p2: direction_as_normal(p1, p2)),
+        Slip("c_unscaled", lambda p1, p2: np.array(line_through_points(p1, p2)) * (1, 1, np.linalg.norm(p2 - p1))),
         Slip("sign_of_c", lambda p1, p2: np.array(line_through_points(p1, p2)) * (1, 1, -1)),
     )
     reference = staticmethod(line_through_points)
@@ -39,7 +40,9 @@ class LineThroughPoints(ValueExercise):
             ("slanted", (0, 0), (3, 4)),
             ("level", (0, 1), (5, 1)),
             ("upright", (2, 0), (2, 3)),
+            ("slanted", (1, 0), (4, 4)),
             ("slanted", (0, 5), (5, 0)),
+            ("level", (0, 0), (0.01, 0)),
             ("coincident", (1, 2), (1, 2)),
         ):
             yield Case(kind, {"p1": np.array(p1, float), "p2": np.array(p2, float)})
@@ -88,6 +91,10 @@ class PointLineDistance(ValueExercise):
         Slip("signed", lambda q, p1, p2: signed_distance(q, p1, p2)),
         Slip("unscaled", lambda q, p1, p2: abs(cross(p2 - p1, q - p1))),
         Slip("along", lambda q, p1, p2: abs(float(np.dot(q - p1, p2 - p1))) / float(np.linalg.norm(p2 - p1))),
+        Slip("square", lambda q, p1, p2: point_line_distance(q, p1, p2) ** 2),
+        Slip("half", lambda q, p1, p2: point_line_distance(q, p1, p2) / 2),
+        Slip("vertical", lambda q, p1, p2: abs(p1[1] + (p2[1] - p1[1]) * (q[0] - p1[0]) / (p2[0] - p1[0]) - q[1])),
+        Slip("rounded", lambda q, p1, p2: round(point_line_distance(q, p1, p2), 2)),
         Slip("nearer_point", lambda q, p1, p2: min(np.linalg.norm(q - p1), np.linalg.norm(q - p2))),
     )
     reference = staticmethod(point_line_distance)
@@ -97,11 +104,15 @@ class PointLineDistance(ValueExercise):
         for kind, q, p1, p2 in (
             ("beside", (2, 3), (0, 0), (4, 0)),
             ("beside", (2, -3), (0, 0), (4, 0)),
+            ("beside", (3, 5), (1, 1), (5, 1)),
+            ("beside", (1, 7), (0, 0), (8, 6)),
             ("beyond", (7, 4), (0, 0), (4, 0)),
             ("upright", (3, 1), (0, 0), (0, 4)),
             ("on", (2, 2), (0, 0), (4, 4)),
             ("beyond", (-3, 1), (0, 0), (4, 0)),
             ("beyond", (9000, 5), (0, 0), (4, 0)),
+            ("beside", (2, 0.0005), (0, 0), (4, 0)),
+            ("beside", (0, 3), (0, 0), (0.01, 0)),
             ("coincident", (1, 1), (2, 2), (2, 2)),
         ):
             yield Case(kind, arguments(q, p1, p2))
@@ -113,7 +124,7 @@ class PointLineDistance(ValueExercise):
             yield Case("beside" if 0 <= along <= 1 else "beyond", arguments(q, p1, p2))
             yield Case("beside", arguments((p1 + p2) / 2 + rng.uniform(0.2, 2) * turned(p2 - p1), p1, p2))
             yield Case("beyond", arguments(p2 + rng.integers(1, 4) * (p2 - p1) + turned(p2 - p1), p1, p2))
-            yield Case("on", arguments(p1 + rng.integers(-3, 4) * (p2 - p1), p1, p2))
+            yield Case("on", arguments(np.round(p1 + rng.integers(-3, 4) * (p2 - p1), 2), p1, p2))
             yield Case("upright", arguments(q, p1, p1 + UPRIGHT * (1 + rng.integers(9))))
             yield Case("coincident", arguments(q, p1, p1))
 

@@ -23,12 +23,14 @@ def draw_line(exercise: ValueExercise, case: Case, value: Array | None, ax: Any)
     if (p1 != p2).any():
         plane.endless(line_through_points(p1, p2), say("picture.true"), ax, colour=palette.START)
     if value is not None:
-        numbers = ", ".join(f"{number + 0.0:.3g}" for number in value)
+        numbers = ", ".join(f"{number if abs(number) > 1e-12 else 0.0:.3g}" for number in value)
         plane.endless(value, say("picture.yours", value=numbers), ax, colour=palette.GOAL, style="--")
     if ax.lines:
         ax.legend(fontsize=palette.TEXT_SIZE, loc="best")
-    plane.dot(p1, "p1", ax)
+    plane.dot(p1, "p1" if (p1 != p2).any() else "p1 = p2", ax)
     plane.dot(p2, "p2" if (p1 != p2).any() else "", ax)
+    if value is None:
+        plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
     plane.title(title_words(exercise, case, value), ax)
 
 
@@ -54,6 +56,9 @@ def draw_distance(exercise: ValueExercise, case: Case, value: float | None, ax: 
             plane.stretch(q, nearest, words, ax, colour=palette.START)
     if value is not None and np.isfinite(value) and value > 0:
         plane.ring(q, value, say("picture.yours", value=f"{value:.4g}"), ax, colour=palette.GOAL, style="--")
+    else:
+        words = say("picture.no_answer") if value is None else say("picture.yours", value=f"{value:.4g}")
+        plane.corner_note(words, ax, colour=palette.GOAL)
     plane.dot(q, "q", ax)
     plane.title(exercise.words(f"pictures.{case.kind}"), ax)
 
@@ -69,7 +74,7 @@ def draw_target(exercise: ValueExercise, target: Array, ax: Any) -> None:
     if exercise.name == "point_line_distance" and (p1 != p2).any():
         plane.endless(line_through_points(p1, p2), "", ax, colour=palette.OBSTACLE)
     plane.stretch(p1, p2, "", ax, colour=palette.OBSTACLE, width=4.0)
-    plane.dot(p1, "p1", ax, colour=palette.OBSTACLE)
+    plane.dot(p1, "p1" if (p1 != p2).any() else "p1 = p2", ax, colour=palette.OBSTACLE)
     plane.dot(p2, "p2" if (p1 != p2).any() else "", ax, colour=palette.OBSTACLE)
 
 
@@ -113,16 +118,23 @@ def draw_crossings(value: tuple[Array, Array] | None, ax: Any) -> None:
     """A polygon, q, and the ray from q to the right; a cross wherever it meets an edge."""
     from ...figures import palette, plane
 
-    q, polygon = value if value is not None else (np.array([1.0, 1.5]), np.array([(0.0, 0.0), (4.0, 0.0), (2.0, 4.0)]))
+    q, polygon = value if value is not None else (np.zeros(2), np.empty((0, 2)))
+    if value is None or not np.isfinite(np.vstack([q, polygon])).all():
+        plane.frame([(0, 0), (1, 1)], ax)
+        plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
+        return
     plane.frame(np.vstack([q, polygon]), ax, margin=0.3)
     if len(polygon) > 1:
         plane.polygon(polygon, ax)
     far = max(ax.get_xlim()[1], q[0])
     plane.stretch(q, (far, q[1]), "", ax, colour=palette.GOAL, style="--")
+    crossed: dict[float, int] = {}
     for a, b in zip(polygon, np.roll(polygon, -1, axis=0)):
         if a[1] != b[1] and min(a[1], b[1]) <= q[1] <= max(a[1], b[1]):
             x = a[0] + (q[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0])
             if x > q[0]:
-                plane.dot((x, q[1]), "", ax, colour=palette.GOAL, marker="X")
+                crossed[float(x)] = crossed.get(float(x), 0) + 1
+    for x, times in crossed.items():
+        plane.dot((x, q[1]), f"{times}x" if times > 1 else "", ax, colour=palette.GOAL, marker="X")
     plane.dot(q, "q", ax)
     plane.title(say("exposing_case.picture"), ax)

@@ -20,7 +20,9 @@ from .pictures import draw_crossings, draw_distance, draw_tangent
 
 POLYGON = Numbers(("n", 2))
 SQUARE = np.array([(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)])
+ROUND_SQUARE = ((2, -1), (7, 8), (-3, 2), (1, 1), (4, 2), (9000, 3), (-1, 4), (-2, 0))
 CORNER = np.array([(0.0, 0.0), (6.0, 0.0), (6.0, 2.0), (2.0, 2.0), (2.0, 6.0), (0.0, 6.0)])
+ROUND_CORNER = ((4, 3), (8, -2), (-1, 5), (1, 5), (5, 1), (2, 2), (1, 2), (4, 2.0005), (2, 3))
 
 
 class PointPolygonDistance(ValueExercise):
@@ -44,16 +46,17 @@ class PointPolygonDistance(ValueExercise):
         Slip("first_edge", lambda q, polygon: edge_distances(q, polygon)[0] if place(*q, polygon) < 0 else 0.0),
         Slip("farthest", lambda q, polygon: max(edge_distances(q, polygon)) if place(*q, polygon) < 0 else 0.0),
         Slip("centre", lambda q, polygon: float(np.linalg.norm(q - polygon.mean(axis=0)))),
-        Slip("signed", lambda q, polygon: -min(edge_distances(q, polygon))),
+        Slip("signed", lambda q, polygon: -min(edge_distances(q, polygon)) if place(*q, polygon) < 0 else np.nan),
+        Slip("rim", lambda q, polygon: -min(edge_distances(q, polygon)) if place(*q, polygon) > 0 else np.nan),
+        Slip("rounded", lambda q, polygon: round(float(point_polygon_distance(q, polygon)), 2)),
     )
     reference = staticmethod(point_polygon_distance)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """A square, an L, then larger stars; q nearest to an edge, a vertex, the edge that closes; inside; on the boundary."""
-        for q in ((2, -1), (7, 8), (-3, 2), (1, 1), (4, 2), (9000, 3)):
-            yield self.case(np.array(q, float), SQUARE)
-        for q in ((4, 3), (8, -2), (-1, 5), (1, 5), (5, 1), (2, 2)):
-            yield self.case(np.array(q, float), CORNER)
+        for polygon, queries in ((SQUARE, ROUND_SQUARE), (CORNER, ROUND_CORNER)):
+            for q in queries:
+                yield self.case(np.array(q, float), polygon)
         for number, size in enumerate(sizes(6)):
             polygon = star_polygon(rng, 3 + number // 3, size)
             for kind in self.kinds:
@@ -133,10 +136,12 @@ class ExposeRayCounting(Exercise):
     def value_verdict(self, case: Case, value: Any) -> Verdict:
         """A simple polygon; on which the program is wrong; with three vertices."""
         q, polygon = value
+        if not np.isfinite(q).all() or not np.isfinite(polygon).all() or max(np.abs(q).max(), np.abs(polygon).max(initial=0)) > 1e4:
+            return Verdict(0.0, "range", self.wanted(case))
         try:
             wrong = abs(ray_counting_distance(q, polygon) - point_polygon_distance(q, polygon)) > 1e-6
-        except (InvalidPolygon, InvalidPoint) as error:
-            return Verdict(0.0, "valid", str(error))
+        except (InvalidPolygon, InvalidPoint):
+            return Verdict(0.0, "valid", self.wanted(case))
         if case.kind != "valid" and not wrong:
             return Verdict(0.0, "exposes", self.wanted(case))
         if case.kind == "smallest" and len(polygon) > 3:
@@ -182,11 +187,17 @@ def query(rng: np.random.Generator, polygon: Array, kind: str) -> Array:
     lo, hi = polygon.min(axis=0), polygon.max(axis=0)
     while True:
         if kind == "boundary":
-            return polygon[rng.integers(len(polygon))].copy()
+            i, share = rng.integers(len(polygon)), rng.choice([0.0, 0.25, 0.5])
+            q = polygon[i - 1] + share * (polygon[i] - polygon[i - 1])
+            if kind_of(q, polygon) == kind:  # else it was rounded off the edge
+                return q
+            continue
         side = polygon[-1] - polygon[0]
         beside = polygon[0] + rng.uniform(0.1, 0.9) * side + rng.uniform(0.05, 1.0) * turned(side)
         anywhere = (lo + hi) / 2 + rng.uniform(-1.0, 1.0, 2) * (hi - lo)
         q = np.round(beside if kind == "closing" else anywhere, 2) + 0.0
+        if kind in ("inside", "vertex") and rng.random() < 0.5:
+            q[1] = polygon[rng.integers(len(polygon)), 1]  # exactly as high as a vertex: where a ray to the right goes through it
         if kind_of(q, polygon) == kind and not is_tied(q, polygon):
             return q
 

@@ -33,6 +33,7 @@ class PointSegmentDistance(ValueExercise):
         Slip("other_end", lambda q, p1, p2: reach(q, p1, p2, -np.inf, 1.0)),
         Slip("unscaled", lambda q, p1, p2: reach(q, p1, p1 + (p2 - p1), 0.0, 1.0, power=1)),
         Slip("square", lambda q, p1, p2: point_segment_distance(q, p1, p2) ** 2),
+        Slip("rounded", lambda q, p1, p2: round(float(point_segment_distance(q, p1, p2)), 2)),
         Slip("nan", lambda q, p1, p2: reach(q, p1, p2, 0.0, 1.0) if (p1 != p2).any() else np.nan),
     )
     reference = staticmethod(point_segment_distance)
@@ -41,6 +42,7 @@ class PointSegmentDistance(ValueExercise):
         """Small whole numbers first; q beside the segment, beyond either end, on it; then a segment that is a point."""
         for kind, q, p1, p2 in (
             ("beside", (1, 2), (0, 0), (4, 0)),
+            ("beside", (2, 4), (1, 2), (5, 2)),
             ("beyond_p2", (7, 4), (0, 0), (4, 0)),
             ("beyond_p1", (-3, 4), (0, 0), (4, 0)),
             ("on", (3, 0), (0, 0), (4, 0)),
@@ -49,6 +51,8 @@ class PointSegmentDistance(ValueExercise):
             ("beside", (2, 3), (0, 0), (0, 4)),
             ("beyond_p2", (0, 7), (0, 0), (0, 4)),
             ("beyond_p1", (-9000, 5), (0, 0), (4, 0)),
+            ("beside", (2, 0.0005), (0, 0), (4, 0)),
+            ("beyond_p2", (3, 0), (0, 0), (0.01, 0)),
         ):
             yield Case(kind, arguments(q, p1, p2))
         for size in sizes(6):
@@ -63,7 +67,7 @@ class PointSegmentDistance(ValueExercise):
                 yield Case(kind, arguments(q, p1, p2))
             yield Case("beyond_p2", arguments(p2 + (p2 - p1), p1, p2))
             yield Case("beyond_p1", arguments(p1 - 2 * (p2 - p1), p1, p2))
-            yield Case("on", arguments(p1 + rng.uniform() * (p2 - p1), p1, p2))
+            yield Case("on", arguments(p1 + rng.choice([0.25, 0.5, 0.75]) * (p2 - p1), p1, p2))
             yield Case("point", arguments(p2, p1, p1))
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
