@@ -17,6 +17,7 @@ from typing import Any
 
 from . import collision, decomposition, geometry, graphs, planners, problems, robots, scenes, spaces, worlds
 from .decomposition import decomposition_roadmap, sweep, trapezoidation, triangulation
+from .graphs import Graph, astar, bfs_path, bfs_tree, dfs_path, dijkstra
 from .planners import bug0, bug1, bug2, bug2_prelim, bug_base, plan_by_decomposition, plan_on_grid, prm, rrt
 from .problems import Plan, Problem, Recorder
 from .robots import Disk, Point
@@ -37,12 +38,16 @@ def __getattr__(name: str) -> Any:
 
 __all__ = [
     "Disk",
+    "Graph",
     "Plan",
     "Point",
     "PolygonWorld",
     "Problem",
     "Recorder",
     "Terrain",
+    "astar",
+    "bfs_path",
+    "bfs_tree",
     "board",
     "boards",
     "bug0",
@@ -54,6 +59,8 @@ __all__ = [
     "course",
     "decomposition",
     "decomposition_roadmap",
+    "dfs_path",
+    "dijkstra",
     "figures",
     "geometry",
     "graphs",

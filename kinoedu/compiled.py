@@ -75,7 +75,8 @@ if JIT:
             return found
 
         def save_overload(self, sig: Any, data: Any) -> None:
-            if all(map(_is_ours, data.signature.args)):
+            loadable = not isinstance(data.signature.return_type, numba.types.Generator)  # numba fails to call one from new code
+            if loadable and all(map(_is_ours, data.signature.args)):
                 super().save_overload(sig, data)
 
     @intrinsic

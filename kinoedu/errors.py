@@ -42,7 +42,7 @@ class InvalidParameter(KinoeduError):
 
 
 class InvalidGraph(KinoeduError):
-    """An edge names a node that is not there, or carries a weight that no search can use."""
+    """A node, an edge or a place is not there, a weight is one that no search can use, or what was given is no graph."""
 
 
 class UnreadableScene(KinoeduError):

@@ -3,6 +3,7 @@
 from typing import Any
 
 from .compiled import CACHE
+from .graphs import Graph, bfs, dfs, dijkstra
 from .planners import bug2, plan_by_decomposition, plan_on_grid, prm, rrt
 from .problems import Problem
 from .progress import stage
@@ -11,7 +12,10 @@ from .worlds import PolygonWorld, Terrain
 
 
 def warm_up() -> None:
-    """Run every planner once in every kind of world. What is compiled already is left; without a cache nothing is gained."""
+    """Run every planner once in every kind of world, and the searches on a graph.
+
+    What is compiled already is left; without a cache nothing is gained.
+    """
     if CACHE is None or (CACHE / "warm").exists():
         return
     worlds = {
@@ -27,4 +31,10 @@ def warm_up() -> None:
             planner(problem, **({"rng": 0} if planner in (rrt, prm) else {}))
     with stage("compiling once: bugs"):
         bug2((1, 1), (8, 8), [[(4, 2), (5, 2), (5, 6)], [(1, 8), (2, 8), (2, 9)]], 1.0)
+    with stage("compiling once: searches on graphs"):
+        graph = Graph(nodes=[(0, 0), (1, 0)], edges=[(0, 1)])
+        for search in (bfs, dfs, dijkstra):
+            search(graph, 0)
+        graph.components()
+        graph.closest((1, 1))
     (CACHE / "warm").touch()

@@ -2,17 +2,21 @@
 
 from .decomposition import draw_decomposition, draw_sweep
 from .drawing import draw_path, draw_plan, draw_problem, draw_roadmap, draw_robot, draw_tree, draw_world
+from .graphs import draw_graph
 from .saving import save_plan
+from .searches import draw_search
 from .walks import draw_distance_to_goal, draw_walk
 
 __all__ = [
     "draw_decomposition",
     "draw_distance_to_goal",
+    "draw_graph",
     "draw_path",
     "draw_plan",
     "draw_problem",
     "draw_roadmap",
     "draw_robot",
+    "draw_search",
     "draw_sweep",
     "draw_tree",
     "draw_walk",

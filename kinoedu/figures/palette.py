@@ -14,6 +14,7 @@ ROADMAP = "#3B9BD9"
 PATH = "#E69F00"
 ROBOT = "#CC79A7"
 CONTACT = "#000000"
+FRONTIER = "#F0E442"  # seen by a search, and waiting
 INK = "#111827"
 
 TEXT_SIZE = 13

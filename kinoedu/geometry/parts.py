@@ -11,7 +11,7 @@ The record table (every record is a NamedTuple; compiled code reads its fields):
 | `TerrainRecord` | free (rows, columns), resolution, origin, lo and hi (worlds/terrain.py) |
 | `RealSpace` | lo and hi (d,) (spaces/real.py) |
 | `GrowingTree` | nodes, parent, size, and the buckets of its nearest neighbours (spaces/buckets.py) |
-| `GraphRecord` | size, edges, weights, first, to, weight (graphs/graph.py) |
+| `GraphRecord` | size, edges, weights, first, to, weight (graphs/flat.py) |
 | `Sweep` | the state of a sweep line, flat (decomposition/sweep.py) |
 | `ProblemRecord` | robot, world, space, start, goal, clearance, asked (problems.py) |
 | `Lattice`, `CellGrid` | a grid's place and size, over a problem or over cells (planners/grid.py) |

@@ -1,33 +1,37 @@
 """Dijkstra's algorithm and A*: one search, told apart by its estimate of what remains.
 
+    A*(G, start, goal, estimate)                                    Dijkstra's algorithm: every estimate is 0
+     1  for each node v: cost(v) := infinity, parent(v) := none
+     2  cost(start) := 0; insert start into an empty priority queue Q
+     3  while Q is not empty:
+     4      u := retrieve from Q the node with the least cost(u) + estimate(u)
+     5      if u = goal: return extract-path
+     6      for each node v that an edge leads to from u:
+     7          if cost(u) + weight(u, v) < cost(v):
+     8              cost(v) := cost(u) + weight(u, v); parent(v) := u
+     9              insert v into Q, or move it forward
+    10  return failure
+
+The queue is a heap. Nothing is moved in it: v is inserted once more, and what is retrieved a second time at no gain is passed over.
+
 E. W. Dijkstra (1959); P. E. Hart, N. J. Nilsson, B. Raphael, "A formal basis for the heuristic determination of minimum cost
 paths" (1968); Bullo & Smith, section 2.4; LaValle, section 2.2.
 """
 
 from collections.abc import Iterator
 from heapq import heappop, heappush
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..compiled import body, compiled
 from ..errors import InvalidGraph
-from ..geometry.checks import Array
-from .graph import degree, edge
+from ..geometry.checks import Array, shortened
+from .flat import degree, edge
+from .paths import Expansion, Search, Steps, ends, moments, path_found
 
 ROUNDING = 1e-12  # of a cost
-
-
-class Search(NamedTuple):
-    """The result of a search: cost (n,) from the start, final for expanded nodes, else the least found so far, or infinite;
-    parent (n,), -1 for the start and for nodes not reached; expanded (k,), the nodes in the order in which they were settled, some
-    again where an estimate is not consistent.
-    """
-
-    cost: Array
-    parent: NDArray[np.int64]
-    expanded: NDArray[np.int64]
 
 
 @compiled
@@ -59,16 +63,24 @@ def expansions(graph: Any, start: int, goal: int, estimate: Array, cost: Array, 
 
 
 @body
-def search(graph: Any, start: int, goal: int, estimate: Array) -> tuple[Array, NDArray[np.int64], NDArray[np.int64]]:
-    """Run the expansions to their end; goal = -1 expands all that can be reached."""
+def search(graph: Any, start: int, goal: int, estimate: Array) -> tuple[Array, NDArray[np.int64], NDArray[np.int64], int]:
+    """Run the expansions to their end; goal = -1 expands all that can be reached. The last number counts edges looked at."""
     cost, parent = np.full(len(estimate), np.inf), np.full(len(estimate), -1, np.int64)
-    expanded, n = np.empty(len(estimate), np.int64), 0
+    expanded, n, looked_at = np.empty(len(estimate), np.int64), 0, 0
     for u in expansions(graph, start, goal, estimate, cost, parent):
         if n == len(expanded):
             expanded = np.append(expanded, expanded)
         expanded[n] = u
         n += 1
-    return cost, parent, expanded[:n]
+        if u != goal:
+            looked_at += degree(graph, u)
+    return cost, parent, expanded[:n], looked_at
+
+
+def best_first(flat: Any, start: int, goal: int, estimate: Array) -> Search:
+    """The search with its result in one piece."""
+    cost, parent, expanded, looked_at = search(flat, start, goal, estimate)
+    return Search(cost, parent, expanded, Steps(len(expanded), int(looked_at)))
 
 
 def dijkstra(graph: Any, start: int) -> Search:
@@ -77,51 +89,78 @@ def dijkstra(graph: Any, start: int) -> Search:
     Raises InvalidGraph where `start` is not a node.
 
     >>> from kinoedu.graphs import Graph
-    >>> dijkstra(Graph(4, [(0, 1), (1, 2), (0, 2)], [1.0, 1.0, 5.0]), 0).cost
-    array([ 0.,  1.,  2., inf])
+    >>> found = dijkstra(Graph(4, [(0, 1), (1, 2), (0, 2)], [1.0, 1.0, 5.0]), 0)
+    >>> found.cost, found.steps
+    (array([ 0.,  1.,  2., inf]), Steps(nodes=3, edges=6))
     """
-    check_node(graph, start, "start")
-    return Search(*search(graph, int(start), -1, np.zeros(graph.size)))
+    flat, first, _ = ends(graph, start, None)
+    return best_first(flat, first, -1, np.zeros(flat.size))
 
 
 def astar(graph: Any, start: int, goal: int, estimate: ArrayLike | None = None) -> tuple[NDArray[np.int64] | None, Search]:
     """A shortest path between two nodes, as node numbers (k,), or None where there is none; and the search that found it.
 
     estimate : (n,) lower bounds on the cost from each node to the goal; without them this is Dijkstra's algorithm stopped at the
-        goal. Raises InvalidGraph.
+        goal. In a graph whose weights are distances, `graph.distances(goal)` are such bounds. Raises InvalidGraph.
 
     >>> from kinoedu.graphs import Graph
     >>> path, found = astar(Graph(4, [(0, 1), (1, 2), (0, 2)], [1.0, 1.0, 5.0]), 0, 2)
     >>> path, found.cost[2]
     (array([0, 1, 2]), np.float64(2.0))
     """
-    check_node(graph, start, "start")
-    check_node(graph, goal, "goal")
-    bounds = np.zeros(graph.size) if estimate is None else np.asarray(estimate, np.float64)
-    if bounds.shape != (graph.size,) or not (bounds >= 0.0).all():
-        raise InvalidGraph(f"the estimate must be {graph.size} numbers, zero or more, one for each node")
-    found = Search(*search(graph, int(start), int(goal), bounds))
-    return (extract_path(found.parent, int(goal)) if np.isfinite(found.cost[goal]) else None), found
+    flat, first, last = ends(graph, start, goal)
+    found = best_first(flat, first, last, as_estimate(estimate, flat.size))
+    return path_found(found, last), found
 
 
-def check_node(graph: Any, u: int, name: str) -> None:
-    """Raise InvalidGraph unless u is one of the graph's nodes."""
-    if isinstance(u, bool) or not isinstance(u, int | np.integer) or not 0 <= u < graph.size:
-        raise InvalidGraph(f"{name} must be a node from 0 to {graph.size - 1}, got {u!r}")
+def astar_expansions(graph: Any, start: int, goal: int, estimate: ArrayLike | None = None) -> Iterator[Expansion]:
+    """The same search one expansion after another, each with the priority queue as it was then; O(n log n) more for each.
 
+    Raises InvalidGraph.
 
-def extract_path(parent: ArrayLike, goal: int) -> NDArray[np.int64]:
-    """The nodes from the root to `goal` by following parents (n,), where the root's is -1; shape (k,). Bullo & Smith, 2.3.
-
-    Raises InvalidGraph where the parents lead round in a circle or out of the graph.
-
-    >>> extract_path([-1, 0, 1, 1], 3)
-    array([0, 1, 3])
+    >>> from kinoedu.graphs import Graph
+    >>> for moment in astar_expansions(Graph(4, [(0, 1), (1, 2), (0, 2)], [1.0, 1.0, 5.0]), 0, 2):
+    ...     moment.node, moment.frontier
+    (0, array([], dtype=int64))
+    (1, array([2]))
+    (2, array([], dtype=int64))
     """
-    parents = np.asarray(parent)
-    path = [goal]
-    while 0 <= (above := int(parents[path[-1]])) < len(parents) and len(path) <= len(parents):
-        path.append(above)
-    if above != -1:
-        raise InvalidGraph("these parents lead to no root")
-    return np.array(path[::-1], np.int64)
+    flat, first, last = ends(graph, start, goal)
+    return best_first_moments(flat, first, last, as_estimate(estimate, flat.size))
+
+
+def dijkstra_expansions(graph: Any, start: int) -> Iterator[Expansion]:
+    """Dijkstra's algorithm one expansion after another, as `astar_expansions`. Raises InvalidGraph.
+
+    >>> from kinoedu.graphs import Graph
+    >>> [moment.node for moment in dijkstra_expansions(Graph(3, [(0, 1), (1, 2), (0, 2)], [4.0, 1.0, 1.0]), 0)]
+    [0, 2, 1]
+    """
+    flat, first, _ = ends(graph, start, None)
+    return best_first_moments(flat, first, -1, np.zeros(flat.size))
+
+
+def best_first_moments(flat: Any, start: int, goal: int, estimate: Array) -> Iterator[Expansion]:
+    """Expansions with the nodes that wait: those whose cost has become less since they were last expanded, if they ever were."""
+    cost, parent = np.full(flat.size, np.inf), np.full(flat.size, -1)
+    when_expanded = np.full(flat.size, np.inf)
+
+    def waiting(u: int, _: int) -> NDArray[np.int64]:
+        when_expanded[u] = cost[u]
+        nodes = np.flatnonzero(cost < when_expanded)
+        return nodes[np.lexsort([nodes, estimate[nodes], cost[nodes] + estimate[nodes]])]
+
+    return moments(expansions.py_func(flat, start, goal, estimate, cost, parent), cost, parent, waiting)
+
+
+def as_estimate(estimate: ArrayLike | None, size: int) -> Array:
+    """Lower bounds, one for each node: shape (n,), zero or more; zeros for None. InvalidGraph otherwise."""
+    if estimate is None:
+        return np.zeros(size)
+    try:
+        bounds = np.array(estimate, np.float64)
+    except (TypeError, ValueError):
+        bounds = np.empty(0)
+    if bounds.shape != (size,) or not (bounds >= 0.0).all():
+        raise InvalidGraph(f"the estimate must be {size} numbers, zero or more, one for each node, got {shortened(estimate)}")
+    return bounds

@@ -14,7 +14,7 @@ from ..compiled import compiled
 from ..errors import InvalidParameter
 from ..geometry.checks import Array
 from ..graphs import astar
-from ..graphs.graph import degree, edge
+from ..graphs.flat import degree, edge
 from ..problems import MOTIONS, Plan, ProblemRecord, Tree
 from ..robots.round import RoundRobot
 from ..worlds.terrain import TerrainRecord

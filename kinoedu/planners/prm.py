@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from ..compiled import body
 from ..errors import InvalidParameter
 from ..geometry.checks import Array
-from ..graphs import Graph, astar
+from ..graphs import GraphRecord, astar, flat_graph
 from ..problems import MOTIONS, Plan, Roadmap, as_generator
 from .answers import plan_along
 from .asking import askable, body_for
@@ -86,13 +86,13 @@ def prm(problem: Any, *, n: int = 1000, k: int = 10, rng: int | np.random.Genera
     before = asked.asked[MOTIONS]
     nodes = body_for(asked, sample_free)(asked, samples, 100 * samples, as_generator(rng))
     edges, lengths = body_for(asked, join)(asked, nodes, k_closest(asked, nodes, closest))
-    graph = Graph(len(nodes), edges, lengths)
+    graph = flat_graph(len(nodes), edges, lengths)
     numbers, _ = astar(graph, 0, 1, body_for(asked, distances_to)(asked, nodes, asked.goal))
     stats = {"nodes": len(nodes), "edges": len(edges), "checks": int(asked.asked[MOTIONS] - before)}
     return plan_along(asked, nodes, numbers, why_apart(graph), planner="PRM", roadmap=Roadmap(nodes, edges), stats=stats)
 
 
-def why_apart(graph: Any) -> str:
+def why_apart(graph: GraphRecord) -> str:
     """Why a roadmap does not join nodes 0 and 1."""
     for node, name in ((0, "start"), (1, "goal")):
         if graph.degree(node) == 0:

@@ -1,0 +1,59 @@
+"""The matrices of a graph, as scipy sparse arrays. F. Bullo, "Lectures on Network Systems", chapters 4, 6 and 9.
+
+n nodes, m edges numbered as they were added. The row of a node without edges, and of one that was deleted, is zero.
+"""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..geometry.checks import Array
+
+
+def adjacency_matrix(size: int, edges: NDArray[np.int64], weights: Array, *, directed: bool) -> Any:
+    """A (n, n): A[u, v] is the weight of the edge from u to v, of parallel ones the sum. Symmetric unless directed.
+
+    A loop stands on the diagonal once. An edge of weight zero is stored as a zero.
+
+    >>> adjacency_matrix(2, np.array([(0, 1)]), np.array([5.0]), directed=True).toarray()
+    array([[0., 5.],
+           [0., 0.]])
+    """
+    from scipy.sparse import coo_array
+
+    back = edges[edges[:, 0] != edges[:, 1]][:, ::-1] if not directed else edges[:0]
+    rows, columns = np.concatenate([edges, back]).T
+    values = np.concatenate([weights, weights[edges[:, 0] != edges[:, 1]][: len(back)]])
+    return coo_array((values, (rows, columns)), shape=(size, size)).tocsr()
+
+
+def incidence_matrix(size: int, edges: NDArray[np.int64]) -> Any:
+    """B (n, m): B[u, e] is +1 where edge e leaves u and -1 where it arrives. The column of a loop is zero.
+
+    Undirected edges are taken to lead from the first node given to the second; either way L = B diag(weights) B^T.
+
+    >>> incidence_matrix(3, np.array([(0, 1), (2, 1)])).toarray()
+    array([[ 1.,  0.],
+           [-1., -1.],
+           [ 0.,  1.]])
+    """
+    from scipy.sparse import coo_array
+
+    numbers = np.flatnonzero(edges[:, 0] != edges[:, 1])
+    signs = np.repeat([1.0, -1.0], len(numbers))
+    return coo_array((signs, (edges[numbers].T.ravel(), np.tile(numbers, 2))), shape=(size, len(edges))).tocsr()
+
+
+def laplacian_matrix(adjacency: Any) -> Any:
+    """L = D - A (n, n), with D the diagonal of A's row sums: for a directed graph what leaves a node. Its rows sum to zero.
+
+    Undirected it is symmetric, and its kernel has as many dimensions as the graph has components. A loop leaves it unchanged.
+
+    >>> laplacian_matrix(adjacency_matrix(2, np.array([(0, 1)]), np.array([5.0]), directed=False)).toarray()
+    array([[ 5., -5.],
+           [-5.,  5.]])
+    """
+    from scipy.sparse import diags_array
+
+    return (diags_array(adjacency.sum(axis=1)) - adjacency).tocsr()
