@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from ..compiled import body, compiled
 from ..errors import InvalidWorld
 from ..geometry.checks import Array, as_point
-from ..graphs.graph import counting_sort
+from ..graphs.flat import counting_sort
 from .cells import CELLS, CLOSED, WALLS
 from .crossing import CROSSED, side
 from .free_space import edges_to_try

@@ -4,7 +4,8 @@ from ...errors import InvalidParameter
 from ...words import say
 from ..exercise import Exercise
 from .lines import LineThroughPoints, PointLineDistance
-from .polygons import ExposeRayCounting, PointPolygonDistance, PolygonTangent
+from .polygons import PointPolygonDistance, PolygonTangent
+from .ray_counting import ExposeRayCounting
 from .segments import PointSegmentDistance
 
 EXERCISES: dict[str, Exercise] = {
