@@ -3,6 +3,7 @@
 import contextlib
 import json
 import re
+import shutil
 import tomllib
 from pathlib import Path
 
@@ -372,7 +373,10 @@ def test_what_a_program_says_is_escaped():
 
 def test_every_word_is_there_and_used():
     """Each exercise has words for all its kinds, rules, hints, slips and pictures; the catalogue has no words that nothing says."""
-    table = tomllib.loads((HOUSE / "kinoedu" / "words" / "en.toml").read_text(encoding="utf-8"))
+    files = sorted((HOUSE / "kinoedu" / "words" / "en").glob("*.toml"))
+    tables = [tomllib.loads(file.read_text(encoding="utf-8")) for file in files]
+    table = {name: rows for one in tables for name, rows in one.items()}
+    assert sum(map(len, tables)) == len(table)  # no table stands in two files
     for exercise in EXERCISES.values():
         mine = table[exercise.name]
         assert set(mine["kinds"]) == set(exercise.kinds)
@@ -392,8 +396,9 @@ def test_every_word_is_there_and_used():
 
 def test_a_translation_replaces_words_and_falls_back(monkeypatch, tmp_path):
     """KINOEDU_LANGUAGE reads another catalogue first."""
-    (tmp_path / "xx.toml").write_text('[check]\nhint = "Wink"\n')
-    (tmp_path / "en.toml").write_text((HOUSE / "kinoedu" / "words" / "en.toml").read_text(encoding="utf-8"))
+    shutil.copytree(HOUSE / "kinoedu" / "words" / "en", tmp_path / "en")
+    (tmp_path / "xx").mkdir()
+    (tmp_path / "xx" / "some.toml").write_text('[check]\nhint = "Wink"\n')
     monkeypatch.setattr(words, "HERE", tmp_path)
     monkeypatch.setenv("KINOEDU_LANGUAGE", "xx")
     words.catalogue.cache_clear()

@@ -1,6 +1,6 @@
-"""The words that students read, in one catalogue: `en.toml` beside this file.
+"""The words that students read, in one catalogue: the files of the folder `en` beside this file, each with tables of its own.
 
-A translation is another such file. `KINOEDU_LANGUAGE=de` reads `de.toml` first and `en.toml` for what is missing there.
+A translation is another such folder. `KINOEDU_LANGUAGE=de` looks in `de` first, and in `en` for what is missing there.
 """
 
 import os
@@ -23,7 +23,7 @@ def say(key: str, /, **values: Any) -> str:
         words = found(catalogue(name), key)
         if words is not None:
             return words.format(**values)
-    raise KeyError(f"no words for {key!r} in {HERE / 'en.toml'}")
+    raise KeyError(f"no words for {key!r} in {HERE / 'en'}")
 
 
 def has_words(key: str) -> bool:
@@ -33,9 +33,9 @@ def has_words(key: str) -> bool:
 
 @cache
 def catalogue(language: str) -> dict[str, Any]:
-    """A language's words; none where there is no file for it."""
-    file = HERE / f"{language}.toml"
-    return tomllib.loads(file.read_text(encoding="utf-8")) if language.isalpha() and file.is_file() else {}
+    """A language's words; none where there is no folder for it."""
+    files = sorted((HERE / language).glob("*.toml")) if language.isalpha() else []
+    return {name: table for file in files for name, table in tomllib.loads(file.read_text(encoding="utf-8")).items()}
 
 
 def found(words: dict[str, Any], key: str) -> str | None:
