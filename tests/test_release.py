@@ -6,6 +6,7 @@ import zipfile
 from pathlib import Path
 
 import nbformat
+import numpy as np
 import pytest
 
 from kinoedu.course.release import assignments, pack, release, without_answers
@@ -54,6 +55,26 @@ def test_points_are_the_kinds_of_input(name):
             exercise = EXERCISES[mark["grade_id"].removeprefix("check_")]
             assert mark["points"] == len(exercise.kinds)
             assert exercise.lesson == name
+
+
+@pytest.mark.parametrize("name", assignments())
+def test_the_solutions_answers_are_right_for_other_seeds(name):
+    """What the solution says is right on cases that nobody has seen."""
+    from kinoedu.course import EXERCISES
+    from kinoedu.course.judging import attempt, report_on
+
+    names = {}
+    for cell in nbformat.read(HOUSE / "solutions" / f"{name}.ipynb", as_version=4).cells:
+        if cell.cell_type == "code" and not cell.source.startswith("check(") and "show(" not in cell.source:
+            exec(compile(cell.source, "solution.py", "exec"), names)
+    asked = [exercise for exercise in EXERCISES.values() if exercise.lesson == name]
+    assert asked
+    for exercise in asked:
+        for seed in (1, 2, 3):
+            cases = list(exercise.cases(np.random.default_rng(seed)))
+            exercise.wanted(cases[0])
+            report = report_on(exercise, cases, (attempt(exercise, names[exercise.name], case) for case in cases))
+            assert report.is_right, (exercise.name, seed, report.failure)
 
 
 @pytest.fixture

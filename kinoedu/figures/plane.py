@@ -57,7 +57,9 @@ def title(words: str, ax: Axes) -> Artist:
 def dot(at: ArrayLike, name: str, ax: Axes, *, colour: str = palette.INK, marker: str = "o") -> list[Artist]:
     """A point with its name beside it."""
     x, y = np.asarray(at, float)
-    artists: list[Artist] = [*ax.plot(x, y, marker, color=colour, markersize=9, markeredgecolor="white", zorder=6)]
+    artists: list[Artist] = [
+        *ax.plot(x, y, marker, color=colour, markersize=15 if marker == "*" else 9, markeredgecolor="white", zorder=6)
+    ]
     return [*artists, label((x, y), name, ax, colour=colour)] if name else artists
 
 

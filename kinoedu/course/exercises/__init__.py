@@ -3,6 +3,7 @@
 from ...errors import InvalidParameter
 from ...words import say
 from ..exercise import Exercise
+from .bugs import Bug1, Bug2, BugBase
 from .lines import LineThroughPoints, PointLineDistance
 from .polygons import PointPolygonDistance, PolygonTangent
 from .ray_counting import ExposeRayCounting
@@ -17,6 +18,9 @@ EXERCISES: dict[str, Exercise] = {
         PointPolygonDistance,
         PolygonTangent,
         ExposeRayCounting,
+        BugBase,
+        Bug1,
+        Bug2,
     )
 }
 

@@ -1,0 +1,196 @@
+"""Exercises on the Bug algorithms. Bullo & Smith, chapter 1.
+
+The worlds leave no doubt: a wall is met squarely or not at all, obstacles are far apart beside a step, and no two ways round are
+nearly equally long. So a walk in steps, with its small errors, goes where the exact walk goes.
+"""
+
+from abc import abstractmethod
+from collections.abc import Iterator
+from itertools import product
+from typing import Any
+
+import numpy as np
+
+from ...geometry import convex_hull, point_polygon_distance
+from ...geometry.checks import Array
+from ...geometry.polygons import place
+from ...planners import bug1, bug2, bug_base
+from ...problems import Plan, Walk
+from ..exercise import Case
+from .walks import Departure, WalkExercise
+
+ME145 = [np.array([(1, 2), (1, 0), (3, 0)], float), np.array([(2, 3), (4, 1), (5, 2)], float)]
+BOX = np.array([(2, -1), (4, -1), (4, 2), (2, 2)], float)
+SPIRAL = np.array([(1, -3), (9, -3), (9, 3), (3, 3), (3, 2), (8, 2), (8, -2), (2, -2), (2, 3.5), (1, 3.5)], float)
+UP = np.array([0.0, 1.0])
+TURNS = ("left", "right")
+STEP = 0.05
+CLEAR = 8.0  # steps: what is not met stays so far away
+
+
+def world(start: Any, goal: Any, obstacles: list[Array], step: float = STEP) -> dict[str, Any]:
+    """The arguments of a case."""
+    return {"start": np.array(start, float), "goal": np.array(goal, float), "obstacles": obstacles, "step": step}
+
+
+class BugExercise(WalkExercise):
+    """A Bug algorithm, judged beside the exact walks of its forms."""
+
+    @abstractmethod
+    def plans(self, given: dict[str, Any]) -> list[Plan]:
+        """The plan of every form that is right."""
+
+    def exact_walks(self, given: dict[str, Any]) -> list[Array]:
+        """Their walks."""
+        return [walk_of(plan).points for plan in self.plans(given)]
+
+    def random_case(self, rng: np.random.Generator, kind: str, n: int) -> Case:
+        """A case among n obstacles, all of which are met on some form of the walk."""
+        while True:
+            given = random_world(rng, n)
+            plans = self.plans(given)
+            if max(len(walk_of(plan).hit) for plan in plans) == n and leaves_no_doubt(given, plans):
+                return Case(kind, given)
+
+
+class BugBase(BugExercise):
+    """Towards the goal, until it is reached or something is in the way."""
+
+    name = "bug_base"
+    kinds = ("free", "hit", "passes")
+    source = staticmethod(bug_base)
+
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """Nothing there; something in the way; something beside the way."""
+        yield Case("free", world((0, 0), (6, 0), []))
+        yield Case("hit", world((0, 0), (6, 0), [BOX]))
+        yield Case("passes", world((0, 0), (6, 0), [BOX + 4.0 * UP, BOX - 5.0 * UP]))
+        yield Case("hit", world((0, 0), (5, 3), ME145, 0.1))
+        for n in (1, 2, 3) * 4:
+            case = self.random_case(rng, "hit", 1)
+            given = random_world(rng, n)
+            way = given["goal"] - given["start"]
+            aside = 4.0 * np.array([-way[1], way[0]]) / np.linalg.norm(way)
+            yield case
+            yield Case("free", {**given, "obstacles": []})
+            yield Case(
+                "passes", {**given, "obstacles": [np.round(o + aside * (-1) ** i, 2) for i, o in enumerate(given["obstacles"])]}
+            )
+
+    def plans(self, given: dict[str, Any]) -> list[Plan]:
+        """The straight one."""
+        return [bug_base(*given.values())]
+
+    def end(self, given: dict[str, Any], path: Array) -> Departure | None:
+        """Whether a path ends at the goal, or nearer than a step to an obstacle."""
+        near = 1.001 * given["step"]
+        at_goal = np.linalg.norm(path[-1] - given["goal"]) <= near
+        at_wall = any(point_polygon_distance(path[-1], obstacle) <= near for obstacle in given["obstacles"])
+        return None if at_goal or at_wall else Departure("end", len(path) - 1)
+
+
+class Bug1(BugExercise):
+    """All the way round, then back to where the goal was nearest."""
+
+    name = "bug1"
+    kinds = ("free", "one", "many")
+    source = staticmethod(bug1)
+
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """No obstacle, one, and more."""
+        for goal in ((3, 4), (-2, 0.5), (0, 1.02)):
+            yield Case("free", world((0, 0), goal, []))
+        yield Case("one", world((0, 0), (6, 0), [BOX]))
+        yield Case("many", world((0, 0), (5, 3), ME145))
+        for n in (2, 3, 2):
+            yield self.random_case(rng, "one", 1)
+            yield self.random_case(rng, "many", n)
+
+    def plans(self, given: dict[str, Any]) -> list[Plan]:
+        """Turning left or right, going back the shorter way or on in the same direction."""
+        return [bug1(*given.values(), turn=turn, way_back=back) for turn, back in product(TURNS, ("shorter", "same"))]
+
+
+class Bug2(BugExercise):
+    """Along the wall until the line from start to goal is met again, nearer to the goal."""
+
+    name = "bug2"
+    kinds = ("free", "one", "many", "spiral")
+    source = staticmethod(bug2)
+
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """No obstacle, one, more; and one whose wall leads back to the line farther from the goal."""
+        for goal in ((3, 4), (-2, 0.5), (0, 1.02)):
+            yield Case("free", world((0, 0), goal, []))
+        yield Case("one", world((0, 0), (6, 0), [BOX]))
+        yield Case("many", world((0, 0), (5, 3), ME145))
+        yield Case("spiral", world((7.5, 0.5), (0, 3.5), [SPIRAL]))
+        yield Case("spiral", world((7.5, -0.5), (0, -3.5), [(SPIRAL * (1.0, -1.0))[::-1]]))
+        for n in (2, 3, 2):
+            yield self.random_case(rng, "one", 1)
+            yield self.random_case(rng, "many", n)
+
+    def plans(self, given: dict[str, Any]) -> list[Plan]:
+        """Turning left or right."""
+        return [bug2(*given.values(), turn=turn) for turn in TURNS]
+
+
+def walk_of(plan: Plan) -> Walk:
+    """A Bug plan's walk, which it always has."""
+    assert plan.walk is not None
+    return plan.walk
+
+
+def moved_aside(given: dict[str, Any]) -> list[Array]:
+    """The obstacles moved off the straight way, to the left and to the right in turn."""
+    x, y = (given["goal"] - given["start"]) / np.linalg.norm(given["goal"] - given["start"])
+    return [np.round(obstacle + (-1) ** i * 4.0 * np.array([-y, x]), 2) for i, obstacle in enumerate(given["obstacles"])]
+
+
+def random_world(rng: np.random.Generator, n: int) -> dict[str, Any]:
+    """n convex obstacles in a row, well apart, about on the way from start to goal."""
+    angle = rng.uniform(0.0, 2.0 * np.pi)
+    along, across = np.array([np.cos(angle), np.sin(angle)]), np.array([-np.sin(angle), np.cos(angle)])
+    obstacles = []
+    for i in range(n):
+        middle = (2.6 + 3.6 * i) * along + rng.uniform(-0.7, 0.7) * across
+        turns = 2.0 * np.pi * (np.arange(5) + rng.uniform(0.0, 0.8, 5)) / 5.0
+        corners = middle + rng.uniform(0.9, 1.3, (5, 1)) * np.column_stack([np.cos(turns), np.sin(turns)])
+        obstacles.append(convex_hull(np.round(corners, 2)))
+    goal = np.round((1.6 + 3.6 * n) * along + rng.uniform(-0.3, 0.3) * across, 2)
+    return world((0, 0), goal, obstacles)
+
+
+def leaves_no_doubt(given: dict[str, Any], plans: list[Plan]) -> bool:
+    """Whether a walk with small errors goes the same way as each of the exact ones."""
+    return all(is_clear(given, plan) for plan in plans) and not is_tied(plans)
+
+
+def is_clear(given: dict[str, Any], plan: Plan) -> bool:
+    """Whether every straight move hits squarely what it hits, and stays well away from everything else."""
+    walk, room = walk_of(plan), CLEAR * given["step"]
+    begins = [0, *walk.leave]
+    ends = [*walk.hit, len(walk.points) - 1]
+    for begin, end in zip(begins, ends):
+        a, b = walk.points[begin], walk.points[end]
+        far = np.linalg.norm(b - a)
+        if far < 2.0 * room:
+            return False
+        ahead = b + room * (b - a) / far
+        for obstacle in given["obstacles"]:
+            near = [float(point_polygon_distance(q, obstacle)) for q in (a, b)]
+            shares = np.linspace(0.0, 1.0, 200)
+            begun = 3.0 * room / far if near[0] < 1e-6 else 0.0  # what is touched at an end is near there
+            ended = 3.0 * room / far if near[1] < 1e-6 else 0.0
+            shares = shares[(shares >= begun) & (shares <= 1.0 - ended)]
+            if np.min(point_polygon_distance(a + shares[:, None] * (b - a), obstacle), initial=np.inf) < room:
+                return False
+            if near[1] < 1e-6 and place(ahead[0], ahead[1], obstacle) <= 0:
+                return False
+    return True
+
+
+def is_tied(plans: list[Plan]) -> bool:
+    """Whether two forms of the walk differ in length by so little that a walk in steps could take either."""
+    costs = sorted(plan.cost for plan in plans)
+    return any(0.0 < b - a < 0.3 for a, b in zip(costs, costs[1:]))
