@@ -1,8 +1,24 @@
 """Boards: problems to play with in a notebook. `board` for planners; `Canvas`, `Drawing` and its layers for a lesson's own."""
 
 from .board import Board, board
+from .bugs import BugBoard, bug_board
 from .canvas import Canvas
 from .drawing import Drawing, Layer
 from .geometry import distance_board
+from .search import SearchBoard, search_board
+from .sweep import SweepBoard, sweep_board
 
-__all__ = ["Board", "Canvas", "Drawing", "Layer", "board", "distance_board"]
+__all__ = [
+    "Board",
+    "BugBoard",
+    "Canvas",
+    "Drawing",
+    "Layer",
+    "SearchBoard",
+    "SweepBoard",
+    "board",
+    "bug_board",
+    "distance_board",
+    "search_board",
+    "sweep_board",
+]

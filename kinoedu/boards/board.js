@@ -16,7 +16,7 @@ const QUIET = 600;            // ms without change before the text is read out
 const GROWTH = 4000;          // ms in which the whole growth is played
 const WIDEST = 640, HIGHEST = 560, PAD = 8;   // of the picture, in pixels
 
-const boards = new Map();     // by the widget's key
+const boards = (globalThis[Symbol.for("kinoedu.boards")] ??= new Map());     // by the widget's key; each widget has this file anew
 
 export default {
   initialize({ model }) {
@@ -66,7 +66,7 @@ class Board {
     this.views = new Set();
     this.id = Math.random().toString(36).slice(2);       // this page, among those that show the same widget
     this.scene = copy(model.get("scene"));
-    this.drawing = { text: "", warning: "", note: "", layers: [], total: 0, unit: "" };
+    this.drawing = { text: "", warning: "", note: "", layers: [], total: 0, unit: "", told: [] };
     Object.assign(this, { seq: 0, shown: 0, asked: 0, stale: 0, answers: 0, took: 0 });
     Object.assign(this, { waiting: false, pendingSince: null, step: 0, playing: null });
     this.moved = new Map();                              // what moved since Python was last asked
@@ -181,8 +181,8 @@ class Board {
 
   show(message, buffers) {
     const layers = message.layers.map((layer, i) => ({ ...layer, data: floats(buffers[i]) }));
-    const { seq, text, warning, total, unit, took } = message;
-    this.drawing = { text, warning, layers, total, unit, note: "" };
+    const { seq, text, warning, total, unit, told, took } = message;
+    this.drawing = { text, warning, layers, total, unit, told, note: "" };
     this.took = took;
     this.answers += 1;
     if (seq !== null) this.shown = seq;
@@ -197,7 +197,16 @@ class Board {
 
   // growth
 
-  growTo(step) { this.step = clamp(Math.round(step), 0, this.drawing.total); this.changed(); }
+  growTo(step) { this.step = clamp(Math.round(step), 0, this.drawing.total); this.lead(); this.changed(); }
+
+  lead() {                               // a partner of as many steps is scrubbed along
+    for (const other of boards.values()) {
+      if ((other.key !== this.model.get("partner") && other.model.get("partner") !== this.key) || other.drawing.total !== this.drawing.total) continue;
+      Object.assign(other, { step: this.step, playing: null });
+      other.changed();
+    }
+  }
+
   pause() { this.playing = null; this.changed(); }
 
   play() {
@@ -214,16 +223,17 @@ class Board {
       playing.since ??= now;
       this.step = Math.min(Math.floor(from + ((now - playing.since) / GROWTH) * total), total);
       if (this.step >= total) this.playing = null; else requestAnimationFrame(tick);
+      this.lead();
       this.changed();
     };
     requestAnimationFrame(tick);
   }
 
   text() {
-    const { text, warning, note, total, unit } = this.drawing;
+    const { text, warning, note, total, unit, told } = this.drawing;
     if (note) return note;
     if (this.pendingSince !== null && performance.now() - this.pendingSince > PENDING) return this.words.thinking;
-    if (this.step < total && !warning) return fill(this.words.growth, { shown: this.step, total, unit });
+    if (this.step < total && !warning) return told[this.step] ?? fill(this.words.growth, { shown: this.step, total, unit });
     return warning || text;
   }
 }
@@ -263,7 +273,7 @@ class View {
     this.back.textContent = words.reset;
     this.told = make("div", "kinoedu-told", this.root, { "aria-hidden": "true" });
     this.state = make("div", "kinoedu-state", this.root, { role: "status", "aria-live": "polite" });
-    make("div", "kinoedu-hint", this.root).textContent = this.board.scene.polygons.some((p) => p.vertices) ? `${words.hint} ${words.deeper}` : words.hint;
+    if (this.board.things().length) make("div", "kinoedu-hint", this.root).textContent = this.board.scene.polygons.some((p) => p.vertices) ? `${words.hint} ${words.deeper}` : words.hint;
     this.pen = this.canvas.getContext("2d");
   }
 
@@ -417,11 +427,17 @@ class View {
     if (this.canvas.width !== across || this.canvas.height !== down) Object.assign(this.canvas, { width: across, height: down });
     pen.setTransform(across / this.width, 0, 0, down / this.height, 0, 0);
     pen.lineJoin = pen.lineCap = "round";
-    this.paintWorld();
     const late = board.pendingSince !== null && performance.now() - board.pendingSince > PENDING;
-    pen.globalAlpha = late ? 0.35 : 1;
-    for (const layer of board.drawing.layers) if (!layer.last || board.step >= board.drawing.total) this[`paint_${layer.kind}`]?.(layer);
-    pen.globalAlpha = 1;
+    const layers = board.drawing.layers.filter((layer) => !layer.last || board.step >= board.drawing.total);
+    const paint = (wanted) => {
+      pen.globalAlpha = late ? 0.35 : 1;
+      for (const layer of layers) if ((layer.kind === "cells") === wanted) this[`paint_${layer.kind}`]?.(layer);
+      pen.globalAlpha = 1;
+    };
+    this.paintGround();
+    paint(true);
+    this.paintSolids();
+    paint(false);
     board.scene.handles.forEach((handle) => this.paintHandle(handle));
     this.placeButtons();
     this.tellState(late);
@@ -429,7 +445,7 @@ class View {
     this.root.dispatchEvent(new CustomEvent("kinoedu-painted", { detail: board.shown, bubbles: true }));
   }
 
-  paintWorld() {
+  paintGround() {
     const { pen, board } = this, { scene, palette } = board;
     pen.fillStyle = scene.boundary || this.bitmap ? palette.outside : palette.free;
     pen.fillRect(0, 0, this.width, this.height);
@@ -437,6 +453,10 @@ class View {
     pen.lineWidth = 1.5;
     pen.strokeStyle = palette.obstacle;
     if (scene.boundary) { this.trace([scene.boundary]); pen.fillStyle = palette.free; pen.fill(); pen.stroke(); }
+  }
+
+  paintSolids() {
+    const { pen } = this, { scene, palette } = this.board;
     pen.fillStyle = palette.obstacle;
     for (const polygon of scene.polygons) { this.trace(polygon.rings); pen.fill("evenodd"); }
     for (const { at, radius } of scene.discs) { pen.beginPath(); pen.arc(...this.toPixels(at), radius * this.scale, 0, 7); pen.fill(); }
@@ -511,12 +531,14 @@ class View {
     pen.fillText(text, px, py);
   }
 
-  // layers: places in world sizes from its lower left corner; in one that grows each row ends with the step at which it came
+  // layers: places in world sizes from its lower left corner; in one that grows each row ends with the step at which it came, and
+  // in one whose rows do not stay, with that at which it goes
 
-  eachRow({ data, grows }, size, visit) {
-    const stride = size + (grows ? 1 : 0), unit = this.unit, bottom = this.height - PAD;
+  eachRow({ data, grows, ends }, size, visit) {
+    const stride = size + (grows ? 1 : 0) + (ends ? 1 : 0), unit = this.unit, bottom = this.height - PAD;
     for (let k = 0; k + stride <= data.length; k += stride) {
       if (grows && data[k + size] > this.board.step) break;
+      if (ends && data[k + stride - 1] <= this.board.step) continue;
       visit(PAD + data[k] * unit, bottom - data[k + 1] * unit, data[k + 2] * unit, data[k + 3] * unit, k / stride);
     }
   }
@@ -534,6 +556,20 @@ class View {
     pen.beginPath();
     this.eachRow(layer, 4, (px, py, x, y) => { pen.moveTo(px, py); pen.lineTo(PAD + x, bottom - y); });
     this.stroke(layer);
+  }
+
+  paint_cells(layer) {
+    const { pen, unit } = this, stride = 8 + (layer.grows ? 1 : 0) + (layer.ends ? 1 : 0), bottom = this.height - PAD;
+    pen.beginPath();
+    this.eachRow(layer, 8, (_px, _py, _dx, _dy, k) => {
+      for (let c = k * stride; c < k * stride + 8; c += 2) {
+        const at = [PAD + layer.data[c] * unit, bottom - layer.data[c + 1] * unit];
+        if (c === k * stride) pen.moveTo(...at); else pen.lineTo(...at);
+      }
+      pen.closePath();
+    });
+    pen.fillStyle = this.board.palette[layer.colour];
+    pen.fill();
   }
 
   paint_path(layer) {
@@ -565,8 +601,9 @@ class View {
   }
 
   paint_labels(layer) {
+    this.pen.font = "14px system-ui, sans-serif";
     this.eachRow(layer, 2, (px, py, _dx, _dy, k) => {
-      const right = px < 0.75 * this.width;
+      const right = px + 12 + this.pen.measureText(layer.texts[k]).width < this.width;
       this.write(layer.texts[k], px + (right ? 10 : -10), clamp(py - 12, 12, this.height - 12), this.board.palette[layer.colour], right ? "left" : "right");
     });
   }

@@ -5,7 +5,7 @@ a lesson writes is the answer: a function from a scene to a Drawing. The message
 
     to Python   {kind: "hello", from}                       a page is there: what was answered last?
                 {kind: "scene", from, seq, moved: [[kind, number, coordinates], ...]}
-    from Python {kind: "drawing", to, seq, took, text, warning, total, unit, layers}  and a buffer of float32 for each layer
+    from Python {kind: "drawing", to, seq, took, text, warning, total, unit, told, layers}  and a buffer of float32 for each layer
                 {kind: "note", text}                        what takes so long
 
 `from` and `to` name a page, since several may show one widget; a drawing to none and without seq is for all. When something is let
@@ -56,12 +56,14 @@ class Canvas(anywidget.AnyWidget):
     answer : a function from a scene to a Drawing. A KinoeduError that it raises is shown as a warning, and nothing else.
     free : a bitmap to draw beneath, (rows, columns), the lowest row first.
 
+    `partner` is the key of another board that is scrubbed together with this one, as a plot is with what it plots.
     `drawing` is the answer on show. Where there is no JavaScript the same is shown as a picture.
     """
 
     _esm = Path(__file__).with_name("board.js")
     _css = Path(__file__).with_name("board.css")
     key = traitlets.Unicode().tag(sync=True)
+    partner = traitlets.Unicode().tag(sync=True)
     scene = traitlets.Dict().tag(sync=True)
     home = traitlets.Dict().tag(sync=True)
     bitmap = traitlets.Bytes().tag(sync=True)
@@ -167,7 +169,7 @@ class Canvas(anywidget.AnyWidget):
         return with_picture(super()._repr_mimebundle_(**kwargs), self, self)
 
 
-def with_picture(bundle: Any, widget: Any, canvas: Canvas) -> tuple[dict[str, Any], dict[str, Any]] | None:
+def with_picture(bundle: Any, widget: Any, canvas: Any) -> tuple[dict[str, Any], dict[str, Any]] | None:
     """What a notebook keeps of a widget: its text, its place, and a picture for readers without JavaScript."""
     data, about = bundle if isinstance(bundle, tuple) else (bundle, {})
     if data is None:

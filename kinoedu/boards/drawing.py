@@ -1,6 +1,7 @@
 """What a board answers: a drawing, made of layers of lines, dots, arrows and words.
 
-A layer that *grows* says for each of its rows at which step it came, so that the board can show the drawing as it was then.
+A layer that *grows* says for each of its rows at which step it came, and perhaps at which it went, so that the board can show the
+drawing as it was then.
 Colours go by their names in `kinoedu.figures.palette`, in small letters.
 """
 
@@ -13,14 +14,15 @@ from numpy.typing import ArrayLike
 
 from ..geometry.checks import Array
 
-POINTS = {"edges": 2, "path": 1, "dots": 1, "arrows": 1, "labels": 1}  # how many points begin each row
+POINTS = {"edges": 2, "path": 1, "dots": 1, "arrows": 1, "labels": 1, "cells": 4}  # how many points begin each row
 
 
 class Layer(NamedTuple):
     """Rows of numbers and how they look; the functions below make it.
 
-    rows : edges x, y, next x, next y; path, dots, labels x, y; arrows x, y, dx, dy.
-    when : for each row the step at which it came, from 1, not decreasing; None where all is there from the beginning.
+    rows : edges x, y, next x, next y; path, dots, labels x, y; arrows x, y, dx, dy; cells four corners.
+    when : for each row the step at which it came, not decreasing; None where all is there from the beginning.
+    until : for each row the step at which it is gone again; None where all stays.
     last : it is shown only when everything else has grown.
     """
 
@@ -33,6 +35,7 @@ class Layer(NamedTuple):
     last: bool = False
     casing: bool = False
     texts: tuple[str, ...] = ()
+    until: Array | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,6 +44,7 @@ class Drawing:
 
     text : what the picture shows; warning : what is wrong instead. One of them is read out.
     total : how many steps the growth has, 0 for none; unit : what a step is, in words.
+    told : the text at each step before the last, from step 0; left out, the board counts the steps.
     """
 
     layers: Sequence[Layer] = ()
@@ -48,6 +52,7 @@ class Drawing:
     warning: str = ""
     total: int = 0
     unit: str = ""
+    told: Sequence[str] = ()
 
     @property
     def says(self) -> str:
@@ -56,10 +61,16 @@ class Drawing:
 
 
 def edges(
-    segments: ArrayLike, colour: str, *, width: float = 1.2, dash: Sequence[float] = (), when: ArrayLike | None = None
+    segments: ArrayLike,
+    colour: str,
+    *,
+    width: float = 1.2,
+    dash: Sequence[float] = (),
+    when: ArrayLike | None = None,
+    until: ArrayLike | None = None,
 ) -> Layer:
     """Segments, shape (m, 2, 2)."""
-    return Layer("edges", rows_of(segments, 4), colour, width, tuple(dash), steps_of(when))
+    return Layer("edges", rows_of(segments, 4), colour, width, tuple(dash), steps_of(when), until=steps_of(until))
 
 
 def path(points: ArrayLike, colour: str, *, width: float = 3.0, dash: Sequence[float] = (), casing: bool = True) -> Layer:
@@ -67,19 +78,35 @@ def path(points: ArrayLike, colour: str, *, width: float = 3.0, dash: Sequence[f
     return Layer("path", rows_of(points, 2), colour, width, tuple(dash), last=True, casing=casing)
 
 
-def dots(points: ArrayLike, colour: str, *, radius: float = 2.0, when: ArrayLike | None = None) -> Layer:
+def dots(
+    points: ArrayLike, colour: str, *, radius: float = 2.0, when: ArrayLike | None = None, until: ArrayLike | None = None
+) -> Layer:
     """Dots, shape (n, 2), of a radius in pixels."""
-    return Layer("dots", rows_of(points, 2), colour, radius, when=steps_of(when))
+    return Layer("dots", rows_of(points, 2), colour, radius, when=steps_of(when), until=steps_of(until))
 
 
-def arrows(begins: ArrayLike, vectors: ArrayLike, colour: str, *, width: float = 3.0) -> Layer:
+def arrows(
+    begins: ArrayLike,
+    vectors: ArrayLike,
+    colour: str,
+    *,
+    width: float = 3.0,
+    when: ArrayLike | None = None,
+    until: ArrayLike | None = None,
+) -> Layer:
     """Arrows from points (n, 2) along vectors (n, 2), in the world's unit."""
-    return Layer("arrows", np.hstack([rows_of(begins, 2), rows_of(vectors, 2)]), colour, width)
+    rows = np.hstack([rows_of(begins, 2), rows_of(vectors, 2)])
+    return Layer("arrows", rows, colour, width, when=steps_of(when), until=steps_of(until))
 
 
-def labels(points: ArrayLike, texts: Sequence[str], colour: str) -> Layer:
+def labels(points: ArrayLike, texts: Sequence[str], colour: str, *, when: ArrayLike | None = None) -> Layer:
     """Words beside points, shape (n, 2)."""
-    return Layer("labels", rows_of(points, 2), colour, texts=tuple(texts))
+    return Layer("labels", rows_of(points, 2), colour, texts=tuple(texts), when=steps_of(when))
+
+
+def cells(corners: ArrayLike, colour: str, *, when: ArrayLike | None = None, until: ArrayLike | None = None) -> Layer:
+    """Filled quadrangles, shape (n, 4, 2), beneath obstacles and all other layers."""
+    return Layer("cells", rows_of(corners, 8), colour, when=steps_of(when), until=steps_of(until))
 
 
 def rows_of(values: ArrayLike, columns: int) -> Array:
@@ -93,8 +120,8 @@ def steps_of(when: ArrayLike | None) -> Array | None:
 
 
 def encoded(drawing: Drawing, lo: ArrayLike, size: float) -> tuple[dict[str, Any], list[bytes]]:
-    """A drawing as a message and a buffer of float32 for each layer: places as multiples of `size` from the corner lo, a row's step
-    at its end.
+    """A drawing as a message and a buffer of float32 for each layer: places as multiples of `size` from the corner lo, a
+    row's steps at its end.
     """
     about = [
         {
@@ -103,6 +130,7 @@ def encoded(drawing: Drawing, lo: ArrayLike, size: float) -> tuple[dict[str, Any
             "width": layer.width,
             "dash": list(layer.dash),
             "grows": layer.when is not None,
+            "ends": layer.until is not None,
             "last": layer.last,
             "casing": layer.casing,
             "texts": list(layer.texts),
@@ -114,7 +142,7 @@ def encoded(drawing: Drawing, lo: ArrayLike, size: float) -> tuple[dict[str, Any
         rows = layer.rows / size
         for k in range(POINTS[layer.kind]):
             rows[:, 2 * k : 2 * k + 2] = (layer.rows[:, 2 * k : 2 * k + 2] - corner) / size
-        whole = rows if layer.when is None else np.column_stack([rows, layer.when])
+        whole = np.column_stack([rows, *(steps for steps in (layer.when, layer.until) if steps is not None)])
         buffers.append(whole.astype(np.float32).tobytes())
-    words = {"text": drawing.text, "warning": drawing.warning, "total": drawing.total, "unit": drawing.unit}
-    return {"layers": about, **words}, buffers
+    words = {"text": drawing.text, "warning": drawing.warning, "unit": drawing.unit, "told": list(drawing.told)}
+    return {"layers": about, "total": drawing.total, **words}, buffers

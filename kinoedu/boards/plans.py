@@ -59,9 +59,14 @@ def problem_in(scene: Scene, problem: ProblemRecord) -> ProblemRecord:
     """The same problem with everything where the scene has it. Raises InvalidPolygon, InvalidStart, InvalidGoal."""
     world = problem.world
     if isinstance(world, PolygonWorldRecord):
-        solids: list[Any] = [(rings[0], rings[1:]) if rings[1:] else rings[0] for rings in (p["rings"] for p in scene["polygons"])]
-        world = PolygonWorld(scene["boundary"], solids + [(d["at"], d["radius"]) for d in scene["discs"]])
+        world = world_in(scene)
     return Problem(problem.robot, world, place_of(scene, START), place_of(scene, GOAL), clearance=problem.clearance)
+
+
+def world_in(scene: Scene) -> PolygonWorldRecord:
+    """The obstacles of a scene within its boundary. Raises InvalidPolygon."""
+    solids: list[Any] = [(rings[0], rings[1:]) if rings[1:] else rings[0] for rings in (p["rings"] for p in scene["polygons"])]
+    return PolygonWorld(scene["boundary"], solids + [(d["at"], d["radius"]) for d in scene["discs"]])
 
 
 def drawing_of(plan: Plan) -> Drawing:

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.collections import LineCollection
+from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure
 from matplotlib.patches import Circle, PathPatch
@@ -34,8 +34,10 @@ def printed(scene: Scene, drawing: Drawing, free: Any = None) -> bytes:
     ax.tick_params(labelsize=palette.TEXT_SIZE - 1)
     print_world(scene, free, ax)
     for layer in drawing.layers:
-        print_layer(layer, ax)
+        print_layer(layer, ax, drawing.total)
     print_handles(scene, ax)
+    if not scene.get("ticks", True):
+        ax.set_axis_off()
     pictures = (with_few_colours(figure, dpi) for dpi in DPI)
     return next((picture for picture in pictures if len(picture) <= ENOUGH), with_few_colours(figure, DPI[-1]))
 
@@ -67,7 +69,8 @@ def print_world(scene: Scene, free: Any, ax: Axes) -> None:
         ax.imshow(free, origin="lower", extent=(x0, x1, y0, y1), cmap=colours, vmin=0, vmax=1, interpolation="nearest")
     if scene["boundary"] is not None:
         ax.set_facecolor(palette.OUTSIDE)
-        ax.add_patch(PathPatch(compound([np.array(scene["boundary"])]), facecolor=palette.FREE, edgecolor=palette.OBSTACLE))
+        outline = compound([np.array(scene["boundary"])])
+        ax.add_patch(PathPatch(outline, facecolor=palette.FREE, edgecolor=palette.OBSTACLE, zorder=0.5))
     for polygon in scene["polygons"]:
         rings = [wound(np.array(ring), inner=k > 0) for k, ring in enumerate(polygon["rings"])]
         ax.add_patch(PathPatch(compound(rings), facecolor=palette.OBSTACLE, edgecolor=palette.OBSTACLE))
@@ -82,14 +85,23 @@ def wound(ring: np.ndarray, *, inner: bool) -> np.ndarray:
     return ring[::-1] if left == inner else ring
 
 
-def print_layer(layer: Layer, ax: Axes) -> None:
-    """One layer, whole."""
-    colour, rows = palette.NAMED[layer.colour], layer.rows
+def print_layer(layer: Layer, ax: Axes, total: int) -> None:
+    """One layer, as it is after the last step."""
+    colour, rows = palette.NAMED[layer.colour], layer.rows if layer.until is None else layer.rows[layer.until > total]
     dash: Any = (0, [2.0 * d / max(layer.width, 1.0) for d in layer.dash]) if layer.dash else "solid"
     z = 5.5 if layer.last else 3.0  # what comes last lies on the path
-    if layer.kind == "edges":
+    if layer.kind == "cells":
+        ax.add_collection(PolyCollection(list(rows.reshape(-1, 4, 2)), facecolors=colour, edgecolors="none", zorder=0.7))
+    elif layer.kind == "edges":
         ax.add_collection(
-            LineCollection(list(rows.reshape(-1, 2, 2)), colors=colour, linewidths=layer.width, linestyles=dash, zorder=z)
+            LineCollection(
+                list(rows.reshape(-1, 2, 2)),
+                colors=colour,
+                linewidths=layer.width,
+                linestyles=dash,
+                zorder=z,
+                capstyle="butt" if layer.dash else "round",
+            )
         )
     elif layer.kind == "path":
         if layer.casing:
@@ -98,7 +110,8 @@ def print_layer(layer: Layer, ax: Axes) -> None:
     elif layer.kind == "dots":
         ax.plot(*rows.T, "o", color=colour, markersize=1.6 * layer.width, markeredgewidth=0.0, zorder=z + 0.5)
     elif layer.kind == "arrows":
-        ax.quiver(*rows.T, angles="xy", scale_units="xy", scale=1.0, color=colour, width=0.008, zorder=6)
+        z, width = 6.0 if layer.when is None else 3.2, 0.008 * layer.width / 3.0  # those that grow lie beneath the path
+        ax.quiver(*rows.T, angles="xy", scale_units="xy", scale=1.0, color=colour, width=width, zorder=z)
     else:
         for (x, y), text in zip(rows, layer.texts, strict=True):
             style: Any = {"fontsize": palette.TEXT_SIZE, "color": colour, "path_effects": HALO, "zorder": 8}

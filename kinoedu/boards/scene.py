@@ -6,6 +6,7 @@ polygons    each {name, rings: the outer one and its rooms, movable, vertices: w
 discs       each {name, at, radius, movable}
 handles     points to drag: each {name, at, colour, marker: "dot" or "star", radius: of a body to draw}
 size        rows and columns of the bitmap beneath, or None
+ticks       whether a picture of it has scales; left out, it has
 decimals    how many digits behind the point a dragged coordinate keeps
 """
 

@@ -1,0 +1,298 @@
+"""The boards of bugs, of the sweep line and of searches, without a browser."""
+
+import io
+
+import numpy as np
+import pytest
+from PIL import Image
+from test_board import Page
+
+import kinoedu as ke
+from kinoedu.boards import bug_board, search_board, sweep_board
+from kinoedu.boards.bugs import BUGS
+from kinoedu.boards.drawing import Drawing, cells, dots, encoded, labels
+from kinoedu.boards.expanding import spells
+from kinoedu.boards.search import estimate_of
+from kinoedu.boards.sweep import height_at, open_cells
+from kinoedu.decomposition import sweep, trapezoidation
+from kinoedu.errors import InvalidGraph, InvalidParameter, InvalidPolygon, InvalidWorld
+from kinoedu.geometry import point_polygon_distance
+from kinoedu.graphs import Graph, bfs_expansions, bfs_path, dijkstra
+from kinoedu.worlds import PolygonWorld
+
+BOX = [(1, -1), (2, -1), (2, 2), (1, 2)]
+SPIRAL = [(1, -3), (9, -3), (9, 3), (3, 3), (3, 2), (8, 2), (8, -2), (2, -2), (2, 3.5), (1, 3.5)]
+SQUARE = [(0, 0), (9, 0), (9, 6), (0, 6)]
+ROOMS = PolygonWorld(
+    SQUARE, [[(3, 3), (6, 2), (5, 4)], ([(6.5, 1), (8.5, 1), (8.5, 5), (6.5, 5)], [[(7, 2), (8, 2), (8, 4), (7, 4)]])]
+)
+DIAMOND = Graph(nodes=[(0, 0), (1, 1), (1, -1), (2, 0), (3, 0)], edges=[(0, 1), (0, 2), (1, 3), (2, 3), (3, 4)])
+
+
+def shown(layer, step):
+    """The rows of a layer that a board shows at a step, as board.js does."""
+    here = np.ones(len(layer.rows), bool) if layer.when is None else layer.when <= step
+    return layer.rows[here if layer.until is None else here & (layer.until > step)]
+
+
+def layers_of(canvas, kind, colour):
+    return [layer for layer in canvas.drawing.layers if (layer.kind, layer.colour) == (kind, colour)]
+
+
+# ---- layers whose rows come and go
+
+
+def test_rows_that_go_carry_two_steps():
+    """A buffer's rows end with the steps at which they come and go; the text of each step travels with the drawing."""
+    spot = dots([(1, 1), (2, 2)], "robot", when=[0, 1], until=[1, np.inf])
+    drawing = Drawing(
+        [spot, labels([(1, 1)], ["H1"], "ink", when=[1]), cells(np.ones((1, 4, 2)), "cell")], total=1, told=["before"]
+    )
+    about, (comes, _, _) = encoded(drawing, (0, 0), 2.0)
+    assert np.frombuffer(comes, np.float32).reshape(2, 4).tolist() == [[0.5, 0.5, 0, 1], [1, 1, 1, np.inf]]
+    assert [layer["ends"] for layer in about["layers"]] == [True, False, False] and about["told"] == ["before"]
+
+
+def test_growing_layers_come_in_order():
+    """The page stops at the first row that has not come: steps never decrease, and there is a text for every step but the last."""
+    boards = [bug_board((0, 0), (4, 0), [BOX], bug=bug) for bug in (*BUGS, "all")]
+    boards += [
+        search_board(graph, search=search) for graph in (DIAMOND, np.ones((3, 4), bool)) for search in ("bfs", "dfs", "astar")
+    ]
+    for made in boards:
+        for canvas in (made.canvas, getattr(made, "plot", made.canvas)):
+            for layer in canvas.drawing.layers:
+                assert layer.when is None or (np.diff(layer.when) >= 0).all()
+                assert layer.until is None or (layer.until > layer.when).all()
+                assert layer.when is None or len(layer.when) == len(layer.rows)
+        assert len(made.canvas.drawing.told) == made.canvas.drawing.total + 1
+
+
+# ---- bugs
+
+
+@pytest.mark.parametrize("turn", ["left", "right"])
+@pytest.mark.parametrize("bug", BUGS)
+def test_a_bug_board_shows_the_bugs_own_walk(bug, turn):
+    """Text, hits and length are those of the planner; what is drawn along walls and in the open is the whole walk."""
+    made = bug_board((0, 0), (4, 0), [BOX], bug=bug, turn=turn)
+    plan = BUGS[bug][1]((0, 0), (4, 0), [BOX], 0.01, turn=turn)
+    walk = made.plans[0][1]
+    assert walk.travelled[-1] == pytest.approx(plan.walk.travelled[-1])
+    assert f"after {plan.walk.travelled[-1]:.4g}; hits {len(plan.walk.hit)}" in repr(made)
+    drawn = [layer for colour in ("tree", "path") for layer in layers_of(made.canvas, "edges", colour)]
+    legs = np.concatenate([layer.rows for layer in drawn])
+    assert np.hypot(legs[:, 2] - legs[:, 0], legs[:, 3] - legs[:, 1]).sum() == pytest.approx(walk.travelled[-1])
+
+
+def test_a_dragged_scene_is_walked_anew_in_both_pictures():
+    """A box out of the way is not hit; the plot has the new walk, and as many steps as the world beside it."""
+    made = bug_board((0, 0), (4, 0), [BOX])
+    world, plot = Page(made.canvas), Page(made.plot)
+    away = [(x, y + 5) for x, y in BOX]
+    assert world.moves(("polygon", 0, [away]))["text"] == "Bug 1: reached after 4; hits 0"
+    assert plot.sent[-1][0]["total"] == made.canvas.drawing.total and made.plot.partner == made.canvas.key
+    assert "lies in or on an obstacle" in world.moves(("handle", 0, [1.5, 6]))["warning"]
+    assert made.plans == [] and made.plot.drawing.layers == ()
+    assert "crosses" in world.moves(("polygon", 0, [[BOX[0], BOX[2], BOX[1], BOX[3]]]))["warning"]
+
+
+def test_the_sensor_feels_the_wall_that_is_followed():
+    """In the open nothing is touched; on a wall its edge is, at a corner both; the robot is at one place at each step."""
+    made = bug_board((0, 0), (4, 0), [BOX])
+    walk, canvas = made.plans[0][1], made.canvas
+    (touched,) = layers_of(canvas, "edges", "contact")
+    (robot,) = layers_of(canvas, "dots", "robot")
+    for step in range(canvas.drawing.total + 1):
+        (place,) = shown(robot, step)
+        edges = shown(touched, step)
+        on_box = point_polygon_distance(place, BOX) < 1e-9
+        assert (len(edges) > 0) == on_box and len(edges) <= 2
+    assert shown(robot, canvas.drawing.total).tolist() == [walk.points[-1].tolist()]
+
+
+def test_hits_and_leaves_are_named_once_for_all_that_they_are():
+    """A circle is told, and its hit carries both names."""
+    made = bug_board((-2, 0), (6, 0), [SPIRAL], bug="bug0")
+    assert "not reached" in repr(made) and "circle" in repr(made)
+    (names,) = (layer for layer in layers_of(made.canvas, "labels", "contact"))
+    assert "H2, H3" in names.texts and "H1" in names.texts
+
+
+def test_all_bugs_race_side_by_side():
+    """Everyone's length, and who did not arrive; one clock for all: all have walked equally far at each step."""
+    made = bug_board((0, 0), (4, 0), [BOX], bug="all")
+    assert repr(made) == ("BugBoard(reached after: Bug 0 6.828, Bug 1 14, Bug 2.prelim 8, Bug 2 8\nnot reached: BugBase)")
+    assert made.canvas.drawing.total == made.plot.drawing.total
+    made.bug.value = "bug2"
+    assert repr(made) == "BugBoard(Bug 2: reached after 8; hits 1)"
+    made.turn.value = "right"
+    assert "Bug 2: reached after 6; hits 1" in repr(made)
+
+
+def test_what_is_no_bug_scene_is_refused():
+    """Before anything is shown."""
+    with pytest.raises(InvalidPolygon):
+        bug_board((0, 0), (4, 0), [[(0, 0), (1, 1)]])
+    with pytest.raises(InvalidParameter, match="bug"):
+        bug_board((0, 0), (4, 0), [BOX], bug="bug3")
+    with pytest.raises(InvalidParameter, match="turn"):
+        bug_board((0, 0), (4, 0), [BOX], turn="up")
+    assert "lies in or on" in repr(bug_board((1.5, 0), (4, 0), [BOX]))
+    assert repr(bug_board((0, 0), (0, 0), [])) == "BugBoard(Bug 1: reached after 0; hits 0)"
+
+
+# ---- the sweep line
+
+
+@pytest.mark.parametrize("x", np.linspace(-0.3, 9.3, 33))
+def test_a_sweep_board_shows_the_cells_closed_and_open(x):
+    """Closed and open cells have the area of the free space to the left of the line; the status is in order."""
+    made = sweep_board(ROOMS, x=x)
+    cut = trapezoidation(ROOMS)
+    closed = sum(len(step.closed) for step in made.steps)
+    assert closed == (cut.trapezoids[:, 1] <= x).sum()
+    if not made.steps:
+        assert "has met nothing yet" in repr(made)
+        return
+    begun = open_cells(made.steps, x)
+    assert len(begun) == len(made.steps[-1].status) // 2
+    for (x0, low0), (x1, low1), (x2, high1), (x3, high0) in begun:
+        assert x0 == x3 and x1 == x2 == x and low0 <= high0 and low1 <= high1
+        (whole,) = (row for row in cut.trapezoids if row[0] == x0 and np.allclose(row[2:4], [low0, high0]) and row[1] >= x)
+        share = (x - x0) / (whole[1] - x0)
+        assert [low1, high1] == pytest.approx([whole[k] + share * (whole[k + 2] - whole[k]) for k in (2, 3)])
+    assert (np.diff(height_at(made.steps[-1].status, x)) >= -1e-12).all()
+
+
+def test_the_sweep_line_is_dragged_by_hand():
+    """Text, list and numbers follow the line; the obstacles can be dragged as well; nonsense is told."""
+    made = sweep_board(PolygonWorld(SQUARE, [[(3, 3), (6, 2), (5, 4)]]), x=4)
+    page = Page(made.canvas)
+    assert repr(made) == (
+        "SweepBoard(at x = 3: an obstacle begins; cells closed 1, open 2\nstatus: edge 0, edge 2, edge 3, edge 1)"
+    )
+    assert made.status.value.index("edge 3, a floor") < made.status.value.index("edge 2, a ceiling")
+    assert page.moves(("handle", 0, [7, -1]))["text"].startswith("at x = 6: an obstacle ends; cells closed 4, open 1")
+    assert page.moves(("handle", 0, [9.5, -1]))["text"] == "at x = 9: 2 vertices; all 5 cells are closed\nstatus: empty"
+    assert "empty" in made.status.value
+    assert page.moves(("polygon", 0, [[[3, 3], [4, 3], [6, 3]]]))["warning"] and made.steps == []
+    assert "cells closed" in page.moves(("polygon", 0, [[[3, 3], [6, 2], [5, 4]]]), ("handle", 0, [5, 0]))["text"]
+
+
+def test_a_world_that_cannot_be_cut_is_refused():
+    """Discs and terrains; obstacles that overlap are united."""
+    with pytest.raises(InvalidWorld, match="round"):
+        sweep_board(PolygonWorld(SQUARE, [((3, 3), 1)]))
+    with pytest.raises(InvalidWorld):
+        sweep_board(ke.Terrain(np.ones((3, 3), bool)))
+    both = PolygonWorld(SQUARE, [[(2, 2), (5, 2), (5, 4), (2, 4)], [(4, 3), (7, 3), (7, 5), (4, 5)]])
+    assert "cells closed 2, open 2" in repr(sweep_board(both, x=4.5)) and list(sweep(both))
+
+
+# ---- searches
+
+
+@pytest.mark.parametrize("search", ["bfs", "dfs", "dijkstra", "astar"])
+def test_a_search_board_shows_the_searchs_own_steps(search):
+    """At each step one node is expanded, the frontier and the parents are those of the expansion; the path comes last."""
+    made = search_board(DIAMOND, search=search)
+    canvas, places = made.canvas, DIAMOND.nodes
+    (waiting,), (arrows,) = layers_of(canvas, "dots", "frontier"), layers_of(canvas, "arrows", "tree")
+    for step, moment in enumerate(made.moments, start=1):
+        assert sorted(shown(waiting, step).tolist()) == sorted(places[moment.frontier].tolist())
+        children = np.flatnonzero(moment.parent >= 0)
+        assert sorted(shown(arrows, step)[:, :2].tolist()) == sorted(places[moment.parent[children]].tolist())
+    assert shown(waiting, 0).tolist() == [[0, 0]] and canvas.drawing.total == len(made.moments)
+    assert canvas.drawing.layers[-2].kind == "path" and "path cost 3.828, edges 3" in repr(made)
+
+
+def test_start_and_goal_mean_the_nearest_nodes():
+    """Dragged anywhere they are joined to their nodes; where no path leads that is said."""
+    apart = Graph(nodes=[(0, 0), (1, 0), (2, 0), (5, 5)], edges=[(0, 1), (1, 2)])
+    made = search_board(apart, goal=2)
+    page = Page(made.canvas)
+    assert page.moves(("handle", 0, [0.8, 0.3]))["text"] == "expanded 3 of 4; frontier 0; path cost 1, edges 1"
+    assert page.moves(("handle", 1, [4, 5]))["text"] == "expanded 3 of 4; frontier 0; no path leads to the goal"
+    assert page.moves(("handle", 1, [1, 0]))["text"].endswith("path cost 0, edges 0")
+    (link,) = layers_of(made.canvas, "edges", "start")
+    assert link.rows.tolist() == [[0.8, 0.3, 1, 0]]
+
+
+def test_a_grid_and_problems_become_graphs():
+    """A grid's cells, a terrain's in its own unit, a roadmap among polygons whose obstacles stand still."""
+    free = np.ones((4, 6), bool)
+    free[:3, 3] = False
+    made = search_board(free, search="astar")
+    graph = made.ground.graph
+    assert len(graph) == 21 and graph.nodes[0].tolist() == [0.5, 0.5] and len(bfs_path(graph, 0, 20)) == 9
+    assert "path cost 8, edges 8" in repr(made) and made.canvas.scene["size"] == [4, 6]
+    terrain = ke.Problem(ke.Point(), ke.Terrain(free, resolution=2.0, origin=(10, 10)), (11, 11), (21, 17))
+    assert "path cost 16, edges 8" in repr(search_board(terrain, search="dijkstra"))
+    yard = ke.Problem(ke.Point(), ROOMS, (1, 1), (8.8, 5.5))
+    made = search_board(yard)
+    assert "path cost" in repr(made) and not any(item["movable"] for item in made.canvas.scene["polygons"])
+    assert Page(made.canvas).moves(("handle", 0, [2, 5]))["warning"] == ""
+
+
+def test_the_estimate_never_exceeds_the_cost():
+    """Where edges cost less than they are long the distance is scaled, so that A* finds a shortest path."""
+    rng = np.random.default_rng(5)
+    for _ in range(20):
+        nodes = rng.random((12, 2))
+        edges = [(u, v) for u in range(12) for v in range(u) if rng.random() < 0.4]
+        graph = Graph(nodes=nodes, edges=edges, weights=rng.random(len(edges)))
+        cost = dijkstra(graph, 3).cost
+        assert (estimate_of(graph, 3) <= cost + 1e-12).all()
+
+
+def test_what_cannot_be_searched_is_refused():
+    """In words: no places, no cells, too many nodes, a node that is not there."""
+    for nothing in (Graph(3, [(0, 1)]), Graph(nodes=[(0, 0, 0)])):
+        with pytest.raises(InvalidGraph, match="needs a Graph with places"):
+            search_board(nothing)
+    for nothing in ("graph", np.ones((2, 2)), np.zeros((2, 2), bool), 5):
+        with pytest.raises(InvalidParameter, match="needs a Graph with places"):
+            search_board(nothing)
+    with pytest.raises(InvalidParameter, match="up to 900 nodes"):
+        search_board(np.ones((40, 40), bool))
+    with pytest.raises(InvalidGraph, match="start and goal must be nodes"):
+        search_board(DIAMOND, goal=9)
+    with pytest.raises(InvalidParameter, match="search"):
+        search_board(DIAMOND, search="best")
+
+
+def test_deleted_nodes_are_left_out():
+    """Their numbers are not counted, drawn or picked."""
+    graph = Graph(nodes=[(0, 0), (1, 0), (2, 0), (3, 0)], edges=[(0, 1), (1, 2), (2, 3)])
+    graph.delete_node(3)
+    made = search_board(graph)
+    assert repr(made) == "SearchBoard(expanded 3 of 3; frontier 0; path cost 2, edges 2)"
+    assert made.canvas.drawing.layers[-1].texts == ("0", "1", "2")
+
+
+def test_spells_say_how_long_values_stay():
+    """Each node's values in turn, ordered by when they came, the last one after the last step."""
+    node, value, when, until = spells(np.array([[0, 1], [0, 2], [3, 2]]))
+    rows = list(zip(node.tolist(), value.tolist(), when.tolist(), until.tolist(), strict=True))
+    assert rows == [(0, 0, 0, 2), (1, 1, 0, 1), (1, 2, 1, 3), (0, 3, 2, 3)]
+    states = search_board(DIAMOND).moments
+    assert [moment.node for moment in states] == [moment.node for moment in bfs_expansions(DIAMOND, 0, 4)]
+
+
+# ---- what a notebook keeps
+
+
+def test_a_notebook_keeps_a_picture_of_each():
+    """The same text always, and a PNG; the bugs' has world and plot."""
+    makers = [
+        lambda: bug_board((0, 0), (4, 0), [BOX], bug="all"),
+        lambda: sweep_board(ROOMS, x=4.2),
+        lambda: search_board(np.ones((20, 30), bool), search="astar"),
+        lambda: search_board(DIAMOND),
+    ]
+    for make in makers:
+        made = make()
+        data, _ = made._repr_mimebundle_()
+        assert data["text/plain"] == repr(made) == repr(make()) and len(data["image/png"]) < 80_000
+        assert Image.open(io.BytesIO(made.picture())).size[0] > 250

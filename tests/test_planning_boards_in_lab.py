@@ -1,0 +1,61 @@
+"""The boards of bugs, of the sweep line and of searches in a real JupyterLab."""
+
+import pytest
+from lab_driver import RUN_ALL, lab, needs_chromium, notebook_page, written_notebook
+from test_board_in_lab import Seen
+
+BUG = "import kinoedu as ke\nke.boards.bug_board((0, 0), (4, 0), [[(1, -1), (2, -1), (2, 2), (1, 2)]])"
+SWEEP = "ke.boards.sweep_board(ke.PolygonWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [[(3, 3), (6, 2), (5, 4)]]), x=4)"
+SEARCH = "import numpy as np\nke.boards.search_board(np.ones((6, 9), bool), search='astar')"
+
+
+@pytest.fixture(scope="module")
+def page(tmp_path_factory):
+    """One JupyterLab for the three; the bugs' takes the boards 0, the world, and 1, the plot."""
+    needs_chromium()
+    course, home = tmp_path_factory.mktemp("course"), tmp_path_factory.mktemp("home")
+    (course / "planning.ipynb").write_text(written_notebook(BUG, SWEEP, SEARCH))
+    with lab(course, home) as (address, token), notebook_page(address, token, "planning.ipynb") as page:
+        book = page.evaluate(RUN_ALL)
+        assert [o.get("evalue") for cell in book["cells"] for o in cell["outputs"] if o["output_type"] == "error"] == []
+        yield page
+        assert page.outside == [] and page.errors == []
+
+
+def scrub(seen, step):
+    """Move the slider of growth to a step."""
+    slider = seen.board.locator(".kinoedu-slider")
+    slider.evaluate("(slider, step) => { slider.value = step; slider.dispatchEvent(new Event('input')); }", step)
+
+
+def test_a_walk_and_its_plot_are_scrubbed_together(page):
+    """A step in the plot is the same step in the world, and the words say what the bug does there; a drag changes both."""
+    world, plot = Seen(page, 0), Seen(page, 1)
+    assert world.told() == "Bug 1: reached after 14; hits 1"
+    before = world.pixels()
+    scrub(plot, 100)
+    world.until("root.dataset.step === '100' && told.includes('follows the wall')")
+    assert world.pixels() != before
+    answers = int(plot.data("answers"))
+    world.drag("handle-1", 0, -20)
+    plot.until("root.dataset.answers > answers", answers=answers)
+    assert "reached after" in world.told()
+
+
+def test_the_sweep_line_is_dragged_and_its_status_listed(page):
+    """To the right more cells are closed, and the list beside the board has other edges."""
+    seen = Seen(page, 2)
+    assert "an obstacle begins; cells closed 1, open 2" in seen.told()
+    seen.drag("handle-0", 150, 0)
+    seen.until("told.includes('an obstacle ends; cells closed 4, open 1')")
+    assert page.locator("li", has_text="edge 1, a ceiling").count() == 1
+
+
+def test_a_search_is_scrubbed_with_its_frontier(page):
+    """At each step the words say how many wait, and the picture is another."""
+    seen = Seen(page, 3)
+    assert "path cost 13" in seen.told()
+    before = seen.pixels()
+    scrub(seen, 0)
+    seen.until("told === 'expanded 0 of 54; frontier 1'")
+    assert seen.pixels() != before
