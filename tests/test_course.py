@@ -103,8 +103,51 @@ ALSO_RIGHT = {
     ],
     "point_segment_distance": [lambda *given: np.array(EXERCISES["point_segment_distance"].source(*given))],
     "polygon_tangent": [lambda *given: list(map(np.float32, EXERCISES["polygon_tangent"].source(*given)))],
+    "bfs_tree": [
+        lambda neighbours, start: EXERCISES["bfs_tree"].source([row[::-1] for row in neighbours], start),
+        lambda neighbours, start: np.array(tree_of_last_parents(neighbours, start)),
+    ],
+    "extract_path": [lambda parent, goal: EXERCISES["extract_path"].source(tuple(parent), np.int64(goal))],
+    "bfs_path": [lambda neighbours, start, goal: EXERCISES["bfs_path"].source([row[::-1] for row in neighbours], start, goal)],
+    "dfs_path": [lambda *given: EXERCISES["bfs_path"].source(*given)],
+    "dijkstra": [lambda *given: relaxed_again_and_again(*given), lambda *given: np.array(EXERCISES["dijkstra"].source(*given))],
+    "astar": [lambda n, w, estimate, start, goal: EXERCISES["astar"].source(n, w, [0.0] * len(n), start, goal)],
+    "misleading_estimate": [
+        lambda: ([[1, 2], [2], []], [[1, 3], [1], []], [0, 3, 0], 0, 2),
+        lambda: ([[1, 2], [0, 2], [0, 1]], [[4.5, 1], [4.5, 1], [1, 1]], np.array([0.0, 0.0, 9.0]), np.int64(0), 1),
+    ],
     "exposing_case": [lambda: (np.array([1, 2]), np.array([(4, 2), (0, 4), (0, 0)])), lambda: ([1, 2], [[0, 4], [4, 2], [0, 0]])],
 }
+
+
+def tree_of_last_parents(neighbours, start):
+    """A breadth-first tree that prefers the parent seen last."""
+    far, level = {start: 0}, [start]
+    parent = [-1] * len(neighbours)
+    while level:
+        new = []
+        for v in level:
+            for u in neighbours[v]:
+                if u not in far:
+                    far[u] = far[v] + 1
+                    new.append(u)
+                if far[u] == far[v] + 1:
+                    parent[u] = v
+        level = new
+    return parent
+
+
+def relaxed_again_and_again(neighbours, weights, start):
+    """The costs by Bellman's and Ford's algorithm, which is right as well."""
+    if min((w for row in weights for w in row), default=0.0) < 0:
+        raise ValueError("negative")
+    cost = [np.inf] * len(neighbours)
+    cost[start] = 0
+    for _ in neighbours:
+        for u, row in enumerate(neighbours):
+            for v, w in zip(row, weights[u], strict=True):
+                cost[v] = min(cost[v], cost[u] + w)
+    return cost
 
 
 @pytest.mark.parametrize(("name", "number"), [(name, i) for name, programs in ALSO_RIGHT.items() for i in range(len(programs))])

@@ -141,9 +141,10 @@ class ValueExercise(Exercise):
         return len(found) == len(wanted) and all(map(self.near, found, wanted))
 
     def near(self, found: float, wanted: float) -> bool:
-        """The same for two numbers."""
+        """The same for two numbers; what is infinite is near to nothing else."""
         both_nan = found != found and wanted != wanted
-        return both_nan or found == wanted or abs(found - wanted) <= self.tolerance * (1.0 + abs(wanted))
+        allowed = self.tolerance * (1.0 + abs(wanted)) if abs(wanted) < np.inf else 0.0
+        return both_nan or found == wanted or abs(found - wanted) <= allowed
 
     def wanted(self, case: Case) -> str:
         """The true answer in words."""

@@ -73,6 +73,29 @@ class Numbers(NamedTuple):
         return numeric(unnested(data, self.words, len(self.dimensions)), self.dimensions, self.words)
 
 
+class Whole(NamedTuple):
+    """One whole number, such as the number of a node: Python's or numpy's; True, 1.0 and "1" are none.
+
+    >>> Whole().encode(np.int64(3)), Listed(Whole()).encode([0, -1])
+    (3, [0, -1])
+    """
+
+    @property
+    def words(self) -> str:
+        """In words."""
+        return say("shape.whole")
+
+    def encode(self, value: Any) -> int:
+        """An int or numpy's, of at most fifteen digits."""
+        if not (type(value) is int or isinstance(value, np.integer)) or not -(10**15) < value < 10**15:
+            raise wrong(self.words, value)
+        return int(value)
+
+    def decode(self, data: Any) -> int:
+        """The same; JSON knows no numpy."""
+        return self.encode(data)
+
+
 class Truth(NamedTuple):
     """True or False."""
 

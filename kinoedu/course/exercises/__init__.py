@@ -4,9 +4,13 @@ from ...errors import InvalidParameter
 from ...words import say
 from ..exercise import Exercise
 from .bugs import Bug1, Bug2, BugBase
+from .graph_paths import BfsPath, DfsPath
+from .graphs import BfsTree, ExtractPath
 from .lines import LineThroughPoints, PointLineDistance
+from .misleading import MisleadingEstimate
 from .polygons import PointPolygonDistance, PolygonTangent
 from .ray_counting import ExposeRayCounting
+from .searches import Astar, Dijkstra
 from .segments import PointSegmentDistance
 
 EXERCISES: dict[str, Exercise] = {
@@ -21,6 +25,13 @@ EXERCISES: dict[str, Exercise] = {
         BugBase,
         Bug1,
         Bug2,
+        BfsTree,
+        ExtractPath,
+        BfsPath,
+        DfsPath,
+        Dijkstra,
+        Astar,
+        MisleadingEstimate,
     )
 }
 
