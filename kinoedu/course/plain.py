@@ -22,6 +22,8 @@ def numeric(value: Any, dimensions: tuple[int | str, ...], words: str) -> np.nda
         raise wrong(words, value) from None
     if array.size == 0:
         array = array.astype(float)
+        if array.shape == (0,) and dimensions and isinstance(dimensions[0], str):  # an empty list is an array of no rows
+            array = np.empty([length if isinstance(length, int) else 0 for length in dimensions])
     if array.dtype.kind not in "iuf" or not fits(array.shape, dimensions):
         raise wrong(words, value)
     return array.astype(float)

@@ -96,6 +96,33 @@ class Whole(NamedTuple):
         return self.encode(data)
 
 
+class WholeNumbers(NamedTuple):
+    """An array of whole numbers, such as the numbers of things; its dimensions as those of `Numbers`.
+
+    >>> WholeNumbers(("n", 2)).encode([(0, 1), (1.0, 2)])
+    [[0, 1], [1, 2]]
+    """
+
+    dimensions: tuple[int | str, ...]
+
+    @property
+    def words(self) -> str:
+        """In words."""
+        return say("shape.whole_numbers", dimensions=str(self.dimensions).replace("'", ""))
+
+    def encode(self, value: Any) -> Any:
+        """An array, or lists and tuples that make one; floats that are whole will do."""
+        array = numeric(value, self.dimensions, self.words)
+        if not (np.abs(array) < 2**53).all() or (array != np.rint(array)).any():
+            raise wrong(self.words, value)
+        return array.astype(np.int64).tolist()
+
+    def decode(self, data: Any) -> np.ndarray:
+        """The array, int64."""
+        whole = self.encode(unnested(data, self.words, len(self.dimensions)))
+        return numeric(whole, self.dimensions, self.words).astype(np.int64)
+
+
 class Truth(NamedTuple):
     """True or False."""
 

@@ -4,6 +4,8 @@ from ...errors import InvalidParameter
 from ...words import say
 from ..exercise import Exercise
 from .bugs import Bug1, Bug2, BugBase
+from .cell_paths import PlanByDecomposition
+from .decomposition import Neighbours, TrapezoidsOfWorld
 from .graph_paths import BfsPath, DfsPath
 from .graphs import BfsTree, ExtractPath
 from .lines import LineThroughPoints, PointLineDistance
@@ -12,6 +14,7 @@ from .polygons import PointPolygonDistance, PolygonTangent
 from .ray_counting import ExposeRayCounting
 from .searches import Astar, Dijkstra
 from .segments import PointSegmentDistance
+from .sweeping import Crossings, FreeIntervals
 
 EXERCISES: dict[str, Exercise] = {
     exercise.name: exercise()
@@ -32,6 +35,11 @@ EXERCISES: dict[str, Exercise] = {
         Dijkstra,
         Astar,
         MisleadingEstimate,
+        Crossings,
+        FreeIntervals,
+        TrapezoidsOfWorld,
+        Neighbours,
+        PlanByDecomposition,
     )
 }
 

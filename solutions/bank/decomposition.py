@@ -1,0 +1,461 @@
+"""Wrong answers to the exercises of lesson 3. Each is one that students give; the slip is what a check must recognise in it."""
+
+import numpy as np
+
+from kinoedu.course.bank import wrong
+
+
+def height(x, edge):
+    ax, ay, bx, by = edge
+    return ay + (x - ax) / (bx - ax) * (by - ay)
+
+
+def crossed(x, edges):
+    return [i for i, (ax, _, bx, _) in enumerate(edges) if min(ax, bx) < x < max(ax, bx)]
+
+
+def status(x, edges):
+    return sorted(crossed(x, edges), key=lambda i: height(x, edges[i]))
+
+
+def all_edges(boundary, obstacles):
+    return np.vstack([np.hstack([ring, np.roll(ring, -1, axis=0)]) for ring in [boundary, *obstacles]])
+
+
+# The status
+
+
+@wrong("crossings", slip="unsorted")
+def in_the_order_given(x, edges):
+    """Does not sort."""
+    return crossed(x, edges)
+
+
+@wrong("crossings", slip="top_down")
+def from_the_top(x, edges):
+    """Sorts the other way."""
+    return status(x, edges)[::-1]
+
+
+@wrong("crossings", slip="rightward")
+def rightward_only(x, edges):
+    """Asks ax < x < bx."""
+    return [i for i in status(x, edges) if edges[i, 0] < x < edges[i, 2]]
+
+
+@wrong("crossings", slip="middles")
+def by_middles(x, edges):
+    """Sorts by the middles."""
+    return sorted(crossed(x, edges), key=lambda i: edges[i, 1] + edges[i, 3])
+
+
+@wrong("crossings", slip="first_ends")
+def by_first_ends(x, edges):
+    """Sorts by the first ends."""
+    return sorted(crossed(x, edges), key=lambda i: edges[i, 1])
+
+
+@wrong("crossings", slip="lines")
+def endless_lines(x, edges):
+    """An edge never ends."""
+    return sorted(range(len(edges)), key=lambda i: height(x, edges[i]))
+
+
+@wrong("crossings")
+def heights_for_numbers(x, edges):
+    """Returns the heights."""
+    return sorted(height(x, edges[i]) + 0.5**9 for i in crossed(x, edges))
+
+
+@wrong("crossings")
+def by_lower_ends(x, edges):
+    """Sorts by the lower ends."""
+    return sorted(crossed(x, edges), key=lambda i: min(edges[i, 1], edges[i, 3]))
+
+
+@wrong("crossings")
+def lowest_and_highest(x, edges):
+    """Keeps the first and the last."""
+    return status(x, edges)[:1] + status(x, edges)[-1:]
+
+
+@wrong("crossings")
+def numbers_from_one(x, edges):
+    """Counts as MATLAB does."""
+    return [i + 1 for i in status(x, edges)]
+
+
+# The free stretches
+
+
+def levels(x, boundary, obstacles):
+    edges = all_edges(boundary, obstacles)
+    return [height(x, edges[i]) for i in status(x, edges)]
+
+
+@wrong("free_intervals", slip="hollow")
+def every_gap(x, boundary, obstacles):
+    """Solid is free."""
+    found = levels(x, boundary, obstacles)
+    return list(zip(found, found[1:]))
+
+
+@wrong("free_intervals", slip="solid")
+def the_solid_ones(x, boundary, obstacles):
+    """Begins with the second crossing."""
+    found = levels(x, boundary, obstacles)[1:-1]
+    return list(zip(found[::2], found[1::2]))
+
+
+@wrong("free_intervals", slip="no_obstacles")
+def empty_world(x, boundary, obstacles):
+    """Forgets the obstacles."""
+    return np.reshape(levels(x, boundary, []), (-1, 2))
+
+
+@wrong("free_intervals", slip="outer")
+def lowest_to_highest(x, boundary, obstacles):
+    """One stretch."""
+    found = levels(x, boundary, obstacles)
+    return [(found[0], found[-1])]
+
+
+@wrong("free_intervals", slip="top_down")
+def topmost_first(x, boundary, obstacles):
+    """The other order."""
+    return np.reshape(levels(x, boundary, obstacles), (-1, 2))[::-1]
+
+
+@wrong("free_intervals", slip="upside_down")
+def upper_end_first(x, boundary, obstacles):
+    """Ceiling, floor."""
+    return np.reshape(levels(x, boundary, obstacles), (-1, 2))[:, ::-1]
+
+
+@wrong("free_intervals")
+def two_decimals(x, boundary, obstacles):
+    """Rounds its answer."""
+    return np.round(np.reshape(levels(x, boundary, obstacles), (-1, 2)), 2)
+
+
+@wrong("free_intervals")
+def flat(x, boundary, obstacles):
+    """One list of heights, not pairs."""
+    return levels(x, boundary, obstacles)
+
+
+@wrong("free_intervals")
+def unclosed_rings(x, boundary, obstacles):
+    """Forgets the edge that closes a ring."""
+    edges = np.vstack([np.hstack([ring[:-1], ring[1:]]) for ring in [boundary, *obstacles]])
+    found = [height(x, edges[i]) for i in status(x, edges)]
+    return list(zip(found[::2], found[1::2]))
+
+
+@wrong("free_intervals")
+def one_ring_after_the_other(x, boundary, obstacles):
+    """Does not sort what the rings give."""
+    return np.vstack([np.reshape(levels(x, ring, []), (-1, 2)) for ring in [boundary, *obstacles]])
+
+
+# Trapezoids
+
+
+def cells(boundary, obstacles, *, hollow=False, last=True, every_event=False, key=lambda pair: pair):
+    edges = all_edges(boundary, obstacles)
+    events = sorted(edges[:, 0])
+    done, before = [], {}
+
+    def close(pair, begun, x):
+        done.append([begun, x, *(height(t, edges[i]) for t in (begun, x) for i in pair)])
+
+    for left, right in zip(events, events[1:]):
+        now = status((left + right) / 2, edges)
+        pairs = list(zip(now, now[1:]))[:: 1 if hollow else 2]
+        known = {} if every_event else {key(pair): (pair, begun) for pair, begun in before.items()}
+        after = {pair: known[key(pair)][1] if key(pair) in known else left for pair in pairs}
+        for pair, begun in before.items():
+            if every_event or key(pair) not in map(key, pairs):
+                close(pair, begun, left)
+        before = after
+    if last:
+        for pair, begun in before.items():
+            close(pair, begun, events[-1])
+    return np.array(done).reshape(-1, 6)
+
+
+@wrong("trapezoidation", slip="slabs")
+def never_merged(boundary, obstacles):
+    """Cuts everything at every event."""
+    return cells(boundary, obstacles, every_event=True)
+
+
+@wrong("trapezoidation", slip="hollow")
+def solid_cells_too(boundary, obstacles):
+    """Counts the inside of obstacles."""
+    return cells(boundary, obstacles, hollow=True)
+
+
+@wrong("trapezoidation", slip="last")
+def never_closes_the_last(boundary, obstacles):
+    """Nothing after the loop."""
+    return cells(boundary, obstacles, last=False)
+
+
+@wrong("trapezoidation", slip="columns")
+def floors_then_ceilings(boundary, obstacles):
+    """Another order of the columns."""
+    return cells(boundary, obstacles)[:, [0, 1, 2, 4, 3, 5]]
+
+
+@wrong("trapezoidation", slip="no_obstacles")
+def boundary_only(boundary, obstacles):
+    """Forgets the obstacles."""
+    return cells(boundary, [])
+
+
+@wrong("trapezoidation", slip="rectangles")
+def level_floors(boundary, obstacles):
+    """Heights of the left side on both sides."""
+    return cells(boundary, obstacles)[:, [0, 1, 2, 3, 2, 3]]
+
+
+@wrong("trapezoidation", slip="no_triangles")
+def four_corners_only(boundary, obstacles):
+    """Leaves out triangles."""
+    found = cells(boundary, obstacles)
+    return found[~np.isclose(found[:, 2], found[:, 3]) & ~np.isclose(found[:, 4], found[:, 5])]
+
+
+@wrong("trapezoidation")
+def by_the_floor_alone(boundary, obstacles):
+    """A cell goes on while its floor does."""
+    return cells(boundary, obstacles, key=lambda pair: pair[0])
+
+
+@wrong("trapezoidation")
+def by_the_ceiling_alone(boundary, obstacles):
+    """A cell goes on while its ceiling does."""
+    return cells(boundary, obstacles, key=lambda pair: pair[1])
+
+
+@wrong("trapezoidation")
+def events_of_obstacles_only(boundary, obstacles):
+    """The boundary's vertices send no walls."""
+    found = cells(boundary, obstacles)
+    inner = [x for ring in obstacles for x in ring[:, 0]]
+    return found[np.isin(found[:, 0], inner) | np.isin(found[:, 1], inner)] if inner else found[:1]
+
+
+@wrong("trapezoidation")
+def whole_numbers(boundary, obstacles):
+    """Rounds to whole numbers."""
+    return np.round(cells(boundary, obstacles))
+
+
+@wrong("trapezoidation")
+def no_cells_at_all(boundary, obstacles):
+    """An empty list."""
+    return []
+
+
+# Neighbours
+
+
+def overlap(a, b):
+    return min(a[5], b[3]) - max(a[4], b[2])
+
+
+def pairs_if(trapezoids, ask):
+    n = range(len(trapezoids))
+    return [(i, j) for i in n for j in n if i < j and (ask(trapezoids[i], trapezoids[j]) or ask(trapezoids[j], trapezoids[i]))]
+
+
+def joined(a, b):
+    return a[1] == b[0] and overlap(a, b) > 0
+
+
+@wrong("neighbours", slip="point")
+def touching_counts(trapezoids):
+    """>= for >."""
+    return pairs_if(trapezoids, lambda a, b: a[1] == b[0] and overlap(a, b) >= 0)
+
+
+@wrong("neighbours", slip="same_x")
+def only_x(trapezoids):
+    """Heights are forgotten."""
+    return pairs_if(trapezoids, lambda a, b: a[1] == b[0])
+
+
+@wrong("neighbours", slip="left_wall")
+def left_walls(trapezoids):
+    """The left one's left wall."""
+    return pairs_if(trapezoids, lambda a, b: a[1] == b[0] and min(a[3], b[3]) > max(a[2], b[2]))
+
+
+@wrong("neighbours", slip="reversed")
+def larger_first(trapezoids):
+    """j, i."""
+    return [(j, i) for i, j in pairs_if(trapezoids, joined)] or np.empty((0, 2))
+
+
+@wrong("neighbours", slip="twice")
+def both_ways(trapezoids):
+    """i, j and j, i."""
+    found = pairs_if(trapezoids, joined)
+    return found + [(j, i) for i, j in found]
+
+
+@wrong("neighbours", slip="left_first")
+def left_then_right(trapezoids):
+    """The left one first."""
+    n = range(len(trapezoids))
+    return [(i, j) for i in n for j in n if joined(trapezoids[i], trapezoids[j])]
+
+
+@wrong("neighbours", slip="in_a_row")
+def one_after_another(trapezoids):
+    """The list's order."""
+    return [(i, i + 1) for i in range(len(trapezoids) - 1)]
+
+
+@wrong("neighbours", slip="whole_wall")
+def equal_walls(trapezoids):
+    """Walls must be equal."""
+    return pairs_if(trapezoids, lambda a, b: a[1] == b[0] and a[4] == b[2] and a[5] == b[3])
+
+
+@wrong("neighbours")
+def only_later_ones(trapezoids):
+    """Looks to the right of i only among larger numbers."""
+    n = range(len(trapezoids))
+    return [(i, j) for i in n for j in n if i < j and joined(trapezoids[i], trapezoids[j])]
+
+
+@wrong("neighbours")
+def an_end_inside(trapezoids):
+    """Overlap only if an end of the right wall lies inside the left one."""
+    return pairs_if(trapezoids, lambda a, b: a[1] == b[0] and (a[4] < b[2] < a[5] or a[4] < b[3] < a[5]))
+
+
+# The path
+
+
+def search(start, trapezoids, pairs, goal_cell, *, both=True):
+    parents, waiting = {start: None}, [start]
+    while waiting:
+        cell = waiting.pop(0)
+        for i, j in pairs:
+            for a, b in ((i, j), (j, i)) if both else ((i, j),):
+                if a == cell and b not in parents:
+                    parents[b] = cell
+                    waiting.append(b)
+    if goal_cell not in parents:
+        return None
+    chain = [goal_cell]
+    while parents[chain[-1]] is not None:
+        chain.append(parents[chain[-1]])
+    return chain[::-1]
+
+
+def cell_of(q, trapezoids):
+    for i, (x0, x1, low0, high0, low1, high1) in enumerate(trapezoids):
+        t = (q[0] - x0) / (x1 - x0)
+        if 0 <= t <= 1 and low0 + t * (low1 - low0) < q[1] < high0 + t * (high1 - high0):
+            return i
+    return None
+
+
+def centre(cell):
+    return np.array([(cell[0] + cell[1]) / 2, cell[2:].mean()])
+
+
+def middle(a, b):
+    a, b = (a, b) if a[1] == b[0] else (b, a)
+    return np.array([a[1], (max(a[4], b[2]) + min(a[5], b[3])) / 2])
+
+
+def wall_of_left(a, b):
+    a = a if a[1] == b[0] else b
+    return np.array([a[1], (a[4] + a[5]) / 2])
+
+
+def plan(start, goal, trapezoids, pairs, *, both=True, centres=True, middles=True, wall=middle):
+    chain = search(cell_of(start, trapezoids), trapezoids, pairs, cell_of(goal, trapezoids), both=both)
+    if chain is None:
+        return None
+    path = [start]
+    for i, j in zip(chain, chain[1:]):
+        path += [centre(trapezoids[i])] * centres + [wall(trapezoids[i], trapezoids[j])] * middles
+    return np.array([*path, *[centre(trapezoids[chain[-1]])] * centres, goal])
+
+
+@wrong("plan_by_decomposition")
+def straight_to_the_goal(start, goal, trapezoids, pairs):
+    """Does not look."""
+    return [start, goal]
+
+
+@wrong("plan_by_decomposition")
+def centres_only(start, goal, trapezoids, pairs):
+    """From centre to centre, without the walls."""
+    return plan(start, goal, trapezoids, pairs, middles=False)
+
+
+@wrong("plan_by_decomposition")
+def walls_only(start, goal, trapezoids, pairs):
+    """From wall to wall, without the centres: along a wall at a tip."""
+    return plan(start, goal, trapezoids, pairs, centres=False)
+
+
+@wrong("plan_by_decomposition")
+def middle_of_the_left_cells_wall(start, goal, trapezoids, pairs):
+    """The middle of the whole right side, not of what is shared."""
+    return plan(start, goal, trapezoids, pairs, wall=wall_of_left)
+
+
+@wrong("plan_by_decomposition")
+def one_way_streets(start, goal, trapezoids, pairs):
+    """A pair leads from i to j only."""
+    return plan(start, goal, trapezoids, pairs, both=False)
+
+
+@wrong("plan_by_decomposition")
+def without_the_ends(start, goal, trapezoids, pairs):
+    """From the centre of the first cell to that of the last."""
+    path = plan(start, goal, trapezoids, pairs)
+    return None if path is None else path[1:-1]
+
+
+@wrong("plan_by_decomposition")
+def without_the_goal(start, goal, trapezoids, pairs):
+    """Ends at the last centre."""
+    path = plan(start, goal, trapezoids, pairs)
+    return None if path is None else path[:-1]
+
+
+@wrong("plan_by_decomposition")
+def empty_for_none(start, goal, trapezoids, pairs):
+    """An empty list where there is no way."""
+    path = plan(start, goal, trapezoids, pairs)
+    return [] if path is None else path
+
+
+@wrong("plan_by_decomposition")
+def never_none(start, goal, trapezoids, pairs):
+    """Goes straight where it found no way."""
+    path = plan(start, goal, trapezoids, pairs)
+    return [start, goal] if path is None else path
+
+
+@wrong("plan_by_decomposition")
+def numbers_of_cells(start, goal, trapezoids, pairs):
+    """Returns the chain of cells."""
+    return search(cell_of(start, trapezoids), trapezoids, pairs, cell_of(goal, trapezoids))
+
+
+@wrong("plan_by_decomposition")
+def gives_up_beyond_the_neighbour(start, goal, trapezoids, pairs):
+    """Only neighbours of the start's cell are looked at."""
+    path = plan(start, goal, trapezoids, pairs)
+    return path if path is not None and len(path) <= 5 else None
