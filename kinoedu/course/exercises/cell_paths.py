@@ -13,7 +13,8 @@ from ...words import say
 from ...worlds import PolygonWorld
 from ..exercise import RIGHT, Case, Exercise, Verdict, spoken
 from ..outcomes import Answer, Outcome
-from ..shapes import Maybe, Numbers, Record, WholeNumbers
+from ..shapes import Maybe, Numbers, Record
+from ..whole_shapes import WholeNumbers
 from .chance import sizes
 from .decomposition import CELLS
 from .decomposition_pictures import draw_cell_path, titled

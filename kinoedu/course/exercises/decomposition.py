@@ -12,7 +12,8 @@ from ...geometry.checks import Array
 from ...worlds import PolygonWorld
 from ..exercise import RIGHT, Case, Slip, ValueExercise, Verdict
 from ..outcomes import Answer, Outcome
-from ..shapes import Listed, Numbers, Record, WholeNumbers
+from ..shapes import Listed, Numbers, Record
+from ..whole_shapes import WholeNumbers
 from .chance import sizes
 from .decomposition_pictures import draw_cells, draw_pairs, titled
 from .sweeping import BAY, KITE, RING, WEDGE, crossed_edges, heights

@@ -10,7 +10,8 @@ from ...graphs.bfs import breadth_first
 from ...graphs.dfs import depth_first
 from ..exercise import RIGHT, Case, Slip, Verdict, spoken
 from ..outcomes import Answer, Outcome
-from ..shapes import Maybe, Record, Whole
+from ..shapes import Maybe, Record
+from ..whole_shapes import Whole
 from .graph_pictures import draw_path_answer
 from .graph_slips import entered, first_in, followed, never_back, tree_path, undirected, walked
 from .graphs import LINE, NEIGHBOURS, NODES, RING, ROUND_TRIP, TRIANGLE, OnGraph

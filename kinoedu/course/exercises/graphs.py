@@ -11,7 +11,8 @@ from ...graphs.bfs import breadth_first
 from ...words import say
 from ..exercise import RIGHT, Case, Slip, ValueExercise, Verdict, spoken
 from ..outcomes import Answer, Outcome
-from ..shapes import Listed, Maybe, Record, Whole
+from ..shapes import Listed, Maybe, Record
+from ..whole_shapes import Whole
 from .graph_pictures import draw_pointers, draw_tree_answer
 from .graph_slips import depths, first_in, followed, undirected
 from .random_graphs import Neighbours, as_graph, lists, random_graphs

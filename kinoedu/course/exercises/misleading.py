@@ -9,7 +9,8 @@ from ... import graphs
 from ...words import say
 from ..exercise import RIGHT, Case, Exercise, Verdict
 from ..outcomes import Answer, Outcome
-from ..shapes import Listed, Number, Record, Together, Whole
+from ..shapes import Listed, Number, Record, Together
+from ..whole_shapes import Whole
 from .graph_paths import as_list
 from .graph_pictures import draw_misled
 from .graphs import NEIGHBOURS

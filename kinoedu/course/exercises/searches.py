@@ -10,7 +10,8 @@ from ...graphs.search import expansions
 from ...words import say
 from ..exercise import Case, Slip, ValueExercise, spoken
 from ..outcomes import Answer, Outcome
-from ..shapes import Listed, Number, Numbers, Record, Whole
+from ..shapes import Listed, Number, Numbers, Record
+from ..whole_shapes import Whole
 from .graph_paths import PathExercise, as_list
 from .graph_pictures import draw_costs
 from .graph_slips import best_first, best_path, depths, in_turn, tree_path, undirected, undirected_weights

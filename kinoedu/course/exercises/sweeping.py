@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 from ...geometry.checks import Array
 from ..exercise import Case, Slip, ValueExercise
 from ..outcomes import Answer, Outcome
-from ..shapes import Listed, Number, Numbers, Record, WholeNumbers
+from ..shapes import Listed, Number, Numbers, Record
+from ..whole_shapes import WholeNumbers
 from .chance import sizes
 from .decomposition_pictures import draw_crossed, draw_intervals, titled
 from .worlds_by_chance import between_vertices, edges_round, general_world
