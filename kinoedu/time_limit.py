@@ -1,12 +1,13 @@
 """A function that may never end, given a bounded time: a student's endless loop must not take the notebook with it."""
 
 import ctypes
+import sys
 import threading
 import time
 from collections.abc import Callable
 from concurrent.futures import Future, wait
 from contextvars import copy_context
-from typing import TypeVar
+from typing import Any, TypeVar
 
 T = TypeVar("T")
 
@@ -67,8 +68,21 @@ def started(run: Callable[[], None]) -> threading.Thread:
 
 
 def stop(thread: threading.Thread) -> None:
-    """Raise TimeUp in a thread until it ends, since its code may catch everything; in the end leave it."""
-    last = time.monotonic() + PATIENCE
-    while thread.is_alive() and thread.ident is not None and time.monotonic() < last:
-        ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(thread.ident), ctypes.py_object(TimeUp))
-        thread.join(0.01)
+    """Raise TimeUp in a thread until it ends, since its code may catch everything; in the end leave it.
+
+    Where it strikes inside a callback Python would report it as an exception that nobody could see; that report is left out.
+    """
+    report = sys.unraisablehook
+
+    def report_others(lost: Any) -> None:
+        if lost.exc_type is not TimeUp:
+            report(lost)
+
+    sys.unraisablehook = report_others
+    try:
+        last = time.monotonic() + PATIENCE
+        while thread.is_alive() and thread.ident is not None and time.monotonic() < last:
+            ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(thread.ident), ctypes.py_object(TimeUp))
+            thread.join(0.01)
+    finally:
+        sys.unraisablehook = report

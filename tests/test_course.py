@@ -1,9 +1,11 @@
 """The exercise contract: what check() says of right and of wrong answers, and that cases and answers survive the journey."""
 
 import contextlib
+import gc
 import json
 import re
 import shutil
+import sys
 import tomllib
 from pathlib import Path
 
@@ -216,6 +218,27 @@ def test_a_hang_ends_with_a_message():
 
     assert "it was stopped" in repr(check(polygon_tangent))
     assert "nothing within" in repr(check(deaf, "polygon_tangent"))
+
+
+def test_a_hang_inside_callbacks_is_not_reported_as_lost():
+    """Where the order to stop strikes inside a callback of the garbage collector, nothing is printed about it."""
+
+    def callback(*_):
+        sum(range(50))
+
+    def polygon_tangent(q, polygon):
+        while True:
+            gc.collect(0)
+
+    lost, before = [], sys.unraisablehook
+    sys.unraisablehook = lost.append
+    gc.callbacks.append(callback)
+    try:
+        assert "nothing within" in repr(check(polygon_tangent))
+    finally:
+        gc.callbacks.remove(callback)
+        sys.unraisablehook = before
+    assert lost == []
 
 
 def test_feedback_can_be_staged(monkeypatch):
