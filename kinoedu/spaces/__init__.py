@@ -2,5 +2,6 @@
 
 from .asks import distance, interpolate, nearest, sample
 from .real import RealSpace
+from .wrapping import WrappingSpace
 
-__all__ = ["RealSpace", "distance", "interpolate", "nearest", "sample"]
+__all__ = ["RealSpace", "WrappingSpace", "distance", "interpolate", "nearest", "sample"]
