@@ -13,7 +13,7 @@ from ..words import say
 from .exercise import Case, Exercise
 from .exercises import find
 from .feedback import ALL, Feedback, stage_of
-from .judging import Report, attempt, report_on
+from .judging import attempt, report_on
 from .outcomes import Outcome
 from .plain import described
 
@@ -69,6 +69,3 @@ def attempts(exercise: Exercise, function: Callable[..., Any], cases: list[Case]
 def warm(exercise: Exercise, cases: list[Case]) -> None:
     """Ask the reference once, so that its compiling is not on a student's time."""
     exercise.wanted(cases[0])
-
-
-__all__ = ["PASSED", "Report", "check"]

@@ -26,10 +26,7 @@ class Feedback:
 
     def told(self) -> list[tuple[str, str]]:
         """What is said, as pairs of a title and a text."""
-        lines = told(self.report, self.stage)
-        if self.printed and self.stage >= CASE and not self.report.unwritten:
-            lines.insert(3, (say("check.printed"), self.printed.rstrip()))
-        return lines
+        return told(self.report, self.stage, self.printed.rstrip())
 
     def __repr__(self) -> str:
         return "\n".join(laid_out(title, text) for title, text in self.told())
@@ -57,8 +54,8 @@ class Feedback:
             display(Image(picture, alt=say("check.picture", name=self.report.exercise.name)))
 
 
-def told(report: Report, stage: int) -> list[tuple[str, str]]:
-    """What is said, as pairs of a title and a text."""
+def told(report: Report, stage: int, printed: str) -> list[tuple[str, str]]:
+    """What is said up to a stage, as pairs of a title and a text; `printed` is what the program wrote in the case that failed."""
     exercise, failure = report.exercise, report.failure
     if report.unwritten:
         other = report.unwritten != exercise.name
@@ -70,7 +67,7 @@ def told(report: Report, stage: int) -> list[tuple[str, str]]:
     ]
     lines.append((say("check.rule"), rule_words(exercise, failure)))
     if stage >= CASE:
-        lines += told_case(exercise, failure)
+        lines += told_case(exercise, failure, printed)
     if stage >= ALL:
         lines.append((say("check.hint"), hint_words(exercise, failure)))
         lines.append((say("check.read"), exercise.words("section")))
@@ -93,11 +90,14 @@ def told_right(report: Report) -> list[tuple[str, str]]:
     return lines
 
 
-def told_case(exercise: Exercise, failure: Judged) -> list[tuple[str, str]]:
+def told_case(exercise: Exercise, failure: Judged, printed: str) -> list[tuple[str, str]]:
     """The call that failed, what came of it, and what should have."""
     given = [f"{name} = {as_code(value)}" for name, value in failure.case.given.items()]
     lines = [(say("check.call"), "\n".join([*given, f"{exercise.name}({', '.join(failure.case.given)})"]))]
-    lines += [(say("check.yours"), outcome_words(exercise, failure.outcome)), (say("check.wanted"), failure.verdict.wanted)]
+    lines.append((say("check.yours"), outcome_words(exercise, failure.outcome)))
+    if printed:
+        lines.append((say("check.printed"), printed))
+    lines.append((say("check.wanted"), failure.verdict.wanted))
     if isinstance(failure.outcome, Raised) and failure.outcome.lines:
         lines.append((say("check.where"), "\n".join(failure.outcome.lines)))
     return lines

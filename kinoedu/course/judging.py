@@ -96,12 +96,12 @@ def report_on(exercise: Exercise, cases: Iterable[Case], outcomes: Iterable[Outc
 
 def slip_in(exercise: Exercise, failures: list[Judged], seen: list[Judged]) -> str:
     """The misconception that explains every failure of the first one's kind and half of all, and the most of what was seen."""
-    alike = [id(failure) for failure in failures if failure.case.kind == failures[0].case.kind]
+    first = failures[0].case.kind
     explained = {slip: [explains(exercise, slip.answer, one) for one in failures] for slip in exercise.slips}
     likely = [
         slip
         for slip, told in explained.items()
-        if 2 * sum(told) >= len(failures) and all(yes for yes, one in zip(told, failures) if id(one) in alike)
+        if 2 * sum(told) >= len(failures) and all(yes or one.case.kind != first for yes, one in zip(told, failures))
     ]
     if not likely:
         return ""

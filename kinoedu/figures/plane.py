@@ -11,6 +11,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Circle, Polygon
 from numpy.typing import ArrayLike
 
+from ..words import say
 from . import palette
 from .drawing import HALO
 
@@ -111,7 +112,7 @@ def ring(centre: ArrayLike, radius: float, words: str, ax: Axes, *, colour: str,
     x, y = np.asarray(centre, float)
     lo, hi = np.column_stack([ax.get_xlim(), ax.get_ylim()])
     if radius > 3.0 * float((hi - lo).max()):
-        return [corner_note(f"{words} (outside the picture)", ax, colour=colour)] if words else []
+        return [corner_note(say("picture.outside", what=words), ax, colour=colour)] if words else []
     artists: list[Artist] = [
         ax.add_patch(Circle((x, y), radius, fill=False, edgecolor=colour, linestyle=style, linewidth=2.2, zorder=3))
     ]

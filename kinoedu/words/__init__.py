@@ -15,8 +15,8 @@ HERE = Path(__file__).parent
 def say(key: str, /, **values: Any) -> str:
     """The words under a dotted key, with `{name}` filled in. Raises KeyError where no catalogue has them.
 
-    >>> say("check.score", right=3, total=4)
-    '3 of 4 rules hold'
+    >>> say("picture.should_be", value=4)
+    'should be 4'
     """
     language = os.environ.get("KINOEDU_LANGUAGE", "en")
     for name in dict.fromkeys((language, "en")):
