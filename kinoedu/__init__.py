@@ -8,14 +8,15 @@ A plan in four lines:
 >>> plan.path is not None
 True
 
-The rooms of the house: `geometry`, `graphs`, `spaces`, `worlds`, `robots`, `collision`, `problems`, `decomposition`, `planners`,
-`scenes`; and `figures` and `boards`, which are imported when first used, because they bring matplotlib and ipywidgets.
+The rooms of the house: `geometry`, `graphs`, `spaces`, `curves`, `worlds`, `robots`, `collision`, `problems`, `decomposition`,
+`planners`, `scenes`; and `figures` and `boards`, which are imported when first used, because they bring matplotlib and ipywidgets.
 """
 
 from importlib import import_module
 from typing import Any
 
-from . import collision, decomposition, geometry, graphs, planners, problems, robots, scenes, spaces, worlds
+from . import collision, curves, decomposition, geometry, graphs, planners, problems, robots, scenes, spaces, worlds
+from .curves import dubins_path, reeds_shepp_path
 from .decomposition import decomposition_roadmap, sweep, trapezoidation, triangulation
 from .graphs import Graph, astar, bfs_path, bfs_tree, dfs_path, dijkstra
 from .planners import bug0, bug1, bug2, bug2_prelim, bug_base, plan_by_decomposition, plan_on_grid, prm, rrt
@@ -57,10 +58,12 @@ __all__ = [
     "bug_base",
     "collision",
     "course",
+    "curves",
     "decomposition",
     "decomposition_roadmap",
     "dfs_path",
     "dijkstra",
+    "dubins_path",
     "figures",
     "geometry",
     "graphs",
@@ -72,6 +75,7 @@ __all__ = [
     "read_problem",
     "read_scene",
     "read_world",
+    "reeds_shepp_path",
     "robots",
     "rrt",
     "scenes",

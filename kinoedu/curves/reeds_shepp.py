@@ -1,0 +1,157 @@
+"""Reeds and Shepp's shortest curves: forward and back. J. A. Reeds and L. A. Shepp, "Optimal paths for a car that goes both
+forwards and backwards" (1990), section 8; LaValle, section 15.3.2.
+
+Nine base words begin with an arc to the left driven forward. All others are these in a mirror, driven the other way, or, for words
+that are not the same from behind, from the end to the start.
+"""
+
+import math
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..compiled import compiled
+from ..geometry.checks import Array
+from ..spaces.angles import wrapped
+from .curve import Curve, as_pose, as_radius, seen_from
+from .tangents import left_centre, lrl, lsl, lsr, right_centre
+
+QUARTER = 0.5 * math.pi
+TURNS = np.array(
+    [
+        (1, 0, 1, 0, 0),  # L S L
+        (1, 0, -1, 0, 0),  # L S R
+        (1, -1, 1, 0, 0),  # L | R | L and L | R L
+        (1, -1, 1, -1, 0),  # L R | L R
+        (1, -1, 1, -1, 0),  # L | R L | R
+        (1, -1, 0, 1, 0),  # L | R quarter, S L
+        (1, -1, 0, -1, 0),  # L | R quarter, S R
+        (1, -1, 0, 1, -1),  # L | R quarter, S, L quarter | R
+    ]
+)
+REVERSIBLE = np.array([False, False, True, False, False, True, True, False])
+ROUNDING = 1e-12  # a piece that goes the wrong way by less has length zero
+TIE = 1e-10
+
+
+def reeds_shepp_path(q0: ArrayLike, q1: ArrayLike, radius: float) -> Curve:
+    """The shortest way from pose q0 to pose q1, shapes (3,) as (x, y, theta), forward and back, turning no tighter than `radius`.
+
+    Negative lengths are driven backwards. The length is good to 1e-9 of the radius. Raises InvalidPoint, InvalidParameter.
+
+    >>> curve = reeds_shepp_path((0, 0, 0), (-3, 0, 0), 1.0)
+    >>> curve.word, curve.length, curve.lengths
+    ('S', 3.0, array([-3.]))
+    """
+    start, end, rho = as_pose(q0, "q0"), as_pose(q1, "q1"), as_radius(radius)
+    turns, lengths = shortest(*seen_from(start, end, rho))
+    driven = np.abs(lengths) > ROUNDING
+    return Curve(start, rho, turns[driven], rho * lengths[driven])
+
+
+@compiled
+def shortest(x: float, y: float, phi: float) -> tuple[NDArray[np.int64], Array]:
+    """The turns and signed lengths of the shortest word from (0, 0, 0) to (x, y, phi), radius 1: up to five pieces."""
+    turns, lengths, best = np.zeros(5, np.int64), np.zeros(5), np.inf
+    back_x, back_y = x * math.cos(phi) + y * math.sin(phi), x * math.sin(phi) - y * math.cos(phi)
+    pieces = np.empty(5)
+    for word in range(len(TURNS)):
+        for reverse in range(1 + REVERSIBLE[word]):
+            from_x, from_y = (back_x, back_y) if reverse else (x, y)
+            for gear in (1, -1):
+                for mirror in (1, -1):
+                    found = solve(word, gear * from_x, mirror * from_y, gear * mirror * phi, pieces)
+                    total = np.abs(pieces[0]) + np.abs(pieces[1]) + np.abs(pieces[2]) + np.abs(pieces[3]) + np.abs(pieces[4])
+                    if found and total < best - TIE:
+                        best = total
+                        write(word, gear, mirror, reverse, pieces, turns, lengths)
+    return turns, lengths
+
+
+@compiled
+def write(word: int, gear: int, mirror: int, reverse: int, pieces: Array, turns: NDArray[np.int64], lengths: Array) -> None:
+    """Write down a word's pieces as they are driven."""
+    for i in range(5):
+        j = 4 - i if reverse else i
+        turns[i], lengths[i] = mirror * TURNS[word, j], gear * pieces[j]
+
+
+@compiled
+def solve(word: int, x: float, y: float, phi: float, pieces: Array) -> bool:
+    """Write the signed lengths of one base word into pieces (5,); whether it exists, its first arc driven forward."""
+    pieces[:] = 0.0
+    if word == 0:
+        found, t, u, v = lsl(x, y, phi)
+        return found and keep(pieces, t, u, v, 1, 1)
+    if word == 1:
+        found, t, u, v = lsr(x, y, phi)
+        return found and keep(pieces, t, u, v, 1, 1)
+    if word == 2:
+        found, t, u, v = lrl(x, y, phi)
+        return found and keep(pieces, t, u, v, -1, 0)
+    return four_arcs(word, x, y, phi, pieces) if word <= 4 else with_quarter(word, x, y, phi, pieces)
+
+
+@compiled
+def keep(pieces: Array, t: float, u: float, v: float, u_sign: int, v_sign: int) -> bool:
+    """Write three pieces; False where the first goes back, or another the wrong way. A sign of 0 leaves both ways open."""
+    t, v = without_rounding(wrapped(t)), without_rounding(wrapped(v))
+    pieces[0], pieces[1], pieces[2] = t, u, v
+    return t >= 0.0 and u_sign * u >= -ROUNDING and v_sign * v >= 0.0
+
+
+@compiled
+def without_rounding(angle: float) -> float:
+    """The angle; 0 where it is so but for rounding, and pi rather than -pi."""
+    if abs(angle) < ROUNDING:
+        return 0.0
+    return -angle if angle < ROUNDING - math.pi else angle
+
+
+@compiled
+def four_arcs(word: int, x: float, y: float, phi: float, pieces: Array) -> bool:
+    """L R | L R and L | R L | R, formulas 8.7 and 8.8: the two arcs in the middle are of one length."""
+    ex, ey = x + math.sin(phi), y - 1.0 - math.cos(phi)
+    squared = ex * ex + ey * ey
+    cosine = 0.25 * (2.0 + math.sqrt(squared)) if word == 3 else (20.0 - squared) / 16.0
+    if cosine > 1.0 + ROUNDING or cosine < 0.0:
+        return False
+    size = math.acos(min(cosine, 1.0))
+    second, third = (size, -size) if word == 3 else (-size, -size)
+    turn = second - third
+    a, b = math.sin(second) - math.sin(turn), math.cos(second) - math.cos(turn) - 1.0
+    first = math.atan2(ey * a - ex * b, ex * a + ey * b)
+    if 2.0 * (math.cos(turn) - math.cos(third) - math.cos(second)) + 3.0 < 0.0:
+        first += math.pi
+    last = first - second + third - phi
+    found = keep(pieces, first, second, last, 0, -1 if word == 3 else 1)
+    pieces[2], pieces[3] = third, pieces[2]
+    return found
+
+
+@compiled
+def with_quarter(word: int, x: float, y: float, phi: float, pieces: Array) -> bool:
+    """L | R quarter and on, formulas 8.9 to 8.11: a straight piece driven back, with a quarter before it or on both sides."""
+    if word == 5:
+        apart, direction = left_centre(x, y, phi)
+        side = math.sqrt(max(apart * apart - 4.0, 0.0))
+        first, straight = direction + math.atan2(side, -2.0), 2.0 - side
+        last, last_sign = phi - QUARTER - first, -1
+    elif word == 6:
+        apart, direction = right_centre(x, y, phi)
+        first, straight = direction + QUARTER, 2.0 - apart
+        last, last_sign = first + QUARTER - phi, -1
+    else:
+        apart, _ = right_centre(x, y, phi)
+        ex, ey = x + math.sin(phi), y - 1.0 - math.cos(phi)
+        straight = 4.0 - math.sqrt(max(apart * apart - 4.0, 0.0))
+        first = math.atan2((4.0 - straight) * ex - 2.0 * ey, -2.0 * ex + (straight - 4.0) * ey)
+        last, last_sign = first - phi, 1
+    found = apart >= 2.0 - ROUNDING and keep(pieces, first, straight, last, -1, last_sign)
+    last = pieces[2]
+    pieces[1], pieces[2] = -QUARTER, straight
+    if word == 7:
+        pieces[3], pieces[4] = -QUARTER, last
+    else:
+        pieces[3] = last
+    return found

@@ -1,0 +1,153 @@
+"""Dubins' and Reeds and Shepp's curves: they reach the goal, nothing shorter does, and moving the plane changes nothing."""
+
+import json
+import math
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from kinoedu.curves import Curve, dubins_path, reeds_shepp_path
+from kinoedu.curves import dubins as dubins_file
+from kinoedu.curves import reeds_shepp as reeds_shepp_file
+from kinoedu.errors import InvalidParameter, InvalidPoint
+from kinoedu.spaces.angles import wrapped
+
+CASES = json.loads((Path(__file__).parent / "data" / "kino" / "cases_expected.json").read_text())["cases"]
+PATHS = {"dubins": dubins_path, "rs": reeds_shepp_path}
+CURVES = [case for case in CASES if case["kind"] in PATHS]
+A_TURN_TOO_LONG = {"dubins_quarter"}  # the file gives a quarter turn a whole turn more: an angle of -1e-17 was wrapped to 2 pi
+
+
+def poses(rng: np.random.Generator, n: int) -> Any:
+    """Poses here and there; every third one on a lattice, where words become equal and pieces vanish."""
+    drawn = np.column_stack([rng.uniform(-6, 6, (n, 2)), rng.uniform(-np.pi, np.pi, n)])
+    drawn[::3] = np.column_stack([rng.integers(-3, 4, (len(drawn[::3]), 2)), 0.5 * np.pi * rng.integers(-2, 2, len(drawn[::3]))])
+    return drawn
+
+
+def miss(curve: Curve, goal: Any) -> float:
+    """How far the curve's end is from the goal, in place or in heading."""
+    end = curve.at(curve.length)
+    return max(math.dist(end[:2], goal[:2]), abs(wrapped(end[2] - wrapped(goal[2]))))
+
+
+@pytest.mark.parametrize("case", CURVES, ids=lambda case: case["id"])
+def test_lengths_of_the_reference_cases(case: dict[str, Any]) -> None:
+    """Equal to 1e-9, but for one where the reference goes round once too often."""
+    curve = PATHS[case["kind"]](case["q0"], case["q1"], case["R"])
+    too_long = 2 * np.pi * case["R"] if case["id"] in A_TURN_TOO_LONG else 0.0
+    assert curve.length == pytest.approx(case["expected"]["length"] - too_long, abs=1e-9)
+    assert miss(curve, case["q1"]) < 1e-9
+
+
+@pytest.mark.parametrize("path", PATHS.values())
+def test_the_end_is_the_goal_and_pieces_are_driven_in_order(path: Any) -> None:
+    """Random poses, and those where pieces vanish; along the way the pose moves no faster than one length a length."""
+    rng = np.random.default_rng(1)
+    for q0, q1 in zip(poses(rng, 600), poses(rng, 600)):
+        curve = path(q0, q1, 1.5)
+        assert miss(curve, q1) < 1e-8
+        assert miss(Curve(q0, 1.5, curve.turns[:0], curve.lengths[:0]), q0) == 0.0
+        along = curve.at(np.linspace(0, curve.length, 50))
+        apart = np.linalg.norm(np.diff(along[:, :2], axis=0), axis=1)
+        assert apart.max() <= curve.length / 49 + 1e-9
+
+
+def drawn_word(rng: np.random.Generator, pieces: int, forward: bool) -> tuple[Any, Any]:
+    """Random turns, no two neighbours alike in turn and gear, and lengths."""
+    turns, lengths = rng.integers(-1, 2, pieces), rng.uniform(0.0, 2.5, pieces)
+    if rng.random() < 0.3:
+        lengths[rng.integers(pieces)] = 0.5 * np.pi
+    return turns, lengths if forward else lengths * rng.choice([-1.0, 1.0], pieces)
+
+
+@pytest.mark.parametrize(("path", "forward", "pieces"), [(dubins_path, True, 3), (reeds_shepp_path, False, 5)])
+def test_no_random_word_is_shorter(path: Any, forward: bool, pieces: int) -> None:
+    """Whatever a random word reaches is reached by a curve no longer than it."""
+    rng = np.random.default_rng(2)
+    for _ in range(4000):
+        word = Curve(np.array([0.5, -1.0, 2.0]), 1.0, *drawn_word(rng, rng.integers(1, pieces + 1), forward))
+        assert path(word.start, word.at(word.length), 1.0).length <= word.length + 1e-7
+
+
+Q = np.pi / 2
+FAMILIES = [
+    ((1, 0, 1), (1.0, 2.9, 0.4)),
+    ((1, 0, -1), (0.4, 1.3, 0.9)),
+    ((1, -1, 1), (0.3, -1.5, -1.4)),
+    ((1, -1, 1), (1.0, -1.7, 0.3)),
+    ((1, -1, 1), (1.1, 1.2, -0.5)),
+    ((1, -1, 1, -1), (0.7, -1.0, -1.0, 0.3)),
+    ((1, -1, 1, -1), (0.4, 0.8, -0.8, -0.4)),
+    ((1, -1, 0, 1), (1.0, -Q, -0.9, -0.3)),
+    ((1, -1, 0, -1), (0.7, -Q, -1.6, -0.3)),
+    ((1, -1, 0, 1, -1), (0.3, -Q, -0.4, -Q, 0.3)),
+]
+
+
+@pytest.mark.parametrize(("turns", "lengths"), FAMILIES)
+@pytest.mark.parametrize("mirror", [1, -1])
+@pytest.mark.parametrize("gear", [1, -1])
+@pytest.mark.parametrize("order", [1, -1])
+def test_every_family_of_reeds_and_shepp_is_found(turns: Any, lengths: Any, mirror: int, gear: int, order: int) -> None:
+    """A shortest curve of each family, in the mirror, driven the other way, and from its end, is found again."""
+    word = Curve(np.zeros(3), 1.0, mirror * np.array(turns)[::order], gear * np.array(lengths)[::order])
+    found = reeds_shepp_path(word.start, word.at(word.length), 1.0)
+    assert found.length == pytest.approx(word.length, abs=1e-9)
+
+
+def test_reeds_and_shepp_go_back_the_way_they_came() -> None:
+    """Symmetric, and never longer than Dubins'; both unchanged in a mirror and by a displacement and a change of scale."""
+    rng = np.random.default_rng(3)
+    for q0, q1 in zip(poses(rng, 400), poses(rng, 400)):
+        there = reeds_shepp_path(q0, q1, 1.0).length
+        assert there == pytest.approx(reeds_shepp_path(q1, q0, 1.0).length, abs=1e-9)
+        assert there <= dubins_path(q0, q1, 1.0).length + 1e-9
+        for path in PATHS.values():
+            length = path(q0, q1, 1.0).length
+            assert path(q0 * [1, -1, -1], q1 * [1, -1, -1], 1.0).length == pytest.approx(length, abs=1e-9)
+            assert path(q0 * [3, 3, 1], q1 * [3, 3, 1], 3.0).length == pytest.approx(3 * length, abs=1e-8)
+
+
+@pytest.mark.parametrize("path", PATHS.values())
+def test_a_displacement_changes_nothing(path: Any) -> None:
+    """Start and goal turned and moved together."""
+    rng = np.random.default_rng(4)
+    for q0, q1 in zip(poses(rng, 300)[1::3], poses(rng, 300)[1::3]):
+        turn, c, s = 0.7, math.cos(0.7), math.sin(0.7)
+        r0, r1 = (np.array([c * x - s * y + 2, s * x + c * y - 5, theta + turn]) for x, y, theta in (q0, q1))
+        assert path(r0, r1, 1.0).length == pytest.approx(path(q0, q1, 1.0).length, abs=1e-8)
+
+
+@pytest.mark.parametrize("path", PATHS.values())
+def test_staying_where_one_is(path: Any) -> None:
+    """Nothing is driven, however the heading is written."""
+    assert path((1, 2, 0.5), (1, 2, 0.5), 1.0).length == 0.0
+    assert path((1, 2, 0.5), (1, 2, 0.5 + 2 * np.pi), 1.0).length == pytest.approx(0.0, abs=1e-12)
+
+
+def test_compiled_and_interpreted_agree() -> None:
+    """The very same turns and lengths."""
+    rng = np.random.default_rng(5)
+    for x, y, phi in poses(rng, 60):
+        for file, name in ((dubins_file, "shortest_forward"), (reeds_shepp_file, "shortest")):
+            body = getattr(file, name)
+            for compiled, interpreted in zip(body(x, y, phi), body.py_func(x, y, phi)):
+                assert np.allclose(compiled, interpreted, rtol=0, atol=1e-12)
+
+
+@pytest.mark.parametrize("path", PATHS.values())
+def test_nonsense_is_refused_by_name(path: Any) -> None:
+    """Poses of three numbers, a positive radius, distances that are numbers."""
+    for q in ((1, 2), (1, 2, np.nan), "abc", None, [(1, 2, 3)]):
+        with pytest.raises(InvalidPoint):
+            path(q, (0, 0, 0), 1.0)
+        with pytest.raises(InvalidPoint):
+            path((0, 0, 0), q, 1.0)
+    for radius in (0, -1, (1, 2)):
+        with pytest.raises(InvalidParameter):
+            path((0, 0, 0), (1, 1, 1), radius)
+    with pytest.raises(InvalidPoint):
+        path((0, 0, 0), (1, 1, 1), 1.0).at("far")
