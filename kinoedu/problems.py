@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .collision import is_free, is_free_path, is_semi_free_path
+from .collision.batches import as_margin
 from .compiled import record
 from .errors import InvalidGoal, InvalidParameter, InvalidPoint, InvalidStart
 from .geometry.checks import Array, as_array, shortened
@@ -86,12 +87,10 @@ def Problem(robot: Any, world: Any, start: ArrayLike, goal: ArrayLike, *, cleara
     >>> problem.is_free_path(problem.start, problem.goal), problem.distance(problem.start, problem.goal)
     (False, 8.0)
     """
-    margin = as_array(clearance, "clearance")
-    if margin.ndim or margin < 0.0:
-        raise InvalidParameter(f"clearance must be one length, zero or more, got {clearance!r}")
+    margin = as_margin(clearance)
     space = space_of(robot, world)
     q_start, q_goal = as_configuration(start, space, "start"), as_configuration(goal, space, "goal")
-    problem = ProblemRecord(robot, world, space, q_start, q_goal, float(margin), np.zeros(2, np.int64))
+    problem = ProblemRecord(robot, world, space, q_start, q_goal, margin, np.zeros(2, np.int64))
     for q, name, error in ((q_start, "start", InvalidStart), (q_goal, "goal", InvalidGoal)):
         if not problem.is_free(q):
             raise error(f"the {name} {tuple(q.tolist())} is not free: {why_not_free(problem, q)}")

@@ -3,7 +3,8 @@
 from typing import Any
 
 from ..compiled import generic
-from ..geometry.checks import Array
+from ..errors import InvalidParameter
+from ..geometry.checks import Array, shortened
 
 
 @generic(2)
@@ -22,3 +23,9 @@ def is_free(robot: Any, world: Any, q: Array, clearance: float) -> bool:
 def is_semi_free_path(robot: Any, world: Any, a: Array, b: Array, clearance: float) -> bool:
     """Whether the motion from a to b keeps `clearance`, contact allowed: it never enters the inside of what is solid."""
     raise TypeError("this robot cannot slide in this world")
+
+
+@generic(1)
+def coordinates(robot: Any) -> int:
+    """How many numbers a configuration of this robot has."""
+    raise InvalidParameter(f"expected a robot such as Point() or Disk(1), got {shortened(robot)}")

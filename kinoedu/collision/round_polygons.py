@@ -8,9 +8,10 @@ from ..geometry.exact import height, length, turn
 from ..geometry.parts import segment_part_distance
 from ..geometry.segments import segment_distance, shared_points
 from ..robots.round import RoundRobot
-from ..worlds.parts_index import motion_touches_any
+from ..worlds.known_cells import FREE, SOLID, known_at
+from ..worlds.parts_index import motion_touches_any, point_touches_any
 from ..worlds.polygon_world import PolygonWorldRecord
-from .asks import is_free_path, is_semi_free_path
+from .asks import is_free, is_free_path, is_semi_free_path
 
 ROUND = 1e-12  # contact of what is round is decided to this share of its radius; shorter stretches of a motion count as contact
 
@@ -19,11 +20,37 @@ ROUND = 1e-12  # contact of what is round is decided to this share of its radius
 def round_among_polygons(robot: RoundRobot, world: PolygonWorldRecord, a: Array, b: Array, clearance: float) -> bool:
     """Both ends inside the hull of the boundary, and no part touched on the way. A point's motion is judged exactly."""
     radius = robot.radius + clearance
+    at_a, at_b = what_is_known(world, a), what_is_known(world, b)
     return (
-        is_inside(a, radius, world.hull)
-        and is_inside(b, radius, world.hull)
+        at_a != SOLID
+        and at_b != SOLID
+        and ((at_a == FREE and radius == 0.0) or is_inside(a, radius, world.hull))
+        and ((at_b == FREE and radius == 0.0) or is_inside(b, radius, world.hull))
         and not motion_touches_any(a[0], a[1], b[0], b[1], radius, world.obstacles, world.cells)
     )
+
+
+@is_free.register(RoundRobot, PolygonWorldRecord)
+def round_in_place(robot: RoundRobot, world: PolygonWorldRecord, q: Array, clearance: float) -> bool:
+    """A motion that stays where it is; but for most places of a point the answer is known, and for others its cell has it."""
+    at_q, radius = what_is_known(world, q), robot.radius + clearance
+    if at_q == SOLID or (at_q == FREE and radius == 0.0):
+        return at_q == FREE
+    x, y = q[0], q[1]
+    if not is_inside(q, radius, world.hull):
+        return False
+    if radius == 0.0:
+        return not point_touches_any(x, y, world.obstacles, world.cells)
+    return not motion_touches_any(x, y, x, y, radius, world.obstacles, world.cells)
+
+
+@inlined
+def what_is_known(world: PolygonWorldRecord, q: Array) -> int:
+    """Whether a point is known to be FREE, or SOLID as is all outside the bounding box; MIXED where it has to be looked at."""
+    x, y = q[0], q[1]
+    if not (world.lo[0] < x < world.hi[0] and world.lo[1] < y < world.hi[1]):
+        return SOLID
+    return known_at(x, y, world.known, world.cells)
 
 
 @inlined

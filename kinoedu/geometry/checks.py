@@ -20,11 +20,11 @@ def as_array(value: ArrayLike, name: str) -> Array:
         array = None
     if array is None or isinstance(value, np.ma.MaskedArray):
         raise InvalidPoint(f"{name} must be real numbers in a regular array, got {shortened(value)}")
+    if array.size == 0 or (array.min() >= -LIMIT and array.max() <= LIMIT):  # neither where there is a NaN
+        return array
     if not np.all(np.isfinite(array)):
         raise InvalidPoint(f"{name} must be finite, got {shortened(value)}")
-    if array.size and np.abs(array).max() > LIMIT:
-        raise InvalidPoint(f"{name} must not exceed 1e150 in size, got {np.abs(array).max():g}; choose a larger unit of length")
-    return array
+    raise InvalidPoint(f"{name} must not exceed 1e150 in size, got {np.abs(array).max():g}; choose a larger unit of length")
 
 
 def shortened(value: Any) -> str:

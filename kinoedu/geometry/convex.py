@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..compiled import compiled
+from ..compiled import compiled, inlined
 from ..errors import InvalidPolygon
 from .checks import Array, as_points, one_or_many
 from .exact import turn
@@ -89,17 +89,21 @@ def points_in_convex(points: Array, ring: Array) -> NDArray[np.bool_]:
     return inside
 
 
-@compiled
+@inlined
 def has_separating_edge(P: Array, Q: Array) -> bool:
     """Whether all of Q lies strictly to the right of one edge of P."""
-    for i in range(len(P)):
-        apart = True
-        for q in Q:
-            if turn(P[i - 1, 0], P[i - 1, 1], P[i, 0], P[i, 1], q[0], q[1]) >= 0:
-                apart = False
-                break
-        if apart:
+    n, m = len(P), len(Q)
+    ax, ay = P[n - 1, 0], P[n - 1, 1]
+    witness = 0  # a corner of Q that is not to the right of one edge often is not to the right of the next
+    for i in range(n):
+        bx, by = P[i, 0], P[i, 1]
+        beyond = 0
+        while beyond < m and turn(ax, ay, bx, by, Q[witness, 0], Q[witness, 1]) < 0:
+            beyond += 1
+            witness = witness + 1 if witness + 1 < m else 0
+        if beyond == m:
             return True
+        ax, ay = bx, by
     return False
 
 

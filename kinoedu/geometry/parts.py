@@ -6,7 +6,7 @@ The record table (every record is a NamedTuple; compiled code reads its fields):
 |---|---|
 | `Parts` | points (n, 2), first (k + 1,), radius (k,): part i is points[first[i]:first[i + 1]], grown by radius[i] |
 | `RoundRobot` | radius (its body, Parts of one point, is made when asked for) |
-| `PolygonWorldRecord` | edges (m, 5), hull, obstacles: Parts, cells: PartsIndex, lo and hi (worlds/polygon_world.py) |
+| `PolygonWorldRecord` | edges (m, 5), hull, obstacles: Parts, cells: PartsIndex, known, lo and hi (worlds/polygon_world.py) |
 | `PartsIndex` | x, y, cell, columns, rows, first, parts, boxes (worlds/parts_index.py) |
 | `TerrainRecord` | free (rows, columns), resolution, origin, lo and hi (worlds/terrain.py) |
 | `RealSpace` | lo and hi (d,) (spaces/real.py) |

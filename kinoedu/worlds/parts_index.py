@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from ..compiled import compiled, inlined
 from ..geometry.checks import Array
+from ..geometry.exact import turn
 from ..geometry.parts import Parts, motion_touches_part, part_boxes
 
 MARGIN = 0.01  # of a cell: boxes are grown by it, so that no rounding of a cell's number loses a part
@@ -85,3 +86,29 @@ def motion_touches_any(ax: float, ay: float, bx: float, by: float, radius: float
             if motion_touches_part(ax, ay, bx, by, radius, parts, i):
                 return True
     return False
+
+
+@inlined
+def point_touches_any(x: float, y: float, parts: Parts, cells: PartsIndex) -> bool:
+    """Whether a point of the indexed box lies in a part. Its cell names all that may hold it; exact but where a part is round."""
+    boxes = cells.boxes
+    cell = clip((y - cells.y) / cells.cell, cells.rows - 1) * cells.columns + clip((x - cells.x) / cells.cell, cells.columns - 1)
+    for entry in range(cells.first[cell], cells.first[cell + 1]):
+        i = cells.parts[entry]
+        if x < boxes[i, 0] or x > boxes[i, 2] or y < boxes[i, 1] or y > boxes[i, 3]:
+            continue
+        if motion_touches_part(x, y, x, y, 0.0, parts, i) if parts.radius[i] > 0.0 else is_left_of_edges(x, y, parts, i):
+            return True
+    return False
+
+
+@inlined
+def is_left_of_edges(x: float, y: float, parts: Parts, i: int) -> bool:
+    """Whether a point of its box lies in part i, a convex polygon."""
+    points, begin, end = parts.points, parts.first[i], parts.first[i + 1]
+    last = end - 1
+    for k in range(begin, end):
+        if turn(points[last, 0], points[last, 1], points[k, 0], points[k, 1], x, y) < 0:
+            return False
+        last = k
+    return True

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from ..errors import InvalidPolygon, InvalidWorld
 from ..geometry.checks import Array, as_array, as_point
@@ -12,6 +12,7 @@ from ..geometry.convex import convex_hull, convex_parts
 from ..geometry.parts import Parts, make_parts
 from ..geometry.polygons import places
 from ..geometry.rings import as_ring
+from .known_cells import known_cells
 from .parts_index import PartsIndex, index_parts
 
 
@@ -31,6 +32,7 @@ class PolygonWorldRecord(NamedTuple):
     hull: Array
     obstacles: Parts
     cells: PartsIndex
+    known: NDArray[np.int8]
     lo: Array
     hi: Array
 
@@ -69,7 +71,8 @@ def PolygonWorld(boundary: ArrayLike, obstacles: Iterable[Any] = ()) -> PolygonW
     parts = make_parts(pieces + centres, [0.0] * len(pieces) + radii)
     edges = np.concatenate([edges_of(ring, solid) for solid, rings in enumerate(solids) for ring in rings])
     lo, hi = outline.min(axis=0), outline.max(axis=0)
-    return PolygonWorldRecord(edges, hull, parts, index_parts(parts, lo, hi), lo, hi)
+    cells = index_parts(parts, lo, hi)
+    return PolygonWorldRecord(edges, hull, parts, cells, known_cells(hull, parts, cells, lo, hi), lo, hi)
 
 
 def edges_of(ring: Array, solid: int) -> Array:

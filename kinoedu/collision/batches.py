@@ -1,0 +1,91 @@
+"""Many configurations or motions at once, each judged by the very question that planners ask."""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..compiled import body
+from ..errors import InvalidParameter, InvalidPoint
+from ..geometry.checks import Array, as_array
+from ..robots.round import RoundRobot
+from .asks import coordinates, is_free, is_free_path
+
+
+def free_configurations(robot: Any, world: Any, qs: ArrayLike, *, clearance: float = 0.0) -> NDArray[np.bool_]:
+    """Whether the robot at each of many configurations, shape (n, d), stays more than `clearance` away from every obstacle.
+
+    The answer has shape (n,). Touching is contact, and outside the world nothing is free: for a point among polygons it tells
+    which points lie in no polygon. Raises InvalidPoint, InvalidParameter.
+
+    >>> from kinoedu import Point, PolygonWorld
+    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
+    >>> free_configurations(Point(), world, [(1, 1), (5, 5), (6, 5), (11, 5)])
+    array([ True, False, False, False])
+    """
+    run = judge_configurations if are_records(robot, world) else judge_configurations.py_func
+    return run(robot, world, as_configurations(qs, robot, "qs"), as_margin(clearance))
+
+
+def free_motions(robot: Any, world: Any, a: ArrayLike, b: ArrayLike, *, clearance: float = 0.0) -> NDArray[np.bool_]:
+    """Whether each of many straight motions, from a[i] to b[i], stays more than `clearance` away from every obstacle, all the way.
+
+    a and b have shape (n, d), the answer (n,). Raises InvalidPoint, InvalidParameter.
+
+    >>> from kinoedu import Point, PolygonWorld
+    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
+    >>> free_motions(Point(), world, [(1, 1), (1, 9)], [(9, 1), (9, 9)])
+    array([False,  True])
+    """
+    starts, ends = as_configurations(a, robot, "a"), as_configurations(b, robot, "b")
+    if len(starts) != len(ends):
+        raise InvalidPoint(f"a and b must hold equally many configurations, got {len(starts)} and {len(ends)}")
+    run = judge_motions if are_records(robot, world) else judge_motions.py_func
+    return run(robot, world, starts, ends, as_margin(clearance))
+
+
+@coordinates.register(RoundRobot)
+def position(robot: RoundRobot) -> int:
+    """x and y."""
+    return 2
+
+
+@body
+def judge_configurations(robot: Any, world: Any, qs: Array, clearance: float) -> NDArray[np.bool_]:
+    """The answer to `is_free` for each row of qs, shape (n,)."""
+    free = np.empty(len(qs), np.bool_)
+    for i in range(len(qs)):
+        free[i] = is_free(robot, world, qs[i], clearance)
+    return free
+
+
+@body
+def judge_motions(robot: Any, world: Any, a: Array, b: Array, clearance: float) -> NDArray[np.bool_]:
+    """The answer to `is_free_path` for each pair of rows, shape (n,)."""
+    free = np.empty(len(a), np.bool_)
+    for i in range(len(a)):
+        free[i] = is_free_path(robot, world, a[i], b[i], clearance)
+    return free
+
+
+def are_records(robot: Any, world: Any) -> bool:
+    """Whether both can be handed to compiled code; a reader's own kinds are asked by the interpreter."""
+    return isinstance(robot, tuple) and isinstance(world, tuple)
+
+
+def as_configurations(value: ArrayLike, robot: Any, name: str) -> Array:
+    """Configurations of a robot, shape (n, d); an empty list holds none. InvalidPoint otherwise."""
+    size, qs = coordinates(robot), as_array(value, name)
+    if qs.shape == (0,):
+        return qs.reshape(0, size)
+    if qs.ndim != 2 or qs.shape[1] != size:
+        raise InvalidPoint(f"{name} must hold configurations of {size} numbers each, shape (n, {size}), got shape {qs.shape}")
+    return qs
+
+
+def as_margin(clearance: float) -> float:
+    """A clearance as one length, zero or more, or InvalidParameter."""
+    margin = as_array(clearance, "clearance")
+    if margin.ndim or margin < 0.0:
+        raise InvalidParameter(f"clearance must be one length, zero or more, got {clearance!r}")
+    return float(margin)

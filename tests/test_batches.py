@@ -1,0 +1,190 @@
+"""Many questions at once: answered as the single questions are, and exactly on whole-numbered worlds, where touching is common."""
+
+import math
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from test_collision import BOX, ExactWorld, exact_worlds, whole
+from test_geometry import SLOW_LAW, exact, place_exactly, shared_exactly
+
+from kinoedu import Disk, Point, PolygonWorld, Terrain
+from kinoedu.collision import coordinates, free_configurations, free_motions, is_free, is_free_path
+from kinoedu.errors import InvalidParameter, InvalidPoint, InvalidPolygon
+from kinoedu.geometry import convex_hull, convex_pairs_intersect, convex_polygons_intersect
+from kinoedu.geometry.convex_pairs import convex_turn
+from kinoedu.worlds.known_cells import FINE, FREE, MIXED, SOLID
+
+TRIANGLE, SQUARE = [(0, 0), (2, 0), (0, 2)], [(1, 1), (2, 1), (2, 2), (1, 2)]
+WORLD = PolygonWorld(BOX, [[(1, 1), (3, 1), (3, 3), (1, 3)], [(5, 5), (20, 5), (12, 20)], ((-8, -8), 3)])
+NONE = np.empty((0, 2))
+
+
+# ---- configurations and motions ----------------------------------------------------------------------------------------------
+
+
+@SLOW_LAW
+@given(exact_worlds(), st.lists(st.tuples(whole, whole), min_size=1, max_size=20))
+def test_batches_are_exact(world: ExactWorld, motions: Any) -> None:
+    """Points and motions with whole coordinates, against fractions: on edges, through corners, along walls, on the spot."""
+    a, b = map(np.array, zip(*motions, strict=True))
+    assert free_configurations(Point(), world.record, a).tolist() == [not world.is_solid(exact(p)) for p in a.tolist()]
+    assert free_motions(Point(), world.record, a, b).tolist() == [world.is_free(exact(p), exact(q)) for p, q in motions]
+
+
+@pytest.mark.parametrize("world", [WORLD, Terrain(np.arange(100).reshape(10, 10) % 7 > 0)], ids=["polygons", "terrain"])
+@pytest.mark.parametrize("robot", [Point(), Disk(0.7)], ids=["point", "disk"])
+@pytest.mark.parametrize("clearance", [0.0, 0.25])
+def test_a_batch_answers_as_the_single_questions_do(robot: Any, world: Any, clearance: float) -> None:
+    """For every kind of world, robot and clearance, outside the world too."""
+    rng = np.random.default_rng(1)
+    a, b = rng.uniform(world.lo - 2, world.hi + 2, (2, 300, 2))
+    ones = [bool(is_free(robot, world, q, clearance)) for q in a]
+    assert free_configurations(robot, world, a, clearance=clearance).tolist() == ones
+    assert free_motions(robot, world, a, a, clearance=clearance).tolist() == ones
+    pairs = [bool(is_free_path(robot, world, p, q, clearance)) for p, q in zip(a, b, strict=True)]
+    assert free_motions(robot, world, a, b, clearance=clearance).tolist() == pairs
+    assert len(set(ones)) == 2
+
+
+@pytest.mark.parametrize("size", [1e-300, 5e-324, 1e-120, 1.0, 1e120])
+@pytest.mark.parametrize("shift", [0.0, 1e12])
+def test_points_are_located_at_any_scale(size: float, shift: float) -> None:
+    """In the middle free, on the rim and beyond it not; whether or not cells are known."""
+    x, far = shift * size, 24 * size
+    world = PolygonWorld([(x - far, -far), (x + far, -far), (x + far, far), (x - far, far)])
+    qs = [(x, 0), (x + far, 0), (x, -far), (x + 2 * far, 0), (-x - 2 * far, 0)]
+    assert free_configurations(Point(), world, qs).tolist() == [True, False, False, False, False]
+
+
+def test_what_is_known_of_a_cell_is_true_of_its_points() -> None:
+    """Many points of each kind of cell; most cells are known."""
+    rng = np.random.default_rng(2)
+    cells, known = WORLD.cells, WORLD.known
+    assert known.shape == (FINE * cells.rows, FINE * cells.columns)
+    assert (known == MIXED).mean() < 0.5 and {FREE, SOLID} <= set(known.ravel().tolist())
+    for j, i in np.argwhere(known != MIXED).tolist():
+        qs = np.array([cells.x, cells.y]) + (np.array([i, j]) + rng.uniform(0, 1, (5, 2))) * cells.cell / FINE
+        assert (free_motions(Point(), WORLD, qs, qs[::-1]) == (known[j, i] == FREE)).all()
+
+
+def test_a_readers_own_robot_is_asked_by_the_interpreter() -> None:
+    """A kind that is no record registers its answers and its number of coordinates."""
+
+    class Bead:
+        """It slides on a wire."""
+
+    coordinates.register(Bead)(lambda robot: 1)
+    is_free_path.register(Bead, type(WORLD))(lambda robot, world, a, b, clearance: max(a[0], b[0]) + clearance < 1)
+    assert free_configurations(Bead(), WORLD, [[0.0], [2.0]], clearance=0.5).tolist() == [True, False]
+    assert free_motions(Bead(), WORLD, [[0.0], [0.0]], [[0.5], [2.0]]).tolist() == [True, False]
+
+
+def test_no_questions_have_no_answers() -> None:
+    """Empty arrays and lists."""
+    assert free_configurations(Point(), WORLD, []).shape == free_configurations(Point(), WORLD, NONE).shape == (0,)
+    assert free_motions(Point(), WORLD, [], NONE).shape == (0,)
+    assert convex_pairs_intersect(np.empty((0, 3, 2)), np.empty((0, 4, 2))).shape == (0,)
+
+
+@pytest.mark.parametrize("bad", [(1, 2), [(1, 2, 3)], [[1]], [[(1, 2)]], [(1, math.nan)], [(1, math.inf)], [(1, 2), (3,)], "ab"])
+def test_bad_configurations_are_refused_by_name(bad: Any) -> None:
+    """The message names the argument."""
+    good = [(0, 0)]
+    for name, ask in {
+        "qs": lambda: free_configurations(Point(), WORLD, bad),
+        "a": lambda: free_motions(Point(), WORLD, bad, good),
+        "b": lambda: free_motions(Point(), WORLD, good, bad),
+    }.items():
+        with pytest.raises(InvalidPoint, match=rf"^{name} "):
+            ask()
+
+
+def test_bad_robots_clearances_and_lengths_are_refused_by_name() -> None:
+    """And so are lists of different lengths."""
+    with pytest.raises(InvalidParameter, match=r"Point\(\)"):
+        free_configurations("robot", WORLD, NONE)
+    for clearance in (-1.0, math.nan, (1, 2)):
+        with pytest.raises((InvalidParameter, InvalidPoint), match="clearance"):
+            free_motions(Point(), WORLD, NONE, NONE, clearance=clearance)
+    with pytest.raises(InvalidPoint, match="equally many configurations, got 1 and 2"):
+        free_motions(Point(), WORLD, [(0, 0)], [(0, 0), (1, 1)])
+
+
+# ---- pairs of convex polygons ------------------------------------------------------------------------------------------------
+
+
+def meet_exactly(P: Any, Q: Any) -> bool:
+    """An edge of one meets an edge of the other, or one holds a corner of the other; in fractions."""
+    sides = [list(pairwise([*map(exact, ring), exact(ring[0])])) for ring in (P, Q)]
+    return (
+        any(shared_exactly(*e, *f) for e in sides[0] for f in sides[1])
+        or place_exactly(exact(P[0]), Q) >= 0
+        or place_exactly(exact(Q[0]), P) >= 0
+    )
+
+
+few = st.lists(st.tuples(st.integers(-4, 4), st.integers(-4, 4)), min_size=3, max_size=7)
+hulls = few.map(convex_hull).filter(lambda hull: len(hull) > 2).map(lambda hull: [tuple(map(int, p)) for p in hull])
+
+
+@SLOW_LAW
+@given(hulls, hulls, st.tuples(st.integers(-6, 6), st.integers(-6, 6)), st.integers(0, 9), st.booleans())
+def test_convex_pairs_are_exact(P: Any, Q: Any, shift: Any, first: int, reverse: bool) -> None:
+    """On a small lattice, where polygons touch, share edges, hold each other and coincide; any first vertex, either direction."""
+    Q = [(x + shift[0], y + shift[1]) for x, y in Q]
+    turned = np.roll(Q, first, axis=0)[:: -1 if reverse else 1]
+    truth = meet_exactly(P, Q)
+    assert convex_pairs_intersect([P, P], [turned, turned]).tolist() == [truth, truth]
+    assert convex_pairs_intersect([turned], [P]).tolist() == [truth]
+
+
+def test_pairs_answer_as_the_single_question_does() -> None:
+    """Near and far, one inside the other, touching at a corner by a hair's breadth or not."""
+    cases = [(SQUARE, True), (np.add(SQUARE, 9), False), (np.multiply(SQUARE, 0.1), True), (np.add(SQUARE, [0, 2**-52]), False)]
+    Q = [np.asarray(square, float) for square, _ in cases]
+    Q[3][0] = (1, 1 + 2**-52)
+    assert convex_pairs_intersect([TRIANGLE] * 4, Q).tolist() == [truth for _, truth in cases]
+    assert [convex_polygons_intersect(TRIANGLE, q) for q in Q] == [truth for _, truth in cases]
+
+
+@SLOW_LAW
+@given(st.lists(st.tuples(st.integers(0, 3), st.integers(0, 3)), min_size=3, max_size=7))
+def test_rings_are_refused_as_single_polygons_are(ring: Any) -> None:
+    """Repeated vertices, folds, straight angles, stars that go round twice: the same rings, in the same words."""
+    try:
+        convex_polygons_intersect(ring, ring)
+        refused = ""
+    except InvalidPolygon as error:
+        refused = str(error).replace("P1", "P[1]")
+    good = [(math.cos(k), math.sin(k)) for k in range(len(ring))] if len(ring) < 7 else [(k, k * k) for k in range(7)]
+    assert (convex_turn(np.array(ring, float)) == 0) == bool(refused)
+    if refused:
+        with pytest.raises(InvalidPolygon) as caught:
+            convex_pairs_intersect([good, ring], [good, ring])
+        assert str(caught.value) == refused
+    else:
+        assert convex_pairs_intersect([ring], [ring]).tolist() == [True]
+
+
+def test_a_pentagram_is_no_convex_polygon() -> None:
+    """It turns left at every corner, but goes round twice."""
+    star = [(math.cos(0.8 * math.pi * k), math.sin(0.8 * math.pi * k)) for k in range(5)]
+    with pytest.raises(InvalidPolygon, match=r"^Q\[1\] crosses"):
+        convex_pairs_intersect([TRIANGLE] * 2, [np.array(star)[[0, 2, 4, 1, 3]], star])
+
+
+def test_bad_pairs_are_refused_by_name() -> None:
+    """Shapes that are no polygons, numbers that are none, different counts."""
+    for bad in (TRIANGLE, [], [TRIANGLE[:2]], np.zeros((1, 3, 3))):
+        with pytest.raises(InvalidPolygon, match=r"^P must be polygons of shape \(m, n, 2\)"):
+            convex_pairs_intersect(bad, [SQUARE])
+    with pytest.raises(InvalidPoint, match=r"^Q must be finite"):
+        convex_pairs_intersect([TRIANGLE], [[(0, 0), (1, 0), (math.nan, 1)]])
+    with pytest.raises(InvalidPoint, match="regular array"):
+        convex_pairs_intersect([TRIANGLE, SQUARE], [SQUARE, SQUARE])
+    with pytest.raises(InvalidPolygon, match="equally many polygons, got 1 and 2"):
+        convex_pairs_intersect([TRIANGLE], [SQUARE, SQUARE])
