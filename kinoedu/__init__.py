@@ -9,13 +9,14 @@ A plan in four lines:
 True
 
 The rooms of the house: `geometry`, `graphs`, `spaces`, `curves`, `worlds`, `robots`, `collision`, `problems`, `decomposition`,
-`planners`, `scenes`; and `figures` and `boards`, which are imported when first used, because they bring matplotlib and ipywidgets.
+`c_space`, `planners`, `scenes`; and `figures` and `boards`, which are imported when first used, because they bring matplotlib and
+ipywidgets.
 """
 
 from importlib import import_module
 from typing import Any
 
-from . import collision, curves, decomposition, geometry, graphs, planners, problems, robots, scenes, spaces, worlds
+from . import c_space, collision, curves, decomposition, geometry, graphs, planners, problems, robots, scenes, spaces, worlds
 from .curves import dubins_path, reeds_shepp_path
 from .decomposition import decomposition_roadmap, sweep, trapezoidation, triangulation
 from .graphs import Graph, astar, bfs_path, bfs_tree, dfs_path, dijkstra
@@ -56,6 +57,7 @@ __all__ = [
     "bug2",
     "bug2_prelim",
     "bug_base",
+    "c_space",
     "collision",
     "course",
     "curves",

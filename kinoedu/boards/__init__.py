@@ -6,6 +6,7 @@ from .canvas import Canvas
 from .drawing import Drawing, Layer
 from .geometry import distance_board
 from .search import SearchBoard, search_board
+from .solid import SolidBoard, solid_board, turning_board
 from .sweep import SweepBoard, sweep_board
 
 __all__ = [
@@ -15,10 +16,13 @@ __all__ = [
     "Drawing",
     "Layer",
     "SearchBoard",
+    "SolidBoard",
     "SweepBoard",
     "board",
     "bug_board",
     "distance_board",
     "search_board",
+    "solid_board",
     "sweep_board",
+    "turning_board",
 ]

@@ -1,16 +1,21 @@
 """Figures: the only place that draws with matplotlib."""
 
+from .c_space import draw_c_obstacle, draw_grown, draw_turning_obstacle
 from .decomposition import draw_decomposition, draw_sweep
 from .drawing import draw_path, draw_plan, draw_problem, draw_roadmap, draw_robot, draw_tree, draw_world
 from .graphs import draw_graph
 from .saving import save_plan
 from .searches import draw_search
+from .solid import draw_mesh, torus_mesh
 from .walks import draw_distance_to_goal, draw_walk
 
 __all__ = [
+    "draw_c_obstacle",
     "draw_decomposition",
     "draw_distance_to_goal",
     "draw_graph",
+    "draw_grown",
+    "draw_mesh",
     "draw_path",
     "draw_plan",
     "draw_problem",
@@ -19,7 +24,9 @@ __all__ = [
     "draw_search",
     "draw_sweep",
     "draw_tree",
+    "draw_turning_obstacle",
     "draw_walk",
     "draw_world",
     "save_plan",
+    "torus_mesh",
 ]

@@ -3,6 +3,7 @@
 from .convex import convex_hull, convex_polygons_intersect, point_in_convex_polygon
 from .convex_pairs import convex_pairs_intersect
 from .lines import line_through_points, orientation, point_line_distance
+from .minkowski import erosion, minkowski_difference, minkowski_sum
 from .polygons import point_in_polygon, point_polygon_distance, polygon_tangent
 from .segments import closest_point_on_segment, point_segment_distance, segment_intersection, segments_intersect
 
@@ -11,7 +12,10 @@ __all__ = [
     "convex_hull",
     "convex_pairs_intersect",
     "convex_polygons_intersect",
+    "erosion",
     "line_through_points",
+    "minkowski_difference",
+    "minkowski_sum",
     "orientation",
     "point_in_convex_polygon",
     "point_in_polygon",

@@ -210,3 +210,15 @@ def facing(ax: float, ay: float, bx: float, by: float, cx: float, cy: float) -> 
         return 1 if dot > 0.0 else -1
     m, _ = exact_dot(ax, ay, bx, by, cx, cy)
     return int(m > 0.0) - int(m < 0.0)
+
+
+@compiled
+def bend(ax: float, ay: float, bx: float, by: float, cx: float, cy: float, dx: float, dy: float) -> int:
+    """The sign of (b - a) x (d - c): 1 where the direction of c-d is left of that of a-b, -1 right, 0 parallel. Never wrong."""
+    left, right = (bx - ax) * (dy - cy), (by - ay) * (dx - cx)
+    det = left - right
+    if abs(det) > ROUNDING * (abs(left) + abs(right)) and abs(det) > SAFE:
+        return 1 if det > 0.0 else -1
+    x = np.array([bx, -bx, -ax, ax, -by, by, ay, -ay])
+    m, _ = sum_of_products(x, np.array([dy, cy, dy, cy, dx, cx, dx, cx]))
+    return int(m > 0.0) - int(m < 0.0)

@@ -15,6 +15,7 @@ The record table (every record is a NamedTuple; compiled code reads its fields):
 | `GrowingTree` | nodes, parent, size, and the buckets of its nearest neighbours (spaces/buckets.py) |
 | `GraphRecord` | size, edges, weights, first, to, weight (graphs/flat.py) |
 | `Sweep` | the state of a sweep line, flat (decomposition/sweep.py) |
+| `Rounded`, `Slide` | a grown convex shape; a robot's way round an obstacle (c_space/rounded.py, c_space/sliding.py) |
 | `ProblemRecord` | robot, world, space, start, goal, clearance, asked (problems.py) |
 | `Lattice`, `CellGrid` | a grid's place and size, over a problem or over cells (planners/grid.py) |
 

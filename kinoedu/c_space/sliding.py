@@ -1,0 +1,70 @@
+"""A robot that slides once round an obstacle: its reference point traces the boundary of the C-obstacle. LaValle, section 4.3.2."""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..errors import InvalidParameter
+from ..geometry.checks import Array, as_array
+from ..geometry.minkowski import as_convex_corners, corner_pairs
+
+
+class Slide(NamedTuple):
+    """The way of a convex robot round a convex obstacle, counter-clockwise, in stretches that are straight.
+
+    corners : (k, 2), where the reference point is when stretch i begins; it ends where the next one begins.
+    kind : (k,), what touches what, in LaValle's words: "EV", an edge of the robot slides along a vertex of the obstacle (Latombe's
+        type A); "VE", a vertex of the robot slides along an edge of the obstacle (type B); "EE", an edge along an edge.
+    robot_part, obstacle_part : (k,), the number of that vertex or edge; edge i leaves vertex i.
+    robot, obstacle : the corners that these numbers count, counter-clockwise; the robot's reference point is at the origin.
+    """
+
+    corners: Array
+    kind: NDArray[np.str_]
+    robot_part: NDArray[np.int64]
+    obstacle_part: NDArray[np.int64]
+    robot: Array
+    obstacle: Array
+
+    @property
+    def lengths(self) -> Array:
+        """The length of each stretch, (k,)."""
+        along = np.roll(self.corners, -1, axis=0) - self.corners
+        return np.sqrt((along * along).sum(axis=1))
+
+    def at(self, share: float) -> tuple[Array, int]:
+        """Where the reference point is after a share of the whole way, 0 to 1, and in which stretch. Raises InvalidParameter."""
+        gone = as_array(share, "share")
+        if gone.ndim or not 0.0 <= gone <= 1.0:
+            raise InvalidParameter(f"share must be one number from 0 to 1, got {share!r}")
+        ends = np.cumsum(self.lengths)
+        i = min(int(np.searchsorted(ends, gone * ends[-1], side="right")), len(ends) - 1)
+        rest = (ends[i] - gone * ends[-1]) / (self.lengths[i] or 1.0)
+        here, there = self.corners[i], self.corners[(i + 1) % len(self.corners)]
+        return there + rest * (here - there), i
+
+
+def slide(robot_vertices: ArrayLike, obstacle: ArrayLike) -> Slide:
+    """How a convex robot, moved without turning, slides once round a convex obstacle, always in contact.
+
+    Parameters
+    ----------
+    robot_vertices : (n, 2), a convex polygon, its reference point at the origin. obstacle : (m, 2), a convex polygon.
+
+    The reference point goes round their `minkowski_difference`, and each of its stretches is an edge of the obstacle or of the
+    robot. Each may be a segment or a point, but not both be a point. O(n + m), after a check that both are simple.
+    Raises InvalidPolygon, InvalidPoint.
+
+    >>> way = slide([(0, 0), (1, 0), (0, 1)], [(2, 2), (4, 2), (4, 3), (2, 3)])
+    >>> way.kind.tolist()
+    ['EV', 'VE', 'EE', 'EE', 'VE']
+    """
+    solid = as_convex_corners(obstacle, "obstacle")
+    mirrored = as_convex_corners(-as_convex_corners(robot_vertices, "robot"), "robot")  # begins at its own leftmost
+    i, j = corner_pairs(solid, mirrored).T
+    if len(i) < 2:
+        raise InvalidParameter("a point does not slide round a point; give the robot or the obstacle a second vertex")
+    along_obstacle, along_robot = np.roll(i, -1) != i, np.roll(j, -1) != j
+    kind = np.where(along_obstacle, np.where(along_robot, "EE", "VE"), "EV")
+    return Slide(solid[i] + mirrored[j], kind, j.copy(), i.copy(), -mirrored, solid)

@@ -1,0 +1,163 @@
+"""A polygon that turns as well: its C-obstacle is a solid in (x, y, theta), a screw-like pile of slices. LaValle, section 4.3.3.
+
+At each theta the slice is the Minkowski difference of the obstacle and the turned robot. Its corners are differences of one corner
+each, i of the obstacle and j of the robot, and which pairs i, j they are changes only at the *critical* angles, where an edge of
+the robot runs against one of the obstacle: there one corner slides into an edge and another out of it. Between two critical angles
+every corner moves along a smooth curve, and a face is swept by an edge on a vertex ("EV") or a vertex on an edge ("VE").
+"""
+
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ..errors import InvalidParameter
+from ..geometry.checks import Array
+from ..geometry.convex import convex_hull, convex_parts
+from ..geometry.minkowski import corner_pairs, leftmost
+from ..geometry.rings import as_convex_ring, as_ring
+from .translating import turned_corners
+
+if TYPE_CHECKING:
+    from trimesh import Trimesh
+
+SAME = 1e-9  # radians: critical angles closer than this are one
+Pairs = list[tuple[int, int]]
+Numbers = dict[tuple[int, int], int]
+
+
+class Slice(NamedTuple):
+    """The solid at one angle: which pairs of corners i, j make its own, counter-clockwise."""
+
+    theta: float
+    pairs: Pairs
+
+
+def turning_obstacle(robot_vertices: ArrayLike, obstacle: ArrayLike, *, n_angles: int = 72) -> "Trimesh":
+    """The C-obstacle of a polygon that moves and turns, as a closed triangle mesh in (x, y, theta), theta from -pi to pi.
+
+    Parameters
+    ----------
+    robot_vertices : (n, 2), a simple polygon, convex or not; it turns about its reference point, the origin.
+    obstacle : (m, 2), a simple polygon, convex or not.
+    n_angles : slices no farther apart than 2 pi / n_angles, besides those at the critical angles and between them.
+
+    Slices are exact to rounding. Between them, with d = 2 pi / n_angles, the mesh lies within R d^2 / 8 + L d / 16 of the solid:
+    R is the distance of the robot's farthest vertex from its reference point, L the length of its longest edge. The solid is
+    periodic: its flat ends at -pi and pi are the same place. Where a shape is not convex, the mesh has one closed body for each
+    pair of convex parts; they overlap, and together are the C-obstacle.
+    `mesh.export("solid.stl")` or `.glb` writes it to a file. Raises InvalidPolygon, InvalidPoint, InvalidParameter.
+
+    >>> robot, obstacle = [(0, 0), (2, 0), (0, 1)], [(2, 2), (4, 2), (4, 3), (2, 3)]
+    >>> mesh = turning_obstacle(robot, obstacle)
+    >>> mesh.is_watertight, round(float(mesh.volume) / turning_volume(robot, obstacle), 3)
+    (True, 1.0)
+    """
+    from trimesh import Trimesh
+
+    if isinstance(n_angles, bool) or not isinstance(n_angles, int | np.integer) or n_angles < 3:
+        raise InvalidParameter(f"n_angles must be a whole number, at least 3, got {n_angles!r}")
+    robots = [convex_hull(part) for part in convex_parts(as_ring(robot_vertices, "robot"))]
+    obstacles = [convex_hull(part) for part in convex_parts(as_ring(obstacle, "obstacle"))]
+    vertices: list[Array] = []
+    faces: list[Array] = []
+    for robot in robots:
+        for solid in obstacles:
+            points, triangles = solid_of(robot, solid, 2.0 * np.pi / n_angles)
+            faces.append(triangles + sum(map(len, vertices)))
+            vertices.append(points)
+    return Trimesh(np.concatenate(vertices), np.concatenate(faces), process=False)
+
+
+def turning_volume(robot_vertices: ArrayLike, obstacle: ArrayLike) -> float:
+    """The volume, in area times radians, of the C-obstacle of two convex polygons: 2 pi (A + B) + a b, with their areas A and B
+    and perimeters a and b. Source: Santaló, Integral Geometry and Geometric Probability, chapter 6. Raises InvalidPolygon.
+
+    >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
+    >>> turning_volume(square, square) == 4 * np.pi + 16
+    True
+    """
+    (A, a), (B, b) = size_of(as_convex_ring(robot_vertices, "robot")), size_of(as_convex_ring(obstacle, "obstacle"))
+    return 2.0 * np.pi * (A + B) + a * b
+
+
+def size_of(ring: Array) -> tuple[float, float]:
+    """A polygon's area and perimeter."""
+    near, along = ring - ring[0], np.roll(ring, -1, axis=0) - ring
+    area = float((near[:, 0] * along[:, 1] - near[:, 1] * along[:, 0]).sum()) / 2.0
+    return area, float(np.sqrt((along * along).sum(axis=1)).sum())
+
+
+def solid_of(robot: Array, obstacle: Array, step: float) -> tuple[Array, Any]:
+    """The solid of two strictly convex polygons: vertices (n, 3), triangles (m, 3) whose outside is where they turn left."""
+    slices = slices_of(robot, obstacle, step)
+    first = np.cumsum([0, *(len(slice_.pairs) for slice_ in slices)])
+    levels = [obstacle[i] - turned_corners(robot, theta)[j] for theta, pairs in slices for i, j in [np.array(pairs).T]]
+    heights = np.repeat([slice_.theta for slice_ in slices], np.diff(first))
+    points = np.column_stack([np.concatenate(levels), heights])
+    numbers = [dict(zip(pairs, range(begin, begin + len(pairs)))) for (_, pairs), begin in zip(slices, first.tolist())]
+    bottom, top = list(numbers[0].values()), list(numbers[-1].values())
+    faces = [(bottom[0], b, a) for a, b in pairwise(bottom[1:])] + [(top[0], a, b) for a, b in pairwise(top[1:])]
+    twisted: list[tuple[int, ...]] = []
+    for low, high in pairwise(numbers):
+        stitch(low, high, faces, twisted)
+    quads = np.array(twisted)
+    middles = len(points) + np.arange(len(quads))
+    fans = [np.column_stack([quads[:, k], quads[:, (k + 1) % 4], middles]) for k in range(4)]
+    return np.concatenate([points, points[quads].mean(axis=1)]), np.concatenate([np.array(faces), *fans])
+
+
+def slices_of(robot: Array, obstacle: Array, step: float) -> list[Slice]:
+    """Slices from -pi to pi: at the ends, at every critical angle, and between two such at least one, no more than a step apart.
+
+    At a critical angle the corner that goes and the one that comes both lie inside an edge: the slice has what is left, the pairs
+    that the slices on either side share. So every neighbouring two have pairs of one another, and nothing between them folds.
+    """
+    stops = critical_angles(robot, obstacle)
+    pieces = [pairs_at(robot, obstacle, (a + b) / 2.0) for a, b in pairwise(stops)]
+    slices: list[Slice] = []
+    for k, (a, b) in enumerate(pairwise(stops)):
+        shared = set(pieces[k - 1])  # before -pi comes what is before pi
+        slices.append(Slice(a, [pair for pair in pieces[k] if pair in shared]))
+        count = max(int(np.ceil((b - a) / step)), 2)
+        slices += [Slice(a + (b - a) * i / count, pieces[k]) for i in range(1, count)]
+    return [*slices, Slice(np.pi, slices[0].pairs)]
+
+
+def critical_angles(robot: Array, obstacle: Array) -> list[float]:
+    """The angles from -pi to pi, both included, at which an edge of the robot runs against an edge of the obstacle."""
+    ours, theirs = (np.arctan2(*(np.roll(ring, -1, axis=0) - ring).T[::-1]) for ring in (robot, obstacle))
+    angles = np.sort(np.mod(theirs[:, None] - ours[None, :], 2.0 * np.pi).ravel() - np.pi)
+    inner = angles[(angles > -np.pi + SAME) & (angles < np.pi - SAME)]
+    return [-np.pi, *inner[np.diff(inner, prepend=-np.inf) > SAME].tolist(), np.pi]
+
+
+def pairs_at(robot: Array, obstacle: Array, theta: float) -> Pairs:
+    """The pairs of corners i, j that make the corners of the slice at an angle that is not critical."""
+    mirrored = -turned_corners(robot, theta)
+    left = [leftmost(obstacle), leftmost(mirrored)]
+    pairs = corner_pairs(np.roll(obstacle, -left[0], axis=0), np.roll(mirrored, -left[1], axis=0))
+    return [(i, j) for i, j in ((pairs + left) % [len(obstacle), len(robot)]).tolist()]
+
+
+def stitch(low: Numbers, high: Numbers, faces: list[tuple[int, int, int]], twisted: list[tuple[int, ...]]) -> None:
+    """Add the faces between two slices, given as the vertex number of each pair in order; one has all the pairs of the other.
+
+    What is swept by an edge of the obstacle is flat, two triangles. An edge of the robot turns as it goes: its four corners are not
+    in one plane, and are kept for a fan round their middle, which lies on the solid as neither diagonal does.
+    """
+    ring = list(low if len(low) >= len(high) else high)
+    begin = next(k for k, pair in enumerate(ring) if pair in low and pair in high)
+    ring = ring[begin:] + ring[: begin + 1]
+    below, above = low[ring[0]], high[ring[0]]
+    for before, pair in pairwise(ring):
+        right, over = low.get(pair, below), high.get(pair, above)
+        if right != below and over != above and before[1] != pair[1]:
+            twisted.append((below, right, over, above))
+        else:
+            if right != below:
+                faces.append((below, right, above))
+            if over != above:
+                faces.append((right, over, above))
+        below, above = right, over

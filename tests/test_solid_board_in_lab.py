@@ -1,0 +1,73 @@
+"""The board of solids in a real JupyterLab: turned by hand and by keys, the plane moved, the robot dragged, nothing fetched."""
+
+import pytest
+from lab_driver import RUN_ALL, lab, needs_chromium, notebook_page, written_notebook
+
+BOARD = """
+import kinoedu as ke
+board = ke.boards.turning_board([(-1, -0.5), (2, -0.5), (2, 0.5), (-1, 0.5)], [(3, 3), (6, 3), (6, 5), (3, 5)], place=(1.5, 4))
+board
+"""
+
+
+@pytest.fixture(scope="module")
+def page(tmp_path_factory):
+    """One JupyterLab with one board."""
+    needs_chromium()
+    course, home = tmp_path_factory.mktemp("course"), tmp_path_factory.mktemp("home")
+    (course / "solid.ipynb").write_text(written_notebook(BOARD))
+    with lab(course, home) as (address, token), notebook_page(address, token, "solid.ipynb") as page:
+        book = page.evaluate(RUN_ALL)
+        assert [o.get("evalue") for cell in book["cells"] for o in cell["outputs"] if o["output_type"] == "error"] == []
+        page.wait_for_selector(".kinoedu-solid[data-paints]")
+        yield page
+        assert page.outside == [] and page.errors == []
+
+
+def told(page):
+    return page.locator(".kinoedu-solid-told").inner_text()
+
+
+def data(page, name):
+    return page.locator(".kinoedu-solid").get_attribute(f"data-{name}")
+
+
+def drag(page, canvas, dx, dy):
+    """Drag from the middle of a canvas, and wait for the paint after."""
+    box = page.locator(canvas).bounding_box()
+    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x + dx, y + dy, steps=5)
+    page.mouse.up()
+    page.evaluate("() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
+
+
+def test_a_solid_is_turned_and_brought_nearer(page):
+    """By dragging and by keys; what is told does not change, the picture does."""
+    solid, words, azimuth = page.locator(".kinoedu-solid-mesh"), told(page), data(page, "azimuth")
+    before = solid.screenshot()
+    drag(page, ".kinoedu-solid-mesh", 80, 30)
+    assert data(page, "azimuth") != azimuth and solid.screenshot() != before and told(page) == words
+    solid.focus()
+    for key in ("ArrowLeft", "ArrowUp", "+"):
+        paints = int(data(page, "paints"))
+        page.keyboard.press(key)
+        page.wait_for_function("n => document.querySelector('.kinoedu-solid').dataset.paints > n", arg=paints)
+    assert float(data(page, "zoom")) > 1 and "cut at θ = 0 degrees" in solid.get_attribute("aria-label")
+
+
+def test_the_plane_and_the_robot_are_answered(page):
+    """The slider moves the cut on both sides; the robot is dragged into the obstacle, and moved by keys."""
+    assert "touches" in told(page)
+    slice_ = page.locator(".kinoedu-solid-slice")
+    before = slice_.screenshot()
+    page.locator(".kinoedu-solid-slider").evaluate("s => { s.value = Math.PI / 2; s.dispatchEvent(new Event('input')); }")
+    page.wait_for_function("() => document.querySelector('.kinoedu-solid-told').textContent.includes('90°: the robot is free')")
+    assert slice_.screenshot() != before
+    drag(page, ".kinoedu-solid-slice", 90, 0)
+    page.wait_for_function("() => document.querySelector('.kinoedu-solid-told').textContent.includes('touches')")
+    words = told(page)
+    slice_.focus()
+    page.keyboard.press("ArrowDown")
+    page.wait_for_function("w => document.querySelector('.kinoedu-solid-told').textContent !== w", arg=words)
