@@ -26,6 +26,29 @@ TOWN = f"""
 import kinoedu as ke
 ke.board(ke.read_problem({str(HOUSE / "notebooks" / "maps" / "Paris_1_256.map")!r}, query=324))
 """
+BUG = """
+from kinoedu.boards import bug_board, search_board, sweep_board
+bug_board((0, 0), (5, 3), [[(1, 2), (1, 0), (3, 0)], [(2, 3), (4, 1), (5, 2)]], bug="bug1")
+"""
+SWEEP = "sweep_board(ke.PolygonWorld([(0, 0), (12, 0), (12, 9), (0, 9)], obstacles[:4]))"
+SEARCH = """
+import numpy as np
+from kinoedu.graphs import Graph
+nodes = np.random.default_rng(1).random((30, 2))
+near = {tuple(sorted((i, int(j)))) for i in range(30) for j in np.argsort(((nodes - nodes[i]) ** 2).sum(axis=1))[1:4]}
+search_board(Graph(nodes=nodes, edges=sorted(near)), search="astar")
+"""
+DRAGGED = (  # what, the thing, the number of the board (the plot of the bugs' is one too)
+    ("goal", "handle-1", 0),
+    ("polygon", "polygon-2", 0),
+    ("goal in the town", "handle-1", 1),
+    ("goal of a bug", "handle-1", 2),
+    ("obstacle of a bug", "polygon-0", 2),
+    ("sweep line", "handle-0", 4),
+    ("obstacle under the sweep", "polygon-2", 4),
+    ("goal of a search", "handle-1", 5),
+    ("node of a search", "handle-9", 5),
+)
 LISTEN = """board => { window.events = []; if (board.heard) return; board.heard = true;
     for (const what of ['asked', 'answered', 'painted'])
         board.addEventListener('kinoedu-' + what, e => events.push([what, e.detail, performance.now()])); }"""
@@ -78,7 +101,7 @@ def seen(events: list[Any], spent: float) -> dict[str, float]:
 
 
 def main() -> None:
-    """Drag on both boards and print a table."""
+    """Drag on every board and print a table."""
     options = argparse.ArgumentParser(description=__doc__)
     options.add_argument("--seconds", type=float, default=4.0, help="how long each thing is dragged")
     options.add_argument("--repeats", type=int, default=3)
@@ -88,11 +111,11 @@ def main() -> None:
     print("| what is dragged | moves/s | plans/s | paints/s | delay ms, median | 95 % | out of order | |")
     print("|---|---:|---:|---:|---:|---:|---:|---|")
     with tempfile.TemporaryDirectory() as home, tempfile.TemporaryDirectory() as course:
-        (Path(course) / "board.ipynb").write_text(written_notebook(SCENE, TOWN))
+        (Path(course) / "board.ipynb").write_text(written_notebook(SCENE, TOWN, BUG, SWEEP, SEARCH))
         with lab(Path(course), Path(home)) as (address, token), notebook_page(address, token, "board.ipynb") as page:
             page.evaluate(RUN_ALL)
             page.wait_for_selector(".kinoedu-board[data-answers]")
-            for what, name, number in (("goal", "handle-1", 0), ("polygon", "polygon-2", 0), ("goal in the town", "handle-1", 1)):
+            for what, name, number in DRAGGED:
                 rounds = [drag(page, name, number, given.seconds) for _ in range(given.repeats)]
                 mean = {key: float(np.median([r[key] for r in rounds])) for key in rounds[0]}
                 verdict = "holds" if all(mean[key] >= least for key, least in GOALS.items()) and not mean["backward"] else "MISSED"

@@ -107,3 +107,9 @@ def notebook_page(address: str, token: str, notebook: str):
             yield page
         finally:
             browser.close()
+
+
+def keep(page, name: str) -> None:
+    """A screenshot for the folder KINOEDU_SCREENSHOTS, where there is one."""
+    if folder := os.environ.get("KINOEDU_SCREENSHOTS"):
+        page.screenshot(path=os.path.join(folder, f"{name}.png"))

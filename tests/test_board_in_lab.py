@@ -1,10 +1,9 @@
 """Boards in a real JupyterLab: what is dragged moves, what is asked is answered, and nothing needs a mouse."""
 
 import json
-import os
 
 import pytest
-from lab_driver import RUN_ALL, lab, needs_chromium, notebook_page, written_notebook
+from lab_driver import RUN_ALL, keep, lab, needs_chromium, notebook_page, written_notebook
 
 YARD = """
 import kinoedu as ke
@@ -217,9 +216,3 @@ def test_the_distance_board_follows_q(page):
     assert seen.told().startswith("distance") and seen.told() != "distance 2.236; nearest: vertex 2"
     assert not seen.board.locator(".kinoedu-slider").is_visible()
     keep(page, "distance")
-
-
-def keep(page, name):
-    """A screenshot for the folder KINOEDU_SCREENSHOTS, where there is one."""
-    if folder := os.environ.get("KINOEDU_SCREENSHOTS"):
-        page.screenshot(path=os.path.join(folder, f"{name}.png"))

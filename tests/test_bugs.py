@@ -593,6 +593,24 @@ def test_the_distance_to_the_goal_is_plotted():
         ke.figures.draw_distance_to_goal(ke.Plan(None, math.inf))
 
 
+def test_a_flowcharts_words_fit_into_its_steps():
+    """In a figure of its own and in given axes; every step's words lie within its shape, and no two words over one another."""
+    from matplotlib import pyplot as plt
+
+    _, ax = plt.subplots()
+    assert {artist.axes for artist in ke.figures.draw_bug_base_flowchart(ax)} == {ax}
+    plt.close()
+    ke.figures.draw_bug_base_flowchart()
+    ax = plt.gca()
+    plt.gcf().canvas.draw()
+    boxes = [text.get_window_extent() for text in ax.texts if text.get_text()]
+    shapes = [patch.get_window_extent() for patch in ax.patches]
+    for shape in shapes:
+        assert any(shape.x0 < box.x0 and box.x1 < shape.x1 and shape.y0 < box.y0 and box.y1 < shape.y1 for box in boxes)
+    assert not any(a.overlaps(b) for i, a in enumerate(boxes) for b in boxes[:i])
+    plt.close()
+
+
 def test_a_failed_walk_is_saved_as_a_picture(tmp_path):
     """A walk in a circle, and a walk in a world without obstacles, make files."""
     for plan in (ke.bug0((-2, 0), (6, 0), [SPIRAL], 0.5), ke.bug0((0, 0), (0, 0), [], 0.5)):

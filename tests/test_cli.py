@@ -51,6 +51,26 @@ def test_astar_length_is_the_scenarios(capsys):
     assert "length 13.828427" in capsys.readouterr().out
 
 
+def test_a_polygon_scene_is_planned_by_decomposition(tmp_path, capsys):
+    """A path, or the proof that there is none; a scene that is no point among polygons is refused with what is needed."""
+    world = ke.PolygonWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [[(3, 0), (6, 0), (6, 4), (3, 4)]])
+    problem = ke.Problem(ke.Point(), world, (1, 1), (8, 1))
+    ke.write_scene(problem, tmp_path / "wall.json")
+    scene = ["plan", str(tmp_path / "wall.json"), "--planner", "decomposition"]
+    assert main([*scene, "--out", str(tmp_path / "plan.png")]) == 0
+    assert f"length {ke.plan_by_decomposition(problem).cost:.8g}" in capsys.readouterr().out
+    assert (tmp_path / "plan.png").stat().st_size > 1000
+    shut = ke.PolygonWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [[(3, 0), (6, 0), (6, 6), (3, 6)]])
+    ke.write_scene(ke.Problem(ke.Point(), shut, (1, 1), (8, 1)), tmp_path / "shut.json")
+    assert main(["plan", str(tmp_path / "shut.json"), "--planner", "decomposition"]) == 1
+    assert "there is no path" in capsys.readouterr().out
+    ke.write_scene(ke.Problem(ke.Disk(0.2), world, (1, 1), (8, 1)), tmp_path / "disk.json")
+    disk = ["plan", str(tmp_path / "disk.json"), "--planner", "decomposition"]
+    for wrong in ([*scene, "--step", "1"], disk, ["plan", MAZE, "--planner", "decomposition"]):
+        assert main(wrong) == 2
+        assert "decomposition" in capsys.readouterr().err
+
+
 def test_no_path_is_status_1_with_its_reason(tmp_path, capsys):
     """A closed room is an answer, and its picture is drawn."""
     ring = [(3, 3), (6, 3), (6, 6), (3, 6)]

@@ -1,75 +1,105 @@
 """The course in a real JupyterLab: every notebook runs there, and what can be played with moves."""
 
-import os
+import json
+import re
 import shutil
 import sys
 from pathlib import Path
 
 import pytest
-from lab_driver import RUN_ALL, lab, needs_chromium, notebook_page
+from lab_driver import RUN_ALL, keep, lab, needs_chromium, notebook_page
 
 from kinoedu.lab import TOUR, has_display, lab_command
 
 HOUSE = Path(__file__).resolve().parent.parent
+LESSONS = sorted(path.name for path in (HOUSE / "notebooks").glob("*.ipynb"))
 TOLD = "document.querySelectorAll('.kinoedu-told')"
+SCROLL = "number => jupyterapp.shell.currentWidget.content.scrollToItem(number, 'center')"  # JupyterLab renders what is in view
+SHOW = """number => jupyterapp.shell.currentWidget.content.widgets[number].node
+    .querySelector('.kinoedu-board').scrollIntoView({block: 'center'})"""
+SHUT_DOWN = "() => jupyterapp.shell.currentWidget.sessionContext.shutdown()"
+PAINTED = """number => {
+    const cell = jupyterapp.shell.currentWidget.content.widgets[number].node;
+    const boards = [...cell.querySelectorAll('.kinoedu-board')].map(board => board.dataset);
+    return boards.length && boards.every(({answers, paints}) => answers > 0 && paints > 0); }"""
+COLOURS = """number => {
+    const cell = jupyterapp.shell.currentWidget.content.widgets[number].node;
+    return [...cell.querySelectorAll('.kinoedu-canvas')].map(canvas => {
+        const pixels = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
+        return new Set(new Uint32Array(pixels.buffer)).size; }); }"""
 
 
-@pytest.fixture
-def course(tmp_path):
-    """A copy of the notebooks, since running them in JupyterLab saves them."""
+@pytest.fixture(scope="module")
+def server(tmp_path_factory):
+    """One JupyterLab for all, on a copy of the notebooks, since running them in JupyterLab saves them."""
     needs_chromium()
-    shutil.copytree(HOUSE / "notebooks", tmp_path / "course" / "notebooks")
-    return tmp_path / "course"
+    course = tmp_path_factory.mktemp("course")
+    shutil.copytree(HOUSE / "notebooks", course / "notebooks")
+    with lab(course, tmp_path_factory.mktemp("home")) as running:
+        yield running
 
 
-def test_the_tour_runs_and_its_boards_move(course, tmp_path):
-    """All cells run without error and without a request to the outside; the first board is dragged, scrubbed, and replanned."""
-    with lab(course, tmp_path) as (address, token), notebook_page(address, token, TOUR) as page:
+def boards_of(lesson):
+    """The numbers of a stored notebook's cells that show boards: each says what it is in text, too."""
+    cells = json.loads((HOUSE / "notebooks" / lesson).read_text(encoding="utf-8"))["cells"]
+    data = [[out.get("data", {}) for out in cell.get("outputs", [])] for cell in cells]
+    texts = ["".join("".join(one.get("text/plain", "")) for one in outputs) for outputs in data]
+    return [number for number, text in enumerate(texts) if re.match(r"\w*(Board|Canvas)\(", text)]
+
+
+@pytest.mark.parametrize("lesson", LESSONS)
+def test_a_lesson_runs_and_its_boards_are_painted(server, lesson):
+    """All cells run without error, without a request to the outside and without a complaint; every board shows its answer."""
+    with notebook_page(*server, f"notebooks/{lesson}") as page:
         book = page.evaluate(RUN_ALL)
         code = [cell for cell in book["cells"] if cell["cell_type"] == "code"]
         assert all(cell["execution_count"] for cell in code)
         assert [o["evalue"] for cell in code for o in cell["outputs"] if o["output_type"] == "error"] == []
-        board = page.locator(".kinoedu-board").first
-        board.scroll_into_view_if_needed()  # JupyterLab renders what is in view
-        page.wait_for_function(f"() => {TOLD}[0].innerText === 'RRT: a path of length 270.4, 78 nodes'")
-        board.locator("[data-thing=handle-1]").scroll_into_view_if_needed()
-        goal, whole = board.locator("[data-thing=handle-1]").bounding_box(), board.locator("canvas").screenshot()
-        x, y = goal["x"] + goal["width"] / 2, goal["y"] + goal["height"] / 2
-        page.mouse.move(x, y)
-        page.mouse.down()
-        page.mouse.move(x + 34, y, steps=8)  # into a building
-        page.wait_for_function(f"() => {TOLD}[0].innerText.includes('is not free')")
-        page.mouse.move(x, y - 25, steps=8)
-        page.mouse.up()
-        page.wait_for_function(f"() => {TOLD}[0].innerText.includes('a path of length')")
-        assert board.locator("canvas").screenshot() != whole
-        board.locator(".kinoedu-slider").press("Home")
-        page.wait_for_function(f"() => {TOLD}[0].innerText.startsWith('0 of ')")
-        page.locator("select").filter(has_text="A* on a grid").first.select_option(label="A* on a grid")
-        page.wait_for_function(f"() => {TOLD}[0].innerText.startsWith('A*: a path')")
-        board.scroll_into_view_if_needed()
-        page.screenshot(path=os.environ.get("KINOEDU_SCREENSHOT", str(tmp_path / "tour.png")))
+        for number in boards_of(lesson):
+            page.evaluate(SCROLL, number)
+            page.wait_for_function(PAINTED, arg=number)
+            page.evaluate(SHOW, number)
+            keep(page, f"{lesson.removesuffix('.ipynb')}-{number}")
+            assert min(page.evaluate(COLOURS, number)) > 3  # a world, what was answered, and their words
+        if lesson in PLAYED:
+            page.evaluate(SCROLL, boards_of(lesson)[0])
+            PLAYED[lesson](page)
         assert page.outside == [] and page.errors == []
+        page.evaluate(SHUT_DOWN)
 
 
-def test_lesson_1_runs_and_its_board_is_dragged(course, tmp_path):
-    """The whole lesson, and what its prediction asks for: q through the notch, by pointer and by keys."""
-    with lab(course, tmp_path) as (address, token), notebook_page(address, token, "notebooks/01_geometry.ipynb") as page:
-        book = page.evaluate(RUN_ALL)
-        code = [cell for cell in book["cells"] if cell["cell_type"] == "code"]
-        assert all(cell["execution_count"] for cell in code)
-        assert [o["evalue"] for cell in code for o in cell["outputs"] if o["output_type"] == "error"] == []
-        page.evaluate("() => document.querySelector('.kinoedu-board')?.scrollIntoView({block: 'center'})")
-        board = page.locator(".kinoedu-board").first
-        board.scroll_into_view_if_needed()
-        page.wait_for_function(f"() => {TOLD}[0].innerText.includes('distance 0.8')")
-        q = board.locator("[data-thing=handle-0]")
-        q.focus()
-        for _ in range(3):
-            q.press("ArrowLeft")
-        page.wait_for_function(f"() => {TOLD}[0].innerText.includes('distance') && !{TOLD}[0].innerText.includes('distance 0.8,')")
-        page.screenshot(path=os.environ.get("KINOEDU_SCREENSHOT", str(tmp_path / "lesson.png")))
-        assert page.outside == [] and page.errors == []
+def play_tour(page):
+    """The first board is dragged, scrubbed, and replanned."""
+    board = page.locator(".kinoedu-board").first
+    page.wait_for_function(f"() => {TOLD}[0].innerText === 'RRT: a path of length 270.4, 78 nodes'")
+    board.locator("[data-thing=handle-1]").scroll_into_view_if_needed()
+    goal, whole = board.locator("[data-thing=handle-1]").bounding_box(), board.locator("canvas").screenshot()
+    x, y = goal["x"] + goal["width"] / 2, goal["y"] + goal["height"] / 2
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x + 34, y, steps=8)  # into a building
+    page.wait_for_function(f"() => {TOLD}[0].innerText.includes('is not free')")
+    page.mouse.move(x, y - 25, steps=8)
+    page.mouse.up()
+    page.wait_for_function(f"() => {TOLD}[0].innerText.includes('a path of length')")
+    assert board.locator("canvas").screenshot() != whole
+    board.locator(".kinoedu-slider").press("Home")
+    page.wait_for_function(f"() => {TOLD}[0].innerText.startsWith('0 of ')")
+    page.locator("select").filter(has_text="A* on a grid").first.select_option(label="A* on a grid")
+    page.wait_for_function(f"() => {TOLD}[0].innerText.startsWith('A*: a path')")
+
+
+def play_distance(page):
+    """What the prediction asks for: q through the notch, by keys."""
+    page.wait_for_function(f"() => {TOLD}[0].innerText.includes('distance 0.8')")
+    q = page.locator(".kinoedu-board").first.locator("[data-thing=handle-0]")
+    q.focus()
+    for _ in range(3):
+        q.press("ArrowLeft")
+    page.wait_for_function(f"() => {TOLD}[0].innerText.includes('distance') && !{TOLD}[0].innerText.includes('distance 0.8,')")
+
+
+PLAYED = {Path(TOUR).name: play_tour, "01_geometry.ipynb": play_distance}
 
 
 def test_jupyter_keeps_its_token_and_stays_on_this_computer(monkeypatch):

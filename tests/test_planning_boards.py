@@ -212,11 +212,44 @@ def test_start_and_goal_mean_the_nearest_nodes():
     apart = Graph(nodes=[(0, 0), (1, 0), (2, 0), (5, 5)], edges=[(0, 1), (1, 2)])
     made = search_board(apart, goal=2)
     page = Page(made.canvas)
-    assert page.moves(("handle", 0, [0.8, 0.3]))["text"] == "expanded 3 of 4; frontier 0; path cost 1, edges 1"
-    assert page.moves(("handle", 1, [4, 5]))["text"] == "expanded 3 of 4; frontier 0; no path leads to the goal"
+    assert page.moves(("handle", 0, [0.8, 0.3]))["text"] == (
+        "from node 1 to node 2: expanded 3 of 4; frontier 0; path cost 1, edges 1"
+    )
+    assert page.moves(("handle", 1, [4, 5]))["text"] == (
+        "from node 1 to node 3: expanded 3 of 4; frontier 0; no path leads to the goal"
+    )
     assert page.moves(("handle", 1, [1, 0]))["text"].endswith("path cost 0, edges 0")
     (link,) = layers_of(made.canvas, "edges", "start")
     assert link.rows.tolist() == [[0.8, 0.3, 1, 0]]
+
+
+def test_a_dragged_node_takes_its_edges_along():
+    """Weights that are lengths follow, others stay; the search is that of the graph built anew; the graph given is as it was."""
+    graph = Graph(nodes=[(0, 0), (1, 1), (1, -1), (2, 0)], edges=[(0, 1), (0, 2), (1, 3), (2, 3)], weights=[5, *[2**0.5] * 3])
+    made = search_board(graph, search="dijkstra")
+    page = Page(made.canvas)
+    assert [item["name"] for item in made.canvas.scene["handles"][2:]] == ["node 0", "node 1", "node 2", "node 3"]
+    assert "path cost 2.828, edges 2" in repr(made)
+    told = page.moves(("handle", 2 + 2, [1, -3]))
+    anew = Graph(nodes=[(0, 0), (1, 1), (1, -3), (2, 0)], edges=graph.edges, weights=[5, 10**0.5, 2**0.5, 10**0.5])
+    cost = dijkstra(anew, 0).cost[3]
+    assert told["text"].endswith(f"path cost {cost:.4g}, edges 2") and cost == pytest.approx(2 * 10**0.5)
+    assert "path cost 6.414, edges 2" in page.moves(("handle", 2 + 2, [1, -9]))["text"]  # by the edge whose weight is its own
+    assert graph.nodes[2].tolist() == [1, -1] and graph.weights[1] == 2**0.5
+
+
+def test_only_nodes_that_can_be_told_apart_are_dragged():
+    """Of a grid, a roadmap and a graph of more than 40 nodes start and goal move alone; deleted nodes are no stops."""
+    many = Graph(nodes=np.random.default_rng(1).random((41, 2)), edges=[(0, 1)])
+    for given in (np.ones((3, 3), bool), ke.Problem(ke.Point(), ROOMS, (1, 1), (8.8, 5.5)), many):
+        assert [item["name"] for item in search_board(given).canvas.scene["handles"]] == ["start", "goal"]
+    graph = Graph(nodes=[(0, 0), (1, 0), (2, 0), (3, 0)], edges=[(0, 1), (1, 2), (2, 3)])
+    graph.delete_node(1)
+    made = search_board(graph, start=2)
+    assert [item["name"] for item in made.canvas.scene["handles"][2:]] == ["node 0", "node 2", "node 3"]
+    assert Page(made.canvas).moves(("handle", 4, [3, 4]), ("handle", 1, [3, 4]))["text"] == (
+        "from node 2 to node 3: expanded 2 of 3; frontier 0; path cost 4.123, edges 1"
+    )
 
 
 def test_a_grid_and_problems_become_graphs():
@@ -267,7 +300,7 @@ def test_deleted_nodes_are_left_out():
     graph = Graph(nodes=[(0, 0), (1, 0), (2, 0), (3, 0)], edges=[(0, 1), (1, 2), (2, 3)])
     graph.delete_node(3)
     made = search_board(graph)
-    assert repr(made) == "SearchBoard(expanded 3 of 3; frontier 0; path cost 2, edges 2)"
+    assert repr(made) == "SearchBoard(from node 0 to node 2: expanded 3 of 3; frontier 0; path cost 2, edges 2)"
     assert made.canvas.drawing.layers[-1].texts == ("0", "1", "2")
 
 

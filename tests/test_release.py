@@ -95,6 +95,20 @@ def test_release_runs_every_cell_and_stores_no_times(house):
     assert "iopub" not in first
 
 
+def test_a_model_answer_is_left_out_as_a_whole(house):
+    """A code cell that is nothing but a solution, unmarked; one that says more than that, students would get in part: refused."""
+    file = house / "solutions" / "01_geometry.ipynb"
+    book = nbformat.read(file, as_version=4)
+    whole = sources(without_answers(file))
+    book.cells.append(nbformat.v4.new_code_cell("### BEGIN SOLUTION\n1 / 0\n### END SOLUTION"))
+    nbformat.write(book, file)
+    assert sources(without_answers(file)) == whole
+    book.cells[-1].source += "\n2 / 0"
+    nbformat.write(book, file)
+    with pytest.raises(InvalidParameter, match="01_geometry"):
+        without_answers(file)
+
+
 def test_release_refuses_what_it_cannot_make(house):
     """An unknown name, an answer without its end, a notebook that fails: nothing is written."""
     with pytest.raises(InvalidParameter, match="01_geometry"):

@@ -6,6 +6,8 @@
 //   Board   what all views of one widget share: the scene, its changes and the answers to them, how much of the growth is shown
 //   View    one picture of it on a page: what is painted, and what a pointer or a key does
 //
+// A *stop* is a handle that the answer draws: the second handle (the goal) comes to it when it is clicked, the first with Shift.
+//
 // A *thing* is what can be moved: {kind: "handle" | "disc" | "polygon", i} or {kind: "vertex", i, r, v}, vertex v of ring r.
 
 const IN_FLIGHT = 3;          // questions under way at once: they hide the delay of the way there and back
@@ -14,6 +16,7 @@ const VERY_SLOW = 1000;       // ms: then nothing is asked before the thing that
 const PENDING = 250;          // ms after which an answer that is out of date is shown pale
 const QUIET = 600;            // ms without change before the text is read out
 const GROWTH = 4000;          // ms in which the whole growth is played
+const JITTER = 4;             // pixels: a pointer that moved less has clicked
 const WIDEST = 640, HIGHEST = 560, PAD = 8;   // of the picture, in pixels
 
 const boards = (globalThis[Symbol.for("kinoedu.boards")] ??= new Map());     // by the widget's key; each widget has this file anew
@@ -111,16 +114,30 @@ class Board {
   move(thing, from, anchor, to) {        // as far as from the anchor to `to`, the anchor kept within the world; `from` is its shape before
     const { lo, hi, decimals } = this.scene;
     const shift = [0, 1].map((k) => clamp(to[k], lo[k], hi[k]) - anchor[k]);
-    const item = this.item(thing);
+    const item = this.item(thing), taken = this.riders(item);
     if (thing.kind === "polygon") {
       const whole = shift.map((d) => Number(d.toFixed(decimals)));
       item.rings = from.map((ring) => ring.map((p) => p.map((x, k) => Number((x + whole[k]).toFixed(decimals + 3)))));
     } else {
       const point = from.map((x, k) => Number((x + shift[k]).toFixed(decimals)));
       if (thing.kind === "vertex") item.rings[thing.r][thing.v] = point; else item.at = point;
+      for (const i of taken) this.scene.handles[i].at = [...point];
     }
-    const kind = thing.kind === "vertex" ? "polygon" : thing.kind;
-    this.moved.set(`${kind}-${thing.i}`, [kind, thing.i]);
+    this.hasMoved({ kind: thing.kind === "vertex" ? "polygon" : thing.kind, i: thing.i }, ...taken.map((i) => ({ kind: "handle", i })));
+  }
+
+  riders(stop) {                         // the numbers of the handles that stand exactly on a stop, and go with it
+    const { handles } = this.scene;
+    return stop.stop ? [...handles.keys()].filter((i) => !handles[i].stop && same(handles[i].at, stop.at)) : [];
+  }
+
+  call(i, stop) {                        // handle i to a stop
+    this.scene.handles[i].at = [...stop.at];
+    this.hasMoved({ kind: "handle", i });
+  }
+
+  hasMoved(...things) {
+    things.forEach(({ kind, i }) => this.moved.set(`${kind}-${i}`, [kind, i]));
     this.seq += 1;
     this.pendingSince ??= performance.now();
     this.ask(false);
@@ -273,7 +290,9 @@ class View {
     this.back.textContent = words.reset;
     this.told = make("div", "kinoedu-told", this.root, { "aria-hidden": "true" });
     this.state = make("div", "kinoedu-state", this.root, { role: "status", "aria-live": "polite" });
-    if (this.board.things().length) make("div", "kinoedu-hint", this.root).textContent = this.board.scene.polygons.some((p) => p.vertices) ? `${words.hint} ${words.deeper}` : words.hint;
+    const { handles, polygons } = this.board.scene;
+    const hints = [words.hint, polygons.some((p) => p.vertices) && words.deeper, handles.some((h) => h.stop) && words.stops];
+    if (this.board.things().length) make("div", "kinoedu-hint", this.root).textContent = hints.filter(Boolean).join(" ");
     this.pen = this.canvas.getContext("2d");
   }
 
@@ -317,15 +336,19 @@ class View {
 
   // pointers
 
+  nearest(things, at, reach) {           // the thing nearest to a place, the first among equals, within so many pixels
+    const far = things.map((thing) => { const p = this.board.place(thing); return Math.hypot(p[0] - at[0], p[1] - at[1]) * this.scale; });
+    const best = far.indexOf(Math.min(...far));
+    return far[best] <= reach ? things[best] : null;
+  }
+
+  handleAt(at, touch) { return this.nearest(this.board.things().filter((thing) => thing.kind === "handle"), at, touch ? 28 : 16); }
+
+  stopAt(at, touch) { return this.nearest(this.board.things().filter((thing) => this.board.item(thing).stop), at, touch ? 28 : 16); }
+
   under(at, touch) {                     // the thing at a place: points first, the nearest within reach; then what covers it
     const { board } = this, { scene } = board;
-    const nearest = (things, reach) => {
-      const far = things.map((thing) => { const p = board.place(thing); return Math.hypot(p[0] - at[0], p[1] - at[1]) * this.scale; });
-      const best = far.indexOf(Math.min(...far));
-      return far[best] <= reach ? things[best] : null;
-    };
-    const point = nearest(board.things().filter((thing) => thing.kind === "handle"), touch ? 28 : 16)
-      ?? nearest(scene.polygons.flatMap((_, i) => board.vertices(i)), touch ? 18 : 12);
+    const point = this.handleAt(at, touch) ?? this.nearest(scene.polygons.flatMap((_, i) => board.vertices(i)), at, touch ? 18 : 12);
     if (point) return point;
     return board.things().findLast((thing) => {
       const item = board.item(thing);
@@ -341,7 +364,8 @@ class View {
     this.canvas.setPointerCapture(event.pointerId);
     const point = thing.kind !== "polygon";
     const offset = point ? this.board.place(thing).map((x, k) => x - anchor[k]) : [0, 0];     // it does not jump to the pointer
-    this.grabs.set(event.pointerId, { thing, offset, anchor: point ? this.board.place(thing) : anchor, from: copy(this.board.shape(thing)) });
+    const held = { thing, offset, anchor: point ? this.board.place(thing) : anchor, from: copy(this.board.shape(thing)) };
+    this.grabs.set(event.pointerId, { ...held, x: event.clientX, y: event.clientY, still: true });
     if (thing.kind === "vertex") this.enter(thing.i);
     this.buttons.get(nameOf(thing))?.focus({ preventScroll: true });
     this.request();
@@ -350,14 +374,22 @@ class View {
   drag(event) {
     const held = this.grabs.get(event.pointerId), at = this.toWorld(event);
     if (!held) { this.canvas.style.cursor = this.under(at, false) ? "grab" : ""; return; }
+    held.still &&= this.stopAt(at, false) !== null && Math.hypot(event.clientX - held.x, event.clientY - held.y) < JITTER;
+    if (held.still) return;
     this.canvas.style.cursor = "grabbing";
     this.board.move(held.thing, held.from, held.anchor, at.map((x, k) => x + held.offset[k]));
   }
 
   letGo(event) {
-    if (!this.grabs.delete(event.pointerId)) return;
+    const held = this.grabs.get(event.pointerId);
+    if (!held) return;
+    this.grabs.delete(event.pointerId);
     this.canvas.style.cursor = "";
-    this.board.settle();
+    const { board } = this, item = board.item(held.thing);
+    const stop = this.stopAt(held.still || !item.at ? this.toWorld(event) : item.at, event.pointerType === "touch");
+    if (stop && held.still) board.call(event.shiftKey ? 0 : 1, board.item(stop));
+    else if (stop && held.thing.kind === "handle" && !item.stop) board.call(held.thing.i, board.item(stop));      // let go beside it
+    board.settle();
     this.request();
   }
 
@@ -371,6 +403,9 @@ class View {
       board.move(thing, copy(board.shape(thing)), at, at.map((x, k) => x + way[k] * size));
       clearTimeout(this.settling);
       this.settling = setTimeout(() => board.settle(), 300);
+    } else if (event.key === "Enter" && board.item(thing).stop) {
+      board.call(event.shiftKey ? 0 : 1, board.item(thing));
+      board.settle();
     } else if (event.key === "Enter" && thing.kind === "polygon" && board.vertices(thing.i).length) {
       this.enter(thing.i);
       this.buttons.get(nameOf(board.vertices(thing.i)[0])).focus();
@@ -413,8 +448,9 @@ class View {
 
   label(thing, [x, y]) {
     const { words, scene } = this.board, show = (value) => value.toFixed(scene.decimals);
-    const kind = thing.kind === "polygon" && this.board.item(thing).vertices ? "polygon" : thing.kind === "vertex" ? "vertex" : "handle";
-    return fill(words[kind], { name: this.board.item(thing).name, number: thing.v, x: show(x), y: show(y) });
+    const item = this.board.item(thing);
+    const kind = thing.kind === "polygon" && item.vertices ? "polygon" : thing.kind === "vertex" ? "vertex" : item.stop ? "stop" : "handle";
+    return fill(words[kind], { name: item.name, number: thing.v, x: show(x), y: show(y) });
   }
 
   // painting: at most once a frame
@@ -493,11 +529,13 @@ class View {
     this.pen.drawImage(this.bitmap, x0, y0, x1 - x0, y1 - y0);
   }
 
-  paintHandle({ name, at, colour, marker, radius }) {
+  paintHandle({ name, at, colour, marker, radius, stop }) {
+    if (stop) return;
     const { pen } = this, { palette, scene } = this.board, [px, py] = this.toPixels(at), paint = palette[colour];
     if (radius) { pen.globalAlpha = 0.35; pen.fillStyle = paint; pen.beginPath(); pen.arc(px, py, radius * this.scale, 0, 7); pen.fill(); pen.globalAlpha = 1; }
     if (marker === "star") this.star(px, py, 12, paint); else this.dot(at, 7, paint, palette.free);
-    const right = at[0] < scene.lo[0] + 0.75 * (scene.hi[0] - scene.lo[0]), up = at[1] < scene.lo[1] + 0.85 * (scene.hi[1] - scene.lo[1]);
+    const right = at[0] < scene.lo[0] + 0.75 * (scene.hi[0] - scene.lo[0]), low = scene.handles.some((h) => h.stop);
+    const up = !low && at[1] < scene.lo[1] + 0.85 * (scene.hi[1] - scene.lo[1]);       // a stop's own name is above it
     this.write(name, px + (right ? 11 : -11), py + (up ? -15 : 15), paint, right ? "left" : "right", true);
   }
 

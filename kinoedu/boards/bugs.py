@@ -20,7 +20,7 @@ from .canvas import Canvas, with_picture
 from .drawing import Drawing
 from .plans import GOAL, START
 from .scene import Scene, handle, make_scene, place_of, polygon
-from .walks import clock_for, plot_drawn, plot_scene, race_drawn, walk_drawn
+from .walks import Clock, clock_for, plot_drawn, plot_scene, race_drawn, told_of, walk_drawn
 
 BUGS: dict[str, tuple[str, Any]] = {
     "bug_base": ("BugBase", bug_base),
@@ -59,6 +59,7 @@ class BugBoard(widgets.VBox):
         scene = scene_of(start, goal, obstacles)
         chosen, heading = one_of(bug, "bug", (*BUGS, ALL)), one_of(turn, "turn", ("left", "right"))
         self.plans: list[tuple[Plan, Walk]] = []
+        self._clock, self._told = Clock(1.0, 0), list[str]()  # of both pictures
         self._step = max(b - a for a, b in zip(scene["lo"], scene["hi"], strict=True)) / FINENESS
         self.bug = widgets.Dropdown(
             options=[*((name, key) for key, (name, _) in BUGS.items()), (say("bug_board.all"), ALL)],
@@ -89,10 +90,11 @@ class BugBoard(widgets.VBox):
             chosen = list(BUGS) if self.bug.value == ALL else [self.bug.value]
             plans = [BUGS[name][1](start, goal, obstacles, self._step, turn=self.turn.value) for name in chosen]
             self.plans = [(plan, plan.walk) for plan in plans]
-            clock = clock_for([walk for _, walk in self.plans], self._step)
-            if len(self.plans) > 1:
-                return race_drawn(self.plans, clock)
-            return walk_drawn(*self.plans[0], clock, as_rings(obstacles))
+            self._clock = clock_for([plan.walk for plan in plans], self._step)
+            self._told = told_of(self.plans, self._clock)
+            if len(plans) > 1:
+                return race_drawn(self.plans, self._clock, self._told)
+            return walk_drawn(*self.plans[0], self._clock, self._told, as_rings(obstacles))
         finally:
             self.plot.refresh()
 
@@ -100,7 +102,7 @@ class BugBoard(widgets.VBox):
         """The plot of the walks on show."""
         if not self.plans:
             return Drawing(text=say("bug_board.nothing"))
-        return plot_drawn(self.plans, clock_for([walk for _, walk in self.plans], self._step))
+        return plot_drawn(self.plans, self._clock, self._told)
 
     def picture(self) -> bytes:
         """World and plot beside each other, as a PNG."""

@@ -37,9 +37,10 @@ from .scene import Scene, arranged_like, moved
 log = logging.getLogger("kinoedu")
 
 FRONT = {  # the words that the browser shows, and what it fills in
-    **dict.fromkeys(("play", "pause", "next", "reset", "slider", "movable", "thinking", "hint", "deeper"), ()),
+    **dict.fromkeys(("play", "pause", "next", "reset", "slider", "movable", "thinking", "hint", "deeper", "stops"), ()),
     "growth": ("shown", "total", "unit"),
     "handle": ("name", "x", "y"),
+    "stop": ("name", "x", "y"),
     "polygon": ("name", "x", "y"),
     "vertex": ("name", "number", "x", "y"),
 }

@@ -12,7 +12,7 @@ from .drawing import Drawing, Layer, arrows, cells, dots, edges, labels, path
 from .scene import Scene
 
 UNSEEN, FRONTIER, EXPANDED, EXPANDING = range(4)
-MOST_LABELS = 40  # numbers of more nodes than this would cover the graph
+MOST_NUMBERED = 40  # numbers of more nodes than this would cover the graph
 WIDE = 600.0  # about so many pixels a board is wide
 
 
@@ -37,7 +37,8 @@ def search_drawn(
         text = say("search_board.found", **said, edges=len(way) - 1, cost=f"{cost:.4g}")
     else:
         text = say("search_board.failed", **said)
-    if not side and len(graph) <= MOST_LABELS:
+    if not side and len(graph) <= MOST_NUMBERED:
+        text = say("search_board.between", start=start, goal=goal, outcome=text)
         layers.append(labels(places[list(graph)], [str(u) for u in graph], "ink"))
     return Drawing(layers, text=text, total=total, unit=say("search_board.unit"), told=told_of(moments, len(graph)))
 

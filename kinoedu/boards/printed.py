@@ -119,8 +119,11 @@ def print_layer(layer: Layer, ax: Axes, total: int) -> None:
 
 
 def print_handles(scene: Scene, ax: Axes) -> None:
-    """The points to drag, with their names."""
+    """The points to drag, with their names; where there are stops, whose own names are above them, below."""
+    low = any(handle.get("stop") for handle in scene["handles"])
     for handle in scene["handles"]:
+        if handle.get("stop"):  # the answer draws it
+            continue
         (x, y), colour = handle["at"], palette.NAMED[handle["colour"]]
         if handle["radius"]:
             ax.add_patch(Circle((x, y), handle["radius"], facecolor=colour, alpha=0.35, zorder=6))
@@ -129,7 +132,7 @@ def print_handles(scene: Scene, ax: Axes) -> None:
         style: Any = {"fontsize": palette.TEXT_SIZE, "fontweight": "bold", "color": colour, "path_effects": HALO, "zorder": 8}
         right, up = (
             x < scene["lo"][0] + 0.75 * (scene["hi"][0] - scene["lo"][0]),
-            y < scene["lo"][1] + 0.85 * (scene["hi"][1] - scene["lo"][1]),
+            not low and y < scene["lo"][1] + 0.85 * (scene["hi"][1] - scene["lo"][1]),
         )
         ax.annotate(
             handle["name"],

@@ -4,7 +4,9 @@ lo, hi      the corners of the world, [x, y]
 boundary    the ring outside of which nothing is free, or None
 polygons    each {name, rings: the outer one and its rooms, movable, vertices: whether those move one by one}
 discs       each {name, at, radius, movable}
-handles     points to drag: each {name, at, colour, marker: "dot" or "star", radius: of a body to draw}
+handles     points to drag: each {name, at, colour, marker: "dot" or "star", radius: of a body to draw}; or a stop {name, at, stop},
+            drawn by the answer: the second handle comes to it when it is clicked, the first with Shift; what stands exactly
+            there is taken along when it is dragged
 size        rows and columns of the bitmap beneath, or None
 ticks       whether a picture of it has scales; left out, it has
 decimals    how many digits behind the point a dragged coordinate keeps
@@ -43,6 +45,11 @@ def make_scene(lo: ArrayLike, hi: ArrayLike, *, boundary: ArrayLike | None = Non
 def handle(name: str, at: ArrayLike, *, colour: str, marker: str = "dot", radius: float = 0.0) -> dict[str, Any]:
     """A point to drag."""
     return {"name": name, "at": as_point(at, name).tolist(), "colour": colour, "marker": marker, "radius": float(radius)}
+
+
+def stop(name: str, at: ArrayLike) -> dict[str, Any]:
+    """A point to drag, to which the first two handles can be called."""
+    return {"name": name, "at": as_point(at, name).tolist(), "stop": True}
 
 
 def polygon(name: str, rings: list[Array], *, movable: bool = True, vertices: bool = True) -> dict[str, Any]:

@@ -1,43 +1,29 @@
 """The searches' board: a search on a graph or a grid, expansion by expansion, with its frontier and its parents."""
 
-from typing import Any, NamedTuple
+from typing import Any
 
 import ipywidgets as widgets
 import numpy as np
-from numpy.typing import NDArray
 
-from ..errors import InvalidGraph, InvalidParameter
-from ..geometry.checks import Array, as_point, shortened
+from ..geometry.checks import Array
 from ..graphs import Expansion, Graph, astar_expansions, bfs_expansions, dfs_expansions
-from ..planners import prm
 from ..planners.tuning import one_of
-from ..problems import ProblemRecord
 from ..words import say
-from ..worlds.polygon_world import PolygonWorldRecord
-from ..worlds.terrain import TerrainRecord
 from .board import look
 from .canvas import Canvas, with_picture
 from .drawing import Drawing
 from .expanding import search_drawn
-from .plans import scene_of
-from .scene import Scene, handle, make_scene
+from .ground import ENDS, graph_in, ground_of
+from .scene import Scene
 
 SEARCHES = ("bfs", "dfs", "dijkstra", "astar")
-MOST = 900  # nodes: so many expansions are drawn while something is dragged
-SAMPLES, NEIGHBOURS = 40, 5  # of the roadmap that a problem among polygons gets
-
-
-class Ground(NamedTuple):
-    """What is searched: a graph, the scene it stands in, and for a grid its free cells and the side of one."""
-
-    graph: Graph
-    scene: Scene
-    free: NDArray[np.bool_] | None
-    side: float
 
 
 def search_board(graph_or_problem: Any, *, search: str = "bfs", start: int | None = None, goal: int | None = None) -> "SearchBoard":
     """Drag start and goal, which mean the nodes nearest to them, and scrub through the search: frontier, parents, path.
+
+    The nodes of a Graph, up to 40 of them, can be dragged too, and the search runs anew; weights that are lengths follow. A click
+    on one, or Enter, calls the goal to it, with Shift the start.
 
     Parameters
     ----------
@@ -49,7 +35,7 @@ def search_board(graph_or_problem: Any, *, search: str = "bfs", start: int | Non
     Up to 900 nodes. `board.moments` are the expansions on show. Raises InvalidParameter, InvalidGraph.
 
     >>> search_board(Graph(nodes=[(0, 0), (1, 0), (0, 1)], edges=[(0, 1), (1, 2)]))
-    SearchBoard(expanded 3 of 3; frontier 0; path cost 2.414, edges 2)
+    SearchBoard(from node 0 to node 2: expanded 3 of 3; frontier 0; path cost 2.414, edges 2)
     """
     return SearchBoard(graph_or_problem, search=search, start=start, goal=goal)
 
@@ -72,7 +58,7 @@ class SearchBoard(widgets.VBox):
 
     def answer(self, scene: Scene) -> Drawing:
         """Search from the node nearest to the start to that nearest to the goal, and draw it."""
-        graph, here = self.ground.graph, [item["at"] for item in scene["handles"]]
+        graph, here = graph_in(scene, self.ground.graph), [item["at"] for item in scene["handles"][:ENDS]]
         start, goal = graph.closest(here[0])[0], graph.closest(here[1])[0]
         self.moments = moments_of(graph, self.search.value, start, goal)
         return search_drawn(graph, self.moments, (start, goal), np.array(here), self.ground.side, scene)
@@ -105,68 +91,3 @@ def estimate_of(graph: Graph, goal: int) -> Array:
     rate = min(1.0, float((graph.weights[long] / lengths[long]).min(initial=1.0)))
     apart = graph.distances(graph.nodes[goal])
     return np.where(np.isfinite(apart), rate * apart, 0.0)
-
-
-def ground_of(given: Any, start: int | None, goal: int | None) -> Ground:
-    """The graph of what was given, with its scene. Raises InvalidParameter, InvalidGraph."""
-    if isinstance(given, Graph):
-        if given.space is None or given.nodes.shape[1] != 2 or len(given) == 0:
-            raise InvalidGraph(say("search_board.needs", given=shortened(given)))
-        return checked(given, ends_in(given, start, goal), None, 0.0)
-    if isinstance(given, ProblemRecord) and given.start.shape == (2,):
-        world = given.world
-        if isinstance(world, TerrainRecord):
-            graph = grid_graph(world.free, world.lo, world.resolution)
-            return checked(graph, np.array([given.start, given.goal]), world.free, world.resolution, (world.lo, world.hi))
-        if isinstance(world, PolygonWorldRecord):
-            roadmap = prm(given, n=SAMPLES, k=NEIGHBOURS, rng=0).roadmap
-            ground = checked(Graph(nodes=roadmap.nodes, edges=roadmap.edges), np.array([given.start, given.goal]), None, 0.0)
-            return ground._replace(scene=standing(scene_of(given), ground.scene))
-    free: Any = np.asarray(given) if isinstance(given, np.ndarray | list | tuple) else np.empty(0)
-    if free.ndim != 2 or free.dtype != np.bool_ or not free.any():
-        raise InvalidParameter(say("search_board.needs", given=shortened(given)))
-    graph = grid_graph(free, np.zeros(2), 1.0)
-    return checked(graph, ends_in(graph, start, goal), free, 1.0, (np.zeros(2), np.array(free.shape[::-1], float)))
-
-
-def ends_in(graph: Graph, start: int | None, goal: int | None) -> Array:
-    """The places of the nodes where start and goal begin, (2, 2)."""
-    nodes = list(graph)
-    ends = [nodes[0] if start is None else start, nodes[-1] if goal is None else goal]
-    for node in ends:
-        if node not in graph:
-            raise InvalidGraph(f"start and goal must be nodes of the graph, got {shortened(node)}")
-    return graph.nodes[ends]
-
-
-def checked(
-    graph: Graph, ends: Array, free: NDArray[np.bool_] | None, side: float, box: tuple[Array, Array] | None = None
-) -> Ground:
-    """The ground of a graph that is small enough, in a box or round its nodes."""
-    if len(graph) > MOST:
-        raise InvalidParameter(say("search_board.too_many", most=MOST, nodes=len(graph)))
-    places = graph.nodes[list(graph)]
-    lo, hi = box or (places.min(axis=0), places.max(axis=0))
-    margin = 0.0 if box else 0.12 * float((hi - lo).max()) or 1.0
-    handles = [
-        handle(say("search_board.start"), as_point(ends[0], "start"), colour="start"),
-        handle(say("search_board.goal"), as_point(ends[1], "goal"), colour="goal", marker="star"),
-    ]
-    return Ground(graph, make_scene(lo - margin, hi + margin, handles=handles), free, side)
-
-
-def standing(scene: Scene, searched: Scene) -> Scene:
-    """A problem's scene in which nothing but start and goal moves."""
-    polygons = [{**item, "movable": False, "vertices": False} for item in scene["polygons"]]
-    discs = [{**item, "movable": False} for item in scene["discs"]]
-    return {**scene, "handles": searched["handles"], "polygons": polygons, "discs": discs}
-
-
-def grid_graph(free: NDArray[np.bool_], corner: Array, side: float) -> Graph:
-    """A node in the middle of each free cell, row by row, joined to those at its four sides."""
-    number = np.full(free.shape, -1)
-    number[free] = np.arange(np.count_nonzero(free))
-    across = np.stack([number[:, :-1], number[:, 1:]], axis=-1)[free[:, :-1] & free[:, 1:]]
-    up = np.stack([number[:-1], number[1:]], axis=-1)[free[:-1] & free[1:]]
-    rows, columns = np.nonzero(free)
-    return Graph(nodes=corner + side * (np.column_stack([columns, rows]) + 0.5), edges=np.concatenate([across, up]))

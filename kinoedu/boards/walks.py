@@ -49,7 +49,7 @@ def clock_for(walks: Sequence[Walk], step: float) -> Clock:
     return Clock(longest / total or 1.0, total)
 
 
-def walk_drawn(plan: Plan, walk: Walk, clock: Clock, rings: Sequence[Array]) -> Drawing:
+def walk_drawn(plan: Plan, walk: Walk, clock: Clock, told: Sequence[str], rings: Sequence[Array]) -> Drawing:
     """One walk: free motion and walls followed, hits and leaves, and the robot with the wall that it touches."""
     size = float(np.ptp(np.concatenate([*rings, walk.points]), axis=0).max())
     layers = [
@@ -59,9 +59,7 @@ def walk_drawn(plan: Plan, walk: Walk, clock: Clock, rings: Sequence[Array]) -> 
         *marks(walk.points, walk, clock),
         *sensor(walk, clock, rings, 1e-9 * size),
     ]
-    return Drawing(
-        layers, text=outcome(plan, walk), total=clock.total, unit=say("bug_board.unit"), told=told_of([(plan, walk)], clock)
-    )
+    return Drawing(layers, text=outcome(plan, walk), total=clock.total, unit=say("bug_board.unit"), told=told)
 
 
 def told_of(plans: Sequence[tuple[Plan, Walk]], clock: Clock) -> list[str]:
@@ -82,7 +80,7 @@ def outcome(plan: Plan, walk: Walk) -> str:
     return say("bug_board.reached", **said) if plan.path is not None else say("bug_board.failed", **said, reason=plan.reason)
 
 
-def race_drawn(plans: Sequence[tuple[Plan, Walk]], clock: Clock) -> Drawing:
+def race_drawn(plans: Sequence[tuple[Plan, Walk]], clock: Clock, told: Sequence[str]) -> Drawing:
     """Several walks over one another, the widest line beneath."""
     problem = plans[0][0].problem
     layers = [edges([[problem.start, problem.goal]], "ink", width=1.0, dash=(2.0, 5.0))]
@@ -93,7 +91,7 @@ def race_drawn(plans: Sequence[tuple[Plan, Walk]], clock: Clock) -> Drawing:
     missed = [plan.planner for plan, _ in plans if plan.path is None]
     lines = [say("bug_board.lengths", lengths=", ".join(reached))] if reached else []
     lines += [say("bug_board.missed", names=", ".join(missed))] if missed else []
-    return Drawing(layers, text="\n".join(lines), total=clock.total, unit=say("bug_board.unit"), told=told_of(plans, clock))
+    return Drawing(layers, text="\n".join(lines), total=clock.total, unit=say("bug_board.unit"), told=told)
 
 
 def widest_first(plans: Sequence[tuple[Plan, Walk]]) -> list[tuple[Plan, Walk]]:
@@ -176,10 +174,10 @@ def distances_to(points: Array, segments: Array) -> Array:
 def plot_scene() -> Scene:
     """The board of a plot: nothing can be dragged."""
     wide, high = PLOT
-    return {**make_scene((-0.1, -0.25), (wide + 0.1, high + 0.2)), "ticks": False}
+    return {**make_scene((-0.1, -0.33), (wide + 0.1, high + 0.2)), "ticks": False}
 
 
-def plot_drawn(plans: Sequence[tuple[Plan, Walk]], clock: Clock) -> Drawing:
+def plot_drawn(plans: Sequence[tuple[Plan, Walk]], clock: Clock, told: Sequence[str]) -> Drawing:
     """The distance to the goal against the way walked, of one walk or of several."""
     way = max(float(walk.travelled[-1]) for _, walk in plans) or 1.0
     far = max(float(walk.distance_to_goal.max()) for _, walk in plans) or 1.0
@@ -193,8 +191,7 @@ def plot_drawn(plans: Sequence[tuple[Plan, Walk]], clock: Clock) -> Drawing:
         layers += [race_line(by_name[plan.planner], plan, walk, clock) for plan, walk in widest_first(plans)]
         layers += [layer for plan, walk in plans for layer in runner(by_name[plan.planner], walk, clock, LOOKS[plan.planner][0])]
         layers += ends_named(by_name)
-    unit, told = say("bug_board.unit"), told_of(plans, clock)
-    return Drawing(layers, text=say("bug_board.nothing"), total=clock.total, unit=unit, told=told)
+    return Drawing(layers, text=say("bug_board.nothing"), total=clock.total, unit=say("bug_board.unit"), told=told)
 
 
 def axes_of_plot(way: float, far: float) -> list[Layer]:
@@ -205,10 +202,10 @@ def axes_of_plot(way: float, far: float) -> list[Layer]:
     return [
         edges(np.array(lines), "outside", width=0.7),
         edges([[(0.0, high), (0.0, 0.0)], [(0.0, 0.0), (wide, 0.0)]], "ink", width=1.5),
-        labels(np.column_stack([x - 0.06, np.full(len(x), -0.13)]), [f"{value:g}" for value in across], "ink"),
+        labels(np.column_stack([x - 0.06, np.full(len(x), -0.17)]), [f"{value:g}" for value in across], "ink"),
         labels(np.column_stack([np.full(len(y) - 1, -0.03), y[1:]]), [f"{value:g}" for value in up[1:]], "ink"),
         labels([(-0.03, high + 0.08)], [say("bug_board.distance")], "ink"),
-        labels([(0.62 * wide, -0.235)], [say("bug_board.way")], "ink"),
+        labels([(0.62 * wide, -0.31)], [say("bug_board.way")], "ink"),
     ]
 
 

@@ -20,6 +20,12 @@ SCENE is one of
   .png .bmp .pgm   a picture: bright is free, dark is blocked; needs --start and --goal
   .yaml            a ROS map with its picture; needs --start and --goal
 
+PLANNER is one of
+  rrt              a tree that grows at random; any scene
+  prm              a roadmap of random samples; any scene
+  astar            a search on a grid; any scene
+  decomposition    cells of the free space; exact, but only for a point among polygons: no map, picture, disc, radius or clearance
+
 x goes right, y goes up, from the lower left corner; a pixel or map cell is one unit long (a ROS map's are in metres).
 """
 
@@ -28,9 +34,17 @@ examples:
   python start.py plan notebooks/maps/Paris_1_256.map --query 324 --planner prm --seed 3 --out plan.png
   python start.py plan notebooks/maps/maze-128-128-10.map --start 5,5 --goal 120,120 --planner astar
   python start.py plan scene.json --step 0.5
+  python start.py plan scene.json --planner decomposition --out plan.svg
 
 exit status: 0 a path was found, 1 there is none (with the reason), 2 the input was wrong
 """
+
+OPTIONS: dict[str, dict[str, str]] = {  # of each planner: on the command line, and in its function
+    "rrt": {"step": "step", "nodes": "max_nodes"},
+    "prm": {"nodes": "n", "neighbours": "k"},
+    "astar": {"spacing": "spacing"},
+    "decomposition": {},
+}
 
 
 def add_plan(commands: Any) -> None:
@@ -49,7 +63,7 @@ def add_plan(commands: Any) -> None:
 def add_plan_options(plan: argparse.ArgumentParser) -> None:
     """The options of `kinoedu plan`."""
     plan.add_argument("scene", metavar="SCENE", type=Path, help="the file to plan in")
-    plan.add_argument("--planner", choices=("rrt", "prm", "astar"), default="rrt", help="default: %(default)s")
+    plan.add_argument("--planner", choices=tuple(OPTIONS), default="rrt", help="default: %(default)s")
     plan.add_argument("--seed", type=int, default=0, metavar="N", help="of the random numbers; same seed, same plan (default: 0)")
     plan.add_argument("--out", type=Path, metavar="FILE", help="draw the plan into a picture: .png, .svg or .pdf")
     where = plan.add_argument_group("where")
@@ -135,24 +149,20 @@ def interruptible(work: Callable[[], Any]) -> Any:
     return answer.result()
 
 
-OPTIONS = {
-    "rrt": {"step": "step", "nodes": "max_nodes"},
-    "prm": {"nodes": "n", "neighbours": "k"},
-    "astar": {"spacing": "spacing"},
-}
-
-
 def planned(problem: Any, arguments: argparse.Namespace) -> Any:
     """Ask the planner that was named, with the options that were given; one that it does not have is refused."""
-    from ..planners import plan_on_grid, prm, rrt
+    from ..planners import plan_by_decomposition, plan_on_grid, prm, rrt
 
     given = {name: getattr(arguments, name) for name in ("step", "nodes", "neighbours", "spacing")}
     given = {name: value for name, value in given.items() if value is not None}
     names = OPTIONS[arguments.planner]
     for name in given:
         if name not in names:
-            raise InvalidParameter(f"--planner {arguments.planner} has no --{name}; it has {', '.join('--' + n for n in names)}")
+            has = ", ".join(f"--{other}" for other in names) or "no such options"
+            raise InvalidParameter(f"--planner {arguments.planner} has no --{name}; it has {has}")
     tuning = {names[name]: value for name, value in given.items()}
+    if arguments.planner == "decomposition":
+        return plan_by_decomposition(problem)
     if arguments.planner == "astar":
         return plan_on_grid(problem, **tuning)
     return (rrt if arguments.planner == "rrt" else prm)(problem, rng=arguments.seed, **tuning)

@@ -47,12 +47,20 @@ def without_answers(file: Path) -> Any:
     from nbgrader.preprocessors import ClearHiddenTests, ClearOutput, ClearSolutions, LockCells
 
     book = nbformat.read(file, as_version=4)
+    book.cells = [cell for cell in book.cells if not is_model_answer(cell)]
     for preprocessor in (ClearOutput, LockCells, ClearSolutions, ClearHiddenTests):
         try:
             book, _ = preprocessor().preprocess(book, {})
         except RuntimeError as error:
             raise InvalidParameter(f"{file.name}: {error}") from error
     return book
+
+
+def is_model_answer(cell: Any) -> bool:
+    """Whether a code cell is an answer as a whole, for instructors alone: nothing but a solution, and not marked for nbgrader."""
+    lines = cell.source.strip().splitlines() or [""]
+    whole = "BEGIN SOLUTION" in lines[0] and "END SOLUTION" in lines[-1]
+    return whole and cell.cell_type == "code" and "nbgrader" not in cell.metadata
 
 
 def run(book: Any, folder: Path) -> Any:

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..compiled import compiled
 from ..geometry.checks import Array, as_point
-from ..geometry.convex import edges, in_convex, triangles
+from ..geometry.convex import corners, in_convex, sides, triangles
 from .free_space import as_polygons, free_polygons
 
 
@@ -72,7 +72,7 @@ def triangulation(world: Any) -> Triangulation:
     polygons, unit = free_polygons(as_polygons(world))
     for part in polygons:
         cells += triangles(np.array(part.exterior.coords)[:-1], [np.array(hole.coords)[:-1] for hole in part.interiors])
-    left_of = {edge: i for i, cell in enumerate(cells) for edge in edges(cell)}  # an edge is shared by its reverse
+    left_of = {edge: i for i, cell in enumerate(cells) for edge in sides(corners(cell))}  # an edge is shared by its reverse
     shared = sorted((i, j, a, b) for (a, b), i in left_of.items() if i < (j := left_of.get((b, a), -1)))
     pairs = np.array([(i, j) for i, j, _, _ in shared], np.int64).reshape(-1, 2)
     walls = np.array([(a, b) for _, _, a, b in shared]).reshape(-1, 2, 2)

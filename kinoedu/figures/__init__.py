@@ -1,5 +1,6 @@
 """Figures: the only place that draws with matplotlib."""
 
+from .bug_flowcharts import draw_bug_base_flowchart
 from .c_space import draw_c_obstacle, draw_grown, draw_turning_obstacle
 from .decomposition import draw_decomposition, draw_sweep
 from .drawing import draw_path, draw_plan, draw_problem, draw_roadmap, draw_robot, draw_tree, draw_world
@@ -11,6 +12,7 @@ from .walks import draw_distance_to_goal, draw_walk
 
 __all__ = [
     "draw_c_obstacle",
+    "draw_bug_base_flowchart",
     "draw_decomposition",
     "draw_distance_to_goal",
     "draw_graph",

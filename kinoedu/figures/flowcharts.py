@@ -65,9 +65,9 @@ def draw_arrow(begin: Step, end: Step, words: str, ax: Axes) -> list[Artist]:
         way = 1.0 if x1 > x0 else -1.0
         points, label = [(x0 + way * w0, y0), (x1 - way * w1, y1)], (x0 + way * (w0 + 0.35), y0 + 0.28)
     elif y1 < y0:
-        points, label = [(x0, y0 - h0), (x1, y1 + h1)], (x0 + 0.35, y0 - h0 - 0.22)
+        points, label = [(x0, y0 - h0), (x1, y1 + h1)], (x0 + 0.35, (y0 - h0 + y1 + h1) / 2)
     else:
-        points, label = [(x0 - w0, y0), (x0 - 2.4, y0), (x0 - 2.4, y1), (x1 - w1, y1)], (x0 - w0 - 0.35, y0 + 0.28)
+        points, label = [(x0 - w0, y0), (x0 - 2.4, y0), (x0 - 2.4, y1), (x1 - w1, y1)], (x0 - w0, y0 + 0.28)
     properties = {"arrowstyle": "-|>", "color": palette.INK, "shrinkA": 0, "shrinkB": 0}
     style = {"fontsize": palette.TEXT_SIZE - 2, "fontweight": "bold", "color": palette.TREE}
     return [

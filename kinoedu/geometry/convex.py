@@ -11,6 +11,8 @@ from .checks import Array, as_points, one_or_many
 from .exact import turn
 from .rings import as_convex_ring, first_reflex, ring_turn
 
+Corner = tuple[float, float]
+
 
 def point_in_convex_polygon(q: ArrayLike, P: ArrayLike) -> bool:
     """Whether q lies in the convex polygon P, shape (n, 2), or on its boundary: never to the right of an edge. Exact. O(n) a
@@ -132,31 +134,39 @@ def triangles(ring: Array, holes: Sequence[Array]) -> list[Array]:
 
 def joined(parts: list[Array]) -> list[Array]:
     """The same region in fewer convex parts: two that share an edge become one where the result is convex."""
-    whole: dict[int, Array] = dict(enumerate(parts))
-    beyond = {edge: number for number, part in whole.items() for edge in edges(part)}  # an edge is shared by its reverse
+    whole = {number: corners(part) for number, part in enumerate(parts)}
+    beyond = {edge: number for number, part in whole.items() for edge in sides(part)}  # an edge is shared by its reverse
     for number in range(len(parts)):
-        open_edges = edges(whole[number]) if number in whole else []
+        open_edges = sides(whole[number]) if number in whole else []
         while open_edges:
             a, b = open_edges.pop()
             other = beyond.get((b, a))
             if other is None or other == number:
                 continue
             union = joined_at_edge(whole[number], whole[other], a, b)
-            if first_reflex(union) < 0:
-                beyond.update(dict.fromkeys(edges(whole.pop(other)), number))
+            if not (turns_right(union, 0) or turns_right(union, len(whole[number]) - 1)):  # at b and a; the rest stays as it was
+                beyond.update(dict.fromkeys(sides(whole.pop(other)), number))
                 whole[number] = union
-                open_edges = edges(union)
-    return list(whole.values())
+                open_edges = sides(union)
+    return [np.array(part) for part in whole.values()]
 
 
-def edges(ring: Array) -> list[tuple[tuple[float, ...], tuple[float, ...]]]:
+def corners(ring: Array) -> list[Corner]:
+    """A ring's points, to be compared and looked up."""
+    return [(x, y) for x, y in ring.tolist()]
+
+
+def sides(ring: list[Corner]) -> list[tuple[Corner, Corner]]:
     """A ring's edges as pairs of points."""
-    points = [tuple(point) for point in ring.tolist()]
-    return list(zip(points, points[1:] + points[:1], strict=True))
+    return list(zip(ring, ring[1:] + ring[:1], strict=True))
 
 
-def joined_at_edge(P: Array, Q: Array, a: tuple[float, ...], b: tuple[float, ...]) -> Array:
-    """The ring round two parts of which P has the edge a-b and Q the edge b-a."""
-    i = int(np.flatnonzero((P == b).all(axis=1))[0])
-    j = int(np.flatnonzero((Q == a).all(axis=1))[0])
-    return np.concatenate([np.roll(P, -i, axis=0), np.roll(Q, -j, axis=0)[1:-1]])
+def joined_at_edge(P: list[Corner], Q: list[Corner], a: Corner, b: Corner) -> list[Corner]:
+    """The ring round two parts of which P has the edge a-b and Q the edge b-a: from b along P to a, and back along Q."""
+    i, j = P.index(b), Q.index(a)
+    return P[i:] + P[:i] + (Q[j:] + Q[:j])[1:-1]
+
+
+def turns_right(ring: list[Corner], i: int) -> bool:
+    """Whether a ring turns right at its point i."""
+    return bool(turn(*ring[i - 1], *ring[i], *ring[(i + 1) % len(ring)]) < 0)

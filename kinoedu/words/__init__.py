@@ -18,11 +18,16 @@ def say(key: str, /, **values: Any) -> str:
     >>> say("picture.should_be", value=4)
     'should be 4'
     """
-    language = os.environ.get("KINOEDU_LANGUAGE", "en")
-    for name in dict.fromkeys((language, "en")):
+    return words_for(key, os.environ.get("KINOEDU_LANGUAGE", "en")).format(**values)
+
+
+@cache
+def words_for(key: str, language: str) -> str:
+    """The words under a dotted key, before anything is filled in; English ones where a language has none. Raises KeyError."""
+    for name in (language, "en"):
         words = found(catalogue(name), key)
         if words is not None:
-            return words.format(**values)
+            return words
     raise KeyError(f"no words for {key!r} in {HERE / 'en'}")
 
 

@@ -63,21 +63,29 @@ def contact(walls: Walls, q: Array) -> int:
     return inside
 
 
+@compiled
 def grown(ring: Array, clearance: float) -> Array:
     """A convex ring's outline at a distance: edges exactly `clearance` away, each corner round it by tangents to its circle."""
-    edges = np.roll(ring, -1, axis=0) - ring
-    angles = np.arctan2(edges[:, 1], edges[:, 0])
-    outline = []
-    for i in range(len(ring)):
-        bend = (angles[i] - angles[i - 1]) % (2.0 * math.pi)
+    n, size = len(ring), 0
+    outline = np.empty((n + int(2.0 * math.pi / CORNER) + 1, 2))  # a piece more a corner than fills all the way round
+    for i in range(n):
+        (ux, uy), (vx, vy), (wx, wy) = ring[i - 1], ring[i], ring[(i + 1) % n]
+        arrives = math.atan2(vy - uy, vx - ux)
+        bend = (math.atan2(wy - vy, wx - vx) - arrives) % (2.0 * math.pi)
         if bend > math.pi:  # a straight corner, rounded to the wrong side
             continue
         pieces = max(1, math.ceil(bend / CORNER))
         half = 0.5 * bend / pieces
-        outward = angles[i - 1] - 0.5 * math.pi + half * (2.0 * np.arange(pieces) + 1.0)
-        outline.append(ring[i] + clearance / math.cos(half) * np.column_stack([np.cos(outward), np.sin(outward)]))
-    points = np.concatenate(outline)
-    return points[(points != np.roll(points, 1, axis=0)).any(axis=1)]
+        reach = clearance / math.cos(half)
+        for k in range(pieces):
+            outward = arrives - 0.5 * math.pi + half * (2.0 * k + 1.0)
+            x, y = vx + reach * math.cos(outward), vy + reach * math.sin(outward)
+            if size == 0 or x != outline[size - 1, 0] or y != outline[size - 1, 1]:
+                outline[size, 0], outline[size, 1] = x, y
+                size += 1
+    if size > 1 and outline[0, 0] == outline[size - 1, 0] and outline[0, 1] == outline[size - 1, 1]:
+        size -= 1
+    return outline[:size]
 
 
 def any_meet(rings: list[Array]) -> bool:

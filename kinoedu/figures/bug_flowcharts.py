@@ -1,0 +1,24 @@
+"""The flowchart of BugBase. Bug 1's is an exercise: its flowchart is drawn in the solutions."""
+
+from matplotlib import pyplot as plt
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
+
+from ..words import say
+from .flowcharts import Step, draw_flowchart
+
+
+def draw_bug_base_flowchart(ax: Axes | None = None) -> list[Artist]:
+    """Draw the flowchart of BugBase, as a robot walks it that moves in steps."""
+    steps = {
+        "start": Step("end", say("flowchart.start"), 0, 0),
+        "at": Step("ask", say("flowchart.at_goal"), 0, 1),
+        "reached": Step("end", say("flowchart.reached"), 1, 1),
+        "near": Step("ask", say("flowchart.near"), 0, 2),
+        "hit": Step("end", say("flowchart.hit"), 1, 2),
+        "move": Step("do", say("flowchart.move"), 0, 3),
+    }
+    yes, no = say("flowchart.yes"), say("flowchart.no")
+    arrows = [("start", "at", ""), ("at", "reached", yes), ("at", "near", no)]
+    arrows += [("near", "hit", yes), ("near", "move", no), ("move", "at", "")]
+    return draw_flowchart(steps, arrows, ax or plt.subplots(figsize=(8, 6), dpi=72, layout="constrained")[1])
