@@ -11,8 +11,8 @@ from .solid import draw_mesh, torus_mesh
 from .walks import draw_distance_to_goal, draw_walk
 
 __all__ = [
-    "draw_c_obstacle",
     "draw_bug_base_flowchart",
+    "draw_c_obstacle",
     "draw_decomposition",
     "draw_distance_to_goal",
     "draw_graph",
