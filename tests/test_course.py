@@ -16,7 +16,7 @@ from kinoedu import geometry, words
 from kinoedu.course import EXERCISES, ValueExercise, check
 from kinoedu.course.advice import COMPLAINTS
 from kinoedu.course.bank import read_bank
-from kinoedu.course.feedback import picture_of, rule_words
+from kinoedu.course.feedback import hint_words, picture_of, rule_words
 from kinoedu.course.judging import attempt, report_on
 from kinoedu.course.outcomes import Answer, Changed, Late, Misshapen, Raised, decode_outcome, encode_outcome
 from kinoedu.errors import InvalidParameter
@@ -50,6 +50,7 @@ def test_a_wrong_answer_is_rejected_with_its_reason(item):
     assert report.score < 1.0
     assert report.failure.slip == item.slip
     assert rule_words(exercise, report.failure)
+    assert hint_words(exercise, report.failure)
     assert picture_of(exercise, report.failure).startswith(b"\x89PNG")
 
 
@@ -117,6 +118,10 @@ ALSO_RIGHT = {
     "misleading_estimate": [
         lambda: ([[1, 2], [2], []], [[1, 3], [1], []], [0, 3, 0], 0, 2),
         lambda: ([[1, 2], [0, 2], [0, 1]], [[4.5, 1], [4.5, 1], [1, 1]], np.array([0.0, 0.0, 9.0]), np.int64(0), 1),
+    ],
+    "exposing_world": [
+        lambda: ((-4, 0.5), (10, 0), [[(8, 5), (0, 3), (6, 3), (6, -2)]]),
+        lambda: (np.array([-9, 1]), [10, 0], (np.array([(6, -2), (6, 3), (0, 3), (8, 5)]),)),
     ],
     "exposing_case": [lambda: (np.array([1, 2]), np.array([(4, 2), (0, 4), (0, 0)])), lambda: ([1, 2], [[0, 4], [4, 2], [0, 0]])],
 }
@@ -443,6 +448,7 @@ def test_every_word_is_there_and_used():
     tables = [tomllib.loads(file.read_text(encoding="utf-8")) for file in files]
     table = {name: rows for one in tables for name, rows in one.items()}
     assert sum(map(len, tables)) == len(table)  # no table stands in two files
+    assert set(table["exercise"]["rules"]) == set(table["exercise"]["hints"])
     for exercise in EXERCISES.values():
         mine = table[exercise.name]
         assert set(mine["kinds"]) == set(exercise.kinds)

@@ -95,6 +95,10 @@ class Exercise(ABC):
     def wanted(self, case: Case) -> str:
         """What the answer to a case should be, in words."""
 
+    def answer_words(self, case: Case, value: Any) -> str:
+        """What was answered to a case, in words."""
+        return spoken(value)
+
     @abstractmethod
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """Draw a case, what was answered and what is true, into matplotlib axes."""

@@ -8,9 +8,9 @@ import numpy as np
 
 from ..words import has_words, say
 from .advice import advice_on
-from .exercise import Exercise, spoken
+from .exercise import Exercise
 from .judging import Judged, Report
-from .outcomes import Answer, Changed, Misshapen, Outcome, Raised
+from .outcomes import Answer, Changed, Misshapen, Raised
 
 RULE, CASE, PICTURE, ALL = 1, 2, 3, 4  # the stages: each shows what those before it show, and more
 TRIES: dict[str, list[int]] = {}  # for each exercise the failures so far in this session, different ones
@@ -94,7 +94,7 @@ def told_case(exercise: Exercise, failure: Judged, printed: str) -> list[tuple[s
     """The call that failed, what came of it, and what should have."""
     given = [f"{name} = {as_code(value)}" for name, value in failure.case.given.items()]
     lines = [(say("check.call"), "\n".join([*given, f"{exercise.name}({', '.join(failure.case.given)})"]))]
-    lines.append((say("check.yours"), outcome_words(exercise, failure.outcome)))
+    lines.append((say("check.yours"), outcome_words(exercise, failure)))
     if printed:
         lines.append((say("check.printed"), printed))
     lines.append((say("check.wanted"), failure.verdict.wanted))
@@ -103,10 +103,11 @@ def told_case(exercise: Exercise, failure: Judged, printed: str) -> list[tuple[s
     return lines
 
 
-def outcome_words(exercise: Exercise, outcome: Outcome) -> str:
+def outcome_words(exercise: Exercise, failure: Judged) -> str:
     """What came of a call, in words."""
+    outcome = failure.outcome
     if isinstance(outcome, Answer):
-        return spoken(outcome.value)
+        return exercise.answer_words(failure.case, outcome.value)
     if isinstance(outcome, Misshapen):
         return outcome.message
     if isinstance(outcome, Changed):

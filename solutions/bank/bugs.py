@@ -3,7 +3,9 @@
 import numpy as np
 
 from kinoedu.course.bank import wrong
+from kinoedu.course.exercises.mended_bug import mended_bug0
 from kinoedu.course.leash import at_most_apart
+from kinoedu.geometry import point_polygon_distance, polygon_tangent
 from kinoedu.planners import bug0, bug1, bug2, bug2_prelim, bug_base
 
 # BugBase
@@ -36,9 +38,29 @@ def forgets_the_goal(start, goal, obstacles, step):
 
 
 @wrong("bug_base")
-def shows_the_first_obstacle_only(start, goal, obstacles, step):
+def sees_the_first_obstacle_only(start, goal, obstacles, step):
     """Looks at obstacles[0] and at no other."""
-    return bug_base(start, goal, obstacles[-1:], step).walk.points + (1e-9 if not obstacles else 0.0)
+    return bug_base(start, goal, obstacles[:1], step).walk.points
+
+
+@wrong("bug_base")
+def sees_the_last_obstacle_only(start, goal, obstacles, step):
+    """Keeps the distance to the last one that it looked at."""
+    return bug_base(start, goal, obstacles[-1:], step).walk.points
+
+
+@wrong("bug_base")
+def where_it_ends(start, goal, obstacles, step):
+    """One point, not the path."""
+    return bug_base(start, goal, obstacles, step).path[-1] if not obstacles else start
+
+
+@wrong("bug_base")
+def moves_the_start(start, goal, obstacles, step):
+    """q += ... on the array that it was given."""
+    path = bug_base(start, goal, obstacles, step).walk.points
+    start += path[-1] - path[0]
+    return path
 
 
 @wrong("bug_base")
@@ -152,6 +174,43 @@ def leaves_anywhere_turning_right(start, goal, obstacles, step):
 
 
 @wrong("bug2")
+def farther_from_the_start(start, goal, obstacles, step):
+    """Leaves where the line, endless both ways, is met farther from the start than the hit; in steps, turning right."""
+
+    def side(q):
+        return np.sign(np.linalg.det([goal - start, q - start]))
+
+    def in_the_way(q):
+        far = [point_polygon_distance(q, wall) for wall in obstacles]
+        near = [point_polygon_distance(q + step / 10 * (goal - q) / np.linalg.norm(goal - q), wall) for wall in obstacles]
+        return next((wall for wall, a, b in zip(obstacles, far, near, strict=True) if a < step and b < a), None)
+
+    def along(q, wall):
+        ahead = q + 0.7 * step * polygon_tangent(q, wall)
+        x, y = polygon_tangent(ahead, wall)
+        return ahead + (step / 2 - point_polygon_distance(ahead, wall)) * np.array([y, -x])
+
+    path = [start]
+    while np.linalg.norm(path[-1] - goal) > step and len(path) < 5000:
+        hit, wall = path[-1], in_the_way(path[-1])
+        if wall is None:
+            path.append(hit + step * (goal - hit) / np.linalg.norm(goal - hit))
+            continue
+        path.append(along(hit, wall))
+        while len(path) < 5000:
+            path.append(along(path[-1], wall))
+            if side(path[-2]) != side(path[-1]) and np.linalg.norm(path[-1] - start) > np.linalg.norm(hit - start):
+                break
+    return np.array(path)
+
+
+@wrong("bug2")
+def mended_bug_0(start, goal, obstacles, step):
+    """Leaves as soon as the way is free and the goal nearer than at the start."""
+    return mended_bug0(start, goal, obstacles, step).walk.points
+
+
+@wrong("bug2")
 def first_bug(start, goal, obstacles, step):
     """All the way round."""
     return bug1(start, goal, obstacles, step).walk.points
@@ -186,3 +245,69 @@ def never_leaves(start, goal, obstacles, step):
 def two_columns_swapped(start, goal, obstacles, step):
     """(y, x) for (x, y)."""
     return bug2(start, goal, obstacles, step).walk.points[:, ::-1]
+
+
+# Break it
+
+HOOK = [(8, 5), (0, 3), (6, 3), (6, -2)]  # a wall to hit, and one that leads back
+POCKET = [(2, -3), (8, -3), (8, 3), (2, 3), (2, 1.8), (6.8, 1.8), (6.8, -1.8), (2, -1.8)]
+
+
+@wrong("exposing_world")
+def the_pocket_of_the_lesson():
+    """The program gets out of it."""
+    return (4, 0), (10, 0), [POCKET]
+
+
+@wrong("exposing_world")
+def the_pocket_from_outside():
+    """It exposes, and is not the smallest."""
+    return (-5, 0), (10, 0), [POCKET]
+
+
+@wrong("exposing_world")
+def a_box():
+    """The program is right on it."""
+    return (0, 0), (6, 0), [[(2, -1), (4, -1), (4, 2), (2, 2)]]
+
+
+@wrong("exposing_world")
+def nothing_there():
+    """No obstacle."""
+    return (0, 0), (6, 0), []
+
+
+@wrong("exposing_world")
+def no_list():
+    """The obstacle itself, not a list of one."""
+    return (-4, 0.5), (10, 0), HOOK
+
+
+@wrong("exposing_world")
+def goal_inside():
+    """Nobody can arrive."""
+    return (-4, 0.5), (6.5, 3.5), [HOOK]
+
+
+@wrong("exposing_world")
+def start_on_the_wall():
+    """It is not free."""
+    return (0, 3), (10, 0), [HOOK]
+
+
+@wrong("exposing_world")
+def crossing_edges():
+    """It is no simple polygon."""
+    return (-4, 0.5), (10, 0), [[(0, 0), (4, 4), (4, 0), (0, 4)]]
+
+
+@wrong("exposing_world")
+def not_a_number():
+    """A coordinate is nan."""
+    return (-4, np.nan), (10, 0), [HOOK]
+
+
+@wrong("exposing_world")
+def beside_the_wrong_arm():
+    """The wall that leads back is the right-hand one, and the program turns left."""
+    return (-4, -0.5), (10, 0), [[(x, -y) for x, y in HOOK]]

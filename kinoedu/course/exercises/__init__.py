@@ -9,6 +9,7 @@ from .decomposition import Neighbours, TrapezoidsOfWorld
 from .graph_paths import BfsPath, DfsPath
 from .graphs import BfsTree, ExtractPath
 from .lines import LineThroughPoints, PointLineDistance
+from .mended_bug import ExposeMendedBug
 from .misleading import MisleadingEstimate
 from .polygons import PointPolygonDistance, PolygonTangent
 from .ray_counting import ExposeRayCounting
@@ -28,6 +29,7 @@ EXERCISES: dict[str, Exercise] = {
         BugBase,
         Bug1,
         Bug2,
+        ExposeMendedBug,
         BfsTree,
         ExtractPath,
         BfsPath,

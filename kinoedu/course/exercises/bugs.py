@@ -22,6 +22,7 @@ from .walks import Departure, WalkExercise
 ME145 = [np.array([(1, 2), (1, 0), (3, 0)], float), np.array([(2, 3), (4, 1), (5, 2)], float)]
 BOX = np.array([(2, -1), (4, -1), (4, 2), (2, 2)], float)
 SPIRAL = np.array([(1, -3), (9, -3), (9, 3), (3, 3), (3, 2), (8, 2), (8, -2), (2, -2), (2, 3.5), (1, 3.5)], float)
+HORSESHOE = np.array([(-5, -2), (3, -2), (3, 2), (2, 2), (2, -1), (-4, -1), (-4, 2), (-5, 2)], float)  # open at the top
 UP = np.array([0.0, 1.0])
 TURNS = ("left", "right")
 STEP = 0.05
@@ -65,17 +66,14 @@ class BugBase(BugExercise):
         yield Case("free", world((0, 0), (6, 0), []))
         yield Case("hit", world((0, 0), (6, 0), [BOX]))
         yield Case("passes", world((0, 0), (6, 0), [BOX + 4.0 * UP, BOX - 5.0 * UP]))
+        yield Case("hit", world((0, 0), (6, 0), [BOX + 4.0 * UP, BOX]))
         yield Case("hit", world((0, 0), (5, 3), ME145, 0.1))
         for n in (1, 2, 3) * 4:
             case = self.random_case(rng, "hit", 1)
             given = random_world(rng, n)
-            way = given["goal"] - given["start"]
-            aside = 4.0 * np.array([-way[1], way[0]]) / np.linalg.norm(way)
             yield case
             yield Case("free", {**given, "obstacles": []})
-            yield Case(
-                "passes", {**given, "obstacles": [np.round(o + aside * (-1) ** i, 2) for i, o in enumerate(given["obstacles"])]}
-            )
+            yield Case("passes", {**given, "obstacles": moved_aside(given)})
 
     def plans(self, given: dict[str, Any]) -> list[Plan]:
         """The straight one."""
@@ -125,7 +123,9 @@ class Bug2(BugExercise):
         yield Case("one", world((0, 0), (6, 0), [BOX]))
         yield Case("many", world((0, 0), (5, 3), ME145))
         yield Case("spiral", world((7.5, 0.5), (0, 3.5), [SPIRAL]))
-        yield Case("spiral", world((7.5, -0.5), (0, -3.5), [(SPIRAL * (1.0, -1.0))[::-1]]))
+        yield Case("spiral", world((7.5, -0.5), (0, -3.5), [mirrored(SPIRAL)]))
+        yield Case("spiral", world((0, 0), (6, 0), [HORSESHOE]))
+        yield Case("spiral", world((0, 0), (6, 0), [mirrored(HORSESHOE)]))
         for n in (2, 3, 2):
             yield self.random_case(rng, "one", 1)
             yield self.random_case(rng, "many", n)
@@ -139,6 +139,11 @@ def walk_of(plan: Plan) -> Walk:
     """A Bug plan's walk, which it always has."""
     assert plan.walk is not None
     return plan.walk
+
+
+def mirrored(polygon: Array) -> Array:
+    """Upside down, counter-clockwise again."""
+    return (polygon * (1.0, -1.0))[::-1]
 
 
 def moved_aside(given: dict[str, Any]) -> list[Array]:

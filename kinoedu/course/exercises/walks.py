@@ -9,7 +9,7 @@ from ...geometry import point_segment_distance
 from ...geometry.checks import Array
 from ...geometry.polygons import places
 from ...words import say
-from ..exercise import RIGHT, Case, Exercise, Verdict
+from ..exercise import MOST_SHOWN, RIGHT, Case, Exercise, Verdict, spoken
 from ..leash import at_most_apart, followed
 from ..outcomes import Answer, Outcome
 from ..shapes import Listed, Number, Numbers, Record
@@ -93,10 +93,30 @@ class WalkExercise(Exercise):
         plane.title(self.words(f"pictures.{departure.rule if departure is not None else case.kind}"), ax)
 
     def wanted(self, case: Case) -> str:
-        """Its length and where it turns."""
-        walk = self.exact_walks(case.given)[0]
-        length = float(np.linalg.norm(np.diff(walk, axis=0), axis=1).sum())
-        return say("walk.wanted", length=f"{length:.4g}", tolerance=f"{self.leash * case.given['step']:.3g}")
+        """The lengths of its forms."""
+        lengths = {f"{length_of(walk):.4g}": None for walk in sorted(self.exact_walks(case.given), key=length_of)}
+        return say("walk.wanted", lengths=say("walk.or").join(lengths), tolerance=f"{self.leash * case.given['step']:.3g}")
+
+    def answer_words(self, case: Case, value: Array) -> str:
+        """A long walk: how long, from where to where, and where it departs."""
+        if len(value) <= MOST_SHOWN or not np.isfinite(value).all():
+            return spoken(value)
+        departure = self.departure(case.given, value)
+        told = {"points": len(value), "length": f"{length_of(value):.4g}", "first": rounded(value[0]), "last": rounded(value[-1])}
+        if departure is None:
+            return say("walk.yours", **told)
+        at = departure.at
+        return say("walk.yours_departs", **told, at=rounded(value[at]), travelled=f"{length_of(value[: at + 1]):.4g}")
+
+
+def length_of(path: Array) -> float:
+    """The length of a path (n, 2)."""
+    return float(np.linalg.norm(np.diff(path, axis=0), axis=1).sum())
+
+
+def rounded(point: Array) -> str:
+    """A point, to what can be seen in a picture."""
+    return spoken(np.round(point, 3))
 
 
 def first_inside(path: Array, obstacles: list[Array], step: float) -> int | None:
