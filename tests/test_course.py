@@ -16,7 +16,7 @@ from kinoedu import geometry, words
 from kinoedu.course import EXERCISES, ValueExercise, check
 from kinoedu.course.advice import COMPLAINTS
 from kinoedu.course.bank import read_bank
-from kinoedu.course.feedback import hint_words, picture_of, rule_words
+from kinoedu.course.feedback import Feedback, picture_of, rule_words
 from kinoedu.course.judging import attempt, report_on
 from kinoedu.course.outcomes import Answer, Changed, Late, Misshapen, Raised, decode_outcome, encode_outcome
 from kinoedu.errors import InvalidParameter
@@ -50,7 +50,8 @@ def test_a_wrong_answer_is_rejected_with_its_reason(item):
     assert report.score < 1.0
     assert report.failure.slip == item.slip
     assert rule_words(exercise, report.failure)
-    assert hint_words(exercise, report.failure)
+    for said in (repr(Feedback(report)), Feedback(report)._repr_html_()):
+        assert words.say("check.hint") in said
     assert picture_of(exercise, report.failure).startswith(b"\x89PNG")
 
 
@@ -119,9 +120,13 @@ ALSO_RIGHT = {
         lambda: ([[1, 2], [2], []], [[1, 3], [1], []], [0, 3, 0], 0, 2),
         lambda: ([[1, 2], [0, 2], [0, 1]], [[4.5, 1], [4.5, 1], [1, 1]], np.array([0.0, 0.0, 9.0]), np.int64(0), 1),
     ],
-    "exposing_world": [
+    "exposing_problem": [
         lambda: ((-4, 0.5), (10, 0), [[(8, 5), (0, 3), (6, 3), (6, -2)]]),
         lambda: (np.array([-9, 1]), [10, 0], (np.array([(6, -2), (6, 3), (0, 3), (8, 5)]),)),
+    ],
+    "exposing_world": [
+        lambda: [(0, 2), (5, 0), (5, 3), (9, 5), (5, 9), (5, 4)],
+        lambda: np.array([(0, 0), (10, -1), (5, 3), (10, 9), (0, 10), (5, 4)])[::-1],
     ],
     "exposing_case": [lambda: (np.array([1, 2]), np.array([(4, 2), (0, 4), (0, 0)])), lambda: ([1, 2], [[0, 4], [4, 2], [0, 0]])],
 }

@@ -164,15 +164,17 @@ def spoken(value: Any) -> str:
 
     >>> spoken(np.array([[0.0, 1.5], [2.0, 1 / 3]])), spoken(5.0), spoken(True), spoken((float("nan"), -0.0))
     ('[(0, 1.5), (2, 0.3333333333)]', '5', 'True', '(nan, 0)')
+    >>> spoken(([[1, 2], [2], []], 0))
+    '([[1, 2], [2], []], 0)'
     """
-    if isinstance(value, list | np.ndarray) and np.ndim(value) > 1 and len(value) > MOST_SHOWN:
-        return say("exercise.and_more", shown=spoken(value[:MOST_SHOWN])[:-1], more=len(value) - MOST_SHOWN)
+    if isinstance(value, np.ndarray) and value.ndim > 0:
+        value = list(value) if value.ndim > 1 else tuple(value)
     if isinstance(value, bool | np.bool_ | str) or value is None:
         return repr(value)
-    if isinstance(value, np.ndarray) and value.ndim == 1:
-        value = tuple(value)
     if isinstance(value, tuple):
         return "(" + ", ".join(map(spoken, value)) + ("," if len(value) == 1 else "") + ")"
-    if isinstance(value, np.ndarray | list) and np.ndim(value) != 0:
+    if isinstance(value, list):
+        if len(value) > MOST_SHOWN and any(isinstance(row, list | tuple | np.ndarray) for row in value):
+            return say("exercise.and_more", shown=spoken(value[:MOST_SHOWN])[:-1], more=len(value) - MOST_SHOWN)
         return "[" + ", ".join(map(spoken, value)) + "]"
     return f"{0.0 if abs(value) <= 1e-12 else float(value):.10g}"

@@ -101,7 +101,8 @@ def draw_sweep(steps: Sequence[Step], world: Any, ax: Axes | None = None) -> lis
     artists += ax.plot(*now.vertices.T, "o", color=palette.INK, markersize=8, markeredgecolor="white", zorder=6)
     changes = f"cells closed {count}, opened {len(now.opened)}"
     ax.set_title(f"event {len(steps)}, x = {now.x:.4g}, {now.kind}: {changes}", fontsize=palette.TEXT_SIZE)
-    artists.append(ax.legend(loc="center right", fontsize=palette.TEXT_SIZE - 1, framealpha=0.9))  # where the line has yet to come
+    below: dict[str, Any] = {"loc": "upper center", "bbox_to_anchor": (0.5, -0.12), "ncols": 2, "frameon": False}
+    artists.append(ax.legend(fontsize=palette.TEXT_SIZE - 1, **below))
     return artists
 
 

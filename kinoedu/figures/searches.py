@@ -53,7 +53,7 @@ def draw_search(
         known = [u for u in graph if np.isfinite(moment.cost[u])]
         artists += [beside(places[u], f"{moment.cost[u]:.3g}", ax, (0, gap + 3), palette.TREE, "center") for u in known]
     waiting = ", ".join(map(str, moment.frontier)) if len(moment.frontier) <= 8 else f"{len(moment.frontier)} nodes"
-    artists.append(title(f"{len(moment.expanded)} expanded, now {moment.node}; waiting: {waiting or 'none'}", ax))
+    artists.append(title(f"{len(moment.expanded)} nodes expanded, now node {moment.node}; waiting: {waiting or 'none'}", ax))
     return [*artists, legend(ax)]
 
 

@@ -253,61 +253,61 @@ HOOK = [(8, 5), (0, 3), (6, 3), (6, -2)]  # a wall to hit, and one that leads ba
 POCKET = [(2, -3), (8, -3), (8, 3), (2, 3), (2, 1.8), (6.8, 1.8), (6.8, -1.8), (2, -1.8)]
 
 
-@wrong("exposing_world")
+@wrong("exposing_problem")
 def the_pocket_of_the_lesson():
     """The program gets out of it."""
     return (4, 0), (10, 0), [POCKET]
 
 
-@wrong("exposing_world")
+@wrong("exposing_problem")
 def the_pocket_from_outside():
     """It exposes, and is not the smallest."""
     return (-5, 0), (10, 0), [POCKET]
 
 
-@wrong("exposing_world")
+@wrong("exposing_problem")
 def a_box():
     """The program is right on it."""
     return (0, 0), (6, 0), [[(2, -1), (4, -1), (4, 2), (2, 2)]]
 
 
-@wrong("exposing_world")
+@wrong("exposing_problem")
 def nothing_there():
     """No obstacle."""
     return (0, 0), (6, 0), []
 
 
-@wrong("exposing_world")
+@wrong("exposing_problem")
 def no_list():
     """The obstacle itself, not a list of one."""
     return (-4, 0.5), (10, 0), HOOK
 
 
-@wrong("exposing_world")
+@wrong("exposing_problem")
 def goal_inside():
     """Nobody can arrive."""
     return (-4, 0.5), (6.5, 3.5), [HOOK]
 
 
-@wrong("exposing_world")
+@wrong("exposing_problem")
 def start_on_the_wall():
     """It is not free."""
     return (0, 3), (10, 0), [HOOK]
 
 
-@wrong("exposing_world")
+@wrong("exposing_problem")
 def crossing_edges():
     """It is no simple polygon."""
     return (-4, 0.5), (10, 0), [[(0, 0), (4, 4), (4, 0), (0, 4)]]
 
 
-@wrong("exposing_world")
+@wrong("exposing_problem")
 def not_a_number():
     """A coordinate is nan."""
     return (-4, np.nan), (10, 0), [HOOK]
 
 
-@wrong("exposing_world")
+@wrong("exposing_problem")
 def beside_the_wrong_arm():
     """The wall that leads back is the right-hand one, and the program turns left."""
     return (-4, -0.5), (10, 0), [[(x, -y) for x, y in HOOK]]

@@ -79,6 +79,18 @@ def lowest_and_highest(x, edges):
     return status(x, edges)[:1] + status(x, edges)[-1:]
 
 
+@wrong("crossings", slip="renumbered")
+def places_among_the_crossed(x, edges):
+    """Picks the crossed edges, then numbers those."""
+    return np.argsort([height(x, edges[i]) for i in crossed(x, edges)])
+
+
+@wrong("crossings")
+def none_for_an_empty_list(x, edges):
+    """None where nothing is crossed."""
+    return status(x, edges) or None
+
+
 @wrong("crossings")
 def numbers_from_one(x, edges):
     """Counts as MATLAB does."""
@@ -325,7 +337,19 @@ def equal_walls(trapezoids):
     return pairs_if(trapezoids, lambda a, b: a[1] == b[0] and a[4] == b[2] and a[5] == b[3])
 
 
-@wrong("neighbours")
+@wrong("neighbours", slip="nearly")
+def nearly_the_same_x(trapezoids):
+    """np.isclose for ==: a thin cell between is passed over."""
+    return pairs_if(trapezoids, lambda a, b: np.isclose(a[1], b[0]) and overlap(a, b) > 0)
+
+
+@wrong("neighbours", slip="nested")
+def one_wall_holds_the_other(trapezoids):
+    """No overlap in part."""
+    return pairs_if(trapezoids, lambda a, b: joined(a, b) and (a[4] - b[2]) * (a[5] - b[3]) <= 0)
+
+
+@wrong("neighbours", slip="only_later")
 def only_later_ones(trapezoids):
     """Looks to the right of i only among larger numbers."""
     n = range(len(trapezoids))
@@ -380,6 +404,12 @@ def wall_of_left(a, b):
     return np.array([a[1], (a[4] + a[5]) / 2])
 
 
+def shorter_wall(a, b):
+    a, b = (a, b) if a[1] == b[0] else (b, a)
+    low, high = min(a[4:6], b[2:4], key=lambda wall: wall[1] - wall[0])
+    return np.array([a[1], (low + high) / 2])
+
+
 def plan(start, goal, trapezoids, pairs, *, both=True, centres=True, middles=True, wall=middle):
     chain = search(cell_of(start, trapezoids), trapezoids, pairs, cell_of(goal, trapezoids), both=both)
     if chain is None:
@@ -412,6 +442,18 @@ def walls_only(start, goal, trapezoids, pairs):
 def middle_of_the_left_cells_wall(start, goal, trapezoids, pairs):
     """The middle of the whole right side, not of what is shared."""
     return plan(start, goal, trapezoids, pairs, wall=wall_of_left)
+
+
+@wrong("plan_by_decomposition")
+def middle_of_the_shorter_wall(start, goal, trapezoids, pairs):
+    """Of the two walls the shorter one: right wherever one holds all of the other."""
+    return plan(start, goal, trapezoids, pairs, wall=shorter_wall)
+
+
+@wrong("plan_by_decomposition")
+def always_to_the_right(start, goal, trapezoids, pairs):
+    """Takes the next cell for the right one."""
+    return plan(start, goal, trapezoids, pairs, wall=lambda a, b: np.array([a[1], (max(a[4], b[2]) + min(a[5], b[3])) / 2]))
 
 
 @wrong("plan_by_decomposition")
@@ -459,3 +501,54 @@ def gives_up_beyond_the_neighbour(start, goal, trapezoids, pairs):
     """Only neighbours of the start's cell are looked at."""
     path = plan(start, goal, trapezoids, pairs)
     return path if path is not None and len(path) <= 5 else None
+
+
+# Break it
+
+
+@wrong("exposing_world")
+def a_box():
+    """One cell has no neighbour."""
+    return [(0, 0), (4, 0), (4, 3), (0, 3)]
+
+
+@wrong("exposing_world")
+def a_bay():
+    """Not convex, but one wall holds the others."""
+    return [(0, 0), (10, -4), (6, 1), (9, 6)]
+
+
+@wrong("exposing_world")
+def nearly_the_same_place():
+    """The two corners are not at the same x, so that a third cell lies between."""
+    return [(0, 2), (5, 0), (5.1, 3), (9, 5), (5.1, 9), (5, 4)]
+
+
+@wrong("exposing_world")
+def overlap_that_holds_the_middle():
+    """Neither wall holds the other, but the middle of the shorter one is on both."""
+    return [(0, 2), (5, 0), (5, 1), (9, 5), (5, 9), (5, 4)]
+
+
+@wrong("exposing_world")
+def square_corners():
+    """Wrong there, but eight vertices."""
+    return [(0, 0), (5, 0), (5, 3), (9, 3), (9, 9), (5, 9), (5, 4), (0, 4)]
+
+
+@wrong("exposing_world")
+def no_gap():
+    """The walls meet in a point, and the boundary touches itself."""
+    return [(0, 2), (5, 0), (5, 4), (9, 5), (5, 9), (5, 4)]
+
+
+@wrong("exposing_world")
+def with_an_obstacle():
+    """A boundary and a list, where one polygon is asked for."""
+    return [(0, 0), (9, 0), (9, 9), (0, 9)], [[(3, 3), (6, 3), (5, 6)]]
+
+
+@wrong("exposing_world")
+def beyond_the_range():
+    """Too far away."""
+    return [(0, 2e6), (5, 0), (5, 3e6), (9, 5e6), (5, 9e6), (5, 4e6)]

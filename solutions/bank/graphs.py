@@ -305,6 +305,13 @@ def path_against_one_way_edges(neighbours, start, goal):
     return right_path(both_ways(neighbours), start, goal)
 
 
+@wrong("bfs_path", slip="from_goal")
+def searches_from_the_goal(neighbours, start, goal):
+    """Turns the wrong search round."""
+    path = right_path(neighbours, goal, start)
+    return path and path[::-1]
+
+
 @wrong("bfs_path", slip="goal_alone")
 def goal_alone_when_out_of_reach(neighbours, start, goal):
     """Does not look whether the path begins at the start."""
@@ -434,6 +441,19 @@ def never_marks_and_falls(neighbours, start, goal):
 
 
 @wrong("dfs_path")
+def marks_its_own_path_only(neighbours, start, goal):
+    """Tries every way there is: right, and endless on all but small graphs."""
+
+    def visit(path):
+        if path[-1] == goal:
+            return path
+        ways = (visit([*path, u]) for u in neighbours[path[-1]] if u not in path)
+        return next(filter(None, ways), None)
+
+    return visit([start])
+
+
+@wrong("dfs_path")
 def empty_when_out_of_reach(neighbours, start, goal):
     """An empty list where None was asked for."""
     return depth_first_called_shortest.function(neighbours, start, goal) or []
@@ -513,6 +533,24 @@ def overwrites_a_better_cost(neighbours, weights, start):
             if v not in done:
                 cost[v] = cost[u] + w
                 waiting.add(v)
+    return cost
+
+
+@wrong("dijkstra", slip="lightest_first")
+def queue_of_single_edges(neighbours, weights, start):
+    """Pushes the weight of the edge, not the cost of the way."""
+    refuse_negative(weights)
+    cost, queue, done = [inf] * len(neighbours), [(0.0, start)], set()
+    cost[start] = 0.0
+    while queue:
+        _, u = heapq.heappop(queue)
+        if u in done:
+            continue
+        done.add(u)
+        for v, w in zip(neighbours[u], weights[u]):
+            if cost[u] + w < cost[v]:
+                cost[v] = cost[u] + w
+                heapq.heappush(queue, (w, v))
     return cost
 
 

@@ -15,6 +15,7 @@ from .polygons import PointPolygonDistance, PolygonTangent
 from .ray_counting import ExposeRayCounting
 from .searches import Astar, Dijkstra
 from .segments import PointSegmentDistance
+from .shorter_walls import ExposeShorterWalls
 from .sweeping import Crossings, FreeIntervals
 
 EXERCISES: dict[str, Exercise] = {
@@ -42,6 +43,7 @@ EXERCISES: dict[str, Exercise] = {
         TrapezoidsOfWorld,
         Neighbours,
         PlanByDecomposition,
+        ExposeShorterWalls,
     )
 }
 

@@ -22,8 +22,9 @@ from .lines import POINT
 from .worlds_by_chance import general_world, round_polygon
 
 HALL = np.array([(0, 0), (16, 0), (16, 10), (0, 10)], float)
-BAR = np.array([(0, 4), (10, 4), (10, 6), (0, 6)], float)  # from the left wall: the only way is round its right end
+BAR = np.array([(0, 4), (14, 4), (14, 6), (0, 6)], float)  # from the left wall: the only way is round its right end
 FENCE = np.array([(7, 0), (9, 0), (9, 10), (7, 10)], float)  # from floor to ceiling
+STEP = np.array([(0, 2), (5, 0), (5, 3), (9, 5), (5, 9), (5, 4)], float)  # neither wall at x = 5 holds the other
 
 
 def through_cells(start: Array, goal: Array, trapezoids: Array, pairs: NDArray[np.int64]) -> Array | None:
@@ -44,8 +45,14 @@ def centre(cell: Array) -> Array:
 
 def middle(a: Array, b: Array) -> Array:
     """The middle of the wall between two trapezoids."""
+    x, low, high = shared_wall(a, b)
+    return np.array([x, (low + high) / 2])
+
+
+def shared_wall(a: Array, b: Array) -> tuple[float, float, float]:
+    """The wall between two neighbours: its x, its lower and its upper end."""
     left, right = (a, b) if a[1] == b[0] else (b, a)
-    return np.array([left[1], (max(left[4], right[2]) + min(left[5], right[3])) / 2])
+    return left[1], max(left[4], right[2]), min(left[5], right[3])
 
 
 def levels(cells: Array, x: float) -> Array:
@@ -91,14 +98,15 @@ class PlanByDecomposition(Exercise):
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """One cell; two; round a tip, where start and goal lie one above the other; across a world; into another room."""
-        for obstacles, start, goal in (
-            ([], (1, 1), (15, 9)),
-            ([BAR], (14, 2), (3, 2)),
-            ([BAR], (3, 2), (3, 8)),
-            ([FENCE], (3, 5), (13, 5)),
-            ([mirror(BAR)], (13, 8), (13, 2)),
+        for boundary, obstacles, start, goal in (
+            (HALL, [], (1, 1), (15, 9)),
+            (HALL, [BAR], (15, 2), (3, 2)),
+            (STEP, [], (2, 2), (7, 6)),
+            (HALL, [BAR], (3, 2), (3, 8)),
+            (HALL, [FENCE], (3, 5), (13, 5)),
+            (HALL, [mirror(BAR)], (13, 8), (13, 2)),
         ):
-            cells, pairs = cut(rng, HALL, obstacles, shuffle=False)
+            cells, pairs = cut(rng, boundary, obstacles, shuffle=False)
             yield case(np.array(start, float), np.array(goal, float), cells, pairs)
         for size in sizes(4):
             world = general_world(rng, int(rng.integers(2, 6)), size)

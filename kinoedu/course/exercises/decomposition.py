@@ -14,12 +14,27 @@ from ..exercise import RIGHT, Case, Slip, ValueExercise, Verdict
 from ..outcomes import Answer, Outcome
 from ..shapes import Listed, Numbers, Record
 from ..whole_shapes import WholeNumbers
+from .cell_slips import (
+    left_first,
+    merged,
+    nearly,
+    nested_walls,
+    only_later,
+    slabs,
+    touching,
+    whole_walls,
+    without_last,
+    without_triangles,
+)
 from .chance import sizes
 from .decomposition_pictures import draw_cells, draw_pairs, titled
-from .sweeping import BAY, KITE, RING, WEDGE, crossed_edges, heights
-from .worlds_by_chance import edges_round, general_world, has_room
+from .sweeping import BAY, KITE, RING, WEDGE
+from .worlds_by_chance import general_world, has_room
 
 CELLS = Numbers(("n", 6))
+THIN_PLATE = np.array(  # it hangs from the ceiling
+    [(0, 1000, 0, 900, 0, 900), (1000, 1000.005, 0, 300, 0, 300), (1000.005, 2000, 0, 900, 0, 900)]
+)
 
 
 def cells_of(boundary: Array, obstacles: list[Array]) -> Array:
@@ -38,7 +53,7 @@ class TrapezoidsOfWorld(ValueExercise):
     source = staticmethod(cells_of)
     shown = staticmethod(settle)
     slips = (
-        Slip("slabs", lambda boundary, obstacles: slabs(boundary, obstacles)),
+        Slip("slabs", slabs),
         Slip("hollow", lambda boundary, obstacles: merged(boundary, obstacles, hollow=True)),
         Slip("last", lambda boundary, obstacles: without_last(cells_of(boundary, obstacles))),
         Slip("columns", lambda boundary, obstacles: cells_of(boundary, obstacles)[:, [0, 1, 2, 4, 3, 5]]),
@@ -103,55 +118,9 @@ def mirrored(world: dict[str, Any]) -> dict[str, Any]:
     return {"boundary": boundary, "obstacles": obstacles}
 
 
-def slabs(boundary: Array, obstacles: list[Array]) -> Array:
-    """Cells cut at every event, also where no wall stands."""
-    edges = edges_round(boundary, obstacles)
-    x = np.sort(edges[:, 0])
-    rows = []
-    for left, right in zip(x, x[1:]):
-        status = edges[crossed_edges((left + right) / 2, edges)]
-        low, high = heights(left, status), heights(right, status)
-        rows += [(left, right, low[k], low[k + 1], high[k], high[k + 1]) for k in range(0, len(status), 2)]
-    return np.array(rows)
-
-
-def merged(boundary: Array, obstacles: list[Array], *, hollow: bool) -> Array:
-    """Slabs merged where floor and ceiling stay the same; if hollow, the inside of obstacles and bays counts as well."""
-    edges = edges_round(boundary, obstacles)
-    x = np.sort(edges[:, 0])
-    rows, before = [], dict[tuple[int, int], float]()
-    for i, left in enumerate(x):
-        status = crossed_edges((left + x[i + 1]) / 2, edges).tolist() if i + 1 < len(x) else []
-        now = {pair: before.get(pair, left) for pair in zip(status, status[1:])}
-        now = {pair: begun for k, (pair, begun) in enumerate(now.items()) if hollow or k % 2 == 0}
-        for pair, begun in before.items():
-            if pair not in now:
-                sides = edges[list(pair)]
-                rows.append((begun, left, *heights(begun, sides), *heights(left, sides)))
-        before = now
-    return np.array(rows)
-
-
-def without_last(cells: Array) -> Array:
-    """The cells but for those that end at the last event."""
-    return cells[cells[:, 1] < cells[:, 1].max()]
-
-
-def without_triangles(cells: Array) -> Array:
-    """The cells with four corners."""
-    return cells[~np.isclose(cells[:, 2], cells[:, 3]) & ~np.isclose(cells[:, 4], cells[:, 5])]
-
-
 def neighbouring(trapezoids: Array) -> NDArray[np.int64]:
     """The pairs (i, j), i < j, of trapezoids that share a wall of positive length, (m, 2)."""
     return touching(trapezoids)
-
-
-def touching(cells: Array, *, point: bool = False, low: int = 4, high: int = 5) -> NDArray[np.int64]:
-    """Pairs that share a wall; those that touch in a point as well; the left one's heights from other columns."""
-    lo, hi = np.maximum(cells[:, None, low], cells[:, 2]), np.minimum(cells[:, None, high], cells[:, 3])
-    pairs = np.argwhere((cells[:, None, 1] == cells[:, 0]) & ((lo <= hi) if point else (lo < hi)))
-    return np.unique(np.sort(pairs, axis=1), axis=0)
 
 
 class Neighbours(ValueExercise):
@@ -171,9 +140,12 @@ class Neighbours(ValueExercise):
         Slip("left_wall", lambda trapezoids: touching(trapezoids, low=2, high=3)),
         Slip("reversed", lambda trapezoids: touching(trapezoids)[:, ::-1]),
         Slip("twice", lambda trapezoids: np.vstack([touching(trapezoids), touching(trapezoids)[:, ::-1]])),
-        Slip("left_first", lambda trapezoids: left_first(trapezoids)),
+        Slip("left_first", left_first),
+        Slip("only_later", only_later),
+        Slip("nearly", nearly),
         Slip("in_a_row", lambda trapezoids: np.column_stack([np.arange(len(trapezoids) - 1), np.arange(1, len(trapezoids))])),
-        Slip("whole_wall", lambda trapezoids: whole_walls(trapezoids)),
+        Slip("whole_wall", whole_walls),
+        Slip("nested", nested_walls),
     )
     reference = staticmethod(neighbouring)
 
@@ -182,10 +154,12 @@ class Neighbours(ValueExercise):
         one, next_to = [0, 2, 0, 4, 0, 4], [2, 5, 1, 3, 0, 4]
         yield Case("side", {"trapezoids": np.array([one, next_to], float)})
         yield Case("side", {"trapezoids": np.array([next_to, one], float)})
+        yield Case("side", {"trapezoids": np.array([one, [2, 5, 3, 7, 3, 7]], float)})
         yield Case("apart", {"trapezoids": np.array([one, [2, 5, 6, 8, 6, 7]], float)})
         yield Case("apart", {"trapezoids": np.array([[0, 2, 0, 4, 0, 2], [2, 5, 3, 6, 3, 6], [2, 4, 0, 2, 1, 2]], float)})
         yield Case("point", {"trapezoids": np.array([one, [2, 5, 4, 7, 3, 7]], float)})
         yield Case("point", {"trapezoids": np.array([one, [2, 5, 4, 7, 3, 7], next_to], float)})
+        yield Case("world", {"trapezoids": THIN_PLATE})
         for size in sizes(4):
             low, high, far = np.sort(rng.choice(np.arange(1, 60), 3, replace=False)) * size / 100
             left = np.array([[-size, 0, -low, high / 3, low, high]])
@@ -213,18 +187,6 @@ class Neighbours(ValueExercise):
         """The trapezoids with their numbers, the walls that are shared, and the pairs that the student joined."""
         draw_pairs(case.given["trapezoids"], self.truth(case), outcome.value if isinstance(outcome, Answer) else None, ax)
         titled(self, case, ax)
-
-
-def left_first(cells: Array) -> NDArray[np.int64]:
-    """Pairs with the left one first, whatever its number."""
-    lo, hi = np.maximum(cells[:, None, 4], cells[:, 2]), np.minimum(cells[:, None, 5], cells[:, 3])
-    return np.argwhere((cells[:, None, 1] == cells[:, 0]) & (lo < hi))
-
-
-def whole_walls(cells: Array) -> NDArray[np.int64]:
-    """Pairs whose walls are the same from end to end."""
-    equal = (cells[:, None, 1] == cells[:, 0]) & (cells[:, None, 4] == cells[:, 2]) & (cells[:, None, 5] == cells[:, 3])
-    return np.sort(np.argwhere(equal), axis=1)
 
 
 def box_world(rng: np.random.Generator, size: float) -> Array:

@@ -89,7 +89,7 @@ def draw_pairs(cells: Array, truth: NDArray[np.int64], value: NDArray[np.int64] 
 
 
 def draw_cell_path(given: dict[str, Any], truth: Array | None, value: Array | None, ax: Any, is_free: Callable[..., bool]) -> None:
-    """The cells, a right path, the student's dashed, and in red where it is not free."""
+    """The cells, a right path, the student's dashed, and over it its first motion that is not free."""
     from ...figures import palette, plane
 
     number_cells(given["trapezoids"], ax)
@@ -101,9 +101,32 @@ def draw_cell_path(given: dict[str, Any], truth: Array | None, value: Array | No
         ax.plot(*value.T, "o--", color=palette.GOAL, linewidth=2.5, markersize=5, zorder=6, scalex=False, scaley=False)
         hit = next((i for i in range(len(value) - 1) if not is_free(value[i], value[i + 1], given["trapezoids"])), None)
         if hit is not None:
-            plane.dot((value[hit] + value[hit + 1]) / 2, say("picture.contact"), ax, colour=palette.CONTACT, marker="X")
+            plane.stretch(value[hit], value[hit + 1], say("picture.contact"), ax, colour=palette.CONTACT)
     plane.dot(given["start"], "start", ax, colour=palette.START, marker="s")
     plane.dot(given["goal"], "goal", ax, colour=palette.GOAL, marker="*")
+
+
+def draw_middles(cells: Array, pairs: Any, shared: Callable[..., Any], found: Callable[..., Array], ax: Any) -> None:
+    """The cells, solid the walls that neighbours share, and the middles found for them: crosses where they lie off."""
+    from ...figures import palette, plane
+
+    number_cells(cells, ax)
+    for i, j in pairs:
+        x, low, high = shared(cells[i], cells[j])
+        y = found(cells[i], cells[j])[1]
+        plane.stretch((x, low), (x, high), "", ax, colour=palette.START, width=6.0)
+        plane.dot((x, y), "", ax, colour=palette.INK if low < y < high else palette.GOAL, marker="o" if low < y < high else "X")
+
+
+def draw_outline(boundary: Array, ax: Any) -> None:
+    """What is no world: its vertices in their order, as far as there are some."""
+    from ...figures import palette, plane
+
+    shown = boundary[np.isfinite(boundary).all(axis=1)]
+    plane.frame(np.vstack([shown, np.zeros((1 - min(len(shown), 1), 2))]), ax, margin=0.15)
+    ax.plot(*np.vstack([shown, shown[:1]]).T, "o--", color=palette.GOAL, linewidth=2.5)
+    if len(shown) == 0:
+        plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
 
 
 def titled(exercise: Exercise, case: Case, ax: Any) -> None:

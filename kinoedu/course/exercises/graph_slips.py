@@ -154,6 +154,21 @@ def best_path(neighbours: Neighbours, weights: Weights, estimate: list[float], s
     return path if path and path[0] == start else None
 
 
+def lightest_first(neighbours: Neighbours, weights: Weights, start: int) -> list[float]:
+    """Costs when the edge of least weight comes first, whatever was paid before it; each node is expanded once."""
+    cost, waiting, done = [inf] * len(neighbours), [(0.0, start)], set()
+    cost[start] = 0.0
+    while waiting:
+        least, u = min(waiting)
+        waiting.remove((least, u))
+        for v, weight in zip(neighbours[u], weights[u]) if u not in done else ():
+            if cost[u] + weight < cost[v]:
+                cost[v] = cost[u] + weight
+                waiting.append((weight, v))
+        done.add(u)
+    return cost
+
+
 def in_turn(neighbours: Neighbours, weights: Weights, start: int) -> list[float]:
     """Costs when nodes leave a queue in the order they came, each once."""
     cost, order = [inf] * len(neighbours), first_in(neighbours, start)[1]

@@ -24,7 +24,7 @@ FAR = 1e4
 class ExposeMendedBug(Exercise):
     """Break it: a start, a goal and obstacles with which `mended_bug0` does not arrive."""
 
-    name = "exposing_world"
+    name = "exposing_problem"
     lesson = "02_bug_algorithms"
     kinds = ("valid", "exposes", "smallest")
     given = Record()
@@ -45,7 +45,7 @@ class ExposeMendedBug(Exercise):
 
     def wanted(self, case: Case) -> str:
         """What is asked for."""
-        return say(f"exposing_world.wanted.{case.kind}")
+        return say(f"exposing_problem.wanted.{case.kind}")
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """The world, and the walk of the program in it."""

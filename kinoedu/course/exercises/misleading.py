@@ -76,7 +76,7 @@ def both_paths(neighbours: Any, weights: Any, estimate: Any, start: int, goal: i
 
 
 def both_costs(neighbours: Any, weights: Any, estimate: Any, start: int, goal: int) -> tuple[float, float]:
-    """Their costs, infinite where there is none."""
+    """The cost of the path that A* returns by this estimate, and of a cheapest one; infinite where there is none."""
     graph = as_graph(neighbours, weights)
     found, best = graphs.astar(graph, start, goal, estimate)[1], graphs.astar(graph, start, goal)[1]
     return float(found.cost[goal]), float(best.cost[goal])

@@ -14,13 +14,14 @@ from ..shapes import Listed, Number, Numbers, Record
 from ..whole_shapes import Whole
 from .graph_paths import PathExercise, as_list
 from .graph_pictures import draw_costs
-from .graph_slips import best_first, best_path, depths, in_turn, tree_path, undirected, undirected_weights
+from .graph_slips import best_first, best_path, depths, in_turn, lightest_first, tree_path, undirected, undirected_weights
 from .graphs import NEIGHBOURS
 from .random_graphs import Neighbours, Weights, as_graph, far_pair, lists, lost_pair, random_graphs
 
 WEIGHTS = Listed(Listed(Number()))
 DETOUR = [(0, 1, 1), (1, 2, 1), (0, 2, 5)]
 LATE_GAIN = [(0, 1, 1), (0, 2, 4), (1, 2, 2), (2, 3, 1)]
+LIGHT_EDGES = [(0, 1, 3), (0, 3, 4), (1, 2, 3), (2, 3, 1), (2, 4, 1)]
 REOPENED = [(0, 1, 1), (0, 2, 3), (1, 2, 1), (2, 3, 4)]
 
 
@@ -42,6 +43,7 @@ class Dijkstra(ValueExercise):
         ),
         Slip("overwritten", lambda neighbours, weights, start: best_first(neighbours, weights, start, overwrites=True)[0]),
         Slip("in_turn", in_turn),
+        Slip("lightest_first", lightest_first),
         Slip("undirected", lambda neighbours, weights, start: best_first(*both_ways(neighbours, weights), start)[0]),
         Slip("minus_one", lambda neighbours, weights, start: finite_or(best_first(neighbours, weights, start)[0], -1.0)),
         Slip("zero", lambda neighbours, weights, start: finite_or(best_first(neighbours, weights, start)[0], 0.0)),
@@ -61,6 +63,7 @@ class Dijkstra(ValueExercise):
             ("small", 3, [(0, 1, 2), (1, 2, 3)], 0),
             ("detour", 3, DETOUR, 0),
             ("detour", 4, LATE_GAIN, 0),
+            ("detour", 5, LIGHT_EDGES, 0),
             ("directed", 3, [(0, 1, 2), (1, 2, 2), (2, 0, 1)], 0),
             ("unreachable", 3, [(0, 1, 2)], 1),
             ("detour", 3, [(0, 1, 0), (1, 2, 0.5), (0, 2, 1)], 2),

@@ -55,6 +55,7 @@ class Crossings(ValueExercise):
         Slip("middles", lambda x, edges: by((edges[:, 1] + edges[:, 3]) / 2, (edges[:, 0] < x) != (edges[:, 2] < x))),
         Slip("first_ends", lambda x, edges: by(edges[:, 1], (edges[:, 0] < x) != (edges[:, 2] < x))),
         Slip("lines", lambda x, edges: np.argsort(heights(x, edges))),
+        Slip("renumbered", lambda x, edges: np.argsort(np.argsort(crossed_edges(x, edges)))),
     )
     reference = staticmethod(crossed_edges)
 
@@ -66,6 +67,7 @@ class Crossings(ValueExercise):
         yield Case("slanted", {"x": 1.0, "edges": np.array([(0, 0, 8, 8), (0, 4, 2, 2), (3, 0, 6, 1)], float)})
         yield Case("slanted", {"x": 7.0, "edges": np.array([(0, 0, 8, 8), (10, 2, 5, 3), (0, 1, 6, 9)], float)})
         yield Case("none", {"x": 5.0, "edges": pair})
+        yield Case("many", {"x": 2.0, "edges": np.vstack([[(5, 1, 8, 1), (0, 4, 4, 4)], pair])})
         for size in sizes(6):
             world = general_world(rng, int(rng.integers(1, 4)), size)
             edges = rng.permutation(edges_round(**world))
