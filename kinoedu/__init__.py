@@ -8,22 +8,38 @@ A plan in four lines:
 >>> plan.path is not None
 True
 
-The rooms of the house: `geometry`, `graphs`, `spaces`, `curves`, `worlds`, `robots`, `collision`, `problems`, `decomposition`,
-`c_space`, `planners`, `scenes`; and `figures` and `boards`, which are imported when first used, because they bring matplotlib and
-ipywidgets.
+The rooms of the house: `geometry`, `graphs`, `spaces`, `sampling`, `curves`, `worlds`, `robots`, `collision`, `problems`,
+`decomposition`, `c_space`, `planners`, `scenes`; and `figures` and `boards`, which are imported when first used, because they bring
+matplotlib and ipywidgets.
 """
 
 from importlib import import_module
 from typing import Any
 
-from . import c_space, collision, curves, decomposition, geometry, graphs, planners, problems, robots, scenes, spaces, worlds
+from . import (
+    c_space,
+    collision,
+    curves,
+    decomposition,
+    geometry,
+    graphs,
+    planners,
+    problems,
+    robots,
+    sampling,
+    scenes,
+    spaces,
+    worlds,
+)
 from .curves import dubins_path, reeds_shepp_path
 from .decomposition import decomposition_roadmap, sweep, trapezoidation, triangulation
 from .graphs import Graph, astar, bfs_path, bfs_tree, dfs_path, dijkstra
 from .planners import bug0, bug1, bug2, bug2_prelim, bug_base, plan_by_decomposition, plan_on_grid, prm, rrt
 from .problems import Plan, Problem, Recorder
 from .robots import Disk, Point
+from .sampling import corner_grid, dispersion, halton, sukharev_grid, uniform_random
 from .scenes import read_problem, read_scene, write_scene
+from .spaces import circle_distance, torus_distance
 from .worlds import PolygonWorld, Terrain, read_world
 
 __version__ = "0.1.0"
@@ -58,17 +74,21 @@ __all__ = [
     "bug2_prelim",
     "bug_base",
     "c_space",
+    "circle_distance",
     "collision",
+    "corner_grid",
     "course",
     "curves",
     "decomposition",
     "decomposition_roadmap",
     "dfs_path",
     "dijkstra",
+    "dispersion",
     "dubins_path",
     "figures",
     "geometry",
     "graphs",
+    "halton",
     "plan_by_decomposition",
     "plan_on_grid",
     "planners",
@@ -80,11 +100,15 @@ __all__ = [
     "reeds_shepp_path",
     "robots",
     "rrt",
+    "sampling",
     "scenes",
     "spaces",
+    "sukharev_grid",
     "sweep",
+    "torus_distance",
     "trapezoidation",
     "triangulation",
+    "uniform_random",
     "worlds",
     "write_scene",
 ]

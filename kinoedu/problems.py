@@ -126,19 +126,6 @@ def why_not_free(problem: ProblemRecord, q: Array) -> str:
     return f"the robot{margin} is outside, inside an obstacle or touching one there; move it into the open"
 
 
-def as_generator(rng: int | np.random.Generator) -> np.random.Generator:
-    """A random generator from a seed; a generator is used as it is. Raises InvalidParameter.
-
-    >>> as_generator(0).random() == np.random.default_rng(0).random()
-    True
-    """
-    if isinstance(rng, np.random.Generator):
-        return rng
-    if isinstance(rng, bool) or not isinstance(rng, int | np.integer) or rng < 0:
-        raise InvalidParameter(f"the seed (rng) must be 0, 1, 2, ... or a numpy Generator, got {rng!r}")
-    return np.random.default_rng(int(rng))
-
-
 class Tree(NamedTuple):
     """A tree in the order it grew: nodes (n, d), the root first; parent (n,), -1 for the root."""
 

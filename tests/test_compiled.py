@@ -100,7 +100,7 @@ def test_the_trees_are_worth_comparing() -> None:
 @needs_jit
 def test_the_python_body_grows_the_very_same_tree() -> None:
     """`grow.py_func` handed the record itself: no recorder between."""
-    from kinoedu.problems import as_generator
+    from kinoedu.geometry.checks import as_generator
     from kinoedu.spaces.buckets import empty_tree
 
     for problem in problems().values():

@@ -1,18 +1,41 @@
 """Spaces: steering, sampling, and the nearest node by buckets against looking at every node."""
 
-from typing import Any
+import math
+from fractions import Fraction
+from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from kinoedu import Point, PolygonWorld, Problem, Terrain
-from kinoedu.errors import InvalidParameter
-from kinoedu.problems import as_generator
-from kinoedu.spaces import RealSpace, distance, interpolate, nearest, sample
-from kinoedu.spaces.buckets import SMALL, add, empty_tree
+from kinoedu import Point, PolygonWorld, Problem, Recorder, Terrain, circle_distance, prm, rrt, torus_distance
+from kinoedu.collision import is_free, is_free_path
+from kinoedu.errors import InvalidParameter, InvalidPoint
+from kinoedu.geometry import configuration, displaced, displacement, inverse, rotation
+from kinoedu.geometry.checks import as_generator
+from kinoedu.planners.asking import new_tree, world_size
+from kinoedu.planners.neighbours import k_closest
+from kinoedu.problems import ProblemRecord
+from kinoedu.robots.round import RoundRobot
+from kinoedu.spaces import (
+    SE2,
+    Box,
+    Circle,
+    RealSpace,
+    Torus,
+    WrappingSpace,
+    diameter,
+    distance,
+    interpolate,
+    nearest,
+    sample,
+    wrapped_configuration,
+)
+from kinoedu.spaces.angles import FULL_TURN, short_way, wrapped
+from kinoedu.spaces.buckets import add, empty_tree
 from kinoedu.spaces.closest import fill, k_closest_in_buckets
+from kinoedu.spaces.rings import SMALL
 
 LAW = settings(derandomize=True, deadline=None, database=None, max_examples=200, suppress_health_check=list(HealthCheck))
 KINDS = ["spread", "clumped", "lattice", "one place", "on a line", "beyond the box"]
@@ -179,10 +202,235 @@ def test_k_closest_in_buckets_equals_brute_force(shape, kind):
         "one line": np.repeat(rng.random((shape[0], 1)), shape[1], axis=1),
         "one place": np.ones(shape),
     }[kind]
-    tree = empty_tree(len(nodes), nodes.min(axis=0), nodes.max(axis=0))
+    space = RealSpace(nodes.min(axis=0), nodes.max(axis=0))
+    tree = empty_tree(len(nodes), space.lo, space.hi)
     fill(tree, nodes)
     for k in {1, min(7, len(nodes) - 1)}:
-        found = k_closest_in_buckets(tree, k)
+        found = k_closest_in_buckets(space, tree, k)
         apart = ((nodes[:, None] - nodes[None]) ** 2).sum(axis=2)
         np.fill_diagonal(apart, np.inf)
         assert np.array_equal(found, np.argsort(apart, axis=1, kind="stable")[:, :k])
+
+
+# ---- spaces with angles ----------------------------------------------------------------------------------------------------------
+
+PI, TURN = math.pi, Fraction(FULL_TURN)
+SPACES = {
+    "circle": Circle(),
+    "torus": Torus(),
+    "torus of three": Torus(3),
+    "SE(2)": SE2((-4, 1), (3, 2), turn_weight=0.7),
+    "cylinder": WrappingSpace(np.array([0.0, -PI]), np.array([9.0, PI]), np.array([False, True]), np.array([0.4, 3.0])),
+}
+ANGLES = st.one_of(
+    st.floats(-PI, math.nextafter(PI, 0)),
+    st.sampled_from([0.0, -PI, math.nextafter(PI, 0), math.nextafter(-PI, 0), PI / 2, 5e-324, 1e-17]),
+    st.floats(0, 1e-9).map(lambda x: PI - x).filter(lambda x: x < PI),
+    st.floats(0, 1e-9).map(lambda x: x - PI),
+)
+
+
+def arc(a: float, b: float) -> float:
+    """The distance on the circle in exact arithmetic, rounded once."""
+    apart = (Fraction(b) - Fraction(a)) % TURN
+    return float(min(apart, TURN - apart))
+
+
+@LAW
+@given(st.one_of(ANGLES, st.floats(-1e6, 1e6), st.floats(-1e150, 1e150)), st.one_of(ANGLES, st.floats(-1e6, 1e6)))
+def test_circle_distance_is_exact(a: float, b: float) -> None:
+    """As in exact arithmetic, rounded once, for any angles; the same both ways; turns make no difference."""
+    assert circle_distance(a, b) == circle_distance(b, a) == arc(a, b)
+    assert circle_distance(a, a) == circle_distance(PI, -PI) == 0.0
+    assert torus_distance((a, b), (b, a)) == pytest.approx(math.sqrt(2) * arc(a, b), rel=1e-14)
+
+
+@LAW
+@given(ANGLES, ANGLES, st.floats(0, 1))
+def test_the_short_way_is_exact_and_short(a: float, b: float, t: float) -> None:
+    """As long as the circle distance, to the last bit; it leads from a to b; what it passes is wrapped and on the way."""
+    turn = short_way(a, b)
+    assert -PI <= turn < PI and abs(turn) == circle_distance(a, b) and turn == short_way.py_func(a, b)
+    assert circle_distance(a + turn, b) < 1e-15
+    q = interpolate(Circle(), np.array([a]), np.array([b]), t)
+    assert -PI <= q[0] < PI
+    assert circle_distance(a, q[0]) == pytest.approx(t * abs(turn), abs=2e-15)
+
+
+def test_distances_of_many_angles() -> None:
+    """One with many, many with many; a number or an array; other shapes are refused by name."""
+    a, b = np.array([0.0, 3.0, -3.0]), np.array([1.0, -3.0, 2.5])
+    assert circle_distance(a, b).tolist() == [arc(x, y) for x, y in zip(a, b, strict=True)]
+    assert circle_distance(3, b).tolist() == [arc(3, y) for y in b]
+    assert isinstance(circle_distance(1, 2), float) and isinstance(torus_distance([1, 2], [3, 4]), float)
+    assert torus_distance([0, 0], [[0, 3], [3, 0]]).tolist() == torus_distance([[0, 3], [3, 0]], [0, 0]).tolist() == [3.0, 3.0]
+    for bad in (lambda: circle_distance(a, b[:2]), lambda: circle_distance([a], [b]), lambda: circle_distance(math.nan, 1),
+                lambda: torus_distance(1, 2), lambda: torus_distance(a, b[:2]), lambda: torus_distance([], []),
+                lambda: torus_distance([a], [b, b]), lambda: torus_distance("ab", [1, 2])):  # fmt: skip
+        with pytest.raises(InvalidPoint):
+            bad()
+
+
+def around(space: Any, kind: str, rng: np.random.Generator, n: int) -> Any:
+    """n configurations of a space, in many arrangements."""
+    nodes = np.array([sample(space, rng) for _ in range(n)])
+    if kind == "at the wrap":
+        nodes = np.where(space.wraps, rng.normal(0, 0.03, nodes.shape) + PI, nodes)
+    if kind == "lattice":
+        nodes = np.where(space.wraps, rng.integers(-4, 4, nodes.shape) * (PI / 4), np.round(nodes))
+    if kind == "one place":
+        nodes[:] = nodes[0]
+    return wrapped_configuration(space, nodes)
+
+
+def squares_from(space: Any, nodes: Any, q: Any) -> Any:
+    """Squared distances, by the public distances on the circle."""
+    total = np.zeros(len(nodes))
+    for i in range(len(q)):
+        apart = space.weight[i] * (circle_distance(nodes[:, i], q[i]) if space.wraps[i] else np.abs(nodes[:, i] - q[i]))
+        total += apart * apart
+    return total
+
+
+@pytest.mark.parametrize("name", SPACES)
+@pytest.mark.parametrize("kind", ["spread", "at the wrap", "lattice", "one place"])
+def test_near_nodes_across_the_wrap_are_what_brute_force_finds(name: str, kind: str) -> None:
+    """The nearest of 1 to 1,500 nodes, the first among equals, and the k closest of 300, nearest first."""
+    rng, space = np.random.default_rng(4), SPACES[name]
+    nodes, tree = around(space, kind, rng, 1500), empty_tree(1500, space.lo, space.hi)
+    for n, node in enumerate(nodes, start=1):
+        add(tree, node, -1)
+        if n in (1, 2, SMALL, SMALL + 1, 500, 1500):
+            queries = [
+                *around(space, "spread", rng, 20),
+                *around(space, kind, rng, 20),
+                *(around(space, "spread", rng, 5) + FULL_TURN),
+            ]
+            for q in queries:
+                squares = squares_from(space, nodes[:n], wrapped_configuration(space, q))
+                found = nearest(space, tree, wrapped_configuration(space, q))
+                assert found == squares.argmin()
+                assert distance(space, nodes[found], q) == pytest.approx(math.sqrt(squares.min()), abs=1e-14)
+    free = ProblemRecord(RoundRobot(0.0), Band(0.0), space, nodes[0], nodes[1], 0.0, np.zeros(2, np.int64))
+    some = nodes[:300]
+    apart = np.array([squares_from(space, some, q) for q in some])
+    np.fill_diagonal(apart, np.inf)
+    assert np.array_equal(k_closest(free, some, 6), np.argsort(apart, axis=1, kind="stable")[:, :6])
+
+
+class Band(NamedTuple):
+    """A world whose first coordinate must keep farther than this from 0."""
+
+    width: float
+
+
+@is_free.register(RoundRobot, Band)
+def outside_the_band(robot: RoundRobot, world: Band, q: Any, clearance: float) -> bool:
+    """Not within the band."""
+    return abs(q[0]) > world.width
+
+
+@is_free_path.register(RoundRobot, Band)
+def does_not_cross(robot: RoundRobot, world: Band, a: Any, b: Any, clearance: float) -> bool:
+    """The ends on the same side, or the motion across the wrap, which is on the side away from the band."""
+    ends = abs(a[0]) > world.width and abs(b[0]) > world.width
+    return ends and (a[0] * b[0] > 0.0 or abs(a[0] - b[0]) > PI)
+
+
+@pytest.mark.parametrize("name", ["torus", "torus of three", "SE(2)"])
+def test_planners_go_the_short_way_round(name: str) -> None:
+    """RRT and PRM find the way across the wrap, or the turn across it; the interpreted planners build the same."""
+    space = SPACES[name]
+    turns = name != "SE(2)"
+    start, goal = np.full(len(space.lo), 1.5), np.full(len(space.lo), 1.5)
+    start[-1], goal[-1] = -3.0, 3.0
+    if turns:
+        start[0], goal[0] = -1.0, 1.0
+    problem = ProblemRecord(RoundRobot(0.0), Band(0.5), space, start, goal, 0.0, np.zeros(2, np.int64))
+    for plan, again in (
+        (rrt(problem, max_nodes=400, rng=1), rrt(Recorder(problem), max_nodes=400, rng=1)),
+        (prm(problem, n=150, rng=1), prm(Recorder(problem), n=150, rng=1)),
+    ):
+        assert plan.path is not None, plan.reason
+        assert np.array_equal(plan.path, again.path) and plan.stats == again.stats
+        steps = [problem.distance(a, b) for a, b in zip(plan.path, plan.path[1:])]
+        assert plan.cost == pytest.approx(sum(steps)) and plan.cost >= problem.distance(start, goal) * (1 - 1e-12)
+        if turns:
+            assert (np.abs(np.diff(plan.path[:, 0])) > PI).sum() % 2 == 1
+
+
+def test_a_wrapping_space_is_as_large_as_it_is_wide() -> None:
+    """Its diameter is attained and never exceeded; a planner's default step is a share of it."""
+    rng = np.random.default_rng(0)
+    for space in SPACES.values():
+        ends = np.array([distance(space, sample(space, rng), sample(space, rng)) for _ in range(2000)])
+        assert 0.7 * diameter(space) < ends.max() <= diameter(space)
+        opposite = np.where(space.wraps, 0.0, space.hi)
+        assert distance(space, space.lo, opposite) == pytest.approx(diameter(space), rel=1e-14)
+    assert diameter(Box((0, 0), (3, 4))) == 5.0
+    problem = ProblemRecord(RoundRobot(0.0), Band(0.5), Torus(), np.ones(2), np.ones(2), 0.0, np.zeros(2, np.int64))
+    assert world_size(problem) == pytest.approx(PI * math.sqrt(2))
+    assert new_tree(problem, 5).size[0] == 0
+
+
+@pytest.mark.parametrize(
+    "bad",
+    [
+        lambda: Torus(0),
+        lambda: Torus(1.5),
+        lambda: SE2((0, 0), (1, 1), turn_weight=0),
+        lambda: SE2((0, 0), (1, 1), turn_weight=math.nan),
+        lambda: SE2((0, 0, 0), (1, 1, 1), turn_weight=1),
+        lambda: SE2((0, 0), (1, 0), turn_weight=1),
+        lambda: Box((0,), (1, 2)),
+        lambda: Box([], []),
+        lambda: Box(0, 1),
+        lambda: Box((1, 0), (0, 1)),
+    ],
+)
+def test_spaces_that_make_no_sense_are_refused(bad: Any) -> None:
+    """By name: no dimension, no weight, corners that are no corners."""
+    with pytest.raises((InvalidParameter, InvalidPoint)):
+        bad()
+
+
+def test_angles_are_wrapped() -> None:
+    """Into [-pi, pi); one or many configurations; the other coordinates stay."""
+    space = SE2((-4, 1), (3, 2), turn_weight=1)
+    assert wrapped_configuration(space, (9, 9, PI)).tolist() == [9, 9, -PI]
+    assert wrapped_configuration(space, np.full((2, 3), -3 * PI)).tolist() == [[-3 * PI, -3 * PI, -PI]] * 2
+    for angle in (-1e6, -PI, 0.3, PI, 7.0, 1e6):
+        assert -PI <= wrapped(angle) < PI
+        assert circle_distance(wrapped(angle), angle) < 1e-9
+
+
+# ---- displacements ---------------------------------------------------------------------------------------------------------------
+
+
+@LAW
+@given(
+    st.tuples(st.floats(-9, 9), st.floats(-9, 9), st.floats(-9, 9)), st.tuples(st.floats(-9, 9), st.floats(-9, 9), st.floats(-9, 9))
+)
+def test_displacements_are_a_group_of_rigid_motions(p: Any, q: Any) -> None:
+    """They keep lengths, compose, are undone by their inverse, and give back their configuration; a turn by 0 moves nothing."""
+    a, b = displacement(*p), displacement(*q)
+    corners = np.array([(0.0, 0.0), (3.0, 0.0), (0.0, 4.0)])
+    moved = displaced(corners, a)
+    assert np.linalg.norm(moved[1] - moved[2]) == pytest.approx(5.0, rel=1e-12)
+    assert displaced(corners, a @ b) == pytest.approx(displaced(displaced(corners, b), a), abs=1e-12)
+    assert inverse(a) @ a == pytest.approx(np.eye(3), abs=1e-12)
+    assert configuration(a)[:2].tolist() == list(p[:2])
+    assert circle_distance(configuration(a)[2], p[2]) < 1e-14
+    assert displaced((1.0, 0.0), displacement(0, 0, p[2])) == pytest.approx([math.cos(p[2]), math.sin(p[2])])
+    assert rotation(0.0).tolist() == [[1.0, 0.0], [0.0, 1.0]]
+    assert displaced(corners, displacement(*p[:2], 0)).tolist() == (corners + p[:2]).tolist()
+
+
+@pytest.mark.parametrize(
+    "bad", [np.eye(2), np.ones((3, 3)), np.diag([1, -1, 1]), np.diag([2, 2, 1]), [[1, 0, 0], [0, 1, 0], [1, 0, 1]]]
+)
+def test_what_is_no_displacement_is_refused(bad: Any) -> None:
+    """Wrong shapes, reflections, scalings, perspectives."""
+    for ask in (inverse, configuration, lambda matrix: displaced((0, 0), matrix)):
+        with pytest.raises(InvalidPoint, match="displacement"):
+            ask(bad)

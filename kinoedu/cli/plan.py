@@ -97,7 +97,7 @@ def numbers(text: str) -> list[float]:
 def run_plan(arguments: argparse.Namespace) -> int:
     """Read, plan, draw, and say in one line what came out."""
     check_picture(arguments.out, arguments.scene)
-    from ..problems import as_generator  # imported here so that --help is quick
+    from ..geometry.checks import as_generator  # imported here so that --help is quick
     from ..scenes import read_problem
 
     as_generator(arguments.seed)

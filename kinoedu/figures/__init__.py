@@ -5,6 +5,7 @@ from .c_space import draw_c_obstacle, draw_grown, draw_turning_obstacle
 from .decomposition import draw_decomposition, draw_sweep
 from .drawing import draw_path, draw_plan, draw_problem, draw_roadmap, draw_robot, draw_tree, draw_world
 from .graphs import draw_graph
+from .samples import draw_dispersion, draw_samples
 from .saving import save_plan
 from .searches import draw_search
 from .solid import draw_mesh, torus_mesh
@@ -14,6 +15,7 @@ __all__ = [
     "draw_bug_base_flowchart",
     "draw_c_obstacle",
     "draw_decomposition",
+    "draw_dispersion",
     "draw_distance_to_goal",
     "draw_graph",
     "draw_grown",
@@ -23,6 +25,7 @@ __all__ = [
     "draw_problem",
     "draw_roadmap",
     "draw_robot",
+    "draw_samples",
     "draw_search",
     "draw_sweep",
     "draw_tree",

@@ -2,6 +2,7 @@
 
 from .convex import convex_hull, convex_polygons_intersect, point_in_convex_polygon
 from .convex_pairs import convex_pairs_intersect
+from .displacements import configuration, displaced, displacement, inverse, rotation
 from .lines import line_through_points, orientation, point_line_distance
 from .minkowski import erosion, minkowski_difference, minkowski_sum
 from .polygons import point_in_polygon, point_polygon_distance, polygon_tangent
@@ -9,10 +10,14 @@ from .segments import closest_point_on_segment, point_segment_distance, segment_
 
 __all__ = [
     "closest_point_on_segment",
+    "configuration",
     "convex_hull",
     "convex_pairs_intersect",
     "convex_polygons_intersect",
+    "displaced",
+    "displacement",
     "erosion",
+    "inverse",
     "line_through_points",
     "minkowski_difference",
     "minkowski_sum",
@@ -23,6 +28,7 @@ __all__ = [
     "point_polygon_distance",
     "point_segment_distance",
     "polygon_tangent",
+    "rotation",
     "segment_intersection",
     "segments_intersect",
 ]

@@ -1,11 +1,14 @@
-"""Where points enter: lists and arrays become checked float64 arrays, or a named error says what is wrong with them."""
+"""Where points and numbers enter: each becomes a checked float64 array, a plain number or a Generator, or a named error says what
+is wrong with it.
+"""
 
+from numbers import Real
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..errors import InvalidPoint
+from ..errors import InvalidParameter, InvalidPoint
 
 Array = NDArray[np.float64]
 LIMIT = 1e150  # squares of larger coordinates overflow
@@ -60,3 +63,39 @@ def one_or_many(value: ArrayLike, answers: NDArray[Any]) -> Any:
     if np.ndim(value) > 1:
         return answers
     return answers[0].item() if answers.ndim == 1 else answers[0]
+
+
+def positive(value: Any, name: str) -> float:
+    """A finite number above zero.
+
+    >>> positive(2, "step")
+    2.0
+    """
+    if not is_real(value) or not 0.0 < value <= LIMIT or float(value) == 0.0:
+        raise InvalidParameter(f"{name} must be a positive number, at most 1e150, got {shortened(value)}")
+    return float(value)
+
+
+def whole(value: Any, name: str, *, least: int) -> int:
+    """A whole number, not less than `least`; at most ten million, which is what memory holds nodes for."""
+    if isinstance(value, bool) or not isinstance(value, int | np.integer) or not least <= value <= 10_000_000:
+        raise InvalidParameter(f"{name} must be a whole number from {least} to 10,000,000, got {value!r}")
+    return int(value)
+
+
+def is_real(value: Any) -> bool:
+    """Whether a value is a number; True and False are not."""
+    return isinstance(value, Real) and not isinstance(value, bool | np.bool_)
+
+
+def as_generator(rng: int | np.random.Generator) -> np.random.Generator:
+    """A random generator from a seed; a generator is used as it is. Raises InvalidParameter.
+
+    >>> as_generator(0).random() == np.random.default_rng(0).random()
+    True
+    """
+    if isinstance(rng, np.random.Generator):
+        return rng
+    if isinstance(rng, bool) or not isinstance(rng, int | np.integer) or rng < 0:
+        raise InvalidParameter(f"the seed (rng) must be 0, 1, 2, ... or a numpy Generator, got {rng!r}")
+    return np.random.default_rng(int(rng))

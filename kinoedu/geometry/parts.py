@@ -12,6 +12,7 @@ The record table (every record is a NamedTuple; compiled code reads its fields):
 | `RealSpace` | lo and hi (d,) (spaces/real.py) |
 | `WrappingSpace` | lo, hi, wraps and weight (d,) (spaces/wrapping.py) |
 | `Curve` | start (3,), radius, turns (k,), lengths (k,) (curves/curve.py) |
+| `Nearest`, `Closest` | what a search of buckets has found so far (spaces/rings.py, spaces/closest.py) |
 | `GrowingTree` | nodes, parent, size, and the buckets of its nearest neighbours (spaces/buckets.py) |
 | `GraphRecord` | size, edges, weights, first, to, weight (graphs/flat.py) |
 | `Sweep` | the state of a sweep line, flat (decomposition/sweep.py) |

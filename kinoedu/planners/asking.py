@@ -9,6 +9,7 @@ from ..compiled import Compiled
 from ..errors import InvalidParameter, InvalidPoint
 from ..geometry.checks import Array, as_array
 from ..problems import MOTIONS, ProblemRecord, Recorder
+from ..spaces import diameter
 from ..spaces.buckets import GrowingTree, empty_tree
 
 
@@ -76,11 +77,11 @@ def body_for(problem: Any, body: Compiled) -> Callable[..., Any]:
 
 
 def world_size(problem: Any) -> float:
-    """The diagonal of the problem's space; for a reader's object the distance from start to goal."""
+    """The diameter of the problem's space; for a reader's object the distance from start to goal."""
     space = getattr(problem, "space", None)
     if space is None:
         return float(problem.distance(problem.start, problem.goal)) or 1.0
-    return float(np.sqrt(((space.hi - space.lo) ** 2).sum()))
+    return float(diameter(space))
 
 
 def new_tree(problem: Any, capacity: int) -> GrowingTree:

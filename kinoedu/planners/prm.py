@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 
 from ..compiled import body
 from ..errors import InvalidParameter
-from ..geometry.checks import Array
+from ..geometry.checks import Array, as_generator
 from ..graphs import GraphRecord, astar, flat_graph
-from ..problems import MOTIONS, Plan, Roadmap, as_generator
+from ..problems import MOTIONS, Plan, Roadmap
 from .answers import plan_along
 from .asking import askable, body_for
 from .neighbours import k_closest

@@ -7,7 +7,8 @@ from typing import Any
 import numpy as np
 
 from ..compiled import body, callable_from_compiled
-from ..problems import MOTIONS, Plan, as_generator
+from ..geometry.checks import as_generator
+from ..problems import MOTIONS, Plan
 from ..spaces.buckets import GrowingTree, add
 from .answers import plan_from_tree
 from .asking import askable, body_for, new_tree, world_size

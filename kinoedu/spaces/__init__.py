@@ -1,7 +1,23 @@
 """Configuration spaces: distance, interpolation, sampling, nearest neighbours."""
 
-from .asks import distance, interpolate, nearest, sample
-from .real import RealSpace
-from .wrapping import WrappingSpace
+from .angles import circle_distance, torus_distance
+from .asks import diameter, distance, interpolate, nearest, sample
+from .real import Box, RealSpace
+from .wrapping import SE2, Circle, Torus, WrappingSpace, wrapped_configuration
 
-__all__ = ["RealSpace", "WrappingSpace", "distance", "interpolate", "nearest", "sample"]
+__all__ = [
+    "SE2",
+    "Box",
+    "Circle",
+    "RealSpace",
+    "Torus",
+    "WrappingSpace",
+    "circle_distance",
+    "diameter",
+    "distance",
+    "interpolate",
+    "nearest",
+    "sample",
+    "torus_distance",
+    "wrapped_configuration",
+]

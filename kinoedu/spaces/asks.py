@@ -1,5 +1,6 @@
 """What a planner asks of a configuration space. Each kind of space answers in its own file."""
 
+import math
 from typing import Any
 
 import numpy as np
@@ -35,3 +36,12 @@ def nearest(space: Any, tree: Any, q: Array) -> int:
         if d < best_distance:
             best, best_distance = i, d
     return best
+
+
+@generic(1)
+def diameter(space: Any) -> float:
+    """The largest distance between two configurations: of a box, its diagonal."""
+    total = 0.0
+    for i in range(len(space.lo)):
+        total += (space.hi[i] - space.lo[i]) * (space.hi[i] - space.lo[i])
+    return math.sqrt(total)

@@ -4,10 +4,13 @@ import math
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 
-from ..geometry.checks import Array
+from ..errors import InvalidPoint
+from ..geometry.checks import Array, as_array
 from .asks import distance, interpolate, nearest, sample
-from .buckets import nearest_in_buckets
+from .euclidean import nearest_euclidean_node, squared_apart
+from .rings import squared_distance
 
 
 class RealSpace(NamedTuple):
@@ -15,6 +18,25 @@ class RealSpace(NamedTuple):
 
     lo: Array
     hi: Array
+
+
+def Box(lo: ArrayLike, hi: ArrayLike) -> RealSpace:
+    """R^n between two opposite corners, shapes (n,), with the Euclidean distance. Raises InvalidPoint.
+
+    >>> distance(Box((0, 0), (4, 4)), np.array([0.0, 0.0]), np.array([3.0, 4.0]))
+    5.0
+    """
+    return RealSpace(*as_bounds(lo, hi, None))
+
+
+def as_bounds(lo: ArrayLike, hi: ArrayLike, d: int | None) -> tuple[Array, Array]:
+    """Two opposite corners of a box of d dimensions, or of any number, the lower one first."""
+    low, high = as_array(lo, "lo"), as_array(hi, "hi")
+    if low.ndim != 1 or low.shape != high.shape or len(low) == 0 or (d is not None and len(low) != d):
+        raise InvalidPoint(f"lo and hi must be {d or 'as many'} numbers each, got shapes {low.shape} and {high.shape}")
+    if not (low < high).all():
+        raise InvalidPoint(f"lo must be below hi in every coordinate, got {low.tolist()} and {high.tolist()}")
+    return low, high
 
 
 @distance.register(RealSpace)
@@ -47,4 +69,10 @@ def in_the_box(space: RealSpace, rng: np.random.Generator) -> Array:
 @nearest.register(RealSpace)
 def nearest_euclidean(space: RealSpace, tree: Any, q: Array) -> int:
     """By the tree's grid of buckets."""
-    return nearest_in_buckets(tree, q)
+    return nearest_euclidean_node(tree, q)
+
+
+@squared_distance.register(RealSpace)
+def squared_euclidean(space: RealSpace, nodes: Array, node: int, q: Array) -> float:
+    """|nodes[node] - q|^2."""
+    return squared_apart(nodes, node, q)
