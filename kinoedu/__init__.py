@@ -31,12 +31,13 @@ from . import (
     spaces,
     worlds,
 )
+from .collision import link_in_contact
 from .curves import dubins_path, reeds_shepp_path
 from .decomposition import decomposition_roadmap, sweep, trapezoidation, triangulation
 from .graphs import Graph, astar, bfs_path, bfs_tree, dfs_path, dijkstra
 from .planners import bug0, bug1, bug2, bug2_prelim, bug_base, plan_by_decomposition, plan_on_grid, prm, rrt
 from .problems import Plan, Problem, Recorder
-from .robots import Disk, Point
+from .robots import Disk, Point, RigidPolygon, TranslatingPolygon, TwoLinkArm
 from .sampling import corner_grid, dispersion, halton, sukharev_grid, uniform_random
 from .scenes import read_problem, read_scene, write_scene
 from .spaces import circle_distance, torus_distance
@@ -62,7 +63,10 @@ __all__ = [
     "PolygonWorld",
     "Problem",
     "Recorder",
+    "RigidPolygon",
     "Terrain",
+    "TranslatingPolygon",
+    "TwoLinkArm",
     "astar",
     "bfs_path",
     "bfs_tree",
@@ -89,6 +93,7 @@ __all__ = [
     "geometry",
     "graphs",
     "halton",
+    "link_in_contact",
     "plan_by_decomposition",
     "plan_on_grid",
     "planners",

@@ -6,7 +6,6 @@ Planners never see robots or worlds. They ask: `problem.sample(rng)`, `.distance
 """
 
 from dataclasses import dataclass, field
-from functools import singledispatch
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -15,10 +14,10 @@ from numpy.typing import ArrayLike, NDArray
 from .collision import is_free, is_free_path, is_semi_free_path
 from .collision.batches import as_margin
 from .compiled import record
-from .errors import InvalidGoal, InvalidParameter, InvalidPoint, InvalidStart
-from .geometry.checks import Array, as_array, shortened
-from .robots.round import RoundRobot
-from .spaces import RealSpace, distance, interpolate, nearest, sample
+from .configurations import as_configuration, space_of, why_not_free
+from .errors import InvalidGoal, InvalidStart
+from .geometry.checks import Array
+from .spaces import distance, interpolate, nearest, sample
 
 MOTIONS, PLACES = 0, 1  # what ProblemRecord.asked counts: is_free_path or is_semi_free_path, and is_free
 
@@ -73,9 +72,9 @@ def Problem(robot: Any, world: Any, start: ArrayLike, goal: ArrayLike, *, cleara
 
     Parameters
     ----------
-    robot : Point() or Disk(radius), ...
+    robot : Point(), Disk(radius), TranslatingPolygon(vertices), RigidPolygon(vertices), TwoLinkArm(l1, l2, width), ...
     world : PolygonWorld(...), Terrain(...) or what read_world(path) returns.
-    start, goal : configurations, shape (d,); (x, y) for a point or a disk. Both must be free.
+    start, goal : configurations, shape (d,): (x, y); (x, y, theta) for what turns; an arm's angles. Both must be free.
     clearance : the whole robot keeps more than this away from every obstacle, in the world's unit of length.
 
     Raises InvalidStart, InvalidGoal, InvalidPoint, InvalidParameter.
@@ -93,37 +92,9 @@ def Problem(robot: Any, world: Any, start: ArrayLike, goal: ArrayLike, *, cleara
     problem = ProblemRecord(robot, world, space, q_start, q_goal, margin, np.zeros(2, np.int64))
     for q, name, error in ((q_start, "start", InvalidStart), (q_goal, "goal", InvalidGoal)):
         if not problem.is_free(q):
-            raise error(f"the {name} {tuple(q.tolist())} is not free: {why_not_free(problem, q)}")
+            raise error(f"the {name} {tuple(q.tolist())} is not free: {why_not_free(robot, world, q, margin)}")
     problem.asked[:] = 0
     return problem
-
-
-@singledispatch
-def space_of(robot: Any, world: Any) -> Any:
-    """The configuration space of a robot in a world; each kind of robot has its own."""
-    raise InvalidParameter(f"expected a robot such as Point() or Disk(1), got {shortened(robot)}")
-
-
-@space_of.register
-def _(robot: RoundRobot, world: Any) -> RealSpace:
-    return RealSpace(world.lo, world.hi)
-
-
-def as_configuration(value: ArrayLike, space: Any, name: str) -> Array:
-    """A configuration of a space, shape (d,), or InvalidPoint."""
-    q = as_array(value, name)
-    if q.shape != space.lo.shape:
-        raise InvalidPoint(f"{name} must be {len(space.lo)} numbers, got {shortened(value)}")
-    return q
-
-
-def why_not_free(problem: ProblemRecord, q: Array) -> str:
-    """What is wrong with a configuration that is not free, and what to do, in words."""
-    lo, hi = problem.world.lo, problem.world.hi
-    if (q[: len(lo)] <= lo).any() or (q[: len(hi)] >= hi).any():
-        return f"it must lie inside the world, between {tuple(lo.tolist())} and {tuple(hi.tolist())}, not on its rim"
-    margin = f" with a clearance of {problem.clearance:g}" if problem.clearance else ""
-    return f"the robot{margin} is outside, inside an obstacle or touching one there; move it into the open"
 
 
 class Tree(NamedTuple):

@@ -2,22 +2,23 @@
 
     {"version": 1,
      "about": "optional words",
-     "robot": {"kind": "point"}  or  {"kind": "disk", "radius": 0.5},
+     "robot": {"kind": "point"}  or  {"kind": "disk", "radius": 0.5}  or  {"kind": "polygon", "vertices": [[x, y], ...]}
+          or  {"kind": "turning polygon", "vertices": [[x, y], ...], "turn_weight": 1.0}
+          or  {"kind": "arm", "lengths": [1.5, 1.2], "width": 0.2, "base": [0.0, 0.0]},
      "world": {"kind": "polygons", "boundary": [[x, y], ...],
                "obstacles": [{"polygon": [[x, y], ...], "rooms": [[[x, y], ...]]}, {"centre": [x, y], "radius": r}]}
           or  {"kind": "terrain", "rows": ["..@", "..."], "resolution": 1.0, "origin": [0.0, 0.0]}
           or  {"kind": "map", "file": "a map or picture beside the scene"},
-     "start": [x, y], "goal": [x, y],
+     "start": [x, y], "goal": [x, y],  with theta for what turns, and angles for an arm
      "clearance": 0.0}
 
-`obstacles`, `rooms`, `resolution`, `origin` and `clearance` may be left out. A terrain's rows are written as they look, the top one
-first: "." is free, "@" is blocked. What a reader does not know it refuses, naming the field.
+`turn_weight`, `base`, `obstacles`, `rooms`, `resolution`, `origin` and `clearance` may be left out. A terrain's rows are written as
+they look, the top one first: "." is free, "@" is blocked. What a reader does not know it refuses, naming the field.
 """
 
 import json
 import os
 from collections.abc import Callable
-from functools import singledispatch
 from pathlib import Path
 from typing import Any
 
@@ -28,8 +29,8 @@ from .errors import InvalidParameter, KinoeduError, UnknownFormat, UnreadableSce
 from .fields import Field, parsed
 from .geometry.checks import Array, shortened
 from .problems import Problem, ProblemRecord
-from .robots import Disk, Point
-from .robots.round import RoundRobot
+from .robots import Point
+from .scene_robots import ROBOTS, described
 from .whole_file import written_whole
 from .worlds import PolygonWorld, Terrain, read_world
 from .worlds.movingai import read_scenario, scenario_beside
@@ -71,17 +72,6 @@ def problem_from(scene: Field) -> ProblemRecord:
     )
 
 
-def point_from(field: Field) -> RoundRobot:
-    """A point robot."""
-    field.members(("kind",))
-    return Point()
-
-
-def disk_from(field: Field) -> RoundRobot:
-    """A disk robot."""
-    return Disk(field.members(("kind", "radius"))["radius"].number())
-
-
 def polygons_from(field: Field) -> PolygonWorldRecord:
     """A world of polygons and discs."""
     fields = field.members(("kind", "boundary"), ("obstacles",))
@@ -118,7 +108,6 @@ def map_from(field: Field) -> Any:
     return read_world(field.folder / field.members(("kind", "file"))["file"].text())
 
 
-ROBOTS: dict[str, Callable[[Field], Any]] = {"point": point_from, "disk": disk_from}
 WORLDS: dict[str, Callable[[Field], Any]] = {"polygons": polygons_from, "terrain": terrain_from, "map": map_from}
 
 
@@ -139,17 +128,6 @@ def write_scene(problem: ProblemRecord, path: str | os.PathLike[str]) -> None:
         json.dump(scene, stream, indent=1)
 
 
-@singledispatch
-def described(thing: Any) -> dict[str, Any]:
-    """A robot or a world as a scene's object."""
-    raise UnreadableScene(f"scenes cannot hold a {type(thing).__name__} yet")
-
-
-@described.register
-def _(robot: RoundRobot) -> dict[str, Any]:
-    return {"kind": "disk", "radius": robot.radius} if robot.radius else {"kind": "point"}
-
-
 @described.register
 def _(world: PolygonWorldRecord) -> dict[str, Any]:
     (outline,), *solids = [[ring.tolist() for ring in rings] for rings in rings_of(world)]
@@ -167,7 +145,7 @@ def _(world: TerrainRecord) -> dict[str, Any]:
 def read_problem(
     path: str | os.PathLike[str],
     *,
-    robot: RoundRobot | None = None,
+    robot: Any = None,
     start: ArrayLike | None = None,
     goal: ArrayLike | None = None,
     query: int | None = None,

@@ -329,7 +329,7 @@ OWN_ROBOT = """
 from typing import NamedTuple
 import numpy as np
 from kinoedu.collision import is_free_path
-from kinoedu.problems import space_of
+from kinoedu.configurations import space_of
 from kinoedu.spaces import RealSpace
 from kinoedu.worlds.terrain import TerrainRecord
 

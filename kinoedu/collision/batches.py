@@ -8,6 +8,8 @@ from numpy.typing import ArrayLike, NDArray
 from ..compiled import body
 from ..errors import InvalidParameter, InvalidPoint
 from ..geometry.checks import Array, as_array
+from ..robots.arm import ArmRobot
+from ..robots.polygon import RigidPolygonRobot, TranslatingPolygonRobot
 from ..robots.round import RoundRobot
 from .asks import coordinates, is_free, is_free_path
 
@@ -45,9 +47,22 @@ def free_motions(robot: Any, world: Any, a: ArrayLike, b: ArrayLike, *, clearanc
 
 
 @coordinates.register(RoundRobot)
-def position(robot: RoundRobot) -> int:
+@coordinates.register(TranslatingPolygonRobot)
+def position(robot: Any) -> int:
     """x and y."""
     return 2
+
+
+@coordinates.register(RigidPolygonRobot)
+def pose(robot: RigidPolygonRobot) -> int:
+    """x, y and theta."""
+    return 3
+
+
+@coordinates.register(ArmRobot)
+def joint_angles(robot: ArmRobot) -> int:
+    """One angle a link."""
+    return len(robot.lengths)
 
 
 @body

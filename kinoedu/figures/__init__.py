@@ -1,5 +1,6 @@
 """Figures: the only place that draws with matplotlib."""
 
+from .arms import draw_configuration_space, plot_configuration_space, plot_environment
 from .bug_flowcharts import draw_bug_base_flowchart
 from .c_space import draw_c_obstacle, draw_grown, draw_turning_obstacle
 from .decomposition import draw_decomposition, draw_sweep
@@ -14,6 +15,7 @@ from .walks import draw_distance_to_goal, draw_walk
 __all__ = [
     "draw_bug_base_flowchart",
     "draw_c_obstacle",
+    "draw_configuration_space",
     "draw_decomposition",
     "draw_dispersion",
     "draw_distance_to_goal",
@@ -32,6 +34,8 @@ __all__ = [
     "draw_turning_obstacle",
     "draw_walk",
     "draw_world",
+    "plot_configuration_space",
+    "plot_environment",
     "save_plan",
     "torus_mesh",
 ]

@@ -16,14 +16,16 @@ from numpy.typing import ArrayLike
 
 from ..geometry.checks import Array
 from ..problems import Plan, ProblemRecord, Roadmap, Tree
-from ..robots.round import RoundRobot
+from ..robots import Point
 from ..words import say
 from ..worlds.open_world import OpenWorld
 from ..worlds.polygon_world import PolygonWorldRecord, discs_of, rings_of
 from ..worlds.terrain import TerrainRecord
 from . import palette
+from .robots import draw_along, draw_robot, place_of, track_of, tracks
 from .walks import draw_walk
 
+POINT = Point()
 HALO = [patheffects.withStroke(linewidth=3.5, foreground="white")]
 
 
@@ -104,13 +106,14 @@ def draw_problem(problem: ProblemRecord, ax: Axes | None = None) -> list[Artist]
     for q, name, colour, marker in ((problem.start, "start", palette.START, "o"), (problem.goal, "goal", palette.GOAL, "*")):
         artists += draw_robot(problem.robot, q, ax, colour)
         size = 9 if marker == "o" else 15
-        artists += ax.plot(*q[:2], marker, color=colour, markersize=size, markeredgecolor="white", markeredgewidth=1.2, zorder=7)
-        artists.append(label_beside(q, name, colour, problem.world, ax))
+        at = place_of(problem.robot, q)
+        artists += ax.plot(*at, marker, color=colour, markersize=size, markeredgecolor="white", markeredgewidth=1.2, zorder=7)
+        artists.append(label_beside(at, name, colour, problem.world, ax))
     return artists
 
 
 def label_beside(q: Array, name: str, colour: str, world: Any, ax: Axes) -> Artist:
-    """A name next to a configuration, on the side where there is room."""
+    """A name next to a place, on the side where there is room."""
     right = q[0] < world.lo[0] + 0.75 * (world.hi[0] - world.lo[0])
     up = q[1] < world.lo[1] + 0.85 * (world.hi[1] - world.lo[1])
     return ax.annotate(
@@ -128,38 +131,27 @@ def label_beside(q: Array, name: str, colour: str, world: Any, ax: Axes) -> Arti
     )
 
 
-@singledispatch
-def draw_robot(robot: Any, q: Array, ax: Axes, colour: str = palette.ROBOT) -> list[Artist]:
-    """Draw a robot's body at a configuration."""
-    raise TypeError(f"a figure cannot draw a {type(robot).__name__}")
-
-
-@draw_robot.register
-def _(robot: RoundRobot, q: Array, ax: Axes, colour: str = palette.ROBOT) -> list[Artist]:
-    if robot.radius == 0.0:
-        return []
-    return [ax.add_patch(Circle((q[0], q[1]), robot.radius, facecolor=colour, alpha=0.35, edgecolor=colour, zorder=6))]
-
-
 def draw_edges(segments: ArrayLike, ax: Axes, colour: str, *, width: float, zorder: float) -> list[Artist]:
-    """Draw segments, shape (m, 2, 2)."""
+    """Draw segments, shape (m, 2, 2), or polylines, shape (m, k, 2)."""
     lines = list(np.asarray(segments))
     return [ax.add_collection(LineCollection(lines, colors=colour, linewidths=width, zorder=zorder), autolim=False)]
 
 
-def draw_tree(tree: Tree, ax: Axes, *, upto: int | None = None) -> list[Artist]:
-    """Draw a tree, or its first `upto` nodes: the tree as it was then."""
+def draw_tree(tree: Tree, ax: Axes, *, upto: int | None = None, robot: Any = POINT) -> list[Artist]:
+    """Draw a tree, or its first `upto` nodes: the tree as it was then. An arm's tree is drawn by the way of its tip."""
     grown = np.arange(1, len(tree.nodes) if upto is None else max(upto, 1))
     grown = grown[tree.parent[grown] >= 0]
-    segments = np.stack([tree.nodes[tree.parent[grown]], tree.nodes[grown]], axis=1)[:, :, :2]
-    return draw_edges(segments, ax, palette.TREE, width=line_width(len(tree.nodes)), zorder=3)
+    lines = tracks(robot, tree.nodes[tree.parent[grown]], tree.nodes[grown])
+    return draw_edges(lines, ax, palette.TREE, width=line_width(len(tree.nodes)), zorder=3)
 
 
-def draw_roadmap(roadmap: Roadmap, ax: Axes, *, upto: int | None = None) -> list[Artist]:
-    """Draw a roadmap's nodes, and its edges or the first `upto` of them."""
+def draw_roadmap(roadmap: Roadmap, ax: Axes, *, upto: int | None = None, robot: Any = POINT) -> list[Artist]:
+    """Draw a roadmap's nodes, and its edges or the first `upto` of them. An arm's are drawn by the way of its tip."""
     edges = roadmap.edges[:upto]
-    dots = ax.plot(*roadmap.nodes[:, :2].T, ".", color=palette.TREE, markersize=dot_size(len(roadmap.nodes)), zorder=3.5)
-    return [*draw_edges(roadmap.nodes[edges][:, :, :2], ax, palette.ROADMAP, width=0.8, zorder=3), *dots]
+    places = np.array([place_of(robot, q) for q in roadmap.nodes])
+    dots = ax.plot(*places.T, ".", color=palette.TREE, markersize=dot_size(len(roadmap.nodes)), zorder=3.5)
+    lines = tracks(robot, roadmap.nodes[edges[:, 0]], roadmap.nodes[edges[:, 1]])
+    return [*draw_edges(lines, ax, palette.ROADMAP, width=0.8, zorder=3), *dots]
 
 
 def line_width(n: int) -> float:
@@ -186,16 +178,17 @@ def draw_plan(plan: Plan, ax: Axes | None = None, *, upto: int | None = None, ti
     """
     ax = axes_for(plan.problem.world, ax)
     artists = draw_problem(plan.problem, ax)
+    robot = getattr(plan.problem, "robot", POINT)
     total, _ = growth_of(plan)
     if plan.tree is not None:
-        artists += draw_tree(plan.tree, ax, upto=upto)
+        artists += draw_tree(plan.tree, ax, upto=upto, robot=robot)
     if plan.roadmap is not None:
-        artists += draw_roadmap(plan.roadmap, ax, upto=upto)
+        artists += draw_roadmap(plan.roadmap, ax, upto=upto, robot=robot)
     if plan.walk is not None:
         artists += draw_walk(plan.walk, ax, upto=upto, found=plan.path is not None)
     whole = upto is None or upto >= total
     if plan.path is not None and plan.walk is None and whole:
-        artists += draw_path(plan.path, ax)
+        artists += draw_along(robot, plan.problem.space, plan.path, ax) + draw_path(track_of(robot, plan.path), ax)
     ax.set_title(
         summary(plan, total if whole or upto is None else upto) if title is None else title, fontsize=palette.TEXT_SIZE, wrap=True
     )

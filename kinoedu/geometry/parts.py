@@ -6,6 +6,9 @@ The record table (every record is a NamedTuple; compiled code reads its fields):
 |---|---|
 | `Parts` | points (n, 2), first (k + 1,), radius (k,): part i is points[first[i]:first[i + 1]], grown by radius[i] |
 | `RoundRobot` | radius (its body, Parts of one point, is made when asked for) |
+| `TranslatingPolygonRobot` | outline (n, 2) and shape: Parts, at the origin (robots/polygon.py) |
+| `RigidPolygonRobot` | outline, shape, turn_weight (robots/polygon.py) |
+| `ArmRobot` | lengths (n,), base (2,), shape: Parts, each link along its own x-axis (robots/arm.py) |
 | `PolygonWorldRecord` | edges (m, 5), hull, obstacles: Parts, cells: PartsIndex, known, lo and hi (worlds/polygon_world.py) |
 | `PartsIndex` | x, y, cell, columns, rows, first, parts, boxes (worlds/parts_index.py) |
 | `TerrainRecord` | free (rows, columns), resolution, origin, lo and hi (worlds/terrain.py) |

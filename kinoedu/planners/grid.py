@@ -17,6 +17,7 @@ from ..graphs import astar
 from ..graphs.flat import degree, edge
 from ..problems import MOTIONS, Plan, ProblemRecord, Tree
 from ..robots.round import RoundRobot
+from ..spaces import RealSpace
 from ..worlds.terrain import TerrainRecord
 from .answers import plan_along
 from .asking import world_size
@@ -121,7 +122,7 @@ def plan_on_grid(problem: ProblemRecord, *, spacing: float | None = None) -> Pla
     >>> plan.cost
     4.0
     """
-    if not isinstance(problem, ProblemRecord) or problem.start.shape != (2,):
+    if not isinstance(problem, ProblemRecord) or not isinstance(problem.space, RealSpace) or problem.start.shape != (2,):
         raise InvalidParameter("a grid needs a Problem whose configurations are points of the plane")
     before = problem.asked[MOTIONS]
     grid = grid_for(problem, None if spacing is None else positive(spacing, "spacing"))

@@ -1,5 +1,8 @@
 """Robots: what a configuration means, and the body it places."""
 
+from .arm import ArmChain, TwoLinkArm, why_unreachable
+from .moving import placed
+from .polygon import RigidPolygon, TranslatingPolygon
 from .round import Disk, Point
 
-__all__ = ["Disk", "Point"]
+__all__ = ["ArmChain", "Disk", "Point", "RigidPolygon", "TranslatingPolygon", "TwoLinkArm", "placed", "why_unreachable"]

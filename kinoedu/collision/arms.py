@@ -1,0 +1,176 @@
+"""Which link of an arm is in contact: at one configuration, or painted over all of them. Bullo & Smith, section 4.1."""
+
+import math
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..compiled import body, compiled, inlined
+from ..errors import InvalidParameter, InvalidPoint, InvalidRobot
+from ..geometry.checks import Array, as_array, shortened
+from ..geometry.parts import Parts
+from ..geometry.separation import dividing_line
+from ..robots.arm import ArmRobot
+from ..robots.moving import X, Y, place
+from ..spaces.angles import FULL_TURN, wrapped
+from ..worlds.nearby import obstacles_near, rim
+from .turning import contact_size, first_in_contact, meets_part, piece_in_contact
+
+REMEMBERED = 256  # parts whose last interval is kept as a guess; more share them
+
+
+def link_in_contact(arm: ArmRobot, q: ArrayLike, world: Any) -> int:
+    """The first link that touches or enters an obstacle, or the outside of the world, counted from 1; 0 where none does.
+
+    arm : TwoLinkArm(...) or ArmChain(...). q : its angles, shape (n,). Contact is what `is_free` takes for contact: it is decided
+    to 1e-9 of the world's size. Raises InvalidRobot, InvalidPoint.
+
+    >>> from kinoedu import PolygonWorld, TwoLinkArm
+    >>> world = PolygonWorld([(-4, -4), (4, -4), (4, 4), (-4, 4)], [((2, 1), 0.5)])
+    >>> arm = TwoLinkArm(1.5, 1.2, 0.2)
+    >>> [link_in_contact(arm, q, world) for q in ((0, 0), (0.6, 0), (0, 1.2))]
+    [0, 2, 2]
+    """
+    check_arm(arm)
+    angles = as_array(q, "q")
+    if angles.shape != arm.lengths.shape:
+        raise InvalidPoint(f"q must be {len(arm.lengths)} angles, one for each link, got {shortened(q)}")
+    return int(contact_link(arm, world, angles, contact_size(world.lo, world.hi)))
+
+
+def check_arm(arm: Any) -> None:
+    """Raise InvalidRobot for what is no arm."""
+    if not isinstance(arm, ArmRobot):
+        raise InvalidRobot(f"expected an arm such as TwoLinkArm(1.5, 1.2, 0.2), got {shortened(arm)}")
+
+
+@compiled
+def contact_link(arm: ArmRobot, world: Any, q: Array, contact: float) -> int:
+    """`link_in_contact` for arrays."""
+    return first_in_contact(arm, world, q, q, contact, contact) + 1
+
+
+def paint_configuration_space(arm: ArmRobot, world: Any, n: int = 360) -> NDArray[np.int8]:
+    """`link_in_contact` of a two-link arm all over its configuration space, as an image of shape (n, n), int8.
+
+    image[i2, i1] belongs to theta1 = angles[i1] and theta2 = angles[i2], where angles = -pi + (i + 1/2) * 2 pi / n are the centres
+    of n equal cells: theta1 to the right, theta2 up when row 0 is drawn lowest.
+
+    Link 1 depends on theta1 alone. Link 2 turns about the elbow: the directions in which it meets a convex obstacle are one
+    interval round the direction of the obstacle's nearest point, so each end of it is found by halving. For k obstacles within
+    reach: O(n k log n) contacts are judged, instead of n^2 k. Raises InvalidRobot, InvalidParameter.
+
+    >>> from kinoedu import PolygonWorld, TwoLinkArm
+    >>> world = PolygonWorld([(-4, -4), (4, -4), (4, 4), (-4, 4)], [((2, 1), 0.5)])
+    >>> [int((paint_configuration_space(TwoLinkArm(1.5, 1.2, 0.2), world, 36) == link).sum()) for link in (0, 1, 2)]
+    [1224, 0, 72]
+    """
+    check_arm(arm)
+    if len(arm.lengths) != 2:
+        raise InvalidRobot(f"a picture has two axes: it is for an arm of two links, this one has {len(arm.lengths)}")
+    if isinstance(n, bool) or not isinstance(n, int | np.integer) or not 1 <= n <= 20_000:
+        raise InvalidParameter(f"n must be a whole number from 1 to 20,000, got {n!r}")
+    return painted(arm, world, np.zeros((int(n), int(n)), np.int8), contact_size(world.lo, world.hi))
+
+
+@body
+def painted(arm: ArmRobot, world: Any, image: NDArray[np.int8], contact: float) -> NDArray[np.int8]:
+    """`paint_configuration_space` on an image of zeros."""
+    n, ring = len(image), rim_parts(rim(world))
+    corners, q, still = np.empty((4, 5)), np.zeros(2), np.zeros(2)
+    rim_counts, counts = np.zeros((len(ring.radius), 2), np.int64), np.zeros((REMEMBERED, 2), np.int64)
+    for i1 in range(n):
+        q[0], q[1] = centre_of(i1, n), 0.0
+        if piece_in_contact(arm, 0, world, q, still, corners, contact, contact):
+            image[:, i1] = 1
+            continue
+        place(arm, 1, q, still, 0.0, corners)
+        x, y, reach = corners[2, X], corners[2, Y], arm.lengths[1] + arm.shape.radius[1] + contact
+        paint_second_link(arm, q, ring, np.arange(len(ring.radius)), contact, corners, rim_counts, image[:, i1])
+        parts, near = obstacles_near(world, x - reach, y - reach, x + reach, y + reach)
+        paint_second_link(arm, q, parts, near, contact, corners, counts, image[:, i1])
+    return image.copy()
+
+
+@compiled
+def rim_parts(ring: Array) -> Parts:
+    """The edges of a ring as parts of two points each: what starts inside the ring leaves it through one of them."""
+    n = len(ring)
+    points = np.empty((2 * n, 2))
+    for i in range(n):
+        points[2 * i], points[2 * i + 1] = ring[i - 1], ring[i]
+    return Parts(points, 2 * np.arange(n + 1), np.zeros(n))
+
+
+@compiled
+def centre_of(i: int, n: int) -> float:
+    """The angle at the centre of cell i of n."""
+    return (i + 0.5) * (FULL_TURN / n) - math.pi
+
+
+@compiled
+def paint_second_link(
+    arm: ArmRobot,
+    q: Array,
+    parts: Parts,
+    near: NDArray[np.int64],
+    contact: float,
+    corners: Array,
+    counts: NDArray[np.int64],
+    column: NDArray[np.int8],
+) -> None:
+    """Paint the angles of link 2 at which it meets one of the parts near its elbow, which touches none of them.
+
+    counts (m, 2) keep how many cells met each part before, on either side: in the next column it is about as many.
+    """
+    n, still = len(column), np.zeros(2)
+    reach = arm.lengths[1] + arm.shape.radius[1] + 2.0 * contact
+    for j in near:
+        q[1] = 0.0
+        place(arm, 1, q, still, 0.0, corners)
+        x, y, nx, ny = dividing_line(corners, 2, 3, parts.points, parts.first[j], parts.first[j + 1])
+        if (corners[2, X] - x) * nx + (corners[2, Y] - y) * ny > reach + parts.radius[j]:
+            continue
+        towards = (wrapped(math.atan2(-ny, -nx) - q[0]) + math.pi) / (FULL_TURN / n) - 0.5
+        below = math.floor(towards)
+        for side, begin, step in ((0, below, -1), (1, below + 1, 1)):
+            guess = counts[j % len(counts), side]
+            count = cells_in_contact(arm, q, still, corners, parts, j, contact, begin, step, n, guess)
+            counts[j % len(counts), side] = count
+            for k in range(count):
+                column[(begin + k * step) % n] = 2
+
+
+@inlined
+def cells_in_contact(
+    arm: ArmRobot,
+    q: Array,
+    still: Array,
+    corners: Array,
+    parts: Parts,
+    j: int,
+    contact: float,
+    begin: int,
+    step: int,
+    n: int,
+    guess: int,
+) -> int:
+    """How many cells from `begin` on meet part j, by wider and wider steps from a guess, then by halving.
+
+    Beyond a right angle from the part's nearest point none does.
+    """
+    least, most = 0, max(min(n // 4 + 2, n // 2), 1)
+    middle, stride = guess, 1
+    while least < most:
+        if not least <= middle < most:
+            middle = (least + most) // 2
+        q[1] = centre_of((begin + middle * step) % n, n)
+        if meets_part(arm, 1, q, still, corners, parts, j, arm.shape.radius[1] + contact, contact):
+            least = middle + 1
+            middle += stride
+        else:
+            most = middle
+            middle -= stride
+        stride *= 2
+    return least

@@ -1,0 +1,61 @@
+"""How far a robot is from what is solid."""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ..compiled import compiled
+from ..errors import InvalidPoint
+from ..geometry.checks import Array, as_array, shortened
+from ..geometry.exact import height
+from ..geometry.parts import Parts
+from ..geometry.separation import pieces_distance
+from ..robots.moving import placed
+from ..worlds.nearby import obstacles_near, rim
+
+
+def clearance_of(robot: Any, world: Any, q: ArrayLike) -> float:
+    """The distance from the robot at q to what is solid, be it an obstacle or the world's rim; 0 in contact, inside or outside.
+
+    Good to 1e-12 of itself, but for what rounding makes of the place of a body that turns. Raises InvalidPoint.
+
+    >>> from kinoedu import PolygonWorld, RigidPolygon
+    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [((7, 5), 1)])
+    >>> clearance_of(RigidPolygon([(-1, -1), (1, -1), (1, 1), (-1, 1)]), world, (3, 5, 0))
+    2.0
+    """
+    at = as_array(q, "q")
+    try:
+        body = placed(robot, at)
+    except IndexError:
+        raise InvalidPoint(f"q has too few numbers for this robot, got {shortened(q)}") from None
+    return float(least_distance(body, world))
+
+
+@compiled
+def least_distance(body: Parts, world: Any) -> float:
+    """The least distance of any piece of a body; only obstacles in a box as wide as the least so far are looked at."""
+    best = np.inf
+    for i in range(len(body.radius)):
+        begin, end = body.first[i], body.first[i + 1]
+        best = min(best, rim_distance(body.points[begin:end], rim(world)) - body.radius[i])
+        if best <= 0.0:
+            return 0.0
+        reach = best + body.radius[i]
+        x, y = body.points[begin:end, 0], body.points[begin:end, 1]
+        parts, near = obstacles_near(world, x.min() - reach, y.min() - reach, x.max() + reach, y.max() + reach)
+        for j in near:
+            apart = pieces_distance(body.points, begin, end, parts.points, parts.first[j], parts.first[j + 1])
+            best = min(best, apart - body.radius[i] - parts.radius[j])
+    return max(best, 0.0)
+
+
+@compiled
+def rim_distance(points: Array, ring: Array) -> float:
+    """How far inside a convex ring the point nearest to it is; negative outside."""
+    least = np.inf
+    for i in range(len(ring)):
+        for x, y in points:
+            least = min(least, height(ring[i - 1, 0], ring[i - 1, 1], ring[i, 0], ring[i, 1], x, y))
+    return least

@@ -1,0 +1,167 @@
+"""Robots that turn or bend, in any world: conservative advancement.
+
+At some time of the motion a line divides a piece of the robot from an obstacle. From how far off that line each corner of the piece
+is, how fast it comes nearer, and how sharply it can bend towards it, follows a time before which no contact can be. Then the next
+line is drawn. No fixed resolution: a needle cannot jump a wall of any thinness.
+
+Contact is decided to 1e-9 of the world's size. Source: B. Mirtich, "Impulse-based dynamic simulation of rigid body systems" (1996),
+section 2.3.2, here with each corner's own direction and acceleration; LaValle, section 5.3.4.
+"""
+
+import math
+from typing import Any
+
+import numpy as np
+
+from ..compiled import compiled, inlined
+from ..geometry.checks import Array
+from ..geometry.exact import height, length
+from ..geometry.parts import Parts
+from ..geometry.separation import dividing_line
+from ..robots.arm import ArmRobot
+from ..robots.moving import BEND, VX, VY, X, Y, place, way
+from ..robots.polygon import RigidPolygonRobot
+from ..worlds.nearby import obstacles_near, rim
+from ..worlds.polygon_world import PolygonWorldRecord
+from ..worlds.terrain import TerrainRecord
+from .asks import is_free_path, is_semi_free_path
+
+CONTACT = 1e-9  # of the world's size: so near is contact
+FAR = 1e-14  # of the largest coordinate: more than what rounding makes of a corner's place
+
+
+@is_free_path.register(RigidPolygonRobot, PolygonWorldRecord)
+@is_free_path.register(RigidPolygonRobot, TerrainRecord)
+@is_free_path.register(ArmRobot, PolygonWorldRecord)
+@is_free_path.register(ArmRobot, TerrainRecord)
+def turning_freely(robot: Any, world: Any, a: Array, b: Array, clearance: float) -> bool:
+    """Every piece stays within the world's rim and off each obstacle by more than the tolerance."""
+    contact = contact_size(world.lo, world.hi)
+    return first_in_contact(robot, world, a, b, clearance + contact, contact) < 0
+
+
+@is_semi_free_path.register(RigidPolygonRobot, PolygonWorldRecord)
+@is_semi_free_path.register(RigidPolygonRobot, TerrainRecord)
+@is_semi_free_path.register(ArmRobot, PolygonWorldRecord)
+@is_semi_free_path.register(ArmRobot, TerrainRecord)
+def turning_in_contact(robot: Any, world: Any, a: Array, b: Array, clearance: float) -> bool:
+    """No piece reaches deeper than twice the tolerance into what is solid."""
+    contact = contact_size(world.lo, world.hi)
+    return first_in_contact(robot, world, a, b, clearance - 2.0 * contact, contact) < 0
+
+
+@compiled
+def contact_size(lo: Array, hi: Array) -> float:
+    """The distance that counts as contact in a world between two corners."""
+    extent = max(hi[0] - lo[0], hi[1] - lo[1])
+    farthest = max(max(abs(lo[0]), abs(lo[1])), max(abs(hi[0]), abs(hi[1])))
+    return max(CONTACT * extent, FAR * farthest)
+
+
+@inlined
+def first_in_contact(robot: Any, world: Any, a: Array, b: Array, margin: float, contact: float) -> int:
+    """The first piece that does not keep `margin` on the way from a to b, or -1."""
+    corners, change = np.empty((len(robot.shape.points), 5)), way(robot, a, b)
+    for i in range(len(robot.shape.radius)):
+        if piece_in_contact(robot, i, world, a, change, corners, margin, contact):
+            return i
+    return -1
+
+
+@inlined
+def piece_in_contact(
+    robot: Any, i: int, world: Any, a: Array, change: Array, corners: Array, margin: float, contact: float
+) -> bool:
+    """Whether piece i does not keep `margin` from the rim or an obstacle on the way from a to a + change."""
+    begin, end, kept, ring = robot.shape.first[i], robot.shape.first[i + 1], robot.shape.radius[i] + margin, rim(world)
+    place(robot, i, a, change, 0.5, corners)
+    x0, y0, x1, y1 = swept_box(corners, begin, end, kept)
+    for edge in range(0 if box_within(x0, y0, x1, y1, ring) else len(ring)):
+        if crosses_edge(robot, i, a, change, corners, ring[edge - 1], ring[edge], kept, contact):
+            return True
+    parts, near = obstacles_near(world, x0, y0, x1, y1)
+    for j in near:
+        if meets_part(robot, i, a, change, corners, parts, j, kept, contact):
+            return True
+    return False
+
+
+@inlined
+def meets_part(
+    robot: Any, i: int, a: Array, change: Array, corners: Array, parts: Parts, j: int, kept: float, contact: float
+) -> bool:
+    """Whether piece i does not keep its distance from part j on the way."""
+    begin, end, least = robot.shape.first[i], robot.shape.first[i + 1], kept + parts.radius[j]
+    t = 0.0
+    while True:
+        place(robot, i, a, change, t, corners)
+        x, y, nx, ny = dividing_line(corners, begin, end, parts.points, parts.first[j], parts.first[j + 1])
+        room, time = clear_time(corners, begin, end, x, y, nx, ny, least)
+        t += time
+        if room <= 0.0 or t > 1.0:
+            return room <= 0.0
+        if room <= contact:
+            return True
+
+
+@inlined
+def crosses_edge(
+    robot: Any, i: int, a: Array, change: Array, corners: Array, p: Array, q: Array, kept: float, contact: float
+) -> bool:
+    """Whether piece i does not keep its distance from the outer side of the edge p-q of the world's rim."""
+    size = length(q[0] - p[0], q[1] - p[1])
+    nx, ny = (p[1] - q[1]) / size, (q[0] - p[0]) / size
+    t = 0.0
+    while True:
+        place(robot, i, a, change, t, corners)
+        room, time = clear_time(corners, robot.shape.first[i], robot.shape.first[i + 1], p[0], p[1], nx, ny, kept)
+        t += time
+        if room <= 0.0 or t > 1.0:
+            return room <= 0.0
+        if room <= contact:
+            return True
+
+
+@compiled
+def clear_time(corners: Array, begin: int, end: int, x: float, y: float, nx: float, ny: float, kept: float) -> tuple[float, float]:
+    """The least room that corners have ahead of a line, beyond what is to be kept, and for how long they surely have some."""
+    least, time = np.inf, np.inf
+    for k in range(begin, end):
+        room = (corners[k, X] - x) * nx + (corners[k, Y] - y) * ny - kept
+        speed = -(corners[k, VX] * nx + corners[k, VY] * ny)
+        least, time = min(least, room), min(time, time_across(room, speed, corners[k, BEND]))
+    return least, time
+
+
+@compiled
+def time_across(room: float, speed: float, bend: float) -> float:
+    """The first t > 0 at which speed * t + bend * t^2 / 2 is as large as room; infinite where it never is, 0 without room."""
+    if room <= 0.0:
+        return 0.0
+    root = math.sqrt(speed * speed + 2.0 * bend * room)
+    if speed > 0.0:
+        return 2.0 * room / (speed + root)
+    return (root - speed) / bend if bend > 0.0 else np.inf
+
+
+@compiled
+def swept_box(corners: Array, begin: int, end: int, kept: float) -> tuple[float, float, float, float]:
+    """A box round all that corners can reach in half a unit of time, back and forth, grown by `kept`."""
+    x0, y0, x1, y1 = np.inf, np.inf, -np.inf, -np.inf
+    for k in range(begin, end):
+        off = kept + corners[k, BEND] / 8.0
+        dx, dy = abs(corners[k, VX]) / 2.0 + off, abs(corners[k, VY]) / 2.0 + off
+        x0, y0 = min(x0, corners[k, X] - dx), min(y0, corners[k, Y] - dy)
+        x1, y1 = max(x1, corners[k, X] + dx), max(y1, corners[k, Y] + dy)
+    return x0, y0, x1, y1
+
+
+@compiled
+def box_within(x0: float, y0: float, x1: float, y1: float, ring: Array) -> bool:
+    """Whether a box lies inside a convex ring."""
+    for i in range(len(ring)):
+        px, py, qx, qy = ring[i - 1, 0], ring[i - 1, 1], ring[i, 0], ring[i, 1]
+        x, y = (x0 if qy < py else x1), (y0 if qx > px else y1)  # the corner farthest out
+        if height(px, py, qx, qy, x, y) <= 0.0:
+            return False
+    return True

@@ -1,0 +1,92 @@
+"""An arm in its workspace, and its configuration space: sampled or painted. Bullo & Smith, section 4.1."""
+
+from typing import Any
+
+import numpy as np
+from matplotlib import pyplot as plt
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
+from matplotlib.colors import ListedColormap
+from numpy.typing import ArrayLike, NDArray
+
+from ..collision import link_in_contact
+from ..errors import InvalidPoint
+from ..geometry.checks import as_array
+from ..robots.arm import ArmRobot
+from ..words import say
+from . import palette
+from .drawing import HALO, axes_for, draw_world
+from .robots import draw_robot
+
+MARKERS = ("o", "s", "^")  # free, link 1, link 2: told apart without colours too
+TICKS = np.array([-1.0, -0.5, 0.0, 0.5, 1.0]) * np.pi
+TICK_NAMES = (r"$-\pi$", r"$-\pi/2$", "0", r"$\pi/2$", r"$\pi$")
+
+
+def plot_environment(arm: ArmRobot, q: ArrayLike, world: Any, ax: Axes | None = None) -> list[Artist]:
+    """Draw a world and the arm in it: base, links with their width, joints, each link in the colour of its answer to contact."""
+    ax = axes_for(world, ax)
+    angles = as_array(q, "q")
+    hit = link_in_contact(arm, angles, world)
+    artists = draw_world(world, ax) + draw_robot(arm, angles, ax, palette.FREE_LINK if hit == 0 else palette.HIT)
+    base = ax.plot(*arm.base, "s", color=palette.INK, markersize=11, zorder=7)
+    ax.set_title(say("figure.link_in_contact", link=hit) if hit else say("figure.no_link_in_contact"), fontsize=palette.TEXT_SIZE)
+    return [*artists, *base]
+
+
+def plot_configuration_space(arm: ArmRobot, world: Any, samples: ArrayLike, ax: Axes | None = None) -> list[Artist]:
+    """Draw samples of a two-link arm's configuration space, shape (n, 2) in radians, in the book's colours: black squares where
+    link 1 hits, red triangles where link 2 does, blue dots where the arm is free. Raises InvalidPoint."""
+    points = as_array(samples, "samples")
+    if points.ndim != 2 or points.shape[1] != 2:
+        raise InvalidPoint(f"samples must be angles of two links, shape (n, 2), got shape {points.shape}")
+    ax = torus_axes(ax)
+    links = np.array([link_in_contact(arm, q, world) for q in points], int)
+    wrapped = (points + np.pi) % (2.0 * np.pi) - np.pi
+    size = float(np.clip(160.0 / np.sqrt(max(len(points), 1)), 2.0, 9.0))
+    drawn: list[Artist] = []
+    for link, (marker, colour) in enumerate(zip(MARKERS, palette.LINKS)):
+        shown = wrapped[links == link]
+        drawn += ax.plot(*shown.T, marker, color=colour, markersize=size, linestyle="none", label=say(f"figure.link_{link}"))
+    ax.legend(loc="upper center", bbox_to_anchor=(0.5, 1.11), ncols=3, fontsize=palette.TEXT_SIZE, frameon=False, handletextpad=0.2)
+    return drawn
+
+
+def draw_configuration_space(image: NDArray[np.int8], ax: Axes | None = None) -> list[Artist]:
+    """Draw what `paint_configuration_space` painted: theta1 to the right, theta2 up, each region named where it is widest."""
+    ax = torus_axes(ax)
+    extent = (-np.pi, np.pi, -np.pi, np.pi)
+    colours = ListedColormap(palette.LINKS_LIGHT)
+    picture = ax.imshow(image, origin="lower", extent=extent, cmap=colours, vmin=0, vmax=2, interpolation="nearest", zorder=1)
+    return [picture, *(text for link in range(3) for text in name_region(image == link, say(f"figure.link_{link}"), ax))]
+
+
+def name_region(region: NDArray[np.bool_], name: str, ax: Axes) -> list[Artist]:
+    """Write a name where a region is widest; nothing where it is too small to hold one."""
+    from scipy.ndimage import distance_transform_edt
+
+    depth = distance_transform_edt(np.pad(region, 1))[1:-1, 1:-1]
+    row, column = np.unravel_index(int(depth.argmax()), depth.shape)
+    if depth[row, column] < 0.03 * len(region):
+        return []
+    x, y = ((index + 0.5) * 2.0 * np.pi / len(region) - np.pi for index in (column, row))
+    margin = 0.22 * np.pi
+    inside = min(max(float(x), margin - np.pi), np.pi - margin)
+    text = ax.text(
+        inside, y, name, ha="center", va="center", fontsize=palette.TEXT_SIZE, color=palette.INK, path_effects=HALO, zorder=5
+    )
+    return [text]
+
+
+def torus_axes(ax: Axes | None) -> Axes:
+    """The axes given, or new ones: both angles from -pi to pi."""
+    if ax is None:
+        _, ax = plt.subplots(figsize=(6.4, 6.4), dpi=72, layout="constrained")
+    ax.set_aspect("equal")
+    ax.set_xlim(-np.pi, np.pi)
+    ax.set_ylim(-np.pi, np.pi)
+    ax.set_xticks(TICKS, TICK_NAMES, fontsize=palette.TEXT_SIZE)
+    ax.set_yticks(TICKS, TICK_NAMES, fontsize=palette.TEXT_SIZE)
+    ax.set_xlabel("θ₁, link 1", fontsize=palette.TEXT_SIZE)
+    ax.set_ylabel("θ₂, link 2 from link 1", fontsize=palette.TEXT_SIZE)
+    return ax

@@ -1,0 +1,124 @@
+"""Robots as figures: a body at a configuration, its bodies along a path, and where a motion leads in the plane."""
+
+from functools import singledispatch
+from typing import Any
+
+import numpy as np
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
+from matplotlib.patches import Circle, Polygon
+
+from ..geometry.checks import Array
+from ..robots.arm import ArmRobot
+from ..robots.moving import place, way
+from ..robots.polygon import RigidPolygonRobot, TranslatingPolygonRobot
+from ..robots.round import RoundRobot
+from ..spaces import distance, interpolate
+from . import palette
+from .bars import draw_bar
+
+GHOSTS = 12  # bodies shown along a path
+BENDS = 12  # straight pieces that stand for the way of an arm's tip
+
+
+@singledispatch
+def draw_robot(robot: Any, q: Array, ax: Axes, colour: str = palette.ROBOT) -> list[Artist]:
+    """Draw a robot's body at a configuration."""
+    raise TypeError(f"a figure cannot draw a {type(robot).__name__}")
+
+
+@draw_robot.register
+def _(robot: RoundRobot, q: Array, ax: Axes, colour: str = palette.ROBOT) -> list[Artist]:
+    if robot.radius == 0.0:
+        return []
+    return [ax.add_patch(Circle((q[0], q[1]), robot.radius, facecolor=colour, alpha=0.35, edgecolor=colour, zorder=6))]
+
+
+@draw_robot.register(TranslatingPolygonRobot)
+@draw_robot.register(RigidPolygonRobot)
+def _(robot: Any, q: Array, ax: Axes, colour: str = palette.ROBOT) -> list[Artist]:
+    return [ax.add_patch(Polygon(outline_at(robot, q), facecolor=f"{colour}59", edgecolor=colour, linewidth=1.5, zorder=6))]
+
+
+@draw_robot.register
+def _(robot: ArmRobot, q: Array, ax: Axes, colour: str = palette.ROBOT) -> list[Artist]:
+    places = np.vstack([robot.base, *robot.joints(q)])
+    links = zip(places, places[1:], robot.shape.radius)
+    bars = [bar for a, b, r in links for bar in draw_bar(a, b, r, ax, colour, alpha=0.35, zorder=6)]
+    joints = ax.plot(*places[:-1].T, "o", color=colour, markersize=6, markeredgecolor="white", zorder=6.5)
+    return [*bars, *joints]
+
+
+def outline_at(robot: Any, q: Array) -> Array:
+    """A polygon robot's outline at (x, y) or (x, y, theta), shape (n, 2)."""
+    cos, sin = (np.cos(q[2]), np.sin(q[2])) if len(q) > 2 else (1.0, 0.0)
+    return robot.outline @ np.array([[cos, sin], [-sin, cos]]) + q[:2]
+
+
+@singledispatch
+def place_of(robot: Any, q: Array) -> Array:
+    """The point of the plane that stands for a configuration: the reference point, or an arm's tip."""
+    return q[:2]
+
+
+@place_of.register
+def _(robot: ArmRobot, q: Array) -> Array:
+    return robot.joints(q)[-1]
+
+
+@singledispatch
+def tracks(robot: Any, a: Array, b: Array) -> Array:
+    """The ways of that point on motions between configurations, shapes (m, d), as polylines of shape (m, k, 2)."""
+    return np.stack([a, b], axis=1)[:, :, :2]
+
+
+@tracks.register
+def _(robot: ArmRobot, a: Array, b: Array) -> Array:
+    corners, lines = np.empty((2 * len(robot.lengths), 5)), np.empty((len(a), BENDS + 1, 2))
+    for line, p, q in zip(lines, a, b):
+        change = way(robot, p, q)
+        for k in range(BENDS + 1):
+            place(robot, len(robot.lengths) - 1, p, change, k / BENDS, corners)
+            line[k] = corners[-1, :2]
+    return lines
+
+
+def track_of(robot: Any, path: Array) -> Array:
+    """The way of that point along a path, shape (n, d), as one polyline (k, 2)."""
+    lines = tracks(robot, path[:-1], path[1:])
+    return np.vstack([place_of(robot, path[0]), *(line[1:] for line in lines)])
+
+
+@singledispatch
+def draw_along(robot: Any, space: Any, path: Array, ax: Axes) -> list[Artist]:
+    """Draw a robot's bodies along a path, evenly apart; nothing for a robot that looks the same everywhere."""
+    return []
+
+
+@draw_along.register(TranslatingPolygonRobot)
+@draw_along.register(RigidPolygonRobot)
+def _(robot: Any, space: Any, path: Array, ax: Axes) -> list[Artist]:
+    bodies = [Polygon(outline_at(robot, q), facecolor="none", edgecolor=palette.ROBOT, linewidth=1.2) for q in spread(space, path)]
+    return [ax.add_patch(body) for body in bodies]
+
+
+@draw_along.register
+def _(robot: ArmRobot, space: Any, path: Array, ax: Axes) -> list[Artist]:
+    drawn: list[Artist] = []
+    for q in spread(space, path):
+        places = np.vstack([robot.base, *robot.joints(q)])
+        for a, b, r in zip(places, places[1:], robot.shape.radius):
+            drawn += draw_bar(a, b, r, ax, palette.ROBOT, alpha=0.12, zorder=2.5)
+    return drawn
+
+
+def spread(space: Any, path: Array) -> list[Array]:
+    """Configurations evenly along a path, its ends left out."""
+    passed = np.cumsum([0.0, *(distance(space, a, b) for a, b in zip(path, path[1:]))])
+    if passed[-1] == 0.0:
+        return []
+    found = []
+    for target in np.linspace(0.0, passed[-1], GHOSTS + 2)[1:-1]:
+        k = min(int(np.searchsorted(passed, target, side="right")), len(path) - 1)
+        found.append(interpolate(space, path[k - 1], path[k], (target - passed[k - 1]) / (passed[k] - passed[k - 1])))
+    return found

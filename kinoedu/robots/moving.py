@@ -1,0 +1,114 @@
+"""Where the corners of a robot are on the way from one configuration to another, how fast, and how sharply they bend off.
+
+That is all that judging a motion needs to know of a robot. Each piece of the robot's `shape` is placed by itself.
+"""
+
+import math
+from typing import Any
+
+import numpy as np
+
+from ..compiled import generic
+from ..geometry.checks import Array
+from ..geometry.exact import length
+from ..geometry.parts import Parts
+from ..spaces.angles import short_way
+from .arm import ArmRobot
+from .polygon import RigidPolygonRobot, TranslatingPolygonRobot
+from .round import RoundRobot
+
+X, Y, VX, VY, BEND = 0, 1, 2, 3, 4  # columns of corners: place, velocity, and a bound on the acceleration's size all the way
+
+
+@generic(1)
+def way(robot: Any, a: Array, b: Array) -> Array:
+    """What is added to a on the way to b, angles the short way round; shape (d,)."""
+    raise TypeError("this robot does not move")
+
+
+@generic(1)
+def place(robot: Any, i: int, a: Array, change: Array, t: float, corners: Array) -> None:
+    """Write the corners of piece i at a + t * change, for 0 <= t <= 1, into their rows of corners, shape (n, 5).
+
+    The motion takes a unit of time. Velocities are those at t; BEND holds for the whole motion.
+    """
+    raise TypeError("this robot has no body")
+
+
+@generic(1)
+def placed(robot: Any, q: Array) -> Parts:
+    """The body at a configuration."""
+    corners = np.empty((len(robot.shape.points), 5))
+    for i in range(len(robot.shape.radius)):
+        place(robot, i, q, np.zeros(len(q)), 0.0, corners)
+    return Parts(corners[:, :2].copy(), robot.shape.first, robot.shape.radius)
+
+
+@placed.register(RoundRobot)
+def placed_disc(robot: RoundRobot, q: Array) -> Parts:
+    """A disc round q."""
+    points = np.empty((1, 2))
+    points[0, 0], points[0, 1] = q[0], q[1]
+    return Parts(points, np.array([0, 1]), np.array([robot.radius]))
+
+
+@way.register(TranslatingPolygonRobot)
+def straight_way(robot: TranslatingPolygonRobot, a: Array, b: Array) -> Array:
+    """b - a."""
+    return b - a
+
+
+@place.register(TranslatingPolygonRobot)
+def place_unturned(robot: TranslatingPolygonRobot, i: int, a: Array, change: Array, t: float, corners: Array) -> None:
+    """Straight on, all corners alike."""
+    for k in range(robot.shape.first[i], robot.shape.first[i + 1]):
+        corners[k, X] = robot.shape.points[k, 0] + (a[0] + t * change[0])
+        corners[k, Y] = robot.shape.points[k, 1] + (a[1] + t * change[1])
+        corners[k, VX], corners[k, VY], corners[k, BEND] = change[0], change[1], 0.0
+
+
+@way.register(RigidPolygonRobot)
+def way_with_turn(robot: RigidPolygonRobot, a: Array, b: Array) -> Array:
+    """Straight on, and the short turn."""
+    return np.array([b[0] - a[0], b[1] - a[1], short_way(a[2], b[2])])
+
+
+@place.register(RigidPolygonRobot)
+def place_turned(robot: RigidPolygonRobot, i: int, a: Array, change: Array, t: float, corners: Array) -> None:
+    """Straight on, and round the reference point."""
+    x, y, heading = a[0] + t * change[0], a[1] + t * change[1], a[2] + t * change[2]
+    cos, sin, turning = math.cos(heading), math.sin(heading), change[2]
+    for k in range(robot.shape.first[i], robot.shape.first[i + 1]):
+        px, py = robot.shape.points[k, 0], robot.shape.points[k, 1]
+        rx, ry = cos * px - sin * py, sin * px + cos * py
+        corners[k, X], corners[k, Y] = x + rx, y + ry
+        corners[k, VX], corners[k, VY] = change[0] - turning * ry, change[1] + turning * rx
+        corners[k, BEND] = turning * turning * length(px, py)
+
+
+@way.register(ArmRobot)
+def way_of_joints(robot: ArmRobot, a: Array, b: Array) -> Array:
+    """Each joint the short way."""
+    change = np.empty(len(a))
+    for i in range(len(a)):
+        change[i] = short_way(a[i], b[i])
+    return change
+
+
+@place.register(ArmRobot)
+def place_link(robot: ArmRobot, i: int, a: Array, change: Array, t: float, corners: Array) -> None:
+    """Joint after joint: each link adds its own turning to what the links before it do."""
+    x, y, vx, vy, bend, angle, turning = robot.base[0], robot.base[1], 0.0, 0.0, 0.0, 0.0, 0.0
+    for k in range(i + 1):
+        if k == i:
+            corners[2 * i, X], corners[2 * i, Y] = x, y
+            corners[2 * i, VX], corners[2 * i, VY], corners[2 * i, BEND] = vx, vy, bend
+        size = robot.lengths[k]
+        angle += a[k] + t * change[k]
+        turning += change[k]
+        cos, sin = math.cos(angle), math.sin(angle)
+        x, y = x + size * cos, y + size * sin
+        vx, vy = vx - size * turning * sin, vy + size * turning * cos
+        bend += size * turning * turning
+    k = 2 * i + 1
+    corners[k, X], corners[k, Y], corners[k, VX], corners[k, VY], corners[k, BEND] = x, y, vx, vy, bend

@@ -1,0 +1,78 @@
+"""Robots in scenes, read and written. What a scene looks like as a whole stands in scenes.py."""
+
+from collections.abc import Callable
+from functools import singledispatch
+from typing import Any
+
+from .errors import UnreadableScene
+from .fields import Field
+from .robots import ArmChain, Disk, Point, RigidPolygon, TranslatingPolygon
+from .robots.arm import ArmRobot
+from .robots.polygon import RigidPolygonRobot, TranslatingPolygonRobot
+from .robots.round import RoundRobot
+
+
+def point_from(field: Field) -> RoundRobot:
+    """A point robot."""
+    field.members(("kind",))
+    return Point()
+
+
+def disk_from(field: Field) -> RoundRobot:
+    """A disk robot."""
+    return Disk(field.members(("kind", "radius"))["radius"].number())
+
+
+def polygon_from(field: Field) -> TranslatingPolygonRobot:
+    """A polygon that does not turn."""
+    return TranslatingPolygon(field.members(("kind", "vertices"))["vertices"].points())
+
+
+def turning_polygon_from(field: Field) -> RigidPolygonRobot:
+    """A polygon that turns."""
+    fields = field.members(("kind", "vertices"), ("turn_weight",))
+    weight = fields["turn_weight"].number() if "turn_weight" in fields else None
+    return RigidPolygon(fields["vertices"].points(), turn_weight=weight)
+
+
+def arm_from(field: Field) -> ArmRobot:
+    """An arm."""
+    fields = field.members(("kind", "lengths", "width"), ("base",))
+    base = fields["base"].numbers() if "base" in fields else (0.0, 0.0)
+    return ArmChain(fields["lengths"].numbers(), fields["width"].number(), base=base)
+
+
+ROBOTS: dict[str, Callable[[Field], Any]] = {
+    "point": point_from,
+    "disk": disk_from,
+    "polygon": polygon_from,
+    "turning polygon": turning_polygon_from,
+    "arm": arm_from,
+}
+
+
+@singledispatch
+def described(thing: Any) -> dict[str, Any]:
+    """A robot or a world as a scene's object."""
+    raise UnreadableScene(f"scenes cannot hold a {type(thing).__name__} yet")
+
+
+@described.register
+def _(robot: RoundRobot) -> dict[str, Any]:
+    return {"kind": "disk", "radius": robot.radius} if robot.radius else {"kind": "point"}
+
+
+@described.register
+def _(robot: TranslatingPolygonRobot) -> dict[str, Any]:
+    return {"kind": "polygon", "vertices": robot.outline.tolist()}
+
+
+@described.register
+def _(robot: RigidPolygonRobot) -> dict[str, Any]:
+    return {"kind": "turning polygon", "vertices": robot.outline.tolist(), "turn_weight": robot.turn_weight}
+
+
+@described.register
+def _(robot: ArmRobot) -> dict[str, Any]:
+    width = 2.0 * float(robot.shape.radius[0])
+    return {"kind": "arm", "lengths": robot.lengths.tolist(), "width": width, "base": robot.base.tolist()}
