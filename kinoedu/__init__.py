@@ -37,7 +37,7 @@ from .decomposition import decomposition_roadmap, sweep, trapezoidation, triangu
 from .graphs import Graph, astar, bfs_path, bfs_tree, dfs_path, dijkstra
 from .planners import bug0, bug1, bug2, bug2_prelim, bug_base, plan_by_decomposition, plan_on_grid, prm, rrt
 from .problems import Plan, Problem, Recorder
-from .robots import Disk, Point, RigidPolygon, TranslatingPolygon, TwoLinkArm
+from .robots import Car, Disk, Point, RigidPolygon, TranslatingPolygon, TwoLinkArm
 from .sampling import corner_grid, dispersion, halton, sukharev_grid, uniform_random
 from .scenes import read_problem, read_scene, write_scene
 from .spaces import circle_distance, torus_distance
@@ -56,6 +56,7 @@ def __getattr__(name: str) -> Any:
 
 
 __all__ = [
+    "Car",
     "Disk",
     "Graph",
     "Plan",

@@ -7,10 +7,13 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .collision import link_in_contact
+from .curves.curve import as_pose
+from .curves.space import CurveSpace
 from .errors import InvalidParameter, InvalidPoint
 from .geometry.checks import Array, as_array, shortened
 from .geometry.polygons import point_polygon_distance
 from .robots.arm import ArmRobot
+from .robots.car import CarRobot
 from .robots.polygon import RigidPolygonRobot, TranslatingPolygonRobot
 from .robots.round import RoundRobot
 from .spaces import RealSpace, WrappingSpace
@@ -44,6 +47,11 @@ def _(robot: RigidPolygonRobot, world: Any) -> WrappingSpace:
 
 
 @space_of.register
+def _(robot: CarRobot, world: Any) -> CurveSpace:
+    return CurveSpace(np.append(world.lo, -np.pi), np.append(world.hi, np.pi), robot.radius, robot.both_ways)
+
+
+@space_of.register
 def _(robot: ArmRobot, world: Any) -> WrappingSpace:
     n = len(robot.lengths)
     return WrappingSpace(np.full(n, -np.pi), np.full(n, np.pi), np.full(n, True), np.ones(n))
@@ -54,6 +62,8 @@ def as_configuration(value: ArrayLike, space: Any, name: str) -> Array:
     q = as_array(value, name)
     if q.shape != space.lo.shape:
         raise InvalidPoint(f"{name} must be {len(space.lo)} numbers, got {shortened(value)}")
+    if isinstance(space, CurveSpace):
+        return as_pose(q, name)
     return wrapped_configuration(space, q) if isinstance(space, WrappingSpace) else q
 
 

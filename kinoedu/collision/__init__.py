@@ -1,17 +1,19 @@
 """Collision: whole motions of a robot's body against a world."""
 
-from . import round_polygons, round_terrain, translating, turning
+from . import driving, round_polygons, round_terrain, translating, turning
 from .arms import link_in_contact, paint_configuration_space
-from .asks import coordinates, is_free, is_free_path, is_semi_free_path
+from .asks import coordinates, is_free, is_free_drive, is_free_path, is_semi_free_path
 from .batches import free_configurations, free_motions
 from .clearances import clearance_of
 
 __all__ = [
     "clearance_of",
     "coordinates",
+    "driving",
     "free_configurations",
     "free_motions",
     "is_free",
+    "is_free_drive",
     "is_free_path",
     "is_semi_free_path",
     "link_in_contact",

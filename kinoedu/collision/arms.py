@@ -48,7 +48,7 @@ def check_arm(arm: Any) -> None:
 @compiled
 def contact_link(arm: ArmRobot, world: Any, q: Array, contact: float) -> int:
     """`link_in_contact` for arrays."""
-    return first_in_contact(arm, world, q, q, contact, contact) + 1
+    return first_in_contact(arm, world, q, np.zeros(len(q)), contact, contact) + 1
 
 
 def paint_configuration_space(arm: ArmRobot, world: Any, n: int = 360) -> NDArray[np.int8]:

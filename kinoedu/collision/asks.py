@@ -25,6 +25,12 @@ def is_semi_free_path(robot: Any, world: Any, a: Array, b: Array, clearance: flo
     raise TypeError("this robot cannot slide in this world")
 
 
+@generic(2)
+def is_free_drive(robot: Any, world: Any, pose: Array, distance: float, curvature: float, clearance: float) -> bool:
+    """Whether a car, driven a distance along an arc, stays more than `clearance` away from every obstacle all the way."""
+    raise TypeError("this robot cannot be driven in this world")
+
+
 @generic(1)
 def coordinates(robot: Any) -> int:
     """How many numbers a configuration of this robot has."""

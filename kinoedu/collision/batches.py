@@ -9,6 +9,7 @@ from ..compiled import body
 from ..errors import InvalidParameter, InvalidPoint
 from ..geometry.checks import Array, as_array
 from ..robots.arm import ArmRobot
+from ..robots.car import CarRobot
 from ..robots.polygon import RigidPolygonRobot, TranslatingPolygonRobot
 from ..robots.round import RoundRobot
 from .asks import coordinates, is_free, is_free_path
@@ -54,7 +55,8 @@ def position(robot: Any) -> int:
 
 
 @coordinates.register(RigidPolygonRobot)
-def pose(robot: RigidPolygonRobot) -> int:
+@coordinates.register(CarRobot)
+def pose(robot: Any) -> int:
     """x, y and theta."""
     return 3
 

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from ..compiled import compiled, inlined
+from ..compiled import compiled
 from ..geometry.checks import Array
 from ..geometry.exact import height, length
 from ..geometry.parts import Parts
@@ -37,7 +37,7 @@ FAR = 1e-14  # of the largest coordinate: more than what rounding makes of a cor
 def turning_freely(robot: Any, world: Any, a: Array, b: Array, clearance: float) -> bool:
     """Every piece stays within the world's rim and off each obstacle by more than the tolerance."""
     contact = contact_size(world.lo, world.hi)
-    return first_in_contact(robot, world, a, b, clearance + contact, contact) < 0
+    return first_in_contact(robot, world, a, way(robot, a, b), clearance + contact, contact) < 0
 
 
 @is_semi_free_path.register(RigidPolygonRobot, PolygonWorldRecord)
@@ -47,7 +47,7 @@ def turning_freely(robot: Any, world: Any, a: Array, b: Array, clearance: float)
 def turning_in_contact(robot: Any, world: Any, a: Array, b: Array, clearance: float) -> bool:
     """No piece reaches deeper than twice the tolerance into what is solid."""
     contact = contact_size(world.lo, world.hi)
-    return first_in_contact(robot, world, a, b, clearance - 2.0 * contact, contact) < 0
+    return first_in_contact(robot, world, a, way(robot, a, b), clearance - 2.0 * contact, contact) < 0
 
 
 @compiled
@@ -58,17 +58,17 @@ def contact_size(lo: Array, hi: Array) -> float:
     return max(CONTACT * extent, FAR * farthest)
 
 
-@inlined
-def first_in_contact(robot: Any, world: Any, a: Array, b: Array, margin: float, contact: float) -> int:
-    """The first piece that does not keep `margin` on the way from a to b, or -1."""
-    corners, change = np.empty((len(robot.shape.points), 5)), way(robot, a, b)
+@compiled
+def first_in_contact(robot: Any, world: Any, a: Array, change: Array, margin: float, contact: float) -> int:
+    """The first piece that does not keep `margin` on the way from a to a + change, or -1."""
+    corners = np.empty((len(robot.shape.points), 5))
     for i in range(len(robot.shape.radius)):
         if piece_in_contact(robot, i, world, a, change, corners, margin, contact):
             return i
     return -1
 
 
-@inlined
+@compiled
 def piece_in_contact(
     robot: Any, i: int, world: Any, a: Array, change: Array, corners: Array, margin: float, contact: float
 ) -> bool:
@@ -86,7 +86,7 @@ def piece_in_contact(
     return False
 
 
-@inlined
+@compiled
 def meets_part(
     robot: Any, i: int, a: Array, change: Array, corners: Array, parts: Parts, j: int, kept: float, contact: float
 ) -> bool:
@@ -104,7 +104,7 @@ def meets_part(
             return True
 
 
-@inlined
+@compiled
 def crosses_edge(
     robot: Any, i: int, a: Array, change: Array, corners: Array, p: Array, q: Array, kept: float, contact: float
 ) -> bool:

@@ -10,6 +10,7 @@ from ..compiled import compiled
 from ..errors import InvalidParameter, InvalidPoint
 from ..geometry.checks import Array, as_array, shortened
 from ..spaces.angles import wrapped
+from .arcs import driven
 
 LETTERS = {1: "L", 0: "S", -1: "R"}
 
@@ -44,23 +45,15 @@ class Curve(NamedTuple):
 
 
 @compiled
-def moved(x: float, y: float, theta: float, turn: int, length: float, radius: float) -> tuple[float, float, float]:
-    """Where a piece ends. An arc's end lies along its chord, whose heading is halfway between the arc's two."""
-    half = 0.5 * turn * length / radius
-    chord = length if turn == 0 else 2.0 * radius * math.sin(0.5 * length / radius)
-    return x + chord * math.cos(theta + half), y + chord * math.sin(theta + half), wrapped(theta + 2.0 * half)
-
-
-@compiled
 def poses_along(start: Array, radius: float, turns: NDArray[np.int64], lengths: Array, along: Array) -> Array:
     """The poses after each distance, shape (m, 3)."""
     poses = np.empty((len(along), 3))
     for i in range(len(along)):
         x, y, theta, left = start[0], start[1], start[2], along[i]
         for turn, length in zip(turns, lengths):
-            driven = min(left, abs(length))
-            x, y, theta = moved(x, y, theta, turn, driven if length >= 0.0 else -driven, radius)
-            left -= driven
+            piece = min(left, abs(length))
+            x, y, theta = driven(x, y, theta, piece if length >= 0.0 else -piece, turn / radius)
+            left -= piece
         poses[i, 0], poses[i, 1], poses[i, 2] = x, y, theta
     return poses
 

@@ -8,8 +8,11 @@ from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.patches import Circle, Polygon
 
+from ..curves.curve import Curve
+from ..curves.space import pieces_between
 from ..geometry.checks import Array
 from ..robots.arm import ArmRobot
+from ..robots.car import CarRobot
 from ..robots.moving import place, way
 from ..robots.polygon import RigidPolygonRobot, TranslatingPolygonRobot
 from ..robots.round import RoundRobot
@@ -19,6 +22,7 @@ from .bars import draw_bar
 
 GHOSTS = 12  # bodies shown along a path
 BENDS = 12  # straight pieces that stand for the way of an arm's tip
+CURVED = 40  # and for a car's curve
 
 
 @singledispatch
@@ -41,6 +45,13 @@ def _(robot: Any, q: Array, ax: Axes, colour: str = palette.ROBOT) -> list[Artis
 
 
 @draw_robot.register
+def _(robot: CarRobot, q: Array, ax: Axes, colour: str = palette.ROBOT) -> list[Artist]:
+    wheels = [Polygon(wheel, facecolor=palette.INK, zorder=6.2) for wheel in wheels_at(robot, q)]
+    body = Polygon(outline_at(robot, q), facecolor=f"{colour}59", edgecolor=colour, linewidth=1.5, zorder=6)
+    return [ax.add_patch(patch) for patch in (body, *wheels)]
+
+
+@draw_robot.register
 def _(robot: ArmRobot, q: Array, ax: Axes, colour: str = palette.ROBOT) -> list[Artist]:
     places = np.vstack([robot.base, *robot.joints(q)])
     links = zip(places, places[1:], robot.shape.radius)
@@ -53,6 +64,16 @@ def outline_at(robot: Any, q: Array) -> Array:
     """A polygon robot's outline at (x, y) or (x, y, theta), shape (n, 2)."""
     cos, sin = (np.cos(q[2]), np.sin(q[2])) if len(q) > 2 else (1.0, 0.0)
     return robot.outline @ np.array([[cos, sin], [-sin, cos]]) + q[:2]
+
+
+def wheels_at(car: CarRobot, q: Array) -> list[Array]:
+    """The outlines of a car's four wheels, steered straight, shape (4, 2) each."""
+    half = 0.5 * float(np.ptp(car.outline[:, 1]))
+    long, broad = 0.18 * car.wheelbase, 0.16 * half
+    wheel = np.array([(-long, -broad), (long, -broad), (long, broad), (-long, broad)])
+    cos, sin = np.cos(q[2]), np.sin(q[2])
+    places = [(x, y) for x in (0.0, car.wheelbase) for y in (broad - half, half - broad)]
+    return [(wheel + place) @ np.array([[cos, sin], [-sin, cos]]) + q[:2] for place in places]
 
 
 @singledispatch
@@ -83,6 +104,13 @@ def _(robot: ArmRobot, a: Array, b: Array) -> Array:
     return lines
 
 
+@tracks.register
+def _(robot: CarRobot, a: Array, b: Array) -> Array:
+    share = np.linspace(0.0, 1.0, CURVED + 1)
+    curves = [Curve(p, robot.radius, *pieces_between(p, q, robot.radius, robot.both_ways)) for p, q in zip(a, b)]
+    return np.array([curve.at(share * curve.length)[:, :2] for curve in curves]).reshape(-1, CURVED + 1, 2)
+
+
 def track_of(robot: Any, path: Array) -> Array:
     """The way of that point along a path, shape (n, d), as one polyline (k, 2)."""
     lines = tracks(robot, path[:-1], path[1:])
@@ -97,6 +125,7 @@ def draw_along(robot: Any, space: Any, path: Array, ax: Axes) -> list[Artist]:
 
 @draw_along.register(TranslatingPolygonRobot)
 @draw_along.register(RigidPolygonRobot)
+@draw_along.register(CarRobot)
 def _(robot: Any, space: Any, path: Array, ax: Axes) -> list[Artist]:
     bodies = [Polygon(outline_at(robot, q), facecolor="none", edgecolor=palette.ROBOT, linewidth=1.2) for q in spread(space, path)]
     return [ax.add_patch(body) for body in bodies]

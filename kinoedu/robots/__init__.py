@@ -1,8 +1,9 @@
 """Robots: what a configuration means, and the body it places."""
 
 from .arm import ArmChain, TwoLinkArm, why_unreachable
+from .car import Car
 from .moving import placed
 from .polygon import RigidPolygon, TranslatingPolygon
 from .round import Disk, Point
 
-__all__ = ["ArmChain", "Disk", "Point", "RigidPolygon", "TranslatingPolygon", "TwoLinkArm", "placed", "why_unreachable"]
+__all__ = ["ArmChain", "Car", "Disk", "Point", "RigidPolygon", "TranslatingPolygon", "TwoLinkArm", "placed", "why_unreachable"]

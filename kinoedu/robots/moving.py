@@ -9,11 +9,13 @@ from typing import Any
 import numpy as np
 
 from ..compiled import generic
+from ..curves.arcs import driven
 from ..geometry.checks import Array
 from ..geometry.exact import length
 from ..geometry.parts import Parts
 from ..spaces.angles import short_way
 from .arm import ArmRobot
+from .car import CarRobot
 from .polygon import RigidPolygonRobot, TranslatingPolygonRobot
 from .round import RoundRobot
 
@@ -84,6 +86,20 @@ def place_turned(robot: RigidPolygonRobot, i: int, a: Array, change: Array, t: f
         corners[k, X], corners[k, Y] = x + rx, y + ry
         corners[k, VX], corners[k, VY] = change[0] - turning * ry, change[1] + turning * rx
         corners[k, BEND] = turning * turning * length(px, py)
+
+
+@place.register(CarRobot)
+def place_driven(robot: CarRobot, i: int, a: Array, change: Array, t: float, corners: Array) -> None:
+    """Along an arc: change is the distance driven and the turn made on it."""
+    s, turning = change[0], change[1]
+    x, y, heading = driven(a[0], a[1], a[2], t * s, turning / s if s != 0.0 else 0.0)
+    cos, sin = math.cos(heading), math.sin(heading)
+    for k in range(robot.shape.first[i], robot.shape.first[i + 1]):
+        px, py = robot.shape.points[k, 0], robot.shape.points[k, 1]
+        rx, ry = cos * px - sin * py, sin * px + cos * py
+        corners[k, X], corners[k, Y] = x + rx, y + ry
+        corners[k, VX], corners[k, VY] = s * cos - turning * ry, s * sin + turning * rx
+        corners[k, BEND] = abs(turning * s) + turning * turning * length(px, py)
 
 
 @way.register(ArmRobot)

@@ -1,0 +1,44 @@
+"""Cars, in any world: an arc is judged whole, and so is a curve of arcs, by conservative advancement."""
+
+from typing import Any
+
+import numpy as np
+
+from ..curves.arcs import driven
+from ..curves.space import pieces_between
+from ..geometry.checks import Array
+from ..robots.car import CarRobot
+from ..worlds.polygon_world import PolygonWorldRecord
+from ..worlds.terrain import TerrainRecord
+from .asks import is_free, is_free_drive, is_free_path
+from .turning import contact_size, first_in_contact
+
+
+@is_free_drive.register(CarRobot, PolygonWorldRecord)
+@is_free_drive.register(CarRobot, TerrainRecord)
+def driving_freely(robot: CarRobot, world: Any, pose: Array, distance: float, curvature: float, clearance: float) -> bool:
+    """Nothing is touched on the arc."""
+    contact = contact_size(world.lo, world.hi)
+    change = np.array([distance, distance * curvature])
+    return first_in_contact(robot, world, pose, change, clearance + contact, contact) < 0
+
+
+@is_free.register(CarRobot, PolygonWorldRecord)
+@is_free.register(CarRobot, TerrainRecord)
+def standing_freely(robot: CarRobot, world: Any, q: Array, clearance: float) -> bool:
+    """An arc of length zero."""
+    return is_free_drive(robot, world, q, 0.0, 0.0, clearance)
+
+
+@is_free_path.register(CarRobot, PolygonWorldRecord)
+@is_free_path.register(CarRobot, TerrainRecord)
+def driving_the_curve_freely(robot: CarRobot, world: Any, a: Array, b: Array, clearance: float) -> bool:
+    """Every piece of the shortest curve from a to b."""
+    turns, lengths = pieces_between(a, b, robot.radius, robot.both_ways)
+    pose = np.array([a[0], a[1], a[2]])
+    for i in range(len(turns)):
+        curvature = turns[i] / robot.radius
+        if lengths[i] != 0.0 and not is_free_drive(robot, world, pose, lengths[i], curvature, clearance):
+            return False
+        pose[0], pose[1], pose[2] = driven(pose[0], pose[1], pose[2], lengths[i], curvature)
+    return is_free_drive(robot, world, b, 0.0, 0.0, clearance)
