@@ -57,6 +57,14 @@ def among_boxes(seed: int) -> Case:
     return Case(ke.Problem(ke.Point(), world, (2, 2), (98, 98)), seed, boxes)
 
 
+def through_doors(seed: int) -> Case:
+    """Three walls across the square, each with a door two units wide. Rows x, y, width, height."""
+    doors = np.random.default_rng(seed).uniform(10, 88, 3)
+    boxes = np.array([row for x, door in zip((24, 49, 74), doors) for row in ((x, 0, 2, door), (x, door + 2, 2, 98 - door))])
+    world = ke.PolygonWorld(SQUARE, [box(*row) for row in boxes])
+    return Case(ke.Problem(ke.Point(), world, (2, 2), (98, 98)), seed, boxes)
+
+
 def bitmap(seed: int, blocked: float, size: int = 1000) -> np.ndarray:
     """A random bitmap (size, size), true where free, with free opposite corners."""
     free = np.random.default_rng(seed).random((size, size)) >= blocked

@@ -35,13 +35,40 @@ from .collision import link_in_contact
 from .curves import dubins_path, reeds_shepp_path
 from .decomposition import decomposition_roadmap, sweep, trapezoidation, triangulation
 from .graphs import Graph, astar, bfs_path, bfs_tree, dfs_path, dijkstra
-from .planners import bug0, bug1, bug2, bug2_prelim, bug_base, plan_by_decomposition, plan_on_grid, prm, rrt
+from .planners import (
+    ComponentKClosest,
+    KClosest,
+    Radius,
+    bug0,
+    bug1,
+    bug2,
+    bug2_prelim,
+    bug_base,
+    build_roadmap,
+    grid_roadmap,
+    informed_rrt_star,
+    plan_by_decomposition,
+    plan_by_visibility,
+    plan_on_grid,
+    prm,
+    prm_star,
+    query,
+    receding_horizon,
+    roadmap_properties,
+    rrt,
+    rrt_connect,
+    rrt_expansion,
+    rrt_star,
+    shortcut,
+    tree_roadmap,
+    visibility_roadmap,
+)
 from .problems import Plan, Problem, Recorder
 from .robots import Car, Disk, Point, RigidPolygon, TranslatingPolygon, TwoLinkArm
 from .sampling import corner_grid, dispersion, halton, sukharev_grid, uniform_random
 from .scenes import read_problem, read_scene, write_scene
 from .spaces import circle_distance, torus_distance
-from .worlds import PolygonWorld, Terrain, read_world
+from .worlds import PolygonWorld, Terrain, read_world, scan
 
 __version__ = "0.1.0"
 
@@ -57,12 +84,15 @@ def __getattr__(name: str) -> Any:
 
 __all__ = [
     "Car",
+    "ComponentKClosest",
     "Disk",
     "Graph",
+    "KClosest",
     "Plan",
     "Point",
     "PolygonWorld",
     "Problem",
+    "Radius",
     "Recorder",
     "RigidPolygon",
     "Terrain",
@@ -78,6 +108,7 @@ __all__ = [
     "bug2",
     "bug2_prelim",
     "bug_base",
+    "build_roadmap",
     "c_space",
     "circle_distance",
     "collision",
@@ -93,28 +124,42 @@ __all__ = [
     "figures",
     "geometry",
     "graphs",
+    "grid_roadmap",
     "halton",
+    "informed_rrt_star",
     "link_in_contact",
     "plan_by_decomposition",
+    "plan_by_visibility",
     "plan_on_grid",
     "planners",
     "prm",
+    "prm_star",
     "problems",
+    "query",
     "read_problem",
     "read_scene",
     "read_world",
+    "receding_horizon",
     "reeds_shepp_path",
+    "roadmap_properties",
     "robots",
     "rrt",
+    "rrt_connect",
+    "rrt_expansion",
+    "rrt_star",
     "sampling",
+    "scan",
     "scenes",
+    "shortcut",
     "spaces",
     "sukharev_grid",
     "sweep",
     "torus_distance",
     "trapezoidation",
+    "tree_roadmap",
     "triangulation",
     "uniform_random",
+    "visibility_roadmap",
     "worlds",
     "write_scene",
 ]

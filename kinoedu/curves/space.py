@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from ..compiled import compiled, inlined
 from ..geometry.checks import Array
-from ..spaces import diameter, distance, interpolate, nearest, sample
+from ..spaces import diameter, distance, interpolate, near, nearest, sample
 from ..spaces.angles import short_way
 from .curve import poses_along, seen_from
 from .dubins import shortest_forward
@@ -82,6 +82,17 @@ def nearest_by_curve(space: CurveSpace, tree: Any, q: Array) -> int:
             if length < least:
                 best, least = node, length
     return best
+
+
+@near.register(CurveSpace)
+def near_by_curve(space: CurveSpace, tree: Any, q: Array, radius: float) -> NDArray[np.int64]:
+    """Those from which q is no farther than a radius, by asking; curves are found only where one could be short enough."""
+    found, size = np.empty(tree.size[0], np.int64), 0
+    for node in range(tree.size[0]):
+        if at_least(space, tree.nodes[node], q) <= radius and distance(space, tree.nodes[node], q) <= radius:
+            found[size] = node
+            size += 1
+    return found[:size].copy()
 
 
 @inlined

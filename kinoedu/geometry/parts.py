@@ -9,14 +9,18 @@ The record table (every record is a NamedTuple; compiled code reads its fields):
 | `TranslatingPolygonRobot` | outline (n, 2) and shape: Parts, at the origin (robots/polygon.py) |
 | `RigidPolygonRobot` | outline, shape, turn_weight (robots/polygon.py) |
 | `ArmRobot` | lengths (n,), base (2,), shape: Parts, each link along its own x-axis (robots/arm.py) |
+| `CarRobot` | outline, shape, wheelbase, max_steering, radius, speeds, both_ways (robots/car.py) |
 | `PolygonWorldRecord` | edges (m, 5), hull, obstacles: Parts, cells: PartsIndex, known, lo and hi (worlds/polygon_world.py) |
 | `PartsIndex` | x, y, cell, columns, rows, first, parts, boxes (worlds/parts_index.py) |
 | `TerrainRecord` | free (rows, columns), resolution, origin, lo and hi (worlds/terrain.py) |
 | `RealSpace` | lo and hi (d,) (spaces/real.py) |
 | `WrappingSpace` | lo, hi, wraps and weight (d,) (spaces/wrapping.py) |
+| `CurveSpace` | lo, hi (3,), radius, both_ways (curves/space.py) |
 | `Curve` | start (3,), radius, turns (k,), lengths (k,) (curves/curve.py) |
 | `Nearest`, `Closest` | what a search of buckets has found so far (spaces/rings.py, spaces/closest.py) |
 | `GrowingTree` | nodes, parent, size, and the buckets of its nearest neighbours (spaces/buckets.py) |
+| `CostTree` | tree, cost, length, child, sibling (planners/rrt_star.py) |
+| `Corners` | points, nodes, before, after (planners/corners.py) |
 | `GraphRecord` | size, edges, weights, first, to, weight (graphs/flat.py) |
 | `Sweep` | the state of a sweep line, flat (decomposition/sweep.py) |
 | `Rounded`, `Slide` | a grown convex shape; a robot's way round an obstacle (c_space/rounded.py, c_space/sliding.py) |

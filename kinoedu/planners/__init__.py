@@ -7,22 +7,49 @@ from .bug2 import bug2
 from .bug2_prelim import bug2_prelim
 from .bug_base import bug_base
 from .by_decomposition import plan_by_decomposition
+from .connecting import ComponentKClosest, KClosest, Radius
 from .grid import plan_on_grid
-from .prm import prm
+from .grid_roadmap import grid_roadmap
+from .multi_query import build_roadmap, query
+from .prm import prm, prm_star
+from .receding_horizon import receding_horizon
+from .roadmap_properties import roadmap_properties
 from .rrt import rrt
+from .rrt_connect import rrt_connect
+from .rrt_star import informed_rrt_star, rrt_star
+from .shortcut import shortcut
+from .tree_roadmap import rrt_expansion, tree_roadmap
+from .visibility import plan_by_visibility, visibility_roadmap
 
 __all__ = [
+    "ComponentKClosest",
+    "KClosest",
+    "Radius",
     "bug0",
     "bug1",
     "bug2",
     "bug2_prelim",
     "bug_base",
+    "build_roadmap",
     "decomposition_roadmap",
+    "grid_roadmap",
+    "informed_rrt_star",
     "plan_by_decomposition",
+    "plan_by_visibility",
     "plan_on_grid",
     "prm",
+    "prm_star",
+    "query",
+    "receding_horizon",
+    "roadmap_properties",
     "rrt",
+    "rrt_connect",
+    "rrt_expansion",
+    "rrt_star",
+    "shortcut",
     "sweep",
     "trapezoidation",
+    "tree_roadmap",
     "triangulation",
+    "visibility_roadmap",
 ]

@@ -90,3 +90,11 @@ def new_tree(problem: Any, capacity: int) -> GrowingTree:
     if space is None:
         return empty_tree(capacity, problem.start, problem.start)
     return empty_tree(capacity, space.lo, space.hi)
+
+
+def both_ways(problem: Any, planner: str) -> Any:
+    """`askable`, for a planner whose edges are used both ways. Raises InvalidParameter for a robot that only goes forward."""
+    asked = askable(problem)
+    if not getattr(getattr(asked, "space", None), "both_ways", True):
+        raise InvalidParameter(f"{planner} uses its edges both ways, and this robot only goes forward; plan with rrt")
+    return asked

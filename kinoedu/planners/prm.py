@@ -2,29 +2,32 @@
 high-dimensional configuration spaces" (1996); Bullo & Smith, section 4.3; LaValle, section 5.6.
 """
 
+import math
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ..compiled import body
 from ..errors import InvalidParameter
-from ..geometry.checks import Array, as_generator
+from ..geometry.checks import Array, as_array, as_generator
 from ..graphs import GraphRecord, astar, flat_graph
 from ..problems import MOTIONS, Plan, Roadmap
 from .answers import plan_along
-from .asking import askable, body_for
-from .neighbours import k_closest
+from .asking import askable, body_for, both_ways
+from .connecting import KClosest, joined
 from .tuning import whole
+
+Sampler = Callable[[int, int], ArrayLike]
 
 
 @body
 def sample_free(problem: Any, n: int, tries: int, rng: np.random.Generator) -> Array:
-    """The start, the goal, and up to n free configurations found in so many tries; shape (m, d)."""
-    nodes = np.empty((n + 2, len(problem.start)))
-    nodes[0], nodes[1], size = problem.start, problem.goal, 2
+    """Up to n free configurations found in so many tries; shape (m, d)."""
+    nodes, size = np.empty((n, len(problem.start))), 0
     for _ in range(tries):
-        if size == len(nodes):
+        if size == n:
             break
         q = problem.sample(rng)
         if problem.is_free(q):
@@ -34,18 +37,12 @@ def sample_free(problem: Any, n: int, tries: int, rng: np.random.Generator) -> A
 
 
 @body
-def join(problem: Any, nodes: Array, neighbours: NDArray[np.int64]) -> tuple[NDArray[np.int64], Array]:
-    """The edges (m, 2) between neighbours whose motion is free, each pair asked once, and their lengths (m,)."""
-    n, k = neighbours.shape
-    edges, lengths, size = np.empty((n * k, 2), np.int64), np.empty(n * k), 0
-    for i in range(n):
-        for j in neighbours[i]:
-            asked_before = j < i and np.any(neighbours[j] == i)
-            if not asked_before and problem.is_free_path(nodes[i], nodes[j]):
-                edges[size, 0], edges[size, 1] = i, j
-                lengths[size] = problem.distance(nodes[i], nodes[j])
-                size += 1
-    return edges[:size].copy(), lengths[:size].copy()
+def free_among(problem: Any, places: Array) -> NDArray[np.bool_]:
+    """Whether each configuration (n, d) is free, (n,)."""
+    free = np.empty(len(places), np.bool_)
+    for i in range(len(places)):
+        free[i] = problem.is_free(places[i])
+    return free
 
 
 @body
@@ -57,19 +54,30 @@ def distances_to(problem: Any, nodes: Array, q: Array) -> Array:
     return left
 
 
-def prm(problem: Any, *, n: int = 1000, k: int = 10, rng: int | np.random.Generator) -> Plan:
-    """Sample free configurations, join each to its k closest by free motions, and search the roadmap with A*.
+def prm(
+    problem: Any,
+    *,
+    n: int = 1000,
+    k: int = 10,
+    neighbours: Any = None,
+    sampler: Sampler | None = None,
+    rng: int | np.random.Generator | None = None,
+) -> Plan:
+    """Sample free configurations, join each to its neighbours by free motions, and search the roadmap with A*.
 
     Parameters
     ----------
     problem : a Problem, a Recorder, or an object of yours that answers the same questions and `is_free`.
-    n : how many configurations are sampled.
-    k : K, how many neighbours each is tried with.
-    rng : a seed or a numpy Generator.
+    n : how many free configurations are sampled.
+    k : K, how many closest neighbours each is tried with, where no other rule is given.
+    neighbours : a rule, which takes the place of k: KClosest(k), Radius(r) or ComponentKClosest(k).
+    sampler : a function of n and d that gives n points of the unit cube, shape (n, d), such as `lambda n, d: halton(n)`; those that
+        are free in the problem's space are the nodes. Without it they are drawn at random until there are n.
+    rng : a seed or a numpy Generator; not needed with a sampler.
 
     Returns a Plan with its `roadmap`: start and goal are its nodes 0 and 1. Without a path `plan.reason` tells which of the two is
-    cut off. Probabilistically complete where k grows with n like log n (S. Karaman, E. Frazzoli, 2011); a fixed small k may leave
-    the roadmap in pieces however many nodes it has. Raises InvalidParameter.
+    cut off. Probabilistically complete where k grows with n like log n (`prm_star`); a fixed small k may leave the roadmap in
+    pieces however many nodes it has. Raises InvalidParameter.
 
     >>> from kinoedu import Point, PolygonWorld, Problem
     >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
@@ -77,19 +85,50 @@ def prm(problem: Any, *, n: int = 1000, k: int = 10, rng: int | np.random.Genera
     >>> bool(15.2 < plan.cost < 20)
     True
     """
-    asked, samples = askable(problem), whole(n, "n", least=0)
-    closest = min(whole(k, "k", least=1), samples + 1)
-    if samples * closest > 100_000_000:
-        raise InvalidParameter(
-            f"n * k must not exceed 100,000,000, got {samples:,} * {closest:,}; sample fewer nodes or join fewer"
-        )
+    asked, rule = both_ways(problem, "PRM"), KClosest(k) if neighbours is None else neighbours
     before = asked.asked[MOTIONS]
-    nodes = body_for(asked, sample_free)(asked, samples, 100 * samples, as_generator(rng))
-    edges, lengths = body_for(asked, join)(asked, nodes, k_closest(asked, nodes, closest))
+    sampled = free_configurations(asked, n, sampler, rng)
+    nodes = np.concatenate([[asked.start, asked.goal], sampled])
+    edges, lengths = joined(rule, asked, nodes)
+    return searched("PRM", asked, nodes, edges, lengths, before)
+
+
+def prm_star(problem: Any, *, n: int = 1000, sampler: Sampler | None = None, rng: int | np.random.Generator | None = None) -> Plan:
+    """A PRM whose K grows with n as e (1 + 1/d) log n: its paths converge to the shortest. See `prm`, whose arguments these are.
+
+    S. Karaman, E. Frazzoli, "Sampling-based algorithms for optimal motion planning" (2011), section 3.3. Raises InvalidParameter.
+
+    >>> from kinoedu import Point, PolygonWorld, Problem
+    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
+    >>> bool(17.2 < prm_star(Problem(Point(), world, start=(1, 1), goal=(9, 1)), n=1000, rng=0).cost < 18)
+    True
+    """
+    samples, d = whole(n, "n", least=0), len(askable(problem).start)
+    k = math.ceil(math.e * (1.0 + 1.0 / d) * math.log(samples + 2))
+    return prm(problem, n=samples, neighbours=KClosest(k), sampler=sampler, rng=rng)
+
+
+def free_configurations(problem: Any, n: int, sampler: Sampler | None, rng: int | np.random.Generator | None) -> Array:
+    """What is free of n points that a sampler lays over the space, or n free configurations at random; (m, d). InvalidParameter."""
+    samples = whole(n, "n", least=0)
+    if sampler is None:
+        return body_for(problem, sample_free)(problem, samples, 100 * samples, as_generator(rng))  # type: ignore[arg-type]
+    space, d = getattr(problem, "space", None), len(problem.start)
+    if space is None:
+        raise InvalidParameter("a sampler needs a Problem, whose space it covers; for an object of yours its own `sample` is asked")
+    points = as_array(sampler(samples, d), "the sampler's points")
+    if points.ndim != 2 or points.shape[1] != d or not ((points >= 0.0) & (points <= 1.0)).all():
+        raise InvalidParameter(f"the sampler must give points of the unit cube, shape (n, {d}), got shape {points.shape}")
+    places = space.lo + points * (space.hi - space.lo)
+    return places[body_for(problem, free_among)(problem, places)]
+
+
+def searched(planner: str, problem: Any, nodes: Array, edges: NDArray[np.int64], lengths: Array, before: int) -> Plan:
+    """The plan along a roadmap whose nodes 0 and 1 are start and goal; `before`, how many motions had been judged when it began."""
     graph = flat_graph(len(nodes), edges, lengths)
-    numbers, _ = astar(graph, 0, 1, body_for(asked, distances_to)(asked, nodes, asked.goal))
-    stats = {"nodes": len(nodes), "edges": len(edges), "checks": int(asked.asked[MOTIONS] - before)}
-    return plan_along(asked, nodes, numbers, why_apart(graph), planner="PRM", roadmap=Roadmap(nodes, edges), stats=stats)
+    numbers, _ = astar(graph, 0, 1, body_for(problem, distances_to)(problem, nodes, nodes[1]))
+    stats = {"nodes": len(nodes), "edges": len(edges), "checks": int(problem.asked[MOTIONS] - before)}
+    return plan_along(problem, nodes, numbers, why_apart(graph), planner=planner, roadmap=Roadmap(nodes, edges), stats=stats)
 
 
 def why_apart(graph: GraphRecord) -> str:

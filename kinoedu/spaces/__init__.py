@@ -2,6 +2,7 @@
 
 from .angles import circle_distance, torus_distance
 from .asks import diameter, distance, interpolate, nearest, sample
+from .near import near
 from .real import Box, RealSpace
 from .wrapping import SE2, Circle, Torus, WrappingSpace, wrapped_configuration
 
@@ -16,6 +17,7 @@ __all__ = [
     "diameter",
     "distance",
     "interpolate",
+    "near",
     "nearest",
     "sample",
     "torus_distance",

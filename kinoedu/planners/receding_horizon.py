@@ -1,0 +1,159 @@
+"""Sensor-based planning with a receding horizon: look, plan in what is known, go a little way, and look again.
+
+    RECEDING-HORIZON(start, goal)
+     1  q := start; the map is empty
+     2  while q is not the goal:
+     3      add to the map what the range sensor sees from q
+     4      plan a path from q to the goal in the map, where what was never seen counts as free
+     5      if there is none: return failure
+     6      follow the path for the length of the horizon, or until a motion is not free
+     7  return the path that was followed
+
+Bullo & Smith, section 4.5.
+"""
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ..errors import InvalidGoal, InvalidParameter, InvalidStart
+from ..geometry.checks import Array, as_generator
+from ..geometry.exact import turn
+from ..problems import MOTIONS, Plan, Problem, ProblemRecord, Recorder, Tree
+from ..robots.round import RoundRobot
+from ..worlds.polygon_world import PolygonWorld, PolygonWorldRecord
+from ..worlds.range_sensor import Scan, scan
+from .answers import plan_along
+from .asking import world_size
+from .rrt_connect import rrt_connect
+from .shortcut import shortcut
+from .tuning import positive, whole
+
+JOINED = 6.0  # times how far apart the hits of two rays are on a wall that faces them
+THICKNESS = 0.1  # of a wall's length
+
+Local = Callable[[ProblemRecord, np.random.Generator], Plan]
+
+
+class SeenMap(NamedTuple):
+    """The walls seen so far: thin triangles between the hits of neighbouring rays, which lie behind the wall as the sensor sees it.
+
+    One is kept for each size (by powers of two) and each little square of that size.
+    """
+
+    walls: dict[tuple[int, ...], Array]
+
+    def add(self, seen: Scan) -> None:
+        """Take in what a scan hit. Hits that are far apart for their rays are not joined: there may be a way between."""
+        turned = np.roll(np.arange(len(seen.angles)), -1)
+        apart = np.sqrt(((seen.points[turned] - seen.points) ** 2).sum(axis=1))
+        wide = JOINED * np.maximum(seen.distances, seen.distances[turned]) * (2.0 * np.pi / len(seen.angles))
+        for i in np.flatnonzero(seen.hit & seen.hit[turned] & (apart <= wide) & (apart > 0.0)):
+            first, second = seen.points[i], seen.points[turned[i]]
+            middle = 0.5 * (first + second)
+            beyond = middle + THICKNESS * apart[i] * (middle - seen.origin) / np.sqrt(((middle - seen.origin) ** 2).sum())
+            size = int(np.frexp(apart[i])[1])
+            square = np.floor(middle / 2.0**size).astype(int).tolist()
+            self.walls.setdefault((size, *square), np.array([first, second, beyond]))
+
+    def world(self, asked: ProblemRecord) -> PolygonWorldRecord:
+        """What is known as a world: the bounding box, and the walls seen."""
+        lo, hi = asked.world.lo, asked.world.hi
+        solid = [wall for wall in self.walls.values() if turn(*wall.ravel().tolist()) != 0]
+        return PolygonWorld([(lo[0], lo[1]), (hi[0], lo[1]), (hi[0], hi[1]), (lo[0], hi[1])], solid)
+
+
+def receding_horizon(
+    problem: Any,
+    *,
+    reach: float | None = None,
+    horizon: float | None = None,
+    rays: int = 180,
+    planner: Local | None = None,
+    max_moves: int = 200,
+    rng: int | np.random.Generator,
+) -> Plan:
+    """Go to the goal through a world that is only seen by a range sensor.
+
+    Parameters
+    ----------
+    problem : a Problem of a Point or Disk in a PolygonWorld, or a Recorder of one. Only its bounding box is known beforehand.
+    reach : the sensor's range; by default a quarter of the world's diagonal.
+    horizon : how far a plan is followed before the robot looks again; by default half the reach.
+    rays : how many directions the sensor looks in.
+    planner : a function of a problem and a generator that plans in the map; by default rrt_connect and shortcut.
+    max_moves : where to give up.
+    rng : a seed or a numpy Generator.
+
+    Returns a Plan: its path is what was followed, its `tree` the places where the robot looked, one after another. Not complete:
+    `plan.reason` says whether the map shows no way, or the moves ran out. Raises InvalidParameter.
+
+    >>> from kinoedu import Point, PolygonWorld, Problem
+    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
+    >>> plan = receding_horizon(Problem(Point(), world, start=(1, 1), goal=(9, 1)), rng=0)
+    >>> bool(17.2 < plan.cost < 40)
+    True
+    """
+    inner = problem.problem if isinstance(problem, Recorder) else problem
+    if not (
+        isinstance(inner, ProblemRecord) and isinstance(inner.robot, RoundRobot) and isinstance(inner.world, PolygonWorldRecord)
+    ):
+        raise InvalidParameter("receding_horizon needs a Problem of a Point or a Disk in a PolygonWorld")
+    sight = positive(world_size(inner) / 4.0 if reach is None else reach, "reach")
+    ahead = positive(sight / 2.0 if horizon is None else horizon, "horizon")
+    most, generator = whole(max_moves, "max_moves", least=0), as_generator(rng)
+    local = connect_and_shorten if planner is None else planner
+    seen, margin = SeenMap({}), sight * np.pi / whole(rays, "rays", least=3)
+    followed, looked, reason, before = [problem.start], [problem.start], "", problem.asked[MOTIONS]
+    while not np.array_equal(followed[-1], problem.goal) and not reason:
+        around = scan(inner.world, followed[-1], rays=rays, reach=sight)
+        seen.add(around)
+        room = 0.5 * (float(around.distances.min()) - inner.robot.radius - inner.clearance)
+        plan = plan_in_map(seen, inner, followed[-1], min(margin, room), local, generator)
+        if plan.path is None:
+            reason = f"after {len(looked):,} looks the map shows no way to the goal: {plan.reason}"
+        elif len(looked) > most:
+            reason = f"{most:,} moves did not lead to the goal; allow more, or a longer reach"
+        else:
+            followed += follow(problem, plan.path, ahead)
+            looked.append(followed[-1])
+    places, path = np.array(looked), np.array(followed)
+    stats = {"looks": len(looked), "walls": len(seen.walls), "checks": int(problem.asked[MOTIONS] - before)}
+    tree, numbers = Tree(places, np.arange(len(places)) - 1), None if reason else np.arange(len(path))
+    return plan_along(problem, path, numbers, reason, planner="receding horizon", tree=tree, stats=stats)
+
+
+def connect_and_shorten(problem: ProblemRecord, rng: np.random.Generator) -> Plan:
+    """RRT-Connect, and its path made shorter."""
+    return shortcut(rrt_connect(problem, max_nodes=4000, max_iterations=8000, rng=rng), rng=rng)
+
+
+def plan_in_map(seen: SeenMap, asked: ProblemRecord, q: Array, margin: float, planner: Local, rng: np.random.Generator) -> Plan:
+    """A plan from q in what was seen, with a margin to the walls while there is one: corners between two rays were not seen."""
+    world, plan = seen.world(asked), Plan(None, np.inf, reason="the walls seen leave no room at the start or the goal")
+    for share in (1.0, 0.25, 0.0625, 0.015625):
+        try:
+            plan = planner(Problem(asked.robot, world, q, asked.goal, clearance=asked.clearance + share * margin), rng)
+        except (InvalidStart, InvalidGoal):
+            continue
+        if plan.path is not None:
+            break
+    return plan
+
+
+def follow(problem: Any, path: Array, ahead: float) -> list[Array]:
+    """The points of a path as far as the horizon, or up to the first motion that is not free; that one halved, to come nearer."""
+    gone, left = [], ahead
+    for a, b in zip(path[:-1], path[1:], strict=True):
+        apart = problem.distance(a, b)
+        q = b if apart <= left else problem.steer(a, b, left)
+        for _ in range(5):
+            if problem.is_free_path(a, q):
+                gone.append(q)
+                break
+            q = problem.steer(a, q, 0.5 * problem.distance(a, q))
+        if not gone or not np.array_equal(gone[-1], b):
+            break
+        left -= apart
+    return gone

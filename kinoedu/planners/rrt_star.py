@@ -1,0 +1,218 @@
+"""Trees whose paths become shortest. S. Karaman, E. Frazzoli, "Sampling-based algorithms for optimal motion planning" (2011),
+algorithm 6.
+"""
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..compiled import body, callable_from_compiled, compiled
+from ..geometry.checks import Array, as_generator
+from ..problems import MOTIONS, Plan
+from ..spaces.buckets import GrowingTree, add
+from .answers import plan_from_tree
+from .asking import body_for, both_ways, new_tree, world_size
+from .informed import Everywhere, Informed, draw
+from .near import near_nodes
+from .tuning import positive, share, whole
+
+
+class CostTree(NamedTuple):
+    """A growing tree that knows what each node costs: `cost` from the root, `length` of the motion from its parent.
+
+    The children of a node are a chain: child[node], then sibling[child], until -1.
+    """
+
+    tree: GrowingTree
+    cost: Array
+    length: Array
+    child: NDArray[np.int64]
+    sibling: NDArray[np.int64]
+
+
+@body
+def grow_shortest(
+    problem: Any, costs: CostTree, sampler: Any, step: float, radii: Array, max_iterations: int, rng: np.random.Generator
+) -> tuple[int, int]:
+    """Grow the tree until it is full or has had its iterations, rewiring it on the way; radii[n] is how far a tree of n nodes looks
+    for neighbours. Returns the goal's node, or -1, and how many iterations.
+    """
+    tree = costs.tree
+    join(costs, problem.start, -1, 0.0)
+    at_goal = reach_goal(problem, costs, 0, step)
+    least, iteration, room = problem.distance(problem.start, problem.goal), 0, len(tree.nodes) - 1  # one more is kept for the goal
+    while iteration < max_iterations and tree.size[0] < room + int(at_goal >= 0):
+        shortest = np.inf if at_goal < 0 else costs.cost[at_goal]
+        if shortest <= least:
+            break
+        iteration += 1
+        q_rand = draw(sampler, problem, shortest, rng)
+        nearest = problem.nearest(tree, q_rand)
+        q_new = problem.steer(tree.nodes[nearest], q_rand, step)
+        if not problem.is_free_path(tree.nodes[nearest], q_new):
+            continue
+        near = near_nodes(problem, tree, q_new, radii[tree.size[0]])
+        parent, length = cheapest_parent(problem, costs, near, nearest, q_new)
+        new = join(costs, q_new, parent, length)
+        for node in near:
+            length = problem.distance(q_new, tree.nodes[node])
+            if costs.cost[new] + length < costs.cost[node] and problem.is_free_path(q_new, tree.nodes[node]):
+                rewire(costs, node, new, length)
+        if at_goal < 0:
+            at_goal = reach_goal(problem, costs, new, step)
+    return at_goal, iteration
+
+
+@callable_from_compiled
+def cheapest_parent(problem: Any, costs: CostTree, near: NDArray[np.int64], nearest: int, q: Array) -> tuple[int, float]:
+    """The node through which q costs least, of the nearest one, from which it is free, and those near; and the motion's length."""
+    parent, length = nearest, problem.distance(costs.tree.nodes[nearest], q)
+    for node in near:
+        apart = problem.distance(costs.tree.nodes[node], q)
+        cheaper = costs.cost[node] + apart < costs.cost[parent] + length
+        if cheaper and problem.is_free_path(costs.tree.nodes[node], q):
+            parent, length = node, apart
+    return parent, length
+
+
+@callable_from_compiled
+def reach_goal(problem: Any, costs: CostTree, node: int, step: float) -> int:
+    """Append the goal to a node within one free step of it; returns the goal's node, or -1."""
+    length = problem.distance(costs.tree.nodes[node], problem.goal)
+    if length > step or not problem.is_free_path(costs.tree.nodes[node], problem.goal):
+        return -1
+    return join(costs, problem.goal, node, length)
+
+
+@compiled
+def join(costs: CostTree, q: Array, parent: int, length: float) -> int:
+    """Append a node below its parent; returns its number."""
+    node = add(costs.tree, q, parent)
+    costs.length[node], costs.child[node], costs.sibling[node] = length, -1, -1
+    costs.cost[node] = length
+    if parent >= 0:
+        costs.cost[node] = costs.cost[parent] + length
+        costs.sibling[node], costs.child[parent] = costs.child[parent], node
+    return node
+
+
+@compiled
+def rewire(costs: CostTree, node: int, parent: int, length: float) -> None:
+    """Hang a node, with all that hangs on it, below another parent."""
+    above = costs.tree.parent[node]
+    if costs.child[above] == node:
+        costs.child[above] = costs.sibling[node]
+    else:
+        before = costs.child[above]
+        while costs.sibling[before] != node:
+            before = costs.sibling[before]
+        costs.sibling[before] = costs.sibling[node]
+    costs.tree.parent[node], costs.length[node] = parent, length
+    costs.sibling[node], costs.child[parent] = costs.child[parent], node
+    pass_on(costs, node)
+
+
+@compiled
+def pass_on(costs: CostTree, root: int) -> None:
+    """Reckon anew the cost of a node and of all below it, parents before children, by walking round that part of the tree."""
+    node = root
+    while True:
+        costs.cost[node] = costs.cost[costs.tree.parent[node]] + costs.length[node]
+        if costs.child[node] >= 0:
+            node = costs.child[node]
+            continue
+        while node != root and costs.sibling[node] < 0:
+            node = costs.tree.parent[node]
+        if node == root:
+            return
+        node = costs.sibling[node]
+
+
+def rrt_star(
+    problem: Any,
+    *,
+    step: float | None = None,
+    goal_bias: float = 0.05,
+    gamma: float | None = None,
+    max_nodes: int = 5_000,
+    max_iterations: int | None = None,
+    rng: int | np.random.Generator,
+) -> Plan:
+    """Grow a tree as RRT does, hang each new node where it costs least, and its neighbours below it where that costs less.
+
+    Parameters
+    ----------
+    problem : a Problem, a Recorder, or an object of yours that answers the same questions.
+    step : eta, the longest motion towards a sample; by default a twentieth of the world's diagonal.
+    goal_bias : the share of samples that are the goal itself, until it is reached.
+    gamma : a tree of n nodes looks for neighbours within gamma (log n / n)^(1/d), at most a step. By default what makes paths
+        converge to the shortest in the problem's space; for an object of yours a step throughout.
+    max_nodes, max_iterations : where to stop; it does not stop at the first path. By default ten iterations for each node.
+    rng : a seed or a numpy Generator.
+
+    Returns a Plan with its `tree`: nodes in the order they came, with the parents they have in the end. Asymptotically optimal: the
+    cost tends to the least there is as max_nodes grows. O(n log n) motions for n nodes. Raises InvalidParameter.
+
+    >>> from kinoedu import Point, PolygonWorld, Problem
+    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
+    >>> plan = rrt_star(Problem(Point(), world, start=(1, 1), goal=(9, 1)), max_nodes=2000, rng=0)
+    >>> bool(17.2 < plan.cost < 17.7)
+    True
+    """
+    return grown("RRT*", problem, Everywhere(share(goal_bias, "goal_bias")), step, gamma, max_nodes, max_iterations, rng)
+
+
+def informed_rrt_star(
+    problem: Any,
+    *,
+    step: float | None = None,
+    goal_bias: float = 0.05,
+    gamma: float | None = None,
+    max_nodes: int = 5_000,
+    max_iterations: int | None = None,
+    rng: int | np.random.Generator,
+) -> Plan:
+    """RRT* that, once it has a path, samples only where a shorter one could pass: see `rrt_star`, whose arguments these are."""
+    return grown("informed RRT*", problem, Informed(share(goal_bias, "goal_bias")), step, gamma, max_nodes, max_iterations, rng)
+
+
+def grown(
+    planner: str,
+    problem: Any,
+    sampler: Everywhere | Informed,
+    step: float | None,
+    gamma: float | None,
+    max_nodes: int,
+    max_iterations: int | None,
+    rng: int | np.random.Generator,
+) -> Plan:
+    """Check the arguments, grow the tree, and make the plan of it."""
+    asked = both_ways(problem, "RRT*")
+    eta = positive(world_size(asked) / 20.0 if step is None else step, "step")
+    most = whole(max_nodes, "max_nodes", least=1)
+    limit = 10 * most if max_iterations is None else whole(max_iterations, "max_iterations", least=0)
+    widest = enough(asked) if gamma is None else positive(gamma, "gamma")
+    n = np.arange(most + 2, dtype=np.float64)
+    radii = np.full(most + 2, eta)
+    radii[2:] = np.minimum(widest * (np.log(n[2:]) / n[2:]) ** (1.0 / len(asked.start)), eta)
+    costs = CostTree(
+        new_tree(asked, most + 1), *np.empty((2, most + 1)), *(np.empty(most + 1, np.int64) for _ in ("child", "sibling"))
+    )
+    before = asked.asked[MOTIONS]
+    at_goal, iterations = body_for(asked, grow_shortest)(asked, costs, sampler, eta, radii, limit, as_generator(rng))
+    size = costs.tree.size[0]
+    reason = f"after {iterations:,} iterations none of {size:,} nodes reaches the goal; allow more nodes, or another step"
+    checks = int(asked.asked[MOTIONS] - before)
+    return plan_from_tree(planner, asked, costs.tree, at_goal, reason, iterations=int(iterations), checks=checks)
+
+
+def enough(problem: Any) -> float:
+    """2 (1 + 1/d)^(1/d) (volume / ball)^(1/d), a gamma that is large enough, by the whole space's volume for the free one's."""
+    space, d = getattr(problem, "space", None), len(problem.start)
+    if space is None:
+        return np.inf
+    volume = float(np.prod((space.hi - space.lo) * getattr(space, "weight", 1.0)))
+    ball = math.pi ** (d / 2.0) / math.gamma(d / 2.0 + 1.0)
+    return float(2.0 * (1.0 + 1.0 / d) ** (1.0 / d) * (volume / ball) ** (1.0 / d))

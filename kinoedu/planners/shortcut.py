@@ -1,0 +1,83 @@
+"""Shorter paths from longer ones: cut corners where the straight motion is free.
+
+R. Geraerts, M. H. Overmars, "Creating high-quality paths for motion planning" (2007).
+"""
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from ..compiled import body, callable_from_compiled
+from ..errors import InvalidParameter
+from ..geometry.checks import Array, as_generator, shortened
+from ..problems import MOTIONS, Plan
+from .answers import path_cost
+from .asking import askable, body_for
+from .tuning import whole
+
+
+@body
+def cut_corners(problem: Any, path: Array, tries: int, rng: np.random.Generator) -> Array:
+    """Try so many times to go straight between two random places of a path (n, d); the path that is left, (m, d)."""
+    kept, size = np.empty((len(path) + tries, path.shape[1])), len(path)
+    kept[:size] = path
+    for _ in range(tries):
+        i, j = int(rng.integers(0, size - 1)), int(rng.integers(0, size - 1))
+        t, s = rng.random(), rng.random()
+        if i >= j:
+            continue
+        p = problem.steer(kept[i], kept[i + 1], t * problem.distance(kept[i], kept[i + 1]))
+        q = problem.steer(kept[j], kept[j + 1], s * problem.distance(kept[j], kept[j + 1]))
+        before, after = kept[i].copy(), kept[j + 1].copy()
+        along = path_length(problem, kept, i, j + 1)
+        straight = problem.distance(before, p) + problem.distance(p, q) + problem.distance(q, after)
+        if straight >= along or not problem.is_free_path(p, q):
+            continue
+        if problem.is_free_path(before, p) and problem.is_free_path(q, after):
+            kept[i + 3 : size + i + 2 - j] = kept[j + 1 : size].copy()
+            kept[i + 1], kept[i + 2] = p, q
+            size += i + 2 - j
+    return kept[:size].copy()
+
+
+@callable_from_compiled
+def path_length(problem: Any, path: Array, first: int, last: int) -> float:
+    """The length of a path from one of its points to another."""
+    length = 0.0
+    for k in range(first, last):
+        length += problem.distance(path[k], path[k + 1])
+    return length
+
+
+def shortcut(plan: Plan, *, tries: int = 200, rng: int | np.random.Generator) -> Plan:
+    """The plan with a shorter path: again and again two places on it are drawn, and joined where the straight motion is free.
+
+    Parameters
+    ----------
+    plan : any planner's; without a path it is returned as it is.
+    tries : how many pairs of places are drawn.
+    rng : a seed or a numpy Generator.
+
+    Never longer, and free all the way; a shortest path is not promised. What the planner built stays in the plan; its stats gain
+    the motions that were judged. O(tries) motions. Raises InvalidParameter.
+
+    >>> from kinoedu import Point, PolygonWorld, Problem, rrt
+    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
+    >>> plan = rrt(Problem(Point(), world, start=(1, 1), goal=(9, 1)), rng=0)
+    >>> bool(17.2 < shortcut(plan, rng=0).cost < plan.cost)
+    True
+    """
+    if not isinstance(plan, Plan):
+        raise InvalidParameter(f"expected the Plan of a planner, got {shortened(plan)}")
+    attempts, generator = whole(tries, "tries", least=0), as_generator(rng)
+    if plan.path is None or len(plan.path) < 3:
+        return plan
+    asked = askable(plan.problem)
+    before = asked.asked[MOTIONS]
+    path = body_for(asked, cut_corners)(asked, plan.path, attempts, generator)
+    cost = float(body_for(asked, path_cost)(asked, path))
+    if cost >= plan.cost:
+        return plan
+    stats = {**plan.stats, "checks": plan.stats.get("checks", 0) + int(asked.asked[MOTIONS] - before)}
+    return replace(plan, path=path, cost=cost, stats=stats)

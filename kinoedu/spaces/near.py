@@ -1,0 +1,45 @@
+"""The nodes of a growing tree within a radius: by its buckets where those bound the distance, else by asking for all of them."""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..compiled import generic
+from ..geometry.checks import Array
+from .asks import distance
+from .buckets import bucket_of
+from .real import RealSpace
+from .rings import squared_distance
+
+
+@generic(1)
+def near(space: Any, tree: Any, q: Array, radius: float) -> NDArray[np.int64]:
+    """The numbers of the tree's nodes within a radius of q, shape (k,), in no order that means anything."""
+    found, size = np.empty(tree.size[0], np.int64), 0
+    for node in range(tree.size[0]):
+        if distance(space, tree.nodes[node], q) <= radius:
+            found[size] = node
+            size += 1
+    return found[:size].copy()
+
+
+@near.register(RealSpace)
+def near_in_buckets(space: RealSpace, tree: Any, q: Array, radius: float) -> NDArray[np.int64]:
+    """By the buckets that a square round q meets. O(k) for nodes spread evenly."""
+    beyond = radius * (1.0 + 1e-9)  # so that no rounding of a bucket's number loses a node
+    x, y = q[0], q[1] if len(q) > 1 else 0.0
+    left, below = bucket_of(tree, x - beyond, y - beyond)
+    right, above = bucket_of(tree, x + beyond, y + beyond)
+    found, size = np.empty(16, np.int64), 0
+    for row in range(below, above + 1):
+        for column in range(left, right + 1):
+            node = tree.head[row * tree.columns + column]
+            while node >= 0:
+                if squared_distance(space, tree.nodes, node, q) <= radius * radius:
+                    if size == len(found):
+                        found = np.concatenate((found, found))
+                    found[size] = node
+                    size += 1
+                node = tree.next[node]
+    return found[:size].copy()

@@ -1,0 +1,290 @@
+"""Roadmaps: connection rules, samplers, many queries, grids, shortcuts, measured properties, and planning by a range sensor."""
+
+from itertools import combinations, pairwise
+
+import networkx
+import numpy as np
+import pytest
+import shapely
+
+import kinoedu as ke
+from kinoedu.errors import InvalidGoal, InvalidParameter, InvalidPoint, InvalidStart, InvalidWorld, KinoeduError
+from kinoedu.problems import ProblemRecord, Roadmap
+from kinoedu.spaces import WrappingSpace
+
+SQUARE = [(0, 0), (10, 0), (10, 10), (0, 10)]
+WALL = [(4, 0), (6, 0), (6, 8), (4, 8)]
+ROOM = ([(7, 4), (9, 4), (9, 7), (7, 7)], [[(7.5, 4.5), (8.5, 4.5), (8.5, 6.5), (7.5, 6.5)]])
+WORLD = ke.PolygonWorld(SQUARE, [WALL, ROOM])
+SOLID = shapely.union_all([shapely.Polygon(WALL), shapely.Polygon(*ROOM)])
+RULES = {"closest": ke.KClosest(6), "radius": ke.Radius(1.2), "components": ke.ComponentKClosest(2)}
+
+
+def problem_of(start=(1.0, 1.0), goal=(9.0, 1.0), world=WORLD, robot=None):
+    """Across the wall."""
+    return ke.Problem(robot or ke.Point(), world, start, goal)
+
+
+def distances(nodes):
+    """Between all nodes, (n, n)."""
+    return np.sqrt(((nodes[:, None] - nodes[None]) ** 2).sum(axis=2))
+
+
+def assert_path_is_free(plan):
+    """Judged by shapely, which knows nothing of this package."""
+    line = shapely.LineString(plan.path)
+    assert not line.intersects(SOLID) and shapely.Polygon(SQUARE).contains_properly(line)
+
+
+@pytest.mark.parametrize("rule", RULES)
+def test_every_rule_compiled_and_recorded(rule):
+    """Free edges, none twice, none to itself; a free path; the same when recorded."""
+    problem = problem_of()
+    plan = ke.prm(problem, n=300, neighbours=RULES[rule], rng=1)
+    recorder = ke.Recorder(problem)
+    recorded = ke.prm(recorder, n=300, neighbours=RULES[rule], rng=1)
+    assert (
+        np.array_equal(plan.roadmap.edges, recorded.roadmap.edges) and plan.stats == recorded.stats and plan.cost == recorded.cost
+    )
+    nodes, edges = plan.roadmap
+    assert len({frozenset(edge) for edge in edges.tolist()}) == len(edges)
+    assert all(i != j and problem.is_free_path(nodes[i], nodes[j]) for i, j in edges)
+    assert_path_is_free(plan)
+
+
+def test_the_radius_rule_joins_all_pairs_within_it():
+    """No more and no fewer than those whose motion is free."""
+    problem = problem_of()
+    nodes, edges = ke.prm(problem, n=150, neighbours=ke.Radius(1.5), rng=0).roadmap
+    near = np.argwhere(np.triu(distances(nodes) <= 1.5, 1)).tolist()
+    expected = {(i, j) for i, j in near if problem.is_free_path(nodes[i], nodes[j])}
+    assert {tuple(sorted(edge)) for edge in edges.tolist()} == expected
+
+
+def test_the_component_rule_makes_a_forest_that_joins_what_trying_all_pairs_in_a_row_would():
+    """No circles; and with no limit to the tries the components are those of all free pairs."""
+    problem = problem_of()
+    nodes, edges = ke.prm(problem, n=80, neighbours=ke.ComponentKClosest(10_000), rng=0).roadmap
+    forest = networkx.Graph(edges.tolist())
+    assert networkx.is_forest(forest)
+    whole = networkx.Graph((i, j) for i, j in combinations(range(len(nodes)), 2) if problem.is_free_path(nodes[i], nodes[j]))
+    assert {frozenset(c) for c in networkx.connected_components(forest)} == {
+        frozenset(c) for c in networkx.connected_components(whole)
+    }
+
+
+def test_the_component_rule_tries_k_of_each_component():
+    """The closest one is behind the wall, the next is not: K = 1 leaves them apart, K = 2 joins them."""
+    problem = problem_of(start=(3, 7), goal=(3, 9.5))
+    for k, edges in ((1, [(0, 1)]), (2, [(0, 1), (1, 2)])):
+        plan = ke.prm(problem, n=1, neighbours=ke.ComponentKClosest(k), sampler=lambda n, d: np.array([(0.65, 0.79)]))
+        assert [tuple(sorted(edge)) for edge in plan.roadmap.edges.tolist()] == edges
+
+
+def test_prm_is_prm_with_its_k_closest():
+    """k says what the rule KClosest(k) says."""
+    by_k, by_rule = ke.prm(problem_of(), n=200, k=6, rng=0), ke.prm(problem_of(), n=200, neighbours=ke.KClosest(6), rng=0)
+    assert np.array_equal(by_k.roadmap.edges, by_rule.roadmap.edges)
+
+
+def test_a_sampler_lays_its_points_over_the_space():
+    """In proportion, those that are free, in their order."""
+    points = np.array([(0.1, 0.1), (0.5, 0.5), (0.95, 0.9), (0.2, 0.3)])
+    plan = ke.prm(problem_of(), n=4, sampler=lambda n, d: points[:n, :d])
+    assert plan.roadmap.nodes[2:].tolist() == [[1.0, 1.0], [9.5, 9.0], [2.0, 3.0]]
+
+
+def test_prm_star_comes_near_the_shortest_path():
+    """Never below the optimum, and on the average within 4 % with 3,000 nodes, nearer than with 300."""
+    problem = problem_of()
+    least = ke.plan_by_visibility(problem).cost
+    few, many = (np.array([ke.prm_star(problem, n=n, rng=seed).cost for seed in range(4)]) / least for n in (300, 3000))
+    assert few.min() >= 1.0 and many.min() >= 1.0
+    assert many.mean() < 1.04 and many.mean() < few.mean()
+
+
+def test_one_roadmap_answers_many_queries():
+    """Each path free and from end to end, compiled as recorded; no roadmap node changes its place."""
+    problem = problem_of()
+    roadmap = ke.build_roadmap(problem, n=400, rng=0)
+    for start, goal in [((1, 1), (9, 1)), ((5, 9), (1, 1)), ((9, 9), (9, 9)), ((1, 9), (9.5, 5))]:
+        plan = ke.query(problem, roadmap, start, goal)
+        assert plan.path[0].tolist() == list(start) and plan.path[-1].tolist() == list(goal)
+        assert plan.problem.start.tolist() == list(start)
+        if start != goal:
+            assert_path_is_free(plan)
+        assert np.array_equal(plan.roadmap.nodes[2:], roadmap.nodes)
+    recorded = ke.query(ke.Recorder(problem), roadmap)
+    assert recorded.cost == ke.query(problem, roadmap).cost
+
+
+def test_queries_that_cannot_be_answered():
+    """A goal in a closed room is a reason; an end in contact or of another shape is refused; so is what is no roadmap."""
+    problem = problem_of()
+    roadmap = ke.build_roadmap(problem, n=100, rng=0)
+    assert ke.query(problem, roadmap, goal=(8, 5.5)).reason
+    assert ke.query(problem, ke.build_roadmap(problem, n=0, rng=0), (1, 1), (2, 2)).cost == pytest.approx(2**0.5)
+    with pytest.raises(InvalidStart):
+        ke.query(problem, roadmap, start=(5, 5))
+    with pytest.raises(InvalidGoal):
+        ke.query(ke.Recorder(problem), roadmap, goal=(5, 5))
+    with pytest.raises(KinoeduError):
+        ke.query(problem, roadmap, start=(1, 1, 1))
+    with pytest.raises(InvalidParameter, match="roadmap"):
+        ke.query(problem, ke.prm(problem, n=10, rng=0))
+
+
+@pytest.mark.parametrize(
+    "ask",
+    [
+        lambda p: ke.prm(p, neighbours=6, rng=0),
+        lambda p: ke.prm(p, neighbours=ke.Radius, rng=0),
+        lambda p: ke.prm(p, n=10),
+        lambda p: ke.prm(p, n=3, sampler=lambda n, d: np.full((n, d), 1.5)),
+        lambda p: ke.prm(p, n=3, sampler=lambda n, d: np.full((n, d + 1), 0.5)),
+        lambda p: ke.KClosest(0),
+        lambda p: ke.Radius(0),
+        lambda p: ke.Radius(np.inf),
+        lambda p: ke.ComponentKClosest(1.5),
+        lambda p: ke.grid_roadmap(p, spacing=0),
+        lambda p: ke.grid_roadmap(p, spacing=1e-9),
+        lambda p: ke.grid_roadmap(p, neighbours=6),
+        lambda p: ke.grid_roadmap(object()),
+        lambda p: ke.shortcut(p, rng=0),
+        lambda p: ke.shortcut(ke.rrt(p, rng=0), tries=-1, rng=0),
+        lambda p: ke.roadmap_properties(p, None, rng=0),
+        lambda p: ke.receding_horizon(p, reach=0, rng=0),
+        lambda p: ke.receding_horizon(object(), rng=0),
+    ],
+)
+def test_wrong_tuning_is_refused(ask):
+    """By InvalidParameter."""
+    with pytest.raises(InvalidParameter):
+        ask(problem_of())
+
+
+def test_a_grid_joins_straight_or_also_diagonal_neighbours():
+    """In an open square of n x n cells there are 2 n (n - 1) straight pairs and 2 (n - 1)^2 diagonal ones."""
+    problem = problem_of(world=ke.PolygonWorld(SQUARE))
+    straight, all_round = (ke.grid_roadmap(problem, spacing=1, neighbours=m) for m in (4, 8))
+    assert len(straight.nodes) == 100 and len(straight.edges) == 180
+    assert len(all_round.edges) == 180 + 2 * 81
+    assert ke.query(problem, straight, (0.5, 0.5), (9.5, 9.5), k=1).cost == pytest.approx(18.0)
+    assert ke.query(problem, all_round, (0.5, 0.5), (9.5, 9.5), k=1).cost == pytest.approx(9 * 2**0.5)
+
+
+def test_a_grid_gives_no_answer_below_its_resolution():
+    """A gap narrower than a cell is missed by a coarse grid and found by a fine one."""
+    world = ke.PolygonWorld(SQUARE, [[(4, 0), (5, 0), (5, 4.6), (4, 4.6)], [(4, 4.9), (5, 4.9), (5, 10), (4, 10)]])
+    problem = problem_of(world=world)
+    assert ke.query(problem, ke.grid_roadmap(problem, spacing=1)).path is None
+    assert ke.query(problem, ke.grid_roadmap(problem, spacing=0.2)).path is not None
+
+
+def test_a_grid_on_the_torus_closes_on_itself():
+    """Every node has its four neighbours, across the seam too."""
+    space = WrappingSpace(np.full(2, -np.pi), np.full(2, np.pi), np.ones(2, np.bool_), np.ones(2))
+    world = ke.PolygonWorld([(-4, -4), (4, -4), (4, 4), (-4, 4)])
+    q = np.array([0.1, 0.1])
+    torus = ProblemRecord(ke.Point(), world, space, q, q, 0.0, np.zeros(2, np.int64))
+    roadmap = ke.grid_roadmap(torus, spacing=2 * np.pi / 8, neighbours=4)
+    assert len(roadmap.nodes) == 64
+    assert np.bincount(roadmap.edges.ravel()).tolist() == [4] * 64
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_shortcuts_are_never_longer_and_stay_free(seed):
+    """From every planner's path; compiled as recorded; what was built stays."""
+    problem = problem_of()
+    for plan in (ke.rrt(problem, rng=seed), ke.prm(problem, n=300, rng=seed), ke.rrt_connect(problem, rng=seed)):
+        shorter = ke.shortcut(plan, rng=seed)
+        assert shorter.cost < plan.cost
+        assert shorter.cost == pytest.approx(sum(problem.distance(a, b) for a, b in pairwise(shorter.path)), rel=1e-12)
+        assert shorter.cost >= ke.plan_by_visibility(problem).cost
+        assert np.array_equal(shorter.path[[0, -1]], plan.path[[0, -1]])
+        assert all(problem.is_free_path(a, b) for a, b in pairwise(shorter.path))
+        assert_path_is_free(shorter)
+        assert shorter.tree is plan.tree and shorter.roadmap is plan.roadmap
+    recorder = ke.Recorder(problem)
+    assert np.array_equal(
+        ke.shortcut(ke.rrt(recorder, rng=seed), rng=seed).path, ke.shortcut(ke.rrt(problem, rng=seed), rng=seed).path
+    )
+
+
+def test_shortcuts_of_what_cannot_be_shortened():
+    """No path, a straight one, and no tries leave the plan as it is."""
+    none = ke.rrt(problem_of(goal=(8, 5.5)), max_nodes=50, rng=0)
+    assert ke.shortcut(none, rng=0) is none
+    straight = ke.plan_by_visibility(problem_of(goal=(1, 9)))
+    assert ke.shortcut(straight, rng=0) is straight
+    plan = ke.rrt(problem_of(), rng=0)
+    assert ke.shortcut(plan, tries=0, rng=0) is plan
+
+
+def test_the_properties_of_known_roadmaps():
+    """The visibility roadmap has all four, with delta = 1; an empty one has none; one in pieces is not connected."""
+    world = ke.PolygonWorld(SQUARE, [WALL])
+    problem = problem_of(world=world)
+
+    def shortest(u, v):
+        grown = ProblemRecord(problem.robot, world, problem.space, u, v, 0.0, np.zeros(2, np.int64))
+        return ke.plan_by_visibility(grown).cost
+
+    best = ke.roadmap_properties(problem, ke.visibility_roadmap(world), n=30, rng=0)
+    assert best[:3] == (1.0, 1.0, True) and best.efficiency == pytest.approx(1.0)
+    sampled = ke.roadmap_properties(problem, ke.build_roadmap(problem, n=200, rng=0), n=40, shortest=shortest, rng=0)
+    assert sampled.connected and 1.0 <= sampled.efficiency < 3.0
+    nothing = ke.roadmap_properties(problem, Roadmap(np.empty((0, 2)), np.empty((0, 2), np.int64)), n=10, rng=0)
+    assert nothing[:3] == (0.0, 0.0, False) and np.isnan(nothing.efficiency)
+    apart = ke.roadmap_properties(problem, Roadmap(np.array([(1.0, 1.0), (9.0, 1.0)]), np.empty((0, 2), np.int64)), n=30, rng=0)
+    assert not apart.connected and apart.efficiency == np.inf and 0.5 < apart.accessible < 1.0
+
+
+@pytest.mark.parametrize("seed", range(10))
+def test_a_scan_measures_what_shapely_measures(seed):
+    """In every direction the distance to the first wall or disc, or none within reach."""
+    rng = np.random.default_rng(seed)
+    boxes = [[(x, y), (x + 1, y), (x + 1, y + 1), (x, y + 1)] for x, y in rng.integers(0, 9, (6, 2))]
+    world = ke.PolygonWorld(SQUARE, [*boxes, ((5.5, 5.5), 0.4)])
+    walls = shapely.union_all([shapely.LinearRing(ring) for ring in [SQUARE, *boxes]])
+    disc = shapely.Point(5.5, 5.5).buffer(0.4, quad_segs=2000)
+    q = rng.uniform(0.1, 9.9, 2)
+    seen = ke.scan(world, q, rays=37, reach=6.0)
+    for angle, distance, hit in zip(seen.angles, seen.distances, seen.hit):
+        ray = shapely.LineString([q, q + 6.0 * np.array([np.cos(angle), np.sin(angle)])])
+        found = shapely.union(ray.intersection(walls), ray.intersection(disc))
+        expected = found.distance(shapely.Point(q)) if not found.is_empty else None
+        assert hit == (expected is not None)
+        assert distance == pytest.approx(6.0 if expected is None else expected, abs=1e-6)
+
+
+def test_a_scan_refuses_what_it_cannot_see():
+    """Terrains, places outside, ranges and rays that make no sense."""
+    with pytest.raises(InvalidWorld):
+        ke.scan(ke.Terrain([[1, 1], [1, 1]]), (1, 1))
+    with pytest.raises(InvalidPoint):
+        ke.scan(WORLD, (11, 1))
+    for wrong in ({"reach": 0}, {"reach": -1.0}, {"rays": 0}, {"rays": 2.5}):
+        with pytest.raises(InvalidParameter):
+            ke.scan(WORLD, (1, 1), **wrong)
+
+
+@pytest.mark.parametrize("robot", [ke.Point(), ke.Disk(0.2)], ids=["point", "disk"])
+def test_a_receding_horizon_finds_its_way_through_an_unknown_world(robot):
+    """Every motion is free in the true world; nothing was known beforehand, so the way is not the shortest."""
+    problem = problem_of(world=ke.PolygonWorld(SQUARE, [WALL]), robot=robot)
+    plan = ke.receding_horizon(problem, rays=90, rng=1)
+    assert plan.path is not None, plan.reason
+    assert np.array_equal(plan.path[0], problem.start) and np.array_equal(plan.path[-1], problem.goal)
+    assert all(problem.is_free_path(a, b) for a, b in pairwise(plan.path))
+    assert shapely.LineString(plan.path).distance(shapely.Polygon(WALL)) > robot.radius
+    assert plan.cost >= ke.plan_by_visibility(problem_of(world=ke.PolygonWorld(SQUARE, [WALL]))).cost
+    assert plan.stats["looks"] == len(plan.tree.nodes)
+
+
+def test_a_receding_horizon_says_why_it_stops():
+    """Out of moves; and start at the goal needs none."""
+    problem = problem_of()
+    plan = ke.receding_horizon(problem, max_moves=1, rng=0)
+    assert plan.path is None and "moves" in plan.reason and plan.tree is not None
+    assert ke.receding_horizon(problem_of(goal=(1, 1)), rng=0).cost == 0.0
