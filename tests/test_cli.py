@@ -71,6 +71,21 @@ def test_a_polygon_scene_is_planned_by_decomposition(tmp_path, capsys):
         assert "decomposition" in capsys.readouterr().err
 
 
+@pytest.mark.parametrize("name", ["rrt-connect", "rrt-star", "visibility"])
+def test_every_planner_has_its_name(name, tmp_path, capsys):
+    """What the command line plans is what the function plans."""
+    world = ke.PolygonWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [[(3, 0), (6, 0), (6, 4), (3, 4)]])
+    problem = ke.Problem(ke.Point(), world, (1, 1), (8, 1))
+    ke.write_scene(problem, tmp_path / "wall.json")
+    seeded = name != "visibility"
+    assert (
+        main(["plan", str(tmp_path / "wall.json"), "--planner", name, *(["--nodes", "300", "--seed", "2"] if seeded else [])]) == 0
+    )
+    function = {"rrt-connect": ke.rrt_connect, "rrt-star": ke.rrt_star, "visibility": ke.plan_by_visibility}[name]
+    plan = function(problem, **({"max_nodes": 300, "rng": 2} if seeded else {}))
+    assert f"length {plan.cost:.8g}" in capsys.readouterr().out
+
+
 def test_no_path_is_status_1_with_its_reason(tmp_path, capsys):
     """A closed room is an answer, and its picture is drawn."""
     ring = [(3, 3), (6, 3), (6, 6), (3, 6)]

@@ -6,12 +6,32 @@ import time
 from collections.abc import Callable
 from concurrent.futures import Future, wait
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from ..errors import InvalidParameter
 from ..progress import stage
 
-PLAN_HELP = """\
+
+class Choice(NamedTuple):
+    """A planner: its function in kinoedu.planners, what it is, its options here and in the function, and whether it draws lots."""
+
+    function: str
+    about: str
+    options: dict[str, str]
+    seeded: bool
+
+
+PLANNERS = {
+    "rrt": Choice("rrt", "a tree that grows at random; any scene", {"step": "step", "nodes": "max_nodes"}, True),
+    "rrt-connect": Choice("rrt_connect", "a tree from either end; any scene", {"step": "step", "nodes": "max_nodes"}, True),
+    "rrt-star": Choice("rrt_star", "a tree whose paths become shortest; any scene", {"step": "step", "nodes": "max_nodes"}, True),
+    "prm": Choice("prm", "a roadmap of random samples; any scene", {"nodes": "n", "neighbours": "k"}, True),
+    "astar": Choice("plan_on_grid", "a search on a grid; for a point or a disk", {"spacing": "spacing"}, False),
+    "visibility": Choice("plan_by_visibility", "from corner to corner; the shortest path, but only for a point *", {}, False),
+    "decomposition": Choice("plan_by_decomposition", "cells of the free space; exact, but only for a point *", {}, False),
+}
+
+PLAN_HELP = f"""\
 Plan a path in a scene, a map or a picture, and draw it.
 
 SCENE is one of
@@ -21,10 +41,8 @@ SCENE is one of
   .yaml            a ROS map with its picture; needs --start and --goal
 
 PLANNER is one of
-  rrt              a tree that grows at random; any scene
-  prm              a roadmap of random samples; any scene
-  astar            a search on a grid; any scene
-  decomposition    cells of the free space; exact, but only for a point among polygons: no map, picture, disc, radius or clearance
+{chr(10).join(f"  {name:<16} {choice.about}" for name, choice in PLANNERS.items())}
+  * among polygons: no map, picture, disc, radius or clearance
 
 x goes right, y goes up, from the lower left corner; a pixel or map cell is one unit long (a ROS map's are in metres).
 """
@@ -38,13 +56,6 @@ examples:
 
 exit status: 0 a path was found, 1 there is none (with the reason), 2 the input was wrong
 """
-
-OPTIONS: dict[str, dict[str, str]] = {  # of each planner: on the command line, and in its function
-    "rrt": {"step": "step", "nodes": "max_nodes"},
-    "prm": {"nodes": "n", "neighbours": "k"},
-    "astar": {"spacing": "spacing"},
-    "decomposition": {},
-}
 
 
 def add_plan(commands: Any) -> None:
@@ -63,7 +74,7 @@ def add_plan(commands: Any) -> None:
 def add_plan_options(plan: argparse.ArgumentParser) -> None:
     """The options of `kinoedu plan`."""
     plan.add_argument("scene", metavar="SCENE", type=Path, help="the file to plan in")
-    plan.add_argument("--planner", choices=tuple(OPTIONS), default="rrt", help="default: %(default)s")
+    plan.add_argument("--planner", choices=tuple(PLANNERS), default="rrt", help="default: %(default)s")
     plan.add_argument("--seed", type=int, default=0, metavar="N", help="of the random numbers; same seed, same plan (default: 0)")
     plan.add_argument("--out", type=Path, metavar="FILE", help="draw the plan into a picture: .png, .svg or .pdf")
     where = plan.add_argument_group("where")
@@ -73,9 +84,12 @@ def add_plan_options(plan: argparse.ArgumentParser) -> None:
     where.add_argument("--radius", type=float, metavar="R", help="the robot is a disk of this radius (default: a point)")
     where.add_argument("--clearance", type=float, default=0.0, metavar="C", help="keep this far from obstacles (default: 0)")
     how = plan.add_argument_group("how")
-    how.add_argument("--step", type=float, metavar="D", help="rrt: the longest edge (default: a twentieth of the world's diagonal)")
+    how.add_argument("--step", type=float, metavar="D", help="rrt and its kin: the longest edge (a twentieth of the world)")
     how.add_argument(
-        "--nodes", type=int, metavar="N", help="rrt: give up after so many nodes (10,000); prm: how many to sample (1,000)"
+        "--nodes",
+        type=int,
+        metavar="N",
+        help="rrt and its kin: stop at so many nodes (10,000; rrt-star 5,000); prm: sample so many (1,000)",
     )
     how.add_argument("--neighbours", type=int, metavar="K", help="prm: how many neighbours each node is tried with (default: 10)")
     how.add_argument(
@@ -151,21 +165,18 @@ def interruptible(work: Callable[[], Any]) -> Any:
 
 def planned(problem: Any, arguments: argparse.Namespace) -> Any:
     """Ask the planner that was named, with the options that were given; one that it does not have is refused."""
-    from ..planners import plan_by_decomposition, plan_on_grid, prm, rrt
+    from .. import planners
 
+    choice = PLANNERS[arguments.planner]
     given = {name: getattr(arguments, name) for name in ("step", "nodes", "neighbours", "spacing")}
     given = {name: value for name, value in given.items() if value is not None}
-    names = OPTIONS[arguments.planner]
     for name in given:
-        if name not in names:
-            has = ", ".join(f"--{other}" for other in names) or "no such options"
+        if name not in choice.options:
+            has = ", ".join(f"--{other}" for other in choice.options) or "no such options"
             raise InvalidParameter(f"--planner {arguments.planner} has no --{name}; it has {has}")
-    tuning = {names[name]: value for name, value in given.items()}
-    if arguments.planner == "decomposition":
-        return plan_by_decomposition(problem)
-    if arguments.planner == "astar":
-        return plan_on_grid(problem, **tuning)
-    return (rrt if arguments.planner == "rrt" else prm)(problem, rng=arguments.seed, **tuning)
+    tuning = {choice.options[name]: value for name, value in given.items()}
+    random = {"rng": arguments.seed} if choice.seeded else {}
+    return getattr(planners, choice.function)(problem, **tuning, **random)
 
 
 def check_picture(path: Path | None, scene: Path) -> None:

@@ -22,6 +22,8 @@ MARKERS = ("o", "s", "^")  # free, link 1, link 2: told apart without colours to
 TICKS = np.array([-1.0, -0.5, 0.0, 0.5, 1.0]) * np.pi
 TICK_NAMES = (r"$-\pi$", r"$-\pi/2$", "0", r"$\pi/2$", r"$\pi$")
 
+LINK_WORDS = "figure.link_0", "figure.link_1", "figure.link_2"
+
 
 def plot_environment(arm: ArmRobot, q: ArrayLike, world: Any, ax: Axes | None = None) -> list[Artist]:
     """Draw a world and the arm in it: base, links with their width, joints, each link in the colour of its answer to contact."""
@@ -47,7 +49,7 @@ def plot_configuration_space(arm: ArmRobot, world: Any, samples: ArrayLike, ax: 
     drawn: list[Artist] = []
     for link, (marker, colour) in enumerate(zip(MARKERS, palette.LINKS)):
         shown = wrapped[links == link]
-        drawn += ax.plot(*shown.T, marker, color=colour, markersize=size, linestyle="none", label=say(f"figure.link_{link}"))
+        drawn += ax.plot(*shown.T, marker, color=colour, markersize=size, linestyle="none", label=say(LINK_WORDS[link]))
     ax.legend(loc="upper center", bbox_to_anchor=(0.5, 1.11), ncols=3, fontsize=palette.TEXT_SIZE, frameon=False, handletextpad=0.2)
     return drawn
 
@@ -58,7 +60,7 @@ def draw_configuration_space(image: NDArray[np.int8], ax: Axes | None = None) ->
     extent = (-np.pi, np.pi, -np.pi, np.pi)
     colours = ListedColormap(palette.LINKS_LIGHT)
     picture = ax.imshow(image, origin="lower", extent=extent, cmap=colours, vmin=0, vmax=2, interpolation="nearest", zorder=1)
-    return [picture, *(text for link in range(3) for text in name_region(image == link, say(f"figure.link_{link}"), ax))]
+    return [picture, *(text for link in range(3) for text in name_region(image == link, say(LINK_WORDS[link]), ax))]
 
 
 def name_region(region: NDArray[np.bool_], name: str, ax: Axes) -> list[Artist]:
