@@ -78,9 +78,8 @@ def test_every_planner_has_its_name(name, tmp_path, capsys):
     problem = ke.Problem(ke.Point(), world, (1, 1), (8, 1))
     ke.write_scene(problem, tmp_path / "wall.json")
     seeded = name != "visibility"
-    assert (
-        main(["plan", str(tmp_path / "wall.json"), "--planner", name, *(["--nodes", "300", "--seed", "2"] if seeded else [])]) == 0
-    )
+    options = ["--nodes", "300", "--seed", "2"] if seeded else []
+    assert main(["plan", str(tmp_path / "wall.json"), "--planner", name, *options]) == 0
     function = {"rrt-connect": ke.rrt_connect, "rrt-star": ke.rrt_star, "visibility": ke.plan_by_visibility}[name]
     plan = function(problem, **({"max_nodes": 300, "rng": 2} if seeded else {}))
     assert f"length {plan.cost:.8g}" in capsys.readouterr().out
