@@ -62,7 +62,8 @@ def draw_grown(radius: float, world: PolygonWorldRecord, ax: Axes | None = None,
     for x, y in along(outline, ghosts) if len(outline) else []:
         artists.append(ax.add_patch(Circle((x, y), radius, facecolor=palette.ROBOT, alpha=0.35, edgecolor=palette.ROBOT, zorder=3)))
         artists += ax.plot(x, y, "o", color=palette.INK, markersize=6, markeredgecolor="white", zorder=5)
-    count = f"{len(regions)} {say('c_space.region' if len(regions) == 1 else 'c_space.regions')}"
+    unit = say("c_space.region") if len(regions) == 1 else say("c_space.regions")
+    count = f"{len(regions)} {unit}"
     return [*artists, plane.title(say("c_space.grown", radius=f"{radius:g}", count=count), ax)]
 
 
