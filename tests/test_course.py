@@ -3,6 +3,7 @@
 import contextlib
 import gc
 import json
+import random
 import re
 import shutil
 import sys
@@ -128,8 +129,26 @@ ALSO_RIGHT = {
         lambda: [(0, 2), (5, 0), (5, 3), (9, 5), (5, 9), (5, 4)],
         lambda: np.array([(0, 0), (10, -1), (5, 3), (10, 9), (0, 10), (5, 4)])[::-1],
     ],
+    "corner_grid": [lambda n, d: EXERCISES["corner_grid"].source(n, d)[::-1].tolist()],
+    "sukharev_grid": [lambda n, d: tuple(map(tuple, EXERCISES["sukharev_grid"].source(n, d)[:, ::-1]))],
+    "uniform_random": [
+        lambda n, d, rng: [[chance.random() for _ in range(d)] for chance in [random.Random(rng)] for _ in range(n)],
+        lambda n, d, rng: np.random.RandomState(rng).uniform(size=(d, n)).T,
+    ],
+    "radical_inverse": [lambda i, base: np.float64(EXERCISES["radical_inverse"].right_answer(i, base))],
+    "halton": [lambda n, primes: EXERCISES["halton"].source(n, tuple(primes)).tolist()],
+    "dispersion_bounds": [lambda points: bounds_by_probes(points, 36), lambda points: np.array(bounds_by_probes(points, 100))],
+    "exposing_corridor": [lambda: [0, 1 / 32, 1, 1 / 16], lambda: np.array([31 / 32, 0, 1, 1])],
     "exposing_case": [lambda: (np.array([1, 2]), np.array([(4, 2), (0, 4), (0, 0)])), lambda: ([1, 2], [[0, 4], [4, 2], [0, 0]])],
 }
+
+
+def bounds_by_probes(points, m):
+    """The farthest of m x m probes, and half the diagonal of a cell more."""
+    along = (np.arange(m) + 0.5) / m
+    probes = np.stack(np.meshgrid(along, along), axis=-1).reshape(-1, 1, 2)
+    low = np.sqrt(((probes - points) ** 2).sum(axis=2)).min(axis=1).max()
+    return low, low + np.sqrt(2) / (2 * m)
 
 
 def tree_of_last_parents(neighbours, start):

@@ -8,10 +8,11 @@ from PIL import Image
 from test_board import Page
 
 import kinoedu as ke
-from kinoedu.boards import bug_board, search_board, sweep_board
+from kinoedu.boards import bug_board, samples_board, search_board, sweep_board
 from kinoedu.boards.bugs import BUGS
 from kinoedu.boards.drawing import Drawing, cells, dots, encoded, labels
 from kinoedu.boards.expanding import spells
+from kinoedu.boards.scene import moved
 from kinoedu.boards.search import estimate_of
 from kinoedu.boards.sweep import height_at, open_cells
 from kinoedu.decomposition import sweep, trapezoidation
@@ -329,3 +330,29 @@ def test_a_notebook_keeps_a_picture_of_each():
         data, _ = made._repr_mimebundle_()
         assert data["text/plain"] == repr(made) == repr(make()) and len(data["image/png"]) < 80_000
         assert Image.open(io.BytesIO(made.picture())).size[0] > 250
+
+
+@pytest.mark.parametrize(("sampler", "shown_points"), [("corner", 49), ("sukharev", 49), ("random", 60), ("halton", 60)])
+def test_a_samples_board_shows_points_and_their_largest_hole(sampler, shown_points):
+    """As many points as fit a grid, or as were asked for; and nowhere is q farther from them than in the yellow hole."""
+    made = samples_board(sampler, 60)
+    (points,), (hole,) = layers_of(made.canvas, "dots", "tree"), layers_of(made.canvas, "edges", "path")
+    assert len(points.rows) == shown_points
+    ball = ke.sampling.largest_empty_ball(points.rows)
+    assert np.allclose(np.linalg.norm(hole.rows.reshape(-1, 2) - ball.centre, axis=1), ball.radius)
+    said = made.answer(moved(made.canvas.scene, [["handle", 0, ball.centre.tolist()]])).text
+    assert said.count(f"{ball.radius:.4f}") == 2
+    made.n.value = 9
+    assert repr(made).startswith("SamplesBoard(points 9;")
+    made.sampler.value = "sukharev"
+    assert repr(made) == "SamplesBoard(points 9; largest hole 0.2357; q is 0.0000 from the nearest point)"
+    assert made.picture().startswith(b"\x89PNG")
+
+
+def test_a_samples_board_refuses_what_it_does_not_have():
+    """A sampler that is none, and fewer than one point; q outside the square is taken to its side."""
+    for given in (("sobol", 9), ("halton", 0)):
+        with pytest.raises(InvalidParameter):
+            samples_board(*given)
+    made = samples_board("sukharev", 1)
+    assert "q is 0.7071" in made.answer(moved(made.canvas.scene, [["handle", 0, [9.0, -9.0]]])).text

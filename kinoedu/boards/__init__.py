@@ -5,6 +5,7 @@ from .bugs import BugBoard, bug_board
 from .canvas import Canvas
 from .drawing import Drawing, Layer
 from .geometry import distance_board
+from .samples import SamplesBoard, samples_board
 from .search import SearchBoard, search_board
 from .solid import SolidBoard, solid_board, turning_board
 from .sweep import SweepBoard, sweep_board
@@ -15,12 +16,14 @@ __all__ = [
     "Canvas",
     "Drawing",
     "Layer",
+    "SamplesBoard",
     "SearchBoard",
     "SolidBoard",
     "SweepBoard",
     "board",
     "bug_board",
     "distance_board",
+    "samples_board",
     "search_board",
     "solid_board",
     "sweep_board",

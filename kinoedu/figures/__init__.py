@@ -6,7 +6,7 @@ from .c_space import draw_c_obstacle, draw_grown, draw_turning_obstacle
 from .decomposition import draw_decomposition, draw_sweep
 from .drawing import draw_path, draw_plan, draw_problem, draw_roadmap, draw_robot, draw_tree, draw_world
 from .graphs import draw_graph
-from .samples import draw_dispersion, draw_samples
+from .samples import draw_dispersion, draw_samples, draw_shares
 from .saving import save_plan
 from .searches import draw_search
 from .solid import draw_mesh, torus_mesh
@@ -29,6 +29,7 @@ __all__ = [
     "draw_robot",
     "draw_samples",
     "draw_search",
+    "draw_shares",
     "draw_sweep",
     "draw_tree",
     "draw_turning_obstacle",

@@ -137,3 +137,26 @@ def name_ends(x: float, ends: list[tuple[str, float, str]], ax: Axes) -> list[Ar
         place = max(math.log10(value), place + 0.055 * (high - low))
         artists.append(ax.annotate(name, (x, 10**place), xytext=(6, 0), textcoords="offset points", color=colour, **look))
     return artists
+
+
+def draw_shares(widths: ArrayLike, chance: ArrayLike, curves: Mapping[str, ArrayLike], ax: Axes | None = None) -> list[Artist]:
+    """Draw the share of passages that are hit against their widths (m,): a curve (m,) for each name, and of random points,
+    chance (seeds, m), the median and the whole spread. Returns the artists.
+
+    >>> artists = draw_shares([0.1, 0.2], [[0.4, 0.8], [0.5, 0.9]], {"a grid": [0.3, 1.0]})
+    >>> plt.close()
+    """
+    if ax is None:
+        _, ax = plt.subplots(figsize=(7.0, 5.0), dpi=72, layout="constrained")
+    across, lucky = as_array(widths, "widths"), as_array(chance, "chance")
+    artists: list[Artist] = [ax.fill_between(across, lucky.min(axis=0), lucky.max(axis=0), color=palette.TREE, alpha=0.2)]
+    names = {say("samples.chance", seeds=len(lucky)): np.median(lucky, axis=0), **curves}
+    for i, (name, curve) in enumerate(names.items()):
+        artists += ax.plot(across, curve, LINES[i % 4], color=COLOURS[i % 4], linewidth=2.4, marker="o^sD"[i % 4], label=name)
+    ax.set_xlabel(say("samples.width"), fontsize=palette.TEXT_SIZE)
+    ax.set_ylabel(say("samples.share"), fontsize=palette.TEXT_SIZE)
+    ax.set_xlim(0.0, float(across.max()) * 1.03)
+    ax.set_ylim(0.0, 1.04)
+    ax.tick_params(labelsize=palette.TEXT_SIZE - 1)
+    ax.grid(color="#E5E7EB", linewidth=0.8, zorder=0)
+    return [*artists, ax.legend(fontsize=palette.TEXT_SIZE, loc="lower right")]

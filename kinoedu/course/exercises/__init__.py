@@ -8,13 +8,18 @@ from .cell_paths import PlanByDecomposition
 from .decomposition import Neighbours, TrapezoidsOfWorld
 from .graph_paths import BfsPath, DfsPath
 from .graphs import BfsTree, ExtractPath
+from .grids import CornerGrid, SukharevGrid
+from .hidden_corridor import ExposeGrids
+from .holes import DispersionBounds
 from .lines import LineThroughPoints, PointLineDistance
 from .mended_bug import ExposeMendedBug
 from .misleading import MisleadingEstimate
 from .polygons import PointPolygonDistance, PolygonTangent
+from .random_points import UniformRandom
 from .ray_counting import ExposeRayCounting
 from .searches import Astar, Dijkstra
 from .segments import PointSegmentDistance
+from .sequences import Halton, RadicalInverse
 from .shorter_walls import ExposeShorterWalls
 from .sweeping import Crossings, FreeIntervals
 
@@ -44,6 +49,13 @@ EXERCISES: dict[str, Exercise] = {
         Neighbours,
         PlanByDecomposition,
         ExposeShorterWalls,
+        CornerGrid,
+        SukharevGrid,
+        UniformRandom,
+        RadicalInverse,
+        Halton,
+        DispersionBounds,
+        ExposeGrids,
     )
 }
 

@@ -1,0 +1,671 @@
+"""Wrong answers to the exercises of lesson 6. Each is one that students give; the slip is what a check must recognise in it."""
+
+import math
+from itertools import product
+
+import numpy as np
+
+from kinoedu.course.bank import wrong
+
+
+def whole_root(n, d):
+    k = round(n ** (1 / d))
+    if k**d != n:
+        raise ValueError("no grid has so many points")
+    return k
+
+
+def combined(along, d):
+    return list(product(along, repeat=d))
+
+
+# The corner grid
+
+
+@wrong("corner_grid", slip="both_ends")
+def from_end_to_end(n, d):
+    """linspace includes its end."""
+    return combined(np.linspace(0, 1, whole_root(n, d)), d)
+
+
+@wrong("corner_grid", slip="centres")
+def centres_for_corners(n, d):
+    """The other grid."""
+    k = whole_root(n, d)
+    return combined([(i + 0.5) / k for i in range(k)], d)
+
+
+@wrong("corner_grid", slip="upper")
+def counted_from_one(n, d):
+    """i = 1, ..., k."""
+    k = whole_root(n, d)
+    return combined([i / k for i in range(1, k + 1)], d)
+
+
+@wrong("corner_grid", slip="unscaled")
+def numbers_of_cells(n, d):
+    """Forgets to divide."""
+    return combined(range(whole_root(n, d)), d)
+
+
+@wrong("corner_grid", slip="diagonal")
+def one_loop(n, d):
+    """i with i."""
+    k = whole_root(n, d)
+    return [[i / k] * d for i in range(k)]
+
+
+@wrong("corner_grid", slip="all_along")
+def n_points_in_one_loop(n, d):
+    """As many as asked for, but along the diagonal."""
+    whole_root(n, d)
+    return [[i / n] * d for i in range(n)]
+
+
+@wrong("corner_grid")
+def n_along_each_side(n, d):
+    """n for k."""
+    whole_root(n, d)
+    return combined([i / n for i in range(n)], d) if n**d < 20_000 else []
+
+
+@wrong("corner_grid")
+def root_cut_off(n, d):
+    """int(64 ** (1/3)) is 3."""
+    k = int(n ** (1 / d))
+    if k**d != n:
+        raise ValueError("no grid has so many points")
+    return combined([i / k for i in range(k)], d)
+
+
+@wrong("corner_grid")
+def always_in_the_plane(n, d):
+    """d is ignored."""
+    k = whole_root(n, 2)
+    return combined([i / k for i in range(k)], 2)
+
+
+@wrong("corner_grid")
+def as_many_as_fit(n, d):
+    """Never refuses."""
+    k = math.floor(n ** (1 / d) + 1e-9)
+    return combined([i / k for i in range(k)], d)
+
+
+@wrong("corner_grid")
+def numbers_on_a_line_flat(n, d):
+    """In one dimension a row of numbers, not rows of one number."""
+    k = whole_root(n, d)
+    return [i / k for i in range(k)] if d == 1 else combined([i / k for i in range(k)], d)
+
+
+@wrong("corner_grid")
+def two_arrays(n, d):
+    """The seed's form: xpoints, ypoints."""
+    k = whole_root(n, d)
+    return np.meshgrid(*[np.arange(k) / k] * d)
+
+
+@wrong("corner_grid")
+def added_up(n, d):
+    """Ten times 0.1 is a little less than 1 on a computer: one step too many."""
+    k, along, x = whole_root(n, d), [], 0.0
+    while x < 1:
+        along.append(x)
+        x += 1 / k
+    return combined(along, d)
+
+
+@wrong("corner_grid")
+def power_two_or_nothing(n, d):
+    """Tests for a square, whatever d is."""
+    k = whole_root(n, 2)
+    k = round(n ** (1 / d)) if d != 2 else k
+    return combined([i / k for i in range(k)], d)
+
+
+# Sukharev's grid
+
+
+@wrong("sukharev_grid", slip="corners")
+def corners_for_centres(n, d):
+    """The other grid."""
+    k = whole_root(n, d)
+    return combined([i / k for i in range(k)], d)
+
+
+@wrong("sukharev_grid", slip="both_ends")
+def on_the_walls(n, d):
+    """linspace includes both ends."""
+    return combined(np.linspace(0, 1, whole_root(n, d)), d)
+
+
+@wrong("sukharev_grid", slip="wide_margin")
+def equal_gaps(n, d):
+    """As far from the walls as from each other."""
+    return combined(np.linspace(0, 1, whole_root(n, d) + 2)[1:-1], d)
+
+
+@wrong("sukharev_grid", slip="half")
+def half_a_side(n, d):
+    """i / k + 1 / 2."""
+    k = whole_root(n, d)
+    return combined([i / k + 1 / 2 for i in range(k)], d)
+
+
+@wrong("sukharev_grid", slip="unscaled")
+def half_undivided(n, d):
+    """i + 1/2, not divided by k."""
+    return combined([i + 0.5 for i in range(whole_root(n, d))], d)
+
+
+@wrong("sukharev_grid", slip="diagonal")
+def centres_in_one_loop(n, d):
+    """i with i."""
+    k = whole_root(n, d)
+    return [[(i + 0.5) / k] * d for i in range(k)]
+
+
+@wrong("sukharev_grid")
+def middles_between_corners(n, d):
+    """k points on the walls have k - 1 middles between them."""
+    k = whole_root(n, d)
+    walls = np.linspace(0, 1, k)
+    return combined((walls[:-1] + walls[1:]) / 2, d)
+
+
+@wrong("sukharev_grid")
+def moved_along_one_axis(n, d):
+    """Half a cell to the right only."""
+    k = whole_root(n, d)
+    return [(x + 0.5 / k, *rest) for x, *rest in combined([i / k for i in range(k)], d)]
+
+
+@wrong("sukharev_grid")
+def refuses_with_a_message(n, d):
+    """Prints and returns None, as the seed does."""
+    k = round(n ** (1 / d))
+    return combined([(i + 0.5) / k for i in range(k)], d) if k**d == n else None
+
+
+@wrong("sukharev_grid")
+def root_not_rounded(n, d):
+    """64 ** (1/3) is no whole number on a computer."""
+    k = n ** (1 / d)
+    if k != int(k):
+        raise ValueError("no grid has so many points")
+    return combined([(i + 0.5) / k for i in range(int(k))], d)
+
+
+# Random points
+
+
+@wrong("uniform_random")
+def k_for_n(n, d, rng):
+    """Draws as many as a grid has along a side: the seed's own mistake."""
+    return np.random.default_rng(rng).random((math.ceil(math.sqrt(n)), d))
+
+
+@wrong("uniform_random")
+def whole_numbers(n, d, rng):
+    """Draws whole numbers: the seed's other mistake."""
+    return np.random.default_rng(rng).integers(1, 7, (n, d))
+
+
+@wrong("uniform_random")
+def places_of_a_lattice(n, d, rng):
+    """Whole numbers, divided."""
+    return np.random.default_rng(rng).integers(0, 10, (n, d)) / 10
+
+
+@wrong("uniform_random")
+def rounded(n, d, rng):
+    """Two decimals look tidier."""
+    return np.round(np.random.default_rng(rng).random((n, d)), 2)
+
+
+@wrong("uniform_random")
+def without_a_seed(n, d, rng):
+    """Never the same again."""
+    return np.random.random((n, d))
+
+
+@wrong("uniform_random")
+def seed_taken_for_a_generator(n, d, rng):
+    """A whole number draws nothing."""
+    return rng.random((n, d))
+
+
+@wrong("uniform_random")
+def own_seed(n, d, rng):
+    """Always the same."""
+    return np.random.default_rng(0).random((n, d))
+
+
+@wrong("uniform_random")
+def new_generator_for_each_coordinate(n, d, rng):
+    """The same numbers again and again."""
+    return np.column_stack([np.random.default_rng(rng).random(n) for _ in range(d)])
+
+
+@wrong("uniform_random")
+def new_generator_for_each_number(n, d, rng):
+    """All equal."""
+    return [[np.random.default_rng(rng).random() for _ in range(d)] for _ in range(n)]
+
+
+@wrong("uniform_random")
+def bell_curve(n, d, rng):
+    """Normal numbers, cut."""
+    drawn = np.random.default_rng(rng).normal(0.5, 0.2, (n, d))
+    return drawn % 1.0
+
+
+@wrong("uniform_random")
+def standard_normal(n, d, rng):
+    """normal for random."""
+    return np.random.default_rng(rng).normal(size=(n, d))
+
+
+@wrong("uniform_random")
+def mean_of_two(n, d, rng):
+    """More random is less uniform."""
+    generator = np.random.default_rng(rng)
+    return (generator.random((n, d)) + generator.random((n, d))) / 2
+
+
+@wrong("uniform_random")
+def from_minus_one(n, d, rng):
+    """The square from -1 to 1."""
+    return np.random.default_rng(rng).uniform(-1, 1, (n, d))
+
+
+@wrong("uniform_random")
+def rows_for_columns(n, d, rng):
+    """Shape (d, n)."""
+    return np.random.default_rng(rng).random((d, n))
+
+
+@wrong("uniform_random")
+def one_in_each_slice(n, d, rng):
+    """Each coordinate has one number in each of n equal parts: too even."""
+    generator = np.random.default_rng(rng)
+    return np.column_stack([(generator.permutation(n) + generator.random(n)) / n for _ in range(d)])
+
+
+# The radical inverse
+
+
+@wrong("radical_inverse", slip="forward")
+def not_mirrored(i, base):
+    """0.110 for 110."""
+    size = 1
+    while base**size <= i:
+        size += 1
+    return i / base**size
+
+
+@wrong("radical_inverse", slip="left")
+def first_digit_before_the_point(i, base):
+    """The weight begins at 1."""
+    total, weight = 0, 1
+    while i > 0:
+        total += i % base * weight
+        i, weight = i // base, weight / base
+    return total
+
+
+@wrong("radical_inverse", slip="right")
+def one_place_too_far(i, base):
+    """The weight is divided twice at first."""
+    total, weight = 0, 1 / base
+    while i > 0:
+        weight /= base
+        total += i % base * weight
+        i //= base
+    return total
+
+
+@wrong("radical_inverse", slip="whole")
+def mirrored_before_the_point(i, base):
+    """A whole number."""
+    total = 0
+    while i > 0:
+        total = total * base + i % base
+        i //= base
+    return total
+
+
+@wrong("radical_inverse", slip="decimal")
+def read_as_a_decimal(i, base):
+    """0.011 is taken for eleven thousandths."""
+    text = ""
+    while i > 0:
+        text += str(i % base)
+        i //= base
+    return float("0." + (text or "0"))
+
+
+@wrong("radical_inverse", slip="base_two")
+def always_binary(i, base):
+    """bin() knows one base."""
+    text = bin(i)[2:][::-1]
+    return sum(int(c) / 2 ** (k + 1) for k, c in enumerate(text))
+
+
+@wrong("radical_inverse", slip="next")
+def one_further(i, base):
+    """Counts from 0 what counts from 1."""
+    total, weight, i = 0, 1 / base, i + 1
+    while i > 0:
+        total += i % base * weight
+        i, weight = i // base, weight / base
+    return total
+
+
+@wrong("radical_inverse", slip="first_lost")
+def stops_early(i, base):
+    """Ends while one digit is left."""
+    total, weight = 0, 1 / base
+    while i >= base:
+        total += i % base * weight
+        i, weight = i // base, weight / base
+    return total
+
+
+@wrong("radical_inverse", slip="last_only")
+def no_loop(i, base):
+    """An if where a while was meant."""
+    return i % base / base if i > 0 else 0
+
+
+@wrong("radical_inverse", slip="divided")
+def fraction_left_over(i, base):
+    """/ for //."""
+    total, weight = 0, 1
+    while i > 0 and weight > 0:
+        weight /= base
+        total += i % base * weight
+        i = i / base
+    return total
+
+
+@wrong("radical_inverse")
+def ten_digits(i, base):
+    """A loop of fixed length."""
+    total = 0
+    for k in range(10):
+        total += i // base**k % base / base ** (k + 1)
+    return total
+
+
+@wrong("radical_inverse")
+def digits_as_letters(i, base):
+    """A digit beyond 9 is two letters."""
+    text = ""
+    while i > 0:
+        text += str(i % base)
+        i //= base
+    return sum(int(c) / base ** (k + 1) for k, c in enumerate(text))
+
+
+@wrong("radical_inverse")
+def nothing_for_zero(i, base):
+    """log(0)."""
+    return sum(i // base**k % base / base ** (k + 1) for k in range(int(math.log(i, base)) + 2))
+
+
+# Halton's sequence
+
+
+def mirrored(i, base):
+    total, weight = 0, 1 / base
+    while i > 0:
+        total += i % base * weight
+        i, weight = i // base, weight / base
+    return total
+
+
+@wrong("halton", slip="from_zero")
+def begins_in_the_corner(n, primes):
+    """range(n)."""
+    return [[mirrored(i, p) for p in primes] for i in range(n)]
+
+
+@wrong("halton", slip="from_two")
+def begins_with_two(n, primes):
+    """i + 2."""
+    return [[mirrored(i + 2, p) for p in primes] for i in range(n)]
+
+
+@wrong("halton", slip="one_base")
+def one_base_for_all(n, primes):
+    """The first."""
+    return [[mirrored(i, primes[0]) for _ in primes] for i in range(1, n + 1)]
+
+
+@wrong("halton", slip="own_bases")
+def two_three_four(n, primes):
+    """Bases that are no primes."""
+    return [[mirrored(i, base) for base in range(2, 2 + len(primes))] for i in range(1, n + 1)]
+
+
+@wrong("halton", slip="own_primes")
+def primes_not_read(n, primes):
+    """The usual ones."""
+    return [[mirrored(i, p) for p in (2, 3, 5, 7, 11, 13)[: len(primes)]] for i in range(1, n + 1)]
+
+
+@wrong("halton", slip="sorted")
+def primes_sorted(n, primes):
+    """In order of size."""
+    return [[mirrored(i, p) for p in sorted(primes)] for i in range(1, n + 1)]
+
+
+@wrong("halton", slip="backwards")
+def last_prime_first(n, primes):
+    """The columns are exchanged."""
+    return [[mirrored(i, p) for p in reversed(primes)] for i in range(1, n + 1)]
+
+
+@wrong("halton", slip="forward")
+def digits_not_mirrored(n, primes):
+    """0.110 for 110."""
+    return [[not_mirrored.function(i, p) for p in primes] for i in range(1, n + 1)]
+
+
+@wrong("halton")
+def a_row_for_each_prime(n, primes):
+    """Shape (d, n)."""
+    return [[mirrored(i, p) for i in range(1, n + 1)] for p in primes]
+
+
+@wrong("halton")
+def k_points(n, primes):
+    """As many as a grid has along a side: the seed's plots."""
+    return [[mirrored(i, p) for p in primes] for i in range(1, math.ceil(math.sqrt(n)) + 1)]
+
+
+@wrong("halton")
+def one_too_few(n, primes):
+    """range(1, n)."""
+    return [[mirrored(i, p) for p in primes] for i in range(1, n)]
+
+
+@wrong("halton")
+def sorted_points(n, primes):
+    """From left to right."""
+    return sorted([mirrored(i, p) for p in primes] for i in range(1, n + 1))
+
+
+@wrong("halton")
+def two_coordinates_only(n, primes):
+    """The plane is all there is."""
+    return [[mirrored(i, p) for p in primes[:2]] for i in range(1, n + 1)]
+
+
+@wrong("halton")
+def a_grid_of_both(n, primes):
+    """Every number of the one with every number of the other."""
+    k = math.ceil(n ** (1 / len(primes)))
+    return list(product(*[[mirrored(i, p) for i in range(1, k + 1)] for p in primes]))[:n]
+
+
+# Bounds of the dispersion
+
+
+HALF = math.sqrt(2) / 80  # half the diagonal of a cell
+
+
+def probes(m=40):
+    along = (np.arange(m) + 0.5) / m
+    return np.array(list(product(along, repeat=2)))
+
+
+def gaps(places, points):
+    return np.abs(places[:, None] - points[None])
+
+
+def farthest(places, points):
+    return np.sqrt((gaps(places, points) ** 2).sum(axis=2)).min(axis=1).max()
+
+
+@wrong("dispersion_bounds")
+def nothing_added(points):
+    """The probes are taken for all there is."""
+    low = farthest(probes(), points)
+    return low, low
+
+
+@wrong("dispersion_bounds")
+def half_a_side_added(points):
+    """Half the side of a cell instead of half its diagonal."""
+    low = farthest(probes(), points)
+    return low, low + 1 / 80
+
+
+@wrong("dispersion_bounds")
+def too_few_probes(points):
+    """Right, but wide apart."""
+    low = farthest(probes(10), points)
+    return low, low + math.sqrt(2) / 20
+
+
+@wrong("dispersion_bounds")
+def half_the_way_between_points(points):
+    """Looks from point to point, never at the walls."""
+    nearest = [min((math.dist(p, q) for q in points if (p != q).any()), default=1.0) for p in points]
+    return max(nearest) / 2, max(nearest) / 2 + 0.02
+
+
+@wrong("dispersion_bounds")
+def farthest_point_of_all(points):
+    """max for min."""
+    low = np.sqrt((gaps(probes(), points) ** 2).sum(axis=2)).max()
+    return low, low + HALF
+
+
+@wrong("dispersion_bounds")
+def sup_norm(points):
+    """The larger of the two differences."""
+    low = gaps(probes(), points).max(axis=2).min(axis=1).max()
+    return low, low + HALF
+
+
+@wrong("dispersion_bounds")
+def along_the_streets(points):
+    """The sum of the two differences."""
+    low = gaps(probes(), points).sum(axis=2).min(axis=1).max()
+    return low, low + HALF
+
+
+@wrong("dispersion_bounds")
+def high_before_low(points):
+    """In the wrong order."""
+    low = farthest(probes(), points)
+    return low + HALF, low
+
+
+@wrong("dispersion_bounds")
+def around_the_estimate(points):
+    """Half the error below, half above."""
+    middle = farthest(probes(), points)
+    return middle - 0.01, middle + 0.01
+
+
+@wrong("dispersion_bounds")
+def probes_inside_only(points):
+    """Keeps away from the walls."""
+    low = farthest(0.1 + 0.8 * probes(), points)
+    return low, low + HALF
+
+
+@wrong("dispersion_bounds")
+def diameter(points):
+    """How wide a hole is, for how far it reaches."""
+    low = 2 * farthest(probes(), points)
+    return low, low + HALF
+
+
+@wrong("dispersion_bounds")
+def mean_distance(points):
+    """The mean for the largest."""
+    low = np.sqrt((gaps(probes(), points) ** 2).sum(axis=2)).min(axis=1).mean()
+    return low, low + HALF
+
+
+@wrong("dispersion_bounds")
+def one_number(points):
+    """Not two."""
+    return farthest(probes(), points)
+
+
+# Break it
+
+
+@wrong("exposing_corridor")
+def between_the_points_of_the_finest(*_):
+    """Forgets that coarser grids lie between."""
+    return 1 / 32, 0, 3 / 32, 1
+
+
+@wrong("exposing_corridor")
+def too_narrow(*_):
+    """Hidden, but not as wide as can be."""
+    return 0.51, 0, 0.53, 1
+
+
+@wrong("exposing_corridor")
+def not_across(*_):
+    """A room, not a corridor."""
+    return 0.001, 0.1, 0.03, 0.9
+
+
+@wrong("exposing_corridor")
+def in_the_middle(*_):
+    """Where the first point is."""
+    return 0, 0.49, 1, 0.522
+
+
+@wrong("exposing_corridor")
+def corners_exchanged(*_):
+    """Upper right corner first."""
+    return 1 / 16, 1, 1 / 32, 0
+
+
+@wrong("exposing_corridor")
+def centre_and_size(*_):
+    """Another way to write a rectangle."""
+    return 3 / 64, 1 / 2, 1 / 32, 1
+
+
+@wrong("exposing_corridor")
+def beyond_the_square(*_):
+    """Outside there is no point at all."""
+    return -0.1, 0, 0.03, 1
+
+
+@wrong("exposing_corridor")
+def two_corners(*_):
+    """As two points."""
+    return [(1 / 32, 0), (1 / 16, 1)]
