@@ -129,6 +129,20 @@ ALSO_RIGHT = {
         lambda: [(0, 2), (5, 0), (5, 3), (9, 5), (5, 9), (5, 4)],
         lambda: np.array([(0, 0), (10, -1), (5, 3), (10, 9), (0, 10), (5, 4)])[::-1],
     ],
+    "degrees_of_freedom": [lambda bodies, joints: np.int64(EXERCISES["degrees_of_freedom"].source(bodies, joints))],
+    "rotation": [lambda theta: np.array(EXERCISES["rotation"].source(theta - 2 * np.pi)).tolist()],
+    "displacement": [lambda *given: tuple(map(tuple, EXERCISES["displacement"].source(*given)))],
+    "forward_kinematics": [lambda *given: [tuple(place) for place in EXERCISES["forward_kinematics"].source(*given)]],
+    "inverse_kinematics": [
+        lambda *given: [tuple(q) for q in EXERCISES["inverse_kinematics"].source(*given)[::-1] + 2 * np.pi],
+        lambda *given: [
+            *EXERCISES["inverse_kinematics"].source(*given),
+            *EXERCISES["inverse_kinematics"].source(*given) - 2 * np.pi,
+        ],
+    ],
+    "circle_distance": [lambda a, b: np.arccos(np.cos(a - b)), lambda a, b: abs(np.angle(np.exp(1j * (a - b))))],
+    "torus_distance": [lambda a, b: np.linalg.norm(np.remainder(a - b + np.pi, 2 * np.pi) - np.pi)],
+    "exposing_reach": [lambda: [1, 1.1, (0, 0.4)], lambda: (np.float64(50.0), 55, np.array([-9.0, 3.0]))],
     "corner_grid": [lambda n, d: EXERCISES["corner_grid"].source(n, d)[::-1].tolist()],
     "sukharev_grid": [lambda n, d: tuple(map(tuple, EXERCISES["sukharev_grid"].source(n, d)[:, ::-1]))],
     "uniform_random": [

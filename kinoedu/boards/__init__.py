@@ -5,6 +5,7 @@ from .bugs import BugBoard, bug_board
 from .canvas import Canvas
 from .drawing import Drawing, Layer
 from .geometry import distance_board
+from .reach import reach_board, torus_board
 from .samples import SamplesBoard, samples_board
 from .search import SearchBoard, search_board
 from .solid import SolidBoard, solid_board, turning_board
@@ -23,9 +24,11 @@ __all__ = [
     "board",
     "bug_board",
     "distance_board",
+    "reach_board",
     "samples_board",
     "search_board",
     "solid_board",
     "sweep_board",
+    "torus_board",
     "turning_board",
 ]

@@ -3,14 +3,19 @@
 from ...errors import InvalidParameter
 from ...words import say
 from ..exercise import Exercise
+from .angles import CircleDistance, TorusDistance
 from .bugs import Bug1, Bug2, BugBase
 from .cell_paths import PlanByDecomposition
 from .decomposition import Neighbours, TrapezoidsOfWorld
+from .displacements import Displacement, Rotation
+from .freedoms import DegreesOfFreedom
 from .graph_paths import BfsPath, DfsPath
 from .graphs import BfsTree, ExtractPath
 from .grids import CornerGrid, SukharevGrid
 from .hidden_corridor import ExposeGrids
 from .holes import DispersionBounds
+from .kinematics import ForwardKinematics, InverseKinematics
+from .law_of_sines import ExposeReach
 from .lines import LineThroughPoints, PointLineDistance
 from .mended_bug import ExposeMendedBug
 from .misleading import MisleadingEstimate
@@ -49,6 +54,14 @@ EXERCISES: dict[str, Exercise] = {
         Neighbours,
         PlanByDecomposition,
         ExposeShorterWalls,
+        DegreesOfFreedom,
+        Rotation,
+        Displacement,
+        ForwardKinematics,
+        InverseKinematics,
+        CircleDistance,
+        TorusDistance,
+        ExposeReach,
         CornerGrid,
         SukharevGrid,
         UniformRandom,

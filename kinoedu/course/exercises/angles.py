@@ -1,0 +1,144 @@
+"""Exercises on distances between angles: on the circle, and on the torus. Bullo & Smith, section 3.2."""
+
+from collections.abc import Iterator
+from math import pi
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ...spaces import circle_distance, torus_distance
+from ..exercise import Case, Slip, ValueExercise
+from ..outcomes import Answer, Outcome
+from ..shapes import Number, Numbers, Record
+from .configuration_pictures import draw_short_ways
+
+TURN = 2.0 * pi
+
+
+class BetweenAngles(ValueExercise):
+    """An exercise whose case is two angles, or two rows of angles, a and b."""
+
+    lesson = "05_configuration_spaces"
+
+    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+        """A circle for each angle, the short way round it, and both distances."""
+        draw_short_ways(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
+
+
+class CircleDistance(BetweenAngles):
+    """The length of the shorter arc between two directions."""
+
+    name = "circle_distance"
+    kinds = ("near", "across", "opposite", "turns", "same")
+    given = Record(a=Number(), b=Number())
+    answer = Number()
+    source = staticmethod(circle_distance)
+    slips = (
+        Slip("no_wrap", lambda a, b: abs(a - b)),
+        Slip("one_way", lambda a, b: (b - a) % TURN),
+        Slip("one_way", lambda a, b: (a - b) % TURN),
+        Slip("signed", lambda a, b: (b - a + pi) % TURN - pi),
+        Slip("signed", lambda a, b: (a - b + pi) % TURN - pi),
+        Slip("one_side", lambda a, b: wrapped_above(b - a)),
+        Slip("one_side", lambda a, b: wrapped_above(a - b)),
+        Slip("half_turns", lambda a, b: abs(a - b) % pi),
+        Slip("once", lambda a, b: min(abs(a - b), TURN - abs(a - b))),
+        Slip("once", lambda a, b: min(abs(a - b), abs(TURN - abs(a - b)))),
+        Slip("long", lambda a, b: TURN - circle_distance(a, b)),
+        Slip("chord", lambda a, b: 2.0 * np.sin(circle_distance(a, b) / 2.0)),
+        Slip("degrees", lambda a, b: np.degrees(circle_distance(a, b))),
+        Slip("degrees", lambda a, b: min(abs(a - b) % 360.0, 360.0 - abs(a - b) % 360.0)),
+        Slip("rounded", lambda a, b: round(float(circle_distance(a, b)), 2)),
+    )
+    reference = staticmethod(circle_distance)
+
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """Whole numbers first; angles in [-pi, pi), then any."""
+        for a, b in ((0, 1), (2, 0.5), (-1, 1), (3, -3), (-3, 2), (0, -pi), (pi / 2, -pi / 2), (1, 1)):
+            yield self.case(a, b)
+        for a, b in ((0, TURN), (0, 7), (-7, 1), (20, -20), (-pi, pi), (0, 3 * pi), (10, 10.001), (0, 0), (95, -95)):
+            yield self.case(a, b)
+        for _ in range(25):
+            a, turn = np.round(rng.uniform(-3.1, 3.1), 2), np.round(rng.uniform(0.01, 2.9), 2)
+            yield self.case(a, min(max(a + rng.choice([-1, 1]) * turn, -3.14), 3.14))
+            yield self.case(np.round(rng.uniform(1.6, 3.14), 2), np.round(rng.uniform(-3.14, -1.6), 2))
+            yield self.case(np.round(rng.uniform(-3.14, -1.6), 2), np.round(rng.uniform(1.6, 3.14), 2))
+            yield self.case(a, a + pi if a < 0 else a - pi)
+            yield self.case(a, np.round(a + turn + rng.integers(1, 15) * rng.choice([-TURN, TURN]), 2))
+            yield self.case(a, a + rng.integers(0, 3) * TURN)
+
+    def case(self, a: float, b: float) -> Case:
+        """A case of the kind that it is."""
+        return Case(kind_of(float(a), float(b)), {"a": float(a), "b": float(b)})
+
+
+def kind_of(a: float, b: float) -> str:
+    """How two directions lie to each other."""
+    apart = float(circle_distance(a, b))
+    if apart < 1e-9:
+        return "same"
+    if max(abs(a), abs(b)) > pi:
+        return "turns"
+    if pi - apart < 1e-9:
+        return "opposite"
+    return "near" if abs(a - b) < pi else "across"
+
+
+def wrapped_above(turn: float) -> float:
+    """The size of a turn from which whole turns are taken while it is more than half of one; below -pi it stays as it is."""
+    return abs(turn - TURN * np.ceil((turn - pi) / TURN)) if turn > pi else abs(turn)
+
+
+class TorusDistance(BetweenAngles):
+    """The distance on the flat torus of any number of angles."""
+
+    name = "torus_distance"
+    kinds = ("near", "across_one", "across_all", "turns", "joints")
+    given = Record(a=Numbers(("d",)), b=Numbers(("d",)))
+    answer = Number()
+    source = staticmethod(torus_distance)
+    slips = (
+        Slip("no_wrap", lambda a, b: np.linalg.norm(a - b)),
+        Slip("sum", lambda a, b: np.sum(circle_distance(a, b))),
+        Slip("largest", lambda a, b: np.max(circle_distance(a, b))),
+        Slip("square", lambda a, b: torus_distance(a, b) ** 2),
+        Slip("two", lambda a, b: torus_distance(a[:2], b[:2])),
+        Slip("first", lambda a, b: np.hypot(circle_distance(a[0], b[0]), np.linalg.norm((a - b)[1:]))),
+        Slip("whole", lambda a, b: min(np.linalg.norm(a - b), TURN - np.linalg.norm(a - b))),
+        Slip("whole", lambda a, b: circle_distance(np.linalg.norm(a - b), 0.0)),
+        Slip("once", lambda a, b: np.linalg.norm(np.minimum(abs(a - b), TURN - abs(a - b)))),
+        Slip("long", lambda a, b: np.linalg.norm((b - a) % TURN)),
+    )
+    reference = staticmethod(torus_distance)
+
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """Two angles first, small numbers; then any number of them."""
+        for kind, a, b in (
+            ("near", (0, 0), (0.3, 0.4)),
+            ("near", (1, -1), (1, 2)),
+            ("across_one", (3, 0), (-3, 0)),
+            ("across_one", (0, -3), (1, 3)),
+            ("across_all", (3, 3), (-3, -3)),
+            ("turns", (0, 0), (7, 0)),
+            ("turns", (0, 0), (TURN, 2 * TURN)),
+            ("joints", (3,), (-3,)),
+            ("joints", (3, 0, 0), (-3, 0, 1)),
+            ("joints", (0, 0, 1, 2), (0, 0, -1, 2)),
+        ):
+            yield case_of(kind, a, b)
+        for _ in range(20):
+            p = np.round(rng.uniform(-1.5, 1.5, 2), 2)
+            yield case_of("near", p, np.round(p + rng.uniform(-1.6, 1.6, 2), 2))
+            high, low = np.round(rng.uniform(1.6, 3.14, 2), 2), np.round(rng.uniform(-3.14, -1.6, 2), 2)
+            yield case_of("across_all", high, low)
+            mixed = rng.permutation([0, 1])
+            yield case_of("across_one", np.array([high[0], p[0]])[mixed], np.array([low[0], p[1]])[mixed])
+            yield case_of("turns", p, np.round(p + rng.uniform(-1.5, 1.5, 2) + TURN * rng.integers(1, 9, 2), 2))
+            d = int(rng.choice([1, 3, 4, 5]))
+            yield case_of("joints", np.round(rng.uniform(-pi, pi, d), 2), np.round(rng.uniform(-pi, pi, d), 2))
+
+
+def case_of(kind: str, a: ArrayLike, b: ArrayLike) -> Case:
+    """A case of two rows of angles."""
+    return Case(kind, {"a": np.array(a, float), "b": np.array(b, float)})

@@ -1,0 +1,666 @@
+"""Wrong answers to the exercises of lesson 5. Each is one that students give; the slip is what a check must recognise in it."""
+
+import math
+from math import atan, atan2, cos, hypot, pi, sin
+
+import numpy as np
+
+from kinoedu.course.bank import wrong
+from kinoedu.geometry.displacements import displacement, rotation
+from kinoedu.spaces import circle_distance, torus_distance
+
+# Degrees of freedom
+
+
+@wrong("degrees_of_freedom", slip="ground")
+def ground_moves(bodies, joints):
+    """The ground is counted as a body, as in the rule of Gruebler that then subtracts 1."""
+    return 3 * (bodies + 1) - 2 * sum(len(held) - 1 for held in joints)
+
+
+@wrong("degrees_of_freedom", slip="shared")
+def two_a_pin(bodies, joints):
+    """A pin through three bodies counts as one through two."""
+    return 3 * bodies - 2 * len(joints)
+
+
+@wrong("degrees_of_freedom", slip="three")
+def glued(bodies, joints):
+    """A pin takes everything."""
+    return 3 * bodies - 3 * sum(len(held) - 1 for held in joints)
+
+
+@wrong("degrees_of_freedom", slip="one")
+def freedom_for_constraint(bodies, joints):
+    """A pin takes what it leaves."""
+    return 3 * bodies - sum(len(held) - 1 for held in joints)
+
+
+@wrong("degrees_of_freedom", slip="points")
+def bodies_are_points(bodies, joints):
+    """A body cannot turn."""
+    return 2 * bodies - 2 * sum(len(held) - 1 for held in joints)
+
+
+@wrong("degrees_of_freedom", slip="every_body")
+def every_body_loses_two(bodies, joints):
+    """The first body of a pin is held as well."""
+    return 3 * bodies - sum(2 * len(held) for held in joints)
+
+
+@wrong("degrees_of_freedom", slip="pins")
+def one_for_each_pin(bodies, joints):
+    """Right for arms."""
+    return len(joints)
+
+
+@wrong("degrees_of_freedom", slip="no_pins")
+def all_bodies_free(bodies, joints):
+    """The pins are forgotten."""
+    total = 0
+    for _ in range(bodies):
+        total += 3
+    return total
+
+
+@wrong("degrees_of_freedom", slip="never_less")
+def never_below_zero(bodies, joints):
+    """Corrects the count."""
+    return max(3 * bodies - 2 * sum(len(held) - 1 for held in joints), 0)
+
+
+@wrong("degrees_of_freedom")
+def bodies_that_pins_hold(bodies, joints):
+    """A body without a pin is forgotten."""
+    moving = {body for held in joints for body in held} - {0}
+    return 3 * len(moving) - 2 * sum(len(held) - 1 for held in joints)
+
+
+@wrong("degrees_of_freedom")
+def pins_to_the_ground_only(bodies, joints):
+    """Pins between bodies that move are forgotten."""
+    return 3 * bodies - 2 * sum(len(held) - 1 for held in joints if 0 in held)
+
+
+@wrong("degrees_of_freedom")
+def in_space(bodies, joints):
+    """Six for each body, five for each hinge."""
+    return 6 * bodies - 5 * sum(len(held) - 1 for held in joints)
+
+
+# Rotations
+
+
+@wrong("rotation", slip="clockwise")
+def to_the_right(theta):
+    """The minus is at the other sine."""
+    return [[cos(theta), sin(theta)], [-sin(theta), cos(theta)]]
+
+
+@wrong("rotation", slip="degrees")
+def radians_of_radians(theta):
+    """Takes theta for degrees."""
+    return rotation(math.radians(theta))
+
+
+@wrong("rotation", slip="mirror")
+def mirrored(theta):
+    """A reflection."""
+    return [[cos(theta), sin(theta)], [sin(theta), -cos(theta)]]
+
+
+@wrong("rotation", slip="swapped")
+def sines_on_the_diagonal(theta):
+    """Sine and cosine exchanged."""
+    return [[sin(theta), -cos(theta)], [cos(theta), sin(theta)]]
+
+
+@wrong("rotation", slip="sign")
+def no_minus(theta):
+    """The minus is forgotten."""
+    return [[cos(theta), sin(theta)], [sin(theta), cos(theta)]]
+
+
+@wrong("rotation", slip="root")
+def root_for_a_sine(theta):
+    """The sine by Pythagoras is never negative."""
+    c = cos(theta)
+    s = math.sqrt(1 - c * c)
+    return [[c, -s], [s, c]]
+
+
+@wrong("rotation")
+def wrapped_by_half_turns(theta):
+    """Removes half turns where whole ones were meant."""
+    return rotation(theta % pi)
+
+
+@wrong("rotation")
+def small_angles(theta):
+    """cos is 1 and sin is theta, for small angles."""
+    return [[1.0, -theta], [theta, 1.0]]
+
+
+@wrong("rotation")
+def rounded_matrix(theta):
+    """Rounds its answer."""
+    return np.round(rotation(theta), 3)
+
+
+@wrong("rotation")
+def four_numbers(theta):
+    """Four numbers are not two rows of two."""
+    return [cos(theta), -sin(theta), sin(theta), cos(theta)]
+
+
+# Displacements
+
+
+@wrong("displacement", slip="move_first")
+def moves_first(x, y, theta):
+    """The shift is turned."""
+    return displacement(0, 0, theta) @ displacement(x, y, 0)
+
+
+@wrong("displacement", slip="clockwise")
+def turned_to_the_right(x, y, theta):
+    """The minus is at the other sine."""
+    c, s = cos(theta), sin(theta)
+    return [[c, s, x], [-s, c, y], [0, 0, 1]]
+
+
+@wrong("displacement", slip="transposed")
+def shift_in_the_last_row(x, y, theta):
+    """For row vectors."""
+    c, s = cos(theta), sin(theta)
+    return [[c, s, 0], [-s, c, 0], [x, y, 1]]
+
+
+@wrong("displacement", slip="way_back")
+def from_world_to_robot(x, y, theta):
+    """The inverse."""
+    c, s = cos(theta), sin(theta)
+    return [[c, s, -c * x - s * y], [-s, c, s * x - c * y], [0, 0, 1]]
+
+
+@wrong("displacement", slip="no_one")
+def zeros_below(x, y, theta):
+    """Begins with np.zeros((3, 3)), and forgets the 1."""
+    matrix = np.zeros((3, 3))
+    matrix[:2, :2], matrix[:2, 2] = rotation(theta), (x, y)
+    return matrix
+
+
+@wrong("displacement", slip="degrees")
+def displaced_by_degrees(x, y, theta):
+    """Takes theta for degrees."""
+    return displacement(x, y, math.radians(theta))
+
+
+@wrong("displacement", slip="no_turn")
+def only_moves(x, y, theta):
+    """theta is forgotten."""
+    return [[1, 0, x], [0, 1, y], [0, 0, 1]]
+
+
+@wrong("displacement")
+def x_and_y_exchanged(x, y, theta):
+    """The shift in another order."""
+    return displacement(y, x, theta)
+
+
+@wrong("displacement")
+def only_two_rows(x, y, theta):
+    """The last row is left out."""
+    return displacement(x, y, theta)[:2]
+
+
+@wrong("displacement")
+def a_configuration(x, y, theta):
+    """Returns what it was given."""
+    return x, y, theta
+
+
+# Forward kinematics
+
+
+def joints(l1, l2, q):
+    elbow = np.array([l1 * cos(q[0]), l1 * sin(q[0])])
+    return elbow, elbow + np.array([l2 * cos(q[0] + q[1]), l2 * sin(q[0] + q[1])])
+
+
+@wrong("forward_kinematics", slip="absolute")
+def angles_from_the_x_axis(l1, l2, q):
+    """The second angle is not added to the first."""
+    elbow = np.array([l1 * cos(q[0]), l1 * sin(q[0])])
+    return elbow, elbow + np.array([l2 * cos(q[1]), l2 * sin(q[1])])
+
+
+@wrong("forward_kinematics", slip="swapped")
+def tip_first(l1, l2, q):
+    """The order is another."""
+    return joints(l1, l2, q)[::-1]
+
+
+@wrong("forward_kinematics", slip="from_elbow")
+def tip_seen_from_the_elbow(l1, l2, q):
+    """The elbow is not added."""
+    elbow, tip = joints(l1, l2, q)
+    return elbow, tip - elbow
+
+
+@wrong("forward_kinematics", slip="difference")
+def bends_to_the_right(l1, l2, q):
+    """The second angle is subtracted."""
+    return joints(l1, l2, (q[0], -q[1]))
+
+
+@wrong("forward_kinematics", slip="axes")
+def sine_for_x(l1, l2, q):
+    """Sine and cosine exchanged."""
+    return [place[::-1] for place in joints(l1, l2, q)]
+
+
+@wrong("forward_kinematics", slip="one_length")
+def equal_links(l1, l2, q):
+    """A slip of the pen."""
+    return joints(l1, l1, q)
+
+
+@wrong("forward_kinematics", slip="columns")
+def points_as_columns(l1, l2, q):
+    """Points side by side."""
+    return np.column_stack(joints(l1, l2, q))
+
+
+@wrong("forward_kinematics", slip="degrees")
+def arm_in_degrees(l1, l2, q):
+    """Takes the angles for degrees."""
+    return joints(l1, l2, np.radians(q))
+
+
+@wrong("forward_kinematics")
+def only_the_tip(l1, l2, q):
+    """The elbow is forgotten."""
+    return joints(l1, l2, q)[1]
+
+
+@wrong("forward_kinematics")
+def never_folds(l1, l2, q):
+    """Wraps the second angle to half a turn."""
+    return joints(l1, l2, (q[0], q[1] % pi))
+
+
+@wrong("forward_kinematics")
+def turns_the_array(l1, l2, q):
+    """q[1] += q[0] works on the caller's array."""
+    q[1] += q[0]
+    elbow = np.array([l1 * cos(q[0]), l1 * sin(q[0])])
+    return elbow, elbow + np.array([l2 * cos(q[1]), l2 * sin(q[1])])
+
+
+# Inverse kinematics
+
+
+def solutions(l1, l2, p):
+    """Right, for those that go wrong elsewhere."""
+    far = hypot(*p)
+    if far == 0 and l1 == l2:
+        raise ValueError("infinitely many")
+    if far > l1 + l2 or far < abs(l1 - l2):
+        return []
+    bend = math.acos((far * far - l1 * l1 - l2 * l2) / (2 * l1 * l2))
+    lead = atan2(l2 * sin(bend), l1 + l2 * cos(bend))
+    heading = atan2(p[1], p[0])
+    return [(heading - lead, bend), (heading + lead, -bend)]
+
+
+@wrong("inverse_kinematics", slip="one")
+def one_elbow(l1, l2, p):
+    """acos gives one angle."""
+    return solutions(l1, l2, p)[:1]
+
+
+@wrong("inverse_kinematics", slip="one")
+def the_other_elbow(l1, l2, p):
+    """So does -acos."""
+    return solutions(l1, l2, p)[1:]
+
+
+@wrong("inverse_kinematics", slip="mixed")
+def wrongly_paired(l1, l2, p):
+    """The signs are paired wrongly."""
+    return [(first, -second) for first, second in solutions(l1, l2, p)]
+
+
+@wrong("inverse_kinematics", slip="absolute")
+def second_from_the_x_axis(l1, l2, p):
+    """The second angle is not counted from link 1."""
+    return [(first, first + second) for first, second in solutions(l1, l2, p)]
+
+
+@wrong("inverse_kinematics", slip="half_plane")
+def slope_of_p(l1, l2, p):
+    """atan(y / x) knows two quadrants."""
+    heading = atan2(p[1], p[0])
+    with np.errstate(all="ignore"):
+        other = atan(p[1] / p[0])
+    return [(first - heading + other, second) for first, second in solutions(l1, l2, p)]
+
+
+@wrong("inverse_kinematics", slip="no_heading")
+def always_to_the_right(l1, l2, p):
+    """The direction of p is forgotten."""
+    heading = atan2(p[1], p[0])
+    return [(first - heading, second) for first, second in solutions(l1, l2, p)]
+
+
+@wrong("inverse_kinematics", slip="axes")
+def x_before_y(l1, l2, p):
+    """atan2(x, y)."""
+    return solutions(l1, l2, p[::-1])
+
+
+@wrong("inverse_kinematics", slip="exchanged")
+def other_side(l1, l2, p):
+    """The law of cosines for the angle at the tip, used at the base."""
+    found = solutions(l1, l2, p)
+    if not found:
+        return []
+    far, heading = hypot(*p), atan2(p[1], p[0])
+    lead = math.acos((l2 * l2 + far * far - l1 * l1) / (2 * l2 * far))
+    return [(heading - lead, found[0][1]), (heading + lead, found[1][1])]
+
+
+@wrong("inverse_kinematics", slip="inner_angle")
+def angle_in_the_triangle(l1, l2, p):
+    """The angle at the elbow, not that of the joint."""
+    return [(first, math.copysign(pi - abs(second), second)) for first, second in solutions(l1, l2, p)]
+
+
+@wrong("inverse_kinematics", slip="degrees")
+def degrees_out(l1, l2, p):
+    """Returns degrees."""
+    return [(math.degrees(first), math.degrees(second)) for first, second in solutions(l1, l2, p)]
+
+
+@wrong("inverse_kinematics")
+def reaches_everything(l1, l2, p):
+    """Clips the cosine, and so points towards what it cannot reach."""
+    far = hypot(*p)
+    if far == 0 and l1 == l2:
+        raise ValueError("infinitely many")
+    bend = math.acos(min(max((far * far - l1 * l1 - l2 * l2) / (2 * l1 * l2), -1.0), 1.0))
+    lead = atan2(l2 * sin(bend), l1 + l2 * cos(bend))
+    return [(atan2(p[1], p[0]) - lead, bend), (atan2(p[1], p[0]) + lead, -bend)]
+
+
+@wrong("inverse_kinematics")
+def complains_when_too_far(l1, l2, p):
+    """Lets acos complain."""
+    far = hypot(*p)
+    if far == 0 and l1 == l2:
+        raise ValueError("infinitely many")
+    bend = math.acos((far * far - l1 * l1 - l2 * l2) / (2 * l1 * l2))
+    lead = atan2(l2 * sin(bend), l1 + l2 * cos(bend))
+    return [(atan2(p[1], p[0]) - lead, bend), (atan2(p[1], p[0]) + lead, -bend)]
+
+
+@wrong("inverse_kinematics")
+def nothing_at_the_rims(l1, l2, p):
+    """Takes the rims for out of reach."""
+    far = hypot(*p)
+    return [] if far in (l1 + l2, abs(l1 - l2)) and far > 0 else solutions(l1, l2, p)
+
+
+@wrong("inverse_kinematics")
+def never_too_near(l1, l2, p):
+    """Forgets the hole."""
+    if hypot(*p) < abs(l1 - l2):
+        return [(atan2(p[1], p[0]), pi)]
+    return solutions(l1, l2, p)
+
+
+@wrong("inverse_kinematics")
+def one_of_infinitely_many(l1, l2, p):
+    """Answers at the base of an arm with equal links."""
+    return [(0.0, pi)] if hypot(*p) == 0 and l1 == l2 else solutions(l1, l2, p)
+
+
+@wrong("inverse_kinematics", slip="sines")
+def by_the_law_of_sines(l1, l2, p):
+    """The program of the exercise "break it"."""
+    found = solutions(l1, l2, p)
+    if not found:
+        return []
+    heading, bend = atan2(p[1], p[0]), found[0][1]
+    lead = math.asin(min(1.0, l2 * sin(bend) / hypot(*p)))
+    return [(heading - lead, bend), (heading + lead, -bend)]
+
+
+@wrong("inverse_kinematics")
+def none_for_nothing(l1, l2, p):
+    """Returns None where there is no solution."""
+    return solutions(l1, l2, p) or None
+
+
+# The circle
+
+
+@wrong("circle_distance", slip="no_wrap")
+def on_a_line(a, b):
+    """Angles as if on a line."""
+    return abs(a - b)
+
+
+@wrong("circle_distance", slip="one_way")
+def always_to_the_left(a, b):
+    """One of the two arcs."""
+    return (b - a) % (2 * pi)
+
+
+@wrong("circle_distance", slip="signed")
+def with_a_sense(a, b):
+    """Forgets the absolute value."""
+    return (b - a + pi) % (2 * pi) - pi
+
+
+@wrong("circle_distance", slip="half_turns")
+def remainder_by_pi(a, b):
+    """Removes half turns."""
+    return abs(a - b) % pi
+
+
+@wrong("circle_distance", slip="once")
+def one_turn_at_most(a, b):
+    """Right for wrapped angles."""
+    return min(abs(a - b), 2 * pi - abs(a - b))
+
+
+@wrong("circle_distance", slip="long")
+def the_long_way(a, b):
+    """max where min belongs."""
+    apart = abs(a - b) % (2 * pi)
+    return max(apart, 2 * pi - apart)
+
+
+@wrong("circle_distance", slip="chord")
+def straight_through(a, b):
+    """The distance of the points on the circle."""
+    return math.dist((cos(a), sin(a)), (cos(b), sin(b)))
+
+
+@wrong("circle_distance", slip="degrees")
+def a_turn_of_360(a, b):
+    """A turn of 360."""
+    apart = abs(a - b) % 360
+    return min(apart, 360 - apart)
+
+
+@wrong("circle_distance", slip="degrees")
+def answer_in_degrees(a, b):
+    """Returns degrees."""
+    return math.degrees(circle_distance(a, b))
+
+
+@wrong("circle_distance", slip="rounded")
+def circle_rounded(a, b):
+    """Rounds its answer."""
+    return round(float(circle_distance(a, b)), 2)
+
+
+@wrong("circle_distance")
+def turns_by_pi_written_short(a, b):
+    """3.14 is not pi."""
+    apart = abs(a - b) % 6.28
+    return min(apart, 6.28 - apart)
+
+
+@wrong("circle_distance", slip="one_side")
+def wraps_only_one_side(a, b):
+    """A difference below -pi is forgotten."""
+    turn = b - a
+    while turn > pi:
+        turn -= 2 * pi
+    return abs(turn)
+
+
+@wrong("circle_distance")
+def wraps_by_sines(a, b):
+    """asin knows half of the circle."""
+    return abs(math.asin(sin(a - b)))
+
+
+# The torus
+
+
+@wrong("torus_distance", slip="no_wrap")
+def in_the_plane(a, b):
+    """The square's edges are walls."""
+    return float(np.linalg.norm(a - b))
+
+
+@wrong("torus_distance", slip="sum")
+def one_joint_after_the_other(a, b):
+    """Adds the circle distances."""
+    return sum(circle_distance(x, y) for x, y in zip(a, b))
+
+
+@wrong("torus_distance", slip="largest")
+def the_slowest_joint(a, b):
+    """The largest of the circle distances."""
+    return max(circle_distance(x, y) for x, y in zip(a, b))
+
+
+@wrong("torus_distance", slip="square")
+def no_root(a, b):
+    """Forgets the root."""
+    return sum(circle_distance(x, y) ** 2 for x, y in zip(a, b))
+
+
+@wrong("torus_distance", slip="two")
+def two_joints(a, b):
+    """Two angles, whatever comes."""
+    return torus_distance(a[:2], b[:2])
+
+
+@wrong("torus_distance", slip="first")
+def wraps_the_first(a, b):
+    """Only the first angle goes the short way."""
+    return hypot(circle_distance(a[0], b[0]), float(np.linalg.norm(a[1:] - b[1:])))
+
+
+@wrong("torus_distance", slip="whole")
+def wraps_the_whole(a, b):
+    """Wraps after the root."""
+    apart = float(np.linalg.norm(a - b))
+    return min(apart, 2 * pi - apart)
+
+
+@wrong("torus_distance", slip="once")
+def angles_one_turn_at_most(a, b):
+    """Right for wrapped angles."""
+    apart = np.abs(a - b)
+    return float(np.linalg.norm(np.minimum(apart, 2 * pi - apart)))
+
+
+@wrong("torus_distance", slip="long")
+def all_to_the_left(a, b):
+    """One of the two arcs of each."""
+    return float(np.linalg.norm((b - a) % (2 * pi)))
+
+
+@wrong("torus_distance")
+def three_numbers_needed(a, b):
+    """Only two angles are expected."""
+    (a1, a2), (b1, b2) = a, b
+    return hypot(circle_distance(a1, b1), circle_distance(a2, b2))
+
+
+@wrong("torus_distance")
+def in_space_straight(a, b):
+    """Straight through the room, between the points of circles."""
+    return float(np.linalg.norm([np.cos(a) - np.cos(b), np.sin(a) - np.sin(b)]))
+
+
+@wrong("torus_distance")
+def each_angle(a, b):
+    """A distance for each angle, not one."""
+    return circle_distance(a, b)
+
+
+# Break it
+
+
+@wrong("exposing_reach")
+def longer_first_link():
+    """The program is right for such arms."""
+    return 2, 1, (2, 1)
+
+
+@wrong("exposing_reach")
+def far_enough_out():
+    """Link 2 is longer, but the target is far out."""
+    return 1, 2, (2.5, 0)
+
+
+@wrong("exposing_reach")
+def much_longer_second_link():
+    """It exposes, and the links are not nearly equal."""
+    return 1, 2, (1.2, 0)
+
+
+@wrong("exposing_reach")
+def out_of_reach():
+    """No arm gets there."""
+    return 1, 2, (4, 0)
+
+
+@wrong("exposing_reach")
+def in_the_hole():
+    """Nor there."""
+    return 1, 2, (0.5, 0)
+
+
+@wrong("exposing_reach")
+def equal_links_at_the_base():
+    """There the question itself is wrong."""
+    return 1, 1, (0, 0)
+
+
+@wrong("exposing_reach")
+def link_without_length():
+    """No arm."""
+    return 1, 0, (1, 0)
+
+
+@wrong("exposing_reach")
+def angles_for_a_target():
+    """Angles, without an arm."""
+    return 0.5, 1.5
+
+
+@wrong("exposing_reach")
+def nowhere():
+    """A coordinate is nan."""
+    return 1, 1.1, (math.nan, 0)
