@@ -153,6 +153,19 @@ ALSO_RIGHT = {
     "halton": [lambda n, primes: EXERCISES["halton"].source(n, tuple(primes)).tolist()],
     "dispersion_bounds": [lambda points: bounds_by_probes(points, 36), lambda points: np.array(bounds_by_probes(points, 100))],
     "exposing_corridor": [lambda: [0, 1 / 32, 1, 1 / 16], lambda: np.array([31 / 32, 0, 1, 1])],
+    "segment_intersection": [
+        lambda *given: EXERCISES["segment_intersection"].source(*given)[::-1],
+        lambda *given: EXERCISES["segment_intersection"].source(*given).tolist(),
+    ],
+    "point_in_convex_polygon": [lambda q, P: np.bool_(EXERCISES["point_in_convex_polygon"].source(q, P))],
+    "c_obstacle": [
+        lambda *given: EXERCISES["c_obstacle"].source(*given)[::-1].tolist(),
+        lambda *given: with_straight_angles(np.roll(EXERCISES["c_obstacle"].source(*given), 2, axis=0)),
+    ],
+    "link_in_contact": [lambda *given: np.int64(EXERCISES["link_in_contact"].source(*given))],
+    "plot_environment": [lambda *given: drawn_in_pieces(*given)],
+    "plot_configuration_space": [lambda *given: scattered_dots(*given)],
+    "overlooked_gap": [lambda: (np.array([(0, 0), (-1, -4), (-1, 4)]), [(1, -9), (9, 0), (1, 9)])],
     "exposing_case": [lambda: (np.array([1, 2]), np.array([(4, 2), (0, 4), (0, 0)])), lambda: ([1, 2], [[0, 4], [4, 2], [0, 0]])],
 }
 
@@ -163,6 +176,37 @@ def bounds_by_probes(points, m):
     probes = np.stack(np.meshgrid(along, along), axis=-1).reshape(-1, 1, 2)
     low = np.sqrt(((probes - points) ** 2).sum(axis=2)).min(axis=1).max()
     return low, low + np.sqrt(2) / (2 * m)
+
+
+def with_straight_angles(ring):
+    """A polygon with a vertex in the middle of each edge."""
+    return np.column_stack([ring, (ring + np.roll(ring, -1, axis=0)) / 2]).reshape(-1, 2)
+
+
+def drawn_in_pieces(q, lengths, width, discs, ax):
+    """Each link as a rectangle and two circles, the discs as patches, the joints one by one."""
+    from matplotlib.patches import Circle, Rectangle
+
+    start, heading = np.zeros(2), 0.0
+    ax.plot(0, 0, "rs", label="joints")
+    for number, (angle, size) in enumerate(zip(q, lengths), 1):
+        heading += angle
+        along = np.array([np.cos(heading), np.sin(heading)])
+        corner, degrees = start + width / 2 * np.array([along[1], -along[0]]), np.degrees(heading)
+        ax.add_patch(Rectangle(corner, size, width, angle=degrees, label=f"link {number}"))
+        for end in (start, start + size * along):
+            ax.add_patch(Circle(end, width / 2, label=f"link {number}"))
+        start = start + size * along
+        ax.plot(*start, "rs", label="joints")
+    for x, y, r in discs:
+        ax.add_patch(Circle((x, y), r, label="disc"))
+
+
+def scattered_dots(samples, lengths, width, discs, ax):
+    """One scatter plot of all dots, from -pi to pi, in other shades."""
+    q = 2 * np.pi * samples
+    links = [EXERCISES["link_in_contact"].source(one, lengths, width, discs) for one in q]
+    ax.scatter(*np.where(q > np.pi, q - 2 * np.pi, q).T, c=[("tab:blue", "k", "#c00000")[link] for link in links])
 
 
 def tree_of_last_parents(neighbours, start):

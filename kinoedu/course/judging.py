@@ -12,7 +12,7 @@ import numpy as np
 from .exercise import Case, Exercise, ValueExercise, Verdict
 from .outcomes import Answer, Changed, Late, Outcome, Raised, outcome_of
 from .plain import WrongShape
-from .shapes import Shape
+from .shapes import Shape, Truth
 
 
 @dataclass(frozen=True)
@@ -95,7 +95,10 @@ def report_on(exercise: Exercise, cases: Iterable[Case], outcomes: Iterable[Outc
 
 
 def slip_in(exercise: Exercise, failures: list[Judged], seen: list[Judged]) -> str:
-    """The misconception that explains every failure of the first one's kind and half of all, and the most of what was seen."""
+    """The misconception that explains every failure of the first one's kind and half of all, and the most of what was seen.
+
+    A wrong yes or no is explained by many: there it must explain all that was seen.
+    """
     first = failures[0].case.kind
     explained = {slip: [explains(exercise, slip.answer, one) for one in failures] for slip in exercise.slips}
     likely = [
@@ -103,6 +106,8 @@ def slip_in(exercise: Exercise, failures: list[Judged], seen: list[Judged]) -> s
         for slip, told in explained.items()
         if 2 * sum(told) >= len(failures) and all(yes or one.case.kind != first for yes, one in zip(told, failures))
     ]
+    if isinstance(exercise.answer, Truth):
+        likely = [slip for slip in likely if all(explains(exercise, slip.answer, one) for one in seen)]
     if not likely:
         return ""
     return max(likely, key=lambda slip: sum(explains(exercise, slip.answer, one) for one in seen)).key

@@ -3,6 +3,8 @@
 After M. Okabe and K. Ito, "Color universal design" (2008). Line styles and markers differ as well.
 """
 
+from typing import Any
+
 START = "#007A5E"
 GOAL = "#C44E00"
 OBSTACLE = "#4B5563"
@@ -24,3 +26,15 @@ LINKS_LIGHT = ("#CFE3F7", "#3B4250", "#E8837F")  # the same as areas
 TEXT_SIZE = 13
 
 NAMED = {name.lower(): colour for name, colour in list(globals().items()) if name.isupper() and isinstance(colour, str)}
+
+
+def hex_of(colour: Any) -> str:
+    """A matplotlib colour as "#rrggbb", or "none" where it is none or cannot be seen.
+
+    >>> hex_of("red"), hex_of((0, 0, 1, 0.5)), hex_of("none")
+    ('#ff0000', '#0000ff', 'none')
+    """
+    from matplotlib.colors import to_hex, to_rgba
+
+    red, green, blue, opacity = to_rgba(colour)
+    return to_hex((red, green, blue)) if opacity > 0.0 else "none"

@@ -4,14 +4,19 @@ from ...errors import InvalidParameter
 from ...words import say
 from ..exercise import Exercise
 from .angles import CircleDistance, TorusDistance
+from .arm_contact import LinkInContact
 from .bugs import Bug1, Bug2, BugBase
+from .c_obstacles import CObstacle
 from .cell_paths import PlanByDecomposition
+from .convex import ConvexPolygonsIntersect, PointInConvexPolygon
 from .decomposition import Neighbours, TrapezoidsOfWorld
 from .displacements import Displacement, Rotation
+from .environment_plot import PlotEnvironment
 from .freedoms import DegreesOfFreedom
 from .graph_paths import BfsPath, DfsPath
 from .graphs import BfsTree, ExtractPath
 from .grids import CornerGrid, SukharevGrid
+from .half_separating import OverlookedGap
 from .hidden_corridor import ExposeGrids
 from .holes import DispersionBounds
 from .kinematics import ForwardKinematics, InverseKinematics
@@ -22,7 +27,9 @@ from .misleading import MisleadingEstimate
 from .polygons import PointPolygonDistance, PolygonTangent
 from .random_points import UniformRandom
 from .ray_counting import ExposeRayCounting
+from .sampled_space import PlotConfigurationSpace
 from .searches import Astar, Dijkstra
+from .segment_pairs import SegmentIntersection
 from .segments import PointSegmentDistance
 from .sequences import Halton, RadicalInverse
 from .shorter_walls import ExposeShorterWalls
@@ -69,6 +76,14 @@ EXERCISES: dict[str, Exercise] = {
         Halton,
         DispersionBounds,
         ExposeGrids,
+        PointInConvexPolygon,
+        SegmentIntersection,
+        ConvexPolygonsIntersect,
+        CObstacle,
+        LinkInContact,
+        PlotEnvironment,
+        PlotConfigurationSpace,
+        OverlookedGap,
     )
 }
 

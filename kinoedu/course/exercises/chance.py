@@ -5,6 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from ...errors import InvalidPolygon
+from ...geometry import convex_hull
 from ...geometry.checks import Array
 from ...geometry.rings import as_ring
 
@@ -38,3 +39,11 @@ def sizes(each: int) -> Iterator[float]:
     for size in SIZES:
         for _ in range(each):
             yield size
+
+
+def convex_polygon(rng: np.random.Generator, n: int, size: float) -> Array:
+    """A convex polygon of at most n corners on squared paper, between -size and size, counter-clockwise from any of them."""
+    while True:
+        corners = convex_hull(rng.integers(-int(size), int(size) + 1, (n, 2)).astype(float))
+        if len(corners) > 2:
+            return np.roll(corners, int(rng.integers(len(corners))), axis=0)

@@ -1,0 +1,672 @@
+"""Wrong answers to the exercises of lesson 7. Each is one that students give; the slip is what a check must recognise in it."""
+
+import math
+
+import numpy as np
+
+from kinoedu.course.bank import wrong
+from kinoedu.course.exercises.arm_contact import ends_of_links, touched_link
+from kinoedu.course.exercises.arm_pictures import bar, circle
+from kinoedu.geometry import (
+    convex_hull,
+    convex_polygons_intersect,
+    minkowski_difference,
+    minkowski_sum,
+    point_in_convex_polygon,
+    point_line_distance,
+    point_segment_distance,
+    segment_intersection,
+    segments_intersect,
+)
+
+FULL = 2 * np.pi
+
+
+def edges(polygon):
+    return list(zip(polygon, np.roll(polygon, -1, axis=0)))
+
+
+def cross(u, v):
+    return u[0] * v[1] - u[1] * v[0]
+
+
+# A point in a convex polygon
+
+
+@wrong("point_in_convex_polygon", slip="strict")
+def without_the_boundary(q, P):
+    """The boundary does not count."""
+    return all(cross(b - a, q - a) > 0 for a, b in edges(P))
+
+
+@wrong("point_in_convex_polygon", slip="clockwise")
+def inside_on_the_right(q, P):
+    """Thinks of clockwise vertices."""
+    return all(cross(b - a, q - a) <= 0 for a, b in edges(P))
+
+
+@wrong("point_in_convex_polygon", slip="clockwise")
+def cross_product_turned_round(q, P):
+    """Exchanges the factors of the cross product."""
+    return all(cross(q - a, b - a) >= 0 for a, b in edges(P))
+
+
+@wrong("point_in_convex_polygon", slip="open")
+def one_edge_short(q, P):
+    """Forgets the closing edge."""
+    return all(cross(P[i + 1] - P[i], q - P[i]) >= 0 for i in range(len(P) - 1))
+
+
+@wrong("point_in_convex_polygon", slip="any")
+def one_edge_is_enough(q, P):
+    """any for all."""
+    return any(cross(b - a, q - a) >= 0 for a, b in edges(P))
+
+
+@wrong("point_in_convex_polygon", slip="first")
+def returns_in_the_loop(q, P):
+    """Returns at the first edge."""
+    for a, b in edges(P):
+        return cross(b - a, q - a) >= 0
+    return True
+
+
+@wrong("point_in_convex_polygon", slip="on_line")
+def on_a_line_is_on_the_boundary(q, P):
+    """Takes the line of an edge for the edge."""
+    sides = [cross(b - a, q - a) for a, b in edges(P)]
+    return 0 in sides or min(sides) > 0
+
+
+@wrong("point_in_convex_polygon", slip="box")
+def in_the_box(q, P):
+    """Compares with the least and greatest coordinates."""
+    return bool((q >= P.min(axis=0)).all() and (q <= P.max(axis=0)).all())
+
+
+@wrong("point_in_convex_polygon")
+def counts_crossings(q, P):
+    """A ray to the right, counted wrongly on the boundary."""
+    inside = False
+    for a, b in edges(P):
+        if (a[1] > q[1]) != (b[1] > q[1]) and q[0] < a[0] + (q[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0]):
+            inside = not inside
+    return inside
+
+
+@wrong("point_in_convex_polygon")
+def says_one_and_zero(q, P):
+    """Answers 1 for True."""
+    return int(point_in_convex_polygon(q, P))
+
+
+@wrong("point_in_convex_polygon")
+def near_enough_is_inside(q, P):
+    """As far from the middle as the farthest vertex."""
+    middle = P.mean(axis=0)
+    return math.dist(q, middle) <= max(math.dist(p, middle) for p in P)
+
+
+# Two segments
+
+
+def shares(p1, p2, p3, p4):
+    whole = cross(p2 - p1, p4 - p3)
+    return cross(p3 - p1, p4 - p3) / whole, cross(p3 - p1, p2 - p1) / whole
+
+
+def is_parallel(p1, p2, p3, p4):
+    return cross(p2 - p1, p4 - p3) == 0
+
+
+@wrong("segment_intersection", slip="lines")
+def where_the_lines_meet(p1, p2, p3, p4):
+    """Lines for segments."""
+    if is_parallel(p1, p2, p3, p4):
+        return []
+    t, _ = shares(p1, p2, p3, p4)
+    return [p1 + t * (p2 - p1)]
+
+
+@wrong("segment_intersection", slip="one_sided")
+def tests_the_first_only(p1, p2, p3, p4):
+    """Tests one of the two shares."""
+    if is_parallel(p1, p2, p3, p4):
+        return []
+    t, _ = shares(p1, p2, p3, p4)
+    return [p1 + t * (p2 - p1)] if 0 <= t <= 1 else []
+
+
+@wrong("segment_intersection", slip="one_sided")
+def tests_the_second_only(p1, p2, p3, p4):
+    """Tests the other share."""
+    if is_parallel(p1, p2, p3, p4):
+        return []
+    t, s = shares(p1, p2, p3, p4)
+    return [p1 + t * (p2 - p1)] if 0 <= s <= 1 else []
+
+
+@wrong("segment_intersection", slip="parallel")
+def parallel_is_nothing(p1, p2, p3, p4):
+    """Loses overlaps, as the first program of the course did."""
+    if is_parallel(p1, p2, p3, p4):
+        return []
+    t, s = shares(p1, p2, p3, p4)
+    return [p1 + t * (p2 - p1)] if 0 <= t <= 1 and 0 <= s <= 1 else []
+
+
+@wrong("segment_intersection", slip="open")
+def without_ends(p1, p2, p3, p4):
+    """Ends do not count."""
+    if is_parallel(p1, p2, p3, p4):
+        return []
+    t, s = shares(p1, p2, p3, p4)
+    return [p1 + t * (p2 - p1)] if 0 < t < 1 and 0 < s < 1 else []
+
+
+@wrong("segment_intersection", slip="upright")
+def divides_by_x4_minus_x3(p1, p2, p3, p4):
+    """Loses upright second segments."""
+    return [] if p3[0] == p4[0] else segment_intersection(p1, p2, p3, p4)
+
+
+@wrong("segment_intersection", slip="one_point")
+def one_of_the_stretch(p1, p2, p3, p4):
+    """Returns the first point that it finds."""
+    return segment_intersection(p1, p2, p3, p4)[:1]
+
+
+@wrong("segment_intersection", slip="twice")
+def both_ends_of_nothing(p1, p2, p3, p4):
+    """The two in the middle of four, though they are one."""
+    found = segment_intersection(p1, p2, p3, p4)
+    return np.vstack([found, found]) if len(found) == 1 and is_parallel(p1, p2, p3, p4) else found
+
+
+@wrong("segment_intersection")
+def a_point_without_brackets(p1, p2, p3, p4):
+    """Returns a point where rows are asked for."""
+    found = segment_intersection(p1, p2, p3, p4)
+    return found[0] if len(found) == 1 else found
+
+
+@wrong("segment_intersection")
+def none_for_none(p1, p2, p3, p4):
+    """Returns None where there is nothing."""
+    found = segment_intersection(p1, p2, p3, p4)
+    return found if len(found) else None
+
+
+@wrong("segment_intersection")
+def on_one_line_always_overlaps(p1, p2, p3, p4):
+    """The two in the middle of four on one line, also where these are apart."""
+    if not is_parallel(p1, p2, p3, p4):
+        return segment_intersection(p1, p2, p3, p4)
+    if cross(p2 - p1, p3 - p1) != 0:
+        return []
+    return sorted([p1, p2, p3, p4], key=tuple)[1:3]
+
+
+@wrong("segment_intersection")
+def by_slopes(p1, p2, p3, p4):
+    """Slope and intercept: upright segments are lost."""
+    with np.errstate(all="ignore"):
+        m, n = (p2[1] - p1[1]) / (p2[0] - p1[0]), (p4[1] - p3[1]) / (p4[0] - p3[0])
+        x = (p3[1] - n * p3[0] - p1[1] + m * p1[0]) / (m - n)
+    return [(x, p1[1] + m * (x - p1[0]))] if len(segment_intersection(p1, p2, p3, p4)) == 1 else []
+
+
+# Two convex polygons
+
+
+def some_in(P, Q):
+    return bool(np.any(point_in_convex_polygon(P, Q)))
+
+
+def some_edges_meet(P, Q):
+    return any(segments_intersect(a, b, c, d) for a, b in edges(P) for c, d in edges(Q))
+
+
+@wrong("convex_polygons_intersect", slip="edges")
+def edges_only(P1, P2):
+    """Forgets that one can lie inside the other, as the first program of the course did."""
+    return some_edges_meet(P1, P2)
+
+
+@wrong("convex_polygons_intersect", slip="vertices")
+def vertices_only(P1, P2):
+    """Forgets two bars that cross."""
+    return some_in(P1, P2) or some_in(P2, P1)
+
+
+@wrong("convex_polygons_intersect", slip="one_way")
+def first_in_second(P1, P2):
+    """Asks for vertices of P1 in P2 only."""
+    return some_edges_meet(P1, P2) or some_in(P1, P2)
+
+
+@wrong("convex_polygons_intersect", slip="one_way")
+def second_in_first(P1, P2):
+    """Asks for vertices of P2 in P1 only."""
+    return some_edges_meet(P1, P2) or some_in(P2, P1)
+
+
+@wrong("convex_polygons_intersect", slip="boxes")
+def boxes_overlap(P1, P2):
+    """Compares boxes."""
+    return bool((P1.min(axis=0) <= P2.max(axis=0)).all() and (P2.min(axis=0) <= P1.max(axis=0)).all())
+
+
+def separates(P, Q, strictly):
+    heights = [[cross(b - a, q - a) for q in Q] for a, b in edges(P)]
+    return any(max(row) < 0 or (not strictly and max(row) <= 0) for row in heights)
+
+
+@wrong("convex_polygons_intersect", slip="open")
+def touching_is_apart(P1, P2):
+    """A separating edge may touch."""
+    return not (separates(P1, P2, False) or separates(P2, P1, False))
+
+
+@wrong("convex_polygons_intersect", slip="half")
+def edges_of_the_first(P1, P2):
+    """Tries the edges of P1 only."""
+    return not separates(P1, P2, True)
+
+
+@wrong("convex_polygons_intersect", slip="opposite")
+def is_apart(P1, P2):
+    """Answers the opposite question."""
+    return not convex_polygons_intersect(P1, P2)
+
+
+@wrong("convex_polygons_intersect")
+def middle_in_the_other(P1, P2):
+    """Asks for the middles, and for edges strictly crossing."""
+    return point_in_convex_polygon(P1.mean(axis=0), P2) or point_in_convex_polygon(P2.mean(axis=0), P1)
+
+
+@wrong("convex_polygons_intersect")
+def round_bodies(P1, P2):
+    """Compares circles as large as the polygons are on average."""
+    c, d = P1.mean(axis=0), P2.mean(axis=0)
+    return math.dist(c, d) <= np.mean([math.dist(c, p) for p in P1]) + np.mean([math.dist(d, p) for p in P2])
+
+
+@wrong("convex_polygons_intersect")
+def without_closing_edges(P1, P2):
+    """Forgets the closing edge of both, in the test for crossing."""
+    pairs = [(P1[i], P1[i + 1], P2[j], P2[j + 1]) for i in range(len(P1) - 1) for j in range(len(P2) - 1)]
+    return any(segments_intersect(*pair) for pair in pairs)
+
+
+# The C-obstacle
+
+
+@wrong("c_obstacle", slip="sum")
+def not_mirrored(robot, obstacle):
+    """Adds where it must subtract."""
+    return minkowski_sum(obstacle, robot)
+
+
+@wrong("c_obstacle", slip="swapped")
+def robot_minus_obstacle(robot, obstacle):
+    """Subtracts the wrong way round."""
+    return minkowski_difference(robot, obstacle)
+
+
+@wrong("c_obstacle", slip="unchanged")
+def the_obstacle_itself(robot, obstacle):
+    """Treats the robot as a point."""
+    return obstacle
+
+
+@wrong("c_obstacle", slip="centred")
+def about_the_middle(robot, obstacle):
+    """Takes the middle for the reference point."""
+    return minkowski_difference(obstacle, robot - robot.mean(axis=0))
+
+
+@wrong("c_obstacle", slip="first_vertex")
+def about_vertex_0(robot, obstacle):
+    """Takes vertex 0 for the reference point."""
+    return minkowski_difference(obstacle, robot - robot[0])
+
+
+@wrong("c_obstacle", slip="box")
+def grows_boxes(robot, obstacle):
+    """Right for boxes only."""
+    (x0, y0), (x1, y1) = obstacle.min(axis=0) - robot.max(axis=0), obstacle.max(axis=0) - robot.min(axis=0)
+    return [(x0, y0), (x1, y0), (x1, y1), (x0, y1)]
+
+
+@wrong("c_obstacle", slip="all")
+def every_difference_as_rows(robot, obstacle):
+    """Does not take the hull, and returns an array."""
+    return (obstacle[:, None] - robot).reshape(-1, 2)
+
+
+@wrong("c_obstacle")
+def corners_from_left_to_right(robot, obstacle):
+    """Sorts the corners by x."""
+    return np.array(sorted(map(tuple, minkowski_difference(obstacle, robot))))
+
+
+@wrong("c_obstacle")
+def grown_by_a_radius(robot, obstacle):
+    """Moves every vertex away from the middle by the robot's size."""
+    out = obstacle - obstacle.mean(axis=0)
+    size = max(math.hypot(*b) for b in robot)
+    return obstacle + size * out / np.linalg.norm(out, axis=1)[:, None]
+
+
+@wrong("c_obstacle")
+def one_corner_short(robot, obstacle):
+    """Loses the last corner."""
+    return convex_hull((obstacle[:, None] - robot).reshape(-1, 2))[:-1]
+
+
+# The arm among discs
+
+
+def link_by(distance, q, lengths, width, discs):
+    ends = ends_of_links(q, lengths)
+    for link in (1, 2):
+        if any(distance(disc[:2], ends[link - 1], ends[link]) <= width / 2 + disc[2] for disc in discs):
+            return link
+    return 0
+
+
+@wrong("link_in_contact", slip="from_x")
+def second_angle_from_the_axis(q, lengths, width, discs):
+    """Does not add the first angle to the second."""
+    return touched_link(np.array([q[0], q[1] - q[0]]), lengths, width, discs)
+
+
+@wrong("link_in_contact", slip="degrees")
+def converts_radians(q, lengths, width, discs):
+    """Turns radians into radians."""
+    return touched_link(np.radians(q), lengths, width, discs)
+
+
+@wrong("link_in_contact", slip="thin")
+def links_are_lines(q, lengths, width, discs):
+    """Forgets the width."""
+    return touched_link(q, lengths, 0.0, discs)
+
+
+@wrong("link_in_contact", slip="whole_width")
+def width_for_half_width(q, lengths, width, discs):
+    """W to either side."""
+    return touched_link(q, lengths, 2 * width, discs)
+
+
+@wrong("link_in_contact", slip="centres")
+def discs_are_points(q, lengths, width, discs):
+    """Forgets the radius."""
+    return touched_link(q, lengths, width, discs * (1, 1, 0))
+
+
+@wrong("link_in_contact", slip="endless")
+def lines_for_links(q, lengths, width, discs):
+    """Measures to lines."""
+    return link_by(point_line_distance, q, lengths, width, discs)
+
+
+def beside_only(p, a, b):
+    return point_line_distance(p, a, b) if 0 <= np.dot(p - a, b - a) <= np.dot(b - a, b - a) else math.inf
+
+
+@wrong("link_in_contact", slip="square")
+def square_ends(q, lengths, width, discs):
+    """Links without rounded ends."""
+    return link_by(beside_only, q, lengths, width, discs)
+
+
+@wrong("link_in_contact", slip="ends_only")
+def joints_only(q, lengths, width, discs):
+    """Measures to the joints."""
+    return link_by(lambda p, a, b: min(math.dist(p, a), math.dist(p, b)), q, lengths, width, discs)
+
+
+@wrong("link_in_contact", slip="one_disc")
+def first_disc(q, lengths, width, discs):
+    """Returns inside the loop."""
+    return touched_link(q, lengths, width, discs[:1])
+
+
+@wrong("link_in_contact", slip="second_first")
+def asks_link_2_first(q, lengths, width, discs):
+    """Says 2 where both touch."""
+    ends = ends_of_links(q, lengths)
+    for link in (2, 1):
+        if any(point_segment_distance(disc[:2], ends[link - 1], ends[link]) <= width / 2 + disc[2] for disc in discs):
+            return link
+    return 0
+
+
+@wrong("link_in_contact", slip="disc_first")
+def loops_over_discs_outside(q, lengths, width, discs):
+    """Stops at the first disc that is touched."""
+    for disc in discs:
+        link = touched_link(q, lengths, width, disc[None])
+        if link:
+            return link
+    return 0
+
+
+@wrong("link_in_contact", slip="open")
+def touching_is_free(q, lengths, width, discs):
+    """< where <= is meant."""
+    ends = ends_of_links(q, lengths)
+    for link in (1, 2):
+        if any(point_segment_distance(disc[:2], ends[link - 1], ends[link]) < width / 2 + disc[2] for disc in discs):
+            return link
+    return 0
+
+
+@wrong("link_in_contact")
+def says_true(q, lengths, width, discs):
+    """Whether, and not which."""
+    return touched_link(q, lengths, width, discs) > 0
+
+
+# A drawing of the arm
+
+
+def drawn(q, lengths, width, discs, ax, *, rounded=True):
+    ends = ends_of_links(q, lengths)
+    for link in (1, 2):
+        ax.fill(*bar(ends[link - 1], ends[link], width, rounded=rounded).T, label=f"link {link}")
+    for disc in discs:
+        ax.fill(*circle(disc[:2], disc[2]).T, label="disc")
+    ax.plot(*ends.T, "o", label="joints")
+
+
+@wrong("plot_environment", slip="square")
+def draws_rectangles(q, lengths, width, discs, ax):
+    """No rounded ends."""
+    drawn(q, lengths, width, discs, ax, rounded=False)
+
+
+@wrong("plot_environment", slip="from_x")
+def draws_link_2_from_the_axis(q, lengths, width, discs, ax):
+    """Does not add the angles."""
+    drawn(np.array([q[0], q[1] - q[0]]), lengths, width, discs, ax)
+
+
+@wrong("plot_environment", slip="degrees")
+def draws_with_converted_angles(q, lengths, width, discs, ax):
+    """Turns radians into radians."""
+    drawn(np.radians(q), lengths, width, discs, ax)
+
+
+@wrong("plot_environment", slip="whole_width")
+def draws_twice_as_wide(q, lengths, width, discs, ax):
+    """W to either side."""
+    drawn(q, lengths, 2 * width, discs, ax)
+
+
+@wrong("plot_environment", slip="half_discs")
+def takes_radii_for_diameters(q, lengths, width, discs, ax):
+    """Half the radius."""
+    drawn(q, lengths, width, discs * (1, 1, 0.5), ax)
+
+
+@wrong("plot_environment", slip="one_disc")
+def draws_one_disc(q, lengths, width, discs, ax):
+    """Only the first."""
+    drawn(q, lengths, width, discs[:1], ax)
+
+
+@wrong("plot_environment")
+def draws_without_labels(q, lengths, width, discs, ax):
+    """Forgets the labels."""
+    drawn(q, lengths, width, discs, ax)
+    for artist in [*ax.patches, *ax.lines]:
+        artist.set_label("")
+
+
+@wrong("plot_environment")
+def draws_nothing(q, lengths, width, discs, ax):
+    """Draws somewhere else."""
+
+
+@wrong("plot_environment")
+def forgets_the_base(q, lengths, width, discs, ax):
+    """Two joints of three."""
+    drawn(q, lengths, width, discs, ax)
+    ax.lines[0].set_data(*ends_of_links(q, lengths)[1:].T)
+
+
+@wrong("plot_environment")
+def draws_boxes_for_discs(q, lengths, width, discs, ax):
+    """Squares of half-width r."""
+    ends = ends_of_links(q, lengths)
+    for link in (1, 2):
+        ax.fill(*bar(ends[link - 1], ends[link], width).T, label=f"link {link}")
+    for x, y, r in discs:
+        ax.fill([x - r, x + r, x + r, x - r], [y - r, y - r, y + r, y + r], label="disc")
+    ax.plot(*ends.T, "o", label="joints")
+
+
+# The picture of the configuration space
+
+
+def dotted(places, samples, arm, ax, colours=("blue", "black", "red")):
+    links = np.array([touched_link(q, *arm) for q in samples])
+    for link, colour in enumerate(colours):
+        ax.plot(*places[links == link].T, "o", color=colour)
+
+
+@wrong("plot_configuration_space", slip="unscaled")
+def takes_samples_for_angles(samples, lengths, width, discs, ax):
+    """Mixes [0, 1] with [0, 2 pi], as the first program of the course did."""
+    dotted(samples, samples, (lengths, width, discs), ax)
+
+
+@wrong("plot_configuration_space", slip="unscaled_dots")
+def draws_the_samples(samples, lengths, width, discs, ax):
+    """Scales for the colours only."""
+    dotted(samples, FULL * samples, (lengths, width, discs), ax)
+
+
+@wrong("plot_configuration_space", slip="unscaled_links")
+def asks_about_the_samples(samples, lengths, width, discs, ax):
+    """Scales for the dots only."""
+    dotted(FULL * samples, samples, (lengths, width, discs), ax)
+
+
+@wrong("plot_configuration_space", slip="root")
+def draws_the_root_of_n(samples, lengths, width, discs, ax):
+    """Uses sqrt(n) samples, as the first program of the course did."""
+    few = FULL * samples[: round(len(samples) ** 0.5)]
+    dotted(few, few, (lengths, width, discs), ax)
+
+
+@wrong("plot_configuration_space", slip="degrees")
+def draws_degrees(samples, lengths, width, discs, ax):
+    """Dots in degrees."""
+    dotted(360 * samples, FULL * samples, (lengths, width, discs), ax)
+
+
+@wrong("plot_configuration_space", slip="transposed")
+def exchanges_the_axes(samples, lengths, width, discs, ax):
+    """x for the second angle."""
+    dotted(FULL * samples[:, ::-1], FULL * samples, (lengths, width, discs), ax)
+
+
+@wrong("plot_configuration_space", slip="only_free")
+def draws_free_ones_only(samples, lengths, width, discs, ax):
+    """No dots in contact."""
+    free = FULL * np.array([s for s in samples if touched_link(FULL * s, lengths, width, discs) == 0]).reshape(-1, 2)
+    ax.plot(*free.T, "o", color="b")
+
+
+@wrong("plot_configuration_space", slip="one_red")
+def all_contact_is_red(samples, lengths, width, discs, ax):
+    """Two colours."""
+    dotted(FULL * samples, FULL * samples, (lengths, width, discs), ax, ("blue", "red", "red"))
+
+
+@wrong("plot_configuration_space", slip="swapped")
+def black_for_link_2(samples, lengths, width, discs, ax):
+    """Exchanges black and red."""
+    dotted(FULL * samples, FULL * samples, (lengths, width, discs), ax, ("blue", "red", "black"))
+
+
+@wrong("plot_configuration_space")
+def green_is_free(samples, lengths, width, discs, ax):
+    """Another colour."""
+    dotted(FULL * samples, FULL * samples, (lengths, width, discs), ax, ("green", "black", "red"))
+
+
+@wrong("plot_configuration_space")
+def a_line_through_the_dots(samples, lengths, width, discs, ax):
+    """Forgets the marker."""
+    ax.plot(*(FULL * samples).T, color="blue")
+
+
+# Break it
+
+
+@wrong("overlooked_gap")
+def two_that_meet(*_):
+    """The program is right: they meet."""
+    return [(0, 0), (4, 0), (0, 4)], [(1, 1), (5, 1), (1, 5)]
+
+
+@wrong("overlooked_gap")
+def two_boxes_apart(*_):
+    """The program is right: an edge of the first separates them."""
+    return [(0, 0), (1, 0), (1, 1), (0, 1)], [(3, 0), (4, 0), (4, 1), (3, 1)]
+
+
+@wrong("overlooked_gap")
+def edge_against_a_corner(*_):
+    """The roles exchanged: the first one's edge separates."""
+    return [(1, -9), (9, 0), (1, 9)], [(0, 0), (-1, 4), (-1, -4)]
+
+
+@wrong("overlooked_gap")
+def a_corner_against_a_box(*_):
+    """Right, but not the smallest."""
+    return [(0, 0), (-1, 4), (-1, -4)], [(1, -9), (9, -9), (9, 9), (1, 9)]
+
+
+@wrong("overlooked_gap")
+def not_convex(*_):
+    """One of them has a dent."""
+    return [(0, 0), (-1, 4), (-0.5, 0), (-1, -4)], [(1, -9), (9, 0), (1, 9)]
+
+
+@wrong("overlooked_gap")
+def a_segment(*_):
+    """Two points are no polygon."""
+    return [(0, 0), (-1, 4)], [(1, -9), (9, 0), (1, 9)]
+
+
+@wrong("overlooked_gap")
+def far_away(*_):
+    """Beyond what is allowed."""
+    return [(0, 0), (-1, 4), (-1, -4)], [(1, -90000), (90000, 0), (1, 90000)]
