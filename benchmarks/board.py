@@ -49,9 +49,10 @@ DRAGGED = (  # what, the thing, the number of the board (the plot of the bugs' i
     ("goal of a search", "handle-1", 5),
     ("node of a search", "handle-9", 5),
 )
-LISTEN = """board => { window.events = []; if (board.heard) return; board.heard = true;
+LISTEN = """board => { window.events = []; window.held = board; if (board.heard) return; board.heard = true;
     for (const what of ['asked', 'answered', 'painted'])
-        board.addEventListener('kinoedu-' + what, e => events.push([what, e.detail, performance.now()])); }"""
+        board.addEventListener('kinoedu-' + what,
+            e => { if (held === board) events.push([what, e.detail, performance.now()]); }); }"""
 # The real mouse holds the thing; its moves are made in the page, a hundred a second, as Playwright's own wait for each other.
 DRAG = """([board, x, y, seconds]) => new Promise(done => {
     const canvas = board.querySelector('canvas'), began = performance.now(); let moves = 0;

@@ -8,6 +8,8 @@
 //
 // A *stop* is a handle that the answer draws: the second handle (the goal) comes to it when it is clicked, the first with Shift.
 //
+// What is *drawn* is painted by the answer alone, which may put it elsewhere: an arm's tip stays within reach, wherever it is pulled.
+//
 // A *thing* is what can be moved: {kind: "handle" | "disc" | "polygon", i} or {kind: "vertex", i, r, v}, vertex v of ring r.
 
 const IN_FLIGHT = 3;          // questions under way at once: they hide the delay of the way there and back
@@ -17,6 +19,7 @@ const PENDING = 250;          // ms after which an answer that is out of date is
 const QUIET = 600;            // ms without change before the text is read out
 const GROWTH = 4000;          // ms in which the whole growth is played
 const JITTER = 4;             // pixels: a pointer that moved less has clicked
+const TINT = 0.35, STRIPES = 9;   // how much a body covers, and how far apart its stripes are, in pixels
 const WIDEST = 640, HIGHEST = 560, PAD = 8;   // of the picture, in pixels
 
 const boards = (globalThis[Symbol.for("kinoedu.boards")] ??= new Map());     // by the widget's key; each widget has this file anew
@@ -69,12 +72,13 @@ class Board {
     this.views = new Set();
     this.id = Math.random().toString(36).slice(2);       // this page, among those that show the same widget
     this.scene = copy(model.get("scene"));
-    this.drawing = { text: "", warning: "", note: "", layers: [], total: 0, unit: "", told: [] };
-    Object.assign(this, { seq: 0, shown: 0, asked: 0, stale: 0, answers: 0, took: 0 });
+    this.drawing = { text: "", warning: "", note: "", layers: [], total: 0, unit: "", told: [], places: [] };
+    Object.assign(this, { seq: 0, shown: 0, asked: 0, stale: 0, answers: 0, took: 0, bitmaps: 0, unkept: false });
     Object.assign(this, { waiting: false, pendingSince: null, step: 0, playing: null });
     this.moved = new Map();                              // what moved since Python was last asked
     model.on("msg:custom", (message, buffers) => this.receive(message, buffers));
     model.on("change:scene", () => this.replaced());
+    model.on("change:bitmap", () => this.laid());
     this.model.send({ kind: "hello", from: this.id });
   }
 
@@ -112,8 +116,8 @@ class Board {
   }
 
   move(thing, from, anchor, to) {        // as far as from the anchor to `to`, the anchor kept within the world; `from` is its shape before
-    const { lo, hi, decimals } = this.scene;
-    const shift = [0, 1].map((k) => clamp(to[k], lo[k], hi[k]) - anchor[k]);
+    const { decimals } = this.scene, kept = this.kept(to);
+    const shift = [0, 1].map((k) => kept[k] - anchor[k]);
     const item = this.item(thing), taken = this.riders(item);
     if (thing.kind === "polygon") {
       const whole = shift.map((d) => Number(d.toFixed(decimals)));
@@ -124,6 +128,12 @@ class Board {
       for (const i of taken) this.scene.handles[i].at = [...point];
     }
     this.hasMoved({ kind: thing.kind === "vertex" ? "polygon" : thing.kind, i: thing.i }, ...taken.map((i) => ({ kind: "handle", i })));
+  }
+
+  kept([x, y]) {                         // a place within the world; across a side that is glued to another it comes in there
+    const { lo, hi, glued } = this.scene;
+    if (!glued) return [clamp(x, lo[0], hi[0]), clamp(y, lo[1], hi[1])];
+    return [x, y].map((value, k) => { const low = glued.lo[k], round = glued.hi[k] - low; return low + ((((value - low) % round) + round) % round); });
   }
 
   riders(stop) {                         // the numbers of the handles that stand exactly on a stop, and go with it
@@ -146,8 +156,16 @@ class Board {
     this.timer = setTimeout(() => this.changed(), PENDING + 20);
   }
 
-  settle() {                             // the thing was let go: the scene is kept in the widget's state
+  settle() {                             // the thing was let go: when that is answered the scene is kept in the widget's state
+    this.unkept = true;
     this.ask(true);
+    this.keep();
+  }
+
+  keep() {
+    if (!this.unkept || this.shown !== this.seq) return;
+    this.unkept = false;
+    this.put();
     this.model.set("scene", copy(this.scene));
     this.model.save_changes();
   }
@@ -170,6 +188,21 @@ class Board {
     this.moved.clear();
     this.model.send({ kind: "hello", from: this.id });
     this.changed();
+  }
+
+  laid() {                               // another bitmap beneath
+    this.bitmaps += 1;
+    this.views.forEach((view) => { view.bitmap = view.bitmapPicture(); });
+    this.changed();
+  }
+
+  put() {                                // things where the newest answer has them, but not out of a hand that holds them
+    if (this.shown !== this.seq) return;
+    const held = [...this.views].flatMap((view) => [...view.grabs.values()].map(({ thing }) => this.item(thing)));
+    for (const [kind, i, where] of this.drawing.places) {
+      const item = this.item({ kind, i });
+      if (!held.includes(item)) item[kind === "polygon" ? "rings" : "at"] = where;
+    }
   }
 
   // questions and answers
@@ -198,11 +231,13 @@ class Board {
 
   show(message, buffers) {
     const layers = message.layers.map((layer, i) => ({ ...layer, data: floats(buffers[i]) }));
-    const { seq, text, warning, total, unit, told, took } = message;
-    this.drawing = { text, warning, layers, total, unit, told, note: "" };
+    const { seq, text, warning, total, unit, told, places, took } = message;
+    this.drawing = { text, warning, layers, total, unit, told, places, note: "" };
     this.took = took;
     this.answers += 1;
     if (seq !== null) this.shown = seq;
+    this.put();
+    this.keep();
     this.pendingSince = seq !== null && seq < this.seq ? performance.now() : null;
     this.playing = null;
     this.step = total;
@@ -483,7 +518,7 @@ class View {
 
   paintGround() {
     const { pen, board } = this, { scene, palette } = board;
-    pen.fillStyle = scene.boundary || this.bitmap ? palette.outside : palette.free;
+    pen.fillStyle = scene.boundary || (this.bitmap && !scene.glued) ? palette.outside : palette.free;
     pen.fillRect(0, 0, this.width, this.height);
     if (this.bitmap) this.paintBitmap();
     pen.lineWidth = 1.5;
@@ -492,11 +527,11 @@ class View {
   }
 
   paintSolids() {
-    const { pen } = this, { scene, palette } = this.board;
+    const { pen } = this, { scene, palette } = this.board, polygons = scene.polygons.filter((polygon) => !polygon.drawn);
     pen.fillStyle = palette.obstacle;
-    for (const polygon of scene.polygons) { this.trace(polygon.rings); pen.fill("evenodd"); }
+    for (const polygon of polygons) { this.trace(polygon.rings); pen.fill("evenodd"); }
     for (const { at, radius } of scene.discs) { pen.beginPath(); pen.arc(...this.toPixels(at), radius * this.scale, 0, 7); pen.fill(); }
-    for (const polygon of scene.polygons) if (polygon.vertices) polygon.rings.flat().forEach((p) => this.dot(p, 4, palette.free, palette.obstacle));
+    for (const polygon of polygons) if (polygon.vertices) polygon.rings.flat().forEach((p) => this.dot(p, 4, palette.free, palette.obstacle));
   }
 
   trace(rings) {
@@ -507,30 +542,31 @@ class View {
     }
   }
 
-  bitmapPicture() {                      // one bit a cell, the lowest row first
-    const { size } = this.board.scene, view = this.board.model.get("bitmap"), { palette } = this.board;
+  bitmapPicture() {                      // one bit a cell, or a byte where it has colours of its own; the lowest row first
+    const { size, colours } = this.board.scene, view = this.board.model.get("bitmap"), { palette } = this.board;
     if (!size || !view || !view.byteLength) return null;
-    const [rows, columns] = size, bits = new Uint8Array(view.buffer, view.byteOffset, view.byteLength);
+    const [rows, columns] = size, bytes = new Uint8Array(view.buffer, view.byteOffset, view.byteLength);
     const picture = make("canvas", "", null, { width: columns, height: rows }), pen = picture.getContext("2d");
     const image = pen.createImageData(columns, rows), pixels = new Uint32Array(image.data.buffer);
     const colour = (hex) => { const [r, g, b] = [1, 3, 5].map((k) => parseInt(hex.slice(k, k + 2), 16)); return (255 << 24) | (b << 16) | (g << 8) | r; };
-    const free = colour(palette.free), blocked = colour(palette.obstacle);
+    const shades = (colours ?? ["obstacle", "free"]).map((name) => colour(palette[name]));
+    const number = colours ? (cell) => bytes[cell] : (cell) => (bytes[cell >> 3] >> (7 - (cell & 7))) & 1;
     for (let cell = 0; cell < rows * columns; cell += 1) {
       const row = rows - 1 - Math.floor(cell / columns);
-      pixels[row * columns + (cell % columns)] = bits[cell >> 3] & (128 >> (cell & 7)) ? free : blocked;
+      pixels[row * columns + (cell % columns)] = shades[number(cell)];
     }
     pen.putImageData(image, 0, 0);
     return picture;
   }
 
   paintBitmap() {
-    const { lo, hi } = this.board.scene, [x0, y1] = this.toPixels(lo), [x1, y0] = this.toPixels(hi);
+    const { lo, hi } = this.board.scene.glued ?? this.board.scene, [x0, y1] = this.toPixels(lo), [x1, y0] = this.toPixels(hi);
     this.pen.imageSmoothingEnabled = (x1 - x0) * (window.devicePixelRatio || 1) < this.bitmap.width;     // cells stay sharp
     this.pen.drawImage(this.bitmap, x0, y0, x1 - x0, y1 - y0);
   }
 
-  paintHandle({ name, at, colour, marker, radius, stop }) {
-    if (stop) return;
+  paintHandle({ name, at, colour, marker, radius, stop, drawn }) {
+    if (stop || drawn) return;
     const { pen } = this, { palette, scene } = this.board, [px, py] = this.toPixels(at), paint = palette[colour];
     if (radius) { pen.globalAlpha = 0.35; pen.fillStyle = paint; pen.beginPath(); pen.arc(px, py, radius * this.scale, 0, 7); pen.fill(); pen.globalAlpha = 1; }
     if (marker === "star") this.star(px, py, 12, paint); else this.dot(at, 7, paint, palette.free);
@@ -596,18 +632,39 @@ class View {
     this.stroke(layer);
   }
 
-  paint_cells(layer) {
-    const { pen, unit } = this, stride = 8 + (layer.grows ? 1 : 0) + (layer.ends ? 1 : 0), bottom = this.height - PAD;
+  outline(layer) {                       // of each row's polygon
+    const { pen, unit } = this, size = 2 * layer.points, stride = size + (layer.grows ? 1 : 0) + (layer.ends ? 1 : 0), bottom = this.height - PAD;
     pen.beginPath();
-    this.eachRow(layer, 8, (_px, _py, _dx, _dy, k) => {
-      for (let c = k * stride; c < k * stride + 8; c += 2) {
+    this.eachRow(layer, size, (_px, _py, _dx, _dy, k) => {
+      for (let c = k * stride; c < k * stride + size; c += 2) {
         const at = [PAD + layer.data[c] * unit, bottom - layer.data[c + 1] * unit];
         if (c === k * stride) pen.moveTo(...at); else pen.lineTo(...at);
       }
       pen.closePath();
     });
+  }
+
+  paint_cells(layer) {
+    this.outline(layer);
+    this.pen.fillStyle = this.board.palette[layer.colour];
+    this.pen.fill();
+  }
+
+  paint_bodies(layer) {
+    const { pen, height } = this;
+    pen.save();
+    this.outline(layer);
     pen.fillStyle = this.board.palette[layer.colour];
+    pen.globalAlpha *= TINT;
     pen.fill();
+    pen.globalAlpha /= TINT;
+    pen.clip();
+    pen.beginPath();
+    if (layer.hatched) for (let x = -height; x < this.width; x += STRIPES) { pen.moveTo(x, height); pen.lineTo(x + height, 0); }
+    this.stroke(layer);
+    pen.restore();
+    this.outline(layer);
+    this.stroke(layer);
   }
 
   paint_path(layer) {
@@ -658,8 +715,8 @@ class View {
     this.slider.value = board.step;
     this.slider.setAttribute("aria-valuetext", fill(words.growth, { shown: board.step, total: drawing.total, unit: drawing.unit }));
     this.button.textContent = board.playing ? words.pause : still ? words.next : words.play;
-    const layers = drawing.layers.map((layer) => layer.kind).join(" "), { shown: seq, seq: newest, answers, stale, step } = board;
-    Object.assign(this.root.dataset, { seq, newest, answers, stale, step, layers, total: drawing.total, paints: this.paints, warning: drawing.warning });
+    const layers = drawing.layers.map((layer) => layer.kind).join(" "), { shown: seq, seq: newest, answers, stale, step, bitmaps } = board;
+    Object.assign(this.root.dataset, { seq, newest, answers, stale, step, layers, bitmaps, total: drawing.total, paints: this.paints, warning: drawing.warning });
     if (text === this.last) return;
     this.last = text;
     clearTimeout(this.speaking);

@@ -1,13 +1,11 @@
 """The bugs' board: a bug walks round obstacles that are dragged, with the distance to its goal plotted beside it."""
 
-import io
 from collections.abc import Iterable
 from typing import Any
 
 import ipywidgets as widgets
 import numpy as np
 from numpy.typing import ArrayLike
-from PIL import Image
 
 from ..geometry.checks import as_point
 from ..planners import bug0, bug1, bug2, bug2_prelim, bug_base
@@ -19,6 +17,7 @@ from .board import look
 from .canvas import Canvas, with_picture
 from .drawing import Drawing
 from .plans import GOAL, START
+from .printed import side_by_side
 from .scene import Scene, handle, make_scene, place_of, polygon
 from .walks import Clock, clock_for, plot_drawn, plot_scene, race_drawn, told_of, walk_drawn
 
@@ -106,13 +105,7 @@ class BugBoard(widgets.VBox):
 
     def picture(self) -> bytes:
         """World and plot beside each other, as a PNG."""
-        world, plot = (Image.open(io.BytesIO(one.picture())) for one in (self.canvas, self.plot))
-        both = Image.new("RGB", (world.width + plot.width, max(world.height, plot.height)), "white")
-        both.paste(world.convert("RGB"), (0, 0))
-        both.paste(plot.convert("RGB"), (world.width, (both.height - plot.height) // 2))
-        stream = io.BytesIO()
-        both.quantize(64, dither=Image.Dither.NONE).save(stream, "png", optimize=True)
-        return stream.getvalue()
+        return side_by_side(self.canvas.picture(), self.plot.picture())
 
     def __repr__(self) -> str:
         return f"BugBoard({self.canvas.drawing.says})"

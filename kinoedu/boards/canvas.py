@@ -5,11 +5,13 @@ a lesson writes is the answer: a function from a scene to a Drawing. The message
 
     to Python   {kind: "hello", from}                       a page is there: what was answered last?
                 {kind: "scene", from, seq, moved: [[kind, number, coordinates], ...]}
-    from Python {kind: "drawing", to, seq, took, text, warning, total, unit, told, layers}  and a buffer of float32 for each layer
+    from Python {kind: "drawing", to, seq, took, text, warning, total, unit, told, places, layers}
+                                                            and a buffer of float32 for each layer
                 {kind: "note", text}                        what takes so long
 
-`from` and `to` name a page, since several may show one widget; a drawing to none and without seq is for all. When something is let
-go the page writes its whole scene to the trait `scene`.
+`from` and `to` name a page, since several may show one widget; a drawing to none and without seq is for all. When something was let
+go, and that is answered, the page writes its whole scene to the trait `scene`. The bitmap is a trait too: it travels only when it
+changes.
 """
 
 import base64
@@ -55,7 +57,8 @@ class Canvas(anywidget.AnyWidget):
     ----------
     scene : what `make_scene` makes.
     answer : a function from a scene to a Drawing. A KinoeduError that it raises is shown as a warning, and nothing else.
-    free : a bitmap to draw beneath, (rows, columns), the lowest row first.
+    free : a bitmap to draw beneath, (rows, columns), the lowest row first; true is free, or, where the scene has `colours`, the
+        number of one.
 
     `partner` is the key of another board that is scrubbed together with this one, as a plot is with what it plots.
     `drawing` is the answer on show. Where there is no JavaScript the same is shown as a picture.
@@ -73,14 +76,14 @@ class Canvas(anywidget.AnyWidget):
 
     def __init__(self, scene: Scene, answer: Callable[[Scene], Drawing], *, free: Any = None) -> None:
         self._answer = answer
-        self._free = None if free is None else np.asarray(free, np.bool_)
+        self._free = None if free is None else np.asarray(free, np.uint8 if "colours" in scene else np.bool_)
         self.drawing = Drawing()
         self._shown = {**scene, "size": None if self._free is None else list(self._free.shape)}
         super().__init__(
             key=uuid.uuid4().hex,
             scene=self._shown,
             home=deepcopy(self._shown),
-            bitmap=b"" if self._free is None else np.packbits(self._free).tobytes(),
+            bitmap=packed(self._free),
             palette=palette.NAMED,
             words={name: say(f"board.front.{name}", **{v: f"{{{v}}}" for v in values}) for name, values in FRONT.items()},
         )
@@ -93,6 +96,12 @@ class Canvas(anywidget.AnyWidget):
         with _answering:
             self._draw()
             self._show(None, None)
+
+    def lay(self, bitmap: Any) -> None:
+        """Another bitmap beneath, of the same size: every page gets it now, and paints it with what is answered next."""
+        with _answering:
+            self._free = np.asarray(bitmap, None if self._free is None else self._free.dtype)
+            self.bitmap = packed(self._free)
 
     def set_state(self, sync_data: dict[str, Any]) -> None:
         """What a page may change: where things are. Anything else, or a scene that makes no sense, is left out."""
@@ -149,6 +158,7 @@ class Canvas(anywidget.AnyWidget):
         """Keep a drawing, and the message that carries it."""
         lo, hi = self._shown["lo"], self._shown["hi"]
         self._content, self._buffers = encoded(drawing, lo, max(hi[0] - lo[0], hi[1] - lo[1]))
+        self._shown = moved(self._shown, self._content["places"])
         self.drawing = drawing
 
     def _show(self, page: str | None, seq: int | None, *, warning: str = "") -> None:
@@ -168,6 +178,13 @@ class Canvas(anywidget.AnyWidget):
 
     def _repr_mimebundle_(self, **kwargs: Any) -> tuple[dict[str, Any], dict[str, Any]] | None:
         return with_picture(super()._repr_mimebundle_(**kwargs), self, self)
+
+
+def packed(bitmap: Any) -> bytes:
+    """A bitmap as it travels: truths as bits, numbers as bytes; nothing where there is none."""
+    if bitmap is None:
+        return b""
+    return bytes(np.packbits(bitmap).tobytes() if bitmap.dtype == np.bool_ else bitmap.tobytes())
 
 
 def with_picture(bundle: Any, widget: Any, canvas: Any) -> tuple[dict[str, Any], dict[str, Any]] | None:

@@ -14,16 +14,16 @@ from numpy.typing import ArrayLike
 
 from ..geometry.checks import Array
 
-POINTS = {"edges": 2, "path": 1, "dots": 1, "arrows": 1, "labels": 1, "cells": 4}  # how many points begin each row
+POINTS = {"edges": 2, "path": 1, "dots": 1, "arrows": 1, "labels": 1}  # how many points begin each row; a polygon's are all of it
 
 
 class Layer(NamedTuple):
     """Rows of numbers and how they look; the functions below make it.
 
-    rows : edges x, y, next x, next y; path, dots, labels x, y; arrows x, y, dx, dy; cells four corners.
+    rows : edges x, y, next x, next y; path, dots, labels x, y; arrows x, y, dx, dy; cells four corners; bodies all corners.
     when : for each row the step at which it came, not decreasing; None where all is there from the beginning.
     until : for each row the step at which it is gone again; None where all stays.
-    last : it is shown only when everything else has grown.
+    last : it is shown only when everything else has grown. hatched : of bodies, with stripes.
     """
 
     kind: str
@@ -36,6 +36,12 @@ class Layer(NamedTuple):
     casing: bool = False
     texts: tuple[str, ...] = ()
     until: Array | None = None
+    hatched: bool = False
+
+    @property
+    def points(self) -> int:
+        """How many points begin each row."""
+        return POINTS.get(self.kind, self.rows.shape[1] // 2)
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,6 +51,7 @@ class Drawing:
     text : what the picture shows; warning : what is wrong instead. One of them is read out.
     total : how many steps the growth has, 0 for none; unit : what a step is, in words.
     told : the text at each step before the last, from step 0; left out, the board counts the steps.
+    places : where the answer puts things, each (kind, number, coordinates) as in `moved`; not out of a hand that holds them.
     """
 
     layers: Sequence[Layer] = ()
@@ -53,6 +60,7 @@ class Drawing:
     total: int = 0
     unit: str = ""
     told: Sequence[str] = ()
+    places: Sequence[tuple[str, int, Any]] = ()
 
     @property
     def says(self) -> str:
@@ -109,6 +117,15 @@ def cells(corners: ArrayLike, colour: str, *, when: ArrayLike | None = None, unt
     return Layer("cells", rows_of(corners, 8), colour, when=steps_of(when), until=steps_of(until))
 
 
+def bodies(
+    corners: ArrayLike, colour: str, *, hatched: bool = False, when: ArrayLike | None = None, until: ArrayLike | None = None
+) -> Layer:
+    """Polygons of k corners each, shape (n, k, 2), over everything else: an outline, a tint, and stripes where they are hatched."""
+    outlines = np.asarray(corners, np.float64)
+    rows = rows_of(outlines, 2 * outlines.shape[1])
+    return Layer("bodies", rows, colour, 2.0, when=steps_of(when), until=steps_of(until), hatched=hatched)
+
+
 def rows_of(values: ArrayLike, columns: int) -> Array:
     """Numbers as rows."""
     return np.asarray(values, np.float64).reshape(-1, columns)
@@ -134,15 +151,18 @@ def encoded(drawing: Drawing, lo: ArrayLike, size: float) -> tuple[dict[str, Any
             "last": layer.last,
             "casing": layer.casing,
             "texts": list(layer.texts),
+            "points": layer.points,
+            "hatched": layer.hatched,
         }
         for layer in drawing.layers
     ]
     buffers, corner = [], np.asarray(lo, np.float64)
     for layer in drawing.layers:
         rows = layer.rows / size
-        for k in range(POINTS[layer.kind]):
+        for k in range(layer.points):
             rows[:, 2 * k : 2 * k + 2] = (layer.rows[:, 2 * k : 2 * k + 2] - corner) / size
         whole = np.column_stack([rows, *(steps for steps in (layer.when, layer.until) if steps is not None)])
         buffers.append(whole.astype(np.float32).tobytes())
     words = {"text": drawing.text, "warning": drawing.warning, "unit": drawing.unit, "told": list(drawing.told)}
-    return {"layers": about, "total": drawing.total, **words}, buffers
+    places = [[kind, number, np.asarray(where).tolist()] for kind, number, where in drawing.places]
+    return {"layers": about, "total": drawing.total, "places": places, **words}, buffers

@@ -41,11 +41,16 @@ PLANNERS = {
 
 def scene_of(problem: ProblemRecord) -> Scene:
     """What stands in a problem's world; start and goal can be dragged, and among polygons every obstacle and its vertices."""
-    world, radius = problem.world, getattr(problem.robot, "radius", 0.0)
+    radius = getattr(problem.robot, "radius", 0.0)
     handles = [
         handle(START, problem.start[:2], colour="start", radius=radius),
         handle(GOAL, problem.goal[:2], colour="goal", marker="star", radius=radius),
     ]
+    return scene_with(problem.world, handles)
+
+
+def scene_with(world: Any, handles: list[dict[str, Any]]) -> Scene:
+    """What stands in a world, and handles; among polygons every obstacle and its vertices can be dragged."""
     if not isinstance(world, PolygonWorldRecord):
         return make_scene(world.lo, world.hi, handles=handles)
     (outline,), *solids = rings_of(world)

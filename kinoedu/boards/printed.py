@@ -63,15 +63,20 @@ def mixtures() -> list[int]:
 
 def print_world(scene: Scene, free: Any, ax: Axes) -> None:
     """What stands there."""
-    (x0, y0), (x1, y1) = scene["lo"], scene["hi"]
     if free is not None:
-        colours = ListedColormap([palette.OBSTACLE, palette.FREE])
-        ax.imshow(free, origin="lower", extent=(x0, x1, y0, y1), cmap=colours, vmin=0, vmax=1, interpolation="nearest")
+        (x0, y0), (x1, y1) = (scene.get("glued", scene)[corner] for corner in ("lo", "hi"))
+        shades = [palette.NAMED[name] for name in scene.get("colours", ("obstacle", "free"))]
+        extent, most = (x0, x1, y0, y1), len(shades) - 1
+        ax.imshow(
+            free, origin="lower", extent=extent, cmap=ListedColormap(shades), vmin=0, vmax=most, interpolation="nearest", zorder=0.6
+        )
     if scene["boundary"] is not None:
         ax.set_facecolor(palette.OUTSIDE)
         outline = compound([np.array(scene["boundary"])])
         ax.add_patch(PathPatch(outline, facecolor=palette.FREE, edgecolor=palette.OBSTACLE, zorder=0.5))
     for polygon in scene["polygons"]:
+        if polygon.get("drawn"):
+            continue
         rings = [wound(np.array(ring), inner=k > 0) for k, ring in enumerate(polygon["rings"])]
         ax.add_patch(PathPatch(compound(rings), facecolor=palette.OBSTACLE, edgecolor=palette.OBSTACLE))
     for disc in scene["discs"]:
@@ -92,6 +97,10 @@ def print_layer(layer: Layer, ax: Axes, total: int) -> None:
     z = 5.5 if layer.last else 3.0  # what comes last lies on the path
     if layer.kind == "cells":
         ax.add_collection(PolyCollection(list(rows.reshape(-1, 4, 2)), facecolors=colour, edgecolors="none", zorder=0.7))
+    elif layer.kind == "bodies":
+        shapes, stripes = list(rows.reshape(len(rows), -1, 2)), "////" if layer.hatched else None
+        outline: Any = {"edgecolors": colour, "linewidths": layer.width, "hatch": stripes}
+        ax.add_collection(PolyCollection(shapes, facecolors=f"{colour}59", zorder=z - 0.2, **outline))
     elif layer.kind == "edges":
         ax.add_collection(
             LineCollection(
@@ -118,11 +127,24 @@ def print_layer(layer: Layer, ax: Axes, total: int) -> None:
             ax.annotate(text, (x, y), xytext=(7, 7), textcoords="offset points", **style)
 
 
+def side_by_side(*pictures: bytes) -> bytes:
+    """Pictures in a row, as one PNG."""
+    opened = [Image.open(io.BytesIO(picture)).convert("RGB") for picture in pictures]
+    whole = Image.new("RGB", (sum(one.width for one in opened), max(one.height for one in opened)), "white")
+    left = 0
+    for one in opened:
+        whole.paste(one, (left, (whole.height - one.height) // 2))
+        left += one.width
+    stream = io.BytesIO()
+    whole.quantize(64, dither=Image.Dither.NONE).save(stream, "png", optimize=True)
+    return stream.getvalue()
+
+
 def print_handles(scene: Scene, ax: Axes) -> None:
     """The points to drag, with their names; where there are stops, whose own names are above them, below."""
     low = any(handle.get("stop") for handle in scene["handles"])
     for handle in scene["handles"]:
-        if handle.get("stop"):  # the answer draws it
+        if handle.get("stop") or handle.get("drawn"):  # the answer draws it
             continue
         (x, y), colour = handle["at"], palette.NAMED[handle["colour"]]
         if handle["radius"]:

@@ -7,7 +7,11 @@ discs       each {name, at, radius, movable}
 handles     points to drag: each {name, at, colour, marker: "dot" or "star", radius: of a body to draw}; or a stop {name, at, stop},
             drawn by the answer: the second handle comes to it when it is clicked, the first with Shift; what stands exactly
             there is taken along when it is dragged
+drawn       what has this is painted by the answer alone, which may put it elsewhere: see `Drawing.places`
 size        rows and columns of the bitmap beneath, or None
+colours     the names of the colours of a bitmap that has a byte a cell; left out, it is of bits, and true is free
+glued       {lo, hi}: a box whose opposite sides are one, so that what leaves it comes in again; the bitmap fills it. Left out,
+            the world ends at its rim, and the bitmap fills it all
 ticks       whether a picture of it has scales; left out, it has
 decimals    how many digits behind the point a dragged coordinate keeps
 """
@@ -60,6 +64,11 @@ def polygon(name: str, rings: list[Array], *, movable: bool = True, vertices: bo
 def disc(name: str, at: ArrayLike, radius: float, *, movable: bool = True) -> dict[str, Any]:
     """A disc to drag."""
     return {"name": name, "at": as_point(at, name).tolist(), "radius": float(radius), "movable": movable}
+
+
+def drawn(item: dict[str, Any]) -> dict[str, Any]:
+    """A handle or polygon that can be dragged, but is painted by the answer, which may put it elsewhere."""
+    return {**item, "drawn": True}
 
 
 def place_of(scene: Scene, name: str) -> Array:

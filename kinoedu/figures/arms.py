@@ -65,19 +65,28 @@ def draw_configuration_space(image: NDArray[np.int8], ax: Axes | None = None) ->
 
 def name_region(region: NDArray[np.bool_], name: str, ax: Axes) -> list[Artist]:
     """Write a name where a region is widest; nothing where it is too small to hold one."""
+    found = where_widest(region)
+    if found is None:
+        return []
+    x, y = found
+    margin = 0.22 * np.pi
+    inside = min(max(x, margin - np.pi), np.pi - margin)
+    text = ax.text(
+        inside, y, name, ha="center", va="center", fontsize=palette.TEXT_SIZE, color=palette.INK, path_effects=HALO, zorder=5
+    )
+    return [text]
+
+
+def where_widest(region: NDArray[np.bool_]) -> tuple[float, float] | None:
+    """The angles at which a region of such an image is widest; None where it is too small to hold a name."""
     from scipy.ndimage import distance_transform_edt
 
     depth = distance_transform_edt(np.pad(region, 1))[1:-1, 1:-1]
     row, column = np.unravel_index(int(depth.argmax()), depth.shape)
     if depth[row, column] < 0.03 * len(region):
-        return []
-    x, y = ((index + 0.5) * 2.0 * np.pi / len(region) - np.pi for index in (column, row))
-    margin = 0.22 * np.pi
-    inside = min(max(float(x), margin - np.pi), np.pi - margin)
-    text = ax.text(
-        inside, y, name, ha="center", va="center", fontsize=palette.TEXT_SIZE, color=palette.INK, path_effects=HALO, zorder=5
-    )
-    return [text]
+        return None
+    x, y = ((float(index) + 0.5) * 2.0 * np.pi / len(region) - np.pi for index in (column, row))
+    return x, y
 
 
 def torus_axes(ax: Axes | None) -> Axes:

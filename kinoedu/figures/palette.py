@@ -21,7 +21,8 @@ INK = "#111827"
 FREE_LINK = "#0072B2"
 HIT = "#D32F2F"
 LINKS = ("#2F7FD0", "#111827", "#D32F2F")  # an arm is free, its link 1 hits, its link 2 does: the book's blue, black and red
-LINKS_LIGHT = ("#CFE3F7", "#3B4250", "#E8837F")  # the same as areas
+FREE_AREA, HIT_1_AREA, HIT_2_AREA = "#CFE3F7", "#3B4250", "#E8837F"
+LINKS_LIGHT = (FREE_AREA, HIT_1_AREA, HIT_2_AREA)  # the same as areas
 
 TEXT_SIZE = 13
 

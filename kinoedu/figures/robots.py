@@ -141,13 +141,13 @@ def _(robot: ArmRobot, space: Any, path: Array, ax: Axes) -> list[Artist]:
     return drawn
 
 
-def spread(space: Any, path: Array) -> list[Array]:
-    """Configurations evenly along a path, its ends left out."""
+def spread(space: Any, path: Array, n: int = GHOSTS) -> list[Array]:
+    """n configurations evenly along a path, its ends left out."""
     passed = np.cumsum([0.0, *(distance(space, a, b) for a, b in zip(path, path[1:]))])
     if passed[-1] == 0.0:
         return []
     found = []
-    for target in np.linspace(0.0, passed[-1], GHOSTS + 2)[1:-1]:
+    for target in np.linspace(0.0, passed[-1], n + 2)[1:-1]:
         k = min(int(np.searchsorted(passed, target, side="right")), len(path) - 1)
         found.append(interpolate(space, path[k - 1], path[k], (target - passed[k - 1]) / (passed[k] - passed[k - 1])))
     return found

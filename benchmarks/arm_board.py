@@ -1,0 +1,79 @@
+"""How lively the arm's board is: pictures of the configuration space, 360 x 360, a second while an obstacle is dragged, in a real
+JupyterLab in headless Chromium; and answers a second while the tip or q is.
+"""
+
+import argparse
+import sys
+import tempfile
+import time
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from board import CHROMIUM, DRAG, LISTEN, RUN_ALL, lab, notebook_page, seen, written_notebook
+
+ARM = """
+import kinoedu as ke
+obstacles = [[(1.2, 1.4), (2.6, 1.2), (2.2, 2.4)], [(-2.4, 0.4), (-1.2, 0.6), (-1.4, 1.8)], ((0.4, 2.2), 0.4), ((0.2, -1.4), 0.3)]
+world = ke.PolygonWorld([(-4, -4), (4, -4), (4, 4), (-4, 4)], obstacles)
+ke.boards.arm_board(ke.TwoLinkArm(1.5, 1.2, 0.2), world, q=(0.6, 0.3))
+"""
+WORKSPACE, SQUARE = 0, 1
+DRAGGED = (
+    ("disc", "disc-0", WORKSPACE),
+    ("polygon", "polygon-1", WORKSPACE),
+    ("tip", "handle-1", WORKSPACE),
+    ("q", "handle-0", SQUARE),
+)
+PICTURES, PLANS = 10.0, 30.0  # a second: of an obstacle that is dragged, and answers to anything else
+
+
+def drag(page: Any, name: str, number: int, seconds: float) -> dict[str, float]:
+    """Drag a thing round in circles; the rates meanwhile, with that of the pictures that came to the square."""
+    boards = page.locator(".kinoedu-board")
+    held, square = boards.nth(number), boards.nth(SQUARE)
+    held.scroll_into_view_if_needed()
+    page.wait_for_timeout(500)
+    box = held.locator(f"[data-thing={name}]").bounding_box()
+    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    held.evaluate(LISTEN)
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x, y + 1)
+    before, began = int(square.get_attribute("data-bitmaps")), time.perf_counter()
+    moves = page.evaluate(DRAG, [held.element_handle(), x, y, seconds])
+    spent, events = time.perf_counter() - began, page.evaluate("events.slice()")
+    pictures = (int(square.get_attribute("data-bitmaps")) - before) / spent
+    page.mouse.up()
+    page.wait_for_timeout(500)
+    held.locator(".kinoedu-reset").click()
+    page.wait_for_timeout(500)
+    return {"moves": moves, "pictures": pictures, **seen(events, spent)}
+
+
+def main() -> None:
+    """Drag an obstacle, the tip and q, and print a table."""
+    options = argparse.ArgumentParser(description=__doc__)
+    options.add_argument("--seconds", type=float, default=4.0, help="how long each thing is dragged")
+    options.add_argument("--repeats", type=int, default=3)
+    given = options.parse_args()
+    if CHROMIUM is None:
+        sys.exit("skipped: this needs Chromium")
+    print("| what is dragged | moves/s | pictures/s | answers/s | paints/s | delay ms, median | 95 % | out of order | |")
+    print("|---|---:|---:|---:|---:|---:|---:|---:|---|")
+    with tempfile.TemporaryDirectory() as home, tempfile.TemporaryDirectory() as course:
+        (Path(course) / "arm.ipynb").write_text(written_notebook(ARM))
+        with lab(Path(course), Path(home)) as (address, token), notebook_page(address, token, "arm.ipynb") as page:
+            page.evaluate(RUN_ALL)
+            page.wait_for_selector(".kinoedu-board[data-answers]")
+            for what, name, number in DRAGGED:
+                rounds = [drag(page, name, number, given.seconds) for _ in range(given.repeats)]
+                mean = {key: float(np.median([r[key] for r in rounds])) for key in rounds[0]}
+                goal, rate = (PICTURES, mean["pictures"]) if name.startswith(("disc", "polygon")) else (PLANS, mean["plans"])
+                cells = [f"{mean[key]:.3g}" for key in ("moves", "pictures", "plans", "paints", "delay", "late", "backward")]
+                verdict = "holds" if rate >= goal and not mean["backward"] else "MISSED"
+                print(f"| {what} | {' | '.join(cells)} | {verdict} |", flush=True)
+
+
+if __name__ == "__main__":
+    main()
