@@ -17,6 +17,7 @@ from .drawing import Drawing, Layer, bodies, dots, edges, labels
 from .scene import Scene, drawn, handle, make_scene, polygon
 
 NOTCH = 0.002  # of the slider
+CONTACTS = {"EV": "slide_board.ev", "VE": "slide_board.ve", "EE": "slide_board.ee"}
 
 
 def slide_board(robot_vertices: ArrayLike, obstacle_vertices: ArrayLike) -> "SlideBoard":
@@ -125,8 +126,7 @@ def share_at(way: Slide, p: ArrayLike) -> float:
 
 def contact_said(way: Slide, stretch: int) -> str:
     """What touches what in a stretch, in words."""
-    kind = str(way.kind[stretch]).lower()
-    return say(f"slide_board.{kind}", robot=way.robot_part[stretch], obstacle=way.obstacle_part[stretch])
+    return say(CONTACTS[str(way.kind[stretch])], robot=way.robot_part[stretch], obstacle=way.obstacle_part[stretch])
 
 
 def pattern_drawn(ring: Array, home: Array) -> list[Layer]:
