@@ -153,6 +153,13 @@ def half_a_side(n, d):
     return combined([i / k + 1 / 2 for i in range(k)], d)
 
 
+@wrong("sukharev_grid", slip="half_of_n")
+def half_a_share_of_n(n, d):
+    """1 / (2 n) for 1 / (2 k)."""
+    k = whole_root(n, d)
+    return combined([i / k + 1 / (2 * n) for i in range(k)], d)
+
+
 @wrong("sukharev_grid", slip="unscaled")
 def half_undivided(n, d):
     """i + 1/2, not divided by k."""
@@ -252,6 +259,24 @@ def new_generator_for_each_coordinate(n, d, rng):
 def new_generator_for_each_number(n, d, rng):
     """All equal."""
     return [[np.random.default_rng(rng).random() for _ in range(d)] for _ in range(n)]
+
+
+@wrong("uniform_random")
+def seeds_in_a_row_for_points(n, d, rng):
+    """rng + 1 gives all of these points again but one."""
+    return [np.random.default_rng(rng + i).random(d) for i in range(n)]
+
+
+@wrong("uniform_random")
+def seeds_in_a_row_for_coordinates(n, d, rng):
+    """The y of this rng are the x of the next."""
+    return np.column_stack([np.random.default_rng(rng + j).random(n) for j in range(d)])
+
+
+@wrong("uniform_random")
+def cut_off_at_the_walls(n, d, rng):
+    """Normal numbers, and what lies outside is moved to the wall."""
+    return np.clip(np.random.default_rng(rng).normal(0.5, 0.2, (n, d)), 0, 1)
 
 
 @wrong("uniform_random")
@@ -371,6 +396,13 @@ def stops_early(i, base):
         total += i % base * weight
         i, weight = i // base, weight / base
     return total
+
+
+@wrong("radical_inverse", slip="first_lost")
+def digits_counted_by_logarithm(i, base):
+    """log(243) / log(3) is 4.999999999999999 on a computer."""
+    size = int(math.log(i) / math.log(base)) + 1 if i > 0 else 0
+    return sum(i // base**k % base / base ** (k + 1) for k in range(size))
 
 
 @wrong("radical_inverse", slip="last_only")
@@ -569,6 +601,27 @@ def farthest_point_of_all(points):
 def sup_norm(points):
     """The larger of the two differences."""
     low = gaps(probes(), points).max(axis=2).min(axis=1).max()
+    return low, low + HALF
+
+
+@wrong("dispersion_bounds")
+def root_forgotten(points):
+    """The square of the distance."""
+    low = (gaps(probes(), points) ** 2).sum(axis=2).min(axis=1).max()
+    return low, low + HALF
+
+
+@wrong("dispersion_bounds")
+def half_the_diagonal_without_brackets(points):
+    """sqrt(2) / 2 * m for sqrt(2) / (2 * m)."""
+    low = farthest(probes(), points)
+    return low, low + math.sqrt(2) / 2 * 40
+
+
+@wrong("dispersion_bounds")
+def corner_probes(points):
+    """Probes at the corners of the cells: the upper and right walls are a whole cell away."""
+    low = farthest(probes() - 1 / 80, points)
     return low, low + HALF
 
 

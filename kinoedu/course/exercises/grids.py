@@ -89,6 +89,7 @@ class SukharevGrid(GridExercise):
         Slip("corners", corner_grid),
         Slip("both_ends", lambda n, d: spread(n, d, lambda i, k: i / max(k - 1, 1))),
         Slip("wide_margin", lambda n, d: spread(n, d, lambda i, k: (i + 1) / (k + 1))),
+        Slip("half_of_n", lambda n, d: corner_grid(n, d) + 0.5 / n),
         Slip("half", lambda n, d: spread(n, d, lambda i, k: i / k + 0.5)),
         Slip("unscaled", lambda n, d: spread(n, d, lambda i, k: i + 0.5)),
         Slip("diagonal", lambda n, d: diagonal(n, d, lambda i, k: (i + 0.5) / k)),

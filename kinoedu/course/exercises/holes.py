@@ -1,5 +1,6 @@
 """The exercise on dispersion: two bounds, from a lattice of probes. Bullo & Smith, section 4.2; LaValle, section 5.2.3."""
 
+import math
 from collections.abc import Iterator
 from typing import Any
 
@@ -60,14 +61,15 @@ class DispersionBounds(Exercise):
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
         """Bounds: neither on the wrong side, and not far apart."""
-        (low, high), truth = value, dispersion(case.given["points"])
+        (low, high), points = value, case.given["points"]
+        truth, sup = dispersion(points), dispersion(points, math.inf)
         rule = ""
         if not np.isfinite([low, high]).all() or low > high:
             rule = "bounds"
         elif low > truth + SLACK:
             rule = "low"
         elif high < truth - SLACK:
-            rule = "high"
+            rule = "sup" if low <= sup <= high else "high"
         elif high - low > APART + SLACK:
             rule = "apart"
         return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT

@@ -49,7 +49,7 @@ class UniformRandom(Exercise):
         return uniform_random(n, d, rng=rng)
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """How many and where; the same again, others for another seed; then how they are spread."""
+        """How many and where; the same again, others for another seed; how they are spread, and whether the seeds share them."""
         n, d, _ = case.given.values()
         first, again, other = value
         rule = fault_of_points(first, n, d)
@@ -58,6 +58,8 @@ class UniformRandom(Exercise):
         if not rule and np.array_equal(first, other):
             rule = "another"
         rule = rule or fault_of_chance(first)
+        if not rule and shares(first, other):
+            rule = "shared"
         return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
 
     def wanted(self, case: Case) -> str:
@@ -67,11 +69,12 @@ class UniformRandom(Exercise):
 
     def answer_words(self, case: Case, value: Any) -> str:
         """The first of the three answers; where two are compared, those."""
-        first, again, _ = value
+        first, again, other = value
         rule = self.value_verdict(case, value).rule
-        if rule == "again":
-            return self.words("answers.again", first=spoken(first[:3]), second=spoken(again[:3]))
-        return self.words("answers.another", first=spoken(first[:3])) if rule == "another" else spoken(first)
+        second = {"again": again, "another": other, "shared": other}.get(rule)
+        if second is None:
+            return spoken(first)
+        return self.words(f"answers.{rule}", first=spoken(first[:3]), second=spoken(second[:3]))
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """The student's points."""
@@ -94,6 +97,13 @@ def fault_of_chance(points: Array) -> str:
         return ""
     off = unevenness(points)
     return "uneven" if off > UNEVEN else "too_even" if off < EVEN else ""
+
+
+def shares(first: Array, other: Array) -> bool:
+    """Whether half of the points of one seed, or a coordinate of all of them, come again with another; asked of three and more."""
+    rows = set(map(tuple, first.tolist())) & set(map(tuple, other.tolist()))
+    columns = (first.T[:, None] == other.T).all(axis=2)
+    return len(first) > 2 and (2 * len(rows) >= len(first) or bool(columns.any()))
 
 
 def unevenness(points: Array) -> float:
