@@ -74,6 +74,16 @@ def test_the_reach_board_tells_both_configurations_or_why_there_is_none():
         reach_board(ArmChain([1, 1, 1], 0), (1, 0))
 
 
+def test_points_on_the_torus_lie_on_its_tube():
+    """Every point is a tube's radius from the ring in the middle, at its two angles."""
+    q = np.random.default_rng(3).uniform(-np.pi, np.pi, (50, 2))
+    x, y, z = configurations.on_torus(q).T
+    beside = np.hypot(x, y) - configurations.TORUS[0]
+    assert np.allclose(np.hypot(beside, z), 1.02 * configurations.TORUS[1], rtol=1e-12)
+    assert np.allclose(np.column_stack([np.arctan2(y, x), np.arctan2(z, beside)]), q, atol=1e-9)
+    assert np.allclose(configurations.on_torus(q[0]), configurations.on_torus(q)[0])
+
+
 def test_the_torus_board_draws_no_line_across_the_square():
     """The way is drawn in short pieces, whichever edges it crosses."""
     rng = np.random.default_rng(2)

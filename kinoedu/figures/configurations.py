@@ -82,10 +82,15 @@ def draw_torus(ways: Iterable[tuple[Array, str]], ax: Any = None) -> list[Artist
     artists = draw_mesh(torus_mesh(np.zeros((40, 80), int)), ax, axes=False)
     drawn: Any = artists[0].axes
     for angles, colour in ways:
-        ring, tube = np.asarray(angles, float).T
-        far = TORUS[0] + 1.02 * TORUS[1] * np.cos(tube)
-        artists += drawn.plot(far * np.cos(ring), far * np.sin(ring), 1.02 * TORUS[1] * np.sin(tube), color=colour, lw=4, zorder=5)
+        artists += drawn.plot(*on_torus(angles).T, color=colour, lw=4, zorder=5)
     return artists
+
+
+def on_torus(q: ArrayLike) -> Array:
+    """Where pairs of angles, shape (2,) or (n, 2), lie in space, just above the torus that `draw_torus` draws: (3,) or (n, 3)."""
+    ring, tube = np.moveaxis(np.asarray(q, float), -1, 0)
+    far = TORUS[0] + 1.02 * TORUS[1] * np.cos(tube)
+    return np.stack([far * np.cos(ring), far * np.sin(ring), 1.02 * TORUS[1] * np.sin(tube)], axis=-1)
 
 
 def way_on_torus(a: ArrayLike, b: ArrayLike) -> Array:

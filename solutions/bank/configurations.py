@@ -18,6 +18,12 @@ def ground_moves(bodies, joints):
     return 3 * (bodies + 1) - 2 * sum(len(held) - 1 for held in joints)
 
 
+@wrong("degrees_of_freedom", slip="less_one")
+def ground_among_the_bodies(bodies, joints):
+    """The rule of Gruebler, as if the ground were counted in bodies."""
+    return 3 * (bodies - 1) - 2 * sum(len(held) - 1 for held in joints)
+
+
 @wrong("degrees_of_freedom", slip="shared")
 def two_a_pin(bodies, joints):
     """A pin through three bodies counts as one through two."""
@@ -46,6 +52,12 @@ def bodies_are_points(bodies, joints):
 def every_body_loses_two(bodies, joints):
     """The first body of a pin is held as well."""
     return 3 * bodies - sum(2 * len(held) for held in joints)
+
+
+@wrong("degrees_of_freedom", slip="every_body")
+def every_moving_body_loses_two(bodies, joints):
+    """Only the ground is not held."""
+    return 3 * bodies - sum(2 for held in joints for body in held if body != 0)
 
 
 @wrong("degrees_of_freedom", slip="pins")
@@ -249,6 +261,15 @@ def tip_seen_from_the_elbow(l1, l2, q):
     return elbow, tip - elbow
 
 
+@wrong("forward_kinematics", slip="same_array")
+def tip_is_the_elbow(l1, l2, q):
+    """+= changes the array that has both names."""
+    elbow = np.array([l1 * cos(q[0]), l1 * sin(q[0])])
+    tip = elbow
+    tip += np.array([l2 * cos(q[0] + q[1]), l2 * sin(q[0] + q[1])])
+    return elbow, tip
+
+
 @wrong("forward_kinematics", slip="difference")
 def bends_to_the_right(l1, l2, q):
     """The second angle is subtracted."""
@@ -327,6 +348,18 @@ def the_other_elbow(l1, l2, p):
     return solutions(l1, l2, p)[1:]
 
 
+@wrong("inverse_kinematics", slip="half_mirrored")
+def only_the_bend_mirrored(l1, l2, p):
+    """Link 1 stays where it is."""
+    return [(first, sign * second) for first, second in solutions(l1, l2, p)[:1] for sign in (1, -1)]
+
+
+@wrong("inverse_kinematics", slip="half_mirrored")
+def mirrored_in_the_x_axis(l1, l2, p):
+    """Both angles change their signs, wherever p is."""
+    return [(sign * first, sign * second) for first, second in solutions(l1, l2, p)[:1] for sign in (1, -1)]
+
+
 @wrong("inverse_kinematics", slip="mixed")
 def wrongly_paired(l1, l2, p):
     """The signs are paired wrongly."""
@@ -378,6 +411,20 @@ def angle_in_the_triangle(l1, l2, p):
     return [(first, math.copysign(pi - abs(second), second)) for first, second in solutions(l1, l2, p)]
 
 
+@wrong("inverse_kinematics", slip="inner_angle")
+def law_of_cosines_by_heart(l1, l2, p):
+    """The angle inside the triangle, used for the bend throughout."""
+    far = hypot(*p)
+    if far == 0 and l1 == l2:
+        raise ValueError("infinitely many")
+    cosine = (l1 * l1 + l2 * l2 - far * far) / (2 * l1 * l2)
+    if abs(cosine) > 1:
+        return []
+    bend = math.acos(cosine)
+    lead = atan2(l2 * sin(bend), l1 + l2 * cos(bend))
+    return [(atan2(p[1], p[0]) - lead, bend), (atan2(p[1], p[0]) + lead, -bend)]
+
+
 @wrong("inverse_kinematics", slip="degrees")
 def degrees_out(l1, l2, p):
     """Returns degrees."""
@@ -418,6 +465,35 @@ def never_too_near(l1, l2, p):
     """Forgets the hole."""
     if hypot(*p) < abs(l1 - l2):
         return [(atan2(p[1], p[0]), pi)]
+    return solutions(l1, l2, p)
+
+
+@wrong("inverse_kinematics")
+def hole_of_a_longer_first_link(l1, l2, p):
+    """Compares with l1 - l2, and clips the cosine: with a longer link 2 there is no hole."""
+    far = hypot(*p)
+    if far == 0 and l1 == l2:
+        raise ValueError("infinitely many")
+    if not l1 - l2 <= far <= l1 + l2:
+        return []
+    bend = math.acos(min(max((far * far - l1 * l1 - l2 * l2) / (2 * l1 * l2), -1.0), 1.0))
+    lead = atan2(l2 * sin(bend), l1 + l2 * cos(bend))
+    return [(atan2(p[1], p[0]) - lead, bend), (atan2(p[1], p[0]) + lead, -bend)]
+
+
+@wrong("inverse_kinematics")
+def axis_for_the_base(l1, l2, p):
+    """One coordinate of p is 0: taken for the base."""
+    if l1 == l2 and not np.all(p):
+        raise ValueError("infinitely many")
+    return solutions(l1, l2, p)
+
+
+@wrong("inverse_kinematics")
+def refuses_every_base(l1, l2, p):
+    """Refuses the origin, also where the links are not equal."""
+    if hypot(*p) == 0:
+        raise ValueError("infinitely many")
     return solutions(l1, l2, p)
 
 

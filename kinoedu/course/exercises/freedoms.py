@@ -30,11 +30,13 @@ class DegreesOfFreedom(ValueExercise):
     source = staticmethod(freedoms)
     slips = (
         Slip("ground", lambda bodies, joints: freedoms(bodies + 1, joints)),
+        Slip("less_one", lambda bodies, joints: freedoms(bodies - 1, joints)),
         Slip("shared", lambda bodies, joints: 3 * bodies - 2 * len(joints)),
         Slip("three", lambda bodies, joints: 3 * bodies - 3 * sum(len(held) - 1 for held in joints)),
         Slip("one", lambda bodies, joints: 3 * bodies - sum(len(held) - 1 for held in joints)),
         Slip("points", lambda bodies, joints: 2 * bodies - sum(2 * (len(held) - 1) for held in joints)),
         Slip("every_body", lambda bodies, joints: 3 * bodies - sum(2 * len(held) for held in joints)),
+        Slip("every_body", lambda bodies, joints: 3 * bodies - sum(2 * np.count_nonzero(held) for held in joints)),
         Slip("pins", lambda bodies, joints: len(joints)),
         Slip("no_pins", lambda bodies, joints: 3 * bodies),
         Slip("never_less", lambda bodies, joints: max(0, freedoms(bodies, joints))),
@@ -49,6 +51,7 @@ class DegreesOfFreedom(ValueExercise):
             ("arm", 2, [[0, 1], [1, 2]]),
             ("loose", 2, [[1, 2]]),
             ("loose", 3, [[1, 2]]),
+            ("loose", 4, [[1, 2]]),
             ("loop", 3, [[0, 1], [1, 2], [2, 3], [0, 3]]),
             ("shared", 2, [[0, 1, 2]]),
             ("shared", 3, [[1, 2, 3]]),

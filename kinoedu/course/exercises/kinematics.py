@@ -1,7 +1,8 @@
 """Exercises on the arm of two links: where its joints are, and which angles take its tip to a place. Bullo & Smith, section 3.3."""
 
 from collections.abc import Iterator
-from math import acos, atan, atan2, hypot, pi
+from functools import partial
+from math import acos, atan, atan2, cos, hypot, pi, sin
 from typing import Any
 
 import numpy as np
@@ -11,7 +12,7 @@ from ...geometry.checks import Array
 from ...robots import TwoLinkArm
 from ...robots.arm import ArmRobot, joints_at
 from ..exercise import Case, Slip, ValueExercise, Verdict
-from ..outcomes import Answer, Outcome
+from ..outcomes import Answer, Outcome, Raised
 from ..shapes import Number, Numbers, Record
 from .configuration_pictures import draw_joints, draw_solutions
 from .law_of_sines import inverse_by_sines
@@ -30,6 +31,12 @@ def arm_solutions(l1: float, l2: float, p: Array) -> Array:
     return np.array(TwoLinkArm(l1, l2, 0.0).inverse(p)).reshape(-1, 2)
 
 
+def half_mirrored(first: int, signs: tuple[int, int], l1: float, l2: float, p: Array) -> Array:
+    """One solution, and what is taken for its mirror image: with link 1 left where it is, or mirrored in the x-axis."""
+    one = arm_solutions(l1, l2, p)[first:][:1]
+    return np.vstack([one, one * signs])
+
+
 class ForwardKinematics(ValueExercise):
     """Two angles to the elbow and the tip."""
 
@@ -44,6 +51,7 @@ class ForwardKinematics(ValueExercise):
         Slip("absolute", lambda l1, l2, q: arm_joints(l1, l2, (q[0], q[1] - q[0]))),
         Slip("swapped", lambda l1, l2, q: arm_joints(l1, l2, q)[::-1]),
         Slip("from_elbow", lambda l1, l2, q: np.array([arm_joints(l1, l2, q)[0], np.diff(arm_joints(l1, l2, q), axis=0)[0]])),
+        Slip("same_array", lambda l1, l2, q: arm_joints(l1, l2, q)[[1, 1]]),
         Slip("difference", lambda l1, l2, q: arm_joints(l1, l2, (q[0], -q[1]))),
         Slip("axes", lambda l1, l2, q: arm_joints(l1, l2, q)[:, ::-1]),
         Slip("one_length", lambda l1, l2, q: arm_joints(l1, l1, q)),
@@ -91,6 +99,7 @@ class InverseKinematics(ValueExercise):
     slips = (
         Slip("one", lambda l1, l2, p: arm_solutions(l1, l2, p)[:1]),
         Slip("one", lambda l1, l2, p: arm_solutions(l1, l2, p)[-1:]),
+        *(Slip("half_mirrored", partial(half_mirrored, first, signs)) for first in (0, -1) for signs in ((1, -1), (-1, -1))),
         Slip("mixed", lambda l1, l2, p: arm_solutions(l1, l2, p) * (1, -1)),
         Slip("absolute", lambda l1, l2, p: [(q[0], q[0] + q[1]) for q in arm_solutions(l1, l2, p)]),
         Slip("half_plane", lambda l1, l2, p: by_cosines(l1, l2, p, atan(p[1] / p[0]))),
@@ -99,6 +108,7 @@ class InverseKinematics(ValueExercise):
         Slip("exchanged", lambda l1, l2, p: by_cosines(l1, l2, p, atan2(p[1], p[0]), exchanged=True)),
         Slip("sines", inverse_by_sines),
         Slip("inner_angle", lambda l1, l2, p: [(q[0], np.sign(q[1]) * (pi - abs(q[1]))) for q in arm_solutions(l1, l2, p)]),
+        Slip("inner_angle", lambda l1, l2, p: by_inner_angle(l1, l2, p)),
         Slip("degrees", lambda l1, l2, p: np.degrees(arm_solutions(l1, l2, p))),
         Slip("degrees", lambda l1, l2, p: np.degrees(by_cosines(l1, l2, p, atan2(p[1], p[0])))),
     )
@@ -115,8 +125,10 @@ class InverseKinematics(ValueExercise):
             ("too_near", 3, 1, (1, 0)),
             ("inner_rim", 3, 1, (2, 0)),
             ("two", 2, 1, (-2, -1)),
+            ("two", 1, 1, (0, -0.5)),
             ("outer_rim", 2, 3, (-3, 4)),
             ("inner_rim", 1, 3, (2, 0)),
+            ("too_near", 1, 3, (1, 0)),
             ("too_near", 2, 1, (0, 0)),
             ("endless", 1, 1, (0, 0)),
         ):
@@ -135,12 +147,19 @@ class InverseKinematics(ValueExercise):
             apart = np.abs(np.remainder(some[:, None] - others[None] + pi, 2.0 * pi) - pi)
             return bool(np.all(np.any(np.all(apart <= self.tolerance, axis=2), axis=1)))
 
+    def judge(self, case: Case, outcome: Outcome) -> Verdict:
+        """A ValueError, the student's own or that of acos, is answered by what holds for such a target."""
+        verdict = super().judge(case, outcome)
+        if isinstance(outcome, Raised) and "ValueError" in outcome.kinds and verdict.rule == "raised":
+            return verdict._replace(rule="refused" if case.kind == "two" else case.kind)
+        return verdict
+
     def value_verdict(self, case: Case, value: Any) -> Verdict:
         """A configuration listed must be right; and none may be missing."""
         verdict, truth = super().value_verdict(case, value), self.truth(case)
-        if verdict.is_right or len(truth) == 0:
+        if verdict.is_right or len(truth) == 0 or self.are_among(value, truth):
             return verdict
-        return verdict._replace(rule="missing" if self.are_among(value, truth) else "reaches")
+        return verdict._replace(rule="reaches")
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """What the tip reaches, the target, and the arms that lead there."""
@@ -162,13 +181,21 @@ def random_targets(rng: np.random.Generator, size: float) -> Iterator[Case]:
     margin = 0.02 * outer
     yield arm_case("two", l1, l2, p=np.round(rng.uniform(inner + margin, outer - margin) * direction, 3))
     yield arm_case("too_far", l1, l2, p=np.round(rng.uniform(1.02, 2.0) * outer * direction, 3))
-    yield arm_case("too_near", l1, l1 / 4, p=np.round(rng.uniform(0.1, 0.7) * l1 * direction, 3))
+    yield arm_case("too_near", *rng.permutation([l1, l1 / 4]), p=np.round(rng.uniform(0.1, 0.7) * l1 * direction, 3))
     corner = rng.choice(WHOLE_CORNERS) * rng.choice([-1, 1], 2)
     far = int(hypot(*corner))
     first, swap = int(rng.integers(1, far)), rng.permutation([0, 1])
     yield arm_case("outer_rim", first, far - first, p=corner[swap])
     yield arm_case("inner_rim", *np.array([first, far + first])[rng.permutation([0, 1])], p=corner[swap])
     yield arm_case("endless", l1, l1, p=(0.0, 0.0))
+
+
+def by_inner_angle(l1: float, l2: float, p: Array) -> list[tuple[float, float]]:
+    """Both solutions, with the angle inside the triangle taken for the bend."""
+    far, heading = hypot(*p), atan2(p[1], p[0])
+    bend = acos((l1 * l1 + l2 * l2 - far * far) / (2.0 * l1 * l2))
+    lead = atan2(l2 * sin(bend), l1 + l2 * cos(bend))
+    return [(heading - lead, bend), (heading + lead, -bend)]
 
 
 def by_cosines(l1: float, l2: float, p: Array, heading: float, *, exchanged: bool = False) -> list[tuple[float, float]]:
