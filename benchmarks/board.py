@@ -27,28 +27,29 @@ import kinoedu as ke
 ke.board(ke.read_problem({str(HOUSE / "notebooks" / "maps" / "Paris_1_256.map")!r}, query=324))
 """
 BUG = """
-from kinoedu.boards import bug_board, search_board, sweep_board
+from kinoedu.boards import bug_board
 bug_board((0, 0), (5, 3), [[(1, 2), (1, 0), (3, 0)], [(2, 3), (4, 1), (5, 2)]], bug="bug1")
 """
-SWEEP = "sweep_board(ke.PolygonWorld([(0, 0), (12, 0), (12, 9), (0, 9)], obstacles[:4]))"
+SWEEP = f"""
+{SCENE.replace("ke.board(", "(")}
+from kinoedu.boards import sweep_board
+sweep_board(ke.PolygonWorld([(0, 0), (12, 0), (12, 9), (0, 9)], obstacles[:4]))
+"""
 SEARCH = """
 import numpy as np
+from kinoedu.boards import search_board
 from kinoedu.graphs import Graph
 nodes = np.random.default_rng(1).random((30, 2))
 near = {tuple(sorted((i, int(j)))) for i in range(30) for j in np.argsort(((nodes - nodes[i]) ** 2).sum(axis=1))[1:4]}
 search_board(Graph(nodes=nodes, edges=sorted(near)), search="astar")
 """
-DRAGGED = (  # what, the thing, the number of the board (the plot of the bugs' is one too)
-    ("goal", "handle-1", 0),
-    ("polygon", "polygon-2", 0),
-    ("goal in the town", "handle-1", 1),
-    ("goal of a bug", "handle-1", 2),
-    ("obstacle of a bug", "polygon-0", 2),
-    ("sweep line", "handle-0", 4),
-    ("obstacle under the sweep", "polygon-2", 4),
-    ("goal of a search", "handle-1", 5),
-    ("node of a search", "handle-9", 5),
-)
+DRAGGED = {  # on the first board of each notebook: what, and the thing
+    SCENE: (("goal", "handle-1"), ("polygon", "polygon-2")),
+    TOWN: (("goal in the town", "handle-1"),),
+    BUG: (("goal of a bug", "handle-1"), ("obstacle of a bug", "polygon-0")),
+    SWEEP: (("sweep line", "handle-0"), ("obstacle under the sweep", "polygon-2")),
+    SEARCH: (("goal of a search", "handle-1"), ("node of a search", "handle-9")),
+}
 LISTEN = """board => { window.events = []; window.held = board; if (board.heard) return; board.heard = true;
     for (const what of ['asked', 'answered', 'painted'])
         board.addEventListener('kinoedu-' + what,
@@ -65,9 +66,9 @@ DRAG = """([board, x, y, seconds]) => new Promise(done => {
 GOALS = {"plans": 30.0, "paints": 50.0}
 
 
-def drag(page: Any, name: str, number: int, seconds: float) -> dict[str, float]:
-    """Drag a thing of a board round in circles; what was seen meanwhile."""
-    board = page.locator(".kinoedu-board").nth(number)
+def drag(page: Any, name: str, seconds: float) -> dict[str, float]:
+    """Drag a thing of a page's first board round in circles; what was seen meanwhile."""
+    board = page.locator(".kinoedu-board").first
     board.scroll_into_view_if_needed()
     page.wait_for_timeout(500)
     box = board.locator(f"[data-thing={name}]").bounding_box()
@@ -101,6 +102,14 @@ def seen(events: list[Any], spent: float) -> dict[str, float]:
     }
 
 
+def told(what: str, rounds: list[dict[str, float]]) -> None:
+    """Print the medians of some rounds as a row."""
+    mean = {key: float(np.median([r[key] for r in rounds])) for key in rounds[0]}
+    verdict = "holds" if all(mean[key] >= least for key, least in GOALS.items()) and not mean["backward"] else "MISSED"
+    cells = [f"{mean[key]:.3g}" for key in ("moves", "plans", "paints", "delay", "late", "backward")]
+    print(f"| {what} | {' | '.join(cells)} | {verdict} |", flush=True)
+
+
 def main() -> None:
     """Drag on every board and print a table."""
     options = argparse.ArgumentParser(description=__doc__)
@@ -112,16 +121,16 @@ def main() -> None:
     print("| what is dragged | moves/s | plans/s | paints/s | delay ms, median | 95 % | out of order | |")
     print("|---|---:|---:|---:|---:|---:|---:|---|")
     with tempfile.TemporaryDirectory() as home, tempfile.TemporaryDirectory() as course:
-        (Path(course) / "board.ipynb").write_text(written_notebook(SCENE, TOWN, BUG, SWEEP, SEARCH))
-        with lab(Path(course), Path(home)) as (address, token), notebook_page(address, token, "board.ipynb") as page:
-            page.evaluate(RUN_ALL)
-            page.wait_for_selector(".kinoedu-board[data-answers]")
-            for what, name, number in DRAGGED:
-                rounds = [drag(page, name, number, given.seconds) for _ in range(given.repeats)]
-                mean = {key: float(np.median([r[key] for r in rounds])) for key in rounds[0]}
-                verdict = "holds" if all(mean[key] >= least for key, least in GOALS.items()) and not mean["backward"] else "MISSED"
-                cells = [f"{mean[key]:.3g}" for key in ("moves", "plans", "paints", "delay", "late", "backward")]
-                print(f"| {what} | {' | '.join(cells)} | {verdict} |", flush=True)
+        for number, code in enumerate(DRAGGED):
+            (Path(course) / f"{number}.ipynb").write_text(written_notebook(code))
+        with lab(Path(course), Path(home)) as (address, token):
+            for number, things in enumerate(DRAGGED.values()):
+                with notebook_page(address, token, f"{number}.ipynb") as page:
+                    page.evaluate(RUN_ALL)
+                    page.wait_for_selector(".kinoedu-board[data-answers]")
+                    page.wait_for_timeout(2000)  # JupyterLab is still moving cells about
+                    for what, name in things:
+                        told(what, [drag(page, name, given.seconds) for _ in range(given.repeats)])
 
 
 if __name__ == "__main__":
