@@ -82,7 +82,8 @@ def where_widest(region: NDArray[np.bool_]) -> tuple[float, float] | None:
     from scipy.ndimage import distance_transform_edt
 
     depth = distance_transform_edt(np.pad(region, 1))[1:-1, 1:-1]
-    row, column = np.unravel_index(int(depth.argmax()), depth.shape)
+    widest = np.argwhere(depth > depth.max() - 0.5)
+    row, column = widest[np.abs(widest - len(region) / 2).sum(axis=1).argmin()]  # of a stripe, the middle
     if depth[row, column] < 0.03 * len(region):
         return None
     x, y = ((float(index) + 0.5) * 2.0 * np.pi / len(region) - np.pi for index in (column, row))

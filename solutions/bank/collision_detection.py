@@ -300,6 +300,13 @@ def without_closing_edges(P1, P2):
     return any(segments_intersect(*pair) for pair in pairs)
 
 
+@wrong("convex_polygons_intersect")
+def points_of_the_edges(P1, P2):
+    """Asks for 101 points of every edge: thin bars that cross slip between them."""
+    rows = [np.vstack([a + np.linspace(0, 1, 101)[:, None] * (b - a) for a, b in edges(P)]) for P in (P1, P2)]
+    return some_in(rows[0], P2) or some_in(rows[1], P1)
+
+
 # The C-obstacle
 
 
@@ -471,6 +478,12 @@ def says_true(q, lengths, width, discs):
     return touched_link(q, lengths, width, discs) > 0
 
 
+@wrong("link_in_contact", slip="open")
+def points_of_the_links(q, lengths, width, discs):
+    """Measures to 101 points of each link."""
+    return link_by(lambda p, a, b: min(math.dist(p, x) for x in np.linspace(a, b, 101)), q, lengths, width, discs)
+
+
 # A drawing of the arm
 
 
@@ -550,6 +563,14 @@ def draws_boxes_for_discs(q, lengths, width, discs, ax):
     ax.plot(*ends.T, "o", label="joints")
 
 
+@wrong("plot_environment", slip="one_disc")
+def labels_the_first_disc(q, lengths, width, discs, ax):
+    """One label for a legend."""
+    drawn(q, lengths, width, discs, ax)
+    for patch in ax.patches[3:]:
+        patch.set_label(None)
+
+
 # The picture of the configuration space
 
 
@@ -625,6 +646,18 @@ def green_is_free(samples, lengths, width, discs, ax):
 def a_line_through_the_dots(samples, lengths, width, discs, ax):
     """Forgets the marker."""
     ax.plot(*(FULL * samples).T, color="blue")
+
+
+@wrong("plot_configuration_space")
+def pale_colours(samples, lengths, width, discs, ax):
+    """Grey for black, and a pale blue."""
+    dotted(FULL * samples, FULL * samples, (lengths, width, discs), ax, ("skyblue", "dimgray", "crimson"))
+
+
+@wrong("plot_configuration_space")
+def half_a_turn_off(samples, lengths, width, discs, ax):
+    """Takes the samples from -pi to pi, as the lesson's axes run."""
+    dotted(FULL * samples - np.pi, FULL * samples - np.pi, (lengths, width, discs), ax)
 
 
 # Break it

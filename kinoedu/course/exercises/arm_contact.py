@@ -122,9 +122,9 @@ def random_case(rng: np.random.Generator, kind: str, n: int) -> Case:
 
 
 def touching_case(rng: np.random.Generator, n: int) -> Case:
-    """An arm along the x-axis that touches the last of n discs, exactly: eighths are not rounded."""
+    """An arm along the x-axis that touches the last of n discs, exactly, at any eighth: eighths are not rounded."""
     lengths, half = rng.integers(4, 17, 2) / 4.0, int(rng.integers(1, 5)) / 8.0
-    radius, along = int(rng.integers(2, 9)) / 8.0, float(rng.choice([0.25, 0.5])) * lengths[0]
+    radius, along = int(rng.integers(2, 9)) / 8.0, int(rng.integers(1, 8 * lengths[0])) / 8.0
     x = along if rng.random() < 0.5 else lengths[0] + lengths[1] / 2
     y = float(rng.choice([-1.0, 1.0])) * (radius + half)
     far = [(-9.0 - i, 9.0, 0.5) for i in range(n - 1)]

@@ -16,6 +16,8 @@ from .arm_pictures import draw_samples
 from .drawn_exercise import FULL, DrawnExercise, same_dots
 from .lines import POINT
 
+OTHER = 9  # stands for a colour that is none of the three
+
 
 class PlotConfigurationSpace(DrawnExercise):
     """Samples of the configuration space as dots: black where link 1 touches a disc, red where link 2 does, blue where free."""
@@ -52,14 +54,16 @@ class PlotConfigurationSpace(DrawnExercise):
         return same_dots(dots_of(value), truth, modulo=True)
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """First the number of dots, then where they are, then their colours."""
+        """First the number of dots, then where they are, then their colours: one of the three, and the right one."""
         truth, found = self.truth(case), dots_of(value)
         if same_dots(found, truth, modulo=True):
             return RIGHT
         if len(found) != len(truth):
             return Verdict(0.0, "count", self.wanted(case))
         in_place = same_dots(found[:, :2], truth[:, :2], modulo=True)
-        return Verdict(0.0, "colours" if in_place else "places", self.wanted(case))
+        if not in_place:
+            return Verdict(0.0, "places", self.wanted(case))
+        return Verdict(0.0, "shades" if (found[:, 2] == OTHER).any() else "colours", self.wanted(case))
 
     def answer_words(self, case: Case, value: Any) -> str:
         """How many dots of each colour."""
@@ -75,21 +79,21 @@ class PlotConfigurationSpace(DrawnExercise):
 
 
 def dots_of(plot: Any) -> Array:
-    """The dots of a plot as rows of both angles and the link that their colour stands for, 9 for none of the three."""
+    """The dots of a plot as rows of both angles and the link that their colour stands for, or OTHER."""
     rows = [(*point, shade(one["colour"])) for one in plot["dots"] for point in one["points"]]
     return np.array(rows, float).reshape(-1, 3)
 
 
 def shade(colour: str) -> int:
-    """0 for any blue, 1 for any black, 2 for any red, 9 for another colour."""
+    """0 for any blue, 1 for any black, 2 for any red, OTHER for another colour."""
     if colour == "none":
-        return 9
+        return OTHER
     red, green, blue = (int(colour[i : i + 2], 16) for i in (1, 3, 5))
     if max(red, green, blue) < 70:
         return 1
     if red > 100 and red > 1.5 * max(green, blue):
         return 2
-    return 0 if blue > 100 and blue > 1.2 * max(red, green) else 9
+    return 0 if blue > 100 and blue > 1.2 * max(red, green) else OTHER
 
 
 def recoloured(dots: Array, links: tuple[int, int, int]) -> Array:
@@ -110,7 +114,11 @@ def rightly(samples: Array, *arm: Any) -> Array:
 def counted(dots: Array) -> str:
     """How many dots there are of each colour."""
     blue, black, red = (int((dots[:, 2] == link).sum()) for link in range(3))
-    return say("plot_configuration_space.counted", all=len(dots), blue=blue, black=black, red=red)
+    counts = {"all": len(dots), "blue": blue, "black": black, "red": red}
+    others = len(dots) - blue - black - red
+    if others:
+        return say("plot_configuration_space.counted_others", **counts, others=others)
+    return say("plot_configuration_space.counted", **counts)
 
 
 def sampled_arm(rng: np.random.Generator, kind: str, k: int) -> dict[str, Any]:
