@@ -136,8 +136,13 @@ def pattern_drawn(ring: Array, home: Array) -> list[Layer]:
         dots(ring, "obstacle", radius=5.0),
         dots(ring, "free", radius=3.5),
         dots([home], "ink", radius=4.0),
-        labels([home], [say("slide_board.point")], "ink"),
+        labels([below(ring)], [say("slide_board.point")], "ink"),
     ]
+
+
+def below(ring: Array) -> Array:
+    """A place under a ring, off its vertices' numbers."""
+    return np.array([ring[:, 0].min(), ring[:, 1].min() - 0.35 * np.ptp(ring[:, 1])])
 
 
 def way_drawn(way: Slide, q: Array, stretch: int) -> list[Layer]:
