@@ -16,15 +16,15 @@ LESSONS = sorted(path.name for path in (HOUSE / "notebooks").glob("*.ipynb"))
 TOLD = "document.querySelectorAll('.kinoedu-told')"
 SCROLL = "number => jupyterapp.shell.currentWidget.content.scrollToItem(number, 'center')"  # JupyterLab renders what is in view
 SHOW = """number => jupyterapp.shell.currentWidget.content.widgets[number].node
-    .querySelector('.kinoedu-board').scrollIntoView({block: 'center'})"""
+    .querySelector('.kinoedu-board, .kinoedu-solid').scrollIntoView({block: 'center'})"""
 SHUT_DOWN = "() => jupyterapp.shell.currentWidget.sessionContext.shutdown()"
 PAINTED = """number => {
     const cell = jupyterapp.shell.currentWidget.content.widgets[number].node;
-    const boards = [...cell.querySelectorAll('.kinoedu-board')].map(board => board.dataset);
-    return boards.length && boards.every(({answers, paints}) => answers > 0 && paints > 0); }"""
+    const boards = [...cell.querySelectorAll('.kinoedu-board, .kinoedu-solid')].map(board => board.dataset);
+    return boards.length && boards.every(({answers = 1, paints}) => answers > 0 && paints > 0); }"""
 COLOURS = """number => {
     const cell = jupyterapp.shell.currentWidget.content.widgets[number].node;
-    return [...cell.querySelectorAll('.kinoedu-canvas')].map(canvas => {
+    return [...cell.querySelectorAll('.kinoedu-canvas, .kinoedu-solid canvas')].map(canvas => {
         const pixels = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
         return new Set(new Uint32Array(pixels.buffer)).size; }); }"""
 
