@@ -33,7 +33,7 @@ def short_time(monkeypatch):
     geometry.point_in_polygon((1, 1), polygon)
     for exercise in EXERCISES.values():
         exercise.wanted(next(iter(exercise.cases(np.random.default_rng(0)))))
-        monkeypatch.setattr(type(exercise), "seconds", 2.0)
+        monkeypatch.setattr(type(exercise), "seconds", 4.0)
 
 
 def judged(exercise, function, seed=0):
