@@ -5,12 +5,11 @@ JupyterLab in headless Chromium; and answers a second while the tip or q is.
 import argparse
 import sys
 import tempfile
-import time
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from board import CHROMIUM, DRAG, LISTEN, RUN_ALL, lab, notebook_page, seen, written_notebook
+from board import CHROMIUM, RUN_ALL, drag, lab, notebook_page, written_notebook
 
 ARM = """
 import kinoedu as ke
@@ -28,27 +27,15 @@ DRAGGED = (
 PICTURES, PLANS = 10.0, 30.0  # a second: of an obstacle that is dragged, and answers to anything else
 
 
-def drag(page: Any, name: str, number: int, seconds: float) -> dict[str, float]:
-    """Drag a thing round in circles; the rates meanwhile, with that of the pictures that came to the square."""
+def dragged(page: Any, name: str, number: int, seconds: float) -> dict[str, float]:
+    """What is seen while a thing is dragged, with the rate of the pictures that came to the square; then all is put back."""
     boards = page.locator(".kinoedu-board")
-    held, square = boards.nth(number), boards.nth(SQUARE)
-    held.scroll_into_view_if_needed()
+    before = int(boards.nth(SQUARE).get_attribute("data-bitmaps"))
+    rates = drag(page, name, seconds, number)
+    pictures = (int(boards.nth(SQUARE).get_attribute("data-bitmaps")) - before) / rates["spent"]
+    boards.nth(number).locator(".kinoedu-reset").click()
     page.wait_for_timeout(500)
-    box = held.locator(f"[data-thing={name}]").bounding_box()
-    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
-    held.evaluate(LISTEN)
-    page.mouse.move(x, y)
-    page.mouse.down()
-    page.mouse.move(x, y + 1)
-    before, began = int(square.get_attribute("data-bitmaps")), time.perf_counter()
-    moves = page.evaluate(DRAG, [held.element_handle(), x, y, seconds])
-    spent, events = time.perf_counter() - began, page.evaluate("events.slice()")
-    pictures = (int(square.get_attribute("data-bitmaps")) - before) / spent
-    page.mouse.up()
-    page.wait_for_timeout(500)
-    held.locator(".kinoedu-reset").click()
-    page.wait_for_timeout(500)
-    return {"moves": moves, "pictures": pictures, **seen(events, spent)}
+    return {**rates, "pictures": pictures}
 
 
 def main() -> None:
@@ -67,7 +54,7 @@ def main() -> None:
             page.evaluate(RUN_ALL)
             page.wait_for_selector(".kinoedu-board[data-answers]")
             for what, name, number in DRAGGED:
-                rounds = [drag(page, name, number, given.seconds) for _ in range(given.repeats)]
+                rounds = [dragged(page, name, number, given.seconds) for _ in range(given.repeats)]
                 mean = {key: float(np.median([r[key] for r in rounds])) for key in rounds[0]}
                 goal, rate = (PICTURES, mean["pictures"]) if name.startswith(("disc", "polygon")) else (PLANS, mean["plans"])
                 cells = [f"{mean[key]:.3g}" for key in ("moves", "pictures", "plans", "paints", "delay", "late", "backward")]

@@ -66,9 +66,9 @@ DRAG = """([board, x, y, seconds]) => new Promise(done => {
 GOALS = {"plans": 30.0, "paints": 50.0}
 
 
-def drag(page: Any, name: str, seconds: float) -> dict[str, float]:
-    """Drag a thing of a page's first board round in circles; what was seen meanwhile."""
-    board = page.locator(".kinoedu-board").first
+def drag(page: Any, name: str, seconds: float, number: int = 0) -> dict[str, float]:
+    """Drag a thing of one of a page's boards round in circles; what was seen meanwhile, and for how long."""
+    board = page.locator(".kinoedu-board").nth(number)
     board.scroll_into_view_if_needed()
     page.wait_for_timeout(500)
     box = board.locator(f"[data-thing={name}]").bounding_box()
@@ -83,7 +83,7 @@ def drag(page: Any, name: str, seconds: float) -> dict[str, float]:
     events = page.evaluate("events.slice()")
     page.mouse.up()
     page.wait_for_timeout(500)
-    return {"moves": moves, **seen(events, spent), "stale": float(board.get_attribute("data-stale"))}
+    return {"spent": spent, "moves": moves, **seen(events, spent), "stale": float(board.get_attribute("data-stale"))}
 
 
 def seen(events: list[Any], spent: float) -> dict[str, float]:

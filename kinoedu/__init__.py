@@ -8,29 +8,15 @@ A plan in four lines:
 >>> plan.path is not None
 True
 
-The rooms of the house: `geometry`, `graphs`, `spaces`, `sampling`, `curves`, `worlds`, `robots`, `collision`, `problems`,
-`decomposition`, `c_space`, `planners`, `scenes`; and `figures` and `boards`, which are imported when first used, because they bring
+The rooms of the house: `geometry`, `graphs`, `spaces`, `curves`, `worlds`, `robots`, `collision`, `problems`, `decomposition`,
+`planners`, `scenes`; and imported when first used, `sampling`, `c_space`, `course`, and `figures` and `boards`, which bring
 matplotlib and ipywidgets.
 """
 
 from importlib import import_module
 from typing import Any
 
-from . import (
-    c_space,
-    collision,
-    curves,
-    decomposition,
-    geometry,
-    graphs,
-    planners,
-    problems,
-    robots,
-    sampling,
-    scenes,
-    spaces,
-    worlds,
-)
+from . import collision, curves, decomposition, geometry, graphs, planners, problems, robots, scenes, spaces, worlds
 from .collision import link_in_contact
 from .curves import dubins_path, reeds_shepp_path
 from .decomposition import decomposition_roadmap, sweep, trapezoidation, triangulation
@@ -65,7 +51,6 @@ from .planners import (
 )
 from .problems import Plan, Problem, Recorder
 from .robots import Car, Disk, Point, RigidPolygon, TranslatingPolygon, TwoLinkArm
-from .sampling import corner_grid, dispersion, halton, sukharev_grid, uniform_random
 from .scenes import read_problem, read_scene, write_scene
 from .spaces import circle_distance, torus_distance
 from .worlds import PolygonWorld, Terrain, read_world, scan
@@ -73,13 +58,21 @@ from .worlds import PolygonWorld, Terrain, read_world, scan
 __version__ = "0.1.0"
 
 
+LATER = {"board": "boards"} | dict.fromkeys(("corner_grid", "dispersion", "halton", "sukharev_grid", "uniform_random"), "sampling")
+
+
 def __getattr__(name: str) -> Any:
-    """Import the rooms that draw at their first use."""
-    if name in ("figures", "boards", "course"):
+    """Import a room that draws, or that no plan needs, at its first use."""
+    if name in ("boards", "c_space", "course", "figures", "sampling"):
         return import_module(f"{__name__}.{name}")
-    if name == "board":
-        return import_module(f"{__name__}.boards").board
+    if name in LATER:
+        return getattr(import_module(f"{__name__}.{LATER[name]}"), name)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    """All names, those as well that are not imported yet."""
+    return __all__
 
 
 __all__ = [

@@ -142,7 +142,7 @@ def pattern_drawn(ring: Array, home: Array) -> list[Layer]:
 
 def below(ring: Array) -> Array:
     """A place under a ring, off its vertices' numbers."""
-    return np.array([ring[:, 0].min(), ring[:, 1].min() - 0.35 * np.ptp(ring[:, 1])])
+    return np.array([ring[:, 0].min(), ring[:, 1].min() - 0.55 * np.ptp(ring[:, 1])])
 
 
 def way_drawn(way: Slide, q: Array, stretch: int) -> list[Layer]:

@@ -9,8 +9,10 @@ from ..compiled import Compiled
 from ..errors import InvalidParameter, InvalidPoint
 from ..geometry.checks import Array, as_array
 from ..problems import MOTIONS, ProblemRecord, Recorder
+from ..robots.round import RoundRobot
 from ..spaces import diameter
 from ..spaces.buckets import GrowingTree, empty_tree
+from ..worlds.polygon_world import PolygonWorldRecord
 
 
 class OwnProblem:
@@ -90,6 +92,17 @@ def new_tree(problem: Any, capacity: int) -> GrowingTree:
     if space is None:
         return empty_tree(capacity, problem.start, problem.start)
     return empty_tree(capacity, space.lo, space.hi)
+
+
+def check_exact(problem: Any, planner: str) -> None:
+    """Raise InvalidParameter unless a point is to move among polygons, without a margin: what exact planners are for."""
+    inner = problem.problem if isinstance(problem, Recorder) else problem
+    if not isinstance(inner, ProblemRecord) or not isinstance(inner.world, PolygonWorldRecord):
+        raise InvalidParameter(f"{planner} needs a Problem(Point(), PolygonWorld(...), start, goal)")
+    if not isinstance(inner.robot, RoundRobot) or inner.robot.radius + inner.clearance > 0.0:
+        raise InvalidParameter(
+            f"{planner} moves a point without clearance; for a disk or a margin grow the obstacles first, and then plan for Point()"
+        )
 
 
 def both_ways(problem: Any, planner: str) -> Any:

@@ -12,14 +12,11 @@ from numpy.typing import NDArray
 
 from ..compiled import body
 from ..decomposition import decomposition_roadmap, trapezoidation
-from ..errors import InvalidParameter
 from ..geometry.checks import Array
 from ..graphs import Graph, astar, dijkstra
-from ..problems import MOTIONS, Plan, ProblemRecord, Recorder, Roadmap
-from ..robots.round import RoundRobot
-from ..worlds.polygon_world import PolygonWorldRecord
+from ..problems import MOTIONS, Plan, Roadmap
 from .answers import plan_along
-from .asking import body_for
+from .asking import body_for, check_exact
 
 
 def plan_by_decomposition(problem: Any) -> Plan:
@@ -38,7 +35,7 @@ def plan_by_decomposition(problem: Any) -> Plan:
     >>> plan.path.tolist()
     [[1.0, 1.0], [1.5, 3.0], [3.0, 5.0], [4.5, 5.0], [6.0, 5.0], [7.5, 3.0], [8.0, 1.0]]
     """
-    check_exact(problem)
+    check_exact(problem, "planning by decomposition")
     cut = trapezoidation(problem.world)
     at_start, at_goal = cut.cells_at(problem.start), cut.cells_at(problem.goal)
     roadmap = with_ends(decomposition_roadmap(cut), problem, at_start, at_goal)
@@ -51,18 +48,6 @@ def plan_by_decomposition(problem: Any) -> Plan:
     stats = {"cells": n, "nodes": len(roadmap.nodes), "edges": len(roadmap.edges), "checks": int(problem.asked[MOTIONS] - before)}
     shown = Roadmap(roadmap.nodes, roadmap.edges[free])
     return plan_along(problem, roadmap.nodes, numbers, reason, planner="decomposition", roadmap=shown, stats=stats)
-
-
-def check_exact(problem: Any) -> None:
-    """Raise InvalidParameter unless a point is to move among polygons, without a margin."""
-    inner = problem.problem if isinstance(problem, Recorder) else problem
-    if not isinstance(inner, ProblemRecord) or not isinstance(inner.world, PolygonWorldRecord):
-        raise InvalidParameter("planning by decomposition needs a Problem(Point(), PolygonWorld(...), start, goal)")
-    if not isinstance(inner.robot, RoundRobot) or inner.robot.radius + inner.clearance > 0.0:
-        raise InvalidParameter(
-            "planning by decomposition moves a point without clearance; for a disk or a margin grow the obstacles first, and then"
-            " plan for Point()"
-        )
 
 
 def with_ends(roadmap: Roadmap, problem: Any, at_start: NDArray[np.int64], at_goal: NDArray[np.int64]) -> Roadmap:

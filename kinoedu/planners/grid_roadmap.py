@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from ..errors import InvalidParameter
 from ..geometry.checks import Array
 from ..problems import ProblemRecord, Recorder, Roadmap
-from .asking import body_for
+from .asking import body_for, both_ways
 from .by_decomposition import judge
 from .prm import free_among
 from .tuning import positive, whole
@@ -38,7 +38,8 @@ def grid_roadmap(problem: Any, *, spacing: float | None = None, neighbours: int 
     >>> len(roadmap.nodes), len(roadmap.edges)
     (15, 20)
     """
-    inner = problem.problem if isinstance(problem, Recorder) else problem
+    asked = both_ways(problem, "a grid")
+    inner = asked.problem if isinstance(asked, Recorder) else asked
     if not isinstance(inner, ProblemRecord):
         raise InvalidParameter("a grid needs a Problem, whose space it covers")
     lo, extent = inner.space.lo, inner.space.hi - inner.space.lo

@@ -12,7 +12,7 @@ from ..compiled import body
 from ..errors import InvalidGoal, InvalidParameter, InvalidStart
 from ..geometry.checks import Array, as_array, shortened
 from ..problems import MOTIONS, Plan, Problem, ProblemRecord, Recorder, Roadmap
-from .asking import askable, body_for, both_ways
+from .asking import body_for, both_ways
 from .connecting import KClosest, joined
 from .prm import Sampler, free_configurations, searched
 from .tuning import whole
@@ -77,7 +77,7 @@ def query(problem: Any, roadmap: Roadmap, start: ArrayLike | None = None, goal: 
     """
     if not isinstance(roadmap, Roadmap):
         raise InvalidParameter(f"expected the roadmap that build_roadmap or grid_roadmap made, got {shortened(roadmap)}")
-    asked, closest = askable(problem), whole(k, "k", least=1)
+    asked, closest = both_ways(problem, "a roadmap"), whole(k, "k", least=1)
     if isinstance(asked, ProblemRecord) and (start is not None or goal is not None):
         ends = [own if given is None else given for own, given in ((asked.start, start), (asked.goal, goal))]
         asked = Problem(asked.robot, asked.world, *ends, clearance=asked.clearance)

@@ -189,7 +189,7 @@ def grown(
     rng: int | np.random.Generator,
 ) -> Plan:
     """Check the arguments, grow the tree, and make the plan of it."""
-    asked = both_ways(problem, "RRT*")
+    asked = both_ways(problem, planner)
     eta = positive(world_size(asked) / 20.0 if step is None else step, "step")
     most = whole(max_nodes, "max_nodes", least=1)
     limit = 10 * most if max_iterations is None else whole(max_iterations, "max_iterations", least=0)

@@ -10,13 +10,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..compiled import body
-from ..errors import InvalidParameter
 from ..geometry.checks import Array
 from ..graphs import astar, flat_graph
-from ..problems import Plan, ProblemRecord, Recorder, Roadmap
-from ..robots.round import RoundRobot
+from ..problems import Plan, Roadmap
 from ..worlds.polygon_world import PolygonWorldRecord
 from .answers import plan_along
+from .asking import check_exact
 from .corners import Corners, corners_of
 from .rotating_sweep import visible_from
 
@@ -56,7 +55,7 @@ def visibility_roadmap(world: Any) -> Roadmap:
     if isinstance(world, PolygonWorldRecord):
         corners, _ = corners_of(world)
         return roadmap_of(corners, pairs_in_sight(corners))
-    check_point_problem(world)
+    check_exact(world, "a visibility roadmap")
     corners, _ = corners_of(world.world, world.start, world.goal)
     return roadmap_of(corners, pairs_in_sight(corners))
 
@@ -76,7 +75,7 @@ def plan_by_visibility(problem: Any) -> Plan:
     >>> plan.path.tolist(), plan.cost
     ([[0.5, 4.0], [8.5, 4.0]], 8.0)
     """
-    check_point_problem(problem)
+    check_exact(problem, "a visibility roadmap")
     corners, (start, goal) = corners_of(problem.world, problem.start, problem.goal)
     roadmap = roadmap_of(corners, pairs_in_sight(corners))
     number = {node: i for i, node in enumerate(corners.nodes.tolist())}
@@ -88,18 +87,6 @@ def plan_by_visibility(problem: Any) -> Plan:
     reason = "there is no path, not even one in contact: obstacles part the start from the goal" if numbers is None else ""
     stats = {"nodes": len(roadmap.nodes), "edges": len(roadmap.edges)}
     return plan_along(problem, roadmap.nodes, numbers, reason, planner="visibility", roadmap=roadmap, stats=stats)
-
-
-def check_point_problem(problem: Any) -> None:
-    """Raise InvalidParameter unless a point is to move among polygons, without a margin."""
-    inner = problem.problem if isinstance(problem, Recorder) else problem
-    if not isinstance(inner, ProblemRecord) or not isinstance(inner.world, PolygonWorldRecord):
-        raise InvalidParameter("a visibility roadmap needs a PolygonWorld, or a Problem(Point(), PolygonWorld(...), start, goal)")
-    if not isinstance(inner.robot, RoundRobot) or inner.robot.radius + inner.clearance > 0.0:
-        raise InvalidParameter(
-            "a visibility roadmap is for a point without clearance; for a disk or a margin grow the obstacles first, and then plan"
-            " for Point()"
-        )
 
 
 def roadmap_of(corners: Corners, pairs: NDArray[np.int64]) -> Roadmap:
