@@ -15,11 +15,8 @@ def cache_folder(package: Path) -> Path | None:
 
     KINOEDU_CACHE names another place than the user's cache folder.
     """
-    digest = hashlib.sha256()
-    for source in sorted(package.rglob("*.py")):
-        digest.update(source.read_bytes())
     try:
-        folder = user_cache() / digest.hexdigest()[:16]
+        folder = user_cache() / source_digest(package)
         if not folder.exists():
             folder.mkdir(mode=0o700, parents=True, exist_ok=True)
             clear_stale(folder)
@@ -27,6 +24,14 @@ def cache_folder(package: Path) -> Path | None:
     except (OSError, RuntimeError):  # RuntimeError: the user has no home
         return None
     return folder
+
+
+def source_digest(package: Path) -> str:
+    """What tells one version of a package from another: a digest of its sources."""
+    digest = hashlib.sha256()
+    for source in sorted(package.rglob("*.py")):
+        digest.update(source.read_bytes())
+    return digest.hexdigest()[:16]
 
 
 def user_cache() -> Path:

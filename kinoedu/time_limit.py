@@ -7,9 +7,16 @@ import time
 from collections.abc import Callable
 from concurrent.futures import Future, wait
 from contextvars import copy_context
-from typing import Any, TypeVar
+from typing import Any, Protocol, TypeVar
 
 T = TypeVar("T")
+
+
+class Bounded(Protocol):
+    """A way to give work its time: what work() returns or raises, or TimeUp."""
+
+    def __call__(self, seconds: float, work: Callable[[], T]) -> T: ...
+
 
 STACK = 64 * 2**20  # bytes: deep recursion fails in Python's words, not in the operating system's
 PATIENCE = 1.0  # seconds in which a function that was told to stop may do so

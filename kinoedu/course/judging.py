@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from ..time_limit import Bounded, within
 from .exercise import Case, Exercise, ValueExercise, Verdict
 from .outcomes import Answer, Changed, Late, Outcome, Raised, outcome_of
 from .plain import WrongShape
@@ -57,10 +58,10 @@ class Report:
         return 1.0 - len(self.failed) / len(self.exercise.kinds)
 
 
-def attempt(exercise: Exercise, function: Callable[..., Any], case: Case) -> Outcome:
+def attempt(exercise: Exercise, function: Callable[..., Any], case: Case, bounded: Bounded = within) -> Outcome:
     """Call a student's function on a copy of a case. This is all that ever runs student code."""
     given = exercise.given.decode(exercise.given.encode(case.given))
-    outcome = outcome_of(lambda: exercise.call(function, dict(given)), exercise.answer, exercise.seconds)
+    outcome = outcome_of(lambda: exercise.call(function, dict(given)), exercise.answer, exercise.seconds, bounded)
     changed = [name for name, value in given.items() if not same_data(exercise.given.fields[name], value, case.given[name])]
     return Changed(changed) if isinstance(outcome, Answer) and changed else outcome
 

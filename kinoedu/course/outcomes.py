@@ -11,7 +11,7 @@ from pathlib import Path
 from types import FrameType, TracebackType
 from typing import Any, NamedTuple
 
-from ..time_limit import TimeUp, within
+from ..time_limit import Bounded, TimeUp, within
 from .plain import WrongShape, class_name
 from .shapes import Listed, Record, Shape, Text, Truth
 
@@ -68,7 +68,7 @@ SHAPES: dict[type, Record] = {
 }
 
 
-def outcome_of(call: Callable[[], Any], shape: Shape, seconds: float) -> Outcome:
+def outcome_of(call: Callable[[], Any], shape: Shape, seconds: float, bounded: Bounded = within) -> Outcome:
     """Run it for at most so long, and copy what comes out into plain data of its shape."""
 
     def answered() -> Outcome:
@@ -82,7 +82,7 @@ def outcome_of(call: Callable[[], Any], shape: Shape, seconds: float) -> Outcome
             return raised(error)
 
     try:
-        return within(seconds, answered)
+        return bounded(seconds, answered)
     except TimeUp as over:
         return Late(over.left_running)
 

@@ -123,6 +123,9 @@ class Record:
     def __init__(self, **fields: Shape) -> None:
         self.fields = fields
 
+    def __repr__(self) -> str:
+        return f"Record({', '.join(f'{name}={shape!r}' for name, shape in self.fields.items())})"
+
     @property
     def words(self) -> str:
         """In words."""

@@ -1,0 +1,82 @@
+"""A submission's cells, read with care: a notebook may be empty, cut off, no notebook at all, or made to break its reader."""
+
+import json
+import os
+import stat
+from pathlib import Path
+from typing import Any
+
+from ..errors import KinoeduError
+from .asking import Cell
+
+MOST_BYTES = 60 * 2**20  # a notebook's pictures and all
+MOST_SOURCE = 2**20  # characters of code
+MOST_CELLS = 2_000
+UNHEARD = ("%", "!", "?")  # lines for a notebook only
+
+
+class UnreadableSubmission(KinoeduError):
+    """A file is not a notebook that can be graded; the message says why, for the student who handed it in."""
+
+
+def read_bytes(file: Path) -> bytes:
+    """The bytes of a plain file, not too many. Raises UnreadableSubmission."""
+    try:
+        handle = os.open(file, os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0))
+    except OSError as error:
+        raise UnreadableSubmission(f"the file cannot be opened: {error.strerror}") from error
+    with os.fdopen(handle, "rb") as stream:
+        about = os.fstat(handle)
+        if not stat.S_ISREG(about.st_mode):
+            raise UnreadableSubmission("this is not a plain file")
+        if about.st_size > MOST_BYTES:
+            raise UnreadableSubmission(
+                f"the file is too large: {about.st_size / 2**20:.0f} MB, and {MOST_BYTES / 2**20:.0f} MB is the most"
+            )
+        return stream.read(MOST_BYTES)
+
+
+def cells_in(data: bytes) -> list[Cell]:
+    """The cells of code of a notebook in their order, numbered among all cells from 1. Raises UnreadableSubmission.
+
+    >>> cells_in(b'{"nbformat": 4, "cells": [{"cell_type": "code", "source": ["x = 1\\\\n", "%time x"]}]}')
+    [Cell(number=1, source='x = 1\\n')]
+    """
+    cells = notebook_in(data)["cells"]
+    if not isinstance(cells, list) or len(cells) > MOST_CELLS:
+        raise UnreadableSubmission(f"a notebook has a list of at most {MOST_CELLS:,} cells, and this has not")
+    codes = [(number, cell) for number, cell in enumerate(cells, 1) if isinstance(cell, dict) and cell.get("cell_type") == "code"]
+    found = [Cell(number, source_of(cell)) for number, cell in codes]
+    if sum(len(cell.source) for cell in found) > MOST_SOURCE:
+        raise UnreadableSubmission(f"the notebook holds more than {MOST_SOURCE:,} characters of code")
+    return [cell for cell in found if cell.source.strip()]
+
+
+def notebook_in(data: bytes) -> dict[str, Any]:
+    """A notebook of version 4 as JSON has it. Raises UnreadableSubmission."""
+    if not data.strip():
+        raise UnreadableSubmission("the file is empty")
+    try:
+        book = json.loads(data.decode("utf-8-sig"))
+    except (ValueError, RecursionError) as error:
+        raise UnreadableSubmission(f"the file is not a whole notebook ({' '.join(str(error).split())[:100]})") from error
+    if not isinstance(book, dict) or "cells" not in book:
+        raise UnreadableSubmission("the file is not a notebook: it has no cells")
+    if book.get("nbformat") != 4:
+        raise UnreadableSubmission(
+            f"the notebook is of version {str(book.get('nbformat'))[:20]}; open it in JupyterLab and save it as version 4"
+        )
+    return book
+
+
+def source_of(cell: dict[str, Any]) -> str:
+    """A cell's code as Python reads it: without the lines that only a notebook understands, and what no file can hold replaced."""
+    source = cell.get("source", "")
+    if isinstance(source, list):
+        source = "".join(part for part in source if isinstance(part, str))
+    if not isinstance(source, str):
+        return ""
+    if source.startswith("%%"):
+        return ""
+    lines = source.encode("utf-8", "replace").decode("utf-8").splitlines(keepends=True)
+    return "".join(line for line in lines if not line.lstrip().startswith(UNHEARD))

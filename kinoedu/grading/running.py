@@ -1,0 +1,178 @@
+"""Grade a whole class: what is missing of it, on all workers, each result kept as soon as it is there.
+
+A result is a file named by what was handed in, what was asked, the course's secret and kinoedu's sources. A run that was stopped,
+even killed, goes on where it was; nothing is graded twice; trouble of the machine is tried again and then said, never scored.
+"""
+
+import atexit
+import functools
+import hashlib
+import json
+import multiprocessing
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import FIRST_COMPLETED, Executor, Future, ProcessPoolExecutor, wait
+from concurrent.futures.process import BrokenProcessPool
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from ..cache import source_digest
+from ..course.release import HOUSE, solution
+from ..whole_file import written_whole
+from .grading import Grade, grade, is_late
+from .questions import assignment
+from .sandbox import NoSandbox, Sandbox
+from .submissions import Submission
+
+TRIES = 5
+PATIENT = 3.0  # times its usual time, for what took too long beside others
+
+Progress = Callable[[int, int], None]
+
+
+class Job(NamedTuple):
+    """One notebook to grade."""
+
+    key: str
+    assignment: str
+    data: bytes
+    secret: bytes
+    patience: float = 1.0
+
+
+class Graded(NamedTuple):
+    """A submission and its grade, or None and why there is none."""
+
+    submission: Submission
+    grade: Grade | None
+    trouble: str = ""
+
+
+def grade_all(
+    submissions: list[Submission], out: Path, secret: bytes, *, place: "Place | None" = None, progress: Progress | None = None
+) -> list[Graded]:
+    """Grade submissions, in their order. Whoever works, the grades are the same.
+
+    out : the folder of the results. place : where to work, by default `local()`. Raises OSError where `out` cannot be written.
+    """
+    results = out / "results"
+    results.mkdir(parents=True, exist_ok=True)
+    readable = [one for one in submissions if not one.trouble]
+    jobs = {key: Job(key, one.assignment, one.data, secret) for one in readable for key in [key_of(one, secret)]}
+    known = {key: record for key in jobs if (record := kept(results / f"{key}.json")) is not None}
+    tell = progress or (lambda done, everything: None)
+    tell(len(known), len(jobs))
+    troubles: dict[str, str] = {}
+    missing = [job for key, job in jobs.items() if key not in known]
+    for patience, alone in ((1.0, False), (PATIENT, True)):  # what was late beside others is asked again, alone and with patience
+        late = []
+        for job, record, trouble in worked(missing, place or local(), 1 if alone else None):
+            if record is None:
+                troubles[job.key] = trouble
+            elif patience == 1.0 and is_late(record):
+                late.append(job._replace(patience=PATIENT))
+                continue
+            else:
+                keep(results / f"{job.key}.json", record)
+                known[job.key] = record
+            tell(len(known) + len(troubles), len(jobs))
+        missing = late
+    return [graded(one, known, troubles, secret) for one in submissions]
+
+
+def graded(one: Submission, known: dict[str, Grade], troubles: dict[str, str], secret: bytes) -> Graded:
+    """A submission with what came of it."""
+    if one.trouble:
+        return Graded(one, None, one.trouble)
+    key = key_of(one, secret)
+    return Graded(one, known.get(key), troubles.get(key, ""))
+
+
+def key_of(one: Submission, secret: bytes) -> str:
+    """The name of a result: the same for the same bytes, questions, secret and sources."""
+    parts = (one.assignment.encode(), one.data, hashlib.sha256(secret).digest(), sources(one.assignment))
+    return hashlib.sha256(b"".join(hashlib.sha256(part).digest() for part in parts)).hexdigest()[:40]
+
+
+@functools.cache
+def sources(name: str) -> bytes:
+    """What a grade depends on beside the submission."""
+    return source_digest(HOUSE / "kinoedu").encode() + solution(name).read_bytes()
+
+
+def kept(file: Path) -> Grade | None:
+    """A result kept before; None where there is none or it is damaged."""
+    try:
+        record = json.loads(file.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return None
+    return record if isinstance(record, dict) and {"status", "questions", "cells"} <= set(record) else None
+
+
+def keep(file: Path, record: Grade) -> None:
+    """Keep a result, whole or not at all."""
+    with written_whole(file) as part:
+        part.write_text(json.dumps(record, indent=1, sort_keys=True) + "\n", encoding="utf-8")
+
+
+Place = Callable[[int | None], Any]  # how many workers, None for all -> a context with an Executor
+
+
+def local(workers: int | None = None) -> Place:
+    """Processes of this computer, by default one for each processor."""
+
+    @contextmanager
+    def place(most: int | None) -> Iterator[Executor]:
+        with ProcessPoolExecutor(most or workers, mp_context=multiprocessing.get_context("spawn")) as executor:
+            yield executor
+
+    return place
+
+
+def dask(address: str) -> Place:
+    """The workers of a Dask cluster, each with this very kinoedu and a sandbox."""
+
+    @contextmanager
+    def place(most: int | None) -> Iterator[Executor]:
+        from dask.distributed import Client
+
+        with Client(address, timeout=10, set_as_default=False) as client:
+            workers = sorted(client.scheduler_info()["workers"])
+            yield client.get_executor(pure=False, retries=TRIES, **({"workers": workers[:1]} if most == 1 else {}))
+
+    return place
+
+
+def worked(jobs: Iterable[Job], place: Place, most: int | None) -> Iterator[tuple[Job, Grade | None, str]]:
+    """Every job with its record, as they come; one whose worker is lost or whose machine is in trouble is tried again."""
+    left, tries = list(jobs), dict[str, int]()
+    while left:
+        again: list[Job] = []
+        with place(most) as executor:
+            waiting: dict[Future[Grade], Job] = {executor.submit(work, job): job for job in left}
+            while waiting:
+                begun = {job.key for future, job in waiting.items() if future.running()}
+                for future in wait(waiting, timeout=0.2, return_when=FIRST_COMPLETED).done:
+                    job, trouble = waiting.pop(future), future.exception()
+                    if trouble is None:
+                        yield job, future.result(), ""
+                        continue
+                    tries[job.key] = tries.get(job.key, 0) + (job.key in begun or not isinstance(trouble, BrokenProcessPool))
+                    if tries[job.key] < TRIES:
+                        again.append(job)
+                    else:
+                        yield job, None, f"{type(trouble).__name__}: {trouble}"
+        left = again
+
+
+SANDBOX = Sandbox()  # of this process
+atexit.register(SANDBOX.close)
+
+
+def work(job: Job) -> Grade:
+    """Grade a notebook, in this process and its sandbox. Raises NoSandbox."""
+    try:
+        return grade(job.data, assignment(job.assignment), job.secret, SANDBOX, patience=job.patience)
+    except NoSandbox:
+        SANDBOX.close()
+        raise

@@ -1,0 +1,199 @@
+"""Which file is whose: a folder of submissions as nbgrader, Canvas, Moodle or Gradescope lay it out, or as a teacher does by hand.
+
+    student/assignment.ipynb, student/assignment/assignment.ipynb    by hand, nbgrader
+    name_12345_67890_file.ipynb, name_LATE_12345_67890_file.ipynb    Canvas
+    Full Name_12345_assignsubmission_file_/file.ipynb                Moodle
+    submission_12345/file.ipynb beside submission_metadata.yml       Gradescope
+
+Any of them may be a zip, and a student's file may be a zip. A zip is read in memory and nothing of it is ever unpacked to the disk.
+"""
+
+import io
+import json
+import re
+import zipfile
+from collections.abc import Iterable, Iterator
+from pathlib import Path, PurePosixPath
+from typing import NamedTuple
+
+from ..course.release import HOUSE, assignments
+from ..errors import InvalidParameter
+from .notebook import MOST_BYTES, UnreadableSubmission, read_bytes
+
+CANVAS = re.compile(r"^(?P<student>[^_]+)_(?:late_)?(?P<id>\d+)_\d+_(?P<file>.+)$", re.IGNORECASE)
+MOODLE = re.compile(r"^(?P<student>.+)_(?P<id>\d+)_assignsubmission_(?:file|onlinetext)_?$")
+GRADESCOPE = re.compile(r"^submission_\d+$")
+COPIED = re.compile(r"([ _-]?\(\d+\)|-\d+|[ _-]copy\d*)+$", re.IGNORECASE)  # what a download or a second try adds to a name
+MOST_MEMBERS = 10_000
+MOST_UNPACKED = 2 * 2**30
+
+
+class Submission(NamedTuple):
+    """What a student handed in: the bytes of a notebook, or the trouble with it. `file` is where it was, for people to read."""
+
+    student: str
+    assignment: str
+    file: str
+    data: bytes
+    trouble: str = ""
+
+
+class Found(NamedTuple):
+    """A file, its place as names from the top down, and its bytes or the trouble with it."""
+
+    place: tuple[str, ...]
+    data: bytes
+    trouble: str = ""
+
+
+def collect(folder: Path, only: str = "", house: Path = HOUSE) -> list[Submission]:
+    """All submissions in a folder or zip, ordered by student and assignment; of one assignment where `only` names it.
+
+    Every file that may be a submission comes back: what cannot be read, is handed in twice or belongs to no assignment has its
+    trouble with it. Raises InvalidParameter.
+    """
+    if not folder.exists():
+        raise InvalidParameter(f"there is no folder {folder}")
+    known = assignments(house)
+    if only and only not in known:
+        raise InvalidParameter(f"there is no assignment {only!r}; there are: {', '.join(known)}")
+    found = list(files_in(folder))
+    owners = gradescope_owners(found)
+    submissions = [submission_of(file, owners, known, only) for file in found if is_candidate(file)]
+    return sorted(without_doubles(submissions), key=lambda one: (one.student, one.assignment, one.file))
+
+
+def files_in(folder: Path) -> Iterator[Found]:
+    """Every file in a folder, also those in its zips; in a stable order. What is no plain file has that trouble."""
+    if folder.is_file():
+        yield from unpacked(Found((folder.name,), read_bytes(folder)), top=True)
+        return
+    for file in sorted(folder.rglob("*")):
+        place = file.relative_to(folder).parts
+        if any(part.startswith(".") or part == "__MACOSX" for part in place) or (file.is_dir() and not file.is_symlink()):
+            continue
+        try:
+            data = read_bytes(file)
+        except UnreadableSubmission as trouble:
+            yield Found(place, b"", str(trouble))
+        else:
+            yield from unpacked(Found(place, data))
+
+
+def unpacked(file: Found, *, top: bool = False) -> Iterator[Found]:
+    """A file, or what is in it where it is a zip; a zip in a zip only where the first is a whole class."""
+    if not file.place[-1].lower().endswith(".zip"):
+        yield file
+        return
+    above = () if top else (*file.place[:-1], file.place[-1][: -len(".zip")])
+    try:
+        with zipfile.ZipFile(io.BytesIO(file.data)) as archive:
+            members = [member for member in archive.infolist() if not member.is_dir()]
+            if len(members) > MOST_MEMBERS or sum(member.file_size for member in members) > MOST_UNPACKED:
+                raise UnreadableSubmission("the zip holds too much")
+            for member in members:
+                place = (*above, *PurePosixPath(member.filename.replace("\\", "/")).parts)
+                inner = member_of(archive, member, place)
+                yield from unpacked(inner) if top and not inner.trouble else [inner]
+    except (zipfile.BadZipFile, UnreadableSubmission, OSError, ValueError, NotImplementedError, RuntimeError, EOFError) as error:
+        yield Found(file.place, b"", f"the zip cannot be read: {error}")
+
+
+def member_of(archive: zipfile.ZipFile, member: zipfile.ZipInfo, place: tuple[str, ...]) -> Found:
+    """One file of a zip, read no further than it may be long."""
+    if any(part.startswith(".") or part == "__MACOSX" for part in place):
+        return Found((*place[:-1], ".skipped"), b"")
+    with archive.open(member) as stream:
+        data = stream.read(MOST_BYTES + 1)
+    return Found(place, data) if len(data) <= MOST_BYTES else Found(place, b"", "the file is too large")
+
+
+def is_candidate(file: Found) -> bool:
+    """Whether a file may be a submission: a notebook, or what could not be opened."""
+    return file.place[-1].lower().endswith(".ipynb") or (bool(file.trouble) and not file.place[-1].startswith("."))
+
+
+def submission_of(file: Found, owners: dict[str, str], known: list[str], only: str) -> Submission:
+    """Whose a file is, and which assignment it answers."""
+    student, name = owner(file.place, owners)
+    where = "/".join(file.place)
+    assignment = only or assignment_of(name, file, known)
+    trouble = file.trouble or (
+        "" if assignment else f"it answers no assignment that is known; its name should begin with one of: {', '.join(known)}"
+    )
+    return Submission(student, assignment, where, file.data, trouble)
+
+
+def owner(place: tuple[str, ...], owners: dict[str, str]) -> tuple[str, str]:
+    """The student whom a place belongs to, and the name of the file without what was put before it.
+
+    >>> owner(("doejane_LATE_1234_56789_01_geometry-1.ipynb",), {})
+    ('doejane_1234', '01_geometry-1.ipynb')
+    >>> owner(("Jane Doe_4711_assignsubmission_file_", "01_geometry.ipynb"), {})
+    ('Jane Doe_4711', '01_geometry.ipynb')
+    >>> owner(("jane", "01_geometry", "01_geometry.ipynb"), {})
+    ('jane', '01_geometry.ipynb')
+    """
+    for part in place:
+        if part in owners:
+            return owners[part], place[-1]
+        if (moodle := MOODLE.match(part)) is not None:
+            return f"{moodle['student']}_{moodle['id']}", place[-1]
+        if (canvas := CANVAS.match(part)) is not None:
+            return f"{canvas['student']}_{canvas['id']}", canvas["file"] if part == place[-1] else place[-1]
+    return (place[0] if len(place) > 1 else PurePosixPath(place[0]).stem), place[-1]
+
+
+def assignment_of(name: str, file: Found, known: list[str]) -> str:
+    """The assignment that a file answers: by its name, by its folder, else by the marks of its cells; "" where none fits."""
+    stem = COPIED.sub("", PurePosixPath(name).stem)
+    for candidate in (stem, *reversed(file.place[:-1])):
+        if candidate in known:
+            return candidate
+    starts = [candidate for candidate in known if stem.lower().startswith(candidate.lower())]
+    if starts:
+        return max(starts, key=len)
+    return by_marks(file.data, known)
+
+
+def by_marks(data: bytes, known: list[str]) -> str:
+    """The assignment most of whose questions stand in a notebook's marks."""
+    from .questions import assignment
+
+    try:
+        cells = json.loads(data)["cells"]
+        marks = {cell["metadata"]["nbgrader"]["grade_id"] for cell in cells if "nbgrader" in cell.get("metadata", {})}
+    except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
+        return ""
+    shared = {name: sum(asked.exercise.name in marks for asked in assignment(name).questions) for name in known}
+    best = max(known, key=lambda name: shared[name], default="")
+    return best if best and shared[best] else ""
+
+
+def gradescope_owners(files: Iterable[Found]) -> dict[str, str]:
+    """Whose each folder of a Gradescope export is, by its submission_metadata.yml: submission_12345 -> the first submitter's id."""
+    import yaml
+
+    owners: dict[str, str] = {}
+    for file in files:
+        if file.place[-1] == "submission_metadata.yml" and len(file.data) < MOST_BYTES:
+            try:
+                about = yaml.safe_load(file.data)
+                entries = {str(key): value[":submitters"][0] for key, value in about.items()}
+                owners |= {key: str(one.get(":sid") or one.get(":email") or one[":name"]) for key, one in entries.items()}
+            except (yaml.YAMLError, AttributeError, KeyError, TypeError, IndexError, RecursionError):
+                continue
+    return owners
+
+
+def without_doubles(submissions: list[Submission]) -> Iterator[Submission]:
+    """Two files of one student for one assignment: neither is chosen, both are named; the same bytes twice are one."""
+    groups: dict[tuple[str, str], list[Submission]] = {}
+    for one in submissions:
+        groups.setdefault((one.student, one.assignment), []).append(one)
+    for group in groups.values():
+        if len({one.data for one in group}) == 1 or not group[0].assignment:
+            yield from group[: 1 if group[0].assignment else None]
+        else:
+            files = ", ".join(one.file for one in group)
+            yield group[0]._replace(data=b"", file=files, trouble=f"handed in more than once, with differences: {files}; leave one")
