@@ -26,7 +26,7 @@ LOG = os.path.join(VENV, "install.log")
 STAMP = os.path.join(VENV, "installed.json")
 PYTHON = os.path.join(VENV, *(["Scripts", "python.exe"] if os.name == "nt" else ["bin", "python"]))
 COURSE, TEACHING, TESTS = "environment.txt", "solutions/environment.txt", "tests/environment.txt"
-MEGABYTES = {COURSE: 700, TEACHING: 100, TESTS: 300}
+MEGABYTES = {COURSE: 700, TEACHING: 100, TESTS: 500}
 TEACHING_COMMANDS = ["release"]
 PIP_OPTIONS = ["--no-deps", "--only-binary", ":all:", "-r"]
 

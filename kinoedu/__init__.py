@@ -9,8 +9,8 @@ A plan in four lines:
 True
 
 The rooms of the house: `geometry`, `graphs`, `spaces`, `curves`, `worlds`, `robots`, `collision`, `problems`, `decomposition`,
-`planners`, `scenes`; and imported when first used, `sampling`, `c_space`, `course`, and `figures` and `boards`, which bring
-matplotlib and ipywidgets.
+`planners`, `scenes`; and imported when first used, `sampling`, `c_space`, `course`, `experiments`, and `figures` and `boards`,
+which bring matplotlib and ipywidgets.
 """
 
 from importlib import import_module
@@ -63,7 +63,7 @@ LATER = {"board": "boards"} | dict.fromkeys(("corner_grid", "dispersion", "halto
 
 def __getattr__(name: str) -> Any:
     """Import a room that draws, or that no plan needs, at its first use."""
-    if name in ("boards", "c_space", "course", "figures", "sampling"):
+    if name in ("boards", "c_space", "course", "experiments", "figures", "sampling"):
         return import_module(f"{__name__}.{name}")
     if name in LATER:
         return getattr(import_module(f"{__name__}.{LATER[name]}"), name)
@@ -114,6 +114,7 @@ __all__ = [
     "dijkstra",
     "dispersion",
     "dubins_path",
+    "experiments",
     "figures",
     "geometry",
     "graphs",

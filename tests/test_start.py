@@ -421,7 +421,8 @@ def test_pins_satisfy_pyproject_on_every_platform(machine):
     teaching, extras = pins("solutions/environment.txt", machine), project["optional-dependencies"]
     assert not course.keys() & teaching.keys() and not (course | teaching).keys() & tests.keys() - course.keys()
     assert all(course[name] == tests[name] for name in course.keys() & tests.keys())
-    for wanted, held in ((project["dependencies"], course), (extras["teach"], course | teaching), (extras["test"], course | tests)):
+    held_by = {"teach": course | teaching, "test": course | tests, "cluster": course | tests}
+    for wanted, held in ((project["dependencies"], course), *((extras[name], held) for name, held in held_by.items())):
         for requirement in map(Requirement, wanted):
             if requirement.marker is None or requirement.marker.evaluate(machine):
                 version = held.get(canonicalize_name(requirement.name))

@@ -1,4 +1,4 @@
-"""The command line: kinoedu plan | lab | warm | release."""
+"""The command line: kinoedu plan | experiment | lab | warm | release."""
 
 import argparse
 import io
@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from typing import Any, NoReturn
 
 from ..errors import KinoeduError
+from .experiment import add_experiment
 from .plan import add_plan
 from .release import add_release
 
@@ -47,6 +48,7 @@ def parser() -> argparse.ArgumentParser:
     top = Parser(prog="kinoedu", description=DESCRIPTION)
     commands = top.add_subparsers(title="commands", required=True, metavar="COMMAND")
     add_plan(commands)
+    add_experiment(commands)
     lab = commands.add_parser("lab", help="open the course in JupyterLab", description="Open the course in JupyterLab.")
     lab.add_argument("--no-browser", action="store_true", help="print the address instead of opening a browser")
     lab.set_defaults(run=run_lab)

@@ -3,11 +3,12 @@
 from .arms import draw_configuration_space, plot_configuration_space, plot_environment
 from .bug_flowcharts import draw_bug_base_flowchart
 from .c_space import draw_c_obstacle, draw_grown, draw_turning_obstacle
+from .comparisons import draw_convergence, draw_ecdf, draw_medians
 from .decomposition import draw_decomposition, draw_sweep
 from .drawing import draw_path, draw_plan, draw_problem, draw_roadmap, draw_robot, draw_tree, draw_world
 from .graphs import draw_graph
 from .samples import draw_dispersion, draw_samples, draw_shares
-from .saving import save_plan
+from .saving import save_panels, save_plan
 from .searches import draw_search
 from .solid import draw_mesh, torus_mesh
 from .walks import draw_distance_to_goal, draw_walk
@@ -16,11 +17,14 @@ __all__ = [
     "draw_bug_base_flowchart",
     "draw_c_obstacle",
     "draw_configuration_space",
+    "draw_convergence",
     "draw_decomposition",
     "draw_dispersion",
     "draw_distance_to_goal",
+    "draw_ecdf",
     "draw_graph",
     "draw_grown",
+    "draw_medians",
     "draw_mesh",
     "draw_path",
     "draw_plan",
@@ -37,6 +41,7 @@ __all__ = [
     "draw_world",
     "plot_configuration_space",
     "plot_environment",
+    "save_panels",
     "save_plan",
     "torus_mesh",
 ]

@@ -20,6 +20,7 @@ from ..sampling.dispersion import EmptyBall
 from ..words import say
 from . import palette
 from .drawing import HALO
+from .ends import name_ends
 
 MOST_NUMBERS = 40  # numbers of more points than this would cover the square
 LINES = ("-", "--", "-.", ":")
@@ -125,18 +126,6 @@ def draw_dispersion(n: ArrayLike, curves: Mapping[str, ArrayLike], ax: Axes | No
     ax.set_xlim(sizes.min() * 0.9, sizes.max() * (sizes.max() / sizes.min()) ** 0.32)
     ends = [(name, float(curve[-1]), COLOURS[i % 4]) for i, (name, curve) in enumerate(values.items())]
     return artists + name_ends(float(sizes[-1]), [*ends, (say("samples.rate"), float(guide[-1]), "#5B6470")], ax)
-
-
-def name_ends(x: float, ends: list[tuple[str, float, str]], ax: Axes) -> list[Artist]:
-    """A name at the end of each curve, moved up where it would cover another."""
-    low, high = np.log10(ax.get_ylim())
-    look: dict[str, Any] = {"fontsize": palette.TEXT_SIZE, "fontweight": "bold", "va": "center", "path_effects": HALO}
-    artists: list[Artist] = []
-    place = -np.inf
-    for name, value, colour in sorted(ends, key=lambda end: end[1]):
-        place = max(math.log10(value), place + 0.055 * (high - low))
-        artists.append(ax.annotate(name, (x, 10**place), xytext=(6, 0), textcoords="offset points", color=colour, **look))
-    return artists
 
 
 def draw_shares(widths: ArrayLike, chance: ArrayLike, curves: Mapping[str, ArrayLike], ax: Axes | None = None) -> list[Artist]:

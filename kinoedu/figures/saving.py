@@ -1,13 +1,18 @@
 """Pictures as files, written whole or not at all, without a display."""
 
 import os
+from collections.abc import Callable, Sequence
 from pathlib import Path
+from textwrap import fill
+from typing import Any
 
+from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from ..problems import Plan
 from ..whole_file import written_whole
+from . import palette
 from .drawing import axes_for, draw_plan, figure_size
 
 
@@ -17,5 +22,19 @@ def save_plan(plan: Plan, path: str | os.PathLike[str], *, dpi: int = 120) -> No
     figure = Figure(figsize=figure_size(plan.problem.world), layout="constrained")
     FigureCanvasAgg(figure)
     draw_plan(plan, axes_for(plan.problem.world, figure.add_subplot()))
+    with written_whole(file) as part:
+        figure.savefig(part, format=file.suffix[1:].lower(), dpi=dpi)
+
+
+def save_panels(
+    panels: Sequence[Callable[[Axes], Any]], path: str | os.PathLike[str], *, size: tuple[float, float], title: str, dpi: int = 120
+) -> None:
+    """Draw panels of one height axis, each `size` inches, side by side under a title, into a .png, .svg or .pdf. Raises OSError."""
+    file = Path(path)
+    figure = Figure(figsize=(size[0] * len(panels), size[1]), layout="constrained")
+    FigureCanvasAgg(figure)
+    for draw, ax in zip(panels, figure.subplots(1, len(panels), squeeze=False, sharey=True)[0]):
+        draw(ax)
+    figure.suptitle(fill(title, int(10 * size[0] * len(panels))), fontsize=palette.TEXT_SIZE + 1)
     with written_whole(file) as part:
         figure.savefig(part, format=file.suffix[1:].lower(), dpi=dpi)

@@ -1,0 +1,72 @@
+"""kinoedu experiment: planners x problems x seeds, as one table."""
+
+import argparse
+from pathlib import Path
+from typing import Any
+
+from ..errors import InvalidParameter
+from ..progress import counted, stage
+
+EXPERIMENT_HELP = """\
+Run every planner on every problem with every seed, and sum up what came out.
+
+FILE is a .toml that names them (docs/experiments.md; notebooks/experiments holds one). Into the folder go results.csv, a row for
+each run; summary.txt, a line for each planner on each problem; with --plots pictures; and in runs/ what was run, so that the same
+command, stopped at any time, goes on where it stopped.
+"""
+
+EXPERIMENT_EXAMPLES = """\
+examples:
+  python start.py experiment notebooks/experiments/trees.toml --plots
+  python start.py experiment notebooks/experiments/trees.toml --out results --workers 2
+  python start.py experiment trees.toml --dask tcp://10.0.0.1:8786
+
+exit status: 0 everything was run, 1 some runs were not, with the reason in the table, 2 the input was wrong
+"""
+
+
+def add_experiment(commands: Any) -> None:
+    """The command and its options."""
+    experiment = commands.add_parser(
+        "experiment",
+        help="run planners on problems with many seeds, and compare them",
+        description=EXPERIMENT_HELP,
+        epilog=EXPERIMENT_EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    experiment.add_argument("file", metavar="FILE", type=Path, help="the experiment, a .toml")
+    experiment.add_argument(
+        "--out", type=Path, metavar="FOLDER", help="where results go (default: a folder named like the file, here)"
+    )
+    experiment.add_argument("--plots", action="store_true", help="draw medians, shares of runs, and growth, into .png")
+    where = experiment.add_mutually_exclusive_group()
+    where.add_argument("--workers", type=int, metavar="N", help="so many processes (default: one for each processor)")
+    where.add_argument("--dask", metavar="ADDRESS", help="run on the Dask cluster whose scheduler is there")
+    experiment.set_defaults(run=run_experiment)
+
+
+def run_experiment(arguments: argparse.Namespace) -> int:
+    """Read, run what is missing, write, and sum up."""
+    folder = Path(arguments.file.stem) if arguments.out is None else arguments.out
+    if arguments.file.suffix.lower() != ".toml":
+        raise InvalidParameter(f"{arguments.file}: an experiment ends in .toml")
+    from ..experiments import as_text, read_experiment, run, summary  # imported here so that --help is quick
+    from ..whole_file import written_whole
+
+    with stage(f"reading {arguments.file.name}"):
+        experiment = read_experiment(arguments.file)
+    with counted(f"running {experiment.name}") as progress:
+        where = "local" if arguments.dask is None else arguments.dask
+        table = run(experiment, where=where, out=folder, workers=arguments.workers, progress=progress)
+    text = as_text(summary(table))
+    with written_whole(folder / "summary.txt") as part:
+        part.write_text(text + "\n", encoding="utf-8")
+    if arguments.plots:
+        with stage("drawing"):
+            from ..experiments.plots import save_plots
+
+            save_plots(table, folder)
+    print(f"{text}\n{repr(table)[8:-1]}; in {folder}")
+    reasons = sorted({f"{row.label}: {row.reason}" for row in table if row.status == "not run"})
+    print(*(f"not run: {' '.join(reason.split())}" for reason in reasons), sep="\n", end="\n" if reasons else "")
+    return 1 if reasons else 0

@@ -1,0 +1,21 @@
+"""Experiments: planners x problems x seeds, run on all cores or a cluster, resumed where they stopped, as one table."""
+
+from .experiment import Experiment
+from .files import read_experiment
+from .running import run
+from .summaries import as_text, summary, wilson
+from .table import Row, Table
+from .worlds import narrow_passage, scattered_polygons
+
+__all__ = [
+    "Experiment",
+    "Row",
+    "Table",
+    "as_text",
+    "narrow_passage",
+    "read_experiment",
+    "run",
+    "scattered_polygons",
+    "summary",
+    "wilson",
+]

@@ -1,0 +1,91 @@
+"""One run of an experiment, a cell of its table: what is to be run, the run, and its outcome."""
+
+import hashlib
+import math
+import statistics
+import time
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ..errors import InvalidParameter
+from ..geometry.checks import shortened
+from ..problems import MOTIONS, PLACES, Plan
+
+FOUND, NO_PATH, OUT_OF_TIME, NOT_RUN = "found", "no path", "out of time", "not run"
+
+
+class Cell(NamedTuple):
+    """One planner on one problem with one seed, or None where it draws no lots; `kind` is a digest of all but the seed."""
+
+    problem_name: str
+    planner_name: str
+    tuning: str
+    seed: int | None
+    problem: Any
+    planner: Callable[..., Any]
+    repeat: int
+    time_limit: float
+    kind: str
+
+    @property
+    def key(self) -> str:
+        """A name for the outcome, the same for the same run."""
+        return f"{self.kind}-{self.seed}"
+
+
+class Outcome(NamedTuple):
+    """What came out: one of found, no path, out of time, not run. Counts that a planner does not have are None."""
+
+    status: str
+    cost: float = math.inf
+    seconds: float = math.nan
+    motions: int | None = None
+    places: int | None = None
+    nodes: int | None = None
+    iterations: int | None = None
+    reason: str = ""
+    path: str = ""
+
+
+def run_cell(cell: Cell) -> Outcome:
+    """Plan as often as the cell says; what came out, with the median of the times. An error of the planner is an outcome."""
+    random, seconds = {} if cell.seed is None else {"rng": cell.seed}, []
+    try:
+        for _ in range(cell.repeat):
+            cell.problem.asked[:] = 0
+            began = time.perf_counter()
+            plan = cell.planner(cell.problem, **random)
+            seconds.append(time.perf_counter() - began)
+        return outcome_of(plan, cell.problem.asked, statistics.median(seconds))
+    except Exception as error:
+        return Outcome(NOT_RUN, reason=f"{type(error).__name__}: {error}")
+
+
+def outcome_of(plan: Any, asked: Any, seconds: float) -> Outcome:
+    """A plan as a row tells it. Raises InvalidParameter for what is no plan."""
+    if not isinstance(plan, Plan):
+        raise InvalidParameter(f"a planner must return a Plan, got {shortened(plan)}")
+    found = plan.path is not None
+    return Outcome(
+        FOUND if found else NO_PATH,
+        float(plan.cost) if found else math.inf,
+        seconds,
+        int(asked[MOTIONS]),
+        int(asked[PLACES]),
+        plan.stats.get("nodes"),
+        plan.stats.get("iterations"),
+        plan.reason,
+        digest_of(plan.path) if found else "",
+    )
+
+
+def digest_of(path: Any) -> str:
+    """16 hexadecimal digits that tell a path from another, to the last bit."""
+    return hashlib.sha256(np.ascontiguousarray(path, dtype="<f8").tobytes()).hexdigest()[:16]
+
+
+def out_of_time(cell: Cell) -> Outcome:
+    """The outcome of a run that was stopped."""
+    return Outcome(OUT_OF_TIME, seconds=cell.time_limit, reason=f"stopped after {cell.time_limit:g} s")
