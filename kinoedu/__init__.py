@@ -21,6 +21,7 @@ from .collision import link_in_contact
 from .curves import dubins_path, reeds_shepp_path
 from .decomposition import decomposition_roadmap, sweep, trapezoidation, triangulation
 from .graphs import Graph, astar, bfs_path, bfs_tree, dfs_path, dijkstra
+from .plan_files import read_plan, write_plan
 from .planners import (
     ComponentKClosest,
     KClosest,
@@ -130,6 +131,7 @@ __all__ = [
     "prm_star",
     "problems",
     "query",
+    "read_plan",
     "read_problem",
     "read_scene",
     "read_world",
@@ -155,5 +157,6 @@ __all__ = [
     "uniform_random",
     "visibility_roadmap",
     "worlds",
+    "write_plan",
     "write_scene",
 ]

@@ -59,3 +59,7 @@ class SceneTooLarge(UnreadableScene):
 
 class DuplicateKind(KinoeduError):
     """A generic question already has an answer for these kinds of record."""
+
+
+class MendedPolygons(UserWarning):
+    """A map's polygons were not simple; the message says which, and what was made of them. It is a warning: the world is there."""

@@ -10,6 +10,7 @@ from .robots import ArmChain, Disk, Point, RigidPolygon, TranslatingPolygon
 from .robots.arm import ArmRobot
 from .robots.polygon import RigidPolygonRobot, TranslatingPolygonRobot
 from .robots.round import RoundRobot
+from .worlds.meshes import mesh_outline
 
 
 def point_from(field: Field) -> RoundRobot:
@@ -42,12 +43,33 @@ def arm_from(field: Field) -> ArmRobot:
     return ArmChain(fields["lengths"].numbers(), fields["width"].number(), base=base)
 
 
+def mesh_from(field: Field) -> RigidPolygonRobot:
+    """A polygon that turns, from a mesh beside the scene."""
+    fields = field.members(("kind", "file"), (*MESH_OPTIONS, "reference", "turn_weight"))
+    outline = mesh_outline(
+        field.folder / fields["file"].text(),
+        reference=fields["reference"].numbers() if "reference" in fields else (0.0, 0.0),
+        **mesh_options(fields),
+    )
+    return RigidPolygon(outline, turn_weight=fields["turn_weight"].number() if "turn_weight" in fields else None)
+
+
+MESH_OPTIONS = ("slice_at", "up")
+
+
+def mesh_options(fields: dict[str, Field]) -> dict[str, Any]:
+    """How a mesh becomes polygons, as far as the scene says it."""
+    slicing = {"slice_at": fields["slice_at"].number()} if "slice_at" in fields else {}
+    return slicing | ({"up": fields["up"].text()} if "up" in fields else {})
+
+
 ROBOTS: dict[str, Callable[[Field], Any]] = {
     "point": point_from,
     "disk": disk_from,
     "polygon": polygon_from,
     "turning polygon": turning_polygon_from,
     "arm": arm_from,
+    "mesh": mesh_from,
 }
 
 

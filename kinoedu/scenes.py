@@ -4,16 +4,20 @@
      "about": "optional words",
      "robot": {"kind": "point"}  or  {"kind": "disk", "radius": 0.5}  or  {"kind": "polygon", "vertices": [[x, y], ...]}
           or  {"kind": "turning polygon", "vertices": [[x, y], ...], "turn_weight": 1.0}
-          or  {"kind": "arm", "lengths": [1.5, 1.2], "width": 0.2, "base": [0.0, 0.0]},
+          or  {"kind": "arm", "lengths": [1.5, 1.2], "width": 0.2, "base": [0.0, 0.0]}
+          or  {"kind": "mesh", "file": "a mesh beside the scene", "slice_at": 0.1, "up": "z", "reference": [x, y],
+               "turn_weight": 1.0},
      "world": {"kind": "polygons", "boundary": [[x, y], ...],
                "obstacles": [{"polygon": [[x, y], ...], "rooms": [[[x, y], ...]]}, {"centre": [x, y], "radius": r}]}
           or  {"kind": "terrain", "rows": ["..@", "..."], "resolution": 1.0, "origin": [0.0, 0.0]}
-          or  {"kind": "map", "file": "a map or picture beside the scene"},
+          or  {"kind": "map", "file": "a map or picture beside the scene"}
+          or  {"kind": "mesh", "file": "a mesh beside the scene", "slice_at": 0.1, "up": "z", "boundary": [[x, y], ...]},
      "start": [x, y], "goal": [x, y],  with theta for what turns, and angles for an arm
      "clearance": 0.0}
 
-`turn_weight`, `base`, `obstacles`, `rooms`, `resolution`, `origin` and `clearance` may be left out. A terrain's rows are written as
-they look, the top one first: "." is free, "@" is blocked. What a reader does not know it refuses, naming the field.
+`turn_weight`, `base`, `obstacles`, `rooms`, `resolution`, `origin`, `clearance`, and of a mesh all but its file may be left out
+(see worlds/meshes.py). A terrain's rows are written as they look, the top one first: "." is free, "@" is blocked.
+What a reader does not know it refuses, naming the field.
 """
 
 import json
@@ -30,9 +34,11 @@ from .fields import Field, parsed
 from .geometry.checks import Array, shortened
 from .problems import Problem, ProblemRecord
 from .robots import Point
-from .scene_robots import ROBOTS, described
+from .scene_robots import MESH_OPTIONS, ROBOTS, described, mesh_options
 from .whole_file import written_whole
 from .worlds import PolygonWorld, Terrain, read_world
+from .worlds.benchmr import is_polygon_map, read_benchmr
+from .worlds.meshes import mesh_world
 from .worlds.movingai import read_scenario, scenario_beside
 from .worlds.polygon_world import PolygonWorldRecord, discs_of, rings_of
 from .worlds.reading import read_text
@@ -49,7 +55,7 @@ def read_scene(path: str | os.PathLike[str]) -> ProblemRecord:
     """
     file = Path(path)
     if file.suffix.lower() != ".json":
-        raise UnknownFormat(f"{file}: a scene ends in .json; maps and pictures are read by read_world")
+        raise UnknownFormat(f"{file}: a scene ends in .json; maps, pictures and meshes are read by read_world")
     try:
         return problem_from(Field("scene", parsed(read_text(file)), file.parent))
     except KinoeduError as error:
@@ -108,7 +114,23 @@ def map_from(field: Field) -> Any:
     return read_world(field.folder / field.members(("kind", "file"))["file"].text())
 
 
-WORLDS: dict[str, Callable[[Field], Any]] = {"polygons": polygons_from, "terrain": terrain_from, "map": map_from}
+def mesh_from(field: Field) -> PolygonWorldRecord:
+    """A world from a mesh beside the scene."""
+    fields = field.members(("kind", "file"), (*MESH_OPTIONS, "boundary", "margin"))
+    return mesh_world(
+        field.folder / fields["file"].text(),
+        boundary=fields["boundary"].points() if "boundary" in fields else None,
+        margin=fields["margin"].number() if "margin" in fields else None,
+        **mesh_options(fields),
+    )
+
+
+WORLDS: dict[str, Callable[[Field], Any]] = {
+    "polygons": polygons_from,
+    "terrain": terrain_from,
+    "map": map_from,
+    "mesh": mesh_from,
+}
 
 
 def write_scene(problem: ProblemRecord, path: str | os.PathLike[str]) -> None:
@@ -116,7 +138,14 @@ def write_scene(problem: ProblemRecord, path: str | os.PathLike[str]) -> None:
     file = Path(path)
     if file.suffix.lower() != ".json":
         raise UnknownFormat(f"{file}: a scene ends in .json")
-    scene = {
+    scene = scene_of(problem)
+    with written_whole(file) as part, part.open("w", encoding="utf-8") as stream:
+        json.dump(scene, stream, indent=1)
+
+
+def scene_of(problem: ProblemRecord) -> dict[str, Any]:
+    """A problem as a scene's object. Raises UnreadableScene for a robot that scenes cannot hold."""
+    return {
         "version": VERSION,
         "robot": described(problem.robot),
         "world": described(problem.world),
@@ -124,8 +153,6 @@ def write_scene(problem: ProblemRecord, path: str | os.PathLike[str]) -> None:
         "goal": problem.goal.tolist(),
         "clearance": problem.clearance,
     }
-    with written_whole(file) as part, part.open("w", encoding="utf-8") as stream:
-        json.dump(scene, stream, indent=1)
 
 
 @described.register
@@ -153,17 +180,28 @@ def read_problem(
 ) -> ProblemRecord:
     """A problem from any file that kinoedu reads.
 
-    A JSON scene is a whole problem. A map or picture is a world: give start and goal, or for a MovingAI map the number of a `query`
-    of the scenario beside it (0 by default). The robot is a point unless another is given.
+    A JSON scene is a whole problem. A map, a picture or a mesh is a world: give start and goal, or for a MovingAI map the number of
+    a `query` of the scenario beside it (0 by default); a map of polygons may have its own. The robot is a point unless another is
+    given.
 
     Raises UnreadableScene or UnknownFormat, InvalidParameter where something is missing or given twice, InvalidStart, InvalidGoal.
     """
     file = Path(path)
+    if file.suffix.lower() == ".json" and is_polygon_map(file):
+        world, own_start, own_goal = read_benchmr(file)
+        start, goal = own_start if start is None else start, own_goal if goal is None else goal
+        return problem_in(file, world, robot, start, goal, query, clearance)
     if file.suffix.lower() == ".json":
         if (robot, start, goal, query, clearance) != (None, None, None, None, 0.0):
             raise InvalidParameter(f"{file}: a scene has its own robot, start, goal and clearance; give none beside it")
         return read_scene(file)
-    world = read_world(file)
+    return problem_in(file, read_world(file), robot, start, goal, query, clearance)
+
+
+def problem_in(
+    file: Path, world: Any, robot: Any, start: ArrayLike | None, goal: ArrayLike | None, query: int | None, clearance: float
+) -> ProblemRecord:
+    """A problem in a world that was read from a file."""
     if (start is None) != (goal is None) or (start is not None and query is not None):
         raise InvalidParameter(f"{file}: give both start and goal, or the number of a query of its scenario")
     if start is None or goal is None:

@@ -6,17 +6,19 @@ import warnings
 import zlib
 from collections.abc import Callable
 from contextlib import suppress
+from functools import cache
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+import trimesh
 import yaml
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from PIL import Image
 
-from kinoedu.errors import KinoeduError, SceneTooLarge, UnknownFormat, UnreadableScene
+from kinoedu.errors import KinoeduError, MendedPolygons, SceneTooLarge, UnknownFormat, UnreadableScene
 from kinoedu.worlds.images import read_image
 from kinoedu.worlds.movingai import read_map, read_scenario, scenario_beside
 from kinoedu.worlds.reading import read_world
@@ -524,14 +526,21 @@ def test_what_is_not_a_file_has_a_sentence(tmp_path: Path, read: Callable[[Path]
 
 def test_an_unknown_ending_lists_the_known_ones(tmp_path: Path) -> None:
     """A scene and a folder get advice of their own."""
-    with pytest.raises(UnknownFormat, match=r"\.bmp, \.map, \.pgm, \.png, \.yaml or \.yml, got \.txt"):
+    with pytest.raises(UnknownFormat, match=r"\.bmp, .*\.map, .*\.stl, \.yaml or \.yml, got \.txt"):
         read_world(write(tmp_path / "x.txt", ""))
     with pytest.raises(UnknownFormat, match="no ending"):
         read_world(str(tmp_path / "x"))
     with pytest.raises(UnknownFormat, match="read_scene"):
-        read_world(tmp_path / "x.JSON")
+        read_world(write(tmp_path / "x.JSON", "{}"))
     with pytest.raises(UnknownFormat, match="a folder"):
         read_world(tmp_path)
+
+
+@cache
+def good_meshes() -> dict[str, bytes]:
+    """A box in every format."""
+    meshes = {f"x.{kind}": trimesh.creation.box().export(file_type=kind) for kind in ("stl", "obj", "dae", "glb")}
+    return {name: mesh.encode() if isinstance(mesh, str) else mesh for name, mesh in meshes.items()}
 
 
 def good_files(folder: Path) -> dict[str, bytes]:
@@ -540,16 +549,19 @@ def good_files(folder: Path) -> dict[str, bytes]:
     for kind in ("png", "bmp", "pgm"):
         Image.fromarray(np.uint8(PAGE * 255)).save(folder / f"x.{kind}")
         files[f"x.{kind}"] = (folder / f"x.{kind}").read_bytes()
+    files |= good_meshes()
+    files["x.json"] = b'{"polygons": [[[0, 0], [1, 0], [0, 1]], [[0, 0], [2, 2], [2, 0], [0, 2]]], "start": [0.9, 0.9]}'
     return {**files, "x.yaml": ros(folder).read_bytes()}
 
 
 def read_or_refuse(path: Path) -> None:
     """Read a file; only a named error may come out."""
-    with suppress(KinoeduError):
+    with suppress(KinoeduError), warnings.catch_warnings():
+        warnings.simplefilter("ignore", MendedPolygons)
         read_scenario(path) if path.suffix == ".scen" else read_world(path)
 
 
-KINDS = ["x.map", "x.scen", "x.png", "x.bmp", "x.pgm", "x.yaml"]
+KINDS = ["x.map", "x.scen", "x.png", "x.bmp", "x.pgm", "x.yaml", "x.stl", "x.obj", "x.dae", "x.glb", "x.json"]
 
 
 @given(data=st.binary(max_size=300))

@@ -1,6 +1,7 @@
 """kinoedu plan: a path in a scene, a map or a picture."""
 
 import argparse
+import re
 import threading
 import time
 from collections.abc import Callable
@@ -35,10 +36,11 @@ PLAN_HELP = f"""\
 Plan a path in a scene, a map or a picture, and draw it.
 
 SCENE is one of
-  .json            a scene: robot, world, start and goal (see kinoedu/scenes.py)
+  .json            a scene: robot, world, start and goal (see kinoedu/scenes.py); or a map of polygons; needs --start and --goal
   .map             a MovingAI map; --query K takes start and goal from the .scen beside it
   .png .bmp .pgm   a picture: bright is free, dark is blocked; needs --start and --goal
   .yaml            a ROS map with its picture; needs --start and --goal
+  .stl .obj .dae .glb  a mesh, seen from above; needs --start and --goal
 
 PLANNER is one of
 {chr(10).join(f"  {name:<16} {choice.about}" for name, choice in PLANNERS.items())}
@@ -51,7 +53,7 @@ PLAN_EXAMPLES = """\
 examples:
   python start.py plan notebooks/maps/Paris_1_256.map --query 324 --planner prm --seed 3 --out plan.png
   python start.py plan notebooks/maps/maze-128-128-10.map --start 5,5 --goal 120,120 --planner astar
-  python start.py plan scene.json --step 0.5
+  python start.py plan scene.json --step 0.5 --save plan.json
   python start.py plan scene.json --planner decomposition --out plan.svg
 
 exit status: 0 a path was found, 1 there is none (with the reason), 2 the input was wrong
@@ -77,6 +79,7 @@ def add_plan_options(plan: argparse.ArgumentParser) -> None:
     plan.add_argument("--planner", choices=tuple(PLANNERS), default="rrt", help="default: %(default)s")
     plan.add_argument("--seed", type=int, default=0, metavar="N", help="of the random numbers; same seed, same plan (default: 0)")
     plan.add_argument("--out", type=Path, metavar="FILE", help="draw the plan into a picture: .png, .svg or .pdf")
+    plan.add_argument("--save", type=Path, metavar="FILE", help="write the plan as .json, or its path alone as .csv")
     where = plan.add_argument_group("where")
     where.add_argument("--query", type=int, metavar="K", help="the K-th query, from 0, of a map's scenario (default: 0)")
     where.add_argument("--start", type=numbers, metavar="X,Y", help="where the robot starts")
@@ -110,7 +113,8 @@ def numbers(text: str) -> list[float]:
 
 def run_plan(arguments: argparse.Namespace) -> int:
     """Read, plan, draw, and say in one line what came out."""
-    check_picture(arguments.out, arguments.scene)
+    check_writable("--out", arguments.out, arguments.scene, "a picture ends in .png, .svg or .pdf")
+    check_writable("--save", arguments.save, arguments.scene, "a plan ends in .json or .csv")
     from ..geometry.checks import as_generator  # imported here so that --help is quick
     from ..scenes import read_problem
 
@@ -133,10 +137,16 @@ def run_plan(arguments: argparse.Namespace) -> int:
             from ..figures import save_plan
 
             save_plan(plan, arguments.out)
+    if arguments.save is not None:
+        with stage(f"writing {arguments.save.name}"):
+            from ..plan_files import write_plan
+
+            write_plan(plan, arguments.save)
     counts = ", ".join(f"{count:,} {name}" for name, count in plan.stats.items())
     answer = f"found: length {plan.cost:.8g}" if plan.path is not None else f"no path: {plan.reason}"
     compiling = " with compiling, once" if notes.last else ""
-    print(f"{answer}; {seconds:.3f} s{compiling}, {counts}" + (f"; drawn in {arguments.out}" if arguments.out else ""))
+    files = "".join(f"; {done} in {file}" for done, file in (("drawn", arguments.out), ("saved", arguments.save)) if file)
+    print(f"{answer}; {seconds:.3f} s{compiling}, {counts}{files}")
     return 0 if plan.path is not None else 1
 
 
@@ -179,13 +189,13 @@ def planned(problem: Any, arguments: argparse.Namespace) -> Any:
     return getattr(planners, choice.function)(problem, **tuning, **random)
 
 
-def check_picture(path: Path | None, scene: Path) -> None:
-    """Refuse a picture that could not be written, before any work is done."""
+def check_writable(option: str, path: Path | None, scene: Path, endings: str) -> None:
+    """Refuse a file that could not be written, before any work is done; `endings` says how its name must end."""
     if path is None:
         return
-    if path.suffix.lower() not in (".png", ".svg", ".pdf"):
-        raise OSError(f"--out {path}: a picture ends in .png, .svg or .pdf")
+    if path.suffix.lower() not in re.findall(r"\.\w+", endings):
+        raise OSError(f"{option} {path}: {endings}")
     if path.is_dir() or (path.exists() and scene.exists() and path.samefile(scene)):
-        raise OSError(f"--out {path}: is a folder or the scene itself; name another file")
+        raise OSError(f"{option} {path}: is a folder or the scene itself; name another file")
     if not path.absolute().parent.is_dir():
-        raise OSError(f"--out {path}: there is no folder {path.absolute().parent}")
+        raise OSError(f"{option} {path}: there is no folder {path.absolute().parent}")

@@ -1,6 +1,7 @@
 """The door to world files: which reader takes which file, and what every reader first asks of a file."""
 
 import os
+from collections.abc import Callable
 from pathlib import Path
 from stat import S_ISDIR, S_ISREG
 from typing import TYPE_CHECKING
@@ -8,24 +9,26 @@ from typing import TYPE_CHECKING
 from ..errors import SceneTooLarge, UnknownFormat, UnreadableScene
 
 if TYPE_CHECKING:
+    from .polygon_world import PolygonWorldRecord
     from .terrain import TerrainRecord
 
 MAX_CELLS = 25_000_000  # 5,000 x 5,000, which takes some 400 MB to read
 MAX_BYTES = 3 * MAX_CELLS + 1_000  # the longest text of so many cells: one a row, with Windows line ends
 
 
-def read_world(path: str | os.PathLike[str]) -> "TerrainRecord":
+def read_world(path: str | os.PathLike[str]) -> "TerrainRecord | PolygonWorldRecord":
     """The world in a file, read by what the file's name ends in (capitals do not matter).
 
     Parameters
     ----------
     path : str or path
         `.png`, `.bmp`, `.pgm`: a picture (`read_image`); `.map`: a MovingAI map (`read_map`); `.yaml`,
-        `.yml`: a ROS map (`read_ros_map`). A scene in `.json` is read by `kinoedu.scenes.read_scene`.
+        `.yml`: a ROS map (`read_ros_map`); `.dae`, `.glb`, `.obj`, `.stl`: a mesh, seen from above (`mesh_world`); `.json`: a map
+        of polygons (`read_benchmr`). A scene in `.json` is read by `kinoedu.scenes.read_scene`.
 
     Returns
     -------
-    TerrainRecord
+    TerrainRecord, or of a mesh or polygons a PolygonWorldRecord
         x right, y up; the picture or map looks on the page as in its file.
 
     Raises
@@ -39,16 +42,18 @@ def read_world(path: str | os.PathLike[str]) -> "TerrainRecord":
     --------
     >>> read_world("world.txt")  # doctest: +ELLIPSIS
     Traceback (most recent call last):
-    kinoedu.errors.UnknownFormat: world.txt: expected .bmp, .map, .pgm, .png, .yaml or .yml, got .txt; ...
+    kinoedu.errors.UnknownFormat: world.txt: expected .bmp, .dae, ... .yaml or .yml, got .txt; ...
     """
     # Imported here because each reader asks this file's questions.
+    from .benchmr import read_polygons
     from .images import read_image
+    from .meshes import mesh_world
     from .movingai import read_map
     from .ros_map import read_ros_map
 
-    readers = {
-        ".bmp": read_image, ".map": read_map, ".pgm": read_image,
-        ".png": read_image, ".yaml": read_ros_map, ".yml": read_ros_map,
+    readers: dict[str, Callable[[str | os.PathLike[str]], TerrainRecord | PolygonWorldRecord]] = {
+        ".bmp": read_image, ".dae": mesh_world, ".glb": mesh_world, ".json": read_polygons, ".map": read_map, ".obj": mesh_world,
+        ".pgm": read_image, ".png": read_image, ".stl": mesh_world, ".yaml": read_ros_map, ".yml": read_ros_map,
     }  # fmt: skip
     ending = Path(path).suffix.lower()
     if ending not in readers:
@@ -57,12 +62,10 @@ def read_world(path: str | os.PathLike[str]) -> "TerrainRecord":
 
 
 def _unknown_format(path: Path, ending: str, known: list[str]) -> UnknownFormat:
-    """The error for an ending that no reader knows; a scene and a folder get advice of their own."""
+    """The error for an ending that no reader knows; a folder gets advice of its own."""
     got, advice = ending or "no ending", "save it as one of those"
     if os.path.isdir(path):
         got, advice = "a folder", "name a file inside it"
-    elif ending == ".json":
-        advice = "a scene is read by kinoedu.scenes.read_scene"
     return UnknownFormat(f"{path}: expected {', '.join(known[:-1])} or {known[-1]}, got {got}; {advice}")
 
 

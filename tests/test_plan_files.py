@@ -1,0 +1,152 @@
+"""Plans as files: what is written is read back equal, and what is wrong is refused by the name of its field."""
+
+import copy
+import json
+
+import numpy as np
+import pytest
+
+import kinoedu as ke
+from kinoedu.cli import main
+from kinoedu.errors import InvalidParameter, KinoeduError, UnknownFormat, UnreadableScene
+
+SQUARE = [(0, 0), (10, 0), (10, 10), (0, 10)]
+WORLD = ke.PolygonWorld(SQUARE, [[(4, 0), (6, 0), (6, 8), (4, 8)], ((8, 9), 0.5)])
+BARRED = ke.PolygonWorld(SQUARE, [[(4, 0), (6, 0), (6, 10), (4, 10)]])
+ENDS = ((1, 1), (9, 1))
+TURNING = ke.Problem(ke.RigidPolygon([(-0.5, -0.1), (0.5, -0.1), (0.5, 0.1), (-0.5, 0.1)]), WORLD, (1, 1, 0), (9, 1, 3))
+ARM = ke.Problem(ke.TwoLinkArm(1, 0.5, 0.1, base=(2, 5)), WORLD, (1.0, 0.5), (-2.0, 1.0))
+POINT = ke.Problem(ke.Point(), WORLD, *ENDS)
+PLANS = {
+    "tree": lambda: ke.rrt(POINT, rng=0),
+    "roadmap": lambda: ke.prm(POINT, n=60, rng=0),
+    "walk": lambda: ke.bug1((1, 1), (9, 1), [[(4, 0), (6, 0), (6, 8), (4, 8)]], 0.5),
+    "no path": lambda: ke.rrt(ke.Problem(ke.Point(), BARRED, *ENDS), max_nodes=40, rng=0),
+    "terrain": lambda: ke.plan_on_grid(ke.Problem(ke.Point(), ke.Terrain(np.ones((4, 5))), (0.5, 0.5), (3.5, 2.5))),
+    "turning": lambda: ke.rrt(TURNING, rng=0),
+    "arm": lambda: ke.rrt(ARM, rng=0),
+    "recorded": lambda: ke.rrt(ke.Recorder(POINT), rng=0),
+}
+
+
+def equal(a, b):
+    """Whether two members of a plan hold the same numbers of the same types."""
+    if isinstance(a, tuple):
+        return type(a) is type(b) and all(map(equal, a, b))
+    return np.array_equal(a, b) and np.asarray(a).dtype == np.asarray(b).dtype
+
+
+@pytest.mark.parametrize("name", PLANS)
+def test_a_plan_is_read_back_equal(name, tmp_path):
+    """To the last bit, with the problem it answers where scenes can hold that; nothing is left beside the file."""
+    plan = PLANS[name]()
+    ke.write_plan(plan, tmp_path / "plan.json")
+    again = ke.read_plan(tmp_path / "plan.json")
+    for member in ("path", "cost", "tree", "roadmap", "walk"):
+        assert equal(getattr(again, member), getattr(plan, member)), member
+    assert (again.stats, again.reason, again.planner) == (plan.stats, plan.reason, plan.planner)
+    assert [file.name for file in tmp_path.iterdir()] == ["plan.json"]
+    if name != "walk":
+        assert again.problem.goal.tolist() == plan.problem.goal.tolist()
+        assert again.path is None or again.problem.is_free_path(again.path[0], again.path[1])
+
+
+@pytest.mark.parametrize(
+    ("name", "header"),
+    [("tree", "x,y"), ("turning", "x,y,theta"), ("arm", "theta1,theta2"), ("terrain", "x,y"), ("no path", "x,y")],
+)
+def test_a_path_in_rows_has_names_and_every_bit(name, header, tmp_path):
+    """One configuration a row; without a path the names alone."""
+    plan = PLANS[name]()
+    ke.write_plan(plan, tmp_path / "plan.CSV")
+    first, *rows = (tmp_path / "plan.CSV").read_text().splitlines()
+    assert first == header
+    assert [[float(number) for number in row.split(",")] for row in rows] == ([] if plan.path is None else plan.path.tolist())
+
+
+def test_what_is_no_plan_or_no_such_file_is_refused(tmp_path):
+    """And what was there before stays as it was."""
+    plan = PLANS["tree"]()
+    with pytest.raises(UnknownFormat, match=r"\.csv"):
+        ke.write_plan(plan, tmp_path / "plan.txt")
+    with pytest.raises(InvalidParameter, match="Plan"):
+        ke.write_plan(plan.path, tmp_path / "plan.json")
+    with pytest.raises(OSError, match="gone"):
+        ke.write_plan(plan, tmp_path / "gone" / "plan.json")
+    with pytest.raises(UnknownFormat, match="json"):
+        ke.read_plan(tmp_path / "plan.csv")
+    file = tmp_path / "plan.json"
+    file.write_text("before")
+    broken = ke.Plan(plan.path, plan.cost, stats={"nodes": "many"}, problem=plan.problem)
+    with pytest.raises(ValueError, match="many"):
+        ke.write_plan(broken, file)
+    assert file.read_text() == "before" and list(tmp_path.iterdir()) == [file]
+
+
+CHANGES = [
+    (("version",), 2, "version"),
+    (("version",), ..., "version"),
+    (("path",), None, "both a path and its cost"),
+    (("path",), [], "path"),
+    (("path", 0), [1], "path"),
+    (("path", 0, 0), "a", "path"),
+    (("cost",), True, "cost"),
+    (("cost",), None, "cost"),
+    (("stats", "nodes"), 1.5, "nodes"),
+    (("stats",), [], "stats"),
+    (("tree", "nodes"), [], "tree.nodes"),
+    (("tree", "parent"), [0], "tree.parent"),
+    (("tree", "parent", 1), 10**6, "tree.parent"),
+    (("tree", "parent", 1), 0.5, "tree.parent"),
+    (("tree", "parent", 1), -2, "tree.parent"),
+    (("tree", "parents"), [], "parents"),
+    (("roadmap",), {"nodes": [[0, 0]], "edges": [[0, 1]]}, "roadmap.edges"),
+    (("roadmap",), {"nodes": [[0, 0]], "edges": [0]}, "roadmap.edges"),
+    (("planner",), 3, "planner"),
+    (("problem", "start", 0), 5, "start"),
+    (("surplus",), 1, "surplus"),
+]
+
+
+@pytest.mark.parametrize(("way", "value", "says"), CHANGES, ids=lambda value: str(value)[:30])
+def test_a_wrong_file_is_refused_by_its_field(way, value, says, tmp_path):
+    """With the file's name."""
+    file = tmp_path / "plan.json"
+    ke.write_plan(PLANS["tree"](), file)
+    whole = json.loads(file.read_text())
+    wrong = copy.deepcopy(whole)
+    place = wrong
+    for step in way[:-1]:
+        place = place[step]
+    if value is ...:
+        del place[way[-1]]
+    else:
+        place[way[-1]] = value
+    file.write_text(json.dumps(wrong))
+    with pytest.raises(KinoeduError, match=rf"plan\.json.*{says}"):
+        ke.read_plan(file)
+
+
+def test_a_plan_cut_short_is_refused(tmp_path):
+    """At any byte."""
+    file = tmp_path / "plan.json"
+    ke.write_plan(PLANS["no path"](), file)
+    data = file.read_bytes()
+    for end in range(0, len(data), len(data) // 30):
+        file.write_bytes(data[:end])
+        with pytest.raises(UnreadableScene):
+            ke.read_plan(file)
+
+
+def test_the_command_line_saves(tmp_path, capsys):
+    """As JSON and as CSV; a wrong ending is refused before anything is planned."""
+    scene = tmp_path / "scene.json"
+    ke.write_scene(POINT, scene)
+    for name in ("plan.json", "plan.csv"):
+        assert main(["plan", str(scene), "--save", str(tmp_path / name)]) == 0
+        assert f"saved in {tmp_path / name}" in capsys.readouterr().out
+    rows = (tmp_path / "plan.csv").read_text().splitlines()[1:]
+    assert len(rows) == len(ke.read_plan(tmp_path / "plan.json").path)
+    for wrong in (tmp_path / "plan.png", scene, tmp_path / "gone" / "plan.json"):
+        assert main(["plan", str(scene), "--save", str(wrong)]) == 2
+        assert capsys.readouterr().err.startswith("kinoedu: --save")

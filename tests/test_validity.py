@@ -1,0 +1,81 @@
+"""A share of the ten thousand random problems of benchmarks/validity.py, and whether its judge would see an invalid path."""
+
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import kinoedu as ke
+
+sys.path.append(str(Path(__file__).resolve().parent.parent / "benchmarks"))
+
+from certify import is_valid
+from optimality import crowded, gaps
+from validity import outcome, wilson
+
+
+@pytest.mark.parametrize("planner", ["RRT", "RRT-Connect"])
+def test_no_path_of_a_few_hundred_is_invalid(planner):
+    """All robots, all worlds; most are solved."""
+    outcomes = [outcome(seed, [planner]) for seed in range(1_000_000, 1_000_150)]
+    assert [one for one in outcomes if not one.valid] == []
+    assert sum(one.solved for one in outcomes) > 75
+
+
+def test_no_exact_path_is_invalid():
+    """A point among polygons that lie over each other; visibility's paths may touch."""
+    outcomes = [outcome(seed, ["visibility", "decomposition"]) for seed in range(0, 1500, 15)]
+    assert [one for one in outcomes if not one.valid] == []
+    assert sum(one.solved for one in outcomes) > 50
+
+
+SQUARE = [(0, 0), (10, 0), (10, 10), (0, 10)]
+HAIR = [(5, 0), (5 + 1e-8, 0), (5 + 1e-8, 8), (5, 8)]
+SLIVER = [(2, 4), (3, 4), (2, 4 + 1e-8)]  # within the arm's reach on one side
+L_SHAPE = [(-0.5, -0.2), (0.6, -0.2), (0.6, 0.1), (-0.2, 0.1), (-0.2, 0.7), (-0.5, 0.7)]
+ROBOTS = [
+    (ke.Point(), (1, 1), (9, 1)),
+    (ke.Disk(0.4), (1, 1), (9, 1)),
+    (ke.TranslatingPolygon(L_SHAPE), (1, 1), (9, 1)),
+    (ke.RigidPolygon(L_SHAPE), (1, 1, 0), (9, 1, 3)),
+    (ke.TwoLinkArm(1.5, 1, 0.1, base=(4, 4)), (2.0, 0.3), (-2.0, -0.3)),
+]
+
+
+@pytest.mark.parametrize(("robot", "start", "goal"), ROBOTS, ids=["point", "disk", "sliding", "turning", "arm"])
+def test_the_judge_sees_a_wall_a_hair_thin(robot, start, goal):
+    """The straight motion through it, which no fixed step would find, and a cost or an end that is not the plan's own."""
+    world = ke.PolygonWorld(SQUARE, [SLIVER if hasattr(robot, "lengths") else HAIR])
+    problem = ke.Problem(robot, world, start, goal)
+    straight = ke.Plan(np.array([problem.start, problem.goal]), problem.distance(problem.start, problem.goal), problem=problem)
+    assert not is_valid(straight)
+    free = ke.rrt_connect(problem, rng=0)
+    assert is_valid(free)
+    assert not is_valid(replace(free, cost=free.cost * 1.001))
+    assert not is_valid(replace(free, path=free.path[:-1]))
+
+
+def test_touching_is_semi_free_and_not_free():
+    """Along a wall's edge and round its corner; through its inside is neither."""
+    world = ke.PolygonWorld(SQUARE, [[(4, 0), (6, 0), (6, 8), (4, 8)]])
+    plan = ke.plan_by_visibility(ke.Problem(ke.Point(), world, (1, 1), (9, 1)))
+    assert is_valid(plan, semi_free=True) and not is_valid(plan)
+    lower = plan.path - [(0, 0), (0, 1e-6), (0, 1e-6), (0, 0)]
+    cost = float(np.sqrt((np.diff(lower, axis=0) ** 2).sum(axis=1)).sum())
+    assert not is_valid(replace(plan, path=lower, cost=cost), semi_free=True)
+
+
+def test_wilsons_interval():
+    """Known values, and no share beyond 0 and 1."""
+    assert wilson(0, 10) == pytest.approx((0, 0.27753), abs=1e-4)
+    assert wilson(5, 10) == pytest.approx((0.23659, 0.76341), abs=1e-4)
+    assert wilson(10, 10) == pytest.approx((0.72247, 1), abs=1e-4)
+
+
+def test_more_samples_come_closer_to_the_shortest_path():
+    """RRT* over a few worlds: never below the visibility roadmap's, and its median gap shrinks."""
+    cases = [crowded(seed) for seed in range(3)]
+    few, many = (np.median(gaps("RRT*", n, cases, range(4))) for n in (300, 2000))
+    assert 0.0 <= many < few and many < 0.1
