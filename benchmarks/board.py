@@ -43,12 +43,23 @@ nodes = np.random.default_rng(1).random((30, 2))
 near = {tuple(sorted((i, int(j)))) for i in range(30) for j in np.argsort(((nodes - nodes[i]) ** 2).sum(axis=1))[1:4]}
 search_board(Graph(nodes=nodes, edges=sorted(near)), search="astar")
 """
+YARD = SCENE.replace("ke.board(", "yard = (")
+ROADMAP = YARD + "ke.boards.roadmap_board(yard, n=1000)"
+PROPERTIES = YARD + "ke.boards.properties_board(yard, n=300)"
+RACE = YARD + "ke.boards.race_board(yard, nodes=1000)"
+REWIRING = YARD + "ke.boards.rewiring_board(yard, nodes=1000)"
+EXPLORING = YARD + "ke.boards.exploring_board(yard)"
 DRAGGED = {  # on the first board of each notebook: what, and the thing
     SCENE: (("goal", "handle-1"), ("polygon", "polygon-2")),
     TOWN: (("goal in the town", "handle-1"),),
     BUG: (("goal of a bug", "handle-1"), ("obstacle of a bug", "polygon-0")),
     SWEEP: (("sweep line", "handle-0"), ("obstacle under the sweep", "polygon-2")),
     SEARCH: (("goal of a search", "handle-1"), ("node of a search", "handle-9")),
+    ROADMAP: (("goal of a roadmap, 1,000 nodes", "handle-1"), ("obstacle in a roadmap", "polygon-2")),
+    PROPERTIES: (("obstacle in a roadmap measured", "polygon-2"),),
+    RACE: (("goal of a race, 1,000 nodes", "handle-1"), ("obstacle in a race", "polygon-2")),
+    REWIRING: (("goal of RRT*, 1,000 nodes", "handle-1"), ("obstacle in RRT*", "polygon-2")),
+    EXPLORING: (("goal of an explorer", "handle-1"), ("obstacle of an explorer", "polygon-2")),
 }
 LISTEN = """board => { window.events = []; window.held = board; if (board.heard) return; board.heard = true;
     for (const what of ['asked', 'answered', 'painted'])
@@ -91,6 +102,8 @@ def seen(events: list[Any], spent: float) -> dict[str, float]:
     asked = {seq: when for what, seq, when in events if what == "asked"}
     answered = [(seq, when) for what, seq, when in events if what == "answered" and seq in asked]
     painted = [seq for what, seq, _ in events if what == "painted"]
+    if not answered:
+        raise RuntimeError("nothing was answered: was anything grabbed?")
     delays = [when - asked[seq] for seq, when in answered]
     backward = sum(after < before for before, after in zip(painted, painted[1:], strict=False))
     return {

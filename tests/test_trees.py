@@ -117,12 +117,13 @@ def test_rrt_star_comes_near_the_shortest_path():
 
 def test_costs_of_the_whole_tree_are_those_of_its_ways():
     """After any number of rewirings the kept costs equal the sums along the tree, node by node."""
+    from kinoedu.planners.cost_tree import empty_costs
     from kinoedu.planners.informed import Everywhere
-    from kinoedu.planners.rrt_star import CostTree, grow_shortest
+    from kinoedu.planners.rrt_star import grow_shortest
 
     problem = problem_of()
     tree = empty_tree(801, problem.space.lo, problem.space.hi)
-    costs = CostTree(tree, np.empty(801), np.empty(801), np.empty(801, np.int64), np.empty(801, np.int64))
+    costs = empty_costs(tree)
     grow_shortest(problem, costs, Everywhere(0.05), 1.0, np.full(803, 1.0), 5000, np.random.default_rng(0))
     for node in range(1, tree.size[0]):
         way, at = 0.0, node

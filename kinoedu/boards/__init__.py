@@ -5,8 +5,13 @@ from .board import Board, board
 from .bugs import BugBoard, bug_board
 from .canvas import Canvas
 from .drawing import Drawing, Layer
+from .exploring import ExploringBoard, exploring_board
 from .geometry import distance_board
+from .properties import PropertiesBoard, properties_board
+from .race import RaceBoard, race_board
 from .reach import reach_board, torus_board
+from .rewiring import RewiringBoard, rewiring_board
+from .roadmaps import RoadmapBoard, roadmap_board
 from .samples import SamplesBoard, samples_board
 from .search import SearchBoard, search_board
 from .slide import SlideBoard, slide_board
@@ -19,7 +24,12 @@ __all__ = [
     "BugBoard",
     "Canvas",
     "Drawing",
+    "ExploringBoard",
     "Layer",
+    "PropertiesBoard",
+    "RaceBoard",
+    "RewiringBoard",
+    "RoadmapBoard",
     "SamplesBoard",
     "SearchBoard",
     "SlideBoard",
@@ -29,7 +39,12 @@ __all__ = [
     "board",
     "bug_board",
     "distance_board",
+    "exploring_board",
+    "properties_board",
+    "race_board",
     "reach_board",
+    "rewiring_board",
+    "roadmap_board",
     "samples_board",
     "search_board",
     "slide_board",

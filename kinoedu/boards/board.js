@@ -53,15 +53,20 @@ function make(tag, className, parent, attributes = {}) {
   return element;
 }
 
-function inside(x, y, rings) {          // of the first ring and outside the others: a ray to the right crosses an odd number of edges
-  let odd = false;
-  for (const ring of rings) {
-    ring.forEach(([ax, ay], i) => {
-      const [bx, by] = ring[(i + 1) % ring.length];
-      if ((ay > y) !== (by > y) && x < ax + ((y - ay) / (by - ay)) * (bx - ax)) odd = !odd;
-    });
-  }
-  return odd;
+function crossings(y, rings) {           // where a level line crosses edges, from left to right
+  return rings.flatMap((ring) => ring.flatMap(([ax, ay], i) => {
+    const [bx, by] = ring[(i + 1) % ring.length];
+    return (ay > y) !== (by > y) ? [ax + ((y - ay) / (by - ay)) * (bx - ax)] : [];
+  })).sort((a, b) => a - b);
+}
+
+function inside(x, y, rings) {           // of the first ring and outside the others: to the right an odd number of edges is crossed
+  return crossings(y, rings).filter((at) => x < at).length % 2 === 1;
+}
+
+function middleAt(y, rings) {            // of the longest stretch of a level line within rings
+  const at = crossings(y, rings), wide = at.map((x, k) => (k % 2 ? x - at[k - 1] : 0)), k = wide.indexOf(Math.max(...wide));
+  return k > 0 ? (at[k - 1] + at[k]) / 2 : null;
 }
 
 // ---- what all views share
@@ -109,10 +114,11 @@ class Board {
     return thing.kind === "vertex" ? item.rings[thing.r][thing.v] : item.at;
   }
 
-  place(thing) {                         // one point for it: a polygon's is the middle of its box
+  place(thing) {                         // one point for it: a polygon's lies within it, in the middle of its box if that does
     if (thing.kind !== "polygon") return this.shape(thing);
-    const ring = this.shape(thing)[0];
-    return [0, 1].map((k) => (Math.min(...ring.map((p) => p[k])) + Math.max(...ring.map((p) => p[k]))) / 2);
+    const rings = this.shape(thing);
+    const [x, y] = [0, 1].map((k) => (Math.min(...rings[0].map((p) => p[k])) + Math.max(...rings[0].map((p) => p[k]))) / 2);
+    return inside(x, y, rings) ? [x, y] : [middleAt(y, rings) ?? x, y];
   }
 
   move(thing, from, anchor, to) {        // as far as from the anchor to `to`, the anchor kept within the world; `from` is its shape before
@@ -251,9 +257,11 @@ class Board {
 
   growTo(step) { this.step = clamp(Math.round(step), 0, this.drawing.total); this.lead(); this.changed(); }
 
-  lead() {                               // a partner of as many steps is scrubbed along
+  team() { return this.model.get("partner") || this.key; }
+
+  lead() {                               // partners of as many steps are scrubbed along
     for (const other of boards.values()) {
-      if ((other.key !== this.model.get("partner") && other.model.get("partner") !== this.key) || other.drawing.total !== this.drawing.total) continue;
+      if (other === this || other.team() !== this.team() || other.drawing.total !== this.drawing.total) continue;
       Object.assign(other, { step: this.step, playing: null });
       other.changed();
     }

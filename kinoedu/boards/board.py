@@ -12,11 +12,10 @@ from ..planners.asking import world_size
 from ..planners.tuning import positive, whole
 from ..problems import Plan, ProblemRecord
 from ..words import say
-from ..worlds.terrain import TerrainRecord
-from .canvas import Canvas, with_picture
+from .canvas import with_picture
 from .drawing import Drawing
 from .own import Attempt, attempt, drawing_of_attempt
-from .plans import PLANNERS, Settings, drawing_of, problem_in, scene_of
+from .plans import PLANNERS, Settings, canvas_for, drawing_of, in_plane, problem_in
 from .scene import Scene
 
 OWN = "own"
@@ -56,11 +55,7 @@ class Board(widgets.VBox):
     def __init__(
         self, problem: ProblemRecord, planner: str | Callable[..., Any], *, step: float | None, samples: int, rng: int
     ) -> None:
-        if not isinstance(problem, ProblemRecord) or problem.start.shape != (2,):
-            raise InvalidParameter(
-                f"a board needs a Problem whose configurations are points of the plane, got {shortened(problem)}"
-            )
-        self.problem = problem
+        self.problem = in_plane(problem)
         self.plan: Plan | Attempt | None = None
         self._given = problem
         self._own, chosen = chosen_planner(planner)
@@ -68,8 +63,7 @@ class Board(widgets.VBox):
         self.planner = self._menu(chosen)
         self.seed, self.step, self.samples = self._sliders(step, samples, rng)
         self._dress()
-        world = problem.world
-        self.canvas = Canvas(scene_of(problem), self.answer, free=world.free if isinstance(world, TerrainRecord) else None)
+        self.canvas = canvas_for(problem, self.answer)
         super().__init__([self.planner, self.seed, self.step, self.samples, self.canvas])
         for control in (self.planner, self.seed, self.step, self.samples):
             control.observe(self._changed, "value")
@@ -81,20 +75,10 @@ class Board(widgets.VBox):
         return widgets.Dropdown(options=options, value=chosen, **look("planner"))
 
     def _sliders(self, step: float | None, samples: int, rng: int) -> tuple[Any, Any, Any]:
-        size = world_size(self._given)
-        first = size / 20.0 if step is None else positive(step, "step")
-        notch = first / 20.0  # the browser moves a slider to the nearest notch: the first value must lie on one
         seed, n = whole(rng, "rng", least=0), whole(samples, "samples", least=1)
         return (
             widgets.IntSlider(seed, 0, max(99, seed), **look("seed")),
-            widgets.FloatSlider(
-                first,
-                min=min(first, notch * max(1, round(size / 200.0 / notch))),
-                max=notch * max(20, round(size / 4.0 / notch)),
-                step=notch,
-                readout_format=".3g",
-                **look("step"),
-            ),
+            length_slider("board.step", world_size(self._given), step),
             widgets.IntSlider(n, min(50, n), max(3000, n), **look("samples")),
         )
 
@@ -139,6 +123,22 @@ def chosen_planner(planner: Any) -> tuple[Callable[..., Any] | None, str]:
     if callable(planner):
         return planner, OWN
     raise InvalidParameter(say("board.unknown_planner", names=", ".join(PLANNERS), given=shortened(planner)))
+
+
+def length_slider(key: str, size: float, given: float | None) -> widgets.FloatSlider:
+    """A slider for a length in a world of a size, named by the words under a key: it begins at what is given, or at a twentieth of
+    the size. Raises InvalidParameter.
+    """
+    first = size / 20.0 if given is None else positive(given, key.rpartition(".")[2])
+    notch = first / 20.0  # the browser moves a slider to the nearest notch: the first value must lie on one
+    return widgets.FloatSlider(
+        first,
+        min=min(first, notch * max(1, round(size / 200.0 / notch))),
+        max=notch * max(20, round(size / 4.0 / notch)),
+        step=notch,
+        readout_format=".3g",
+        **{**look("step"), "description": say(key)},
+    )
 
 
 def look(name: str) -> dict[str, Any]:

@@ -34,7 +34,7 @@ from ..figures import palette
 from ..words import say
 from .drawing import Drawing, encoded
 from .printed import printed
-from .scene import Scene, arranged_like, moved
+from .scene import Scene, arranged_like, everything, moved
 
 log = logging.getLogger("kinoedu")
 
@@ -60,7 +60,8 @@ class Canvas(anywidget.AnyWidget):
     free : a bitmap to draw beneath, (rows, columns), the lowest row first; true is free, or, where the scene has `colours`, the
         number of one.
 
-    `partner` is the key of another board that is scrubbed together with this one, as a plot is with what it plots.
+    `partner` is the key of another board that is scrubbed together with this one, as a plot is with what it plots; so are all that
+    have the same partner.
     `drawing` is the answer on show. Where there is no JavaScript the same is shown as a picture.
     """
 
@@ -96,6 +97,15 @@ class Canvas(anywidget.AnyWidget):
         with _answering:
             self._draw()
             self._show(None, None)
+
+    def arrange(self, scene: Scene) -> None:
+        """Put everything where a scene of the same parts has it, answer that, and show it on every page."""
+        with _answering:
+            self._shown = scene
+            self._draw()
+            self._content["places"] = [list(part) for part in everything(scene)]
+            self._show(None, None)
+            self.scene = scene  # after its places: a page that has them asks for nothing
 
     def lay(self, bitmap: Any) -> None:
         """Another bitmap beneath, of the same size: every page gets it now, and paints it with what is answered next."""

@@ -20,7 +20,7 @@ POINTS = {"edges": 2, "path": 1, "dots": 1, "arrows": 1, "labels": 1}  # how man
 class Layer(NamedTuple):
     """Rows of numbers and how they look; the functions below make it.
 
-    rows : edges x, y, next x, next y; path, dots, labels x, y; arrows x, y, dx, dy; cells four corners; bodies all corners.
+    rows : edges x, y, next x, next y; path, dots, labels x, y; arrows x, y, dx, dy; cells and bodies all corners.
     when : for each row the step at which it came, not decreasing; None where all is there from the beginning.
     until : for each row the step at which it is gone again; None where all stays.
     last : it is shown only when everything else has grown. hatched : of bodies, with stripes.
@@ -113,17 +113,21 @@ def labels(points: ArrayLike, texts: Sequence[str], colour: str, *, when: ArrayL
 
 
 def cells(corners: ArrayLike, colour: str, *, when: ArrayLike | None = None, until: ArrayLike | None = None) -> Layer:
-    """Filled quadrangles, shape (n, 4, 2), beneath obstacles and all other layers."""
-    return Layer("cells", rows_of(corners, 8), colour, when=steps_of(when), until=steps_of(until))
+    """Filled polygons of k corners each, shape (n, k, 2), beneath obstacles and all other layers."""
+    return Layer("cells", outlines(corners), colour, when=steps_of(when), until=steps_of(until))
 
 
 def bodies(
     corners: ArrayLike, colour: str, *, hatched: bool = False, when: ArrayLike | None = None, until: ArrayLike | None = None
 ) -> Layer:
     """Polygons of k corners each, shape (n, k, 2), over everything else: an outline, a tint, and stripes where they are hatched."""
-    outlines = np.asarray(corners, np.float64)
-    rows = rows_of(outlines, 2 * outlines.shape[1])
-    return Layer("bodies", rows, colour, 2.0, when=steps_of(when), until=steps_of(until), hatched=hatched)
+    return Layer("bodies", outlines(corners), colour, 2.0, when=steps_of(when), until=steps_of(until), hatched=hatched)
+
+
+def outlines(corners: ArrayLike) -> Array:
+    """Polygons of k corners each, shape (n, k, 2), as rows."""
+    shapes = np.asarray(corners, np.float64)
+    return rows_of(shapes, 2 * shapes.shape[1])
 
 
 def rows_of(values: ArrayLike, columns: int) -> Array:

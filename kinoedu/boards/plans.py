@@ -5,11 +5,15 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from ..errors import InvalidParameter
 from ..figures.drawing import dot_size, growth_of, line_width, summary
+from ..geometry.checks import shortened
 from ..planners import plan_on_grid, prm, rrt
 from ..problems import Plan, Problem, ProblemRecord
 from ..worlds import PolygonWorld
 from ..worlds.polygon_world import PolygonWorldRecord, discs_of, rings_of
+from ..worlds.terrain import TerrainRecord
+from .canvas import Canvas
 from .drawing import Drawing, Layer, dots, edges, path
 from .scene import Scene, disc, handle, make_scene, place_of, polygon
 
@@ -37,6 +41,23 @@ PLANNERS = {
     "prm": Choice(prm, lambda problem, given: prm(problem, n=given.samples, rng=given.seed), ("seed", "samples")),
     "astar": Choice(plan_on_grid, lambda problem, given: plan_on_grid(problem), ()),
 }
+
+
+def in_plane(problem: Any) -> ProblemRecord:
+    """A problem whose configurations are points of the plane, or InvalidParameter."""
+    if not isinstance(problem, ProblemRecord) or problem.start.shape != (2,):
+        raise InvalidParameter(f"a board needs a Problem whose configurations are points of the plane, got {shortened(problem)}")
+    return problem
+
+
+def canvas_for(problem: ProblemRecord, answer: Callable[[Scene], Drawing]) -> Canvas:
+    """A canvas on which a problem's parts can be dragged."""
+    return canvas_of(problem.world, scene_of(problem), answer)
+
+
+def canvas_of(world: Any, scene: Scene, answer: Callable[[Scene], Drawing]) -> Canvas:
+    """A canvas of a scene in a world, with the world's bitmap where it is one."""
+    return Canvas(scene, answer, free=world.free if isinstance(world, TerrainRecord) else None)
 
 
 def scene_of(problem: ProblemRecord) -> Scene:

@@ -18,6 +18,7 @@ from .drawing import Drawing, Layer
 from .scene import Scene
 
 DPI = (72, 54)  # dots an inch; the smaller where the picture would take more than ENOUGH bytes
+ACROSS = 2  # pictures in a row: of more the words would be too small on a page
 ENOUGH = 44_000  # a notebook with a dozen boards stays small
 
 
@@ -96,7 +97,8 @@ def print_layer(layer: Layer, ax: Axes, total: int) -> None:
     dash: Any = (0, [2.0 * d / max(layer.width, 1.0) for d in layer.dash]) if layer.dash else "solid"
     z = 5.5 if layer.last else 3.0  # what comes last lies on the path
     if layer.kind == "cells":
-        ax.add_collection(PolyCollection(list(rows.reshape(-1, 4, 2)), facecolors=colour, edgecolors="none", zorder=0.7))
+        shapes = list(rows.reshape(len(rows), -1, 2))
+        ax.add_collection(PolyCollection(shapes, facecolors=colour, edgecolors="none", zorder=0.7))
     elif layer.kind == "bodies":
         shapes, stripes = list(rows.reshape(len(rows), -1, 2)), "////" if layer.hatched else None
         outline: Any = {"edgecolors": colour, "linewidths": layer.width, "hatch": stripes}
@@ -128,13 +130,16 @@ def print_layer(layer: Layer, ax: Axes, total: int) -> None:
 
 
 def side_by_side(*pictures: bytes) -> bytes:
-    """Pictures in a row, as one PNG."""
+    """Pictures in a row, in more rows where they are many, as one PNG."""
     opened = [Image.open(io.BytesIO(picture)).convert("RGB") for picture in pictures]
-    whole = Image.new("RGB", (sum(one.width for one in opened), max(one.height for one in opened)), "white")
-    left = 0
-    for one in opened:
-        whole.paste(one, (left, (whole.height - one.height) // 2))
-        left += one.width
+    rows = [opened[k : k + ACROSS] for k in range(0, len(opened), ACROSS)]
+    heights = [max(one.height for one in row) for row in rows]
+    whole = Image.new("RGB", (max(sum(one.width for one in row) for row in rows), sum(heights)), "white")
+    for number, row in enumerate(rows):
+        left, top = 0, sum(heights[:number])
+        for one in row:
+            whole.paste(one, (left, top + (heights[number] - one.height) // 2))
+            left += one.width
     stream = io.BytesIO()
     whole.quantize(64, dither=Image.Dither.NONE).save(stream, "png", optimize=True)
     return stream.getvalue()

@@ -119,10 +119,15 @@ def arranged_like(home: Scene, proposed: Any) -> Scene:
     """A whole scene from elsewhere: home with everything where the other has it. Raises InvalidParameter, InvalidPoint."""
     if not isinstance(proposed, dict):
         raise unknown(proposed)
-    parts = []
-    for kind, name in LISTS.items():
+    for name in LISTS.values():
         items = proposed.get(name)
         if not isinstance(items, list) or len(items) != len(home[name]) or not all(isinstance(item, dict) for item in items):
             raise unknown(items)
-        parts += [(kind, number, item.get("at", item.get("rings"))) for number, item in enumerate(items)]
-    return moved(home, parts)
+    return moved(home, everything(proposed))
+
+
+def everything(scene: Scene) -> list[tuple[str, int, Any]]:
+    """Where each part of a scene is, as `moved` takes it."""
+    return [
+        (kind, number, item.get("at", item.get("rings"))) for kind, name in LISTS.items() for number, item in enumerate(scene[name])
+    ]

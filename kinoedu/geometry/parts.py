@@ -19,7 +19,7 @@ The record table (every record is a NamedTuple; compiled code reads its fields):
 | `Curve` | start (3,), radius, turns (k,), lengths (k,) (curves/curve.py) |
 | `Nearest`, `Closest` | what a search of buckets has found so far (spaces/rings.py, spaces/closest.py) |
 | `GrowingTree` | nodes, parent, size, and the buckets of its nearest neighbours (spaces/buckets.py) |
-| `CostTree` | tree, cost, length, child, sibling (planners/rrt_star.py) |
+| `CostTree` | tree, cost, length, child, sibling, log, hung (planners/cost_tree.py) |
 | `Corners` | points, nodes, before, after (planners/corners.py) |
 | `GraphRecord` | size, edges, weights, first, to, weight (graphs/flat.py) |
 | `Sweep` | the state of a sweep line, flat (decomposition/sweep.py) |

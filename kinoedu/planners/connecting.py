@@ -147,6 +147,17 @@ def join_components(problem: Any, nodes: Array, k: int) -> tuple[Numbers, Array]
 
 
 @compiled
+def components_as_joined(n: int, edges: Numbers) -> Numbers:
+    """How many components n nodes make with the first k of some edges (m, 2), for k from 0 to m, (m + 1,)."""
+    root, count = np.arange(n), np.full(len(edges) + 1, n)
+    for k in range(len(edges)):
+        one, other = root_of(root, edges[k, 0]), root_of(root, edges[k, 1])
+        root[one] = other
+        count[k + 1] = count[k] - int(one != other)
+    return count
+
+
+@compiled
 def root_of(root: Numbers, node: int) -> int:
     """The node that stands for a component; the way there is halved (R. E. Tarjan, J. van Leeuwen, 1984)."""
     while root[node] != node:

@@ -12,7 +12,7 @@
 Bullo & Smith, section 4.5.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -22,7 +22,7 @@ from ..geometry.checks import Array, as_generator
 from ..geometry.exact import turn
 from ..problems import MOTIONS, Plan, Problem, ProblemRecord, Recorder, Tree
 from ..robots.round import RoundRobot
-from ..worlds.polygon_world import PolygonWorld, PolygonWorldRecord
+from ..worlds.polygon_world import PolygonWorldRecord, world_of_triangles
 from ..worlds.range_sensor import Scan, scan
 from .answers import plan_along
 from .asking import world_size
@@ -59,9 +59,22 @@ class SeenMap(NamedTuple):
 
     def world(self, asked: ProblemRecord) -> PolygonWorldRecord:
         """What is known as a world: the bounding box, and the walls seen."""
-        lo, hi = asked.world.lo, asked.world.hi
-        solid = [wall for wall in self.walls.values() if turn(*wall.ravel().tolist()) != 0]
-        return PolygonWorld([(lo[0], lo[1]), (hi[0], lo[1]), (hi[0], hi[1]), (lo[0], hi[1])], solid)
+        walls = np.array(list(self.walls.values())).reshape(-1, 3, 2)
+        turns = np.array([turn(*wall.ravel().tolist()) for wall in walls], np.int64)
+        walls[turns < 0] = walls[turns < 0, ::-1]
+        return world_of_triangles(asked.world.lo, asked.world.hi, walls[turns != 0])
+
+
+class Look(NamedTuple):
+    """One turn of the loop: what the sensor sees, the walls known with it (k, 3, 2), the plan in that map, the points of it
+    that are followed (j, d), none where there is no plan or the moves have run out, and how many motions were judged.
+    """
+
+    seen: Scan
+    walls: Array
+    plan: Plan
+    followed: Array
+    checks: int
 
 
 def receding_horizon(
@@ -95,6 +108,28 @@ def receding_horizon(
     >>> bool(17.2 < plan.cost < 40)
     True
     """
+    given: Any = {"reach": reach, "horizon": horizon, "rays": rays, "planner": planner, "max_moves": max_moves, "rng": rng}
+    return plan_of_looks(problem, list(receding_horizon_looks(problem, **given)))
+
+
+def receding_horizon_looks(
+    problem: Any,
+    *,
+    reach: float | None = None,
+    horizon: float | None = None,
+    rays: int = 180,
+    planner: Local | None = None,
+    max_moves: int = 200,
+    rng: int | np.random.Generator,
+) -> Iterator[Look]:
+    """`receding_horizon`, whose arguments these are, look by look.
+
+    >>> from kinoedu import Point, PolygonWorld, Problem
+    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
+    >>> looks = list(receding_horizon_looks(Problem(Point(), world, start=(1, 1), goal=(9, 1)), rng=0))
+    >>> looks[0].seen.origin, looks[-1].followed[-1]
+    (array([1., 1.]), array([9., 1.]))
+    """
     inner = problem.problem if isinstance(problem, Recorder) else problem
     if not (
         isinstance(inner, ProblemRecord) and isinstance(inner.robot, RoundRobot) and isinstance(inner.world, PolygonWorldRecord)
@@ -105,21 +140,31 @@ def receding_horizon(
     most, generator = whole(max_moves, "max_moves", least=0), as_generator(rng)
     local = connect_and_shorten if planner is None else planner
     seen, margin = SeenMap({}), sight * np.pi / whole(rays, "rays", least=3)
-    followed, looked, reason, before = [problem.start], [problem.start], "", problem.asked[MOTIONS]
-    while not np.array_equal(followed[-1], problem.goal) and not reason:
-        around = scan(inner.world, followed[-1], rays=rays, reach=sight)
+    q, moves = problem.start, 0
+    while not np.array_equal(q, problem.goal) and moves <= most:
+        around = scan(inner.world, q, rays=rays, reach=sight)
         seen.add(around)
         room = 0.5 * (float(around.distances.min()) - inner.robot.radius - inner.clearance)
-        plan = plan_in_map(seen, inner, followed[-1], min(margin, room), local, generator)
+        plan = plan_in_map(seen, inner, q, min(margin, room), local, generator)
+        before, walls = problem.asked[MOTIONS], np.array(list(seen.walls.values())).reshape(-1, 3, 2)
+        gone = [] if plan.path is None or moves == most else follow(problem, plan.path, ahead)
+        yield Look(around, walls, plan, np.array(gone).reshape(-1, len(q)), int(problem.asked[MOTIONS] - before))
         if plan.path is None:
-            reason = f"after {len(looked):,} looks the map shows no way to the goal: {plan.reason}"
-        elif len(looked) > most:
-            reason = f"{most:,} moves did not lead to the goal; allow more, or a longer reach"
-        else:
-            followed += follow(problem, plan.path, ahead)
-            looked.append(followed[-1])
-    places, path = np.array(looked), np.array(followed)
-    stats = {"looks": len(looked), "walls": len(seen.walls), "checks": int(problem.asked[MOTIONS] - before)}
+            return
+        q, moves = gone[-1] if gone else q, moves + 1
+
+
+def plan_of_looks(problem: Any, looks: list[Look]) -> Plan:
+    """What became of looking and following: the way that was gone, or why it does not end at the goal."""
+    path = np.concatenate([[problem.start], *(look.followed for look in looks)])
+    reason = ""
+    if looks and looks[-1].plan.path is None:
+        reason = f"after {len(looks):,} looks the map shows no way to the goal: {looks[-1].plan.reason}"
+    elif not np.array_equal(path[-1], problem.goal):
+        reason = f"{len(looks) - 1:,} moves did not lead to the goal; allow more, or a longer reach"
+    places = np.array([look.seen.origin for look in looks] + ([] if reason else [path[-1]]))
+    walls = len(looks[-1].walls) if looks else 0
+    stats = {"looks": len(places), "walls": walls, "checks": sum(look.checks for look in looks)}
     tree, numbers = Tree(places, np.arange(len(places)) - 1), None if reason else np.arange(len(path))
     return plan_along(problem, path, numbers, reason, planner="receding horizon", tree=tree, stats=stats)
 

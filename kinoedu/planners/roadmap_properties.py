@@ -9,13 +9,16 @@ from numpy.typing import NDArray
 from ..compiled import body
 from ..errors import InvalidParameter
 from ..geometry.checks import Array, as_generator, shortened
-from ..graphs import dijkstra, flat_graph
+from ..graphs import GraphRecord, Search, dijkstra, extract_path, flat_graph
+from ..graphs.components import component_labels
 from ..problems import ProblemRecord, Recorder, Roadmap
 from ..robots.round import RoundRobot
 from .asking import askable, body_for
 from .multi_query import lengths_of
 from .prm import sample_free
 from .tuning import whole
+
+Length = Callable[[Array, Array], float]
 
 
 class RoadmapProperties(NamedTuple):
@@ -31,6 +34,31 @@ class RoadmapProperties(NamedTuple):
     departable: float
     connected: bool
     efficiency: float
+
+
+class RoadmapSurvey(NamedTuple):
+    """What `survey_roadmap` saw.
+
+    places, reached : the free configurations drawn (n, d), and whether a motion leads from each to some node and from some node to
+        it, (n, 2).
+    component : (m,), for each node the number of its component, the largest first.
+    worst, way : of the pairs of nodes drawn the one served worst, and the nodes along the roadmap between them; none where there
+        was no pair, or no way. efficiency : how many times as long that way is as the shortest.
+    """
+
+    places: Array
+    reached: NDArray[np.bool_]
+    component: NDArray[np.int64]
+    worst: tuple[int, ...]
+    way: NDArray[np.int64]
+    efficiency: float
+
+    @property
+    def properties(self) -> RoadmapProperties:
+        """The four properties, as far as the draws tell."""
+        accessible, departable = self.reached.mean(axis=0).tolist() if len(self.places) else (np.nan, np.nan)
+        connected = len(self.component) > 0 and not self.component.any()
+        return RoadmapProperties(accessible, departable, connected, self.efficiency)
 
 
 @body
@@ -60,7 +88,7 @@ def roadmap_properties(
     roadmap: Roadmap,
     *,
     n: int = 200,
-    shortest: Callable[[Array, Array], float] | None = None,
+    shortest: Length | None = None,
     rng: int | np.random.Generator,
 ) -> RoadmapProperties:
     """Measure how well a roadmap serves its free space.
@@ -83,6 +111,26 @@ def roadmap_properties(
     >>> roadmap_properties(problem, visibility_roadmap(world), n=50, rng=0)[:3]
     (1.0, 1.0, True)
     """
+    return survey_roadmap(problem, roadmap, n=n, shortest=shortest, rng=rng).properties
+
+
+def survey_roadmap(
+    problem: Any,
+    roadmap: Roadmap,
+    *,
+    n: int = 200,
+    shortest: Length | None = None,
+    rng: int | np.random.Generator,
+) -> RoadmapSurvey:
+    """What `roadmap_properties`, whose arguments these are, is reckoned from: the places, pieces and pairs themselves.
+
+    >>> from kinoedu import Point, PolygonWorld, Problem
+    >>> world = PolygonWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [[(3, 0), (6, 0), (6, 6), (3, 6)]])
+    >>> roadmap = Roadmap(np.array([(1.0, 1.0), (2.0, 5.0), (8.0, 1.0)]), np.array([(0, 1)]))
+    >>> survey = survey_roadmap(Problem(Point(), world, start=(1, 1), goal=(8, 1)), roadmap, n=9, rng=0)
+    >>> survey.component, survey.reached.all(), survey.efficiency
+    (array([0, 0, 1]), np.True_, inf)
+    """
     if not isinstance(roadmap, Roadmap):
         raise InvalidParameter(f"expected a roadmap, such as build_roadmap makes, got {shortened(roadmap)}")
     asked, draws, generator = askable(problem), whole(n, "n", least=1), as_generator(rng)
@@ -91,20 +139,38 @@ def roadmap_properties(
     places = body_for(asked, sample_free)(asked, draws, 100 * draws, generator)
     reached = body_for(asked, in_sliding_reach if slides else in_reach)(asked, roadmap.nodes, places)
     graph = flat_graph(len(roadmap.nodes), roadmap.edges, body_for(asked, lengths_of)(asked, *roadmap))
-    connected = len(roadmap.nodes) > 0 and bool(np.isfinite(dijkstra(graph, 0).cost).all())
-    accessible, departable = reached.mean(axis=0).tolist() if len(places) else (np.nan, np.nan)
-    delta = worst_ratio(roadmap.nodes, graph, asked.distance if shortest is None else shortest, draws, generator)
-    return RoadmapProperties(accessible, departable, connected, delta)
+    worst, way, delta = worst_pair(roadmap.nodes, graph, asked.distance, shortest or asked.distance, draws, generator)
+    return RoadmapSurvey(places, reached, components_of(graph), worst, way, delta)
 
 
-def worst_ratio(nodes: Array, graph: Any, shortest: Callable[[Array, Array], float], pairs: int, rng: np.random.Generator) -> float:
-    """The greatest ratio of the way along the graph to the shortest one, over random pairs of nodes at different places."""
-    worst = np.nan
-    if len(nodes) == 0:
-        return worst
-    for u in rng.integers(len(nodes), size=pairs):
-        v = rng.integers(len(nodes))
-        least = float(shortest(nodes[u], nodes[v])) if u != v else 0.0
-        if 0.0 < least < np.inf:
-            worst = float(np.fmax(worst, dijkstra(graph, int(u)).cost[v] / least))
-    return worst
+def components_of(graph: GraphRecord) -> NDArray[np.int64]:
+    """The number of each node's component, (m,): 0 the largest, the first among equals, and so on."""
+    labels = component_labels(graph, graph.size)
+    order = np.argsort(-np.bincount(labels), kind="stable")
+    return np.argsort(order)[labels]
+
+
+def worst_pair(
+    nodes: Array, graph: GraphRecord, distance: Length, shortest: Length, pairs: int, rng: np.random.Generator
+) -> tuple[tuple[int, ...], NDArray[np.int64], float]:
+    """Of random pairs of nodes at different places the one whose way along the graph is the longest beside the shortest one, that
+    way, and the ratio. No pair can be worse than by its distance: from the worst of those down until none can be worse.
+    """
+    worst: tuple[int, ...] = ()
+    way, delta = np.empty(0, np.int64), np.nan
+    searches: dict[int, Search] = {}
+    candidates = []
+    for u in rng.integers(len(nodes), size=pairs).tolist() if len(nodes) else []:
+        v, search = int(rng.integers(len(nodes))), searches.get(u) or searches.setdefault(u, dijkstra(graph, u))
+        apart = float(distance(nodes[u], nodes[v])) if u != v else 0.0
+        if apart > 0.0:
+            candidates.append((search.cost[v] / apart, u, v))
+    for bound, u, v in sorted(candidates, key=lambda candidate: -candidate[0]):
+        if bound <= delta:
+            break
+        least = float(shortest(nodes[u], nodes[v]))
+        ratio = searches[u].cost[v] / least if 0.0 < least < np.inf else np.nan
+        if not ratio <= delta and not np.isnan(ratio):
+            worst, delta = (u, v), float(ratio)
+            way = extract_path(searches[u].parent, v) if ratio < np.inf else way[:0]
+    return worst, way, delta

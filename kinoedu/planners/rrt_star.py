@@ -8,28 +8,26 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..compiled import body, callable_from_compiled, compiled
+from ..compiled import body, callable_from_compiled
 from ..geometry.checks import Array, as_generator
 from ..problems import MOTIONS, Plan
-from ..spaces.buckets import GrowingTree, add
 from .answers import plan_from_tree
 from .asking import body_for, both_ways, new_tree, world_size
+from .cost_tree import CostTree, empty_costs, join, rewire
 from .informed import Everywhere, Informed, draw
 from .near import near_nodes
 from .tuning import positive, share, whole
 
 
-class CostTree(NamedTuple):
-    """A growing tree that knows what each node costs: `cost` from the root, `length` of the motion from its parent.
+class Growth(NamedTuple):
+    """A tree that has grown: of what problem, how far a tree of each size looked, the goal's node or -1, iterations and checks."""
 
-    The children of a node are a chain: child[node], then sibling[child], until -1.
-    """
-
-    tree: GrowingTree
-    cost: Array
-    length: Array
-    child: NDArray[np.int64]
-    sibling: NDArray[np.int64]
+    problem: Any
+    costs: CostTree
+    radii: Array
+    at_goal: int
+    iterations: int
+    checks: int
 
 
 @body
@@ -86,50 +84,6 @@ def reach_goal(problem: Any, costs: CostTree, node: int, step: float) -> int:
     return join(costs, problem.goal, node, length)
 
 
-@compiled
-def join(costs: CostTree, q: Array, parent: int, length: float) -> int:
-    """Append a node below its parent; returns its number."""
-    node = add(costs.tree, q, parent)
-    costs.length[node], costs.child[node], costs.sibling[node] = length, -1, -1
-    costs.cost[node] = length
-    if parent >= 0:
-        costs.cost[node] = costs.cost[parent] + length
-        costs.sibling[node], costs.child[parent] = costs.child[parent], node
-    return node
-
-
-@compiled
-def rewire(costs: CostTree, node: int, parent: int, length: float) -> None:
-    """Hang a node, with all that hangs on it, below another parent."""
-    above = costs.tree.parent[node]
-    if costs.child[above] == node:
-        costs.child[above] = costs.sibling[node]
-    else:
-        before = costs.child[above]
-        while costs.sibling[before] != node:
-            before = costs.sibling[before]
-        costs.sibling[before] = costs.sibling[node]
-    costs.tree.parent[node], costs.length[node] = parent, length
-    costs.sibling[node], costs.child[parent] = costs.child[parent], node
-    pass_on(costs, node)
-
-
-@compiled
-def pass_on(costs: CostTree, root: int) -> None:
-    """Reckon anew the cost of a node and of all below it, parents before children, by walking round that part of the tree."""
-    node = root
-    while True:
-        costs.cost[node] = costs.cost[costs.tree.parent[node]] + costs.length[node]
-        if costs.child[node] >= 0:
-            node = costs.child[node]
-            continue
-        while node != root and costs.sibling[node] < 0:
-            node = costs.tree.parent[node]
-        if node == root:
-            return
-        node = costs.sibling[node]
-
-
 def rrt_star(
     problem: Any,
     *,
@@ -161,7 +115,8 @@ def rrt_star(
     >>> bool(17.2 < plan.cost < 17.7)
     True
     """
-    return grown("RRT*", problem, Everywhere(share(goal_bias, "goal_bias")), step, gamma, max_nodes, max_iterations, rng)
+    sampler = Everywhere(share(goal_bias, "goal_bias"))
+    return plan_of("RRT*", grown("RRT*", problem, sampler, step, gamma, max_nodes, max_iterations, rng))
 
 
 def informed_rrt_star(
@@ -175,7 +130,8 @@ def informed_rrt_star(
     rng: int | np.random.Generator,
 ) -> Plan:
     """RRT* that, once it has a path, samples only where a shorter one could pass: see `rrt_star`, whose arguments these are."""
-    return grown("informed RRT*", problem, Informed(share(goal_bias, "goal_bias")), step, gamma, max_nodes, max_iterations, rng)
+    sampler = Informed(share(goal_bias, "goal_bias"))
+    return plan_of("informed RRT*", grown("informed RRT*", problem, sampler, step, gamma, max_nodes, max_iterations, rng))
 
 
 def grown(
@@ -187,8 +143,9 @@ def grown(
     max_nodes: int,
     max_iterations: int | None,
     rng: int | np.random.Generator,
-) -> Plan:
-    """Check the arguments, grow the tree, and make the plan of it."""
+    rows: int = 0,
+) -> Growth:
+    """Check the arguments and grow the tree, with a log of so many rows."""
     asked = both_ways(problem, planner)
     eta = positive(world_size(asked) / 20.0 if step is None else step, "step")
     most = whole(max_nodes, "max_nodes", least=1)
@@ -197,15 +154,17 @@ def grown(
     n = np.arange(most + 2, dtype=np.float64)
     radii = np.full(most + 2, eta)
     radii[2:] = np.minimum(widest * (np.log(n[2:]) / n[2:]) ** (1.0 / len(asked.start)), eta)
-    costs = CostTree(
-        new_tree(asked, most + 1), *np.empty((2, most + 1)), *(np.empty(most + 1, np.int64) for _ in ("child", "sibling"))
-    )
+    costs = empty_costs(new_tree(asked, most + 1), rows)
     before = asked.asked[MOTIONS]
     at_goal, iterations = body_for(asked, grow_shortest)(asked, costs, sampler, eta, radii, limit, as_generator(rng))
-    size = costs.tree.size[0]
-    reason = f"after {iterations:,} iterations none of {size:,} nodes reaches the goal; allow more nodes, or another step"
-    checks = int(asked.asked[MOTIONS] - before)
-    return plan_from_tree(planner, asked, costs.tree, at_goal, reason, iterations=int(iterations), checks=checks)
+    return Growth(asked, costs, radii, int(at_goal), int(iterations), int(asked.asked[MOTIONS] - before))
+
+
+def plan_of(planner: str, growth: Growth) -> Plan:
+    """The plan along a tree that has grown."""
+    tree, iterations = growth.costs.tree, growth.iterations
+    reason = f"after {iterations:,} iterations none of {tree.size[0]:,} nodes reaches the goal; allow more nodes, or another step"
+    return plan_from_tree(planner, growth.problem, tree, growth.at_goal, reason, iterations=iterations, checks=growth.checks)
 
 
 def enough(problem: Any) -> float:

@@ -68,9 +68,22 @@ def PolygonWorld(boundary: ArrayLike, obstacles: Iterable[Any] = ()) -> PolygonW
                 raise InvalidPolygon(f"{name}: {error}") from error
             solids.append([ring, *(room[::-1] for room in rooms)])
     centres, radii = [disc[None, :2] for disc in discs], [float(disc[2]) for disc in discs]
-    parts = make_parts(pieces + centres, [0.0] * len(pieces) + radii)
     edges = np.concatenate([edges_of(ring, solid) for solid, rings in enumerate(solids) for ring in rings])
-    lo, hi = outline.min(axis=0), outline.max(axis=0)
+    return assembled(edges, hull, make_parts(pieces + centres, [0.0] * len(pieces) + radii))
+
+
+def world_of_triangles(lo: Array, hi: Array, triangles: Array) -> PolygonWorldRecord:
+    """A box with triangles (k, 3, 2) in it, each counter-clockwise with an area: a `PolygonWorld`, unchecked and made at once."""
+    box = np.array([(lo[0], lo[1]), (hi[0], lo[1]), (hi[0], hi[1]), (lo[0], hi[1])])
+    numbers = np.repeat(np.arange(1.0, len(triangles) + 1.0), 3)
+    sides = np.concatenate([triangles, np.roll(triangles, -1, axis=1)], axis=2).reshape(-1, 4)
+    edges = np.concatenate([edges_of(box[::-1], 0), np.column_stack([sides, numbers])])
+    return assembled(edges, box, make_parts(list(triangles), [0.0] * len(triangles)))
+
+
+def assembled(edges: Array, hull: Array, parts: Parts) -> PolygonWorldRecord:
+    """The record of a world, whose parts are looked up by cells."""
+    lo, hi = hull.min(axis=0), hull.max(axis=0)
     cells = index_parts(parts, lo, hi)
     return PolygonWorldRecord(edges, hull, parts, cells, known_cells(hull, parts, cells, lo, hi), lo, hi)
 
