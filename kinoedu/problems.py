@@ -181,7 +181,7 @@ class Recorder:
     ('is_free_path', {'is_free_path': 1})
     """
 
-    QUESTIONS = ("sample", "distance", "steer", "nearest", "is_free", "is_free_path", "is_semi_free_path")
+    QUESTIONS: tuple[str, ...] = ("sample", "distance", "steer", "nearest", "is_free", "is_free_path", "is_semi_free_path")
 
     def __init__(self, problem: Any) -> None:
         self.problem = problem

@@ -165,6 +165,10 @@ ALSO_RIGHT = {
     "link_in_contact": [lambda *given: np.int64(EXERCISES["link_in_contact"].source(*given))],
     "plot_environment": [lambda *given: drawn_in_pieces(*given)],
     "plot_configuration_space": [lambda *given: scattered_dots(*given)],
+    "rrt": [lambda *given: tuple(None if part is None else np.array(part).tolist() for part in EXERCISES["rrt"].source(*given))],
+    "insert": [lambda *given: [np.array(numbers) for numbers in EXERCISES["insert"].source(*given)]],
+    "follow": [lambda *given: [tuple(q) for q in EXERCISES["follow"].source(*given)]],
+    "exposing_room": [lambda: [(1, 1), np.array([9.5, 9.5]), np.array([(8, 10.5), (10.5, 8), (10.5, 8.2)])]],
     "overlooked_gap": [lambda: (np.array([(0, 0), (-1, -4), (-1, 4)]), [(1, -9), (9, 0), (1, 9)])],
     "exposing_case": [lambda: (np.array([1, 2]), np.array([(4, 2), (0, 4), (0, 0)])), lambda: ([1, 2], [[0, 4], [4, 2], [0, 0]])],
 }

@@ -53,8 +53,9 @@ class Exercise(ABC):
 
     name : what the function is called. lesson : the notebook that asks for it. kinds : the kinds of input, each worth the same.
     given, answer : the shapes of a case's arguments and of the answer. seconds : the time for one call.
-    slips : known misconceptions. source : the library's own function, withheld when graded; None where there is none. shown : the
-    lines of the library that a student may compare with in the end; those of `source` where they are None.
+    slips : known misconceptions. shared : whose words it uses where it has none of its own. source : the library's own function,
+    withheld when graded; None where there is none. shown : the lines of the library that a student may compare with in the end;
+    those of `source` where they are None.
     """
 
     name: ClassVar[str]
@@ -64,6 +65,7 @@ class Exercise(ABC):
     answer: ClassVar[Shape]
     seconds: ClassVar[float] = 5.0
     slips: ClassVar[tuple[Slip, ...]] = ()
+    shared: ClassVar[tuple[str, ...]] = ("exercise",)
     source: ClassVar[Callable[..., Any] | None] = None
     shown: ClassVar[Callable[..., Any] | None] = None
 
@@ -103,10 +105,13 @@ class Exercise(ABC):
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """Draw a case, what was answered and what is true, into matplotlib axes."""
 
+    def table_with(self, key: str) -> str:
+        """The first table of words that has a key, of this exercise's own and those it shares; "" where none has."""
+        return next((table for table in (self.name, *self.shared) if has_words(f"{table}.{key}")), "")
+
     def words(self, key: str, **values: Any) -> str:
-        """This exercise's words for a key, or those that all exercises share."""
-        own = f"{self.name}.{key}"
-        return say(own if has_words(own) else f"exercise.{key}", **values)
+        """This exercise's words for a key, or those that it shares with others."""
+        return say(f"{self.table_with(key) or self.shared[-1]}.{key}", **values)
 
 
 class ValueExercise(Exercise):

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from ..words import has_words, say
+from ..words import say
 from .advice import advice_on
 from .exercise import Exercise
 from .judging import Judged, Report
@@ -150,7 +150,7 @@ def hint_words(exercise: Exercise, failure: Judged) -> str:
     if advice:
         return say(f"advice.{advice}")
     key = f"slips.{failure.slip}" if failure.slip else f"hints.{failure.verdict.rule}"
-    if not has_words(f"{exercise.name}.{key}") and not has_words(f"exercise.{key}"):
+    if not exercise.table_with(key):
         key = f"hints.{failure.case.kind}"
     return exercise.words(key)
 

@@ -7,6 +7,7 @@ from .comparisons import draw_convergence, draw_ecdf, draw_medians
 from .decomposition import draw_decomposition, draw_sweep
 from .drawing import draw_path, draw_plan, draw_problem, draw_roadmap, draw_robot, draw_tree, draw_world
 from .graphs import draw_graph
+from .rrt_steps import draw_rrt_flowchart, draw_rrt_steps
 from .samples import draw_dispersion, draw_samples, draw_shares
 from .saving import save_panels, save_plan
 from .searches import draw_search
@@ -31,6 +32,8 @@ __all__ = [
     "draw_problem",
     "draw_roadmap",
     "draw_robot",
+    "draw_rrt_flowchart",
+    "draw_rrt_steps",
     "draw_samples",
     "draw_search",
     "draw_shares",

@@ -12,11 +12,13 @@ from .convex import ConvexPolygonsIntersect, PointInConvexPolygon
 from .decomposition import Neighbours, TrapezoidsOfWorld
 from .displacements import Displacement, Rotation
 from .environment_plot import PlotEnvironment
+from .following import Follow
 from .freedoms import DegreesOfFreedom
 from .graph_paths import BfsPath, DfsPath
 from .graphs import BfsTree, ExtractPath
 from .grids import CornerGrid, SukharevGrid
 from .half_separating import OverlookedGap
+from .hasty_goal import ExposeHastyGoal
 from .hidden_corridor import ExposeGrids
 from .holes import DispersionBounds
 from .kinematics import ForwardKinematics, InverseKinematics
@@ -27,6 +29,7 @@ from .misleading import MisleadingEstimate
 from .polygons import PointPolygonDistance, PolygonTangent
 from .random_points import UniformRandom
 from .ray_counting import ExposeRayCounting
+from .rewiring import Insert
 from .sampled_space import PlotConfigurationSpace
 from .searches import Astar, Dijkstra
 from .segment_pairs import SegmentIntersection
@@ -34,6 +37,8 @@ from .segments import PointSegmentDistance
 from .sequences import Halton, RadicalInverse
 from .shorter_walls import ExposeShorterWalls
 from .sweeping import Crossings, FreeIntervals
+from .tree_roadmaps import TreeRoadmap
+from .trees import Rrt, RrtConnect
 
 EXERCISES: dict[str, Exercise] = {
     exercise.name: exercise()
@@ -84,6 +89,12 @@ EXERCISES: dict[str, Exercise] = {
         PlotEnvironment,
         PlotConfigurationSpace,
         OverlookedGap,
+        TreeRoadmap,
+        Rrt,
+        RrtConnect,
+        Insert,
+        Follow,
+        ExposeHastyGoal,
     )
 }
 

@@ -1,0 +1,721 @@
+"""Wrong answers to the exercises of lesson 9. Each is one that students give; the slip is what a check must recognise in it."""
+
+import random
+
+import numpy as np
+
+from kinoedu.course.bank import wrong
+
+
+def nearest(problem, nodes, q):
+    return int(np.argmin([problem.distance(node, q) for node in nodes]))
+
+
+def way_up(nodes, parent, node):
+    path = []
+    while node >= 0:
+        path.append(nodes[node])
+        node = parent[node]
+    return path
+
+
+# The tree roadmap
+
+
+def planted(problem, expand, iterations, rng, accepts, number=lambda node, nodes: node):
+    rng = np.random.default_rng(rng)
+    nodes, parent = [problem.start], [-1]
+    for _ in range(iterations):
+        node, q = expand(problem, np.array(nodes), rng)
+        if accepts(problem, nodes[node], q):
+            nodes.append(q)
+            parent.append(number(node, nodes))
+    return nodes, parent
+
+
+def is_free_path(problem, a, b):
+    return problem.is_free_path(a, b)
+
+
+@wrong("tree_roadmap", slip="unchecked")
+def every_edge(problem, expand, iterations, rng):
+    """Adds what expand proposes."""
+    return planted(problem, expand, iterations, rng, lambda problem, a, b: True)
+
+
+@wrong("tree_roadmap", slip="ends_only")
+def free_ends(problem, expand, iterations, rng):
+    """Points for edges."""
+    return planted(problem, expand, iterations, rng, lambda problem, a, b: problem.is_free(b))
+
+
+@wrong("tree_roadmap")
+def eleven_points(problem, expand, iterations, rng):
+    """Points along the edge."""
+    return planted(problem, expand, iterations, rng, lambda p, a, b: all(p.is_free(a + t * (b - a)) for t in np.linspace(0, 1, 4)))
+
+
+@wrong("tree_roadmap", slip="from_one")
+def numbers_from_one(problem, expand, iterations, rng):
+    """MATLAB's numbers."""
+    return planted(problem, expand, iterations, rng, is_free_path, lambda node, nodes: node + 1)
+
+
+@wrong("tree_roadmap", slip="chained")
+def one_long_chain(problem, expand, iterations, rng):
+    """The last one is the parent."""
+    return planted(problem, expand, iterations, rng, is_free_path, lambda node, nodes: len(nodes) - 2)
+
+
+@wrong("tree_roadmap")
+def everything_on_the_root(problem, expand, iterations, rng):
+    """A star."""
+    return planted(problem, expand, iterations, rng, is_free_path, lambda node, nodes: 0)
+
+
+@wrong("tree_roadmap")
+def stops_at_the_first_wall(problem, expand, iterations, rng):
+    """break for continue."""
+    rng = np.random.default_rng(rng)
+    nodes, parent = [problem.start], [-1]
+    for _ in range(iterations):
+        node, q = expand(problem, np.array(nodes), rng)
+        if not problem.is_free_path(nodes[node], q):
+            break
+        nodes.append(q)
+        parent.append(node)
+    return nodes, parent
+
+
+@wrong("tree_roadmap")
+def counts_nodes(problem, expand, iterations, rng):
+    """As many nodes as iterations."""
+    rng = np.random.default_rng(rng)
+    nodes, parent = [problem.start], [-1]
+    while len(nodes) <= iterations:
+        node, q = expand(problem, np.array(nodes), rng)
+        if problem.is_free_path(nodes[node], q):
+            nodes.append(q)
+            parent.append(node)
+    return nodes, parent
+
+
+@wrong("tree_roadmap")
+def new_chance_each_time(problem, expand, iterations, rng):
+    """The generator begins anew in every iteration."""
+    nodes, parent = [problem.start], [-1]
+    for _ in range(iterations):
+        node, q = expand(problem, np.array(nodes), np.random.default_rng(rng))
+        if problem.is_free_path(nodes[node], q):
+            nodes.append(q)
+            parent.append(node)
+    return nodes, parent
+
+
+@wrong("tree_roadmap")
+def no_root(problem, expand, iterations, rng):
+    """Returns what was added."""
+    nodes, parent = planted(problem, expand, iterations, rng, is_free_path)
+    return nodes[1:], parent[1:]
+
+
+# RRT
+
+
+def rrt_by(
+    problem,
+    step,
+    goal_bias,
+    iterations,
+    rng,
+    *,
+    choose=nearest,
+    accepts=is_free_path,
+    draw=lambda problem, rng: problem.sample(rng),
+    accepts_goal=is_free_path,
+    steer=lambda problem, a, b, step: problem.steer(a, b, step),
+    number=lambda near: near,
+):
+    rng = np.random.default_rng(rng)
+    nodes, parent = [problem.start], [-1]
+    for i in range(iterations + 1):
+        if problem.distance(nodes[-1], problem.goal) <= step and accepts_goal(problem, nodes[-1], problem.goal):
+            nodes.append(problem.goal)
+            parent.append(number(len(nodes) - 2))
+            return nodes, parent, way_up(nodes, parent, len(nodes) - 1)[::-1]
+        q_rand = problem.goal if rng.random() < goal_bias else draw(problem, rng)
+        near = choose(problem, nodes, q_rand)
+        q_new = steer(problem, nodes[near], q_rand, step)
+        if i < iterations and accepts(problem, nodes[near], q_new):
+            nodes.append(q_new)
+            parent.append(number(near))
+    return nodes, parent, None
+
+
+@wrong("rrt")
+def last_edge_unchecked(problem, step, goal_bias, iterations, rng):
+    """Near the goal is enough."""
+    return rrt_by(problem, step, goal_bias, iterations, rng, accepts_goal=lambda problem, a, b: True)
+
+
+@wrong("rrt")
+def points_for_edges(problem, step, goal_bias, iterations, rng):
+    """Asks about the new node alone."""
+
+    def free_end(problem, a, b):
+        return problem.is_free(b)
+
+    return rrt_by(problem, step, goal_bias, iterations, rng, accepts=free_end, accepts_goal=free_end)
+
+
+@wrong("rrt")
+def ten_points_of_an_edge(problem, step, goal_bias, iterations, rng):
+    """A resolution."""
+
+    def sampled(problem, a, b):
+        return all(problem.is_free(a + t * (b - a)) for t in np.linspace(0, 1, 11))
+
+    return rrt_by(problem, step, goal_bias, iterations, rng, accepts=sampled, accepts_goal=sampled)
+
+
+@wrong("rrt")
+def always_the_root(problem, step, goal_bias, iterations, rng):
+    """A star as large as a step."""
+    return rrt_by(problem, step, goal_bias, iterations, rng, choose=lambda problem, nodes, q: 0)
+
+
+@wrong("rrt")
+def root_with_long_steps(problem, step, goal_bias, iterations, rng):
+    """Every sample joined to the start."""
+    return rrt_by(problem, step, goal_bias, iterations, rng, choose=lambda p, nodes, q: 0, steer=lambda problem, a, b, step: b)
+
+
+@wrong("rrt")
+def farthest_for_nearest(problem, step, goal_bias, iterations, rng):
+    """argmax."""
+    return rrt_by(
+        problem,
+        step,
+        goal_bias,
+        iterations,
+        rng,
+        choose=lambda p, nodes, q: int(np.argmax([p.distance(node, q) for node in nodes])),
+    )
+
+
+@wrong("rrt")
+def the_last_node(problem, step, goal_bias, iterations, rng):
+    """A random walk."""
+    return rrt_by(problem, step, goal_bias, iterations, rng, choose=lambda problem, nodes, q: len(nodes) - 1)
+
+
+@wrong("rrt")
+def nearest_to_the_goal(problem, step, goal_bias, iterations, rng):
+    """Greedy."""
+    return rrt_by(problem, step, goal_bias, iterations, rng, choose=lambda p, nodes, q: nearest(p, nodes, p.goal))
+
+
+@wrong("rrt")
+def whole_way_to_the_sample(problem, step, goal_bias, iterations, rng):
+    """No steering."""
+    return rrt_by(problem, step, goal_bias, iterations, rng, steer=lambda problem, a, b, step: b)
+
+
+@wrong("rrt")
+def unit_steps(problem, step, goal_bias, iterations, rng):
+    """Goes a step even where the sample is nearer, and past the sample."""
+    return rrt_by(
+        problem,
+        step,
+        goal_bias,
+        iterations,
+        rng,
+        steer=lambda p, a, b, step: a + 1.2 * step * (b - a) / max(p.distance(a, b), 1e-12),
+    )
+
+
+@wrong("rrt")
+def corner_samples(problem, step, goal_bias, iterations, rng):
+    """Draws from the unit square."""
+    return rrt_by(problem, step, goal_bias, iterations, rng, draw=lambda problem, rng: rng.random(2))
+
+
+@wrong("rrt")
+def samples_near_the_start(problem, step, goal_bias, iterations, rng):
+    """Half of the room."""
+    return rrt_by(problem, step, goal_bias, iterations, rng, draw=lambda problem, rng: 0.7 * problem.sample(rng))
+
+
+@wrong("rrt")
+def only_towards_the_goal(problem, step, goal_bias, iterations, rng):
+    """The bias the wrong way round, all of it."""
+    return rrt_by(problem, step, 1.0, min(iterations, 300), rng)
+
+
+@wrong("rrt")
+def parents_from_one(problem, step, goal_bias, iterations, rng):
+    """Off by one, in the tree alone."""
+    nodes, parent, path = rrt_by(problem, step, goal_bias, iterations, rng)
+    return nodes, [-1, *(p + 1 for p in parent[1:])], path
+
+
+@wrong("rrt")
+def backwards(problem, step, goal_bias, iterations, rng):
+    """From the goal to the start."""
+    nodes, parent, path = rrt_by(problem, step, goal_bias, iterations, rng)
+    return nodes, parent, None if path is None else path[::-1]
+
+
+@wrong("rrt")
+def nearly_there(problem, step, goal_bias, iterations, rng):
+    """Claims the goal without the last node."""
+    nodes, parent, path = rrt_by(problem, step, goal_bias, iterations, rng)
+    return (nodes, parent, None) if path is None else (nodes[:-1], parent[:-1], path[:-1])
+
+
+@wrong("rrt")
+def all_nodes_for_the_path(problem, step, goal_bias, iterations, rng):
+    """The path is the list of nodes."""
+    nodes, parent, path = rrt_by(problem, step, goal_bias, iterations, rng)
+    return nodes, parent, None if path is None else nodes
+
+
+@wrong("rrt")
+def straight_at_the_end(problem, step, goal_bias, iterations, rng):
+    """A path where there is none: from the nearest node straight on."""
+    nodes, parent, path = rrt_by(problem, step, goal_bias, iterations, rng)
+    if path is None:
+        path = [*way_up(nodes, parent, nearest(problem, nodes, problem.goal))[::-1], problem.goal]
+    return nodes, parent, path
+
+
+@wrong("rrt")
+def start_left_out(problem, step, goal_bias, iterations, rng):
+    """while parent[node] != -1."""
+    nodes, parent, path = rrt_by(problem, step, goal_bias, iterations, rng)
+    return nodes, parent, None if path is None else (path[1:] if len(path) > 1 else path)
+
+
+@wrong("rrt")
+def global_chance(problem, step, goal_bias, iterations, rng):
+    """numpy's own generator."""
+    return rrt_by(problem, step, goal_bias, iterations, np.random.randint(10**6))
+
+
+@wrong("rrt")
+def seeds_the_world(problem, step, goal_bias, iterations, rng):
+    """Python's own generator, seeded."""
+    random.seed(rng)
+    return rrt_by(problem, step, goal_bias, iterations, random.randrange(10**6))
+
+
+@wrong("rrt")
+def never_the_same(problem, step, goal_bias, iterations, rng):
+    """A generator without a seed."""
+    return rrt_by(problem, step, goal_bias, iterations, None)
+
+
+@wrong("rrt")
+def always_the_same(problem, step, goal_bias, iterations, rng):
+    """Seed zero."""
+    return rrt_by(problem, step, goal_bias, iterations, 0)
+
+
+@wrong("rrt")
+def many_nodes_at_once(problem, step, goal_bias, iterations, rng):
+    """Runs on as long as it can, in every iteration."""
+    rng = np.random.default_rng(rng)
+    nodes, parent = [problem.start], [-1]
+    for _ in range(iterations):
+        q_rand = problem.sample(rng)
+        near = nearest(problem, nodes, q_rand)
+        while problem.distance(nodes[near], q_rand) > 0 and len(nodes) < 700:
+            q_new = problem.steer(nodes[near], q_rand, step / 4)
+            if not problem.is_free_path(nodes[near], q_new):
+                break
+            nodes.append(q_new)
+            parent.append(near)
+            near = nearest(problem, nodes, q_rand)
+    return nodes, parent, None
+
+
+@wrong("rrt")
+def gives_up_soon(problem, step, goal_bias, iterations, rng):
+    """Ten iterations."""
+    return rrt_by(problem, step, goal_bias, 10, rng)
+
+
+# RRT-Connect
+
+
+def two_trees(problem, step, iterations, rng, *, accepts=is_free_path, steps=10**6, accepts_last=is_free_path, choose=nearest):
+    rng = np.random.default_rng(rng)
+    trees = [([problem.start], [-1]), ([problem.goal], [-1])]
+    for turn in range(iterations):
+        here, there = trees[turn % 2], trees[1 - turn % 2]
+        q_new = problem.sample(rng)
+        near = choose(problem, here[0], q_new)
+        q_new = problem.steer(here[0][near], q_new, step)
+        if not accepts(problem, here[0][near], q_new):
+            continue
+        here[0].append(q_new)
+        here[1].append(near)
+        for _ in range(steps):
+            near = choose(problem, there[0], q_new)
+            q = problem.steer(there[0][near], q_new, step)
+            last = problem.distance(q, q_new) == 0.0
+            if not (accepts_last if last else accepts)(problem, there[0][near], q):
+                break
+            there[0].append(q)
+            there[1].append(near)
+            if last:
+                ways = [way_up(*tree, len(tree[0]) - 1) for tree in trees]
+                return *trees[0], *trees[1], [*ways[0][::-1], *ways[1][1:]]
+    return *trees[0], *trees[1], None
+
+
+@wrong("rrt_connect")
+def bridge_unchecked(problem, step, iterations, rng):
+    """The step that joins them is not asked about."""
+    return two_trees(problem, step, iterations, rng, accepts_last=lambda problem, a, b: True)
+
+
+@wrong("rrt_connect")
+def one_step_each(problem, step, iterations, rng):
+    """Extends where it should connect."""
+    return two_trees(problem, step, iterations, rng, steps=1)
+
+
+@wrong("rrt_connect")
+def free_places(problem, step, iterations, rng):
+    """Points for edges."""
+
+    def free_end(problem, a, b):
+        return problem.is_free(b)
+
+    return two_trees(problem, step, iterations, rng, accepts=free_end, accepts_last=free_end)
+
+
+@wrong("rrt_connect")
+def from_the_newest(problem, step, iterations, rng):
+    """Grows from the last node, not from the nearest."""
+    return two_trees(problem, step, min(iterations, 200), rng, choose=lambda problem, nodes, q: len(nodes) - 1)
+
+
+@wrong("rrt_connect")
+def swapped_after_a_turn(problem, step, iterations, rng):
+    """Returns the goal's tree first."""
+    a, b, c, d, path = two_trees(problem, step, iterations, rng)
+    return c, d, a, b, path
+
+
+@wrong("rrt_connect")
+def second_half_reversed(problem, step, iterations, rng):
+    """Goes on from the goal to the meeting place."""
+    a, b, c, d, path = two_trees(problem, step, iterations, rng)
+    if path is None:
+        return a, b, c, d, None
+    return a, b, c, d, [*way_up(a, b, len(a) - 1)[::-1], *way_up(c, d, len(c) - 1)[::-1]]
+
+
+@wrong("rrt_connect")
+def from_goal_to_start(problem, step, iterations, rng):
+    """The whole path reversed."""
+    *trees, path = two_trees(problem, step, iterations, rng)
+    return *trees, None if path is None else path[::-1]
+
+
+@wrong("rrt_connect")
+def up_to_the_meeting_place(problem, step, iterations, rng):
+    """Forgets the goal's half."""
+    a, b, c, d, path = two_trees(problem, step, iterations, rng)
+    return a, b, c, d, None if path is None else way_up(a, b, len(a) - 1)[::-1]
+
+
+@wrong("rrt_connect")
+def jump_across(problem, step, iterations, rng):
+    """Joins the newest nodes of both trees in the end, whatever is between."""
+    a, b, c, d, _ = two_trees(problem, step, iterations, rng)
+    return a, b, c, d, [*way_up(a, b, len(a) - 1)[::-1], *way_up(c, d, len(c) - 1)]
+
+
+@wrong("rrt_connect")
+def chance_without_seed(problem, step, iterations, rng):
+    """Another answer each time."""
+    return two_trees(problem, step, iterations, None)
+
+
+@wrong("rrt_connect")
+def one_seed_for_all(problem, step, iterations, rng):
+    """The same answer for every seed."""
+    return two_trees(problem, step, iterations, 7)
+
+
+@wrong("rrt_connect")
+def steps_twice_as_long(problem, step, iterations, rng):
+    """From one end and from the other."""
+    return two_trees(problem, 2 * step, iterations, rng)
+
+
+# One insertion of RRT*
+
+
+def put_in(problem, nodes, parent, cost, q_new, radius, *, price=lambda c, d: c + d, depth=10**6):
+    n, parent, cost = len(nodes), list(parent), list(cost)
+    apart = [problem.distance(q, q_new) for q in nodes]
+    near = [i for i in range(n) if apart[i] <= radius and problem.is_free_path(nodes[i], q_new)]
+    best = min(near, key=lambda i: price(cost[i], apart[i]))
+    parent.append(best)
+    cost.append(cost[best] + apart[best])
+    for i in near:
+        if cost[n] + apart[i] < cost[i]:
+            gain = cost[i] - cost[n] - apart[i]
+            parent[i] = n
+            cost[i] -= gain
+            below = [i]
+            for _ in range(depth):
+                below = [j for j in range(n) if parent[j] in below and j not in below]
+                for j in below:
+                    cost[j] -= gain
+                if not below:
+                    break
+    return parent, cost
+
+
+@wrong("insert", slip="nearest")
+def nearest_parent(*given):
+    """As RRT does."""
+    return put_in(*given, price=lambda c, d: d)
+
+
+@wrong("insert", slip="no_rewiring")
+def parent_only(problem, nodes, parent, cost, q_new, radius):
+    """The half of it."""
+    apart = [problem.distance(q, q_new) for q in nodes]
+    near = [i for i in range(len(nodes)) if apart[i] <= radius and problem.is_free_path(nodes[i], q_new)]
+    best = min(near, key=lambda i: cost[i] + apart[i])
+    return [*parent, best], [*cost, cost[best] + apart[best]]
+
+
+@wrong("insert", slip="not_below")
+def cost_not_propagated(*given):
+    """Descendants keep their costs."""
+    return put_in(*given, depth=0)
+
+
+@wrong("insert", slip="unchecked")
+def through_walls(problem, nodes, parent, cost, q_new, radius):
+    """Distances are all it knows."""
+
+    class NoWalls:
+        distance = staticmethod(problem.distance)
+
+        @staticmethod
+        def is_free_path(a, b):
+            return True
+
+    return put_in(NoWalls, nodes, parent, cost, q_new, radius)
+
+
+@wrong("insert")
+def children_but_not_theirs(*given):
+    """Propagates to the children only."""
+    return put_in(*given, depth=1)
+
+
+@wrong("insert")
+def cheapest_node(*given):
+    """The neighbour that costs least, wherever it is."""
+    return put_in(*given, price=lambda c, d: c)
+
+
+@wrong("insert")
+def all_neighbours_rewired(problem, nodes, parent, cost, q_new, radius):
+    """Whether it is cheaper or not."""
+    parents, costs = put_in(problem, nodes, parent, cost, q_new, radius)
+    for i in range(1, len(nodes)):
+        apart = problem.distance(nodes[i], q_new)
+        if apart <= radius and i != parents[-1] and problem.is_free_path(nodes[i], q_new):
+            parents[i], costs[i] = len(nodes), costs[-1] + apart
+    return parents, costs
+
+
+@wrong("insert")
+def costs_not_updated(problem, nodes, parent, cost, q_new, radius):
+    """Only the parents change."""
+    parents, costs = put_in(problem, nodes, parent, cost, q_new, radius)
+    return parents, [*cost, costs[-1]]
+
+
+@wrong("insert")
+def new_from_one(*given):
+    """Off by one."""
+    parents, costs = put_in(*given)
+    return [p + 1 if p == len(parents) - 1 else p for p in parents[:-1]] + [parents[-1] + 1], costs
+
+
+@wrong("insert")
+def everybody_is_a_neighbour(problem, nodes, parent, cost, q_new, radius):
+    """Forgets the radius."""
+    return put_in(problem, nodes, parent, cost, q_new, 1e9)
+
+
+@wrong("insert")
+def neighbours_of_the_start(problem, nodes, parent, cost, q_new, radius):
+    """Adds the distance to the start for the cost."""
+    parents, costs = put_in(problem, nodes, parent, cost, q_new, radius)
+    return parents, [*costs[:-1], problem.distance(nodes[0], q_new)]
+
+
+# The stretch of a plan
+
+
+@wrong("follow", slip="to_the_corner")
+def on_to_the_next_corner(problem, path, horizon):
+    """Whole motions."""
+    gone = [path[0]]
+    for a, b in zip(path, path[1:]):
+        if horizon <= 0 or not problem.is_free_path(a, b):
+            break
+        gone.append(b)
+        horizon -= problem.distance(a, b)
+    return gone
+
+
+@wrong("follow", slip="before_the_corner")
+def last_corner_before(problem, path, horizon):
+    """No part of a motion."""
+    gone = [path[0]]
+    for a, b in zip(path, path[1:]):
+        horizon -= problem.distance(a, b)
+        if horizon < -1e-12 or not problem.is_free_path(a, b):
+            break
+        gone.append(b)
+    return gone
+
+
+@wrong("follow", slip="trusting")
+def trusts_the_plan(problem, path, horizon):
+    """Never asks."""
+    gone = [path[0]]
+    for a, b in zip(path, path[1:]):
+        if horizon <= 0:
+            break
+        gone.append(problem.steer(a, b, horizon))
+        horizon -= problem.distance(a, b)
+    return gone
+
+
+@wrong("follow", slip="each_within")
+def horizon_for_each(problem, path, horizon):
+    """Forgets to subtract."""
+    gone = [path[0]]
+    for a, b in zip(path, path[1:]):
+        q = problem.steer(a, b, horizon)
+        if not problem.is_free_path(a, q):
+            break
+        gone.append(q)
+        if (q != b).any():
+            break
+    return gone
+
+
+@wrong("follow")
+def as_the_crow_flies(problem, path, horizon):
+    """Measures from where it stands to every corner."""
+    gone = [path[0]]
+    for a, b in zip(path, path[1:]):
+        q = problem.steer(a, b, horizon - problem.distance(path[0], a))
+        if problem.distance(path[0], a) >= horizon or not problem.is_free_path(a, q):
+            break
+        gone.append(q)
+    return gone
+
+
+@wrong("follow", slip="asking_beyond")
+def whole_motion_asked(problem, path, horizon):
+    """Asks about what lies beyond the horizon too."""
+    gone = [path[0]]
+    for a, b in zip(path, path[1:]):
+        if horizon <= 0 or not problem.is_free_path(a, b):
+            break
+        gone.append(problem.steer(a, b, horizon))
+        horizon -= problem.distance(a, b)
+    return gone
+
+
+@wrong("follow")
+def end_only(problem, path, horizon):
+    """The place where it stops, and no way there."""
+    return trusts_the_plan.function(problem, path, horizon)[-1:]
+
+
+@wrong("follow")
+def without_the_beginning(problem, path, horizon):
+    """Leaves out where it stands."""
+    return trusts_the_plan.function(problem, path, horizon)[1:]
+
+
+@wrong("follow")
+def same_row_again(problem, path, horizon):
+    """At the horizon it goes on by nothing."""
+    gone = [path[0]]
+    for a, b in zip(path, path[1:]):
+        q = problem.steer(a, b, max(horizon, 0.0)) if horizon > 0 else a
+        if not problem.is_free_path(a, q):
+            break
+        gone.append(q)
+        horizon -= problem.distance(a, b)
+    return gone
+
+
+@wrong("follow")
+def jumps_over_what_is_in_the_way(problem, path, horizon):
+    """continue for break."""
+    gone = [path[0]]
+    for a, b in zip(path, path[1:]):
+        q = problem.steer(a, b, horizon)
+        if horizon <= 0 or not problem.is_free_path(a, q):
+            continue
+        gone.append(q)
+        horizon -= problem.distance(a, b)
+    return gone
+
+
+# Break it
+
+
+@wrong("exposing_room")
+def all_is_free():
+    """A triangle out of the way."""
+    return (1, 1), (9, 9), [(4, 1), (6, 1), (5, 2)]
+
+
+@wrong("exposing_room")
+def goal_in_the_triangle():
+    """No problem at all."""
+    return (1, 1), (5, 5), [(4, 4), (6, 4), (5, 7)]
+
+
+@wrong("exposing_room")
+def thick_wall():
+    """The goal is farther than a step from every other place."""
+    return (1, 1), (9.5, 9.5), [(4, 12), (12, 4), (6, 6)]
+
+
+@wrong("exposing_room")
+def one_line():
+    """A triangle without an inside."""
+    return (1, 1), (9, 1), [(5, 0), (5, 5), (5, 9)]
+
+
+@wrong("exposing_room")
+def round_the_end():
+    """It goes through the wall, but one can go round it."""
+    return (4.8, 5), (5.4, 5), [(5, 2), (5.2, 2), (5.1, 8)]
+
+
+@wrong("exposing_room")
+def outside():
+    """The goal is not in the room."""
+    return (1, 1), (11, 5), [(9, 4), (9.5, 4), (9.2, 6)]

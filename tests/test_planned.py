@@ -1,0 +1,80 @@
+"""The judge that all planner exercises share: it accepts what the library's planners build, and names what is wrong."""
+
+import json
+
+import numpy as np
+import pytest
+
+from kinoedu.course.exercises.hasty_goal import in_one_part
+from kinoedu.course.exercises.planned import (
+    TRAPS,
+    Task,
+    not_along_tree,
+    not_to_nearest,
+    problem_of,
+    why_not_a_path,
+    why_not_a_tree,
+)
+from kinoedu.planners import rrt
+
+WAYS = [name for name in TRAPS if name != "sealed"]
+
+
+@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize("name", WAYS)
+def test_what_the_library_builds_is_accepted(name, seed):
+    """Its path, its tree, the nearest node and the path along the tree."""
+    problem = TRAPS[name]
+    plan = rrt(problem.problem, step=1.0, goal_bias=0.1, max_iterations=5000, rng=seed)
+    nodes, parent = plan.tree
+    assert why_not_a_path(problem, plan.path) is None
+    assert why_not_a_tree(problem, nodes, parent, 1.0) is None
+    assert not_to_nearest(problem, nodes, parent) is None
+    assert not_along_tree(plan.path, nodes, parent) is None
+
+
+def test_a_wrong_path_is_named():
+    """Each rule by the least change that breaks it."""
+    problem = TRAPS["wall"]
+    path = rrt(problem.problem, step=1.0, rng=0).path
+    for rule, wrong in (
+        ("start", path[1:]),
+        ("goal", path[:-1]),
+        ("start", path[::-1]),
+        ("free", path[[0, -1]]),
+        ("numbers", np.where(path == path[1], np.nan, path)),
+        ("numbers", np.column_stack([path, path])),
+        ("start", path[:0]),
+    ):
+        assert why_not_a_path(problem, wrong).rule == rule
+
+
+def test_a_wrong_tree_is_named():
+    """Each rule by the least change that breaks it."""
+    problem = TRAPS["sealed"]
+    nodes, parent = rrt(problem.problem, step=1.0, max_iterations=200, rng=0).tree
+    assert why_not_a_tree(problem, nodes, parent, 0.9).rule == "step"
+    assert why_not_a_tree(problem, nodes, parent + 1, 1.0).rule == "root"
+    assert why_not_a_tree(problem, nodes, parent[:-1], 1.0).rule == "parents"
+    assert why_not_a_tree(problem, nodes, np.maximum(parent, 0), 1.0).rule == "root"
+    round_the_wall = rrt(TRAPS["wall"].problem, step=1.0, rng=0).tree.nodes
+    star = np.where(np.arange(len(round_the_wall)) > 0, 0, -1)
+    assert why_not_a_tree(TRAPS["wall"], round_the_wall, star, 1e9).rule == "free"
+    assert not_to_nearest(problem, nodes, np.where(parent < 0, -1, 0)).rule == "nearest"
+    assert not_along_tree(nodes[[0, 5]], nodes, np.arange(len(nodes)) - 1).rule == "along"
+
+
+@pytest.mark.parametrize("name", list(TRAPS))
+def test_a_problem_travels_and_reads_as_the_line_that_makes_it(name):
+    """Through JSON, and through what a student copies; of the copy nothing has been asked."""
+    problem = TRAPS[name]
+    sent = Task().decode(json.loads(json.dumps(Task().encode(problem))))
+    copied = eval(repr(problem), {"problem_of": problem_of})
+    assert Task().encode(sent) == Task().encode(copied) == Task().encode(problem)
+    assert sent.counts() == {}
+
+
+def test_whether_a_triangle_cuts_the_room():
+    """Two parts, and one."""
+    assert not in_one_part((1, 1), (9.5, 9.5), [(8, 10.5), (10.5, 8), (10.5, 8.2)])
+    assert in_one_part((1, 1), (9.5, 9.5), [(8.5, 9.5), (10.5, 8), (10.5, 8.2)])
