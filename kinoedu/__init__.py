@@ -26,6 +26,8 @@ from .planners import (
     ComponentKClosest,
     KClosest,
     Radius,
+    alternative_routes,
+    best_within,
     bug0,
     bug1,
     bug2,
@@ -34,6 +36,8 @@ from .planners import (
     build_roadmap,
     grid_roadmap,
     informed_rrt_star,
+    kinodynamic_prm,
+    kinodynamic_rrt,
     plan_by_decomposition,
     plan_by_visibility,
     plan_on_grid,
@@ -47,11 +51,13 @@ from .planners import (
     rrt_expansion,
     rrt_star,
     shortcut,
+    sst,
+    trajectory_along,
     tree_roadmap,
     visibility_roadmap,
 )
 from .problems import Plan, Problem, Recorder
-from .robots import Car, Disk, Point, RigidPolygon, TranslatingPolygon, TwoLinkArm
+from .robots import Car, Disk, Point, RigidPolygon, Trajectory, TranslatingPolygon, TwoLinkArm
 from .scenes import read_problem, read_scene, write_scene
 from .spaces import circle_distance, torus_distance
 from .worlds import PolygonWorld, Terrain, read_world, scan
@@ -90,9 +96,12 @@ __all__ = [
     "Recorder",
     "RigidPolygon",
     "Terrain",
+    "Trajectory",
     "TranslatingPolygon",
     "TwoLinkArm",
+    "alternative_routes",
     "astar",
+    "best_within",
     "bfs_path",
     "bfs_tree",
     "board",
@@ -122,6 +131,8 @@ __all__ = [
     "grid_roadmap",
     "halton",
     "informed_rrt_star",
+    "kinodynamic_prm",
+    "kinodynamic_rrt",
     "link_in_contact",
     "plan_by_decomposition",
     "plan_by_visibility",
@@ -148,9 +159,11 @@ __all__ = [
     "scenes",
     "shortcut",
     "spaces",
+    "sst",
     "sukharev_grid",
     "sweep",
     "torus_distance",
+    "trajectory_along",
     "trapezoidation",
     "tree_roadmap",
     "triangulation",

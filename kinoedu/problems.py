@@ -1,8 +1,9 @@
 """A problem answers a planner's questions; a plan is the planner's answer; a recorder writes the questions down.
 
 Planners never see robots or worlds. They ask: `problem.sample(rng)`, `.distance(a, b)`, `.steer(a, b, step)`, `.is_free(q)`,
-`.is_free_path(a, b)`, `.nearest(tree, q)`, those that walk along obstacles `.is_semi_free_path(a, b)`, and read `problem.start` and
-`problem.goal`. So one planner serves every robot in every world, and a reader's own object with these names as well.
+`.is_free_path(a, b)`, `.nearest(tree, q)`, those that walk along obstacles `.is_semi_free_path(a, b)`, those that
+drive `.control(rng)`, `.drive(...)` and `.is_free_drive(...)`, and read `problem.start` and `problem.goal`. So one planner serves
+every robot in every world, and a reader's own object with these names as well.
 """
 
 from dataclasses import dataclass, field
@@ -11,12 +12,14 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .collision import is_free, is_free_path, is_semi_free_path
+from .collision import is_free, is_free_drive, is_free_path, is_semi_free_path
 from .collision.batches import as_margin
 from .compiled import record
 from .configurations import as_configuration, space_of, why_not_free
 from .errors import InvalidGoal, InvalidStart
 from .geometry.checks import Array
+from .robots.controls import control, curvature, drive
+from .robots.trajectory import DrivenTree, TrajectoryRecord
 from .spaces import distance, interpolate, nearest, sample
 
 MOTIONS, PLACES = 0, 1  # what ProblemRecord.asked counts: is_free_path or is_semi_free_path, and is_free
@@ -65,6 +68,23 @@ class ProblemRecord(NamedTuple):
         """Whether the motion from a to b enters nothing; contact is allowed."""
         self.asked[MOTIONS] += 1
         return is_semi_free_path(self.robot, self.world, a, b, self.clearance)
+
+    def control(self, rng: np.random.Generator) -> tuple[float, float]:
+        """A control (v, phi) at random, for a robot that is driven."""
+        return control(self.robot, rng)
+
+    def curvature(self, phi: float) -> float:
+        """The curvature that a steering angle drives."""
+        return curvature(self.robot, phi)
+
+    def drive(self, q: Array, v: float, phi: float, t: float, there: Array) -> None:
+        """Write into `there` where the control (v, phi), held for a time t, leads from q."""
+        drive(self.robot, q, v, phi, t, there)
+
+    def is_free_drive(self, q: Array, v: float, phi: float, t: float) -> bool:
+        """Whether the robot, driven from q by the control (v, phi) for a time t, touches nothing all the way."""
+        self.asked[MOTIONS] += 1
+        return is_free_drive(self.robot, self.world, q, v * t, curvature(self.robot, phi), self.clearance)
 
 
 def Problem(robot: Any, world: Any, start: ArrayLike, goal: ArrayLike, *, clearance: float = 0.0) -> ProblemRecord:
@@ -140,15 +160,17 @@ class Plan:
     path : (n, d) from start to goal, or None where none was found; then `reason` says why.
     cost : the path's length, infinite without a path.
     tree, roadmap, walk : what was built on the way, in the order it was built; the ones that the planner has.
+    trajectory : of planners that drive, the controls that lead along the path; without a path, to the pose nearest to the goal.
     stats : counts such as nodes, iterations, and checks (motions judged).
     problem : what was asked; planner : who answered.
     """
 
     path: Array | None
     cost: float
-    tree: Tree | None = None
+    tree: Tree | DrivenTree | None = None
     roadmap: Any = None
     walk: Walk | None = None
+    trajectory: TrajectoryRecord | None = None
     stats: dict[str, int] = field(default_factory=dict)
     reason: str = ""
     problem: Any = None
@@ -181,7 +203,10 @@ class Recorder:
     ('is_free_path', {'is_free_path': 1})
     """
 
-    QUESTIONS: tuple[str, ...] = ("sample", "distance", "steer", "nearest", "is_free", "is_free_path", "is_semi_free_path")
+    QUESTIONS: tuple[str, ...] = (
+        *("sample", "distance", "steer", "nearest", "is_free", "is_free_path", "is_semi_free_path"),
+        *("control", "is_free_drive"),
+    )
 
     def __init__(self, problem: Any) -> None:
         self.problem = problem

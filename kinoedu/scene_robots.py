@@ -4,10 +4,13 @@ from collections.abc import Callable
 from functools import singledispatch
 from typing import Any
 
+import numpy as np
+
 from .errors import UnreadableScene
 from .fields import Field
-from .robots import ArmChain, Disk, Point, RigidPolygon, TranslatingPolygon
+from .robots import ArmChain, Car, Disk, Point, RigidPolygon, TranslatingPolygon
 from .robots.arm import ArmRobot
+from .robots.car import CarRobot
 from .robots.polygon import RigidPolygonRobot, TranslatingPolygonRobot
 from .robots.round import RoundRobot
 from .worlds.meshes import mesh_outline
@@ -63,6 +66,15 @@ def mesh_options(fields: dict[str, Field]) -> dict[str, Any]:
     return slicing | ({"up": fields["up"].text()} if "up" in fields else {})
 
 
+def car_from(field: Field) -> CarRobot:
+    """A car."""
+    fields = field.members(("kind", "length", "width", "wheelbase"), ("rear_overhang", "max_steering", "speeds"))
+    length, width, wheelbase = (fields[name].number() for name in ("length", "width", "wheelbase"))
+    more = {name: fields[name].number() for name in ("rear_overhang", "max_steering") if name in fields}
+    speeds = fields["speeds"].numbers() if "speeds" in fields else (-1.0, 1.0)
+    return Car(length, width, wheelbase, speeds=speeds, **more)
+
+
 ROBOTS: dict[str, Callable[[Field], Any]] = {
     "point": point_from,
     "disk": disk_from,
@@ -70,6 +82,7 @@ ROBOTS: dict[str, Callable[[Field], Any]] = {
     "turning polygon": turning_polygon_from,
     "arm": arm_from,
     "mesh": mesh_from,
+    "car": car_from,
 }
 
 
@@ -98,3 +111,10 @@ def _(robot: RigidPolygonRobot) -> dict[str, Any]:
 def _(robot: ArmRobot) -> dict[str, Any]:
     width = 2.0 * float(robot.shape.radius[0])
     return {"kind": "arm", "lengths": robot.lengths.tolist(), "width": width, "base": robot.base.tolist()}
+
+
+@described.register
+def _(robot: CarRobot) -> dict[str, Any]:
+    (length, width), behind = np.ptp(robot.outline, axis=0).tolist(), -float(robot.outline[0, 0])
+    sizes = {"length": length, "width": width, "wheelbase": robot.wheelbase, "rear_overhang": behind}
+    return {"kind": "car", **sizes, "max_steering": robot.max_steering, "speeds": robot.speeds.tolist()}

@@ -6,7 +6,9 @@
           or  {"kind": "turning polygon", "vertices": [[x, y], ...], "turn_weight": 1.0}
           or  {"kind": "arm", "lengths": [1.5, 1.2], "width": 0.2, "base": [0.0, 0.0]}
           or  {"kind": "mesh", "file": "a mesh beside the scene", "slice_at": 0.1, "up": "z", "reference": [x, y],
-               "turn_weight": 1.0},
+               "turn_weight": 1.0}
+          or  {"kind": "car", "length": 30, "width": 10, "wheelbase": 20,
+               "rear_overhang": 5, "max_steering": 0.7853981633974483, "speeds": [-1, 1]},
      "world": {"kind": "polygons", "boundary": [[x, y], ...],
                "obstacles": [{"polygon": [[x, y], ...], "rooms": [[[x, y], ...]]}, {"centre": [x, y], "radius": r}]}
           or  {"kind": "terrain", "rows": ["..@", "..."], "resolution": 1.0, "origin": [0.0, 0.0]}
@@ -15,8 +17,8 @@
      "start": [x, y], "goal": [x, y],  with theta for what turns, and angles for an arm
      "clearance": 0.0}
 
-`turn_weight`, `base`, `obstacles`, `rooms`, `resolution`, `origin`, `clearance`, and of a mesh all but its file may be left out
-(see worlds/meshes.py). A terrain's rows are written as they look, the top one first: "." is free, "@" is blocked.
+`turn_weight`, `base`, a car's last three, `obstacles`, `rooms`, `resolution`, `origin`, `clearance`, and of a mesh all but its file
+may be left out (see worlds/meshes.py). A terrain's rows are written as they look, the top one first: "." is free, "@" is blocked.
 What a reader does not know it refuses, naming the field.
 """
 

@@ -47,6 +47,7 @@ def test_one_arc(case: dict[str, Any]) -> None:
     beta = math.atan(lr * math.tan(case["delta"]) / case["L"])
     end = car.move(ahead(case["pose"], -lr), mean * math.cos(beta), case["delta"], case["T"])
     assert apart(ahead(end, lr), case["expected"]["pose"]) < 1e-9
+    assert apart(car.move(case["pose"], mean, case["delta"], case["T"], reference=lr), case["expected"]["pose"]) < 1e-9
 
 
 @pytest.mark.parametrize("case", [case for case in CASES if case["kind"] == "arcs"], ids=lambda case: case["id"])

@@ -214,3 +214,17 @@ def test_read_problem_wants_each_thing_once(tmp_path):
     assert ke.read_problem(tmp_path / "corner.map").goal.tolist() == [2.5, 0.5]
     with pytest.raises(InvalidParameter, match="queries 0 to 0"):
         ke.read_problem(tmp_path / "corner.map", query=1)
+
+
+@pytest.mark.parametrize("sizes", [(30, 10, 20), (4.689, 1.942, 2.8), (0.3, 0.1, 0.07)])
+def test_a_car_in_a_scene(tmp_path, sizes):
+    """A car is written and read back, with what it steers and its speeds; what is left out has Car's defaults."""
+    world = ke.PolygonWorld([(-50, -50), (50, -50), (50, 50), (-50, 50)])
+    for car in (ke.Car(*sizes), ke.Car(*sizes, rear_overhang=0.02, max_steering=0.75, speeds=(1, 2.5))):
+        ke.write_scene(ke.Problem(car, world, (0, 0, 1), (20, 0, -2)), tmp_path / "car.json")
+        read = ke.read_scene(tmp_path / "car.json").robot
+        assert np.allclose(read.outline, car.outline, rtol=1e-15, atol=1e-15) and np.array_equal(read.speeds, car.speeds)
+        assert (read.wheelbase, read.max_steering, read.radius) == (car.wheelbase, car.max_steering, car.radius)
+    scene = json.loads((tmp_path / "car.json").read_text(encoding="utf-8"))
+    scene["robot"] = {"kind": "car", "length": 30, "width": 10, "wheelbase": 20}
+    assert np.array_equal(ke.read_scene(written(tmp_path, scene)).robot.outline, ke.Car(30, 10, 20).outline)

@@ -5,6 +5,7 @@ from .arms import link_in_contact, paint_configuration_space
 from .asks import coordinates, is_free, is_free_drive, is_free_path, is_semi_free_path
 from .batches import free_configurations, free_motions
 from .clearances import clearance_of
+from .driving import is_free_trajectory
 
 __all__ = [
     "clearance_of",
@@ -15,6 +16,7 @@ __all__ = [
     "is_free",
     "is_free_drive",
     "is_free_path",
+    "is_free_trajectory",
     "is_semi_free_path",
     "link_in_contact",
     "paint_configuration_space",

@@ -1,5 +1,6 @@
 """Cars, in any world: an arc is judged whole, and so is a curve of arcs, by conservative advancement."""
 
+import math
 from typing import Any
 
 import numpy as np
@@ -8,6 +9,7 @@ from ..curves.arcs import driven
 from ..curves.space import pieces_between
 from ..geometry.checks import Array
 from ..robots.car import CarRobot
+from ..robots.trajectory import TrajectoryRecord
 from ..worlds.polygon_world import PolygonWorldRecord
 from ..worlds.terrain import TerrainRecord
 from .asks import is_free, is_free_drive, is_free_path
@@ -42,3 +44,22 @@ def driving_the_curve_freely(robot: CarRobot, world: Any, a: Array, b: Array, cl
             return False
         pose[0], pose[1], pose[2] = driven(pose[0], pose[1], pose[2], lengths[i], curvature)
     return is_free_drive(robot, world, b, 0.0, 0.0, clearance)
+
+
+def is_free_trajectory(robot: CarRobot, world: Any, trajectory: TrajectoryRecord, clearance: float = 0.0) -> bool:
+    """Whether a car that follows a trajectory stays more than `clearance` away from every obstacle all the way: no contact.
+
+    Each control drives an arc, which is judged whole.
+
+    >>> from kinoedu import Car, PolygonWorld
+    >>> from kinoedu.robots import Trajectory
+    >>> car, world = Car(3, 1, 2), PolygonWorld([(0, 0), (20, 0), (20, 20), (0, 20)])
+    >>> around = Trajectory(car, (10, 10, 0), [(1, 0.6)], [12])
+    >>> is_free_trajectory(car, world, around), is_free_trajectory(car, world, around, 8)
+    (True, False)
+    """
+    begins, drives = trajectory.poses, zip(trajectory.controls, trajectory.durations)
+    return is_free(robot, world, trajectory.start, clearance) and all(
+        is_free_drive(robot, world, pose, v * t, math.tan(phi) / trajectory.wheelbase, clearance)
+        for pose, ((v, phi), t) in zip(begins, drives)
+    )

@@ -1,5 +1,6 @@
 """Figures: the only place that draws with matplotlib."""
 
+from .ackermann import draw_ackermann
 from .arms import draw_configuration_space, plot_configuration_space, plot_environment
 from .bug_flowcharts import draw_bug_base_flowchart
 from .c_space import draw_c_obstacle, draw_grown, draw_turning_obstacle
@@ -15,6 +16,7 @@ from .solid import draw_mesh, torus_mesh
 from .walks import draw_distance_to_goal, draw_walk
 
 __all__ = [
+    "draw_ackermann",
     "draw_bug_base_flowchart",
     "draw_c_obstacle",
     "draw_configuration_space",

@@ -17,12 +17,13 @@ from numpy.typing import ArrayLike
 from ..geometry.checks import Array
 from ..problems import Plan, ProblemRecord, Roadmap, Tree
 from ..robots import Point
+from ..robots.trajectory import DrivenRoadmap, DrivenTree
 from ..words import say
 from ..worlds.open_world import OpenWorld
 from ..worlds.polygon_world import PolygonWorldRecord, discs_of, rings_of
 from ..worlds.terrain import TerrainRecord
 from . import palette
-from .robots import draw_along, draw_robot, place_of, track_of, tracks
+from .robots import draw_along, draw_driven, draw_robot, driven_tracks, even_times, place_of, track_of, tracks
 from .walks import draw_walk
 
 POINT = Point()
@@ -137,20 +138,28 @@ def draw_edges(segments: ArrayLike, ax: Axes, colour: str, *, width: float, zord
     return [ax.add_collection(LineCollection(lines, colors=colour, linewidths=width, zorder=zorder), autolim=False)]
 
 
-def draw_tree(tree: Tree, ax: Axes, *, upto: int | None = None, robot: Any = POINT) -> list[Artist]:
+def draw_tree(tree: Tree | DrivenTree, ax: Axes, *, upto: int | None = None, robot: Any = POINT) -> list[Artist]:
     """Draw a tree, or its first `upto` nodes: the tree as it was then. An arm's tree is drawn by the way of its tip."""
     grown = np.arange(1, len(tree.nodes) if upto is None else max(upto, 1))
     grown = grown[tree.parent[grown] >= 0]
-    lines = tracks(robot, tree.nodes[tree.parent[grown]], tree.nodes[grown])
+    begins, ends = tree.nodes[tree.parent[grown]], tree.nodes[grown]
+    if isinstance(tree, DrivenTree):
+        lines = driven_tracks(robot, begins, tree.controls[grown], tree.durations[grown])
+    else:
+        lines = tracks(robot, begins, ends)
     return draw_edges(lines, ax, palette.TREE, width=line_width(len(tree.nodes)), zorder=3)
 
 
-def draw_roadmap(roadmap: Roadmap, ax: Axes, *, upto: int | None = None, robot: Any = POINT) -> list[Artist]:
+def draw_roadmap(roadmap: Roadmap | DrivenRoadmap, ax: Axes, *, upto: int | None = None, robot: Any = POINT) -> list[Artist]:
     """Draw a roadmap's nodes, and its edges or the first `upto` of them. An arm's are drawn by the way of its tip."""
     edges = roadmap.edges[:upto]
     places = np.array([place_of(robot, q) for q in roadmap.nodes])
     dots = ax.plot(*places.T, ".", color=palette.TREE, markersize=dot_size(len(roadmap.nodes)), zorder=3.5)
-    lines = tracks(robot, roadmap.nodes[edges[:, 0]], roadmap.nodes[edges[:, 1]])
+    begins, ends = roadmap.nodes[edges[:, 0]], roadmap.nodes[edges[:, 1]]
+    if isinstance(roadmap, DrivenRoadmap):
+        lines = driven_tracks(robot, begins, roadmap.controls[:upto], roadmap.durations[:upto])
+    else:
+        lines = tracks(robot, begins, ends)
     return [*draw_edges(lines, ax, palette.ROADMAP, width=0.8, zorder=3), *dots]
 
 
@@ -187,7 +196,9 @@ def draw_plan(plan: Plan, ax: Axes | None = None, *, upto: int | None = None, ti
     if plan.walk is not None:
         artists += draw_walk(plan.walk, ax, upto=upto, found=plan.path is not None)
     whole = upto is None or upto >= total
-    if plan.path is not None and plan.walk is None and whole:
+    if plan.trajectory is not None and whole:
+        artists += draw_driven(robot, plan.trajectory, ax) + draw_path(plan.trajectory.at(even_times(plan.trajectory))[:, :2], ax)
+    elif plan.path is not None and plan.walk is None and whole:
         artists += draw_along(robot, plan.problem.space, plan.path, ax) + draw_path(track_of(robot, plan.path), ax)
     ax.set_title(
         summary(plan, total if whole or upto is None else upto) if title is None else title, fontsize=palette.TEXT_SIZE, wrap=True

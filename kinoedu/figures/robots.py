@@ -16,6 +16,7 @@ from ..robots.car import CarRobot
 from ..robots.moving import place, way
 from ..robots.polygon import RigidPolygonRobot, TranslatingPolygonRobot
 from ..robots.round import RoundRobot
+from ..robots.trajectory import TrajectoryRecord
 from ..spaces import distance, interpolate
 from . import palette
 from .bars import draw_bar
@@ -111,6 +112,17 @@ def _(robot: CarRobot, a: Array, b: Array) -> Array:
     return np.array([curve.at(share * curve.length)[:, :2] for curve in curves]).reshape(-1, CURVED + 1, 2)
 
 
+def driven_tracks(car: CarRobot, begins: Array, controls: Array, durations: Array) -> Array:
+    """The ways (m, k, 2) of drives from poses (m, 3), each by one control (m, 2) for its duration (m,)."""
+    drives = [TrajectoryRecord(*drive, car.wheelbase) for drive in zip(begins, controls[:, None], durations[:, None])]
+    return np.array([drive.at(np.linspace(0.0, drive.duration, BENDS + 1))[:, :2] for drive in drives]).reshape(-1, BENDS + 1, 2)
+
+
+def even_times(trajectory: TrajectoryRecord) -> Array:
+    """Times at which a trajectory is drawn as a polyline: a dozen for each control, and both ends."""
+    return np.linspace(0.0, trajectory.duration, BENDS * len(trajectory.durations) + 2)
+
+
 def track_of(robot: Any, path: Array) -> Array:
     """The way of that point along a path, shape (n, d), as one polyline (k, 2)."""
     lines = tracks(robot, path[:-1], path[1:])
@@ -139,6 +151,13 @@ def _(robot: ArmRobot, space: Any, path: Array, ax: Axes) -> list[Artist]:
         for a, b, r in zip(places, places[1:], robot.shape.radius):
             drawn += draw_bar(a, b, r, ax, palette.ROBOT, alpha=0.12, zorder=2.5)
     return drawn
+
+
+def draw_driven(car: Any, trajectory: TrajectoryRecord, ax: Axes) -> list[Artist]:
+    """Draw a car's bodies along a trajectory, evenly in time."""
+    poses = trajectory.at(np.linspace(0.0, trajectory.duration, GHOSTS + 2)[1:-1])
+    bodies = [Polygon(outline_at(car, q), facecolor="none", edgecolor=palette.ROBOT, linewidth=1.2) for q in poses]
+    return [ax.add_patch(body) for body in bodies]
 
 
 def spread(space: Any, path: Array, n: int = GHOSTS) -> list[Array]:

@@ -1,6 +1,8 @@
 """Planners: each takes a problem and returns a plan; the Bug family takes what a bug is given."""
 
 from ..decomposition import decomposition_roadmap, sweep, trapezoidation, triangulation
+from .alternatives import alternative_routes
+from .best_within import best_within
 from .bug0 import bug0
 from .bug1 import bug1
 from .bug2 import bug2
@@ -10,6 +12,8 @@ from .by_decomposition import plan_by_decomposition
 from .connecting import ComponentKClosest, KClosest, Radius
 from .grid import plan_on_grid
 from .grid_roadmap import grid_roadmap
+from .kinodynamic_prm import kinodynamic_prm
+from .kinodynamic_rrt import kinodynamic_rrt
 from .multi_query import build_roadmap, query
 from .prm import prm, prm_star
 from .receding_horizon import receding_horizon
@@ -18,6 +22,8 @@ from .rrt import rrt
 from .rrt_connect import rrt_connect
 from .rrt_star import informed_rrt_star, rrt_star
 from .shortcut import shortcut
+from .sst import sst
+from .trajectories import trajectory_along
 from .tree_roadmap import rrt_expansion, tree_roadmap
 from .visibility import plan_by_visibility, visibility_roadmap
 
@@ -25,6 +31,8 @@ __all__ = [
     "ComponentKClosest",
     "KClosest",
     "Radius",
+    "alternative_routes",
+    "best_within",
     "bug0",
     "bug1",
     "bug2",
@@ -34,6 +42,8 @@ __all__ = [
     "decomposition_roadmap",
     "grid_roadmap",
     "informed_rrt_star",
+    "kinodynamic_prm",
+    "kinodynamic_rrt",
     "plan_by_decomposition",
     "plan_by_visibility",
     "plan_on_grid",
@@ -47,7 +57,9 @@ __all__ = [
     "rrt_expansion",
     "rrt_star",
     "shortcut",
+    "sst",
     "sweep",
+    "trajectory_along",
     "trapezoidation",
     "tree_roadmap",
     "triangulation",

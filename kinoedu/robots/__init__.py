@@ -5,5 +5,17 @@ from .car import Car
 from .moving import placed
 from .polygon import RigidPolygon, TranslatingPolygon
 from .round import Disk, Point
+from .trajectory import Trajectory
 
-__all__ = ["ArmChain", "Car", "Disk", "Point", "RigidPolygon", "TranslatingPolygon", "TwoLinkArm", "placed", "why_unreachable"]
+__all__ = [
+    "ArmChain",
+    "Car",
+    "Disk",
+    "Point",
+    "RigidPolygon",
+    "Trajectory",
+    "TranslatingPolygon",
+    "TwoLinkArm",
+    "placed",
+    "why_unreachable",
+]

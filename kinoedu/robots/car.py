@@ -33,8 +33,11 @@ class CarRobot(NamedTuple):
     speeds: Array
     both_ways: bool
 
-    def move(self, pose: ArrayLike, v: float, phi: float, t: float) -> Array:
+    def move(self, pose: ArrayLike, v: float, phi: float, t: float, *, reference: float = 0.0) -> Array:
         """The pose after driving for a time t with the speed v and the steering angle phi, both held; shape (3,). Exact.
+
+        reference : how far before the rear axle the point lies whose place and speed are meant, such as the centre of gravity. It
+            moves askew, by the angle beta with tan(beta) = reference tan(phi) / L, and the rear axle is slower by cos(beta).
 
         The rear axle's middle drives an arc of curvature tan(phi) / L, or a straight line. Raises InvalidPoint; InvalidParameter
         where phi is more than the car can steer, or t is negative.
@@ -42,13 +45,58 @@ class CarRobot(NamedTuple):
         >>> Car(30, 10, 20).move((0, 0, 0), 1, np.pi / 4, 20 * np.pi / 2).round(9)
         array([20.        , 20.        ,  1.57079633])
         """
-        start = as_pose(pose, "pose")
-        speed, steering, time = (as_number(value, name) for value, name in ((v, "v"), (phi, "phi"), (t, "t")))
-        if abs(steering) > self.max_steering:
-            raise InvalidParameter(f"this car steers at most {self.max_steering:g} rad either way, got phi = {steering:g}")
+        curvature = self.curvature(phi)
+        speed, time, lead = (as_number(value, name) for value, name in ((v, "v"), (t, "t"), (reference, "reference")))
         if time < 0.0:
             raise InvalidParameter(f"t must be zero or more, got {time:g}; to drive backwards give a negative v")
-        return np.array(driven(start[0], start[1], start[2], speed * time, math.tan(steering) / self.wheelbase))
+        axle = self.ahead(pose, -lead)
+        distance = speed * time * math.cos(math.atan(lead * curvature))
+        return self.ahead(driven(axle[0], axle[1], axle[2], distance, curvature), lead)
+
+    def ahead(self, pose: ArrayLike, distance: float) -> Array:
+        """The pose of the point of the car's axis that lies so far ahead of the one at `pose`, shape (3,). Raises InvalidPoint.
+
+        So a pose that is told by another point than the rear axle's middle becomes a configuration, and back.
+
+        >>> Car(30, 10, 20).ahead((1, 2, 0), 10)
+        array([11.,  2.,  0.])
+        """
+        x, y, theta = as_pose(pose, "pose")
+        return np.array([x + distance * math.cos(theta), y + distance * math.sin(theta), theta])
+
+    def curvature(self, phi: float) -> float:
+        """tan(phi) / L, the curvature that the rear axle's middle drives. InvalidParameter where phi is more than it can steer."""
+        steering = as_number(phi, "phi")
+        if abs(steering) > self.max_steering:
+            raise InvalidParameter(f"this car steers at most {self.max_steering:g} rad either way, got phi = {steering:g}")
+        return math.tan(steering) / self.wheelbase
+
+    def turning_centre(self, pose: ArrayLike, phi: float) -> Array:
+        """The point round which the whole car turns, shape (2,): on the line of the rear axle. Infinite where it drives straight.
+
+        Raises InvalidPoint, InvalidParameter.
+
+        >>> Car(30, 10, 20).turning_centre((0, 0, 0), np.pi / 4).round(9)
+        array([ 0., 20.])
+        """
+        (x, y, theta), bend = as_pose(pose, "pose"), self.curvature(phi)
+        if bend == 0.0:
+            return np.array([np.inf, np.inf])
+        return np.array([x - math.sin(theta) / bend, y + math.cos(theta) / bend])
+
+    def wheel_angles(self, phi: float) -> tuple[float, float]:
+        """How far the left and the right front wheel are turned, so that all four wheels roll about one centre (Ackermann).
+
+        phi is the angle of a single wheel midway between them; the inner one turns more. The wheels stand as far apart as the
+        body is wide. Raises InvalidParameter.
+
+        >>> left, right = Car(30, 10, 20).wheel_angles(0.5)
+        >>> left > 0.5 > right
+        True
+        """
+        bend, half = self.curvature(phi), 0.5 * float(np.ptp(self.outline[:, 1]))
+        left, right = (math.atan2(self.wheelbase * bend, 1.0 - side * bend) for side in (half, -half))
+        return left, right
 
 
 def Car(

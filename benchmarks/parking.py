@@ -1,0 +1,121 @@
+"""Which cars park within ten seconds: the cases of TPCAP, and of bench-mr's car parks and warehouse. A table, not a race.
+
+Each planner plans again and again from one generator until it has a path; seconds are those of the processor. Every path is
+replayed from its controls and judged by shapely in fine steps before it counts.
+"""
+
+import argparse
+import json
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+import shapely
+
+import kinoedu as ke
+from kinoedu.problems import Plan, ProblemRecord
+
+DATA = Path(__file__).resolve().parent.parent / "tests" / "data" / "parking"
+MARGIN = 8.0  # metres round everything: the cases have no boundary
+PARKED = {
+    "parking1, rows": ((9.0, 7.0, 0.0), (4.0, 9.0, np.pi / 2), "parking1"),
+    "parking1, wide": ((-4.0, 7.0, 0.0), (10.4, 1.5, np.pi / 2), "parking1"),
+    "parking2, rows": ((1.0, 7.0, 0.0), (12.2, 9.8, np.pi / 2), "parking2"),
+    "parking2, kerb": ((16.0, 7.5, np.pi), (15.2, 1.4, np.pi / 2), "parking2"),
+    "warehouse": ((10.0, 70.0, -np.pi / 2), (76.0, 16.0, np.pi / 2), "warehouse"),
+}
+
+
+class Case(NamedTuple):
+    """A problem, its obstacles for the judge, and its name."""
+
+    name: str
+    problem: ProblemRecord
+    solid: Any
+
+
+def case_of(name: str, car: Any, obstacles: list[np.ndarray], start: Any, goal: Any) -> Case:
+    """The problem inside a box round everything."""
+    places = np.vstack([*obstacles, np.array([start, goal])[:, :2]])
+    (x0, y0), (x1, y1) = places.min(axis=0) - MARGIN, places.max(axis=0) + MARGIN
+    box = [(x0, y0), (x1, y0), (x1, y1), (x0, y1)]
+    frame = shapely.Polygon(box).buffer(100.0) - shapely.Polygon(box)
+    solid = shapely.union_all([frame, *map(shapely.Polygon, obstacles)])
+    return Case(name, ke.Problem(car, ke.PolygonWorld(box, obstacles), start, goal), solid)
+
+
+def tpcap() -> Iterator[Case]:
+    """The cases of the competition, with their vehicle."""
+    given = json.loads((DATA / "tpcap.json").read_text(encoding="utf-8"))
+    body = given["vehicle"]
+    length = body["wheelbase"] + body["front_overhang"] + body["rear_overhang"]
+    steering = {"rear_overhang": body["rear_overhang"], "max_steering": given["max_steer"]}
+    car = ke.Car(length, body["width"], body["wheelbase"], **steering)
+    for case in given["cases"]:
+        yield case_of(f"TPCAP {case['id']}", car, [np.array(ring) for ring in case["obstacles"]], case["start"], case["goal"])
+
+
+def bench_mr() -> Iterator[Case]:
+    """Its car parks and warehouse, turned so that y points up, for a car as large as its own."""
+    car = ke.Car(4.25, 1.9, 2.6, max_steering=0.6)
+    for name, (start, goal, file) in PARKED.items():
+        rings = json.loads((DATA / f"bench_mr_{file}.json").read_text(encoding="utf-8"))["polygons"]
+        top = max(y for ring in rings for _, y in ring)
+        hulls = [ke.geometry.convex_hull([(x, top - y) for x, y in ring]) for ring in rings]  # rounding made some cross themselves
+        yield case_of(f"bench-mr {name}", car, hulls, start, goal)
+
+
+PLANNERS: dict[str, Callable[[ProblemRecord, np.random.Generator], Plan]] = {
+    "rrt (curves)": lambda problem, rng: ke.rrt(problem, max_nodes=3000, rng=rng),
+    "rrt_connect (curves)": lambda problem, rng: ke.rrt_connect(problem, max_nodes=3000, rng=rng),
+    "kinodynamic_rrt": lambda problem, rng: ke.kinodynamic_rrt(problem, max_iterations=5000, rng=rng),
+    "sst": lambda problem, rng: ke.sst(problem, rng=rng),
+}
+
+
+def first_path(planner: Callable[..., Plan], case: Case, seconds: float) -> tuple[Plan | None, float]:
+    """The first plan with a path, and how long it took; None when time is up."""
+    rng, began = np.random.default_rng(0), time.process_time()
+    while True:
+        plan, took = planner(case.problem, rng), time.process_time() - began
+        if plan.path is not None and took <= seconds:
+            return plan, took
+        if took > seconds:
+            return None, took
+
+
+def judge(case: Case, plan: Plan) -> None:
+    """Replayed from its controls, the trajectory begins at the start, ends where the plan says, and shapely sees no contact."""
+    there, car = ke.trajectory_along(plan), case.problem.robot
+    assert np.allclose(there.poses[0], case.problem.start, rtol=0, atol=1e-9)
+    off = there.poses[-1] - plan.path[-1]
+    assert np.hypot(off[0], off[1]) < 1e-5 and abs(np.sin(off[2] / 2)) < 1e-6, off
+    poses = there.at(np.linspace(0.0, there.duration, 4000))
+    cos, sin, (x, y) = np.cos(poses[:, 2:]), np.sin(poses[:, 2:]), car.outline.T
+    corners = np.stack([poses[:, :1] + cos * x - sin * y, poses[:, 1:2] + sin * x + cos * y], axis=-1)
+    assert not shapely.intersects(shapely.polygons(corners), case.solid).any(), case.name
+
+
+def main() -> None:
+    """A row for each case: how long each planner took, and how far it drives."""
+    options = argparse.ArgumentParser(description=__doc__)
+    options.add_argument("--seconds", type=float, default=10.0)
+    seconds = options.parse_args().seconds
+    cases = [*tpcap(), *bench_mr()]
+    for planner in PLANNERS.values():
+        planner(cases[0].problem, np.random.default_rng(0))  # compiles
+    print(f"\n| case | {' | '.join(PLANNERS)} |\n|---|{'---|' * len(PLANNERS)}")
+    for case in cases:
+        row = []
+        for planner in PLANNERS.values():
+            plan, took = first_path(planner, case, seconds)
+            if plan is not None:
+                judge(case, plan)
+            row.append(f"not within {seconds:g} s" if plan is None else f"{took:.2g} s, {plan.cost:.3g} m")
+        print(f"| {case.name} | {' | '.join(row)} |", flush=True)
+
+
+if __name__ == "__main__":
+    main()
