@@ -1,9 +1,9 @@
 """A problem answers a planner's questions; a plan is the planner's answer; a recorder writes the questions down.
 
 Planners never see robots or worlds. They ask: `problem.sample(rng)`, `.distance(a, b)`, `.steer(a, b, step)`, `.is_free(q)`,
-`.is_free_path(a, b)`, `.nearest(tree, q)`, those that walk along obstacles `.is_semi_free_path(a, b)`, those that
-drive `.control(rng)`, `.drive(...)` and `.is_free_drive(...)`, and read `problem.start` and `problem.goal`. So one planner serves
-every robot in every world, and a reader's own object with these names as well.
+`.is_free_path(a, b)`, `.nearest(tree, q)`, what a path is worth by `.motion_cost(a, b)`, those that walk along obstacles
+`.is_semi_free_path(a, b)`, those that drive `.control(rng)`, `.drive(...)` and `.is_free_drive(...)`, and read `problem.start` and
+`problem.goal`. So one planner serves every robot in every world, and a reader's own object with these names as well.
 """
 
 from dataclasses import dataclass, field
@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .collision import is_free, is_free_drive, is_free_path, is_semi_free_path
+from .collision import check_cost, is_free, is_free_drive, is_free_path, is_semi_free_path, motion_cost
 from .collision.batches import as_margin
 from .compiled import record
 from .configurations import as_configuration, space_of, why_not_free
@@ -44,6 +44,10 @@ class ProblemRecord(NamedTuple):
     def distance(self, a: Array, b: Array) -> float:
         """The distance between two configurations."""
         return distance(self.space, a, b)
+
+    def motion_cost(self, a: Array, b: Array) -> float:
+        """What the motion from a to b costs: its length, and on a terrain with costs their integral along it."""
+        return motion_cost(self.robot, self.world, self.space, a, b)
 
     def steer(self, a: Array, b: Array, step: float) -> Array:
         """The configuration at most `step` from a on the way to b."""
@@ -108,6 +112,7 @@ def Problem(robot: Any, world: Any, start: ArrayLike, goal: ArrayLike, *, cleara
     """
     margin = as_margin(clearance)
     space = space_of(robot, world)
+    check_cost(robot, world)
     q_start, q_goal = as_configuration(start, space, "start"), as_configuration(goal, space, "goal")
     problem = ProblemRecord(robot, world, space, q_start, q_goal, margin, np.zeros(2, np.int64))
     for q, name, error in ((q_start, "start", InvalidStart), (q_goal, "goal", InvalidGoal)):
@@ -158,7 +163,7 @@ class Plan:
     """A planner's answer.
 
     path : (n, d) from start to goal, or None where none was found; then `reason` says why.
-    cost : the path's length, infinite without a path.
+    cost : the path's length, or on a terrain with costs what it costs; infinite without a path.
     tree, roadmap, walk : what was built on the way, in the order it was built; the ones that the planner has.
     trajectory : of planners that drive, the controls that lead along the path; without a path, to the pose nearest to the goal.
     stats : counts such as nodes, iterations, and checks (motions judged).
@@ -204,7 +209,7 @@ class Recorder:
     """
 
     QUESTIONS: tuple[str, ...] = (
-        *("sample", "distance", "steer", "nearest", "is_free", "is_free_path", "is_semi_free_path"),
+        *("sample", "distance", "motion_cost", "steer", "nearest", "is_free", "is_free_path", "is_semi_free_path"),
         *("control", "is_free_drive"),
     )
 

@@ -99,7 +99,7 @@ def obstacle_from(field: Field) -> Any:
 
 def terrain_from(field: Field) -> TerrainRecord:
     """A terrain from its rows, the top one first."""
-    fields = field.members(("kind", "rows"), ("resolution", "origin"))
+    fields = field.members(("kind", "rows"), ("resolution", "origin", "cost"))
     rows = [row.text() for row in fields["rows"].items()]
     for row in fields["rows"].items():
         if set(row.value) - {FREE, BLOCKED} or len(row.value) != len(rows[0]):
@@ -108,6 +108,7 @@ def terrain_from(field: Field) -> TerrainRecord:
         np.array([[cell == FREE for cell in row] for row in rows[::-1]]).reshape(len(rows), -1),
         resolution=fields["resolution"].number() if "resolution" in fields else 1.0,
         origin=fields["origin"].numbers() if "origin" in fields else (0.0, 0.0),
+        cost=[row.numbers() for row in fields["cost"].items()[::-1]] if "cost" in fields else None,
     )
 
 
@@ -168,7 +169,9 @@ def _(world: PolygonWorldRecord) -> dict[str, Any]:
 @described.register
 def _(world: TerrainRecord) -> dict[str, Any]:
     rows = ["".join(FREE if free else BLOCKED for free in row) for row in world.free[::-1].tolist()]
-    return {"kind": "terrain", "rows": rows, "resolution": world.resolution, "origin": world.origin.tolist()}
+    place = {"resolution": world.resolution, "origin": world.origin.tolist()}
+    cost = {"cost": np.where(world.free, world.cost, 1.0)[::-1].tolist()} if world.cost.size else {}
+    return {"kind": "terrain", "rows": rows, **place, **cost}
 
 
 def read_problem(

@@ -170,8 +170,18 @@ ALSO_RIGHT = {
     "follow": [lambda *given: [tuple(q) for q in EXERCISES["follow"].source(*given)]],
     "exposing_room": [lambda: [(1, 1), np.array([9.5, 9.5]), np.array([(8, 10.5), (10.5, 8), (10.5, 8.2)])]],
     "overlooked_gap": [lambda: (np.array([(0, 0), (-1, -4), (-1, 4)]), [(1, -9), (9, 0), (1, 9)])],
+    "compare_planners": [lambda *given: EXERCISES["compare_planners"].right_answer(*given).tolist()],
+    "repeated_rows": [lambda table: np.array(EXERCISES["repeated_rows"].source(table)[::-1]).reshape(-1, 3)],
+    "cost_along": [lambda cost, a, b: np.float64(EXERCISES["cost_along"].source(cost, b, a))],
+    "prm_on_terrain": [lambda *given: [np.array(x)[:, ::-1] if i == 1 else x for i, x in enumerate(prm_answer(*given))]],
+    "exposing_motion": [lambda: (np.array([[1, 0], [1, 1]], bool) * 1, [0.9985, 0.6485], np.array([1.5, 1.15]))],
     "exposing_case": [lambda: (np.array([1, 2]), np.array([(4, 2), (0, 4), (0, 0)])), lambda: ([1, 2], [[0, 4], [4, 2], [0, 0]])],
 }
+
+
+def prm_answer(*given):
+    """The course's own roadmap, its nodes and edges as lists."""
+    return EXERCISES["prm_on_terrain"].source(*given)
 
 
 def bounds_by_probes(points, m):

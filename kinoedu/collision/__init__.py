@@ -5,9 +5,11 @@ from .arms import link_in_contact, paint_configuration_space
 from .asks import coordinates, is_free, is_free_drive, is_free_path, is_semi_free_path
 from .batches import free_configurations, free_motions
 from .clearances import clearance_of
+from .costs import check_cost, motion_cost
 from .driving import is_free_trajectory
 
 __all__ = [
+    "check_cost",
     "clearance_of",
     "coordinates",
     "driving",
@@ -19,6 +21,7 @@ __all__ = [
     "is_free_trajectory",
     "is_semi_free_path",
     "link_in_contact",
+    "motion_cost",
     "paint_configuration_space",
     "round_polygons",
     "round_terrain",

@@ -9,7 +9,7 @@ from matplotlib import pyplot as plt
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
-from matplotlib.colors import ListedColormap
+from matplotlib.colors import LinearSegmentedColormap, ListedColormap
 from matplotlib.patches import Circle, PathPatch
 from matplotlib.path import Path as Outline
 from numpy.typing import ArrayLike
@@ -83,12 +83,15 @@ def compound(rings: list[Array]) -> Outline:
 def _(world: TerrainRecord, ax: Axes | None = None) -> list[Artist]:
     ax = axes_for(world, ax)
     (x0, y0), (x1, y1) = world.lo, world.hi
-    colours = ListedColormap([palette.OBSTACLE, palette.FREE])
+    look: dict[str, Any] = {"origin": "lower", "extent": (x0, x1, y0, y1), "interpolation": "nearest", "zorder": 1}
     ax.set_facecolor(palette.OUTSIDE)
-    image = ax.imshow(
-        world.free, origin="lower", extent=(x0, x1, y0, y1), cmap=colours, vmin=0, vmax=1, interpolation="nearest", zorder=1
-    )
-    return [image]
+    if world.cost.size:
+        ground = LinearSegmentedColormap.from_list("ground", [palette.FREE, palette.DEAR])
+        ground.set_bad(palette.OBSTACLE)
+        costs = np.ma.masked_invalid(world.cost)
+        return [ax.imshow(costs, cmap=ground, vmin=1.0, vmax=float(np.quantile(costs.compressed(), 0.98)) + 1e-9, **look)]
+    colours = ListedColormap([palette.OBSTACLE, palette.FREE])
+    return [ax.imshow(world.free, cmap=colours, vmin=0, vmax=1, **look)]
 
 
 @draw_world.register

@@ -9,6 +9,7 @@ START = "#007A5E"
 GOAL = "#C44E00"
 OBSTACLE = "#4B5563"
 FREE = "#FFFFFF"
+DEAR = "#A98467"  # ground that costs most to cross; the cheapest is as what is free
 OUTSIDE = "#9CA3AF"
 CELL = "#E3F0FA"
 TREE = "#0072B2"

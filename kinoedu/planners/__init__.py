@@ -2,6 +2,7 @@
 
 from ..decomposition import decomposition_roadmap, sweep, trapezoidation, triangulation
 from .alternatives import alternative_routes
+from .answers import path_cost
 from .best_within import best_within
 from .bug0 import bug0
 from .bug1 import bug1
@@ -9,6 +10,7 @@ from .bug2 import bug2
 from .bug2_prelim import bug2_prelim
 from .bug_base import bug_base
 from .by_decomposition import plan_by_decomposition
+from .changing import after_change, changed_box, changing_roadmap
 from .connecting import ComponentKClosest, KClosest, Radius
 from .grid import plan_on_grid
 from .grid_roadmap import grid_roadmap
@@ -31,6 +33,7 @@ __all__ = [
     "ComponentKClosest",
     "KClosest",
     "Radius",
+    "after_change",
     "alternative_routes",
     "best_within",
     "bug0",
@@ -39,11 +42,14 @@ __all__ = [
     "bug2_prelim",
     "bug_base",
     "build_roadmap",
+    "changed_box",
+    "changing_roadmap",
     "decomposition_roadmap",
     "grid_roadmap",
     "informed_rrt_star",
     "kinodynamic_prm",
     "kinodynamic_rrt",
+    "path_cost",
     "plan_by_decomposition",
     "plan_by_visibility",
     "plan_on_grid",

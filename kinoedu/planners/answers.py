@@ -3,23 +3,40 @@
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ..compiled import body
-from ..geometry.checks import Array
+from ..errors import InvalidPoint
+from ..geometry.checks import Array, as_array
 from ..graphs import extract_path
 from ..problems import Plan, Tree
 from ..spaces.buckets import GrowingTree
-from .asking import body_for
+from .asking import askable, body_for
 
 
 @body
-def path_cost(problem: Any, path: Array) -> float:
-    """The length of a path, in the problem's own distance."""
+def cost_along(problem: Any, path: Array) -> float:
+    """What a path costs: the sum of what its motions cost."""
     cost = 0.0
     for i in range(1, len(path)):
-        cost += problem.distance(path[i - 1], path[i])
+        cost += problem.motion_cost(path[i - 1], path[i])
     return cost
+
+
+def path_cost(problem: Any, path: ArrayLike) -> float:
+    """What a path costs in a problem: its length, or on a terrain with costs their integral along it. Free or not.
+
+    problem : a Problem, a Recorder, or an object of yours; path : (n, d). Raises InvalidPoint.
+
+    >>> from kinoedu import Point, Problem, Terrain
+    >>> mud = Terrain([[1, 1, 1]], cost=[[1, 5, 1]])
+    >>> path_cost(Problem(Point(), mud, (0.5, 0.5), (2.5, 0.5)), [(0.5, 0.5), (2.5, 0.5)])
+    6.0
+    """
+    asked, places = askable(problem), as_array(path, "path")
+    if places.ndim != 2 or places.shape[1:] != asked.start.shape:
+        raise InvalidPoint(f"a path must have shape (n, {len(asked.start)}), got {places.shape}")
+    return float(body_for(asked, cost_along)(asked, places))
 
 
 def plan_along(problem: Any, nodes: Array, numbers: NDArray[np.int64] | None, reason: str, **built: Any) -> Plan:
@@ -27,7 +44,7 @@ def plan_along(problem: Any, nodes: Array, numbers: NDArray[np.int64] | None, re
     if numbers is None:
         return Plan(None, np.inf, reason=reason, problem=problem, **built)
     path = nodes[numbers]
-    return Plan(path, float(body_for(problem, path_cost)(problem, path)), problem=problem, **built)
+    return Plan(path, float(body_for(problem, cost_along)(problem, path)), problem=problem, **built)
 
 
 def plan_from_tree(planner: str, problem: Any, tree: GrowingTree, at_goal: int, reason: str, **stats: int) -> Plan:

@@ -52,6 +52,16 @@ class OwnProblem:
             raise InvalidParameter(f"distance must be one number, zero or more, got {d}")
         return float(d)
 
+    def motion_cost(self, a: Array, b: Array) -> float:
+        """The reader's cost, or the distance."""
+        own = getattr(self.problem, "motion_cost", None)
+        if own is None:
+            return self.distance(a, b)
+        c = np.asarray(own(a, b), np.float64)
+        if c.ndim or not c >= 0.0:
+            raise InvalidParameter(f"motion_cost must be one number, zero or more, got {c}")
+        return float(c)
+
     def is_free(self, q: Array) -> bool:
         """The reader's answer, or a motion that stays where it is."""
         own = getattr(self.problem, "is_free", None)

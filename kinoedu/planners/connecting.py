@@ -65,7 +65,7 @@ def ComponentKClosest(k: int = 1) -> ComponentRule:
 
 @singledispatch
 def joined(rule: Any, problem: Any, nodes: Array) -> tuple[Numbers, Array]:
-    """The edges (m, 2) that a rule leads to among nodes (n, d), in the order they were found, and their lengths (m,)."""
+    """The edges (m, 2) that a rule leads to among nodes (n, d), in the order they were found, and their costs (m,)."""
     raise InvalidParameter(f"expected a rule such as KClosest(10), Radius(1.5) or ComponentKClosest(1), got {shortened(rule)}")
 
 
@@ -97,17 +97,17 @@ def _(rule: ComponentRule, problem: Any, nodes: Array) -> tuple[Numbers, Array]:
 @body
 def join(problem: Any, nodes: Array, first: Numbers, to: Numbers) -> tuple[Numbers, Array]:
     """The edges (m, 2) from each node i to its neighbours to[first[i]:first[i + 1]] whose motion is free, each pair asked once, and
-    their lengths (m,).
+    what they cost (m,).
     """
-    edges, lengths, size = np.empty((len(to), 2), np.int64), np.empty(len(to)), 0
+    edges, costs, size = np.empty((len(to), 2), np.int64), np.empty(len(to)), 0
     for i in range(len(nodes)):
         for j in to[first[i] : first[i + 1]]:
             asked_before = j < i and np.any(to[first[j] : first[j + 1]] == i)
             if not asked_before and problem.is_free_path(nodes[i], nodes[j]):
                 edges[size, 0], edges[size, 1] = i, j
-                lengths[size] = problem.distance(nodes[i], nodes[j])
+                costs[size] = problem.motion_cost(nodes[i], nodes[j])
                 size += 1
-    return edges[:size].copy(), lengths[:size].copy()
+    return edges[:size].copy(), costs[:size].copy()
 
 
 @body
@@ -127,9 +127,9 @@ def within(problem: Any, tree: Any, radius: float, most: int) -> tuple[Numbers, 
 
 @body
 def join_components(problem: Any, nodes: Array, k: int) -> tuple[Numbers, Array]:
-    """The edges (m, 2) that join each node to the components of those before it, and their lengths (m,). O(n^2 log n)."""
+    """The edges (m, 2) that join each node to the components of those before it, and their costs (m,). O(n^2 log n)."""
     n = len(nodes)
-    root, edges, lengths, size = np.arange(n), np.empty((n, 2), np.int64), np.empty(n), 0
+    root, edges, costs, size = np.arange(n), np.empty((n, 2), np.int64), np.empty(n), 0
     for i in range(1, n):
         apart, tries = np.empty(i), np.zeros(n, np.int64)
         for j in range(i):
@@ -141,9 +141,9 @@ def join_components(problem: Any, nodes: Array, k: int) -> tuple[Numbers, Array]
             tries[component] += 1
             if problem.is_free_path(nodes[i], nodes[j]):
                 root[component] = root_of(root, i)
-                edges[size, 0], edges[size, 1], lengths[size] = i, j, apart[j]
+                edges[size, 0], edges[size, 1], costs[size] = i, j, problem.motion_cost(nodes[i], nodes[j])
                 size += 1
-    return edges[:size].copy(), lengths[:size].copy()
+    return edges[:size].copy(), costs[:size].copy()
 
 
 @compiled

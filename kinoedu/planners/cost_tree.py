@@ -11,7 +11,8 @@ from ..spaces.buckets import GrowingTree, add
 
 
 class CostTree(NamedTuple):
-    """A growing tree that knows what each node costs: `cost` from the root, `length` of the motion from its parent.
+    """A growing tree that knows what each node costs: `cost` from the root, `length` of the motion from its parent (what it
+    costs where the terrain has costs).
 
     The children of a node are a chain: child[node], then sibling[child], until -1. `log` has room for the first rows (node, parent)
     of who was hung below whom, in the order in which it happened; hung[0] counts them all.

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..compiled import compiled
+from ..compiled import compiled, inlined
 from ..errors import InvalidParameter
 from ..geometry.checks import Array
 from ..graphs import astar
@@ -61,11 +61,29 @@ class CellGrid(NamedTuple):
         return self.columns * self.rows
 
 
+class CostLattice(NamedTuple):
+    """A `Lattice` on a terrain with costs: a move costs what its motion does."""
+
+    problem: Any
+    x: float
+    y: float
+    side: float
+    columns: int
+    rows: int
+
+    @property
+    def size(self) -> int:
+        """How many nodes there are."""
+        return self.columns * self.rows
+
+
+Grid = Lattice | CellGrid | CostLattice
 COLUMN_STEP = (-1, 1, 0, 0, -1, 1, -1, 1)  # the straight moves first
 ROW_STEP = (0, 0, -1, 1, -1, -1, 1, 1)
 
 
 @degree.register(Lattice)
+@degree.register(CostLattice)
 @degree.register(CellGrid)
 def grid_degree(grid: Any, u: int) -> int:
     """Eight moves."""
@@ -79,17 +97,33 @@ def moved(columns: int, rows: int, u: int, k: int) -> tuple[int, int]:
     return (i, j) if 0 <= i < columns and 0 <= j < rows else (-1, -1)
 
 
+@inlined
+def centre(grid: Any, i: int, j: int) -> Array:
+    """The centre of cell (i, j), shape (2,)."""
+    return np.array([grid.x + (i + 0.5) * grid.side, grid.y + (j + 0.5) * grid.side])
+
+
 @edge.register(Lattice)
 def lattice_edge(grid: Lattice, u: int, k: int) -> tuple[int, float]:
     """Move k, where its motion is free."""
     i, j = moved(grid.columns, grid.rows, u, k)
     if i < 0:
         return -1, 0.0
-    here = np.array([grid.x + (u % grid.columns + 0.5) * grid.side, grid.y + (u // grid.columns + 0.5) * grid.side])
-    there = np.array([grid.x + (i + 0.5) * grid.side, grid.y + (j + 0.5) * grid.side])
-    if not grid.problem.is_free_path(here, there):
+    if not grid.problem.is_free_path(centre(grid, u % grid.columns, u // grid.columns), centre(grid, i, j)):
         return -1, 0.0
     return j * grid.columns + i, grid.side if k < 4 else SQRT2 * grid.side
+
+
+@edge.register(CostLattice)
+def cost_edge(grid: CostLattice, u: int, k: int) -> tuple[int, float]:
+    """Move k, where its motion is free, and what that costs."""
+    i, j = moved(grid.columns, grid.rows, u, k)
+    if i < 0:
+        return -1, 0.0
+    here, there = centre(grid, u % grid.columns, u // grid.columns), centre(grid, i, j)
+    if not grid.problem.is_free_path(here, there):
+        return -1, 0.0
+    return j * grid.columns + i, grid.problem.motion_cost(here, there)
 
 
 @edge.register(CellGrid)
@@ -106,7 +140,7 @@ def cell_edge(grid: CellGrid, u: int, k: int) -> tuple[int, float]:
 
 
 def plan_on_grid(problem: ProblemRecord, *, spacing: float | None = None) -> Plan:
-    """The shortest path of grid moves between the nodes that start and goal are joined to; A* with the octile distance.
+    """The cheapest path of grid moves between the nodes that start and goal are joined to; A* with the octile distance.
 
     Parameters
     ----------
@@ -149,16 +183,17 @@ def plan_on_grid(problem: ProblemRecord, *, spacing: float | None = None) -> Pla
     return plan_along(problem, path, np.arange(len(path)), reason, planner="A*", tree=tree, stats=stats)
 
 
-def grid_for(problem: ProblemRecord, spacing: float | None) -> Lattice | CellGrid:
+def grid_for(problem: ProblemRecord, spacing: float | None) -> Grid:
     """The grid that serves a problem: a point on a terrain's own cells is judged by the cells alone."""
     robot, world = problem.robot, problem.world
     on_terrain = isinstance(world, TerrainRecord)
+    kind = CostLattice if on_terrain and world.cost.size else Lattice
     x, y = problem.space.lo.tolist()
     if on_terrain and spacing in (None, world.resolution):
         rows, columns = world.free.shape
-        if isinstance(robot, RoundRobot) and robot.radius + problem.clearance == 0.0:
+        if isinstance(robot, RoundRobot) and robot.radius + problem.clearance == 0.0 and not world.cost.size:
             return CellGrid(world.free, x, y, world.resolution, columns, rows)
-        return Lattice(problem, x, y, world.resolution, columns, rows)
+        return kind(problem, x, y, world.resolution, columns, rows)
     side = world_size(problem) / 100.0 if spacing is None else spacing
     extent = problem.space.hi - problem.space.lo
     width, height = extent.tolist()
@@ -167,16 +202,16 @@ def grid_for(problem: ProblemRecord, spacing: float | None) -> Lattice | CellGri
             f"spacing {side:g} must be within the world's size {extent.max():g} and make at most 50 million nodes"
         )
     columns, rows = np.maximum(np.floor(extent / side + 1e-9), 1).astype(int).tolist()
-    return Lattice(problem, x, y, side, columns, rows)
+    return kind(problem, x, y, side, columns, rows)
 
 
-def centres(grid: Lattice | CellGrid, nodes: NDArray[np.int64]) -> Array:
+def centres(grid: Grid, nodes: NDArray[np.int64]) -> Array:
     """Where grid nodes (k,) are in the world, shape (k, 2)."""
     cells = np.stack([nodes % grid.columns, nodes // grid.columns], axis=1)
     return np.array([grid.x, grid.y]) + (cells + 0.5) * grid.side
 
 
-def joined_node(problem: ProblemRecord, grid: Lattice | CellGrid, q: Array) -> int:
+def joined_node(problem: ProblemRecord, grid: Grid, q: Array) -> int:
     """The nearest of the nine grid nodes round q that a free motion joins it to, or -1."""
     size = np.array([grid.columns, grid.rows])
     cell = np.clip(np.floor((q - [grid.x, grid.y]) / grid.side).astype(int), 0, size - 1)
@@ -189,7 +224,7 @@ def joined_node(problem: ProblemRecord, grid: Lattice | CellGrid, q: Array) -> i
     return -1
 
 
-def octile(grid: Lattice | CellGrid, goal: int) -> Array:
+def octile(grid: Grid, goal: int) -> Array:
     """The length of grid moves from each node to the goal if nothing were in the way, shape (n,)."""
     across = np.abs(np.arange(grid.columns) - goal % grid.columns)[None, :]
     up = np.abs(np.arange(grid.rows) - goal // grid.columns)[:, None]

@@ -20,8 +20,8 @@ from .tuning import whole
 
 @body
 def join_ends(problem: Any, nodes: Array, k: int) -> tuple[NDArray[np.int64], Array]:
-    """Edges from nodes 0 and 1 to the k closest others that a free motion leads to, (m, 2), and their lengths (m,)."""
-    edges, lengths, size = np.empty((2 * k, 2), np.int64), np.empty(2 * k), 0
+    """Edges from nodes 0 and 1 to the k closest others that a free motion leads to, (m, 2), and their costs (m,)."""
+    edges, costs, size = np.empty((2 * k, 2), np.int64), np.empty(2 * k), 0
     for end in range(2):
         apart, joined_to = np.empty(len(nodes)), 0
         for j in range(len(nodes)):
@@ -29,18 +29,18 @@ def join_ends(problem: Any, nodes: Array, k: int) -> tuple[NDArray[np.int64], Ar
         for j in np.argsort(apart, kind="mergesort"):
             asked_before = end == 1 and j == 0
             if joined_to < k and j != end and not asked_before and problem.is_free_path(nodes[end], nodes[j]):
-                edges[size, 0], edges[size, 1], lengths[size] = end, j, apart[j]
+                edges[size, 0], edges[size, 1], costs[size] = end, j, problem.motion_cost(nodes[end], nodes[j])
                 size, joined_to = size + 1, joined_to + 1
-    return edges[:size].copy(), lengths[:size].copy()
+    return edges[:size].copy(), costs[:size].copy()
 
 
 @body
-def lengths_of(problem: Any, nodes: Array, edges: NDArray[np.int64]) -> Array:
-    """The length of each edge (m, 2), shape (m,)."""
-    lengths = np.empty(len(edges))
+def costs_of(problem: Any, nodes: Array, edges: NDArray[np.int64]) -> Array:
+    """What each edge (m, 2) costs, shape (m,)."""
+    costs = np.empty(len(edges))
     for i in range(len(edges)):
-        lengths[i] = problem.distance(nodes[edges[i, 0]], nodes[edges[i, 1]])
-    return lengths
+        costs[i] = problem.motion_cost(nodes[edges[i, 0]], nodes[edges[i, 1]])
+    return costs
 
 
 def build_roadmap(
@@ -68,7 +68,7 @@ def build_roadmap(
 
 
 def query(problem: Any, roadmap: Roadmap, start: ArrayLike | None = None, goal: ArrayLike | None = None, *, k: int = 10) -> Plan:
-    """The shortest way along a roadmap: start and goal are joined to the k closest nodes in free reach, and A* searches.
+    """The cheapest way along a roadmap: start and goal are joined to the k closest nodes in free reach, and A* searches.
 
     problem : whose roadmap it is; start, goal : shape (d,), by default the problem's own; both must be free.
 
@@ -85,9 +85,9 @@ def query(problem: Any, roadmap: Roadmap, start: ArrayLike | None = None, goal: 
     before = asked.asked[MOTIONS]
     nodes = np.concatenate([[q_start, q_goal], roadmap.nodes.reshape(-1, len(q_start))])
     to_ends, ways = body_for(asked, join_ends)(asked, nodes, min(closest, len(nodes)))
-    lengths = body_for(asked, lengths_of)(asked, roadmap.nodes, roadmap.edges)
+    costs = body_for(asked, costs_of)(asked, roadmap.nodes, roadmap.edges)
     edges = np.concatenate([to_ends, roadmap.edges + 2])
-    return searched("roadmap query", asked, nodes, edges, np.concatenate([ways, lengths]), before)
+    return searched("roadmap query", asked, nodes, edges, np.concatenate([ways, costs]), before)
 
 
 def as_free(problem: Any, value: ArrayLike | None, name: str) -> Array:

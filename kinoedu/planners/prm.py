@@ -89,8 +89,8 @@ def prm(
     before = asked.asked[MOTIONS]
     sampled = free_configurations(asked, n, sampler, rng)
     nodes = np.concatenate([[asked.start, asked.goal], sampled])
-    edges, lengths = joined(rule, asked, nodes)
-    return searched("PRM", asked, nodes, edges, lengths, before)
+    edges, costs = joined(rule, asked, nodes)
+    return searched("PRM", asked, nodes, edges, costs, before)
 
 
 def prm_star(problem: Any, *, n: int = 1000, sampler: Sampler | None = None, rng: int | np.random.Generator | None = None) -> Plan:
@@ -123,9 +123,9 @@ def free_configurations(problem: Any, n: int, sampler: Sampler | None, rng: int 
     return places[body_for(problem, free_among)(problem, places)]
 
 
-def searched(planner: str, problem: Any, nodes: Array, edges: NDArray[np.int64], lengths: Array, before: int) -> Plan:
+def searched(planner: str, problem: Any, nodes: Array, edges: NDArray[np.int64], costs: Array, before: int) -> Plan:
     """The plan along a roadmap whose nodes 0 and 1 are start and goal; `before`, how many motions had been judged when it began."""
-    graph = flat_graph(len(nodes), edges, lengths)
+    graph = flat_graph(len(nodes), edges, costs)
     numbers, _ = astar(graph, 0, 1, body_for(problem, distances_to)(problem, nodes, nodes[1]))
     stats = {"nodes": len(nodes), "edges": len(edges), "checks": int(problem.asked[MOTIONS] - before)}
     return plan_along(problem, nodes, numbers, why_apart(graph), planner=planner, roadmap=Roadmap(nodes, edges), stats=stats)

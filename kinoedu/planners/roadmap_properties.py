@@ -14,7 +14,7 @@ from ..graphs.components import component_labels
 from ..problems import ProblemRecord, Recorder, Roadmap
 from ..robots.round import RoundRobot
 from .asking import askable, body_for
-from .multi_query import lengths_of
+from .multi_query import costs_of
 from .prm import sample_free
 from .tuning import whole
 
@@ -138,7 +138,7 @@ def survey_roadmap(
     slides = isinstance(inner, ProblemRecord) and isinstance(inner.robot, RoundRobot)
     places = body_for(asked, sample_free)(asked, draws, 100 * draws, generator)
     reached = body_for(asked, in_sliding_reach if slides else in_reach)(asked, roadmap.nodes, places)
-    graph = flat_graph(len(roadmap.nodes), roadmap.edges, body_for(asked, lengths_of)(asked, *roadmap))
+    graph = flat_graph(len(roadmap.nodes), roadmap.edges, body_for(asked, costs_of)(asked, *roadmap))
     worst, way, delta = worst_pair(roadmap.nodes, graph, asked.distance, shortest or asked.distance, draws, generator)
     return RoadmapSurvey(places, reached, components_of(graph), worst, way, delta)
 

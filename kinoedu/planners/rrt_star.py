@@ -55,7 +55,7 @@ def grow_shortest(
         parent, length = cheapest_parent(problem, costs, near, nearest, q_new)
         new = join(costs, q_new, parent, length)
         for node in near:
-            length = problem.distance(q_new, tree.nodes[node])
+            length = problem.motion_cost(q_new, tree.nodes[node])
             if costs.cost[new] + length < costs.cost[node] and problem.is_free_path(q_new, tree.nodes[node]):
                 rewire(costs, node, new, length)
         if at_goal < 0:
@@ -65,10 +65,10 @@ def grow_shortest(
 
 @callable_from_compiled
 def cheapest_parent(problem: Any, costs: CostTree, near: NDArray[np.int64], nearest: int, q: Array) -> tuple[int, float]:
-    """The node through which q costs least, of the nearest one, from which it is free, and those near; and the motion's length."""
-    parent, length = nearest, problem.distance(costs.tree.nodes[nearest], q)
+    """The node through which q costs least, of the nearest one, from which it is free, and those near; and the motion's cost."""
+    parent, length = nearest, problem.motion_cost(costs.tree.nodes[nearest], q)
     for node in near:
-        apart = problem.distance(costs.tree.nodes[node], q)
+        apart = problem.motion_cost(costs.tree.nodes[node], q)
         cheaper = costs.cost[node] + apart < costs.cost[parent] + length
         if cheaper and problem.is_free_path(costs.tree.nodes[node], q):
             parent, length = node, apart
@@ -78,10 +78,10 @@ def cheapest_parent(problem: Any, costs: CostTree, near: NDArray[np.int64], near
 @callable_from_compiled
 def reach_goal(problem: Any, costs: CostTree, node: int, step: float) -> int:
     """Append the goal to a node within one free step of it; returns the goal's node, or -1."""
-    length = problem.distance(costs.tree.nodes[node], problem.goal)
-    if length > step or not problem.is_free_path(costs.tree.nodes[node], problem.goal):
+    q = costs.tree.nodes[node]
+    if problem.distance(q, problem.goal) > step or not problem.is_free_path(q, problem.goal):
         return -1
-    return join(costs, problem.goal, node, length)
+    return join(costs, problem.goal, node, problem.motion_cost(q, problem.goal))
 
 
 def rrt_star(
@@ -107,7 +107,8 @@ def rrt_star(
     rng : a seed or a numpy Generator.
 
     Returns a Plan with its `tree`: nodes in the order they came, with the parents they have in the end. Asymptotically optimal: the
-    cost tends to the least there is as max_nodes grows. O(n log n) motions for n nodes. Raises InvalidParameter.
+    cost tends to the least there is as max_nodes grows. For that a path must cost no less than it is long, and no more than a
+    multiple of it, as on a terrain with costs. O(n log n) motions for n nodes. Raises InvalidParameter.
 
     >>> from kinoedu import Point, PolygonWorld, Problem
     >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])

@@ -12,7 +12,7 @@ from ..compiled import body, callable_from_compiled
 from ..errors import InvalidParameter
 from ..geometry.checks import Array, as_generator, shortened
 from ..problems import MOTIONS, Plan
-from .answers import path_cost
+from .answers import cost_along
 from .asking import askable, body_for
 from .tuning import whole
 
@@ -30,8 +30,8 @@ def cut_corners(problem: Any, path: Array, tries: int, rng: np.random.Generator)
         p = problem.steer(kept[i], kept[i + 1], t * problem.distance(kept[i], kept[i + 1]))
         q = problem.steer(kept[j], kept[j + 1], s * problem.distance(kept[j], kept[j + 1]))
         before, after = kept[i].copy(), kept[j + 1].copy()
-        along = path_length(problem, kept, i, j + 1)
-        straight = problem.distance(before, p) + problem.distance(p, q) + problem.distance(q, after)
+        along = cost_between(problem, kept, i, j + 1)
+        straight = problem.motion_cost(before, p) + problem.motion_cost(p, q) + problem.motion_cost(q, after)
         if straight >= along or not problem.is_free_path(p, q):
             continue
         if problem.is_free_path(before, p) and problem.is_free_path(q, after):
@@ -42,16 +42,16 @@ def cut_corners(problem: Any, path: Array, tries: int, rng: np.random.Generator)
 
 
 @callable_from_compiled
-def path_length(problem: Any, path: Array, first: int, last: int) -> float:
-    """The length of a path from one of its points to another."""
-    length = 0.0
+def cost_between(problem: Any, path: Array, first: int, last: int) -> float:
+    """What a path costs from one of its points to another."""
+    cost = 0.0
     for k in range(first, last):
-        length += problem.distance(path[k], path[k + 1])
-    return length
+        cost += problem.motion_cost(path[k], path[k + 1])
+    return cost
 
 
 def shortcut(plan: Plan, *, tries: int = 200, rng: int | np.random.Generator) -> Plan:
-    """The plan with a shorter path: again and again two places on it are drawn, and joined where the straight motion is free.
+    """The plan with a cheaper path: again and again two places on it are drawn, and joined where the straight motion is free.
 
     Parameters
     ----------
@@ -59,7 +59,7 @@ def shortcut(plan: Plan, *, tries: int = 200, rng: int | np.random.Generator) ->
     tries : how many pairs of places are drawn.
     rng : a seed or a numpy Generator.
 
-    Never longer, and free all the way; a shortest path is not promised. What the planner built stays in the plan; its stats gain
+    Never dearer, and free all the way; a shortest path is not promised. What the planner built stays in the plan; its stats gain
     the motions that were judged. O(tries) motions. Raises InvalidParameter.
 
     >>> from kinoedu import Point, PolygonWorld, Problem, rrt
@@ -78,7 +78,7 @@ def shortcut(plan: Plan, *, tries: int = 200, rng: int | np.random.Generator) ->
     asked = askable(plan.problem)
     before = asked.asked[MOTIONS]
     path = body_for(asked, cut_corners)(asked, plan.path, attempts, generator)
-    cost = float(body_for(asked, path_cost)(asked, path))
+    cost = float(body_for(asked, cost_along)(asked, path))
     if cost >= plan.cost:
         return plan
     stats = {**plan.stats, "checks": plan.stats.get("checks", 0) + int(asked.asked[MOTIONS] - before)}

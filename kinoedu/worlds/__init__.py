@@ -1,6 +1,8 @@
 """Worlds: where a robot moves, made from polygons or bitmaps or read from files."""
 
 from .benchmr import read_benchmr
+from .heights import clearance_of_cells, read_heights, roughness, slope
+from .landscapes import LANDSCAPES, hills, landscape
 from .meshes import mesh_outline, mesh_world, read_mesh
 from .polygon_world import PolygonWorld
 from .range_sensor import Scan, scan
@@ -8,3 +10,17 @@ from .reading import read_world
 from .terrain import Terrain
 
 __all__ = ["PolygonWorld", "Scan", "Terrain", "mesh_outline", "mesh_world", "read_benchmr", "read_mesh", "read_world", "scan"]
+__all__ = [
+    "LANDSCAPES",
+    "PolygonWorld",
+    "Scan",
+    "Terrain",
+    "clearance_of_cells",
+    "hills",
+    "landscape",
+    "read_heights",
+    "read_world",
+    "roughness",
+    "scan",
+    "slope",
+]

@@ -54,6 +54,13 @@ def read_image(path: str | os.PathLike[str]) -> TerrainRecord:
     return Terrain(free[::-1])
 
 
+def brightness(path: str | os.PathLike[str]) -> NDArray[np.float64]:
+    """How bright a picture is, 0 to 1, (rows, columns), the top row first. Files and errors as in `read_image`."""
+    image = load_image(path)
+    deep = deep_grey(image)
+    return _luminance(image) / 255.0 if deep is None else deep / 65535.0
+
+
 def load_image(path: str | os.PathLike[str]) -> "Image":
     """A picture, decoded after its header has been judged.
 

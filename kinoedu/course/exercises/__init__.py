@@ -8,6 +8,7 @@ from .arm_contact import LinkInContact
 from .bugs import Bug1, Bug2, BugBase
 from .c_obstacles import CObstacle
 from .cell_paths import PlanByDecomposition
+from .comparing import ComparePlanners
 from .convex import ConvexPolygonsIntersect, PointInConvexPolygon
 from .decomposition import Neighbours, TrapezoidsOfWorld
 from .displacements import Displacement, Rotation
@@ -29,7 +30,9 @@ from .misleading import MisleadingEstimate
 from .polygons import PointPolygonDistance, PolygonTangent
 from .random_points import UniformRandom
 from .ray_counting import ExposeRayCounting
+from .repeats import RepeatedRows
 from .rewiring import Insert
+from .sampled_edges import ExposeSampling
 from .sampled_space import PlotConfigurationSpace
 from .searches import Astar, Dijkstra
 from .segment_pairs import SegmentIntersection
@@ -37,6 +40,8 @@ from .segments import PointSegmentDistance
 from .sequences import Halton, RadicalInverse
 from .shorter_walls import ExposeShorterWalls
 from .sweeping import Crossings, FreeIntervals
+from .terrain_costs import CostAlong
+from .terrain_planners import PrmOnTerrain, RrtOnTerrain
 from .tree_roadmaps import TreeRoadmap
 from .trees import Rrt, RrtConnect
 
@@ -95,6 +100,12 @@ EXERCISES: dict[str, Exercise] = {
         Insert,
         Follow,
         ExposeHastyGoal,
+        RrtOnTerrain,
+        PrmOnTerrain,
+        RepeatedRows,
+        ComparePlanners,
+        CostAlong,
+        ExposeSampling,
     )
 }
 

@@ -1,0 +1,94 @@
+"""What a motion costs: its length, or on a terrain with costs their integral along it.
+
+J. S. B. Mitchell, C. H. Papadimitriou, "The weighted region problem: finding shortest paths through a weighted planar subdivision"
+(1991).
+"""
+
+import math
+from typing import Any
+
+import numpy as np
+
+from ..compiled import compiled, generic
+from ..errors import InvalidParameter
+from ..geometry.checks import Array
+from ..robots.polygon import TranslatingPolygonRobot
+from ..robots.round import RoundRobot
+from ..spaces import distance
+from ..worlds.terrain import TerrainRecord
+from .round_terrain import in_cells
+
+ROUND = 1e-12  # of a motion: a blocked cell that is met for less is met by rounding only
+
+
+@generic(2)
+def motion_cost(robot: Any, world: Any, space: Any, a: Array, b: Array) -> float:
+    """What the straight motion from a to b costs, free or not: its length."""
+    return distance(space, a, b)
+
+
+@motion_cost.register(RoundRobot, TerrainRecord)
+@motion_cost.register(TranslatingPolygonRobot, TerrainRecord)
+def cost_on_terrain(robot: Any, world: TerrainRecord, space: Any, a: Array, b: Array) -> float:
+    """The integral of what the cells cost at the robot's centre or reference point."""
+    if world.cost.size == 0:
+        return distance(space, a, b)
+    return world.resolution * integral(world.cost, *in_cells(world, a, b))
+
+
+def check_cost(robot: Any, world: Any) -> None:
+    """Raise InvalidParameter where a terrain has costs, and the robot no single place at which they count."""
+    on_costs = isinstance(world, TerrainRecord) and world.cost.size
+    if on_costs and not isinstance(robot, RoundRobot | TranslatingPolygonRobot):
+        raise InvalidParameter("a terrain with costs is for Point(), Disk(r) and TranslatingPolygon(...); leave out cost=")
+
+
+@compiled
+def integral(cost: Array, ax: float, ay: float, bx: float, by: float) -> float:
+    """The integral of the cells' costs along the segment a-b, from cell to cell as it crosses their sides; O(cells crossed).
+
+    Along a common side of two cells the cheaper one counts, which lets cheapest paths exist. Outside all cells it is infinite.
+    J. Amanatides, A. Woo, "A fast voxel traversal algorithm for ray tracing" (1987).
+    """
+    dx, dy = bx - ax, by - ay
+    i, j, t, total = first_cell(ax, dx), first_cell(ay, dy), 0.0, 0.0
+    while t < 1.0 and (dx != 0.0 or dy != 0.0):
+        leaves_column, leaves_row = crossing(ax, dx, i), crossing(ay, dy, j)
+        after = min(leaves_column, leaves_row, 1.0)
+        if after > t:
+            here = cheapest(cost, i, j, dx == 0.0 and ax == i, dy == 0.0 and ay == j)
+            if here < np.inf or after - t > ROUND:
+                total += (after - t) * here
+            t = after
+        if leaves_column <= after:
+            i += 1 if dx > 0.0 else -1
+        if leaves_row <= after:
+            j += 1 if dy > 0.0 else -1
+    return total * math.sqrt(dx * dx + dy * dy)
+
+
+@compiled
+def first_cell(x: float, dx: float) -> int:
+    """The number of the column that a motion from x is in at first."""
+    cell = math.floor(x)
+    return int(cell) - 1 if dx < 0.0 and x == cell else int(cell)
+
+
+@compiled
+def crossing(x: float, dx: float, i: int) -> float:
+    """The share of a motion after which it leaves column i, 1 or more where it ends there."""
+    if dx == 0.0:
+        return np.inf
+    return (i + 1 - x) / dx if dx > 0.0 else (i - x) / dx
+
+
+@compiled
+def cheapest(cost: Array, i: int, j: int, on_left: bool, on_bottom: bool) -> float:
+    """What cell (i, j) costs, and where a motion runs along its left or bottom side, the cheaper of the cells beside it."""
+    rows, columns = cost.shape
+    least = np.inf
+    for row in range(j - 1 if on_bottom else j, j + 1):
+        for column in range(i - 1 if on_left else i, i + 1):
+            if 0 <= row < rows and 0 <= column < columns:
+                least = min(least, cost[row, column])
+    return least

@@ -1,0 +1,139 @@
+"""Terrains of 256 x 256 cells, each made from a seed, on which planners are compared: from START to GOAL there is always a way.
+
+J. R. Sánchez-Ibáñez, C. J. Pérez-del-Pulgar, A. García-Cerezo, "Path planning for autonomous mobile robots: a review" (2021), on
+what is asked of planners outdoors.
+"""
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import InvalidParameter
+from ..geometry.checks import Array, as_generator
+from .terrain import Terrain, TerrainRecord
+
+SIDE = 256
+START, GOAL = (10.0, 10.0), (246.0, 246.0)
+CLEAR = 9  # cells about start and goal that are kept free
+Cells = NDArray[np.bool_]
+
+
+def rocks(rng: np.random.Generator) -> Cells:
+    """Ninety round rocks of all sizes, some of them in heaps."""
+    return ~discs(rng.uniform(0, SIDE, (90, 2)), rng.uniform(3.0, 13.0, 90))
+
+
+def craters(rng: np.random.Generator) -> Cells:
+    """Fourteen craters: a rim that is open on one side, so that each is a bag to be caught in."""
+    x, y = centres()
+    blocked = np.zeros((SIDE, SIDE), np.bool_)
+    for cx, cy, radius, opening in zip(*rng.uniform(24, 232, (2, 14)), rng.uniform(14, 30, 14), rng.uniform(-np.pi, np.pi, 14)):
+        far, turn = np.hypot(x - cx, y - cy), np.arctan2(y - cy, x - cx)
+        is_open = np.cos(turn - opening) > 0.8
+        blocked |= (np.abs(far - radius) < 2.5) & ~is_open
+    return ~blocked
+
+
+def ridges(rng: np.random.Generator) -> Cells:
+    """Three ridges from rim to rim, each with one pass of ten cells."""
+    x, y = centres()
+    free = np.ones((SIDE, SIDE), np.bool_)
+    for middle, phase, gap in zip((64, 128, 192), rng.uniform(0, 2 * np.pi, 3), rng.uniform(30, 226, 3)):
+        crest = middle + 14.0 * np.sin(x / 28.0 + phase)
+        free &= (np.abs(y - crest) > 5.0) | (np.abs(x - gap) < 5.0)
+    return free
+
+
+def dunes(rng: np.random.Generator) -> Cells:
+    """A maze of dunes: walls of three cells between rooms of 29, some of them gone."""
+    free = np.ones((SIDE, SIDE), np.bool_)
+    for place in range(32, SIDE - 8, 32):
+        for k in range(8):
+            if rng.random() < 0.55:
+                free[place - 1 : place + 2, 32 * k : 32 * k + 33] = False
+            if rng.random() < 0.55:
+                free[32 * k : 32 * k + 33, place - 1 : place + 2] = False
+    return free
+
+
+def fords(rng: np.random.Generator) -> Cells:
+    """A river that winds from corner to corner, with three fords six cells wide, and stones on both banks."""
+    x, y = centres()
+    along, across = (x - y) / np.sqrt(2), (x + y - SIDE) / np.sqrt(2)
+    river = np.abs(across - 22.0 * np.sin(along / 30.0 + rng.uniform(0, 2 * np.pi))) < 9.0
+    for place in rng.uniform(-110, 110, 3):
+        river &= np.abs(along - place) > 3.0
+    return ~(river | discs(rng.uniform(0, SIDE, (40, 2)), rng.uniform(2.0, 7.0, 40)))
+
+
+def spires(rng: np.random.Generator) -> Cells:
+    """Five hundred thin spires: much free space, and hardly a long straight line in it."""
+    return ~discs(rng.uniform(0, SIDE, (500, 2)), rng.uniform(1.0, 3.0, 500))
+
+
+LANDSCAPES: dict[str, Callable[[np.random.Generator], Cells]] = {
+    kind.__name__: kind for kind in (rocks, craters, ridges, dunes, fords, spires)
+}
+
+
+def landscape(kind: str, rng: int | np.random.Generator = 0, **terrain: Any) -> TerrainRecord:
+    """A terrain of a kind: rocks, craters, ridges, dunes, fords or spires.
+
+    rng : a seed or a numpy Generator; what it leads to is drawn again until there is a way from START (10, 10) to GOAL (246, 246).
+    The rest is handed to Terrain: resolution, origin, cost. Raises InvalidParameter.
+
+    >>> landscape("rocks", 0).free.shape
+    (256, 256)
+    """
+    if kind not in LANDSCAPES:
+        raise InvalidParameter(f"kind must be one of {', '.join(LANDSCAPES)}, got {kind!r}")
+    chance = as_generator(rng)
+    while True:
+        free = LANDSCAPES[kind](chance)
+        for x, y in (START, GOAL):
+            free[int(y) - CLEAR : int(y) + CLEAR, int(x) - CLEAR : int(x) + CLEAR] = True
+        if joined_cells(free, START, GOAL):
+            return Terrain(free, **terrain)
+
+
+def hills(rng: int | np.random.Generator = 0, *, highest: float = 40.0) -> Array:
+    """Heights (256, 256) from 0 to `highest`: waves of all lengths, the long ones highest, as in worn mountains.
+
+    R. F. Voss, "Random fractal forgeries" (1985). Raises InvalidParameter.
+
+    >>> hills(1).shape
+    (256, 256)
+    """
+    chance = as_generator(rng)
+    v, u = np.meshgrid(np.fft.fftfreq(SIDE), np.fft.rfftfreq(SIDE), indexing="ij")
+    waves = np.sqrt(u * u + v * v)
+    waves[0, 0] = np.inf
+    noise = chance.normal(size=(*waves.shape, 2)) @ np.array([1.0, 1.0j])
+    ground = np.fft.irfft2(noise / waves**3.0, s=(SIDE, SIDE))
+    return highest * (ground - ground.min()) / (ground.max() - ground.min())
+
+
+def centres() -> tuple[Array, Array]:
+    """x and y of every cell's centre, (256, 256) each."""
+    y, x = np.indices((SIDE, SIDE)) + 0.5
+    return x, y
+
+
+def discs(places: Array, radii: Array) -> Cells:
+    """The cells whose centres lie in one of the discs, (256, 256)."""
+    x, y = centres()
+    inside = np.zeros((SIDE, SIDE), np.bool_)
+    for (cx, cy), radius in zip(places, radii):
+        inside |= (x - cx) ** 2 + (y - cy) ** 2 <= radius * radius
+    return inside
+
+
+def joined_cells(free: Cells, a: tuple[float, float], b: tuple[float, float]) -> bool:
+    """Whether free cells that share sides lead from one place to another."""
+    from scipy.ndimage import label
+
+    parts, _ = label(free)
+    here, there = (parts[int(y), int(x)] for x, y in (a, b))
+    return bool(here and here == there)
