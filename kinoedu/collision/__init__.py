@@ -7,6 +7,7 @@ from .batches import free_configurations, free_motions
 from .clearances import clearance_of
 from .costs import check_cost, motion_cost
 from .driving import is_free_trajectory
+from .headings import free_heading, free_headings
 
 __all__ = [
     "check_cost",
@@ -14,6 +15,8 @@ __all__ = [
     "coordinates",
     "driving",
     "free_configurations",
+    "free_heading",
+    "free_headings",
     "free_motions",
     "is_free",
     "is_free_drive",

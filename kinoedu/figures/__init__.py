@@ -8,6 +8,7 @@ from .comparisons import draw_convergence, draw_ecdf, draw_medians
 from .decomposition import draw_decomposition, draw_sweep
 from .drawing import draw_path, draw_plan, draw_problem, draw_roadmap, draw_robot, draw_tree, draw_world
 from .graphs import draw_graph
+from .headings import draw_cells_with_headings, draw_headings
 from .rrt_steps import draw_rrt_flowchart, draw_rrt_steps
 from .samples import draw_dispersion, draw_samples, draw_shares
 from .saving import save_panels, save_plan
@@ -19,6 +20,7 @@ __all__ = [
     "draw_ackermann",
     "draw_bug_base_flowchart",
     "draw_c_obstacle",
+    "draw_cells_with_headings",
     "draw_configuration_space",
     "draw_convergence",
     "draw_decomposition",
@@ -27,6 +29,7 @@ __all__ = [
     "draw_ecdf",
     "draw_graph",
     "draw_grown",
+    "draw_headings",
     "draw_medians",
     "draw_mesh",
     "draw_path",

@@ -10,6 +10,7 @@ from .bug2 import bug2
 from .bug2_prelim import bug2_prelim
 from .bug_base import bug_base
 from .by_decomposition import plan_by_decomposition
+from .cells_with_headings import cells_with_headings, plan_by_cells_with_headings
 from .changing import after_change, changed_box, changing_roadmap
 from .connecting import ComponentKClosest, KClosest, Radius
 from .grid import plan_on_grid
@@ -20,6 +21,7 @@ from .multi_query import build_roadmap, query
 from .prm import prm, prm_star
 from .receding_horizon import receding_horizon
 from .roadmap_properties import roadmap_properties
+from .roadmap_search import dijkstra_path, plan_on_roadmap
 from .rrt import rrt
 from .rrt_connect import rrt_connect
 from .rrt_star import informed_rrt_star, rrt_star
@@ -42,17 +44,21 @@ __all__ = [
     "bug2_prelim",
     "bug_base",
     "build_roadmap",
+    "cells_with_headings",
     "changed_box",
     "changing_roadmap",
     "decomposition_roadmap",
+    "dijkstra_path",
     "grid_roadmap",
     "informed_rrt_star",
     "kinodynamic_prm",
     "kinodynamic_rrt",
     "path_cost",
+    "plan_by_cells_with_headings",
     "plan_by_decomposition",
     "plan_by_visibility",
     "plan_on_grid",
+    "plan_on_roadmap",
     "prm",
     "prm_star",
     "query",

@@ -7,6 +7,7 @@ from .meshes import mesh_outline, mesh_world, read_mesh
 from .polygon_world import PolygonWorld
 from .range_sensor import Scan, scan
 from .reading import read_world
+from .scattered import scattered
 from .terrain import Terrain
 
 __all__ = ["PolygonWorld", "Scan", "Terrain", "mesh_outline", "mesh_world", "read_benchmr", "read_mesh", "read_world", "scan"]
@@ -24,3 +25,4 @@ __all__ = [
     "scan",
     "slope",
 ]
+__all__ = ["PolygonWorld", "Scan", "Terrain", "read_world", "scan", "scattered"]

@@ -14,17 +14,20 @@ from .decomposition import Neighbours, TrapezoidsOfWorld
 from .displacements import Displacement, Rotation
 from .environment_plot import PlotEnvironment
 from .following import Follow
+from .four_chords import ExposeFourChords
 from .freedoms import DegreesOfFreedom
 from .graph_paths import BfsPath, DfsPath
 from .graphs import BfsTree, ExtractPath
 from .grids import CornerGrid, SukharevGrid
 from .half_separating import OverlookedGap
 from .hasty_goal import ExposeHastyGoal
+from .headings import FreeHeading
 from .hidden_corridor import ExposeGrids
 from .holes import DispersionBounds
 from .kinematics import ForwardKinematics, InverseKinematics
 from .law_of_sines import ExposeReach
 from .lines import LineThroughPoints, PointLineDistance
+from .matrices import AdjacencyMatrix, BfsOnMatrix, DfsOnMatrix
 from .mended_bug import ExposeMendedBug
 from .misleading import MisleadingEstimate
 from .polygons import PointPolygonDistance, PolygonTangent
@@ -44,6 +47,7 @@ from .terrain_costs import CostAlong
 from .terrain_planners import PrmOnTerrain, RrtOnTerrain
 from .tree_roadmaps import TreeRoadmap
 from .trees import Rrt, RrtConnect
+from .turning_trees import RrtForPolygon
 
 EXERCISES: dict[str, Exercise] = {
     exercise.name: exercise()
@@ -106,6 +110,12 @@ EXERCISES: dict[str, Exercise] = {
         ComparePlanners,
         CostAlong,
         ExposeSampling,
+        RrtForPolygon,
+        FreeHeading,
+        AdjacencyMatrix,
+        BfsOnMatrix,
+        DfsOnMatrix,
+        ExposeFourChords,
     )
 }
 

@@ -96,7 +96,7 @@ class BfsPath(PathExercise):
     name = "bfs_path"
     last_rule = "fewest"
     shown = staticmethod(breadth_first)
-    slips = (
+    slips: ClassVar[tuple[Slip, ...]] = (
         Slip("stack", lambda neighbours, start, goal: tree_path(neighbours, start, goal, at=-1)),
         Slip("deep", lambda neighbours, start, goal: deep_path(neighbours, start, goal)),
         Slip("late", lambda neighbours, start, goal: tree_path(neighbours, start, goal, late=True)),
@@ -126,7 +126,7 @@ class DfsPath(PathExercise):
     name = "dfs_path"
     last_rule = "simple"
     shown = staticmethod(depth_first)
-    slips = (
+    slips: ClassVar[tuple[Slip, ...]] = (
         Slip("order", entered),
         Slip("walk", walked),
         Slip("never_back", never_back),

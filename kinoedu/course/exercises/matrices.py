@@ -1,0 +1,190 @@
+"""Exercises on adjacency matrices: which motions are free, and the searches that read it. Bullo & Smith, sections 2.3 and 4.3."""
+
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...collision import free_configurations
+from ...geometry.checks import Array
+from ...problems import Problem
+from ...robots import Disk, RigidPolygon
+from ...worlds import PolygonWorld, scattered
+from ..exercise import Case, Slip, ValueExercise, Verdict
+from ..outcomes import Answer, Outcome
+from ..shapes import Numbers, Record
+from ..whole_shapes import Whole, WholeNumbers
+from .graph_paths import BfsPath, DfsPath, PathExercise
+from .random_graphs import Neighbours, symmetric
+from .tasks import SQUARE, Asked, Task, box
+from .turning_pictures import draw_matrix
+
+Matrix = NDArray[np.int64]
+LESSON = "11_polygons_in_the_plane"
+MATRIX = WholeNumbers(("n", "n"))
+STICK = RigidPolygon([(-0.8, -0.2), (0.8, -0.2), (0.8, 0.2), (-0.8, 0.2)])
+CORRIDOR = PolygonWorld([(0, 0), (10, 0), (10, 1.4), (0, 1.4)], [box(4.9, 0, 5.1, 0.8)])
+
+
+def pairwise(problem: Any, nodes: Array, joined: Callable[..., bool]) -> Matrix:
+    """A symmetric matrix of a relation between two configurations, zero on the diagonal."""
+    matrix = np.zeros((len(nodes), len(nodes)), np.int64)
+    for i, j in zip(*np.triu_indices(len(nodes), 1)):
+        matrix[i, j] = matrix[j, i] = joined(problem, nodes[i], nodes[j])
+    return matrix
+
+
+def free_motions(problem: Any, nodes: Array) -> Matrix:
+    """1 where the motion between two configurations is free."""
+    return pairwise(problem, nodes, lambda problem, a, b: problem.is_free_path(a, b))
+
+
+def halfway(problem: Any, a: Array, b: Array) -> bool:
+    """Whether a motion is free at its middle and its ends."""
+    middle = problem.steer(a, b, problem.distance(a, b) / 2)
+    return bool(problem.is_free(a) and problem.is_free(b) and problem.is_free(middle))
+
+
+def chained(problem: Any, nodes: Array) -> Matrix:
+    """Only from each node to the next."""
+    whole = free_motions(problem, nodes)
+    return np.triu(np.tril(whole, 1), -1)
+
+
+class AdjacencyMatrix(ValueExercise):
+    """Configurations to the matrix of free motions between them."""
+
+    name = "adjacency_matrix"
+    lesson = LESSON
+    kinds = ("two", "wall", "turn", "many")
+    given = Record(problem=Task(), nodes=Numbers(("n", "d")))
+    answer = MATRIX
+    source = staticmethod(free_motions)
+    slips = (
+        Slip("ends_only", lambda problem, nodes: pairwise(problem, nodes, lambda p, a, b: p.is_free(a) and p.is_free(b))),
+        Slip("halfway", lambda problem, nodes: pairwise(problem, nodes, halfway)),
+        Slip("one_side", lambda problem, nodes: np.triu(free_motions(problem, nodes))),
+        Slip("loops", lambda problem, nodes: free_motions(problem, nodes) + np.eye(len(nodes))),
+        Slip("contact", lambda problem, nodes: 1 - np.eye(len(nodes)) - free_motions(problem, nodes)),
+        Slip("chained", chained),
+    )
+
+    @staticmethod
+    def reference(problem: Any, nodes: Array) -> Matrix:
+        """By the course's own test of motions."""
+        return free_motions(problem, nodes)
+
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """Two or three; a thin wall; turns in a corridor, where a step aside is free and a half turn is not; a roadmap."""
+        for _ in range(10):
+            room = scattered(3, side=10.0, radius=1.5, rng=rng)
+            yield case("two", Disk(0.5), room, rng, int(rng.integers(2, 4)))
+            wall = float(np.round(rng.uniform(4.0, 6.0), 2))
+            thin = PolygonWorld(SQUARE, [box(wall, 0, wall + 0.01, float(np.round(rng.uniform(5.0, 8.0), 1)))])
+            yield case("wall", Disk(0.05), thin, rng, 5)
+            x = np.round(np.concatenate([rng.uniform(1.0, 3.8, 3), rng.uniform(6.2, 9.0, 2)]), 2)  # a sill is between the two sides
+            poses = np.column_stack([x, np.full(5, 0.7), rng.choice([0.0, 0.2, 3.0, -3.0], 5)])
+            yield Case("turn", {"problem": at_rest(STICK, CORRIDOR, poses[0]), "nodes": poses})
+        for _ in range(10):
+            world = scattered(8, side=10.0, radius=1.4, rng=rng)
+            yield case("many", (STICK, Disk(0.4))[int(rng.integers(2))], world, rng, int(rng.integers(6, 13)))
+
+    def same(self, value: Any, truth: Any) -> bool:
+        """The same entries."""
+        return np.array_equal(value, truth)
+
+    def wanted(self, case: Case) -> str:
+        """The matrix, row by row."""
+        return str(self.truth(case).tolist())
+
+    def answer_words(self, case: Case, value: Any) -> str:
+        """The student's, likewise."""
+        return str(value.tolist())
+
+    def value_verdict(self, case: Case, value: Any) -> Verdict:
+        """A matrix of another size breaks a rule of its own."""
+        verdict = super().value_verdict(case, value)
+        return verdict._replace(rule="size") if len(value) != len(case.given["nodes"]) else verdict
+
+    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+        """The configurations, the free motions, and the student's where they differ."""
+        value = outcome.value if isinstance(outcome, Answer) else None
+        words = self.words(f"pictures.{case.kind}")
+        draw_matrix(case.given["problem"].problem, case.given["nodes"], self.truth(case), value, words, ax)
+
+
+def at_rest(robot: Any, world: Any, q: Any) -> Asked:
+    """A problem that is no task, for what it can be asked."""
+    return Asked(Problem(robot, world, q, q))
+
+
+def case(kind: str, robot: Any, world: Any, rng: np.random.Generator, n: int) -> Case:
+    """A case of n free configurations at random, two decimals."""
+    d = 2 if isinstance(robot, type(Disk(1.0))) else 3
+    drawn = np.round(rng.uniform((0, 0, -3.1)[:d], (10, 10, 3.1)[:d], (2000, d)), 2)
+    nodes = drawn[free_configurations(robot, world, drawn)][:n]
+    return Case(kind, {"problem": at_rest(robot, world, nodes[0]), "nodes": nodes})
+
+
+def lists_of(matrix: Any) -> Neighbours:
+    """Adjacency lists, which other exercises have."""
+    return [np.flatnonzero(row).tolist() for row in np.asarray(matrix)]
+
+
+def in_lists(case: Case) -> Case:
+    """The same question of adjacency lists."""
+    given = dict(case.given)
+    matrix = given.pop("matrix", None)
+    return case if matrix is None else Case(case.kind, {"neighbours": lists_of(matrix), **given})
+
+
+def on_matrix(search: Callable[..., Any]) -> Callable[..., Any]:
+    """A search of adjacency lists as one of a matrix."""
+    return lambda matrix, start, goal: search(lists_of(matrix), start, goal)
+
+
+class OnMatrix(PathExercise):
+    """Lesson 4's question, of an adjacency matrix: a path between two nodes, or None."""
+
+    lesson = LESSON
+    kinds = ("small", "cycle", "unreachable", "start_is_goal")
+    given = Record(matrix=MATRIX, start=Whole(), goal=Whole())
+
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """Those of lesson 4 whose edges lead both ways."""
+        for case in super().cases(rng):
+            neighbours, start, goal = case.given.values()
+            if case.kind != "directed" and symmetric(neighbours):
+                matrix = np.array([[int(v in row) for v in range(len(neighbours))] for row in neighbours])
+                yield Case(case.kind, {"matrix": matrix, "start": start, "goal": goal})
+
+    def truth(self, case: Case) -> Any:
+        """Of the lists."""
+        return super().truth(in_lists(case))
+
+    def value_verdict(self, case: Case, value: Any) -> Verdict:
+        """By the edges of the lists."""
+        return super().value_verdict(in_lists(case), value)
+
+    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+        """The graph, a right path and the student's."""
+        super().draw(in_lists(case), outcome, ax)
+
+
+class BfsOnMatrix(OnMatrix, BfsPath):
+    """A path of the fewest edges."""
+
+    name = "bfs_on_matrix"
+    slips = tuple(Slip(slip.key, on_matrix(slip.answer)) for slip in BfsPath.slips if slip.key in ("deep", "order", "reversed"))
+    source = staticmethod(on_matrix(BfsPath.reference))
+
+
+class DfsOnMatrix(OnMatrix, DfsPath):
+    """Any path that meets no node twice."""
+
+    name = "dfs_on_matrix"
+    slips = tuple(
+        Slip(slip.key, on_matrix(slip.answer)) for slip in DfsPath.slips if slip.key in ("order", "never_back", "reversed")
+    )
+    source = staticmethod(on_matrix(DfsPath.reference))

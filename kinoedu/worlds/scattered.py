@@ -1,0 +1,92 @@
+"""Random polygons in a square: worlds to try planners in, each from its seed."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from ..errors import InvalidParameter
+from ..geometry.checks import Array, as_array, as_generator, positive, whole
+from .polygon_world import PolygonWorld, PolygonWorldRecord
+
+TRIES = 1000  # places that are drawn for each obstacle before there is said to be no room
+
+
+def scattered(
+    n: int,
+    *,
+    side: float = 20.0,
+    radius: float = 1.5,
+    gap: float | None = None,
+    keep_free: Sequence[Sequence[float]] = (),
+    rng: int | np.random.Generator,
+) -> PolygonWorldRecord:
+    """A square world with n convex polygons at random places in it, for robots to find their way among.
+
+    Parameters
+    ----------
+    n : how many obstacles; 0 or more.
+    side : of the square, whose lower left corner is (0, 0).
+    radius : each obstacle has 3 to 7 corners on a circle of half this radius to the whole of it, whose centre it holds.
+    gap : how far apart the circles round two obstacles are at the least; without it they may overlap.
+    keep_free : discs (x, y, r) that no obstacle touches, such as those round start and goal.
+    rng : a seed or a numpy Generator.
+
+    The same seed gives the same world; the first k of n obstacles are those of the world with k. Raises InvalidParameter, for n
+    that find no room as well.
+
+    >>> ten, twenty = scattered(10, rng=0), scattered(20, rng=0)
+    >>> len(ten.obstacles.radius), len(twenty.obstacles.radius)
+    (10, 20)
+    >>> bool((ten.obstacles.points == twenty.obstacles.points[: len(ten.obstacles.points)]).all())
+    True
+    """
+    count, width, size = whole(n, "n", least=0), positive(side, "side"), positive(radius, "radius")
+    if 2.0 * size > width:
+        raise InvalidParameter(f"an obstacle of radius {size:g} must fit into a side of {width:g}; make it smaller")
+    apart = -np.inf if gap is None else none_or_more(gap)
+    chance, placed, polygons = as_generator(rng), as_discs(keep_free), []
+    kept = len(placed)
+    for number in range(count):
+        x, y, r = with_room(placed, kept, apart, width, size, chance, number)
+        placed = np.vstack([placed, (x, y, r)])
+        polygons.append((x, y) + r * corners_on_circle(chance))
+    return PolygonWorld([(0.0, 0.0), (width, 0.0), (width, width), (0.0, width)], polygons)
+
+
+def with_room(
+    placed: Array, kept: int, apart: float, side: float, radius: float, rng: np.random.Generator, number: int
+) -> tuple[float, float, float]:
+    """A disc (x, y, r) in the square, off the first `kept` discs and `apart` from the others."""
+    least = np.where(np.arange(len(placed)) < kept, 0.0, apart)
+    for _ in range(TRIES):
+        r = radius * rng.uniform(0.5, 1.0)
+        x, y = rng.uniform(r, side - r, 2)
+        if (np.hypot(placed[:, 0] - x, placed[:, 1] - y) - placed[:, 2] - r > least).all():
+            return float(x), float(y), float(r)
+    raise InvalidParameter(f"after {TRIES:,} tries there is no room for obstacle {number}; ask for fewer or smaller ones")
+
+
+def corners_on_circle(rng: np.random.Generator) -> Array:
+    """The corners of a convex polygon on the unit circle, whose centre it holds, counter-clockwise; shape (k, 2), 3 <= k <= 7."""
+    k = int(rng.integers(3, 8))
+    while True:
+        angles = np.sort(rng.uniform(0.0, 2.0 * np.pi, k))
+        steps = np.diff(angles, append=angles[0] + 2.0 * np.pi)
+        if 0.05 < steps.min() and steps.max() < np.pi:
+            return np.column_stack([np.cos(angles), np.sin(angles)])
+
+
+def as_discs(discs: Sequence[Sequence[float]]) -> Array:
+    """Discs as rows x, y, r, shape (k, 3)."""
+    rows = as_array(discs, "keep_free").reshape(-1, 3) if len(discs) else np.empty((0, 3))
+    if (rows[:, 2] < 0.0).any():
+        raise InvalidParameter(f"keep_free takes discs (x, y, r) whose radius is not negative, got {rows.tolist()}")
+    return rows
+
+
+def none_or_more(gap: float) -> float:
+    """A gap of zero or more."""
+    size = as_array(gap, "gap")
+    if size.ndim or size < 0.0:
+        raise InvalidParameter(f"gap must be one number, zero or more, got {gap!r}")
+    return float(size)

@@ -1,0 +1,504 @@
+"""Wrong answers to the exercises of lesson 11. Each is one that students give; the slip is what a check must recognise in it."""
+
+import math
+import random
+from collections import deque
+
+import numpy as np
+
+from kinoedu.course.bank import wrong
+
+
+def turned_until_free(problem, x, y, headings):
+    """The first free one of some headings."""
+    for theta in headings:
+        if problem.is_free(np.array([x, y, theta])):
+            return theta
+    return None
+
+
+# A free heading
+
+
+@wrong("free_heading")
+def never_turned(problem, x, y):
+    """Tries one heading."""
+    return turned_until_free(problem, x, y, [0.0])
+
+
+@wrong("free_heading")
+def degrees(problem, x, y):
+    """Whole degrees, taken for radians; 360 of them, but returned as degrees."""
+    theta = turned_until_free(problem, x, y, np.radians(np.arange(0, 360, 5)))
+    return None if theta is None else math.degrees(theta)
+
+
+@wrong("free_heading")
+def half_way_round(problem, x, y):
+    """A half turn is enough for a symmetric robot only."""
+    return turned_until_free(problem, x, y, np.arange(0, np.pi, 0.1))
+
+
+@wrong("free_heading")
+def great_steps(problem, x, y):
+    """Every 30 degrees: slots are jumped over."""
+    return turned_until_free(problem, x, y, np.arange(0, 2 * np.pi, np.pi / 6))
+
+
+@wrong("free_heading")
+def a_few_at_random(problem, x, y):
+    """The seed's own way, given up after ten."""
+    return turned_until_free(problem, x, y, np.random.default_rng(0).uniform(-np.pi, np.pi, 10))
+
+
+@wrong("free_heading")
+def gives_the_last_one(problem, x, y):
+    """Returns whatever heading came last."""
+    theta = turned_until_free(problem, x, y, np.arange(0, 2 * np.pi, 0.1))
+    return 2 * math.pi if theta is None else theta
+
+
+@wrong("free_heading")
+def asks_nothing(problem, x, y):
+    """Any heading is as good as another."""
+    return 0.0
+
+
+@wrong("free_heading")
+def zero_is_false(problem, x, y):
+    """A heading of 0.0 counts as none."""
+    return turned_until_free(problem, x, y, [0.0]) or None
+
+
+@wrong("free_heading")
+def turned_where_it_stands(problem, x, y):
+    """Turns at the start, not at the place."""
+    return turned_until_free(problem, *problem.start[:2], np.arange(0, 2 * np.pi, 0.1))
+
+
+@wrong("free_heading")
+def a_truth_value(problem, x, y):
+    """Whether there is one, not which."""
+    return bool(turned_until_free(problem, x, y, np.arange(0, 2 * np.pi, 0.1)) is not None)
+
+
+# The adjacency matrix
+
+
+def filled(nodes, joined):
+    n = len(nodes)
+    A = np.zeros((n, n))
+    for i in range(n):
+        for j in range(n):
+            if i != j:
+                A[i, j] = joined(nodes[i], nodes[j])
+    return A
+
+
+@wrong("adjacency_matrix", slip="ends_only")
+def free_ends(problem, nodes):
+    """Both configurations are free, and so all motions."""
+    return filled(nodes, lambda a, b: problem.is_free(a) and problem.is_free(b))
+
+
+@wrong("adjacency_matrix", slip="halfway")
+def free_ends_and_middle(problem, nodes):
+    """Three places stand for the motion."""
+    return filled(nodes, lambda a, b: all(problem.is_free(problem.steer(a, b, t * problem.distance(a, b))) for t in (0, 0.5, 1)))
+
+
+@wrong("adjacency_matrix")
+def a_few_places(problem, nodes):
+    """Twenty places stand for the motion."""
+    return filled(
+        nodes, lambda a, b: all(problem.is_free(problem.steer(a, b, t * problem.distance(a, b))) for t in np.linspace(0, 1, 20))
+    )
+
+
+@wrong("adjacency_matrix", slip="one_side")
+def upper_half(problem, nodes):
+    """Each pair is written once."""
+    return np.triu(filled(nodes, problem.is_free_path))
+
+
+@wrong("adjacency_matrix", slip="loops")
+def joined_to_itself(problem, nodes):
+    """Staying is free, so the diagonal is 1."""
+    return filled(nodes, problem.is_free_path) + np.eye(len(nodes))
+
+
+@wrong("adjacency_matrix", slip="contact")
+def ones_for_contact(problem, nodes):
+    """The other way round."""
+    return filled(nodes, lambda a, b: not problem.is_free_path(a, b))
+
+
+@wrong("adjacency_matrix", slip="chained")
+def each_to_the_next(problem, nodes):
+    """Forgets all other pairs."""
+    n = len(nodes)
+    A = np.zeros((n, n))
+    for i in range(n - 1):
+        A[i, i + 1] = A[i + 1, i] = problem.is_free_path(nodes[i], nodes[i + 1])
+    return A
+
+
+@wrong("adjacency_matrix")
+def last_one_forgotten(problem, nodes):
+    """range(n - 1)."""
+    A = filled(nodes, problem.is_free_path)
+    A[-1, :] = A[:, -1] = 0
+    return A
+
+
+@wrong("adjacency_matrix")
+def without_start(problem, nodes):
+    """Counts from 1, and so has a row and a column too many."""
+    return np.pad(filled(nodes, problem.is_free_path), ((1, 0), (1, 0)))
+
+
+@wrong("adjacency_matrix")
+def lengths_for_ones(problem, nodes):
+    """Distances."""
+    return filled(nodes, lambda a, b: round(problem.distance(a, b)) * problem.is_free_path(a, b))
+
+
+@wrong("adjacency_matrix")
+def heading_left_out(problem, nodes):
+    """Translates, and never turns."""
+    return filled(nodes, lambda a, b: problem.is_free_path(a, np.array([*b[:2], *a[2:]])))
+
+
+# Breadth-first search on a matrix
+
+
+def searched(A, start, goal, take):
+    parent, waiting = {start: None}, deque([start])
+    while waiting:
+        u = take(waiting)
+        for v in np.flatnonzero(A[u]).tolist():
+            if v not in parent:
+                parent[v] = u
+                waiting.append(v)
+    if goal not in parent:
+        return None
+    path = [goal]
+    while parent[path[-1]] is not None:
+        path.append(parent[path[-1]])
+    return path[::-1]
+
+
+def deep(A, start, goal):
+    """A right depth-first path."""
+    entered = set()
+
+    def enter(u):
+        entered.add(u)
+        if u == goal:
+            return [u]
+        for v in np.flatnonzero(A[u]).tolist():
+            if v not in entered:
+                way = enter(v)
+                if way:
+                    return [u, *way]
+        return None
+
+    return enter(start)
+
+
+@wrong("bfs_on_matrix", slip="deep")
+def depth_first(A, start, goal):
+    """Called shortest: the seed's own mistake."""
+    return deep(A, start, goal)
+
+
+@wrong("bfs_on_matrix", slip="order")
+def order_of_visit(A, start, goal):
+    """All that was taken out until the goal."""
+    seen, queue, order = {start}, deque([start]), []
+    while queue:
+        u = queue.popleft()
+        order.append(u)
+        if u == goal:
+            return order
+        for v in np.flatnonzero(A[u]).tolist():
+            if v not in seen:
+                seen.add(v)
+                queue.append(v)
+    return None
+
+
+@wrong("bfs_on_matrix", slip="reversed")
+def from_goal_to_start(A, start, goal):
+    """Not turned round."""
+    path = searched(A, start, goal, deque.popleft)
+    return path and path[::-1]
+
+
+@wrong("bfs_on_matrix")
+def newest_first(A, start, goal):
+    """pop() is a stack."""
+    return searched(A, start, goal, deque.pop)
+
+
+@wrong("bfs_on_matrix")
+def empty_for_none(A, start, goal):
+    """No path is an empty list."""
+    return searched(A, start, goal, deque.popleft) or []
+
+
+@wrong("bfs_on_matrix")
+def without_the_start(A, start, goal):
+    """Stops one too early."""
+    path = searched(A, start, goal, deque.popleft)
+    return path and path[1:]
+
+
+@wrong("bfs_on_matrix")
+def always_straight(A, start, goal):
+    """Asks for one edge only."""
+    return [start, goal] if A[start][goal] else None
+
+
+@wrong("bfs_on_matrix")
+def nowhere_to_go(A, start, goal):
+    """Start is goal: no path."""
+    return None if start == goal else searched(A, start, goal, deque.popleft)
+
+
+@wrong("bfs_on_matrix")
+def first_row_only(A, start, goal):
+    """Begins with node 0, whatever the start."""
+    return searched(A, 0, goal, deque.popleft)
+
+
+# Depth-first search on a matrix
+
+
+@wrong("dfs_on_matrix", slip="order")
+def as_entered(A, start, goal):
+    """Dead ends too."""
+    entered = []
+
+    def enter(u):
+        entered.append(u)
+        return u == goal or any(enter(v) for v in np.flatnonzero(A[u]).tolist() if v not in entered)
+
+    return entered if enter(start) else None
+
+
+@wrong("dfs_on_matrix", slip="never_back")
+def gives_up(A, start, goal):
+    """The first new neighbour, and on, until there is none."""
+    path = [start]
+    while path[-1] != goal:
+        new = [v for v in np.flatnonzero(A[path[-1]]).tolist() if v not in path]
+        if not new:
+            return None
+        path.append(new[0])
+    return path
+
+
+@wrong("dfs_on_matrix", slip="reversed")
+def deep_from_goal_to_start(A, start, goal):
+    """Not turned round."""
+    path = deep(A, start, goal)
+    return path and path[::-1]
+
+
+@wrong("dfs_on_matrix")
+def deep_but_empty_for_none(A, start, goal):
+    """No path is an empty list."""
+    return deep(A, start, goal) or []
+
+
+@wrong("dfs_on_matrix")
+def deep_without_the_goal(A, start, goal):
+    """Stops before it."""
+    path = deep(A, start, goal)
+    return path and path[:-1]
+
+
+@wrong("dfs_on_matrix")
+def never_marked(A, start, goal):
+    """Marks nothing: there and back for ever."""
+
+    def enter(u):
+        if u == goal:
+            return [u]
+        for v in np.flatnonzero(A[u]).tolist():
+            way = enter(v)
+            if way:
+                return [u, *way]
+        return None
+
+    return enter(start)
+
+
+@wrong("dfs_on_matrix")
+def deep_from_zero(A, start, goal):
+    """Begins with node 0."""
+    return deep(A, 0, goal)
+
+
+# RRT for a polygon that turns
+
+
+def grown(
+    problem,
+    step,
+    goal_bias,
+    iterations,
+    rng,
+    *,
+    free=None,
+    nearest=min,
+    apart=None,
+    last=None,
+    chance=None,
+    steer=None,
+    turned=True,
+):
+    """RRT, right but for what is exchanged."""
+    chance = chance or np.random.default_rng(rng)
+    free, apart, steer = free or problem.is_free_path, apart or problem.distance, steer or problem.steer
+    nodes, parent = [problem.start], [-1]
+
+    def way():
+        i, path = len(nodes) - 1, []
+        while i >= 0:
+            path.append(nodes[i])
+            i = parent[i]
+        return np.array(path[::-1] if turned else path)
+
+    def at_goal():
+        if problem.distance(nodes[-1], problem.goal) > step or not (last or free)(nodes[-1], problem.goal):
+            return False
+        nodes.append(problem.goal)
+        parent.append(len(nodes) - 2)
+        return True
+
+    if at_goal():
+        return np.array(nodes), parent, way()
+    for _ in range(iterations):
+        q = problem.goal if chance.random() < goal_bias else problem.sample(chance)
+        i = nearest(range(len(nodes)), key=lambda k: apart(nodes[k], q))
+        new = steer(nodes[i], q, step)
+        if free(nodes[i], new):
+            nodes.append(new)
+            parent.append(i)
+            if at_goal():
+                return np.array(nodes), parent, way()
+    return np.array(nodes), parent, None
+
+
+@wrong("rrt_for_polygon")
+def asks_about_ends(problem, *given):
+    """A free configuration is joined, whatever is swept on the way."""
+    return grown(problem, *given, free=lambda a, b: problem.is_free(b))
+
+
+@wrong("rrt_for_polygon")
+def asks_about_points(problem, *given):
+    """Three configurations stand for the motion."""
+    return grown(
+        problem, *given, free=lambda a, b: all(problem.is_free(problem.steer(a, b, t * problem.distance(a, b))) for t in (0.5, 1))
+    )
+
+
+@wrong("rrt_for_polygon")
+def last_edge_unasked(problem, *given):
+    """Near the goal is there."""
+    return grown(problem, *given, last=lambda a, b: True)
+
+
+@wrong("rrt_for_polygon")
+def farthest_for_nearest(problem, step, goal_bias, iterations, rng):
+    """max for min; and given up early, as it gets nowhere."""
+    return grown(problem, step, goal_bias, min(iterations, 60), rng, nearest=max)
+
+
+@wrong("rrt_for_polygon")
+def from_the_root(problem, *given):
+    """Every sample is joined to the start."""
+    return grown(problem, *given, nearest=lambda numbers, key: 0)
+
+
+@wrong("rrt_for_polygon")
+def headings_as_numbers(problem, *given):
+    """3.1 and -3.1 are taken for far apart."""
+    return grown(problem, *given, apart=lambda a, b: np.linalg.norm(a - b))
+
+
+@wrong("rrt_for_polygon")
+def steered_as_numbers(problem, *given):
+    """A straight line in the numbers goes the long way round, and the motion that was asked about is another."""
+
+    def straight(a, b, step):
+        return a + (b - a) * min(1.0, step / (np.linalg.norm(b - a) or 1.0))
+
+    return grown(problem, *given, steer=straight)
+
+
+@wrong("rrt_for_polygon")
+def own_chance(problem, step, goal_bias, iterations, rng):
+    """default_rng() without a seed."""
+    return grown(problem, step, goal_bias, iterations, rng, chance=np.random.default_rng())
+
+
+@wrong("rrt_for_polygon")
+def chance_of_all(problem, step, goal_bias, iterations, rng):
+    """Seeds and uses Python's own random numbers."""
+    random.seed(rng)
+    return grown(problem, step, goal_bias, iterations, int(random.random() * 1e9))
+
+
+@wrong("rrt_for_polygon")
+def path_from_the_goal(problem, *given):
+    """Not turned round."""
+    return grown(problem, *given, turned=False)
+
+
+# Four chords
+
+
+@wrong("exposing_obstacle")
+def no_triangle():
+    """Three corners on a line."""
+    return (0, 0), (4, 0), [(1, 1), (2, 2), (3, 3)]
+
+
+@wrong("exposing_obstacle")
+def beside_the_way():
+    """The disk does not come near it."""
+    return (0, 0), (4, 0), [(1, 2), (3, 2), (2, 3)]
+
+
+@wrong("exposing_obstacle")
+def on_the_way():
+    """A chord sees it as well."""
+    return (0, 0), (4, 0), [(1, -0.5), (3, -0.5), (2, 0.5)]
+
+
+@wrong("exposing_obstacle")
+def a_thin_one():
+    """Right, and thin."""
+    return (0, 0), (4, 0), [(1, 0.4), (3, 0.4), (2, 0.6)]
+
+
+@wrong("exposing_obstacle")
+def on_the_diagonal():
+    """The chords of a diagonal motion are nearer to each other."""
+    return (0, 0), (9, 9), [(3.1, 3.5), (6.0, 6.4), (4.4, 5.2)]
+
+
+@wrong("exposing_obstacle")
+def too_far_away():
+    """Beyond what is asked for."""
+    return (0, 0), (1e6, 0), [(1, 0.1), (9, 0.1), (5, 0.9)]
+
+
+@wrong("exposing_obstacle")
+def corner_on_the_chord():
+    """As high as the room: it touches, and that is contact."""
+    return (0, 0), (9, 0), [(-3, 0), (12, 0), (5, 1)]
