@@ -1,0 +1,49 @@
+"""The bank of wrong answers: each is rejected, for its own reason, as a grader hears of it: cases and outcomes travel as JSON."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from kinoedu import words
+from kinoedu.course import EXERCISES
+from kinoedu.course.bank import read_bank
+from kinoedu.course.feedback import Feedback, picture_of, rule_words
+from kinoedu.course.judging import attempt, report_on
+from kinoedu.course.outcomes import decode_outcome, encode_outcome
+
+HOUSE = Path(__file__).resolve().parent.parent
+BANK = [item for file in sorted((HOUSE / "solutions" / "bank").glob("*.py")) for item in read_bank(file)]
+
+
+def travelled(exercise, function, case):
+    """The outcome of a call, when case and outcome were sent as JSON."""
+    sent = json.loads(json.dumps(exercise.given.encode(case.given), allow_nan=False))
+    outcome = attempt(exercise, function, case._replace(given=exercise.given.decode(sent)))
+    return decode_outcome(json.loads(json.dumps(encode_outcome(outcome, exercise.answer), allow_nan=False)), exercise.answer)
+
+
+@pytest.mark.parametrize("item", BANK, ids=lambda item: f"{item.exercise}-{item.function.__name__}")
+def test_a_wrong_answer_is_rejected_with_its_reason(item, monkeypatch):
+    """Every program of the bank fails, the misconception is recognised where it has a name, and its case is drawn."""
+    exercise = EXERCISES[item.exercise]
+    cases = list(exercise.cases(np.random.default_rng(0)))
+    exercise.wanted(cases[0])  # what it may call is compiled before its time runs
+    monkeypatch.setattr(type(exercise), "seconds", 4.0)
+    report = report_on(exercise, cases, (travelled(exercise, item.function, case) for case in cases))
+    assert not report.is_right
+    assert report.score < 1.0
+    assert report.failure.slip == item.slip
+    assert rule_words(exercise, report.failure)
+    for said in (repr(Feedback(report)), Feedback(report)._repr_html_()):
+        assert words.say("check.hint") in said
+    assert picture_of(exercise, report.failure).startswith(b"\x89PNG")
+
+
+@pytest.mark.parametrize("exercise", EXERCISES.values(), ids=list(EXERCISES))
+def test_every_exercise_has_a_bank(exercise):
+    """At least six wrong answers, and a wrong answer for every slip that is named."""
+    mine = [item for item in BANK if item.exercise == exercise.name]
+    assert len(mine) >= 6
+    assert {slip.key for slip in exercise.slips} <= {item.slip for item in mine}
