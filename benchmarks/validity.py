@@ -11,8 +11,7 @@ from random_problems import Drawn, drawn
 from timing import surroundings
 
 import kinoedu as ke
-
-Z = 1.959964  # 95 in a hundred
+from kinoedu.chances import wilson
 
 PLANNERS: dict[str, Callable[[Any, int], ke.Plan]] = {
     "RRT": lambda problem, seed: ke.rrt(problem, max_nodes=1500, rng=seed),
@@ -60,13 +59,6 @@ def outcome(seed: int, only: list[str] | None = None) -> Outcome | None:
     plan = fitting[name](case.problem, seed)
     solved = plan.path is not None
     return Outcome(name, f"{case.robot}, {case.world}", seed, solved, not solved or is_valid(plan, semi_free=name in SEMI_FREE))
-
-
-def wilson(solved: int, n: int) -> tuple[float, float]:
-    """E. B. Wilson's interval (1927) that holds the true share 95 times in a hundred, also near 0 and 1."""
-    share, extra = solved / n, Z * Z / n
-    middle, half = share + extra / 2, Z * (share * (1 - share) / n + extra / (4 * n)) ** 0.5
-    return max(0.0, (middle - half) / (1 + extra)), min(1.0, (middle + half) / (1 + extra))
 
 
 def table(title: str, outcomes: Iterable[Outcome], key: Callable[[Outcome], str]) -> None:

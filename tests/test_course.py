@@ -136,6 +136,18 @@ ALSO_RIGHT = {
     "cost_along": [lambda cost, a, b: np.float64(EXERCISES["cost_along"].source(cost, b, a))],
     "prm_on_terrain": [lambda *given: [np.array(x)[:, ::-1] if i == 1 else x for i, x in enumerate(prm_answer(*given))]],
     "exposing_motion": [lambda: (np.array([[1, 0], [1, 1]], bool) * 1, [0.9985, 0.6485], np.array([1.5, 1.15]))],
+    "visibility_roadmap": [lambda *given: seen_in_another_order(*given)],
+    "radius_neighbours": [lambda *given: [tuple(pair) for pair in EXERCISES["radius_neighbours"].source(*given)[::-1]]],
+    "k_closest": [lambda *given: EXERCISES["k_closest"].source(*given)[::-1].tolist()],
+    "component_k_closest": [lambda *given: tuple(map(tuple, EXERCISES["component_k_closest"].source(*given)[::-1]))],
+    "sampled_roadmap": [
+        lambda *given: [list(part[::-1]) if i else part for i, part in enumerate(EXERCISES["sampled_roadmap"].source(*given))]
+    ],
+    "shortest_path": [lambda *given: EXERCISES["shortest_path"].source(*given)],
+    "exposing_sight": [
+        lambda: [np.array([(6, 0), (3, 2), (0, 0), (1, -1), (2, 0)])],
+        lambda: ([[-9, 0], [-7, -1], [-6, 0], [0, 0], [-3, 2]],),
+    ],
     "exposing_case": [lambda: (np.array([1, 2]), np.array([(4, 2), (0, 4), (0, 0)])), lambda: ([1, 2], [[0, 4], [4, 2], [0, 0]])],
 }
 
@@ -182,6 +194,13 @@ def scattered_dots(samples, lengths, width, discs, ax):
     q = 2 * np.pi * samples
     links = [EXERCISES["link_in_contact"].source(one, lengths, width, discs) for one in q]
     ax.scatter(*np.where(q > np.pi, q - 2 * np.pi, q).T, c=[("tab:blue", "k", "#c00000")[link] for link in links])
+
+
+def seen_in_another_order(problem, obstacles):
+    """The corners from the last to the first."""
+    nodes, pairs = EXERCISES["visibility_roadmap"].source(problem, obstacles)
+    order = np.array([0, 1, *range(len(nodes) - 1, 1, -1)])
+    return nodes[order].tolist(), np.sort(np.argsort(order)[pairs], axis=1)[::-1]
 
 
 def tree_of_last_parents(neighbours, start):

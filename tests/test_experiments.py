@@ -25,12 +25,12 @@ from kinoedu.experiments import (
     running,
     scattered_polygons,
     summary,
-    wilson,
 )
 from kinoedu.experiments.cells import digest_of
 from kinoedu.experiments.digests import digest
 from kinoedu.experiments.files import planners_by_name
 from kinoedu.experiments.plots import save_plots
+from kinoedu.experiments.summaries import share_of
 
 HOUSE = Path(__file__).resolve().parent.parent
 PROBLEM = scattered_polygons(6, rng=1)
@@ -388,7 +388,7 @@ def test_a_summary_is_numpys_and_scipys(table):
 
     for successes, runs in ((0, 1), (1, 1), (0, 30), (7, 30), (30, 30), (499, 500)):
         interval = binomtest(successes, runs).proportion_ci(method="wilson")
-        assert wilson(successes, runs) == pytest.approx((interval.low, successes / runs, interval.high), abs=1e-12)
+        assert share_of(successes, runs) == pytest.approx((interval.low, successes / runs, interval.high), abs=1e-12)
     lines = summary(table)
     assert [(line.problem, line.tuning) for line in lines[:4]] == [
         ("rubble", ""),

@@ -13,7 +13,7 @@ sys.path.append(str(Path(__file__).resolve().parent.parent / "benchmarks"))
 
 from certify import is_valid
 from optimality import crowded, gaps
-from validity import outcome, wilson
+from validity import outcome
 
 
 @pytest.mark.parametrize("planner", ["RRT", "RRT-Connect"])
@@ -65,13 +65,6 @@ def test_touching_is_semi_free_and_not_free():
     lower = plan.path - [(0, 0), (0, 1e-6), (0, 1e-6), (0, 0)]
     cost = float(np.sqrt((np.diff(lower, axis=0) ** 2).sum(axis=1)).sum())
     assert not is_valid(replace(plan, path=lower, cost=cost), semi_free=True)
-
-
-def test_wilsons_interval():
-    """Known values, and no share beyond 0 and 1."""
-    assert wilson(0, 10) == pytest.approx((0, 0.27753), abs=1e-4)
-    assert wilson(5, 10) == pytest.approx((0.23659, 0.76341), abs=1e-4)
-    assert wilson(10, 10) == pytest.approx((0.72247, 1), abs=1e-4)
 
 
 def test_more_samples_come_closer_to_the_shortest_path():

@@ -3,7 +3,7 @@
 from .experiment import Experiment
 from .files import read_experiment
 from .running import run
-from .summaries import as_text, summary, wilson
+from .summaries import as_text, summary
 from .table import Row, Table
 from .worlds import narrow_passage, scattered_polygons
 
@@ -17,5 +17,4 @@ __all__ = [
     "run",
     "scattered_polygons",
     "summary",
-    "wilson",
 ]

@@ -5,10 +5,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..chances import wilson
 from .cells import NOT_RUN
 from .table import Row, Table
-
-Z = 1.959963984540054  # 95 % of a normal distribution lie within so many standard deviations
 
 
 class Spread(NamedTuple):
@@ -50,7 +49,7 @@ def summed_up(problem: str, planner: str, tuning: str, rows: list[Row]) -> Summa
     """One line."""
     judged = [row for row in rows if row.status != NOT_RUN]
     found = [row for row in judged if row.found]
-    share = Spread(*wilson(len(found), len(judged)))
+    share = share_of(len(found), len(judged))
     motions = [float(row.motions) for row in judged if row.motions is not None]
     spreads = (share, spread([row.cost for row in found]), spread([row.seconds for row in found]), spread(motions))
     return Summary(problem, planner, tuning, len(judged), len(rows) - len(judged), len(found), *spreads)
@@ -61,20 +60,14 @@ def spread(values: list[float]) -> Spread:
     return Spread(*np.quantile(values, (0.25, 0.5, 0.75)).tolist()) if values else Spread(math.nan, math.nan, math.nan)
 
 
-def wilson(successes: int, runs: int) -> tuple[float, float, float]:
-    """The share of successes between the ends of its 95 % interval. E. B. Wilson, "Probable inference, the law of succession, and
-    statistical inference" (1927). Without runs nothing is known: NaN between 0 and 1.
+def share_of(found: int, runs: int) -> Spread:
+    """The share of runs that found a path between the ends of its interval; NaN between 0 and 1 without runs.
 
-    >>> [round(end, 3) for end in wilson(9, 10)]
+    >>> [round(end, 3) for end in share_of(9, 10)]
     [0.596, 0.9, 0.982]
     """
-    if runs == 0:
-        return 0.0, math.nan, 1.0
-    share, square = successes / runs, Z * Z
-    middle = (share + square / (2 * runs)) / (1 + square / runs)
-    half = Z / (1 + square / runs) * math.sqrt(share * (1 - share) / runs + square / (4 * runs * runs))
-    low, high = max(0.0, middle - half), min(1.0, middle + half)
-    return (0.0 if successes == 0 else low), share, (1.0 if successes == runs else high)
+    low, high = wilson(found, runs)
+    return Spread(float(low), found / runs if runs else math.nan, float(high))
 
 
 HEAD = ("problem", "planner", "found", "95 %", "length", "quartiles", "motions", "seconds", "not run")

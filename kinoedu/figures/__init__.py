@@ -14,6 +14,7 @@ from .samples import draw_dispersion, draw_samples, draw_shares
 from .saving import save_panels, save_plan
 from .searches import draw_search
 from .solid import draw_mesh, torus_mesh
+from .success import draw_spread, draw_success
 from .walks import draw_distance_to_goal, draw_walk
 
 __all__ = [
@@ -42,6 +43,8 @@ __all__ = [
     "draw_samples",
     "draw_search",
     "draw_shares",
+    "draw_spread",
+    "draw_success",
     "draw_sweep",
     "draw_tree",
     "draw_turning_obstacle",

@@ -9,6 +9,7 @@ from .bugs import Bug1, Bug2, BugBase
 from .c_obstacles import CObstacle
 from .cell_paths import PlanByDecomposition
 from .comparing import ComparePlanners
+from .connection_rules import ComponentNeighbours, KClosestNeighbours, RadiusNeighbours
 from .convex import ConvexPolygonsIntersect, PointInConvexPolygon
 from .decomposition import Neighbours, TrapezoidsOfWorld
 from .displacements import Displacement, Rotation
@@ -18,6 +19,7 @@ from .four_chords import ExposeFourChords
 from .freedoms import DegreesOfFreedom
 from .graph_paths import BfsPath, DfsPath
 from .graphs import BfsTree, ExtractPath
+from .grazed_corners import ExposeSight
 from .grids import CornerGrid, SukharevGrid
 from .half_separating import OverlookedGap
 from .hasty_goal import ExposeHastyGoal
@@ -35,7 +37,9 @@ from .random_points import UniformRandom
 from .ray_counting import ExposeRayCounting
 from .repeats import RepeatedRows
 from .rewiring import Insert
+from .roadmap_paths import ShortestPath
 from .sampled_edges import ExposeSampling
+from .sampled_roadmap import SampledRoadmap
 from .sampled_space import PlotConfigurationSpace
 from .searches import Astar, Dijkstra
 from .segment_pairs import SegmentIntersection
@@ -48,6 +52,7 @@ from .terrain_planners import PrmOnTerrain, RrtOnTerrain
 from .tree_roadmaps import TreeRoadmap
 from .trees import Rrt, RrtConnect
 from .turning_trees import RrtForPolygon
+from .visible_corners import VisibleCorners
 
 EXERCISES: dict[str, Exercise] = {
     exercise.name: exercise()
@@ -116,6 +121,13 @@ EXERCISES: dict[str, Exercise] = {
         BfsOnMatrix,
         DfsOnMatrix,
         ExposeFourChords,
+        VisibleCorners,
+        RadiusNeighbours,
+        KClosestNeighbours,
+        ComponentNeighbours,
+        SampledRoadmap,
+        ShortestPath,
+        ExposeSight,
     )
 }
 

@@ -1,0 +1,31 @@
+"""What can be said of a chance that was tried a number of times."""
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .errors import InvalidParameter
+from .geometry.checks import Array, as_array
+
+Z = 1.959963984540054  # 95 percent of a normal distribution lie within so many standard deviations
+
+
+def wilson(successes: ArrayLike, trials: int) -> tuple[Array, Array]:
+    """The ends of Wilson's 95 percent interval for a share, each of the shape of `successes`; never empty, also at 0 and at all, and
+    from 0 to 1 where nothing was tried.
+
+    E. B. Wilson, "Probable inference, the law of succession, and statistical inference" (1927). Raises InvalidParameter.
+
+    >>> low, high = wilson([0, 50, 100], 100)
+    >>> low.round(3).tolist(), high.round(3).tolist()
+    ([0.0, 0.404, 0.963], [0.037, 0.596, 1.0])
+    """
+    counts = as_array(successes, "successes")
+    if trials < 0 or not ((counts >= 0) & (counts <= trials)).all():
+        raise InvalidParameter(f"successes must lie between 0 and trials = {trials}, got {counts.tolist()}")
+    if trials == 0:
+        return np.zeros_like(counts), np.ones_like(counts)
+    share, square = counts / trials, Z * Z / trials
+    middle = (share + square / 2) / (1 + square)
+    reach = Z * np.sqrt(share * (1 - share) / trials + square / (4 * trials)) / (1 + square)
+    low, high = np.maximum(middle - reach, 0.0), np.minimum(middle + reach, 1.0)
+    return np.where(counts == 0, 0.0, low), np.where(counts == trials, 1.0, high)

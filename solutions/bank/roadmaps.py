@@ -1,0 +1,673 @@
+"""Wrong answers to the exercises of lesson 8. Each is one that students give; the slip is what a check must recognise in it."""
+
+import heapq
+import math
+import random
+from itertools import combinations
+
+import numpy as np
+
+from kinoedu.course.bank import wrong
+
+
+def turns(ring):
+    """Twice the area at each vertex, positive for a turn to the left."""
+    a, b = ring - np.roll(ring, 1, axis=0), np.roll(ring, -1, axis=0) - ring
+    return a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
+
+
+def corners(problem, obstacles, keep=lambda turned: turned > 0):
+    return [problem.start, problem.goal, *(v for ring in obstacles for v, good in zip(ring, keep(turns(ring))) if good)]
+
+
+def seen(nodes, sees):
+    pairs = combinations(range(len(nodes)), 2)
+    return np.array(nodes), [(i, j) for i, j in pairs if sees(nodes[i], nodes[j])]
+
+
+# The visibility roadmap
+
+
+@wrong("visibility_roadmap", slip="every_vertex")
+def every_vertex_a_node(problem, obstacles):
+    """Reflex ones too."""
+    return seen([problem.start, problem.goal, *np.vstack(obstacles)], problem.is_semi_free_path)
+
+
+@wrong("visibility_roadmap", slip="not_reflex")
+def straight_angles_kept(problem, obstacles):
+    """>= for >."""
+    return seen(corners(problem, obstacles, lambda turned: turned >= 0), problem.is_semi_free_path)
+
+
+@wrong("visibility_roadmap", slip="no_contact")
+def free_for_semi_free(problem, obstacles):
+    """Corners cannot be reached without touching them."""
+    return seen(corners(problem, obstacles), problem.is_free_path)
+
+
+@wrong("visibility_roadmap", slip="no_ends")
+def start_and_goal_alone(problem, obstacles):
+    """Nodes without edges."""
+    nodes, pairs = seen(corners(problem, obstacles), problem.is_semi_free_path)
+    return nodes, [(i, j) for i, j in pairs if i > 1]
+
+
+@wrong("visibility_roadmap", slip="between")
+def never_along_an_obstacle(problem, obstacles):
+    """Edges of obstacles are taken for obstacles."""
+    nodes = corners(problem, obstacles)
+    owner = [-1, -2, *(k for k, ring in enumerate(obstacles) for turned in turns(ring) if turned > 0)]
+    found, pairs = seen(nodes, problem.is_semi_free_path)
+    return found, [(i, j) for i, j in pairs if owner[i] != owner[j]]
+
+
+@wrong("visibility_roadmap")
+def reflex_for_convex(problem, obstacles):
+    """The wrong turn."""
+    return seen(corners(problem, obstacles, lambda turned: turned < 0), problem.is_semi_free_path)
+
+
+@wrong("visibility_roadmap")
+def goal_last(problem, obstacles):
+    """The nodes in the library's order."""
+    nodes = corners(problem, obstacles)
+    return seen([*nodes[2:], *nodes[:2]], problem.is_semi_free_path)
+
+
+@wrong("visibility_roadmap")
+def without_start_and_goal(problem, obstacles):
+    """The corners only."""
+    return seen(corners(problem, obstacles)[2:], problem.is_semi_free_path)
+
+
+@wrong("visibility_roadmap")
+def pairs_both_ways(problem, obstacles):
+    """(i, j) and (j, i)."""
+    nodes, pairs = seen(corners(problem, obstacles), problem.is_semi_free_path)
+    return nodes, pairs + [(j, i) for i, j in pairs]
+
+
+@wrong("visibility_roadmap")
+def everything_joined(problem, obstacles):
+    """Nobody is asked."""
+    return seen(corners(problem, obstacles), lambda a, b: True)
+
+
+@wrong("visibility_roadmap")
+def middles_only(problem, obstacles):
+    """Half of the way is free, and so all of it."""
+    return seen(corners(problem, obstacles), lambda a, b: problem.is_free((a + b) / 2))
+
+
+@wrong("visibility_roadmap")
+def last_vertex_forgotten(problem, obstacles):
+    """The ring is not closed."""
+    kept = lambda turned: (turned > 0) & (np.arange(len(turned)) < len(turned) - 1)  # noqa: E731
+    return seen(corners(problem, obstacles, kept), problem.is_semi_free_path)
+
+
+# The r-radius rule
+
+
+def within(problem, nodes, near, free=None):
+    asked = problem.is_free_path if free is None else free
+    return [(i, j) for i, j in combinations(range(len(nodes)), 2) if near(nodes[i], nodes[j]) and asked(nodes[i], nodes[j])]
+
+
+@wrong("radius_neighbours", slip="strict")
+def less_than_r(problem, nodes, r):
+    """< for <=."""
+    return within(problem, nodes, lambda a, b: problem.distance(a, b) < r)
+
+
+@wrong("radius_neighbours", slip="blind")
+def through_walls(problem, nodes, r):
+    """Points, not motions."""
+    return within(problem, nodes, lambda a, b: problem.distance(a, b) <= r, lambda a, b: problem.is_free(a) and problem.is_free(b))
+
+
+@wrong("radius_neighbours", slip="twice")
+def each_pair_twice(problem, nodes, r):
+    """Two loops over all nodes."""
+    pairs = within(problem, nodes, lambda a, b: problem.distance(a, b) <= r)
+    return pairs + [(j, i) for i, j in pairs]
+
+
+@wrong("radius_neighbours", slip="itself")
+def its_own_neighbour(problem, nodes, r):
+    """j begins at i."""
+    pairs = within(problem, nodes, lambda a, b: problem.distance(a, b) <= r)
+    return [*pairs, *((i, i) for i in range(len(nodes)))]
+
+
+@wrong("radius_neighbours", slip="straight")
+def across_the_page(problem, nodes, r):
+    """Angles do not wrap."""
+    return within(problem, nodes, lambda a, b: np.linalg.norm(a - b) <= r)
+
+
+@wrong("radius_neighbours", slip="squared")
+def the_square_of_the_distance(problem, nodes, r):
+    """The root forgotten on one side."""
+    return within(problem, nodes, lambda a, b: problem.distance(a, b) ** 2 <= r)
+
+
+@wrong("radius_neighbours", slip="diameter")
+def half_the_radius(problem, nodes, r):
+    """r taken for a diameter."""
+    return within(problem, nodes, lambda a, b: problem.distance(a, b) <= r / 2)
+
+
+@wrong("radius_neighbours")
+def a_box_for_a_ball(problem, nodes, r):
+    """Coordinate by coordinate."""
+    return within(problem, nodes, lambda a, b: np.abs(a - b).max() <= r)
+
+
+@wrong("radius_neighbours")
+def in_a_row_only(problem, nodes, r):
+    """Each node and the next."""
+    steps = [(i, i + 1) for i in range(len(nodes) - 1)]
+    return [(i, j) for i, j in steps if problem.distance(nodes[i], nodes[j]) <= r and problem.is_free_path(nodes[i], nodes[j])]
+
+
+@wrong("radius_neighbours")
+def coordinates_for_numbers(problem, nodes, r):
+    """The ends themselves."""
+    return [(*nodes[i], *nodes[j]) for i, j in within(problem, nodes, lambda a, b: problem.distance(a, b) <= r)]
+
+
+@wrong("radius_neighbours", slip="blind")
+def middles_for_motions(problem, nodes, r):
+    """One point for a motion."""
+    return within(problem, nodes, lambda a, b: problem.distance(a, b) <= r, lambda a, b: problem.is_free((a + b) / 2))
+
+
+# The K-closest rule
+
+
+def rows(problem, nodes, k, distance=None, sign=1, skip=1):
+    apart = problem.distance if distance is None else distance
+    order = [
+        sorted(range(len(nodes)), key=lambda j: sign * apart(nodes[i], nodes[j]) if j != i else -math.inf)
+        for i in range(len(nodes))
+    ]
+    return [(i, j) for i in range(len(nodes)) for j in order[i][skip : k + skip]]
+
+
+def joined(problem, nodes, pairs):
+    once = {(min(i, j), max(i, j)) for i, j in pairs}
+    return sorted((i, j) for i, j in once if problem.is_free_path(nodes[i], nodes[j]))
+
+
+@wrong("k_closest", slip="farthest")
+def the_farthest(problem, nodes, k):
+    """Sorted the wrong way round."""
+    return joined(problem, nodes, rows(problem, nodes, k, sign=-1))
+
+
+@wrong("k_closest", slip="blind")
+def close_through_walls(problem, nodes, k):
+    """Points, not motions."""
+    return sorted({(min(i, j), max(i, j)) for i, j in rows(problem, nodes, k)})
+
+
+@wrong("k_closest", slip="itself")
+def itself_among_the_closest(problem, nodes, k):
+    """The closest node to a node is the node."""
+    return joined(problem, nodes, [(i, j) for i, j in rows(problem, nodes, k, skip=0) if i != j])
+
+
+@wrong("k_closest", slip="replaced")
+def the_closest_free_ones(problem, nodes, k):
+    """Asks before it cuts."""
+    pairs = []
+    for i in range(len(nodes)):
+        others = [j for j in range(len(nodes)) if j != i and problem.is_free_path(nodes[i], nodes[j])]
+        pairs += [(i, j) for j in sorted(others, key=lambda j: problem.distance(nodes[i], nodes[j]))[:k]]
+    return joined(problem, nodes, pairs)
+
+
+@wrong("k_closest", slip="mutual")
+def close_both_ways(problem, nodes, k):
+    """and for or."""
+    named = set(rows(problem, nodes, k))
+    return joined(problem, nodes, [(i, j) for i, j in named if (j, i) in named])
+
+
+@wrong("k_closest", slip="lost")
+def seen_before(problem, nodes, k):
+    """Takes (i, j) with j < i for one that was asked before."""
+    return joined(problem, nodes, [(i, j) for i, j in rows(problem, nodes, k) if i < j])
+
+
+@wrong("k_closest", slip="later")
+def among_later_nodes(problem, nodes, k):
+    """j from i + 1 on."""
+    pairs = []
+    for i in range(len(nodes)):
+        later = sorted(range(i + 1, len(nodes)), key=lambda j: problem.distance(nodes[i], nodes[j]))
+        pairs += [(i, j) for j in later[:k]]
+    return joined(problem, nodes, pairs)
+
+
+@wrong("k_closest", slip="straight")
+def closest_on_the_page(problem, nodes, k):
+    """Angles do not wrap."""
+    return joined(problem, nodes, rows(problem, nodes, k, distance=lambda a, b: np.linalg.norm(a - b)))
+
+
+@wrong("k_closest", slip="one")
+def the_nearest_alone(problem, nodes, k):
+    """K is ignored."""
+    return joined(problem, nodes, rows(problem, nodes, 1))
+
+
+@wrong("k_closest")
+def at_most_k_edges(problem, nodes, k):
+    """A node that has K edges takes no more."""
+    degree, pairs = [0] * len(nodes), []
+    for i, j in joined(problem, nodes, rows(problem, nodes, k)):
+        if degree[i] < k and degree[j] < k:
+            pairs.append((i, j))
+            degree[i] += 1
+            degree[j] += 1
+    return pairs
+
+
+@wrong("k_closest")
+def last_of_equals(problem, nodes, k):
+    """Of equally far ones the higher number."""
+    pairs = []
+    for i in range(len(nodes)):
+        others = [j for j in range(len(nodes) - 1, -1, -1) if j != i]
+        pairs += [(i, j) for j in sorted(others, key=lambda j: problem.distance(nodes[i], nodes[j]))[:k]]
+    return joined(problem, nodes, pairs)
+
+
+@wrong("k_closest")
+def as_lists_of_neighbours(problem, nodes, k):
+    """For each node a list."""
+    return [[j for a, j in rows(problem, nodes, k) if a == i] for i in range(len(nodes))]
+
+
+# The component-wise rule
+
+
+def by_components(problem, nodes, k, free=None, distance=None, goes_on=False, one=False):
+    asked, apart = free or problem.is_free_path, distance or problem.distance
+    components, pairs = [], []
+    for i in range(len(nodes)):
+        mine = {i}
+        nearest_first = sorted(components, key=lambda c: min(apart(nodes[i], nodes[j]) for j in c))
+        for component in nearest_first:
+            closest = sorted(component, key=lambda j: (apart(nodes[i], nodes[j]), j))[:k]
+            good = [j for j in closest if asked(nodes[j], nodes[i])]
+            if good and not (one and len(mine) > 1):
+                pairs += [(j, i) for j in (good if goes_on else good[:1])]
+                mine |= component
+        components = [c for c in components if not c & mine] + [mine]
+    return pairs
+
+
+@wrong("component_k_closest", slip="blind")
+def components_through_walls(problem, nodes, k):
+    """Points, not motions."""
+    return by_components(problem, nodes, k, free=lambda a, b: True)
+
+
+@wrong("component_k_closest", slip="goes_on")
+def all_k_of_a_component(problem, nodes, k):
+    """No break."""
+    return by_components(problem, nodes, k, goes_on=True)
+
+
+@wrong("component_k_closest", slip="one_component")
+def the_nearest_component(problem, nodes, k):
+    """Stops too soon."""
+    return by_components(problem, nodes, k, one=True)
+
+
+@wrong("component_k_closest", slip="nearest_only")
+def one_try_each(problem, nodes, k):
+    """K is ignored."""
+    return by_components(problem, nodes, 1)
+
+
+@wrong("component_k_closest", slip="any_number")
+def as_many_tries_as_it_takes(problem, nodes, k):
+    """K is infinite."""
+    return by_components(problem, nodes, len(nodes))
+
+
+@wrong("component_k_closest", slip="closest")
+def the_rule_before(problem, nodes, k):
+    """K-closest."""
+    return joined(problem, nodes, rows(problem, nodes, k))
+
+
+@wrong("component_k_closest", slip="straight")
+def components_on_the_page(problem, nodes, k):
+    """Angles do not wrap."""
+    return by_components(problem, nodes, k, distance=lambda a, b: np.linalg.norm(a - b))
+
+
+@wrong("component_k_closest")
+def never_merged(problem, nodes, k):
+    """Each node joins the first component that takes it, and bridges are forgotten."""
+    components, pairs = [], []
+    for i in range(len(nodes)):
+        home = None
+        for component in components:
+            for j in sorted(component, key=lambda j: problem.distance(nodes[i], nodes[j]))[:k]:
+                if problem.is_free_path(nodes[j], nodes[i]):
+                    pairs.append((j, i))
+                    home = home or component
+                    break
+        if home is None:
+            components.append([i])
+        else:
+            home.append(i)
+    return pairs
+
+
+@wrong("component_k_closest", slip="one_component")
+def k_closest_without_circles(problem, nodes, k):
+    """The K closest of all before it, not of each component."""
+    part, pairs = list(range(len(nodes))), []
+    for i in range(1, len(nodes)):
+        for j in sorted(range(i), key=lambda j: problem.distance(nodes[i], nodes[j]))[:k]:
+            if part[i] != part[j] and problem.is_free_path(nodes[j], nodes[i]):
+                pairs.append((j, i))
+                part = [part[i] if p == part[j] else p for p in part]
+    return pairs
+
+
+@wrong("component_k_closest")
+def larger_number_first(problem, nodes, k):
+    """(i, j) with j < i."""
+    return [(i, j) for j, i in by_components(problem, nodes, k)]
+
+
+@wrong("component_k_closest")
+def any_node_of_a_component(problem, nodes, k):
+    """The first ones, not the closest."""
+    return by_components(problem, nodes, k, distance=lambda a, b: 0.0)
+
+
+# The whole roadmap
+
+
+def built(problem, n, k, rng, sample=None, keep=None):
+    nodes = [problem.start, problem.goal]
+    draw, good = sample or problem.sample, keep or problem.is_free
+    while len(nodes) < n + 2:
+        q = draw(rng)
+        if good(q):
+            nodes.append(q)
+    return np.array(nodes)
+
+
+@wrong("sampled_roadmap")
+def samples_in_obstacles(problem, n, k, rng):
+    """Nobody asks whether a sample is free."""
+    nodes = built(problem, n, k, np.random.default_rng(rng), keep=lambda q: True)
+    return nodes, joined(problem, nodes, rows(problem, nodes, k))
+
+
+@wrong("sampled_roadmap")
+def fewer_samples(problem, n, k, rng):
+    """n tries, not n free samples."""
+    chance = np.random.default_rng(rng)
+    nodes = np.array([problem.start, problem.goal, *(q for q in (problem.sample(chance) for _ in range(n)) if problem.is_free(q))])
+    return nodes, joined(problem, nodes, rows(problem, nodes, k))
+
+
+@wrong("sampled_roadmap")
+def ends_checked_not_edges(problem, n, k, rng):
+    """Free nodes, and edges through walls."""
+    nodes = built(problem, n, k, np.random.default_rng(rng))
+    return nodes, sorted({(min(i, j), max(i, j)) for i, j in rows(problem, nodes, k)})
+
+
+@wrong("sampled_roadmap")
+def another_generator(problem, n, k, rng):
+    """New numbers at every call."""
+    nodes = built(problem, n, k, np.random.default_rng())
+    return nodes, joined(problem, nodes, rows(problem, nodes, k))
+
+
+@wrong("sampled_roadmap")
+def always_the_same_seed(problem, n, k, rng):
+    """rng is ignored."""
+    nodes = built(problem, n, k, np.random.default_rng(0))
+    return nodes, joined(problem, nodes, rows(problem, nodes, k))
+
+
+@wrong("sampled_roadmap")
+def global_numbers(problem, n, k, rng):
+    """numpy's own state."""
+    np.random.seed(rng)
+    nodes = built(problem, n, k, rng, sample=lambda _: np.array([16, 10]) * np.random.random(2))
+    return nodes, joined(problem, nodes, rows(problem, nodes, k))
+
+
+@wrong("sampled_roadmap")
+def pythons_numbers(problem, n, k, rng):
+    """Python's own state."""
+    random.seed(rng)
+    nodes = built(problem, n, k, rng, sample=lambda _: np.array([16 * random.random(), 10 * random.random()]))
+    return nodes, joined(problem, nodes, rows(problem, nodes, k))
+
+
+@wrong("sampled_roadmap")
+def a_generator_for_each_sample(problem, n, k, rng):
+    """The same sample again and again."""
+    nodes = built(problem, n, k, rng, sample=lambda rng: problem.sample(np.random.default_rng(rng)), keep=lambda q: True)
+    return nodes, joined(problem, nodes, rows(problem, nodes, k))
+
+
+@wrong("sampled_roadmap")
+def in_one_half(problem, n, k, rng):
+    """Samples on the start's side."""
+    nodes = built(problem, n, k, np.random.default_rng(rng), keep=lambda q: problem.is_free(q) and q[0] < 8)
+    return nodes, joined(problem, nodes, rows(problem, nodes, k))
+
+
+@wrong("sampled_roadmap")
+def start_and_goal_left_out(problem, n, k, rng):
+    """Only the samples are joined."""
+    nodes = built(problem, n, k, np.random.default_rng(rng))
+    pairs = joined(problem, nodes[2:], rows(problem, nodes[2:], k))
+    return nodes, [(i + 2, j + 2) for i, j in pairs]
+
+
+@wrong("sampled_roadmap")
+def goal_at_the_end(problem, n, k, rng):
+    """Start, samples, goal."""
+    nodes = np.roll(built(problem, n, k, np.random.default_rng(rng)), -1, axis=0)
+    nodes = np.vstack([nodes[-1:], nodes[1:-1], nodes[:1]])
+    return nodes, joined(problem, nodes, rows(problem, nodes, k))
+
+
+@wrong("sampled_roadmap")
+def only_the_nearest(problem, n, k, rng):
+    """K = 1."""
+    nodes = built(problem, n, k, np.random.default_rng(rng))
+    return nodes, joined(problem, nodes, rows(problem, nodes, 1))
+
+
+@wrong("sampled_roadmap")
+def everybody_joined(problem, n, k, rng):
+    """No rule."""
+    nodes = built(problem, n, k, np.random.default_rng(rng))
+    return nodes, joined(problem, nodes, combinations(range(len(nodes)), 2))
+
+
+# The shortest path
+
+
+def searched(nodes, edges, start, goal, weigh=None, estimate=None, one_way=False):
+    """The path by Dijkstra's algorithm and its cost, by given weights."""
+    cost_of = weigh or (lambda a, b: float(np.linalg.norm(a - b)))
+    leads = {}
+    for i, j in np.asarray(edges).tolist():
+        for u, v in [(i, j)] if one_way else [(i, j), (j, i)]:
+            leads.setdefault(u, []).append(v)
+    cost, parent, heap, done = {start: 0.0}, {start: -1}, [(0.0, start)], set()
+    while heap:
+        _, u = heapq.heappop(heap)
+        if u in done:
+            continue
+        done.add(u)
+        for v in leads.get(u, []):
+            c = cost[u] + cost_of(nodes[u], nodes[v])
+            if c < cost.get(v, math.inf):
+                cost[v], parent[v] = c, u
+                heapq.heappush(heap, (c if estimate is None else estimate(nodes[v]), v))
+    if goal not in cost:
+        return None, math.inf
+    path = [goal]
+    while parent[path[-1]] >= 0:
+        path.append(parent[path[-1]])
+    return path[::-1], cost[goal]
+
+
+def measured(nodes, path):
+    return math.inf if path is None else sum(float(np.linalg.norm(nodes[i] - nodes[j])) for i, j in zip(path, path[1:]))
+
+
+@wrong("shortest_path", slip="fewest")
+def fewest_edges(nodes, edges, start, goal):
+    """Breadth-first."""
+    path, _ = searched(nodes, edges, start, goal, weigh=lambda a, b: 1.0)
+    return path, measured(nodes, path)
+
+
+@wrong("shortest_path", slip="counted")
+def edges_counted(nodes, edges, start, goal):
+    """The number of edges for a length."""
+    return searched(nodes, edges, start, goal, weigh=lambda a, b: 1.0)
+
+
+@wrong("shortest_path", slip="squared")
+def squares_added(nodes, edges, start, goal):
+    """No root."""
+    return searched(nodes, edges, start, goal, weigh=lambda a, b: float(((a - b) ** 2).sum()))
+
+
+@wrong("shortest_path", slip="one_way")
+def edges_one_way(nodes, edges, start, goal):
+    """(i, j) is no way back."""
+    return searched(nodes, edges, start, goal, one_way=True)
+
+
+@wrong("shortest_path", slip="plane")
+def two_coordinates(nodes, edges, start, goal):
+    """Only the plane."""
+    return searched(nodes[:, :2], edges, start, goal)
+
+
+@wrong("shortest_path", slip="straight")
+def as_the_crow_flies(nodes, edges, start, goal):
+    """The distance from start to goal."""
+    return searched(nodes, edges, start, goal)[0], float(np.linalg.norm(nodes[start] - nodes[goal]))
+
+
+@wrong("shortest_path")
+def from_goal_to_start(nodes, edges, start, goal):
+    """The path is not turned round."""
+    path, far = searched(nodes, edges, start, goal)
+    return (None if path is None else path[::-1]), far
+
+
+@wrong("shortest_path")
+def empty_where_there_is_none(nodes, edges, start, goal):
+    """An empty path."""
+    path, far = searched(nodes, edges, start, goal)
+    return path or [], far
+
+
+@wrong("shortest_path")
+def zero_where_there_is_none(nodes, edges, start, goal):
+    """None, but a length."""
+    path, far = searched(nodes, edges, start, goal)
+    return path, far if path else 0.0
+
+
+@wrong("shortest_path")
+def path_alone(nodes, edges, start, goal):
+    """One value for two."""
+    return searched(nodes, edges, start, goal)[0]
+
+
+@wrong("shortest_path")
+def greedy(nodes, edges, start, goal):
+    """Always the node that is nearest to the goal."""
+    path, _ = searched(nodes, edges, start, goal, estimate=lambda q: float(np.linalg.norm(q - nodes[goal])))
+    return path, measured(nodes, path)
+
+
+@wrong("shortest_path")
+def straight_to_the_goal(nodes, edges, start, goal):
+    """Off the roadmap."""
+    return [start, goal], float(np.linalg.norm(nodes[start] - nodes[goal]))
+
+
+@wrong("shortest_path")
+def coordinates_of_the_path(nodes, edges, start, goal):
+    """Places, not numbers."""
+    path, far = searched(nodes, edges, start, goal)
+    return (None if path is None else nodes[path]), far
+
+
+# Break it
+
+
+@wrong("exposing_sight")
+def a_square():
+    """Its diagonal is seen to be inside."""
+    return [[(0, 0), (4, 0), (4, 4), (0, 4)]]
+
+
+@wrong("exposing_sight")
+def three_in_a_line():
+    """It is wrong, but with eleven vertices."""
+    return [[(0, 0), (2, 2), (0, 4), (-2, 2)], [(0, 10), (2, 12), (0, 14), (-2, 12)], [(0, 40), (1, 42), (-1, 42)]]
+
+
+@wrong("exposing_sight")
+def a_square_and_a_triangle():
+    """Wrong with seven."""
+    return [[(0, 0), (2, -2), (4, 0), (2, 2)], [(20, 0), (22, -1), (22, 1)]]
+
+
+@wrong("exposing_sight")
+def clockwise():
+    """The right polygon, the wrong way round."""
+    return [[(3, 2), (6, 0), (2, 0), (1, -1), (0, 0)]]
+
+
+@wrong("exposing_sight")
+def crossing_itself():
+    """No polygon."""
+    return [[(0, 0), (4, 4), (4, 0), (0, 4), (-3, 2)]]
+
+
+@wrong("exposing_sight")
+def no_obstacles():
+    """Nothing there."""
+    return []
+
+
+@wrong("exposing_sight")
+def halves():
+    """Not whole numbers."""
+    return [[(0, 0), (1, -1), (2, 0), (6.5, 0), (3, 2)]]
+
+
+@wrong("exposing_sight")
+def touching():
+    """Two triangles that touch."""
+    return [[(0, 0), (2, -2), (2, 2)], [(2, 0), (5, -2), (5, 2)]]

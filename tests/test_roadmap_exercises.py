@@ -1,0 +1,67 @@
+"""Lesson 8: its judges agree with the library's planners, its smallest world is the smallest, and its intervals are Wilson's."""
+
+from itertools import permutations
+
+import numpy as np
+import pytest
+
+from kinoedu.chances import wilson
+from kinoedu.course.exercises.connection_rules import closest_pairs, component_pairs, radius_pairs
+from kinoedu.course.exercises.grazed_corners import world_fault, wrong_views
+from kinoedu.course.exercises.hall_worlds import FULL, arm, bends, free_nodes, hall, random_obstacles
+from kinoedu.course.exercises.visible_corners import roadmap_on, seen_corners
+from kinoedu.figures.torus_roadmap import unrolled
+from kinoedu.planners.connecting import ComponentKClosest, KClosest, Radius, joined
+
+
+@pytest.mark.parametrize(
+    ("ours", "rule", "number"),
+    [(radius_pairs, Radius, 3.0), (closest_pairs, KClosest, 3), (component_pairs, ComponentKClosest, 2)],
+    ids=["radius", "closest", "components"],
+)
+def test_the_judges_rules_are_the_planners(ours, rule, number):
+    """The judge joins pair by pair in Python what the library joins by buckets, compiled."""
+    rng = np.random.default_rng(8)
+    for problem in (hall(), hall(*random_obstacles(rng, 3)), arm()):
+        nodes = free_nodes(rng, problem, 25)
+        edges, _ = joined(rule(number), problem.problem, nodes)
+        assert sorted(map(tuple, np.sort(edges, axis=1).tolist())) == sorted(map(tuple, ours(problem, nodes, number).tolist()))
+
+
+def test_the_visibility_roadmap_is_that_of_all_pairs():
+    """The library's sweep finds the pairs that brute force finds, start and goal first."""
+    rng = np.random.default_rng(3)
+    for _ in range(5):
+        rings = random_obstacles(rng, 3, convex=False)
+        nodes, pairs = seen_corners(hall(*rings), rings)
+        others, edges = roadmap_on(hall(*rings), rings)
+        assert {frozenset(map(tuple, nodes[pair].tolist())) for pair in pairs} == {
+            frozenset(map(tuple, others[pair].tolist())) for pair in edges
+        }
+
+
+def test_no_quadrilateral_fools_the_program_and_a_pentagon_does():
+    """Five vertices are the fewest: all quadrilaterals on a small lattice are judged right."""
+    lattice = [(x, y) for x in range(4) for y in range(3)]
+    rings = [np.array(ring, float) for ring in permutations(lattice, 4) if ring[0] == min(ring)]
+    good = [[ring] for ring in rings if bends(ring).sum() > 0 and not world_fault([ring])]
+    assert len(good) > 300
+    assert not any(map(wrong_views, good))
+    assert len(wrong_views([np.array([(0, 0), (1, -1), (2, 0), (6, 0), (3, 2)], float)])) == 1
+
+
+@pytest.mark.parametrize(("successes", "trials"), [(0, 20), (1, 20), (10, 20), (20, 20), (77, 200)])
+def test_wilsons_ends_are_where_the_share_is_just_believable(successes, trials):
+    """At each end p of the interval the share lies 1.96 standard deviations of p away from p."""
+    for p in wilson([successes], trials):
+        off = abs(successes / trials - p[0])
+        assert off == pytest.approx(1.959963984540054 * np.sqrt(p[0] * (1 - p[0]) / trials), abs=1e-12)
+
+
+def test_edges_on_the_torus_are_the_shorter_ways():
+    """No piece is longer than half a turn along an angle, and what leaves the square comes in again."""
+    a, b = np.array([[0.1, 1.0], [1.0, 1.0]]), np.array([[6.2, 1.0], [2.0, 3.0]])
+    pieces = unrolled(a, b)
+    assert len(pieces) == 3
+    assert (np.abs(pieces[:, 1] - pieces[:, 0]) <= np.pi).all()
+    assert np.allclose(np.mod(pieces[0, 1], FULL), np.mod(b[0], FULL))
