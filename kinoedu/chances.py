@@ -10,8 +10,8 @@ Z = 1.959963984540054  # 95 percent of a normal distribution lie within so many 
 
 
 def wilson(successes: ArrayLike, trials: int) -> tuple[Array, Array]:
-    """The ends of Wilson's 95 percent interval for a share, each of the shape of `successes`; never empty, also at 0 and at all, and
-    from 0 to 1 where nothing was tried.
+    """The ends of Wilson's 95 percent interval for a share, each of the shape of `successes`; never empty, also at 0 and at all,
+    and from 0 to 1 where nothing was tried.
 
     E. B. Wilson, "Probable inference, the law of succession, and statistical inference" (1927). Raises InvalidParameter.
 
