@@ -1,13 +1,16 @@
 """Grading: programs are shut in, judged outside, and a class is graded once whatever happens."""
 
+import io
 import json
+import os
+import zipfile
 from pathlib import Path
 
 import pytest
 
 from kinoedu.grading import sandbox
 from kinoedu.grading.grading import grade
-from kinoedu.grading.notebook import UnreadableSubmission, cells_in
+from kinoedu.grading.notebook import MOST_BYTES, UnreadableSubmission, cells_in
 from kinoedu.grading.questions import assignment, cases_of
 from kinoedu.grading.sandbox import Sandbox
 from kinoedu.grading.submissions import collect
@@ -92,7 +95,7 @@ def test_what_is_asked_for_is_withheld_with_a_message(box):
 @needs_sandbox
 def test_hidden_cases_do_not_show():
     known = cases_of("point_line_distance", SECRET)
-    assert 0 < sum(known.seen) < len(known.cases)
+    assert 0 < known.seen < len(known.cases)
 
 
 @pytest.mark.parametrize(
@@ -107,6 +110,8 @@ def test_hidden_cases_do_not_show():
         b"\xff\xfe",
         b"[" * 100_000,
         b"PK\x03\x04",
+        b'{"nbformat": 4, "cells": [' + b"[]," * 2**22 + b"[]]}",
+        b'{"nbformat": 4, "cells": [' + b"1" * 10_000 + b"]}",
     ],
 )
 def test_what_is_no_notebook_is_refused_by_name(data):
@@ -133,3 +138,51 @@ def test_submissions_are_found_as_they_are_laid_out(tmp_path):
     assert "more than once" in found["eve"].trouble
     assert "no assignment" in found["gil"].trouble
     assert {one.assignment for name, one in found.items() if name != "gil"} == {"01_geometry"}
+
+
+def test_nobody_hands_in_for_another(tmp_path):
+    """A student's own files are the student's, whatever they are called, and whoever they say is their owner."""
+    data, other = notebook("x = 1"), notebook("x = 2")
+    box = io.BytesIO()
+    with zipfile.ZipFile(box, "w") as archive:
+        archive.writestr("../bob/01_geometry.ipynb", other)
+        archive.writestr("bob_12_34_01_geometry.ipynb", other)
+        archive.writestr("/Bob_12_assignsubmission_file_/01_geometry.ipynb", other)
+    files = {
+        "bob/01_geometry.ipynb": data,
+        "eve/bob_123_456_01_geometry.ipynb": other,
+        "fay/Bob_12_assignsubmission_file_/01_geometry.ipynb": other,
+        "gil/submission_metadata.yml": b"{bob: {':submitters': [{':sid': nobody}]}, gil: {':submitters': [{':sid': bob}]}}",
+        "gil/01_geometry.ipynb": other,
+        "hal/hal.zip": box.getvalue(),
+    }
+    for place, content in files.items():
+        (tmp_path / "class" / place).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / "class" / place).write_bytes(content)
+    found = {one.student: one for one in collect(tmp_path)}
+    assert sorted(found) == ["bob", "eve", "fay", "gil", "hal"]
+    assert (found["bob"].data, found["bob"].trouble) == (data, "")
+    assert {path.name for path in tmp_path.rglob("*") if path.is_file()} == {Path(place).name for place in files}
+
+
+def test_what_breaks_a_reader_is_reported_by_name_and_the_rest_is_read(tmp_path):
+    """Links, pipes, bombs and paths upwards."""
+    bomb, deep = io.BytesIO(), io.BytesIO()
+    with zipfile.ZipFile(bomb, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr("01_geometry.ipynb", b" " * (MOST_BYTES + 10))
+    with zipfile.ZipFile(deep, "w") as archive:
+        archive.writestr("inner.zip", bomb.getvalue())
+    for student in ("ann", "bob", "cat", "dan", "eve", "fay", "gil"):
+        (tmp_path / student).mkdir()
+    (tmp_path / "secret.txt").write_text("the secret")
+    (tmp_path / "ann" / "01_geometry.ipynb").write_bytes(notebook("x = 1"))
+    (tmp_path / "bob" / "01_geometry.ipynb").symlink_to(tmp_path / "ann" / "01_geometry.ipynb")
+    (tmp_path / "cat" / "01_geometry.zip").write_bytes(bomb.getvalue())
+    (tmp_path / "dan" / "01_geometry.zip").write_bytes(b"PK\x03\x04 cut off")
+    (tmp_path / "eve" / "01_geometry.ipynb").mkdir()
+    os.mkfifo(tmp_path / "fay" / "01_geometry.ipynb")
+    (tmp_path / "gil" / "01_geometry.ipynb").symlink_to("/dev/zero")
+    found = {one.student: one for one in collect(tmp_path)}
+    assert found["ann"].trouble == ""
+    assert {name for name, one in found.items() if one.trouble} == {"bob", "cat", "dan", "fay", "gil"}
+    assert all(one.data == b"" for one in found.values() if one.trouble)

@@ -59,17 +59,22 @@ class Report:
 
 
 def attempt(exercise: Exercise, function: Callable[..., Any], case: Case, bounded: Bounded = within) -> Outcome:
-    """Call a student's function on a copy of a case. This is all that ever runs student code."""
-    given = exercise.given.decode(exercise.given.encode(case.given))
+    """Call a student's function on a copy of a case."""
+    return attempted(exercise, function, exercise.given.encode(case.given), bounded)
+
+
+def attempted(exercise: Exercise, function: Callable[..., Any], data: dict[str, Any], bounded: Bounded) -> Outcome:
+    """Call a student's function on a case's arguments, which are JSON data here. This is all that ever runs student code."""
+    given = exercise.given.decode(data)
     outcome = outcome_of(lambda: exercise.call(function, dict(given)), exercise.answer, exercise.seconds, bounded)
-    changed = [name for name, value in given.items() if not same_data(exercise.given.fields[name], value, case.given[name])]
+    changed = [name for name, value in given.items() if not same_data(exercise.given.fields[name], value, data[name])]
     return Changed(changed) if isinstance(outcome, Answer) and changed else outcome
 
 
-def same_data(shape: Shape, value: Any, original: Any) -> bool:
-    """Whether a value is still what it was."""
+def same_data(shape: Shape, value: Any, data: Any) -> bool:
+    """Whether a value is still what JSON data say."""
     try:
-        return bool(shape.encode(value) == shape.encode(original))
+        return bool(shape.encode(value) == data)
     except WrongShape:
         return False
 

@@ -1,7 +1,7 @@
 """Numbers as plain data: what a stranger's program returned, copied before anybody looks at it, or refused in words."""
 
 import math
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 
@@ -12,25 +12,34 @@ class WrongShape(Exception):
     """A value is not of the declared shape; the message says what was expected and what came."""
 
 
-def numeric(value: Any, dimensions: tuple[int | str, ...], words: str) -> np.ndarray:
+class Worded(Protocol):
+    """What can say what it is; it is only asked to where something does not fit."""
+
+    @property
+    def words(self) -> str: ...
+
+
+def numeric(value: Any, dimensions: tuple[int | str, ...], wanted: Worded) -> np.ndarray:
     """A float64 array of the wanted dimensions, copied; or WrongShape."""
     if type(value) is np.ndarray and not fits(value.shape, dimensions):
-        raise wrong(words, value)  # before it is copied: it may be huge
+        raise wrong(wanted.words, value)  # before it is copied: it may be huge
     try:
         array = np.array(value)
     except Exception:
-        raise wrong(words, value) from None
+        raise wrong(wanted.words, value) from None
     if array.size == 0:
         array = array.astype(float)
         if array.shape == (0,) and dimensions and isinstance(dimensions[0], str):  # an empty list is an array of no rows
             array = np.empty([length if isinstance(length, int) else 0 for length in dimensions])
     if array.dtype.kind not in "iuf" or not fits(array.shape, dimensions):
-        raise wrong(words, value)
+        raise wrong(wanted.words, value)
     return array.astype(float)
 
 
 def fits(shape: tuple[int, ...], dimensions: tuple[int | str, ...]) -> bool:
     """Whether an array's shape is the declared one."""
+    if shape == dimensions:
+        return True
     lengths: dict[int | str, int] = {}
     return len(shape) == len(dimensions) and all(
         length == (wanted if isinstance(wanted, int) else lengths.setdefault(wanted, length))
@@ -73,15 +82,15 @@ def nested(data: Any) -> Any:
     return [nested(item) for item in data] if isinstance(data, list) else spelled(data)
 
 
-def unnested(data: Any, words: str, depth: int) -> Any:
+def unnested(data: Any, wanted: Worded, depth: int) -> Any:
     """Nested lists of floats from JSON, so many lists deep; deeper ones are refused before they are looked into."""
     if depth == 0 or not isinstance(data, list):
-        return read_number(data, words)
-    return [unnested(item, words, depth - 1) for item in data]
+        return read_number(data, wanted)
+    return [unnested(item, wanted, depth - 1) for item in data]
 
 
-def read_number(data: Any, words: str) -> float:
+def read_number(data: Any, wanted: Worded) -> float:
     """A float from JSON."""
     if type(data) is float or (type(data) is int and abs(data) < 2**53) or (type(data) is str and data in ("nan", "inf", "-inf")):
         return float(data)
-    raise wrong(words, data)
+    raise wrong(wanted.words, data)

@@ -41,11 +41,11 @@ class Number(NamedTuple):
 
     def encode(self, value: Any) -> float | str:
         """A float, an int or numpy's, also as an array of no dimensions."""
-        return spelled(float(numeric(value, (), self.words)))
+        return spelled(float(numeric(value, (), self)))
 
     def decode(self, data: Any) -> float:
         """The float."""
-        return read_number(data, self.words)
+        return read_number(data, self)
 
 
 class Numbers(NamedTuple):
@@ -66,11 +66,12 @@ class Numbers(NamedTuple):
 
     def encode(self, value: Any) -> Any:
         """An array, or lists and tuples that make one."""
-        return nested(numeric(value, self.dimensions, self.words).tolist())
+        array = numeric(value, self.dimensions, self)
+        return array.tolist() if np.isfinite(array).all() else nested(array.tolist())
 
     def decode(self, data: Any) -> np.ndarray:
         """The array, float64."""
-        return numeric(unnested(data, self.words, len(self.dimensions)), self.dimensions, self.words)
+        return numeric(unnested(data, self, len(self.dimensions)), self.dimensions, self)
 
 
 class Truth(NamedTuple):

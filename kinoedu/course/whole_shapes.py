@@ -47,12 +47,12 @@ class WholeNumbers(NamedTuple):
 
     def encode(self, value: Any) -> Any:
         """An array, or lists and tuples that make one; floats that are whole will do."""
-        array = numeric(value, self.dimensions, self.words)
+        array = numeric(value, self.dimensions, self)
         if not (np.abs(array) < 2**53).all() or (array != np.rint(array)).any():
             raise wrong(self.words, value)
         return array.astype(np.int64).tolist()
 
     def decode(self, data: Any) -> np.ndarray:
         """The array, int64."""
-        whole = self.encode(unnested(data, self.words, len(self.dimensions)))
-        return numeric(whole, self.dimensions, self.words).astype(np.int64)
+        whole = self.encode(unnested(data, self, len(self.dimensions)))
+        return numeric(whole, self.dimensions, self).astype(np.int64)

@@ -33,7 +33,8 @@ def grade(data: bytes, task: Assignment, secret: bytes, sandbox: Sandbox, *, pat
             "cells": [],
         }
     asked = {one.exercise.name: (one, cases_of(one.exercise.name, secret)) for one in task.questions}
-    found = answers(sandbox, cells, [Question(one.exercise, known.cases) for one, known in asked.values()], patience=patience)
+    to_ask = [Question(one.exercise, *known) for one, known in asked.values()]
+    found = answers(sandbox, cells, to_ask, task.lent, patience=patience)
     questions = [judged(one, known, found.outcomes[name]) for name, (one, known) in asked.items()]
     return {"status": "graded", "message": "", "questions": questions, "cells": troubles(found, cells)}
 
@@ -67,7 +68,7 @@ def judged(asked: Asked, known: Cases, outcomes: Sequence[Outcome] | None) -> Gr
     }
     if report.failure is None:
         return record
-    return record | told(asked, report, hidden=not known.seen[report.failure.number])
+    return record | told(asked, report, hidden=report.failure.number >= known.seen)
 
 
 def status_of(report: Report) -> str:

@@ -4,12 +4,14 @@ Withholding stops a program from calling the answer. It does not hide it: the li
 """
 
 import functools
+import gc
+import importlib
 import importlib.machinery
 import importlib.util
 import sys
 from collections.abc import Callable, Iterable
 from pathlib import Path
-from types import ModuleType
+from types import FunctionType, ModuleType
 from typing import Any
 
 HERE = Path(__file__).resolve().parent.parent
@@ -19,7 +21,11 @@ class Withheld(Exception):
     """A program called the very function that it is to write."""
 
 
-USUAL = ("numpy", "kinoedu.geometry", "kinoedu.course.judging", "kinoedu.course.drawn", "kinoedu.course.whole_shapes")
+USUAL = (
+    *("numpy", "numpy.ma", "numpy.random"),  # the last two numpy would load at their first use, in each program again
+    *("kinoedu.geometry", "kinoedu.course.judging", "kinoedu.course.drawn", "kinoedu.course.whole_shapes"),
+)
+JUDGES = "kinoedu.course.exercises"
 WITHHELD: set[tuple[str, ...]] = set()  # modules and names
 
 
@@ -27,7 +33,7 @@ def open_library() -> None:
     """Make `import kinoedu` quick, and let functions be withheld. For a process that runs nothing else."""
     stand_for("kinoedu", HERE, {}, own=True)
     stand_for("kinoedu.course", HERE / "course", {"check": nothing, "show": nothing}, own=False)
-    stand_for("kinoedu.course.exercises", HERE / "course" / "exercises", {}, own=False)
+    stand_for(JUDGES, HERE / "course" / "exercises", {}, own=False)
     sys.meta_path.insert(0, Withholding())
 
 
@@ -36,6 +42,38 @@ def withhold(names: Iterable[str]) -> None:
     WITHHELD.update(tuple(name.split(":")) for name in names)
     for module in [module for name, module in sys.modules.items() if name.partition(".")[0] == "kinoedu"]:
         take_out(module)
+
+
+def own_call(name: str) -> Callable[..., Any]:
+    """How an exercise calls a function, "" for with its arguments, else "module:Class.call": that alone, and of its module no more
+    than its lines name, since what else stands there knows the answers.
+    """
+    if not name:
+        return lambda function, arguments: function(*arguments.values())
+    home, _, place = name.partition(":")
+    module = importlib.import_module(home)
+    call = functools.reduce(getattr, place.split("."), module)
+    things = {"__name__": home, "__package__": module.__package__}
+    things |= {thing: vars(module)[thing] for thing in call.__code__.co_names if thing in vars(module)}
+    return functools.partial(FunctionType(call.__code__, things), None)
+
+
+def without_judges(lent: Iterable[str]) -> list[str]:
+    """Forget every exercise's judge, and keep of their modules only functions that an assignment lends, named as "module:name",
+    such as a wrong program that is to be exposed. Returns the folders of the judges, to be hidden.
+    """
+    things = [(home, name, getattr(importlib.import_module(home), name)) for home, name in (place.split(":") for place in lent)]
+    judges = [module for module in sys.modules if module.startswith(JUDGES + ".")]
+    for name in judges:
+        module = sys.modules.pop(name)
+        vars(sys.modules[JUDGES]).pop(name.rpartition(".")[2], None)
+        for thing in [thing for thing, value in vars(module).items() if hasattr(value, "value_verdict")]:
+            delattr(module, thing)
+    for home, name, thing in things:
+        setattr(sys.modules.setdefault(home, ModuleType(home)), name, thing)
+    if judges:
+        gc.collect()
+    return [str(HERE / "course" / "exercises")]
 
 
 def nothing(*_: Any, **__: Any) -> None:
@@ -81,16 +119,10 @@ class Withholding:
 
 
 def take_out(module: ModuleType) -> None:
-    """Put guards before what is withheld. Compiled functions are guarded at a package's door only: within it, other compiled code
-    needs them as they are.
-    """
+    """Put guards before what is withheld."""
     for name, thing in list(vars(module).items()):
         home = (getattr(thing, "__module__", None), getattr(thing, "__name__", None))
-        if (
-            home in WITHHELD
-            and not hasattr(thing, "withheld")
-            and (hasattr(module, "__path__") or not hasattr(thing, "inspect_types"))
-        ):
+        if home in WITHHELD and not hasattr(thing, "withheld"):
             setattr(module, name, guarded(thing))
 
 
@@ -99,8 +131,9 @@ def guarded(function: Callable[..., Any]) -> Callable[..., Any]:
 
     @functools.wraps(function)
     def guard(*args: Any, **named: Any) -> Any:
-        caller = sys._getframe(1).f_globals.get("__name__", "")
-        if caller.partition(".")[0] == "kinoedu":
+        caller = sys._getframe(1).f_globals
+        home = str(caller.get("__name__"))
+        if home.startswith("kinoedu.") and not home.startswith("kinoedu.course.") and caller is vars(sys.modules.get(home, sys)):
             return function(*args, **named)
         raise Withheld(f"{function.__name__} is what you are to write, so the library's own is withheld here")
 

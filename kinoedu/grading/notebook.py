@@ -10,6 +10,7 @@ from ..errors import KinoeduError
 from .asking import Cell
 
 MOST_BYTES = 60 * 2**20  # a notebook's pictures and all
+MOST_PARTS = 2**22  # commas: each may be a value, and takes far more memory than a byte
 MOST_SOURCE = 2**20  # characters of code
 MOST_CELLS = 2_000
 UNHEARD = ("%", "!", "?")  # lines for a notebook only
@@ -56,6 +57,8 @@ def notebook_in(data: bytes) -> dict[str, Any]:
     """A notebook of version 4 as JSON has it. Raises UnreadableSubmission."""
     if not data.strip():
         raise UnreadableSubmission("the file is empty")
+    if data.count(b",") > MOST_PARTS:
+        raise UnreadableSubmission("the file holds more numbers and words than a notebook does")
     try:
         book = json.loads(data.decode("utf-8-sig"))
     except (ValueError, RecursionError) as error:

@@ -10,6 +10,7 @@ import hashlib
 import hmac
 import json
 import os
+import re
 import secrets
 from pathlib import Path
 from typing import NamedTuple
@@ -22,6 +23,8 @@ from ..course.release import HOUSE, solution
 from ..errors import InvalidParameter
 from ..whole_file import written_whole
 
+LENT = re.compile(r"^from (kinoedu\.course\.exercises\.\w+) import (\w+(?: *, *\w+)*)$", re.MULTILINE)
+
 
 class Asked(NamedTuple):
     """A question of an assignment: its exercise and what it is worth."""
@@ -31,11 +34,14 @@ class Asked(NamedTuple):
 
 
 class Assignment(NamedTuple):
-    """An assignment: its name, its questions, and the names of the answers that people grade, with their points."""
+    """An assignment: its name, its questions, the names of the answers that people grade, with their points, and the functions that
+    it takes from the exercises' own modules, as "module:name".
+    """
 
     name: str
     questions: tuple[Asked, ...]
     by_hand: dict[str, float]
+    lent: tuple[str, ...] = ()
 
 
 @functools.cache
@@ -46,7 +52,9 @@ def assignment(name: str, house: Path = HOUSE) -> Assignment:
     graded = [mark for mark in marks if mark.get("grade")]
     tests = {mark["grade_id"].removeprefix("check_"): float(mark["points"]) for mark in graded if not mark.get("solution")}
     by_hand = {mark["grade_id"]: float(mark["points"]) for mark in graded if mark.get("solution")}
-    return Assignment(name, tuple(Asked(find(question), points) for question, points in tests.items()), by_hand)
+    sources = "".join("".join(cell["source"]) + "\n" for cell in book["cells"] if cell["cell_type"] == "code")
+    lent = tuple(f"{home}:{thing}" for home, things in LENT.findall(sources) for thing in things.replace(" ", "").split(","))
+    return Assignment(name, tuple(Asked(find(question), points) for question, points in tests.items()), by_hand, lent)
 
 
 def course_secret(file: Path) -> bytes:
@@ -66,10 +74,10 @@ def course_secret(file: Path) -> bytes:
 
 
 class Cases(NamedTuple):
-    """The cases that an answer is judged by, and for each whether everybody has seen it."""
+    """The cases that an answer is judged by; the first `seen` of them everybody has seen."""
 
     cases: list[Case]
-    seen: list[bool]
+    seen: int
 
 
 @functools.lru_cache(maxsize=256)
@@ -81,7 +89,8 @@ def cases_of(name: str, secret: bytes) -> Cases:
     digest = hmac.digest(secret, name.encode(), hashlib.sha256)
     cases = list(exercise.cases(np.random.default_rng(int.from_bytes(digest))))
     shown = {spelled(exercise, case) for case in exercise.cases(np.random.default_rng(0))}
-    return Cases(cases, [spelled(exercise, case) in shown for case in cases])
+    seen = [case for case in cases if spelled(exercise, case) in shown]
+    return Cases(seen + [case for case in cases if spelled(exercise, case) not in shown], len(seen))
 
 
 def spelled(exercise: Exercise, case: Case) -> str:

@@ -9,6 +9,8 @@ import functools
 import hashlib
 import json
 import multiprocessing
+import os
+import threading
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
@@ -25,6 +27,7 @@ from .sandbox import NoSandbox, Sandbox
 from .submissions import Submission
 
 TRIES = 5
+TRIES_BESIDE = 2  # of them beside other jobs
 PATIENT = 3.0  # times its usual time, for what took too long beside others
 
 Progress = Callable[[int, int], None]
@@ -123,10 +126,23 @@ def local(workers: int | None = None) -> Place:
 
     @contextmanager
     def place(most: int | None) -> Iterator[Executor]:
-        with ProcessPoolExecutor(most or workers, mp_context=multiprocessing.get_context("spawn")) as executor:
+        new = multiprocessing.get_context("spawn")
+        with ProcessPoolExecutor(most or workers, mp_context=new, initializer=end_with_parent) as executor:
             yield executor
 
     return place
+
+
+def end_with_parent() -> None:
+    """See to it that this process ends when its parent does, even one that was killed."""
+
+    def watch() -> None:
+        parent = multiprocessing.parent_process()
+        if parent is not None:
+            parent.join()
+            os._exit(1)
+
+    threading.Thread(target=watch, daemon=True).start()
 
 
 def dask(address: str) -> Place:
@@ -144,12 +160,16 @@ def dask(address: str) -> Place:
 
 
 def worked(jobs: Iterable[Job], place: Place, most: int | None) -> Iterator[tuple[Job, Grade | None, str]]:
-    """Every job with its record, as they come; one whose worker is lost or whose machine is in trouble is tried again."""
+    """Every job with its record, as they come; one whose worker is lost or whose machine is in trouble is tried again, and alone
+    after the second time, so that whatever ends workers takes no other job with it.
+    """
     left, tries = list(jobs), dict[str, int]()
     while left:
-        again: list[Job] = []
-        with place(most) as executor:
-            waiting: dict[Future[Grade], Job] = {executor.submit(work, job): job for job in left}
+        calm = [job for job in left if tries.get(job.key, 0) < TRIES_BESIDE]
+        now = calm or left[:1]
+        left = [job for job in left if job not in calm] if calm else left[1:]
+        with place(most if calm else 1) as executor:
+            waiting: dict[Future[Grade], Job] = {executor.submit(work, job): job for job in now}
             while waiting:
                 begun = {job.key for future, job in waiting.items() if future.running()}
                 for future in wait(waiting, timeout=0.2, return_when=FIRST_COMPLETED).done:
@@ -159,20 +179,26 @@ def worked(jobs: Iterable[Job], place: Place, most: int | None) -> Iterator[tupl
                         continue
                     tries[job.key] = tries.get(job.key, 0) + (job.key in begun or not isinstance(trouble, BrokenProcessPool))
                     if tries[job.key] < TRIES:
-                        again.append(job)
+                        left.append(job)
                     else:
                         yield job, None, f"{type(trouble).__name__}: {trouble}"
-        left = again
 
 
-SANDBOX = Sandbox()  # of this process
-atexit.register(SANDBOX.close)
+class Own(threading.local):
+    """A sandbox for each thread that grades, as Dask's workers may have several."""
+
+    def __init__(self) -> None:
+        self.sandbox = Sandbox()
+        atexit.register(self.sandbox.close)
+
+
+OWN = Own()
 
 
 def work(job: Job) -> Grade:
     """Grade a notebook, in this process and its sandbox. Raises NoSandbox."""
     try:
-        return grade(job.data, assignment(job.assignment), job.secret, SANDBOX, patience=job.patience)
+        return grade(job.data, assignment(job.assignment), job.secret, OWN.sandbox, patience=job.patience)
     except NoSandbox:
-        SANDBOX.close()
+        OWN.sandbox.close()
         raise

@@ -10,23 +10,22 @@ import contextlib
 import functools
 import json
 import os
-import selectors
+import platform
 import shutil
 import socket
 import subprocess
 import sys
 import sysconfig
-import time
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from .forbidden import REFUSED
+from .talk import START, Talk
+
 PACKAGE = Path(__file__).resolve().parent.parent
-INSIDE = Path(__file__).resolve().parent / "inside.py"
+LIBRARY = "/course/kinoedu"  # where the library is inside
+INSIDE = f"{LIBRARY}/grading/inside.py"
 NOBODY = 61_184  # a user that no system has
-MOST_OUTPUT = 32 * 2**20  # bytes
-GRACE = 2.0  # seconds in which what inside.py stops itself must be heard of
-START = 60.0  # seconds for a start on a slow machine, compiled code and all
 ENVIRONMENT = {
     "HOME": "/tmp",
     "TMPDIR": "/tmp",
@@ -48,11 +47,11 @@ class NoSandbox(RuntimeError):
 
 
 class Reply(NamedTuple):
-    """What came out: the lines, and how it ended: "done", "late" (a line did not come in time), "flood", or "died" with the status
-    of its end, negative for a signal.
+    """What came out: the lines that followed each part of a request, and how it ended: "done", "late" (a line did not come in
+    time), "flood", or "died" with the status of its end, negative for a signal.
     """
 
-    lines: list[dict[str, Any]]
+    parts: list[list[dict[str, Any]]]
     end: str
     status: int = 0
 
@@ -61,6 +60,8 @@ def why_not() -> str:
     """Why programs cannot be shut in on this machine, and what to do; "" where they can."""
     if sys.platform != "linux":
         return "only Linux can shut programs in; on Windows use WSL2, on macOS the container of the instructor's guide"
+    if not REFUSED:
+        return f"programs can be shut in on x86_64 and aarch64, and this machine is {platform.machine()}"
     if shutil.which("bwrap") is None:
         return "bubblewrap is not installed (Debian, Ubuntu: sudo apt install bubblewrap; Fedora: sudo dnf install bubblewrap)"
     trial = subprocess.run([*walls(), *python(), "-c", "print(6 * 7)"], capture_output=True, text=True, timeout=START, check=False)
@@ -81,29 +82,34 @@ def walls() -> tuple[str, ...]:
     command = ["bwrap", "--unshare-pid", "--unshare-net", "--unshare-ipc", "--unshare-uts", "--unshare-cgroup-try"]
     command += ["--die-with-parent", "--new-session", "--clearenv", "--cap-drop", "ALL"]
     if os.geteuid() == 0:  # inside.py becomes a user whose processes the kernel counts, as root's are not
-        command += ["--cap-add", "CAP_SETUID", "--cap-add", "CAP_SETGID"]
+        for right in ("CAP_SETUID", "CAP_SETGID", "CAP_KILL"):
+            command += ["--cap-add", right]
     else:
         command += ["--unshare-user"]
     command += ["--cap-add", "CAP_SYS_ADMIN"]  # to shut each request in; gone before a program runs
-    for folder in ("/etc", *{str(above): None for path in readable() for above in reversed(path.parents[:-1])}):
+    for folder in (
+        "/etc",
+        str(Path(LIBRARY).parent),
+        *{str(above): None for path in readable() for above in reversed(path.parents[:-1])},
+    ):
         command += ["--perms", "0755", "--dir", folder]
     for path in ("/usr", "/lib", "/lib64", "/bin", "/etc/ld.so.cache", "/etc/alternatives"):
         command += ["--symlink", os.readlink(path), path] if os.path.islink(path) else ["--ro-bind-try", path, path]
     for path in map(str, readable()):
         command += ["--ro-bind", path, path]
-    command += ["--proc", "/proc", "--dev", "/dev"]
+    command += ["--ro-bind", str(PACKAGE), LIBRARY, "--proc", "/proc", "--dev", "/dev"]
     for path, most in (("/dev/shm", 2**20), ("/tmp", 64 * 2**20)):
         command += ["--perms", "1777", "--size", str(most), "--tmpfs", path]
     for name, value in ENVIRONMENT.items():
         command += ["--setenv", name, value]
-    return (*command, "--remount-ro", "/", "--chdir", "/tmp", "--hostname", "sandbox", "--")
+    return (*command, "--remount-ro", "/dev", "--remount-ro", "/", "--chdir", "/tmp", "--hostname", "sandbox", "--")
 
 
 def readable() -> list[Path]:
-    """What of this machine a program may read, beside the system: Python, its packages, and the library."""
+    """What of this machine a program may read, beside the system and the library: Python and its packages."""
     prefixes = [Path(sys.prefix), Path(sys.base_prefix), Path(sysconfig.get_path("purelib"))]
     chosen: list[Path] = []
-    for path in [*dict.fromkeys(prefixes), PACKAGE]:
+    for path in dict.fromkeys(prefixes):
         if not path.is_relative_to("/usr") and not any(path.is_relative_to(other) for other in chosen):
             chosen.append(path)
     return chosen
@@ -114,19 +120,24 @@ class Sandbox:
 
     def __init__(self) -> None:
         self.user = NOBODY if os.geteuid() == 0 else 0
-        self.started: dict[str, Started] = {}
+        self.started: dict[tuple[str, ...], Started] = {}
 
-    def ask(self, request: dict[str, Any], patience: float, mode: str = "plain") -> Reply:
-        """Run a request; after its start a line must come at least every `patience` seconds. Raises NoSandbox."""
-        request = {**request, "limits": {**request["limits"], "user": self.user}}
-        inside = self.started.get(mode) or self.started.setdefault(mode, start(mode))
+    def ask(self, parts: list[dict[str, Any]], patience: float, modules: tuple[str, ...] = ()) -> Reply:
+        """Run a request, with the modules loaded already; each part is only told when the one before is done. After its start a
+        line must come at least every `patience` seconds. Raises NoSandbox.
+        """
+        first = {**parts[0], "limits": {**parts[0]["limits"], "user": self.user}}
+        inside = self.started.get(modules) or self.started.setdefault(modules, start(modules))
         try:
-            lines, end = exchange(inside.grader, json.dumps(request).encode(), patience)
-            status = int(inside.grader.recv(16) or b"-1")
+            heard, end = exchange(inside.grader, [spelled(part) for part in (first, *parts[1:])], patience)
+            status = inside.grader.recv(16)
         except OSError as error:
             self.close()
             raise NoSandbox(f"the sandbox broke: {error}") from error
-        return Reply(lines, end, status)
+        if not status or not heard or heard[0][:1] != [{"ready": True}]:  # no program was run yet: it cannot be its fault
+            self.close()
+            raise NoSandbox(f"the sandbox broke before a program was run: {str(heard)[:300]}")
+        return Reply(heard, end, int(status))
 
     def close(self) -> None:
         """End what was started."""
@@ -144,22 +155,34 @@ class Started(NamedTuple):
     grader: socket.socket
 
 
-def start(mode: str) -> Started:
-    """Start inside.py with the library "plain" or "compiled". Raises NoSandbox."""
+def start(modules: tuple[str, ...]) -> Started:
+    """Start inside.py, with some modules loaded beside the usual. Raises NoSandbox."""
     ours, theirs = socket.socketpair()
-    command = [*walls(), *python(), str(INSIDE), str(theirs.fileno()), mode]
+    command = [*walls(), *python(), INSIDE, str(theirs.fileno()), *modules]
     process = subprocess.Popen(
         command, pass_fds=[theirs.fileno()], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE
     )
     theirs.close()
-    if ours.recv(16) != b"ready":
+    ours.settimeout(START)
+    try:
+        is_ready = ours.recv(16) == b"ready"
+    except OSError:
+        is_ready = False
+    if not is_ready:
+        ours.close()
+        process.kill()
         _, said = process.communicate()
         raise NoSandbox(f"the sandbox did not start: {' '.join(said.decode(errors='replace').split())[-300:]}")
     return Started(process, ours)
 
 
-def exchange(grader: socket.socket, request: bytes, patience: float) -> tuple[list[dict[str, Any]], str]:
-    """Hand a request over, and hear the lines that come of it; what is not done then is stopped."""
+def spelled(part: dict[str, Any]) -> bytes:
+    """A line that inside.py reads."""
+    return json.dumps(part).encode() + b"\n"
+
+
+def exchange(grader: socket.socket, parts: list[bytes], patience: float) -> tuple[list[list[dict[str, Any]]], str]:
+    """Hand a request over, part by part, and hear the lines that come of each; what is not done then is stopped."""
     with contextlib.ExitStack() as files:
         (asking, request_end), (answer_end, answering) = (
             [files.enter_context(os.fdopen(end, mode, buffering=0)) for end, mode in zip(os.pipe(), ("rb", "wb"), strict=True)]
@@ -168,51 +191,27 @@ def exchange(grader: socket.socket, request: bytes, patience: float) -> tuple[li
         socket.send_fds(grader, [b"ask"], [asking.fileno(), answering.fileno()])
         asking.close()
         answering.close()
-        with contextlib.suppress(BrokenPipeError):
-            while request:
-                request = request[request_end.write(request) :]
-        request_end.close()
-        lines, end = heard(answer_end.fileno(), patience)
+        heard, end = dialogue(Talk(request_end.fileno(), answer_end.fileno(), patience), parts)
     grader.send(b"end")
-    return lines, end
+    return heard, end
 
 
-def heard(answering: int, patience: float) -> tuple[list[dict[str, Any]], str]:
-    """The lines that came, up to one that is none, and how that ended."""
-    lines: list[dict[str, Any]] = []
-    for line in spoken(answering, patience):
-        if isinstance(line, str):
-            return lines, line
-        try:
-            said = json.loads(line)
-        except (ValueError, RecursionError):
-            return lines, "died"
-        if not isinstance(said, dict):
-            return lines, "died"
-        if said == {"done": True}:
-            return lines, "done"
-        if said != {"ready": True}:
-            lines.append(said)
-    return lines, "died"
-
-
-def spoken(answering: int, patience: float) -> Iterator[bytes | str]:
-    """Each line as it comes; last "late" or "flood" where that was so."""
-    kept, total, last = b"", 0, time.monotonic() + START
-    with selectors.DefaultSelector() as ready:
-        ready.register(answering, selectors.EVENT_READ)
-        while True:
-            if not ready.select(max(0.0, last - time.monotonic())):
-                yield "late"
-                return
-            data = os.read(answering, 2**16)
-            if not data:
-                return
-            total += len(data)
-            if total > MOST_OUTPUT:
-                yield "flood"
-                return
-            *whole, kept = (kept + data).split(b"\n")
-            if whole:
-                last = time.monotonic() + patience
-            yield from whole
+def dialogue(talk: Talk, parts: list[bytes]) -> tuple[list[list[dict[str, Any]]], str]:
+    """The lines that came after each part, up to one that is none, and how that ended."""
+    heard: list[list[dict[str, Any]]] = []
+    for part in parts:
+        heard.append([])
+        talk.say(part)
+        for line in talk.lines():
+            try:
+                said = json.loads(line)
+            except (ValueError, RecursionError):
+                return heard, "died"
+            if not isinstance(said, dict):
+                return heard, "died"
+            if said == {"done": True}:
+                break
+            heard[-1].append(said)
+        else:
+            return heard, talk.end
+    return heard, "done"

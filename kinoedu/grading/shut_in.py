@@ -9,39 +9,49 @@ import resource
 import signal
 from pathlib import Path
 
+import forbidden  # beside this file, and read with it before a program runs
+
 NEW_MOUNTS, NEW_IPC, NEW_PROCESSES = 0x0002_0000, 0x0800_0000, 0x2000_0000
-NO_SUID, NO_DEVICES, NO_PROGRAMS, AND_BELOW, PRIVATE = 2, 4, 8, 1 << 14, 1 << 18
-DIE_WITH_PARENT, NO_NEW_RIGHTS = 1, 38
+READ_ONLY, NO_SUID, NO_DEVICES, NO_PROGRAMS, AND_BELOW, PRIVATE = 1, 2, 4, 8, 1 << 14, 1 << 18
+NO_NEW_RIGHTS = 38
 CAPABILITIES_OF_SELF = (ctypes.c_uint32 * 2)(0x2008_0522, 0)
 
-LIBC = ctypes.CDLL(None, use_errno=True)
+LIBC = ctypes.PyDLL(None, use_errno=True)  # which keeps Python's lock, as a fork must
 
 
-def alone() -> bool:
-    """Fork a process that sees no other, and dies with this one: returns True there. This one waits, and ends as that did."""
-    must(LIBC.unshare(NEW_MOUNTS | NEW_IPC | NEW_PROCESSES))
-    child = os.fork()
+def forked_alone() -> int:
+    """Fork a process that sees no other, and whose end is the end of all that it might start: its number, and there 0.
+
+    One call of Linux, since who first makes a world of processes and then forks stands between the two, and can be killed alone.
+    """
+    ctypes.pythonapi.PyOS_BeforeFork()
+    child = int(LIBC.syscall(forbidden.FORK, NEW_PROCESSES | signal.SIGCHLD, 0, 0, 0, 0))
     if child == 0:
-        must(LIBC.prctl(DIE_WITH_PARENT, signal.SIGKILL))
-        return True
-    _, status = os.waitpid(child, 0)
-    os._exit(min(255, os.WEXITSTATUS(status) if os.WIFEXITED(status) else 128 + os.WTERMSIG(status)))
+        ctypes.pythonapi.PyOS_AfterFork_Child()
+        must(LIBC.unshare(NEW_MOUNTS | NEW_IPC))
+        return 0
+    ctypes.pythonapi.PyOS_AfterFork_Parent()
+    must(min(child, 0))
+    return child
 
 
-def with_new_files(files: int) -> None:
-    """Files of its own in /tmp, a few in /dev/shm, in all about so many bytes; nothing in /proc."""
+def with_new_files(files: int, hidden: list[str]) -> None:
+    """Files of its own in /tmp, a few in /dev/shm, in all about so many bytes; nothing in /proc, /dev/pts and where to hide it."""
     must(LIBC.mount(None, b"/", None, AND_BELOW | PRIVATE, None))
-    for place, most in ((b"/tmp", files), (b"/dev/shm", 2**20), (b"/proc", 4096)):
+    for place, most in ((b"/tmp", files), (b"/dev/shm", 2**20)):
         must(LIBC.mount(b"tmpfs", place, b"tmpfs", NO_SUID | NO_DEVICES | NO_PROGRAMS, b"mode=1777,size=%d" % most))
+    for folder in ("/proc", "/dev/pts", *hidden):
+        must(LIBC.mount(b"tmpfs", folder.encode(), b"tmpfs", READ_ONLY | NO_SUID | NO_DEVICES | NO_PROGRAMS, b"size=4096"))
     os.chdir("/tmp")
 
 
-def without_rights(user: int, *, memory: int, cpu: int, files: int) -> None:
+def without_rights(user: int, *, memory: int, cpu: int, files: int, hidden: list[str]) -> None:
     """From here on: no capability, nobody's files, bounded memory (bytes beyond what is mapped), processor (seconds) and files
-    (bytes), and not one process or thread more. user : whom to become, where this is root; 0 to stay who it is.
+    (bytes), not one process or thread more, and of Linux's calls only those that a calculation needs. user : whom to become, where
+    this is root; 0 to stay who it is. hidden : folders that are empty from here on.
     """
     mapped = int(Path("/proc/self/statm").read_text().split()[0]) * resource.getpagesize()
-    with_new_files(files)
+    with_new_files(files, hidden)
     if user:
         os.setgroups([])
         os.setresgid(user, user, user)
@@ -57,6 +67,7 @@ def without_rights(user: int, *, memory: int, cpu: int, files: int) -> None:
         (resource.RLIMIT_NPROC, 0),
     ):
         resource.setrlimit(what, (most, most))
+    must(LIBC.prctl(forbidden.SECCOMP, forbidden.BY_FILTER, ctypes.byref(forbidden.filtering()), 0, 0))
 
 
 def must(result: int) -> None:

@@ -57,7 +57,7 @@ def collect(folder: Path, only: str = "", house: Path = HOUSE) -> list[Submissio
     known = assignments(house)
     if only and only not in known:
         raise InvalidParameter(f"there is no assignment {only!r}; there are: {', '.join(known)}")
-    found = list(files_in(folder))
+    found = unwrapped(list(files_in(folder)))
     owners = gradescope_owners(found)
     submissions = [submission_of(file, owners, known, only) for file in found if is_candidate(file)]
     return sorted(without_doubles(submissions), key=lambda one: (one.student, one.assignment, one.file))
@@ -78,6 +78,17 @@ def files_in(folder: Path) -> Iterator[Found]:
             yield Found(place, b"", str(trouble))
         else:
             yield from unpacked(Found(place, data))
+
+
+def unwrapped(files: list[Found]) -> list[Found]:
+    """Files without the folders that hold all of them: what stands first in a place then is the instructor's, and all after that
+    may be a student's own, who is not asked there whose it is.
+    """
+    places = [file.place for file in files if not file.place[-1].startswith(".")]
+    while places and all(len(place) > 2 for place in places) and len({place[0] for place in places}) == 1:
+        places = [place[1:] for place in places]
+        files = [file._replace(place=file.place[1:] or file.place) for file in files]
+    return files
 
 
 def unpacked(file: Found, *, top: bool = False) -> Iterator[Found]:
@@ -134,14 +145,14 @@ def owner(place: tuple[str, ...], owners: dict[str, str]) -> tuple[str, str]:
     >>> owner(("jane", "01_geometry", "01_geometry.ipynb"), {})
     ('jane', '01_geometry.ipynb')
     """
-    for part in place:
-        if part in owners:
-            return owners[part], place[-1]
-        if (moodle := MOODLE.match(part)) is not None:
-            return f"{moodle['student']}_{moodle['id']}", place[-1]
-        if (canvas := CANVAS.match(part)) is not None:
-            return f"{canvas['student']}_{canvas['id']}", canvas["file"] if part == place[-1] else place[-1]
-    return (place[0] if len(place) > 1 else PurePosixPath(place[0]).stem), place[-1]
+    first, name = place[0], place[-1]
+    if first in owners:
+        return owners[first], name
+    if (moodle := MOODLE.match(first)) is not None:
+        return f"{moodle['student']}_{moodle['id']}", name
+    if (canvas := CANVAS.match(first)) is not None:
+        return f"{canvas['student']}_{canvas['id']}", canvas["file"] if len(place) == 1 else name
+    return (first if len(place) > 1 else PurePosixPath(first).stem), name
 
 
 def assignment_of(name: str, file: Found, known: list[str]) -> str:
@@ -171,12 +182,14 @@ def by_marks(data: bytes, known: list[str]) -> str:
 
 
 def gradescope_owners(files: Iterable[Found]) -> dict[str, str]:
-    """Whose each folder of a Gradescope export is, by its submission_metadata.yml: submission_12345 -> the first submitter's id."""
+    """Whose each folder of a Gradescope export is, by the submission_metadata.yml beside them and no other, since a student may
+    hand in one too: submission_12345 -> the first submitter's id.
+    """
     import yaml
 
     owners: dict[str, str] = {}
     for file in files:
-        if file.place[-1] == "submission_metadata.yml" and len(file.data) < MOST_BYTES:
+        if file.place == ("submission_metadata.yml",) and len(file.data) < MOST_BYTES:
             try:
                 about = yaml.safe_load(file.data)
                 entries = {str(key): value[":submitters"][0] for key, value in about.items()}

@@ -1,0 +1,194 @@
+"""Attacks: nothing that a submission does gives it a point that it does not deserve, leaves a trace, or harms anybody."""
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+import threading
+import time
+from pathlib import Path
+
+import pytest
+
+from kinoedu.grading import sandbox
+from kinoedu.grading.grading import grade
+from kinoedu.grading.questions import assignment, cases_of, spelled
+from kinoedu.grading.sandbox import Sandbox
+
+NO_SANDBOX = sandbox.why_not()
+HOUSE = Path(__file__).resolve().parent.parent
+SECRET = b"a secret of the tests, no course's"
+ATTACKS = sorted((HOUSE / "tests" / "attacks").glob("*.cells"))
+HASTE = 0.2  # of the usual time for everything: 2 s a cell, 1 s a call
+needs_sandbox = pytest.mark.skipif(bool(NO_SANDBOX), reason=NO_SANDBOX or "there is one")
+
+PRELUDE = """
+HARM = []
+def fails(words, action):
+    try:
+        action()
+    except Exception:
+        return
+    HARM.append(words)
+"""
+HONEST = """
+if HARM:
+    raise RuntimeError(f"harm was done: {HARM}")
+import numpy as np
+def point_line_distance(q, p1, p2):
+    if (p1 == p2).all():
+        raise ValueError("one point")
+    d = (p2 - p1) / np.linalg.norm(p2 - p1)
+    return abs(d[0] * (q - p1)[1] - d[1] * (q - p1)[0])
+"""
+
+
+def notebook(*sources: str) -> bytes:
+    """A notebook of cells of code."""
+    cells = [{"cell_type": "code", "metadata": {}, "outputs": [], "execution_count": None, "source": source} for source in sources]
+    return json.dumps({"nbformat": 4, "nbformat_minor": 5, "metadata": {}, "cells": cells}).encode()
+
+
+def submission(file: Path) -> tuple[bytes, float]:
+    """An attack as a notebook, and the points that it deserves."""
+    text = file.read_text(encoding="utf-8")
+    points = float(text.split()[1])
+    return notebook(PRELUDE, *text.split("# %%\n"), *[HONEST] * (points > 0)), points
+
+
+def traces() -> set[str]:
+    """What attacks would leave: processes of the sandbox's Python beside those that wait, and files."""
+    files = {str(file) for folder in (Path.cwd(), Path("/tmp"), Path("/dev/shm"), HOUSE) for file in folder.glob("*attack_trace*")}
+    return files | {str(file) for file in (Path("/tmp"), Path("/dev/shm"), Path.cwd()) for file in file.glob("hoard*")}
+
+
+def insiders(box: Sandbox) -> int:
+    """How many processes there are below a sandbox."""
+    found, unseen = 0, [inside.process.pid for inside in box.started.values()]
+    while unseen:
+        try:
+            below = [
+                int(child)
+                for task in Path(f"/proc/{unseen.pop()}/task").iterdir()
+                for child in (task / "children").read_text().split()
+            ]
+        except OSError:
+            continue
+        found += len(below)
+        unseen += below
+    return found
+
+
+@pytest.fixture(scope="module")
+def box():
+    """One sandbox for these tests."""
+    one = Sandbox()
+    yield one
+    one.close()
+
+
+@pytest.fixture(scope="module")
+def neighbour():
+    """Another student's notebook, graded again and again beside the attacks; the scores that it had."""
+    scores: list[float] = []
+    over = threading.Event()
+
+    def work() -> None:
+        box = Sandbox()
+        while not over.is_set():
+            record = grade(notebook(PRELUDE, HONEST), assignment("01_geometry"), SECRET, box)
+            scores.append(sum(question["score"] for question in record["questions"]))
+            time.sleep(0.1)
+        box.close()
+
+    thread = threading.Thread(target=work)
+    thread.start()
+    yield scores
+    over.set()
+    thread.join()
+
+
+@needs_sandbox
+@pytest.mark.parametrize("file", ATTACKS, ids=lambda file: file.stem)
+def test_an_attack_has_what_it_deserves_and_harms_nobody(file, box, neighbour):
+    data, points = submission(file)
+    record = grade(data, assignment("01_geometry"), SECRET, box, patience=HASTE)
+    assert sum(question["score"] for question in record["questions"]) == points, str(record["cells"])[-900:]
+    grade(notebook(""), assignment("01_geometry"), SECRET, box)
+    assert insiders(box) <= 2 * len(box.started)  # bubblewrap's own and Python, which waits
+    assert traces() == set()
+    assert set(neighbour) <= {5.0}
+
+
+@needs_sandbox
+def test_hidden_cases_are_never_told(box):
+    data, _ = submission(HOUSE / "tests" / "attacks" / "hidden_cases_told.cells")
+    record = json.dumps(grade(data, assignment("01_geometry"), SECRET, box, patience=HASTE))
+    for asked in assignment("01_geometry").questions:
+        known = cases_of(asked.exercise.name, SECRET)
+        hidden = [asked.exercise.given.encode(case.given) for case in known.cases[known.seen :]]
+        shown = [spelled(asked.exercise, case) for case in known.cases[: known.seen]]
+        points = [json.dumps(value) for case in hidden for value in case.values() if json.dumps(value) not in str(shown)]
+        assert not any(point in record for point in points if len(point) > 12)
+
+
+@needs_sandbox
+def test_one_request_sees_nothing_of_another(box):
+    writes = """
+import os
+for place in ("/tmp/left", "/dev/shm/left", "/dev/left", "/left"):
+    try:
+        open(place, "w").write("here")
+    except OSError:
+        pass
+os.environ["LEFT"] = "here"
+import kinoedu, builtins
+builtins.left = kinoedu.left = 1
+"""
+    looks = """
+import os, builtins, kinoedu
+HARM += [place for place in ("/tmp/left", "/dev/shm/left", "/dev/left", "/left") if os.path.exists(place)]
+HARM += [place for place in ("/tmp", "/dev/shm") for name in os.listdir(place)]
+HARM += ["environment"] * ("LEFT" in os.environ) + ["modules"] * (hasattr(builtins, "left") or "left" in vars(kinoedu))
+"""
+    for source in (writes, looks):
+        record = grade(notebook(PRELUDE, source, HONEST), assignment("01_geometry"), SECRET, box)
+        assert record["cells"] == []
+        assert sum(question["score"] for question in record["questions"]) == 5.0
+
+
+@needs_sandbox
+def test_what_a_notebook_says_of_itself_counts_for_nothing(box):
+    """Cells for tests taken out, edited, marked as right, their points raised: what is asked and worth is known outside."""
+    book = json.loads((HOUSE / "exercises" / "01_geometry.ipynb").read_text(encoding="utf-8"))
+    for cell in book["cells"]:
+        cell["outputs"] = [{"output_type": "stream", "name": "stdout", "text": ["Right. 5 of 5 points"]}]
+        mark = cell["metadata"].get("nbgrader", {})
+        mark.update(points=1000, grade=True, locked=False, solution=False)
+        if str(mark.get("grade_id", "")).startswith("check_"):
+            cell["source"] = "check = lambda *_: True"
+    record = grade(json.dumps(book).encode(), assignment("01_geometry"), SECRET, box)
+    assert [question["score"] for question in record["questions"]] == [0.0] * len(record["questions"])
+    assert {question["max_score"] for question in record["questions"]} == {
+        asked.points for asked in assignment("01_geometry").questions
+    }
+
+
+@needs_sandbox
+@pytest.mark.skipif(os.geteuid() != 0 or shutil.which("setpriv") is None, reason="only root can become somebody else to try it")
+def test_an_ordinary_user_is_as_safe():
+    """The same tests once more as nobody, where user namespaces must do what root's rights do else."""
+    python = ["setpriv", "--reuid=65534", "--regid=65534", "--clear-groups", sys.executable]
+    trial = subprocess.run([*python, "-c", "import sys; print(sys.base_prefix)"], capture_output=True, text=True)
+    if trial.stdout.strip() != sys.base_prefix:
+        pytest.skip("another user may not run root's Python here")
+    command = [*python, "-m", "pytest", "-q", "-n0", "-p", "no:cacheprovider", "-p", "no:nbval"]
+    command += ["-o", "addopts=", "--basetemp", "/tmp/kinoedu_nobody", __file__]
+    command += ["-k", "rights or processes or memory or disk or signals or network or without_alarm or given or one_request"]
+    environment = os.environ | {"HOME": "/tmp", "KINOEDU_CACHE": "/tmp/kinoedu_nobody_cache"}
+    run = subprocess.run(command, cwd=HOUSE, env=environment, capture_output=True, text=True, timeout=500)
+    for folder in ("/tmp/kinoedu_nobody", "/tmp/kinoedu_nobody_cache"):
+        shutil.rmtree(folder, ignore_errors=True)
+    assert run.returncode == 0, run.stdout[-3000:] + run.stderr[-1000:]
+    assert "skipped" not in run.stdout.splitlines()[-1], run.stdout[-500:]

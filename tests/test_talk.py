@@ -1,0 +1,50 @@
+"""Talk: whatever is said at the other end, or not said, it ends in time."""
+
+import os
+import subprocess
+import sys
+import time
+
+import pytest
+
+from kinoedu.grading import talk
+
+
+def talked(program: str, patience: float = 1.0) -> tuple[list[bytes], str, float]:
+    """What is heard of a program that may do anything with its two files."""
+    (read_asking, write_asking), (read_answer, write_answer) = os.pipe(), os.pipe()
+    process = subprocess.Popen([sys.executable, "-Ic", program], stdin=read_asking, stdout=write_answer)
+    for end in (read_asking, write_answer):
+        os.close(end)
+    begin = time.monotonic()
+    one = talk.Talk(write_asking, read_answer, patience)
+    one.say(b"x" * 2**20 + b"\n")
+    heard = list(one.lines())
+    took = time.monotonic() - begin
+    process.kill()
+    process.wait()
+    for end in (write_asking, read_answer):
+        os.close(end)
+    return heard, one.end, took
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="there is no sandbox but on Linux")
+@pytest.mark.parametrize(
+    ("program", "end"),
+    [
+        ("import time; print('{}', flush=True); time.sleep(60)", "late"),
+        ("import time\nwhile True: print('{}', flush=True); time.sleep(0.05)", "late"),
+        ("import sys\nwhile True: sys.stdout.write('x' * 10**6)", "flood"),
+        ("print('{}\\n' * 10**6)", "flood"),
+        ("print('{}')", "died"),
+        ("import os; os.close(0); print('{}')", "died"),
+    ],
+    ids=["silent", "chatty", "one line", "many lines", "short", "deaf"],
+)
+def test_whoever_it_talks_with_it_ends(program, end, monkeypatch):
+    monkeypatch.setattr(talk, "START", 20.0)
+    monkeypatch.setattr(talk, "LONGEST", -18.0)  # two seconds after the start that is allowed
+    monkeypatch.setattr(talk, "MOST_OUTPUT", 2**20)
+    _, ended, took = talked(program)
+    assert ended == end
+    assert took < 20.0
