@@ -142,9 +142,9 @@ def run(requests: Iterator[dict[str, Any]], channel: Channel) -> None:
 
 def asked(question: dict[str, Any]) -> Asked:
     """What a question's calls need: shapes that stand in the request as Python writes them, and its way to call."""
-    from kinoedu.course import drawn, shapes, whole_shapes
-
-    known = {name: thing for module in (shapes, whole_shapes, drawn) for name, thing in vars(module).items()}
+    known: dict[str, Any] = {}
+    for name in ("shapes", "whole_shapes", "drawn", *(("tasks", "expansions") if "Task()" in question["given"] else ())):
+        known |= vars(importlib.import_module(f"kinoedu.course.{name}"))
     given, wanted = (eval(question[part], known) for part in ("given", "answer"))
     return Asked(given, wanted, question["seconds"], library.own_call(question["call"]))
 

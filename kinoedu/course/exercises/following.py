@@ -10,9 +10,10 @@ from ...planners import receding_horizon
 from ..exercise import Case, Slip, ValueExercise
 from ..outcomes import Answer, Outcome
 from ..shapes import Number, Record
+from ..tasks import Asked
 from .planned import PATH, Fault, Task
 from .planned_pictures import draw_answer
-from .tasks import Asked, box, in_room
+from .tasks import box, in_room
 
 
 def followed(problem: Any, path: Array, horizon: float) -> Array:

@@ -9,8 +9,8 @@ from ...problems import Problem
 from ...robots import Point, TwoLinkArm
 from ...robots.arm import ArmRobot
 from ...worlds import PolygonWorld
+from ..tasks import Asked
 from .chance import star_polygon
-from .tasks import Asked
 from .worlds_by_chance import has_room, round_polygon
 
 FULL = 2.0 * np.pi

@@ -11,9 +11,10 @@ from ...words import say
 from ..exercise import RIGHT, Case, Exercise, Verdict
 from ..outcomes import Answer, Outcome
 from ..shapes import Numbers, Record, Together
+from ..tasks import Asked
 from .planned import why_not_a_path
 from .planned_pictures import draw_answer
-from .tasks import SQUARE, Asked, in_room
+from .tasks import SQUARE, in_room
 
 POINT = Numbers((2,))
 

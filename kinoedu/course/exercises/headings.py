@@ -15,7 +15,8 @@ from ...worlds import PolygonWorld, scattered
 from ..exercise import RIGHT, Case, Exercise, Verdict
 from ..outcomes import Answer, Outcome
 from ..shapes import Maybe, Number, Record
-from .tasks import SQUARE, Asked, Task
+from ..tasks import Asked, Task
+from .tasks import SQUARE
 from .turning_pictures import draw_heading
 
 LEAST = 0.2  # radians: where there is a free heading, there are so many side by side

@@ -14,10 +14,11 @@ from ...worlds import PolygonWorld, scattered
 from ..exercise import Case, Slip, ValueExercise, Verdict
 from ..outcomes import Answer, Outcome
 from ..shapes import Numbers, Record
+from ..tasks import Asked, Task
 from ..whole_shapes import Whole, WholeNumbers
 from .graph_paths import BfsPath, DfsPath, PathExercise
 from .random_graphs import Neighbours, symmetric
-from .tasks import SQUARE, Asked, Task, box
+from .tasks import SQUARE, box
 from .turning_pictures import draw_matrix
 
 Matrix = NDArray[np.int64]

@@ -21,7 +21,8 @@ from ...problems import Tree
 from ..exercise import RIGHT, Case, Exercise, Verdict, spoken
 from ..outcomes import Answer, Outcome
 from ..shapes import Numbers, Shape, Together, Truth
-from .tasks import TRAPS, Asked, Task, problem_of, scene_of
+from ..tasks import Asked, Task, problem_of, scene_of
+from .tasks import TRAPS
 
 __all__ = [
     "NODES",

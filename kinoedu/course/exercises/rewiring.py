@@ -12,10 +12,11 @@ from ...problems import Tree
 from ..exercise import Case, Slip, ValueExercise
 from ..outcomes import Answer, Outcome
 from ..shapes import Number, Numbers, Record, Together
+from ..tasks import Asked
 from ..whole_shapes import WholeNumbers
 from .planned import NODES, Fault, Task
 from .planned_pictures import draw_answer
-from .tasks import Asked, box, in_room
+from .tasks import box, in_room
 from .trees import own_rrt
 
 LISTS = WholeNumbers(("n",)), Numbers(("n",))

@@ -1,8 +1,7 @@
 """The exercise on the incremental tree roadmap. Bullo & Smith, section 4.5."""
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,10 +9,9 @@ from numpy.typing import NDArray
 from ... import planners
 from ...geometry.checks import Array
 from ...problems import Tree
-from ...words import say
 from ..exercise import Case, Slip, ValueExercise
+from ..expansions import EXPANSIONS, Rule
 from ..outcomes import Answer, Outcome
-from ..plain import WrongShape, wrong
 from ..shapes import Record, Together
 from ..whole_shapes import Whole, WholeNumbers
 from .planned import NODES, TRAPS, Fault, Task, why_not_a_tree
@@ -21,63 +19,6 @@ from .planned_pictures import draw_answer
 from .tasks import box, in_room
 
 PILLARS = in_room((1, 1), (9, 9), box(3, 3, 5, 5), box(6, 1, 7, 6), box(2, 7, 8, 8))
-
-
-def wander(problem: Any, nodes: Array, rng: np.random.Generator) -> tuple[int, Array]:
-    """Any node, and a place not far from it."""
-    node = int(rng.integers(len(nodes)))
-    return node, nodes[node] + rng.uniform(-1.5, 1.5, len(nodes[node]))
-
-
-def leap(problem: Any, nodes: Array, rng: np.random.Generator) -> tuple[int, Array]:
-    """Any node, and any place."""
-    return int(rng.integers(len(nodes))), problem.sample(rng)
-
-
-def reach_out(problem: Any, nodes: Array, rng: np.random.Generator) -> tuple[int, Array]:
-    """The node nearest to a sample, and a step from it towards the sample: what makes an RRT."""
-    q_rand = problem.sample(rng)
-    node = int(np.argmin([problem.distance(q, q_rand) for q in nodes]))
-    return node, problem.steer(nodes[node], q_rand, 1.0)
-
-
-@dataclass(frozen=True)
-class Expansion:
-    """A rule for the next edge: called with the problem, the nodes so far (n, d) and a generator, it gives the number of the node
-    to expand, and a configuration near it."""
-
-    name: str
-
-    def __call__(self, problem: Any, nodes: Any, rng: np.random.Generator) -> tuple[int, Array]:
-        return RULES[self.name](problem, np.array(nodes, float).reshape(len(nodes), -1), rng)
-
-    def __repr__(self) -> str:
-        return f'EXPANSIONS["{self.name}"]'
-
-
-RULES: dict[str, Callable[..., tuple[int, Array]]] = {rule.__name__: rule for rule in (wander, leap, reach_out)}
-EXPANSIONS = {name: Expansion(name) for name in RULES}
-
-
-class Rule(NamedTuple):
-    """The shape of an expansion: it travels by its name."""
-
-    @property
-    def words(self) -> str:
-        """In words."""
-        return say("planner.expansion")
-
-    def encode(self, value: Any) -> str:
-        """The name."""
-        if not isinstance(value, Expansion):
-            raise wrong(self.words, value)
-        return value.name
-
-    def decode(self, data: Any) -> Expansion:
-        """The expansion."""
-        if data not in EXPANSIONS:
-            raise WrongShape(self.words)
-        return EXPANSIONS[data]
 
 
 def grown(problem: Any, expand: Any, iterations: int, rng: int, *, accepts: Callable[..., bool]) -> tuple[Array, NDArray[np.int64]]:
