@@ -340,6 +340,42 @@ def many_nodes_at_once(problem, step, goal_bias, iterations, rng):
 
 
 @wrong("rrt")
+def ignores_the_bias(problem, step, goal_bias, iterations, rng):
+    """Every sample is drawn."""
+    return rrt_by(problem, step, 0.0, iterations, rng)
+
+
+@wrong("rrt")
+def asks_for_the_whole_way(problem, step, goal_bias, iterations, rng):
+    """Adds the step if the motion to the sample is free, far beyond the step."""
+    rng = np.random.default_rng(rng)
+    nodes, parent = [problem.start], [-1]
+    for _ in range(iterations):
+        if problem.distance(nodes[-1], problem.goal) <= step and problem.is_free_path(nodes[-1], problem.goal):
+            nodes.append(problem.goal)
+            parent.append(len(nodes) - 2)
+            return nodes, parent, way_up(nodes, parent, len(nodes) - 1)[::-1]
+        q_rand = problem.goal if rng.random() < goal_bias else problem.sample(rng)
+        near = nearest(problem, nodes, q_rand)
+        if problem.is_free_path(nodes[near], q_rand):
+            nodes.append(problem.steer(nodes[near], q_rand, step))
+            parent.append(near)
+    return nodes, parent, None
+
+
+@wrong("rrt")
+def waits_for_the_goal_as_a_sample(problem, step, goal_bias, iterations, rng):
+    """Reaches the goal only when the goal is drawn, and steps on it."""
+    return rrt_by(problem, step, goal_bias, iterations, rng, accepts_goal=lambda p, a, b: p.distance(a, b) == 0.0)
+
+
+@wrong("rrt")
+def half_a_step(problem, step, goal_bias, iterations, rng):
+    """Steps of half the length."""
+    return rrt_by(problem, step, goal_bias, iterations, rng, steer=lambda problem, a, b, step: problem.steer(a, b, step / 2))
+
+
+@wrong("rrt")
 def gives_up_soon(problem, step, goal_bias, iterations, rng):
     """Ten iterations."""
     return rrt_by(problem, step, goal_bias, 10, rng)
@@ -457,6 +493,13 @@ def steps_twice_as_long(problem, step, iterations, rng):
     return two_trees(problem, 2 * step, iterations, rng)
 
 
+@wrong("rrt_connect")
+def one_tree_alone(problem, step, iterations, rng):
+    """RRT, and the goal for the other tree."""
+    nodes, parent, path = rrt_by(problem, step, 0.0, iterations, rng)
+    return nodes, parent, [problem.goal], [-1], path
+
+
 # One insertion of RRT*
 
 
@@ -558,6 +601,22 @@ def new_from_one(*given):
 def everybody_is_a_neighbour(problem, nodes, parent, cost, q_new, radius):
     """Forgets the radius."""
     return put_in(problem, nodes, parent, cost, q_new, 1e9)
+
+
+@wrong("insert")
+def nearer_than_the_radius(problem, nodes, parent, cost, q_new, radius):
+    """A node exactly as far away as the radius is none of its neighbours."""
+    return put_in(problem, nodes, parent, cost, q_new, np.nextafter(radius, 0.0))
+
+
+@wrong("insert")
+def costs_in_order_of_numbers(problem, nodes, parent, cost, q_new, radius):
+    """Adds up all costs once more, as if every parent came before its child."""
+    parents, costs = put_in(problem, nodes, parent, cost, q_new, radius, depth=0)
+    for i in range(len(nodes)):
+        if 0 <= parents[i] < len(nodes):
+            costs[i] = costs[parents[i]] + problem.distance(nodes[parents[i]], nodes[i])
+    return parents, costs
 
 
 @wrong("insert")

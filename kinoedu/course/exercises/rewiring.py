@@ -86,8 +86,12 @@ class Insert(ValueExercise):
         """On paper; then by chance, each of the kind that it is."""
         yield by_hand("parent", OPEN, [(1, 1), (4, 1), (4, 4)], [-1, 0, 1], (3, 3), 3.0)
         yield by_hand("parent", OPEN, [(1, 1), (1, 5), (5, 5)], [-1, 0, 0], (7, 8), 7.0)
+        yield by_hand("parent", OPEN, [(1, 1), (1, 5), (6, 5)], [-1, 0, 0], (4, 5), 5.0)  # the root is as far away as the radius
         yield by_hand("rewire", OPEN, [(1, 1), (1, 5), (5, 5)], [-1, 0, 1], (3, 3), 3.0)
+        yield by_hand("rewire", OPEN, [(1, 1), (1, 4), (4, 6.5), (6.5, 4)], [-1, 0, 1, 2], (4, 4), 4.5)
         yield by_hand("below", OPEN, [(1, 1), (1, 5), (5, 5), (9, 5)], [-1, 0, 1, 2], (3, 3), 3.0)
+        yield by_hand("below", OPEN, [(1, 1), (9, 9), (9, 5), (5, 5), (1, 5)], [-1, 2, 3, 4, 0], (3, 3), 3.0)
+        yield by_hand("below", OPEN, [(1, 1), (1, 5), (5, 5), (9, 5), (9, 9)], [-1, 0, 1, 2, 3], (3, 3), 3.0)
         yield by_hand("blocked", WALL, [(1, 1), (2, 2), (5, 2), (6, 5)], [-1, 0, 0, 2], (3.5, 4), 3.0)
         left = dict.fromkeys(self.kinds, 12)
         while any(left.values()):
@@ -130,8 +134,9 @@ def by_hand(kind: str, problem: Asked, nodes: Any, parent: Any, q_new: Any, radi
     """A case with the costs that belong to its tree."""
     places, above = np.array(nodes, float), np.array(parent)
     cost = np.zeros(len(places))
-    for i in range(1, len(places)):
-        cost[i] = cost[above[i]] + problem.distance(places[above[i]], places[i])
+    for i in range(len(places)):
+        way = upwards(i, parent)
+        cost[i] = sum(problem.distance(places[a], places[b]) for a, b in zip(way, way[1:]))
     tree = {"problem": problem, "nodes": places, "parent": above, "cost": cost}
     return Case(kind, {**tree, "q_new": np.array(q_new, float), "radius": radius})
 
@@ -147,13 +152,17 @@ def by_chance(rng: np.random.Generator, problem: Asked, n: int) -> Case | None:
 
 
 def grown_case(rng: np.random.Generator, problem: Asked) -> Case:
-    """A tree that an RRT grew, and a new node within a step of it."""
-    while True:
-        nodes, parent, _ = own_rrt(problem, 1.0, 0.0, int(rng.integers(20, 80)), int(rng.integers(10**6)))
-        q_new = nodes[int(rng.integers(len(nodes)))] + np.round(rng.uniform(-0.6, 0.6, 2), 2)
-        case = by_hand("grown", problem, nodes, parent, q_new, 1.5)
-        if is_fair(case.given):
-            return case
+    """A tree that an RRT grew, in which two nodes were put in already, and a new node within a step of it."""
+    nodes, parent, _ = own_rrt(problem, 1.0, 0.0, int(rng.integers(20, 80)), int(rng.integers(10**6)))
+    for left in (2, 1, 0):
+        while True:
+            q_new = nodes[int(rng.integers(len(nodes)))] + np.round(rng.uniform(-0.6, 0.6, 2), 2)
+            case = by_hand("grown", problem, nodes, parent, q_new, 1.5)
+            if is_fair(case.given):
+                break
+        if left:
+            nodes, parent = [*nodes, q_new], inserted(*case.given.values())[0]
+    return case
 
 
 def is_fair(given: dict[str, Any]) -> bool:

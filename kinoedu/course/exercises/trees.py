@@ -24,6 +24,7 @@ from .planned import (
     empty_boxes,
     not_along_tree,
     not_to_nearest,
+    same,
     three_times,
     why_not_a_path,
     why_not_a_tree,
@@ -105,17 +106,34 @@ class Rrt(TreeExercise):
         given = {"problem": problem, "step": STEP, "goal_bias": BIAS, "iterations": ENOUGH[kind], "rng": int(rng.integers(1000))}
         return Case(kind, given)
 
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """Some chance is left to the goal in most; then all of it, with a way to the goal and without."""
+        yield from super().cases(rng)
+        for kind in ("room", "sealed"):
+            case = self.asked(kind, TRAPS[kind], rng)
+            yield case._replace(given={**case.given, "goal_bias": 1.0, "iterations": 20})
+
+    def uses_chance(self, case: Case) -> bool:
+        """Not where every sample is the goal."""
+        return case.given["goal_bias"] < 1.0 and super().uses_chance(case)
+
+    def wanted(self, case: Case) -> str:
+        """What is asked for."""
+        return super().wanted(case) if case.given["goal_bias"] < 1.0 else self.words("wanted.straight")
+
     def fault(self, case: Case, answer: Any) -> Fault | None:
         """The path; the tree and its rule; whether the one belongs to the other; what the samples leave out."""
         nodes, parent, path = answer
+        if case.given["goal_bias"] == 1.0 and not has_same_nodes(case, nodes):
+            return Fault("bias", nodes[:0])
         problem, step = case.given["problem"], case.given["step"]
         fault = None if path is None else self.fault_of_end(case, path)
         fault = fault or why_not_a_tree(problem, nodes, parent, step) or not_to_nearest(problem, nodes, parent)
         if fault is None and len(nodes) > case.given["iterations"] + 2:
             fault = Fault("iterations", nodes[:0])
         if fault is None and path is not None:
-            fault = not_along_tree(path, nodes, parent)
-        if fault is None and case.kind == "sealed" and empty_boxes(nodes, problem.world.lo, problem.world.hi, 4) > LEFT_OUT:
+            fault = not_along_tree(path, nodes, parent) or not_returned(problem, nodes, step)
+        if fault is None and leaves_out(case) and empty_boxes(nodes, problem.world.lo, problem.world.hi, 4) > LEFT_OUT:
             fault = Fault("corner", nodes[:0])
         return fault or self.fault_of_end(case, path)
 
@@ -123,6 +141,25 @@ class Rrt(TreeExercise):
         """The tree and the path."""
         nodes, parent, path = answer
         return [Tree(nodes, parent)], path
+
+
+def has_same_nodes(case: Case, nodes: Array) -> bool:
+    """Whether they are the nodes of the course's own RRT: where every sample is the goal, nothing is left to chance."""
+    own = own_rrt(*case.given.values())[0]
+    return nodes.shape == (len(own), len(own[0])) and all(same(case.given["problem"], a, b) for a, b in zip(nodes, own))
+
+
+def not_returned(problem: Any, nodes: Array, step: float) -> Fault | None:
+    """A node, the last two excepted, from which the goal could have been reached by one free motion."""
+    for q in nodes[:-2]:
+        if problem.distance(q, problem.goal) < step * (1.0 - 1e-9) and problem.problem.is_free_path(q, problem.goal):
+            return Fault("returned", np.array([q, problem.goal]))
+    return None
+
+
+def leaves_out(case: Case) -> bool:
+    """Whether it is a case in which samples must have led everywhere."""
+    return case.kind == "sealed" and case.given.get("goal_bias", 0.0) < 1.0
 
 
 LEFT_OUT = 2  # of 16 boxes: one lies behind the walls of the trap, and one more may be missed
@@ -181,13 +218,21 @@ class RrtConnect(TreeExercise):
             fault = fault or why_not_a_tree(problem, nodes, parent, step, root) or not_to_nearest(problem, nodes, parent)
         if fault is None and path is not None:
             fault = not_along_trees(path, *both)
-        if fault is None and case.kind == "room" and min(len(both[0]), len(both[2])) > 2:
+        if fault is None and case.kind == "room" and not ran_straight(problem, both[0], both[2], step):
             fault = Fault("greedy", both[0][:0])
         return fault or self.fault_of_end(case, path)
 
     def drawn(self, answer: Any) -> tuple[list[Tree], Array | None]:
         """Both trees and the path."""
         return [Tree(*answer[:2]), Tree(*answer[2:4])], answer[4]
+
+
+def ran_straight(problem: Any, nodes: Array, goal_nodes: Array, step: float) -> bool:
+    """Whether one tree took a step, and the other ran to its end in as few steps as there can be."""
+    for tree in (nodes, goal_nodes):
+        if len(tree) > 1 + np.ceil(problem.distance(tree[0], tree[-1]) / step + 1e-6):
+            return False
+    return min(len(nodes), len(goal_nodes)) <= 2
 
 
 def not_along_trees(path: Array, nodes: Array, parent: Any, goal_nodes: Array, goal_parent: Any) -> Fault | None:
