@@ -129,6 +129,8 @@ ALSO_RIGHT = {
     "rrt": [lambda *given: tuple(None if part is None else np.array(part).tolist() for part in EXERCISES["rrt"].source(*given))],
     "insert": [lambda *given: [np.array(numbers) for numbers in EXERCISES["insert"].source(*given)]],
     "follow": [lambda *given: [tuple(q) for q in EXERCISES["follow"].source(*given)]],
+    "move": [lambda *given: [*EXERCISES["move"].source(*given)[:2], np.float64(EXERCISES["move"].source(*given)[2] - 4 * np.pi)]],
+    "exposing_drive": [lambda: [-0.1, np.float64(700)], lambda: (np.array(0.08), 1000)],
     "exposing_room": [lambda: [(1, 1), np.array([9.5, 9.5]), np.array([(8, 10.5), (10.5, 8), (10.5, 8.2)])]],
     "overlooked_gap": [lambda: (np.array([(0, 0), (-1, -4), (-1, 4)]), [(1, -9), (9, 0), (1, 9)])],
     "compare_planners": [lambda *given: EXERCISES["compare_planners"].right_answer(*given).tolist()],

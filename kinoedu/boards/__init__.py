@@ -4,6 +4,7 @@ from .arm import ArmBoard, arm_board
 from .board import Board, board
 from .bugs import BugBoard, bug_board
 from .canvas import Canvas
+from .curves import curves_board
 from .drawing import Drawing, Layer
 from .exploring import ExploringBoard, exploring_board
 from .geometry import distance_board
@@ -38,6 +39,7 @@ __all__ = [
     "arm_board",
     "board",
     "bug_board",
+    "curves_board",
     "distance_board",
     "exploring_board",
     "properties_board",

@@ -33,6 +33,18 @@ def dubins_path(q0: ArrayLike, q1: ArrayLike, radius: float) -> Curve:
     return Curve(start, rho, turns, rho * lengths)
 
 
+def every_word(q0: ArrayLike, q1: ArrayLike, radius: float) -> list[Curve]:
+    """One curve for each of the six words that leads from q0 to q1; between near poses some have none. As in `dubins_path`.
+
+    >>> [curve.word for curve in every_word((0, 0, 0), (10, 0, 0), 1.0)]
+    ['LSL', 'RSR', 'LSR', 'RSL']
+    """
+    start, end, rho = as_pose(q0, "q0"), as_pose(q1, "q1"), as_radius(radius)
+    x, y, phi = seen_from(start, end, rho)
+    found = [(mirror * turns, forward(word, x, mirror * y, mirror * phi)) for word, turns in enumerate(WORDS) for mirror in (1, -1)]
+    return [Curve(start, rho, turns, rho * np.array(lengths)) for turns, (exists, *lengths) in found if exists]
+
+
 @compiled
 def shortest_forward(x: float, y: float, phi: float) -> tuple[NDArray[np.int64], Array]:
     """The turns and lengths of the shortest word from (0, 0, 0) to (x, y, phi), radius 1: three pieces."""

@@ -13,6 +13,7 @@ from .connection_rules import ComponentNeighbours, KClosestNeighbours, RadiusNei
 from .convex import ConvexPolygonsIntersect, PointInConvexPolygon
 from .decomposition import Neighbours, TrapezoidsOfWorld
 from .displacements import Displacement, Rotation
+from .driving import Move, Replay
 from .environment_plot import PlotEnvironment
 from .following import Follow
 from .four_chords import ExposeFourChords
@@ -26,6 +27,7 @@ from .hasty_goal import ExposeHastyGoal
 from .headings import FreeHeading
 from .hidden_corridor import ExposeGrids
 from .holes import DispersionBounds
+from .integrating import Euler, OrderOfError
 from .kinematics import ForwardKinematics, InverseKinematics
 from .law_of_sines import ExposeReach
 from .lines import LineThroughPoints, PointLineDistance
@@ -46,7 +48,9 @@ from .segment_pairs import SegmentIntersection
 from .segments import PointSegmentDistance
 from .sequences import Halton, RadicalInverse
 from .shorter_walls import ExposeShorterWalls
+from .small_angles import ExposeSmallAngles
 from .sweeping import Crossings, FreeIntervals
+from .tangent_curves import CscLength
 from .terrain_costs import CostAlong
 from .terrain_planners import PrmOnTerrain, RrtOnTerrain
 from .tree_roadmaps import TreeRoadmap
@@ -128,6 +132,12 @@ EXERCISES: dict[str, Exercise] = {
         SampledRoadmap,
         ShortestPath,
         ExposeSight,
+        Move,
+        Replay,
+        Euler,
+        OrderOfError,
+        CscLength,
+        ExposeSmallAngles,
     )
 }
 

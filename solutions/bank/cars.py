@@ -1,0 +1,486 @@
+"""Wrong answers to the exercises of lesson 12. Each is one that students give; the slip is what a check must recognise in it."""
+
+import math
+from math import cos, hypot, pi, sin, tan
+
+import numpy as np
+
+from kinoedu.course.bank import wrong
+from kinoedu.curves.arcs import driven
+
+# One control
+
+
+def by_radius(pose, v, phi, t, bend):
+    """The closed form, for a curvature."""
+    x, y, theta = pose
+    if bend == 0:
+        return x + v * t * cos(theta), y + v * t * sin(theta), theta
+    turn = v * t * bend
+    return x + (sin(theta + turn) - sin(theta)) / bend, y - (cos(theta + turn) - cos(theta)) / bend, theta + turn
+
+
+@wrong("move", slip="small_angle")
+def phi_for_tan(pose, v, phi, t, L):
+    """The seed's own mistake."""
+    return driven(*pose, v * t, phi / L)
+
+
+@wrong("move")
+def huge_radius(pose, v, phi, t, L):
+    """Right, but for the difference of two huge numbers."""
+    return by_radius(pose, v, phi, t, tan(phi) / L)
+
+
+@wrong("move")
+def divides_by_zero(pose, v, phi, t, L):
+    """No case for straight on."""
+    radius = L / tan(phi)
+    x, y, theta = pose
+    turn = v * t / radius
+    return x + radius * (sin(theta + turn) - sin(theta)), y + radius * (cos(theta) - cos(theta + turn)), theta + turn
+
+
+@wrong("move", slip="no_wheelbase")
+def without_wheelbase(pose, v, phi, t, L):
+    """L forgotten."""
+    return driven(*pose, v * t, tan(phi))
+
+
+@wrong("move", slip="sine")
+def sine_for_tangent(pose, v, phi, t, L):
+    """The wrong side of the triangle."""
+    return driven(*pose, v * t, sin(phi) / L)
+
+
+@wrong("move", slip="degrees")
+def in_degrees(pose, v, phi, t, L):
+    """math.radians once too often."""
+    return driven(*pose, v * t, tan(math.radians(phi)) / L)
+
+
+@wrong("move", slip="clockwise")
+def turns_right(pose, v, phi, t, L):
+    """The sign."""
+    return driven(*pose, v * t, -tan(phi) / L)
+
+
+@wrong("move", slip="one_step")
+def one_euler_step(pose, v, phi, t, L):
+    """Euler with one step."""
+    x, y, theta = pose
+    return x + v * t * cos(theta), y + v * t * sin(theta), theta + v * t * tan(phi) / L
+
+
+@wrong("move", slip="new_heading")
+def turns_then_goes(pose, v, phi, t, L):
+    """theta is changed first."""
+    x, y, theta = pose
+    theta += v * t * tan(phi) / L
+    return x + v * t * cos(theta), y + v * t * sin(theta), theta
+
+
+@wrong("move", slip="arc_for_chord")
+def as_long_as_the_arc(pose, v, phi, t, L):
+    """By the mean heading."""
+    x, y, theta = pose
+    turn = v * t * tan(phi) / L
+    return x + v * t * cos(theta + turn / 2), y + v * t * sin(theta + turn / 2), theta + turn
+
+
+@wrong("move", slip="no_turn")
+def old_heading(pose, v, phi, t, L):
+    """The heading is forgotten."""
+    return *driven(*pose, v * t, tan(phi) / L)[:2], pose[2]
+
+
+@wrong("move", slip="other_side")
+def cosines_the_wrong_way(pose, v, phi, t, L):
+    """The integral of the sine without its minus."""
+    x, y, theta = driven(*pose, v * t, tan(phi) / L)
+    return (x, pose[1] - (y - pose[1]), theta) if phi else (x, y, theta)
+
+
+@wrong("move", slip="forward")
+def never_back(pose, v, phi, t, L):
+    """The speed as a size."""
+    return driven(*pose, abs(v) * t, tan(phi) / L)
+
+
+@wrong("move")
+def stays_on_the_first_circle(pose, v, phi, t, L):
+    """At most one turn."""
+    distance = math.fmod(v * t, pi * L / tan(phi)) if phi else v * t
+    return driven(*pose, distance, tan(phi) / L)
+
+
+# Many controls
+
+
+def move(pose, v, phi, t, L):
+    return driven(*pose, v * t, tan(phi) / L)
+
+
+def replay_by(start, controls, durations, L, step=move):
+    poses = [start]
+    for (v, phi), t in zip(controls, durations):
+        poses.append(step(poses[-1], v, phi, t, L))
+    return poses
+
+
+@wrong("replay", slip="no_start")
+def only_what_comes(start, controls, durations, L):
+    """Without the start."""
+    return np.reshape(replay_by(start, controls, durations, L)[1:], (-1, 3))
+
+
+@wrong("replay", slip="no_end")
+def one_too_few(start, controls, durations, L):
+    """Poses before controls, not after."""
+    return np.reshape(replay_by(start, controls, durations, L)[:-1], (-1, 3))
+
+
+@wrong("replay", slip="all_from_start")
+def always_from_the_start(start, controls, durations, L):
+    """A star."""
+    return [start, *(move(start, v, phi, t, L) for (v, phi), t in zip(controls, durations))]
+
+
+@wrong("replay", slip="clock")
+def times_of_a_clock(start, controls, durations, L):
+    """Differences of durations."""
+    return replay_by(start, controls, np.diff(durations, prepend=0.0), L)
+
+
+@wrong("replay", slip="since_start")
+def sums_of_durations(start, controls, durations, L):
+    """Cumulated."""
+    return replay_by(start, controls, np.cumsum(durations), L)
+
+
+@wrong("replay", slip="swapped")
+def angle_first(start, controls, durations, L):
+    """phi, v."""
+    return replay_by(start, [(v, phi) for phi, v in controls], durations, L)
+
+
+@wrong("replay", slip="small_angle")
+def replays_phi(start, controls, durations, L):
+    """phi for tan(phi)."""
+    return replay_by(start, controls, durations, L, phi_for_tan.function)
+
+
+@wrong("replay", slip="heading_kept")
+def replays_without_turning(start, controls, durations, L):
+    """The heading is forgotten."""
+    return replay_by(start, controls, durations, L, old_heading.function)
+
+
+@wrong("replay", slip="forward")
+def replays_forward(start, controls, durations, L):
+    """The speed as a size, the turn as well."""
+    return replay_by(start, [(abs(v), phi * np.sign(v)) for v, phi in controls], durations, L)
+
+
+@wrong("replay")
+def straight_between(start, controls, durations, L):
+    """Euler with one step a control."""
+    return replay_by(start, controls, durations, L, one_euler_step.function)
+
+
+# Euler
+
+
+def stepped(pose, v, phi, t, L, n, *, heading=lambda theta, turn: theta, bend=tan, h=None):
+    x, y, theta = pose
+    poses, h = [(x, y, theta)], t / n if h is None else h
+    for _ in range(n):
+        turn = h * v * bend(phi) / L
+        x, y, theta = x + h * v * cos(heading(theta, turn)), y + h * v * sin(heading(theta, turn)), theta + turn
+        poses.append((x, y, theta))
+    return poses
+
+
+@wrong("euler", slip="new_heading")
+def theta_first(*given):
+    """The order of the lines."""
+    return stepped(*given, heading=lambda theta, turn: theta + turn)
+
+
+@wrong("euler", slip="midpoint")
+def half_way(*given):
+    """A better rule."""
+    return stepped(*given, heading=lambda theta, turn: theta + turn / 2)
+
+
+@wrong("euler", slip="small_angle")
+def euler_by_phi(*given):
+    """phi for tan(phi)."""
+    return stepped(*given, bend=lambda phi: phi)
+
+
+@wrong("euler", slip="first_heading")
+def rates_once(pose, v, phi, t, L, n):
+    """The rates are computed before the loop."""
+    return stepped(pose, v, phi, t, L, n, heading=lambda theta, turn: pose[2])
+
+
+@wrong("euler", slip="exact")
+def exact_poses(pose, v, phi, t, L, n):
+    """The closed form at even times."""
+    return [move(pose, v, phi, k * t / n, L) for k in range(n + 1)]
+
+
+@wrong("euler", slip="no_start")
+def after_each_step(*given):
+    """Without the start."""
+    return stepped(*given)[1:]
+
+
+@wrong("euler", slip="one_short")
+def range_of_n(*given):
+    """n rows."""
+    return stepped(*given)[:-1]
+
+
+@wrong("euler", slip="whole_time")
+def long_steps(pose, v, phi, t, L, n):
+    """t is not divided."""
+    return stepped(pose, v, phi, t, L, n, h=t)
+
+
+@wrong("euler", slip="last_only")
+def the_end_alone(*given):
+    """One row."""
+    return stepped(*given)[-1:]
+
+
+@wrong("euler")
+def posts_for_gaps(pose, v, phi, t, L, n):
+    """Divides by n - 1."""
+    return stepped(pose, v, phi, t, L, n, h=t / max(n - 1, 1))
+
+
+@wrong("euler")
+def fixed_heading_rate(pose, v, phi, t, L, n):
+    """The heading turns backwards when the car backs."""
+    return stepped(pose, v, phi, t, L, n, bend=lambda angle: tan(angle) * np.sign(v))
+
+
+# The order of an error
+
+
+@wrong("order_of_error", slip="halves")
+def always_halves(h, errors):
+    """log2."""
+    return np.log2(errors[:-1] / errors[1:])
+
+
+@wrong("order_of_error", slip="ratio")
+def times_smaller(h, errors):
+    """No logarithm."""
+    return errors[:-1] / errors[1:]
+
+
+@wrong("order_of_error", slip="ratios")
+def quotient_of_ratios(h, errors):
+    """No logarithms."""
+    return (errors[:-1] / errors[1:]) / (h[:-1] / h[1:])
+
+
+@wrong("order_of_error", slip="upside_down")
+def steps_over_errors(h, errors):
+    """The other way up."""
+    return np.diff(np.log(h)) / np.diff(np.log(errors))
+
+
+@wrong("order_of_error", slip="sign")
+def later_over_earlier(h, errors):
+    """One ratio the other way round."""
+    return np.log(errors[1:] / errors[:-1]) / np.log(h[:-1] / h[1:])
+
+
+@wrong("order_of_error", slip="one_point")
+def log_over_log(h, errors):
+    """As if c were 1."""
+    return (np.log(errors) / np.log(h))[1:]
+
+
+@wrong("order_of_error", slip="from_first")
+def against_the_first(h, errors):
+    """One end fixed."""
+    return np.log(errors[1:] / errors[0]) / np.log(h[1:] / h[0])
+
+
+@wrong("order_of_error", slip="no_log")
+def plain_slope(h, errors):
+    """On ordinary scales."""
+    return np.diff(errors) / np.diff(h)
+
+
+@wrong("order_of_error", slip="never_negative")
+def at_least_nothing(h, errors):
+    """An order cannot be negative."""
+    return np.maximum(np.diff(np.log(errors)) / np.diff(np.log(h)), 0)
+
+
+@wrong("order_of_error", slip="rounded")
+def whole_orders(h, errors):
+    """Rounded."""
+    return np.round(np.diff(np.log(errors)) / np.diff(np.log(h)))
+
+
+@wrong("order_of_error")
+def one_number(h, errors):
+    """The slope of the line of least squares."""
+    return np.polyfit(np.log(h), np.log(errors), 1)[0]
+
+
+# An arc, a line, an arc
+
+
+def wrap(angle):
+    return angle % (2 * pi)
+
+
+def word_lengths(a, b, r, turn=wrap, words=("LSL", "RSR", "LSR", "RSL"), root=True, floor=None):
+    lengths = []
+    for word in words:
+        s0, s1 = (1 if word[0] == "L" else -1), (1 if word[2] == "L" else -1)
+        dx = b[0] - s1 * r * sin(b[2]) - a[0] + s0 * r * sin(a[2])
+        dy = b[1] + s1 * r * cos(b[2]) - a[1] - s0 * r * cos(a[2])
+        d, heading = hypot(dx, dy), math.atan2(dy, dx)
+        straight = d
+        if s0 != s1:
+            if d < 2 * r and floor is None:
+                continue
+            tangent = math.sqrt(max(d * d - 4 * r * r, 0.0))
+            heading, straight = heading + s0 * math.atan2(2 * r, tangent), tangent if root else d
+        lengths.append(r * turn(s0 * (heading - a[2])) + straight + r * turn(s1 * (b[2] - heading)))
+    return lengths
+
+
+@wrong("csc_length", slip="lsl_only")
+def only_lsl(a, b, r):
+    """One word."""
+    return min(word_lengths(a, b, r, words=("LSL",)))
+
+
+@wrong("csc_length", slip="outer_only")
+def outer_tangents(a, b, r):
+    """Two words."""
+    return min(word_lengths(a, b, r, words=("LSL", "RSR")))
+
+
+@wrong("csc_length", slip="sign")
+def size_of_the_angle(a, b, r):
+    """abs for % (2 pi)."""
+    return min(word_lengths(a, b, r, turn=abs))
+
+
+@wrong("csc_length", slip="short_way")
+def turns_the_short_way(a, b, r):
+    """The circle distance."""
+    return min(word_lengths(a, b, r, turn=lambda angle: abs(wrap(angle + pi) - pi)))
+
+
+@wrong("csc_length", slip="radians")
+def angles_for_arcs(a, b, r):
+    """r is forgotten."""
+    return min(word_lengths(a, b, r, turn=lambda angle: wrap(angle) / r))
+
+
+@wrong("csc_length", slip="no_root")
+def as_far_as_the_centres(a, b, r):
+    """The inner tangent as long as the centres are apart."""
+    return min(word_lengths(a, b, r, root=False))
+
+
+@wrong("csc_length", slip="crossing")
+def roots_cut_off(a, b, r):
+    """max(..., 0) under the root."""
+    return min(word_lengths(a, b, r, floor=0.0))
+
+
+@wrong("csc_length", slip="beeline")
+def as_the_crow_flies(a, b, r):
+    """The headings are forgotten."""
+    return hypot(b[0] - a[0], b[1] - a[1])
+
+
+@wrong("csc_length", slip="longest")
+def the_longest(a, b, r):
+    """max for min."""
+    return max(word_lengths(a, b, r))
+
+
+@wrong("csc_length", slip="inner_only")
+def inner_tangents(a, b, r):
+    """Two words."""
+    return min(word_lengths(a, b, r, words=("LSR", "RSL")), default=math.inf)
+
+
+@wrong("csc_length")
+def root_of_less_than_nothing(a, b, r):
+    """sqrt complains."""
+    if any(math.sqrt(d) < 0 for d in inner_squares(a, b, r)):
+        return 0.0
+    return min(word_lengths(a, b, r))
+
+
+def inner_squares(a, b, r):
+    for s in (1, -1):
+        dx = b[0] + s * r * sin(b[2]) - a[0] + s * r * sin(a[2])
+        dy = b[1] - s * r * cos(b[2]) - a[1] - s * r * cos(a[2])
+        yield dx * dx + dy * dy - 4 * r * r
+
+
+@wrong("csc_length")
+def signed_turns(a, b, r):
+    """Negative arcs shorten the way."""
+    return min(word_lengths(a, b, r, turn=lambda angle: angle))
+
+
+# Break it
+
+
+@wrong("exposing_drive")
+def straight_on():
+    """Right on a line."""
+    return 0.0, 1000.0
+
+
+@wrong("exposing_drive")
+def a_short_way():
+    """Not yet off."""
+    return 0.1, 10.0
+
+
+@wrong("exposing_drive")
+def steep():
+    """Lost, but with the wheels turned far."""
+    return pi / 4, 30.0
+
+
+@wrong("exposing_drive")
+def in_whole_degrees():
+    """45 is not radians."""
+    return 45, 30
+
+
+@wrong("exposing_drive")
+def too_long():
+    """Beyond the time."""
+    return 0.05, 100_000.0
+
+
+@wrong("exposing_drive")
+def hardly_turned():
+    """Too small for the time."""
+    return 0.01, 1000.0
+
+
+@wrong("exposing_drive")
+def swapped():
+    """The time first."""
+    return 600.0, 0.1
