@@ -27,7 +27,7 @@ STAMP = os.path.join(VENV, "installed.json")
 PYTHON = os.path.join(VENV, *(["Scripts", "python.exe"] if os.name == "nt" else ["bin", "python"]))
 COURSE, TEACHING, TESTS = "environment.txt", "solutions/environment.txt", "tests/environment.txt"
 MEGABYTES = {COURSE: 700, TEACHING: 100, TESTS: 500}
-TEACHING_COMMANDS = ["release"]
+TEACHING_COMMANDS = ["release", "export"]
 PIP_OPTIONS = ["--no-deps", "--only-binary", ":all:", "-r"]
 
 # Variables that would lead .venv to the packages of the environment this file was called from.

@@ -1,4 +1,4 @@
-"""The command line: kinoedu plan | experiment | lab | warm | release."""
+"""The command line: kinoedu plan | experiment | lab | warm | release | grade | regrade | export | hand-in."""
 
 import argparse
 import io
@@ -9,6 +9,9 @@ from typing import Any, NoReturn
 
 from ..errors import KinoeduError
 from .experiment import add_experiment
+from .export import add_export
+from .grade import add_grade
+from .hand_in import add_hand_in
 from .plan import add_plan
 from .release import add_release
 
@@ -55,6 +58,9 @@ def parser() -> argparse.ArgumentParser:
     warm = commands.add_parser("warm", help="compile what the course uses, once", description="Compile what the course uses, once.")
     warm.set_defaults(run=run_warm)
     add_release(commands)
+    add_grade(commands)
+    add_export(commands)
+    add_hand_in(commands)
     return top
 
 

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from ..course.feedback import hint_words, rule_words
-from ..course.judging import Report, report_on
+from ..course.judging import Judged, Report, report_on
 from ..course.outcomes import Late, Outcome, encode_outcome
 from ..course.shapes import Maybe, Truth
 from ..words import say
@@ -87,7 +87,18 @@ def told(asked: Asked, report: Report, *, hidden: bool) -> Grade:
     assert failure is not None
     shown = None if hidden else shown_failure(report)
     message = rule_words(exercise, failure) + (" " + say("grading.hidden") if hidden else "")
-    return {"message": message, "hint": hint_words(exercise, failure), "failure": shown, "kinds": list(report.failed)}
+    return {
+        "message": message,
+        "hint": hint_words(exercise, failure),
+        "failure": shown,
+        "kinds": list(report.failed),
+        "reason": reason_of(failure),
+    }
+
+
+def reason_of(failure: Judged) -> str:
+    """The key of the misconception that was recognised, or of the rule that was broken: what instructors count."""
+    return f"slips.{failure.slip}" if failure.slip else f"rules.{failure.verdict.rule}"
 
 
 def shown_failure(report: Report) -> Grade:

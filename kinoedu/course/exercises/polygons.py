@@ -20,6 +20,7 @@ POLYGON = Numbers(("n", 2))
 SQUARE = np.array([(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)])
 ROUND_SQUARE = ((2, -1), (7, 8), (-3, 2), (1, 1), (4, 2), (9000, 3), (-1, 4), (-2, 0))
 CORNER = np.array([(0.0, 0.0), (6.0, 0.0), (6.0, 2.0), (2.0, 2.0), (2.0, 6.0), (0.0, 6.0)])
+TRIES = 1000
 ROUND_CORNER = ((4, 3), (8, -2), (-1, 5), (1, 5), (5, 1), (2, 2), (1, 2), (4, 2.0005), (2, 3))
 
 
@@ -56,9 +57,9 @@ class PointPolygonDistance(ValueExercise):
             for q in queries:
                 yield self.case(np.array(q, float), polygon)
         for number, size in enumerate(sizes(6)):
-            polygon = star_polygon(rng, 3 + number // 3, size)
-            for kind in self.kinds:
-                yield self.case(query(rng, polygon, kind), polygon)
+            star, points = star_and_queries(rng, 3 + number // 3, size, self.kinds)
+            for point in points:
+                yield self.case(point, star)
 
     def case(self, q: Array, polygon: Array) -> Case:
         """A case of the kind that it is."""
@@ -98,9 +99,9 @@ class PolygonTangent(ValueExercise):
             for q in queries:
                 yield self.case(np.array(q, float), polygon)
         for number, size in enumerate(sizes(8)):
-            polygon = star_polygon(rng, 3 + number // 4, size)
-            for kind in self.kinds:
-                yield self.case(query(rng, polygon, kind), polygon)
+            star, points = star_and_queries(rng, 3 + number // 4, size, self.kinds)
+            for point in points:
+                yield self.case(point, star)
 
     def case(self, q: Array, polygon: Array) -> Case:
         """A case of the kind that it is."""
@@ -129,10 +130,20 @@ def kind_of(q: Array, polygon: Array) -> str:
     return "closing" if edge == len(polygon) - 1 else "edge"
 
 
-def query(rng: np.random.Generator, polygon: Array, kind: str) -> Array:
-    """A random point of a kind, with one nearest boundary point that is clearly the nearest."""
-    lo, hi = polygon.min(axis=0), polygon.max(axis=0)
+def star_and_queries(rng: np.random.Generator, n: int, size: float, kinds: tuple[str, ...]) -> tuple[Array, list[Array]]:
+    """A random star of n vertices and a point of every kind; where a star leaves no room for one of them, another star."""
     while True:
+        polygon = star_polygon(rng, n, size)
+        queries = [query(rng, polygon, kind) for kind in kinds]
+        found = [q for q in queries if q is not None]
+        if len(found) == len(queries):
+            return polygon, found
+
+
+def query(rng: np.random.Generator, polygon: Array, kind: str) -> Array | None:
+    """A random point of a kind, with one nearest boundary point that is clearly the nearest; None where none was found."""
+    lo, hi = polygon.min(axis=0), polygon.max(axis=0)
+    for _ in range(TRIES):
         if kind == "boundary":
             i, share = rng.integers(len(polygon)), rng.choice([0.0, 0.25, 0.5])
             q = polygon[i - 1] + share * (polygon[i] - polygon[i - 1])
@@ -147,6 +158,7 @@ def query(rng: np.random.Generator, polygon: Array, kind: str) -> Array:
             q[1] = polygon[rng.integers(len(polygon)), 1]  # exactly as high as a vertex: where a ray to the right goes through it
         if kind_of(q, polygon) == kind and not is_tied(q, polygon):
             return q
+    return None
 
 
 def is_tied(q: Array, polygon: Array) -> bool:

@@ -1,0 +1,131 @@
+"""kinoedu export: grades for other programs."""
+
+import argparse
+import importlib.util
+from pathlib import Path
+from typing import Any
+
+from ..errors import InvalidParameter
+from ..progress import stage
+
+EXPORT_HELP = """\
+Write the grades as other programs read them.
+
+  csv         a line for each student, a column for each assignment
+  canvas      your own export of Canvas's gradebook (--template) with the assignment's column filled in, to be imported there
+  gradescope  a results.json for each submission
+  nbgrader    a course folder with nbgrader's gradebook, in which formgrader shows the answers that people grade
+"""
+
+EXPORT_EXAMPLES = """\
+examples:
+  python start.py export grades --to csv
+  python start.py export grades --to canvas --template from_canvas.csv --out to_canvas.csv
+  python start.py export grades --to nbgrader --out nbgrader
+  python start.py export grades --from-nbgrader nbgrader        (and what was graded there comes back)
+"""
+
+
+def add_export(commands: Any) -> None:
+    """The command and its options."""
+    export = commands.add_parser(
+        "export",
+        help="write grades for Canvas, Gradescope, nbgrader, or a spreadsheet",
+        description=EXPORT_HELP,
+        epilog=EXPORT_EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    export.add_argument("grades", metavar="GRADES", type=Path, help="the folder that kinoedu grade made")
+    what = export.add_mutually_exclusive_group(required=True)
+    what.add_argument("--to", choices=tuple(EXPORTS), help="for whom")
+    what.add_argument("--from-nbgrader", metavar="FOLDER", type=Path, help="bring scores back that people gave in formgrader")
+    export.add_argument("--out", metavar="PATH", type=Path, help="the file or folder to write (default: in GRADES)")
+    export.add_argument("--template", metavar="FILE", type=Path, help="canvas: the export of its gradebook to start from")
+    export.add_argument(
+        "--column", default="", metavar="NAME", help="canvas: the column of the assignment, where it is named otherwise"
+    )
+    export.add_argument("--assignment", default="", metavar="NAME", help="only this one")
+    export.set_defaults(run=run_export)
+
+
+def run_export(arguments: argparse.Namespace) -> int:
+    """Read the class, and write what is asked for."""
+    from ..grading.class_list import read_class
+    from ..grading.decisions import read_decisions
+    from ..grading.rows import class_rows
+
+    of = read_class(arguments.grades)
+    if arguments.from_nbgrader is not None:
+        return from_nbgrader(of, arguments.from_nbgrader)
+    rows = [row for row in class_rows(of, read_decisions(of.out)) if arguments.assignment in ("", row.assignment)]
+    if not rows:
+        raise InvalidParameter(f"{of.out} has no grades for {arguments.assignment or 'anything'}")
+    print(EXPORTS[arguments.to](arguments, of, rows))
+    return 0
+
+
+def to_csv(arguments: argparse.Namespace, of: Any, rows: Any) -> str:
+    """A plain table."""
+    from ..grading.exports import export_csv
+
+    file = arguments.out or of.out / "totals.csv"
+    export_csv(rows, file)
+    return f"wrote {file}; a cell is empty where something has no score yet"
+
+
+def to_canvas(arguments: argparse.Namespace, of: Any, rows: Any) -> str:
+    """Canvas's own table, filled in."""
+    from ..grading.exports import export_canvas
+
+    if arguments.template is None:
+        raise InvalidParameter(
+            "--to canvas needs --template FILE, your export of Canvas's gradebook (Grades, Export Entire Gradebook)"
+        )
+    file = arguments.out or of.out / "canvas.csv"
+    unknown = export_canvas(rows, arguments.template, file, arguments.column)
+    missing = f"; Canvas does not have: {', '.join(unknown)}" if unknown else ""
+    return f"wrote {file}{missing}"
+
+
+def to_gradescope(arguments: argparse.Namespace, of: Any, rows: Any) -> str:
+    """Results for each submission."""
+    from ..grading.exports import export_gradescope
+
+    folder = arguments.out or of.out / "gradescope"
+    return f"wrote {export_gradescope(rows, folder)} files in {folder}"
+
+
+def to_nbgrader(arguments: argparse.Namespace, of: Any, rows: Any) -> str:
+    """nbgrader's gradebook."""
+    require_nbgrader()
+    from ..grading.nbgrader_course import export_nbgrader
+
+    folder = arguments.out or of.out / "nbgrader"
+    entries = [entry for entry in of.entries if arguments.assignment in ("", entry.assignment)]
+    with stage("writing the gradebook"):
+        count = export_nbgrader(of._replace(entries=entries), rows, folder)
+    return f"wrote {count} notebooks in {folder}; in that folder: jupyter lab, then Nbgrader, Formgrader, Manual Grading"
+
+
+def from_nbgrader(of: Any, folder: Path) -> int:
+    """Scores that people gave come back, and the grades are written anew."""
+    require_nbgrader()
+    from ..grading.nbgrader_course import scores_from_nbgrader
+    from ..grading.writing import write_all
+
+    if not (folder / "gradebook.db").exists():
+        raise InvalidParameter(f"{folder} holds no gradebook.db; it should be what kinoedu export --to nbgrader made")
+    with stage("reading the gradebook"):
+        count = scores_from_nbgrader(of, folder)
+        write_all(of)
+    print(f"brought {count} scores into {of.out / 'by_hand.csv'}, grades.csv, the report and the pages")
+    return 0
+
+
+def require_nbgrader() -> None:
+    """Refuse where nbgrader is not installed."""
+    if importlib.util.find_spec("nbgrader") is None:
+        raise InvalidParameter("this needs nbgrader, which python start.py export installs")
+
+
+EXPORTS = {"csv": to_csv, "canvas": to_canvas, "gradescope": to_gradescope, "nbgrader": to_nbgrader}

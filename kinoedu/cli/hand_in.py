@@ -1,0 +1,36 @@
+"""kinoedu hand-in: a student packs one notebook, with a receipt."""
+
+import argparse
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Any
+
+HAND_IN_HELP = """\
+Check that a notebook can be graded, and pack it into a zip to hand in, with a receipt: what is answered, when it was packed, and a
+number that no other notebook has (SHA-256). Nothing is run and nothing is sent: the zip is yours to upload.
+
+  python start.py hand-in exercises/01_geometry.ipynb
+"""
+
+
+def add_hand_in(commands: Any) -> None:
+    """The command and its options."""
+    hand_in = commands.add_parser(
+        "hand-in",
+        help="pack a notebook to hand in, with a receipt",
+        description=HAND_IN_HELP,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    hand_in.add_argument("file", metavar="FILE", type=Path, help="your notebook, saved")
+    hand_in.add_argument("--out", metavar="ZIP", type=Path, help="the zip to write (default: here, named like the notebook)")
+    hand_in.set_defaults(run=run_hand_in)
+
+
+def run_hand_in(arguments: argparse.Namespace) -> int:
+    """Pack, and show the receipt."""
+    from ..grading.handing_in import hand_in
+
+    zip_file = arguments.out or Path(f"{arguments.file.stem}.zip")
+    receipt = hand_in(arguments.file, zip_file, datetime.now(UTC))
+    print(f"{receipt}\nYour zip: {zip_file}. Save the notebook before you pack it; what is not saved is not in it.")
+    return 0

@@ -1,0 +1,65 @@
+"""Grade a folder of submissions into GRADES."""
+
+from itertools import islice
+from pathlib import Path
+from typing import NamedTuple
+
+from ..errors import InvalidParameter
+from .class_list import FILE, Class, entry_of, mark_of, read_class, with_earlier, write_class
+from .decisions import read_decisions
+from .questions import course_secret
+from .running import Place, Progress, grade_all, local
+from .sandbox import why_not
+from .submissions import Submission, collect
+from .writing import write_all
+
+
+class Run(NamedTuple):
+    """How a class is graded: where its secret is, where the work is done, whether without a sandbox, and who hears of it."""
+
+    secret_file: Path
+    place: Place = local()
+    trusted: bool = False
+    grading: Progress | None = None
+    writing: Progress | None = None
+
+
+def require_sandbox(trusted: bool) -> None:
+    """Raises InvalidParameter where programs cannot be shut in and are not trusted either."""
+    reason = "" if trusted else why_not()
+    if reason:
+        raise InvalidParameter(
+            f"submissions are strangers' programs, and cannot be shut in here: {reason}. If every one of them may do on this "
+            "computer what you may, --trust runs them without a sandbox"
+        )
+
+
+def grade_class(folder: Path, only: str, out: Path, run: Run) -> Class:
+    """Grade what is in a folder or zip, keep it beside what GRADES has of other folders, and write what people read.
+
+    Raises InvalidParameter, and OSError where nothing can be written.
+    """
+    return grade_found([(folder, only, collect(folder, only))], out, run)
+
+
+def grade_found(sources: list[tuple[Path, str, list[Submission]]], out: Path, run: Run) -> Class:
+    """The same, of submissions that were collected."""
+    require_sandbox(run.trusted)
+    submissions = [one for _, _, found in sources for one in found]
+    if not submissions:
+        raise InvalidParameter(f"{sources[0][0]} holds no notebooks, and no zips of them")
+    earlier = read_class(out) if (out / FILE).exists() else None
+    secret = course_secret(run.secret_file)
+    if earlier is not None and earlier.secret_mark != mark_of(secret):
+        raise InvalidParameter(
+            f"{out} was graded with another secret, that of {earlier.secret_file}; name that one, or another folder"
+        )
+    read_decisions(out)
+    out.mkdir(parents=True, exist_ok=True)
+    graded = iter(grade_all(submissions, out, secret, place=run.place, progress=run.grading, trusted=run.trusted))
+    entries = [entry_of(one, folder, only, secret) for folder, only, found in sources for one in islice(graded, len(found))]
+    kept = with_earlier(entries, earlier.entries if earlier is not None else ())
+    of = Class(out, str(run.secret_file.resolve()), mark_of(secret), run.trusted, kept)
+    write_class(of)
+    write_all(of, run.writing)
+    return of

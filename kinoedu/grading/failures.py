@@ -1,0 +1,72 @@
+"""A kept failure as the judge saw it, to be told and drawn again; each picture is drawn once, however many students it is for."""
+
+import functools
+import hashlib
+import json
+from pathlib import Path
+from typing import Any
+
+from ..cache import source_digest
+from ..course.exercise import Case, Exercise
+from ..course.exercises import find
+from ..course.feedback import picture_of
+from ..course.judging import Judged
+from ..course.outcomes import decode_outcome
+from ..course.plain import WrongShape
+from ..course.release import HOUSE
+from ..errors import KinoeduError
+from ..time_limit import TimeUp, within
+from ..whole_file import written_whole
+from .grading import Grade
+
+DRAWING = 20.0  # seconds
+
+
+def failure_of(question: Grade) -> tuple[Exercise, Judged] | None:
+    """The exercise and the case that failed, from a question's record; None where there is none, or the course has changed."""
+    kept: Any = question.get("failure")
+    if kept is None:
+        return None
+    try:
+        exercise = find(question["question"])
+        case = Case(kept["case"]["kind"], exercise.given.decode(kept["case"]["given"]))
+        outcome = decode_outcome(kept["outcome"], exercise.answer)
+        return exercise, Judged(case, outcome, exercise.judge(case, outcome), kept["slip"], kept["number"])
+    except (KinoeduError, WrongShape, KeyError, TypeError):
+        return None
+
+
+def picture_for(question: Grade, folder: Path) -> bytes | None:
+    """The failing case of a question as a PNG, from `folder`, drawn now where it is not there; None where none can be drawn."""
+    found = failure_of(question)
+    if found is None:
+        return None
+    file = folder / f"{name_of(question)}.png"
+    if not file.exists():
+        picture = drawn(*found)
+        if picture is None:
+            return None
+        folder.mkdir(parents=True, exist_ok=True)
+        with written_whole(file) as part:
+            part.write_bytes(picture)
+    return file.read_bytes()
+
+
+def name_of(question: Grade) -> str:
+    """The same for the same exercise, case, answer and sources."""
+    said = json.dumps([question["question"], question["failure"]["case"], question["failure"]["outcome"]], sort_keys=True)
+    return hashlib.sha256((sources() + said).encode()).hexdigest()[:40]
+
+
+@functools.cache
+def sources() -> str:
+    """Of kinoedu, which draws."""
+    return source_digest(HOUSE / "kinoedu")
+
+
+def drawn(exercise: Exercise, failure: Judged) -> bytes | None:
+    """A picture; None where the exercise cannot draw what a program answered, which may be anything of the right shape."""
+    try:
+        return within(DRAWING, lambda: picture_of(exercise, failure))
+    except (Exception, TimeUp):
+        return None

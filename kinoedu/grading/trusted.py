@@ -1,0 +1,66 @@
+"""inside.py without walls, for an instructor who trusts every submission as their own program: `kinoedu grade --trust`.
+
+`python trusted.py SOCKET [...]` takes the place of `shut_in.py`, and is inside.py otherwise. A program has bounded time, memory and
+files, and starts in an empty folder; but it reads what you can read, and reaches the network. Linux and macOS.
+"""
+
+import contextlib
+import os
+import resource
+import shutil
+import sys
+import tempfile
+from pathlib import Path
+from typing import Any
+
+PLACE = Path(tempfile.gettempdir())
+
+
+forked_alone = os.fork  # a process like any other
+
+
+def folder_of(process: int) -> Path:
+    """Where a program starts."""
+    return PLACE / f"kinoedu-trusted-{process}"
+
+
+def without_rights(user: int, *, memory: int, cpu: int, files: int, hidden: object = ()) -> None:
+    """From here on: bounded memory, processor time and files, as far as the system bounds them; and where this is root, a user whom
+    the system does not know.
+    """
+    folder = folder_of(os.getpid())
+    folder.mkdir(mode=0o700)
+    os.chdir(folder)
+    if user:
+        os.chown(folder, user, user)
+        os.setgroups([])
+        os.setresgid(user, user, user)
+        os.setresuid(user, user, user)
+    bounds = [(resource.RLIMIT_CPU, cpu), (resource.RLIMIT_FSIZE, files), (resource.RLIMIT_CORE, 0), (resource.RLIMIT_NPROC, 0)]
+    mapped = Path("/proc/self/statm")
+    if mapped.exists():
+        bounds.append((resource.RLIMIT_AS, int(mapped.read_text().split()[0]) * resource.getpagesize() + memory))
+    for what, most in bounds:
+        with contextlib.suppress(OSError, ValueError):  # macOS refuses some
+            resource.setrlimit(what, (most, most))
+
+
+def main() -> None:
+    """Be inside.py, with this in the place of its walls."""
+    sys.path.insert(0, str(Path(__file__).resolve().parent))
+    sys.modules["shut_in"] = sys.modules[__name__]
+    import inside
+
+    end_of = inside.ended
+
+    def ended(child: int, *others: Any) -> int:
+        status = end_of(child, *others)
+        shutil.rmtree(folder_of(child), ignore_errors=True)
+        return int(status)
+
+    inside.ended = ended
+    inside.main()
+
+
+if __name__ == "__main__":
+    main()

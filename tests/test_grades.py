@@ -1,0 +1,395 @@
+"""What is made of graded submissions: tables, pages and exports that are safe, the same on every run, and tell no hidden case."""
+
+import csv
+import io
+import json
+import sys
+import zipfile
+from datetime import UTC, datetime
+from pathlib import Path
+
+import pytest
+
+from kinoedu.cli import main
+from kinoedu.course.exercises import find
+from kinoedu.errors import InvalidParameter
+from kinoedu.grading import sandbox
+from kinoedu.grading.cells_of_csv import harmless, unharmed
+from kinoedu.grading.class_list import Class, Entry, with_earlier, write_class
+from kinoedu.grading.decisions import read_decisions
+from kinoedu.grading.exports import export_canvas, export_csv, export_gradescope
+from kinoedu.grading.feedback_page import file_name, page_name
+from kinoedu.grading.handing_in import hand_in
+from kinoedu.grading.notebook import UnreadableSubmission
+from kinoedu.grading.questions import assignment
+from kinoedu.grading.regrading import changes_between
+from kinoedu.grading.running import keep
+from kinoedu.grading.submissions import collect
+from kinoedu.grading.writing import write_all
+
+HOUSE = Path(__file__).resolve().parent.parent
+NAME, HAND = "01_geometry", "02_bug_algorithms"
+NO_SANDBOX = sandbox.why_not()
+needs_sandbox = pytest.mark.skipif(bool(NO_SANDBOX), reason=NO_SANDBOX or "there is one")
+HOSTILE = "</pre></style><script>alert(1)</script>"
+
+
+def question(name: str, score: float, most: float, **more) -> dict:
+    """A question's record, as grading.grade makes it."""
+    status = "right" if score == most else "partly right" if score else "wrong"
+    return {
+        "question": name,
+        "score": score,
+        "max_score": most,
+        "status": status,
+        "message": "Right.",
+        "failure": None,
+        "late": False,
+    } | more
+
+
+def record(name: str = NAME, *, share: float = 1.0, message: str = "A rule.") -> dict:
+    """A graded notebook with a share of each question's points."""
+    return {
+        "status": "graded",
+        "message": "",
+        "questions": [
+            question(asked.exercise.name, share * asked.points, asked.points, message="Right." if share == 1.0 else message)
+            for asked in assignment(name).questions
+        ],
+        "cells": [],
+    }
+
+
+def a_class(out: Path, records: dict[str, dict | None], name: str = NAME, troubles: dict[str, str] | None = None) -> Class:
+    """A class as grade_class leaves it."""
+    (out / "results").mkdir(parents=True, exist_ok=True)
+    entries = []
+    for number, (student, kept) in enumerate(sorted(records.items())):
+        entries.append(Entry(student, name, f"{student}.ipynb", str(out), "", student, f"key{number}", ""))
+        if kept is not None:
+            keep(out / "results" / f"key{number}.json", kept)
+    entries += [Entry(student, name, "x.ipynb", str(out), "", student, "", why) for student, why in (troubles or {}).items()]
+    of = Class(out, "secret", "mark", False, entries)
+    write_class(of)
+    return of
+
+
+def table(file: Path) -> list[dict[str, str]]:
+    """A CSV file as rows by name."""
+    return list(csv.DictReader(io.StringIO(file.read_text(encoding="utf-8"))))
+
+
+def failing() -> dict:
+    """A record with a failure that everybody may see, said in hostile words."""
+    given = {"q": [2.0, 3.0], "p1": [0.0, 0.0], "p2": [4.0, 0.0]}
+    raised = {"kind": "Raised", "kinds": ["RuntimeError"], "message": HOSTILE, "lines": [f"line 2: {HOSTILE}"], "function": "f"}
+    failure = {"case": {"kind": find("point_line_distance").kinds[0], "given": given}, "outcome": raised, "number": 0, "slip": ""}
+    one = record()
+    asked = next(asked for asked in one["questions"] if asked["question"] == "point_line_distance")
+    asked |= {
+        "score": 0.0,
+        "status": "wrong",
+        "message": f"A rule {HOSTILE}",
+        "hint": f"A hint {HOSTILE}",
+        "failure": failure,
+        "reason": "rules.raised",
+    }
+    one["cells"] = [{"cell": 3, "trouble": raised}]
+    return one
+
+
+def test_cells_of_a_table_are_no_formulas():
+    """Whatever is in a cell, no spreadsheet computes it, and what it said can be had back."""
+    for text in ("=1+1", "+1", "-1", "@x", "'=x", "\t=x", "\n@x", " =x"):
+        assert harmless(text)[0] == "'", text
+    for text in ("ann", "=ann", "'tis", "O'Hara", "'=x", ""):
+        assert unharmed(harmless(text)) == text
+
+
+def test_every_question_has_a_row_and_trouble_is_no_zero(tmp_path):
+    """What could not be read or was not graded has no score, and says why; the sum of rows is questions times students."""
+    of = a_class(tmp_path, {"=ann": record(), "bob": None}, troubles={"cy": "the file is empty"})
+    write_all(of)
+    rows = table(tmp_path / "grades.csv")
+    asked = len(assignment(NAME).questions)
+    assert [len([row for row in rows if row["student"] == name]) for name in ("'=ann", "bob", "cy")] == [asked] * 3
+    assert {(row["score"], row["status"]) for row in rows if row["student"] == "bob"} == {("", "not graded")}
+    assert {(row["score"], row["status"], row["message"]) for row in rows if row["student"] == "cy"} == {
+        ("", "unreadable", "the file is empty")
+    }
+    assert sum(float(row["score"]) for row in rows if row["student"] == "'=ann") == sum(
+        one.points for one in assignment(NAME).questions
+    )
+
+
+def test_the_same_class_is_written_in_the_same_bytes(tmp_path):
+    """Also when it is written again over itself, and when its pictures are kept or drawn."""
+    of = a_class(tmp_path, {"ann": failing(), "bob": failing(), "cy": record(share=0.5)})
+    write_all(of)
+    once = {file: file.read_bytes() for file in tmp_path.rglob("*") if file.is_file()}
+    assert len(list((tmp_path / "pictures").iterdir())) == 1
+    write_all(of)
+    assert {file: file.read_bytes() for file in tmp_path.rglob("*") if file.is_file()} == once
+
+
+def test_pages_escape_whatever_they_are_told(tmp_path):
+    """A program's words, a student's name and a comment are text on every page; the picture is there."""
+    student = f"<img src=x onerror=alert(1)>{HOSTILE}"
+    write_all(a_class(tmp_path, {student: failing(), "\ud800": record()}, troubles={"cy": HOSTILE}))
+    pages = [tmp_path / "report.html", *(tmp_path / "feedback").rglob("*.html")]
+    assert len(pages) == 4
+    for page in pages:
+        text = page.read_text(encoding="utf-8")
+        assert "<script" not in text and "<img src=x" not in text
+        assert text.count("</style>") == 1
+    told = (tmp_path / page_name(student, NAME)).read_text(encoding="utf-8")
+    assert "data:image/png;base64," in told and "np.array([2.0, 3.0])" in told and "Cell 3" in told
+
+
+def test_a_picture_that_cannot_be_drawn_loses_no_page(tmp_path):
+    """A record whose case is of another shape than the exercise's has no case and no picture."""
+    broken = failing()
+    for one in broken["questions"]:
+        if one["failure"]:
+            one["failure"]["case"]["given"] = {"q": "?"}
+    write_all(a_class(tmp_path, {"ann": broken}))
+    assert "data:image" not in (tmp_path / page_name("ann", NAME)).read_text(encoding="utf-8")
+
+
+def test_file_names_are_safe_and_apart():
+    """No two students share a page, on disks that do not tell Ann from ann either; none leaves the folder."""
+    names = [
+        "ann",
+        "Ann",
+        "ANN",
+        "../ann",
+        "a/b",
+        "a\\b",
+        "",
+        ".",
+        "..",
+        "con",
+        "nul.txt",
+        "ann.",
+        "ann ",
+        "Zoë",
+        "Zoe",
+        "x" * 300,
+        "\udcff",
+    ]
+    made = [file_name(name).lower() for name in names]
+    assert len(set(made)) == len(names)
+    for name in made:
+        assert 0 < len(name) < 64 and name[0] not in ".-" and not set(name) & set("/\\: ") and name.isascii()
+
+
+def test_overrides_hold_and_are_never_written(tmp_path):
+    """A score and a comment of a person's appear in the table, on the page and in exports; their file stays as it is."""
+    of = a_class(tmp_path, {"ann": record(share=0.0), "bob": record()})
+    text = "\ufeffstudent,assignment,question,score,comment\r\nann,01_geometry,exposing_case,2.5,seen <b>it</b>\r\n"
+    text += "bob,01_geometry,exposing_case,,well done\r\n"
+    (tmp_path / "overrides.csv").write_text(text, encoding="utf-8", newline="")
+    rows = {row[:3]: row for row in write_all(of)}
+    assert rows["ann", NAME, "exposing_case"].score == 2.5
+    assert rows["ann", NAME, "exposing_case"].status == "set by hand"
+    assert rows["bob", NAME, "exposing_case"].score == 3.0
+    assert "seen &lt;b&gt;it" in (tmp_path / page_name("ann", NAME)).read_text(encoding="utf-8")
+    assert "well done" in (tmp_path / page_name("bob", NAME)).read_text(encoding="utf-8")
+    export_csv(list(rows.values()), tmp_path / "totals.csv")
+    assert [row[NAME] for row in table(tmp_path / "totals.csv")] == ["2.5", "25"]
+    by_hand = "student,assignment,question,score,comment\nann,01_geometry,exposing_case,1,\nbob,01_geometry,exposing_case,1,\n"
+    (tmp_path / "by_hand.csv").write_text(by_hand, encoding="utf-8")
+    assert [row.score for row in write_all(of) if row.question == "exposing_case"] == [2.5, 1.0]
+    assert (tmp_path / "overrides.csv").read_bytes().decode("utf-8") == text
+
+
+@pytest.mark.parametrize(
+    ("lines", "said"),
+    [
+        ("student,question,score\n", "no column 'assignment'"),
+        ("student,assignment,question,score,comment\nann,01_geometry,exposing_case,much,\n", "line 2"),
+        ("student,assignment,question,score,comment\nann,01_geometry,exposing_case,nan,\n", "a score is a number"),
+        ("student,assignment,question,score,comment\nann,01_geometry,exposing_case,-1,\n", "a score is a number"),
+        (
+            "student,assignment,question,score,comment\nann,01_geometry,exposing_case,1,\nann,01_geometry,exposing_case,2,\n",
+            "leave one",
+        ),
+        ("student,assignment,question,score,comment\nann,01_geometry,exposing,1,\n", "no row for ann"),
+    ],
+)
+def test_a_wrong_override_is_refused_by_its_line(tmp_path, lines, said):
+    """Nothing that somebody decided is passed over in silence."""
+    of = a_class(tmp_path, {"ann": record()})
+    (tmp_path / "overrides.csv").write_text(lines, encoding="utf-8")
+    with pytest.raises(InvalidParameter, match=said):
+        write_all(of)
+
+
+CANVAS = """Student,ID,SIS User ID,SIS Login ID,Section,01 Geometry (991),Other (5)
+    Points Possible,,,,,25,10
+"Doe, Ann",11,,ann,S1,,3
+"Roe, Bob",12,,bob,S1,7,
+"Poe, Cy",13,,cy,S1,6,
+"Poe, Dee",14,,same,S1,,
+"Moe, Eve",15,,same,S1,,
+"""
+
+
+def test_canvas_gets_its_own_table_back(tmp_path):
+    """Whole totals stand in the one column; all else is as it was; nobody gets another's score, who is not sure is named."""
+    of = a_class(tmp_path, {"ann": record(), "roebob_12": record(share=0.0), "x_13": record(), "same": record(), "cy": None})
+    (tmp_path / "template.csv").write_text(CANVAS, encoding="utf-8-sig")
+    unknown = export_canvas(write_all(of), tmp_path / "template.csv", tmp_path / "out.csv")
+    before, after = (list(csv.reader(io.StringIO(text))) for text in (CANVAS, (tmp_path / "out.csv").read_text(encoding="utf-8")))
+    assert [line[5] for line in after] == ["01 Geometry (991)", "25", "25", "0", "6", "", ""]
+    assert [line[:5] + line[6:] for line in after] == [line[:5] + line[6:] for line in before]
+    assert unknown == ["same", "x_13"]
+    (tmp_path / "template.csv").write_text("name,score\nann,1\n", encoding="utf-8")
+    with pytest.raises(InvalidParameter, match="no export of Canvas"):
+        export_canvas(write_all(of), tmp_path / "template.csv", tmp_path / "out.csv")
+
+
+def test_gradescope_results_sum_up(tmp_path):
+    """Each file's score is the sum of its tests."""
+    rows = write_all(a_class(tmp_path, {"ann": record(share=0.5), "bob": failing()}))
+    assert export_gradescope(rows, tmp_path / "gradescope") == 2
+    for file in (tmp_path / "gradescope").iterdir():
+        data = json.loads(file.read_text(encoding="utf-8"))
+        assert data["score"] == pytest.approx(sum(test["score"] for test in data["tests"]))
+        assert len(data["tests"]) == len(assignment(NAME).questions)
+
+
+def test_regrading_says_whose_score_changed_and_why(tmp_path):
+    """A judge's other verdict, another file, a new student and one who is gone; and what a person decided is named."""
+    before = a_class(tmp_path / "old", {"ann": record(share=0.0), "bob": record(), "cy": record(), "eve": record(share=0.0)})
+    after = a_class(tmp_path / "new", {"ann": record(), "bob": record(), "dee": record(), "eve": record()})
+    entries = [entry._replace(digest="another" if entry.student == "eve" else entry.digest) for entry in after.entries]
+    (tmp_path / "new" / "overrides.csv").write_text("student,assignment,question,score\nann,01_geometry,exposing_case,1\n")
+    found = list(changes_between(before, after._replace(entries=entries), read_decisions(tmp_path / "new")))
+    why = {change.student: change.why for change in found}
+    assert why["ann"] == "right; before: wrong: A rule."
+    assert (why["cy"], why["dee"], why["eve"]) == (
+        "the submission is no longer there",
+        "handed in since",
+        "another file was handed in since",
+    )
+    assert "bob" not in why
+    assert [change.question for change in found if change.kept] == ["exposing_case"]
+
+
+def test_grades_of_other_folders_stay():
+    """One folder of grades holds several assignments; the same student's same assignment is replaced."""
+    old = [Entry(name, lesson, "f", "one", "", "d", "k", "") for name in ("ann", "bob") for lesson in (NAME, HAND)]
+    new = [Entry("ann", NAME, "g", "two", "", "d", "k", "")]
+    kept = with_earlier(new, old)
+    assert [(one.student, one.assignment, one.file) for one in kept] == [
+        ("ann", NAME, "g"),
+        ("ann", HAND, "f"),
+        ("bob", NAME, "f"),
+        ("bob", HAND, "f"),
+    ]
+    assert with_earlier(new, [one._replace(folder="two") for one in old]) == new
+
+
+def test_hand_grading_goes_to_nbgrader_and_back(tmp_path):
+    """Scores of the judge are in its gradebook, the prose waits there, and a person's score and comment come back to the table."""
+    pytest.importorskip("nbgrader")
+    from nbgrader.api import Gradebook
+
+    from kinoedu.grading.class_list import digest_of
+    from kinoedu.grading.nbgrader_course import address, export_nbgrader, scores_from_nbgrader
+
+    submissions, out = tmp_path / "in" / "ann", tmp_path / "out"
+    submissions.mkdir(parents=True)
+    book = json.loads((HOUSE / "solutions" / f"{HAND}.ipynb").read_text(encoding="utf-8"))
+    dangerous = {"output_type": "display_data", "metadata": {}, "data": {"text/html": HOSTILE, "text/plain": "plain"}}
+    for cell in book["cells"]:
+        if cell["cell_type"] == "code":
+            cell["outputs"] = [dangerous, 7, {"data": []}]
+    book["cells"].append({"cell_type": "markdown", "metadata": {}, "source": f"1 < 2 {HOSTILE}"})
+    book["cells"].append(dict(book["cells"][-2], metadata={"nbgrader": {"grade_id": "bug1", "grade": True, "points": 99}}))
+    (submissions / f"{HAND}.ipynb").write_text(json.dumps(book), encoding="utf-8")
+    (one,) = collect(tmp_path / "in")
+    of = a_class(out, {"ann": record(HAND)}, HAND)
+    of = of._replace(entries=[entry._replace(folder=str(tmp_path / "in"), digest=digest_of(one)) for entry in of.entries])
+    write_class(of)
+    assert export_nbgrader(of, write_all(of), tmp_path / "course") == 1
+    shown = (tmp_path / "course" / "autograded" / "ann" / HAND / f"{HAND}.ipynb").read_text(encoding="utf-8")
+    assert "<script" not in shown and "1 < 2 &lt;/pre" in shown and "plain" in shown and '"points": 99' not in shown
+    whose = ("flowchart_bug1", HAND, HAND, "ann")
+    with Gradebook(address(tmp_path / "course")) as gradebook:
+        grade = gradebook.find_grade(*whose)
+        assert grade.needs_manual_grade
+        assert gradebook.find_grade("check_bug1", HAND, HAND, "ann").auto_score > 0
+        grade.manual_score, grade.needs_manual_grade = 3.0, False
+        gradebook.find_comment(*whose).manual_comment = "neat"
+        gradebook.db.commit()
+    export_nbgrader(of, write_all(of), tmp_path / "course")  # what was graded there stays
+    assert scores_from_nbgrader(of, tmp_path / "course") == 1
+    (row,) = [row for row in write_all(of) if row.question == "flowchart_bug1"]
+    assert (row.score, row.status, row.message) == (3.0, "set by hand", "neat")
+
+
+NOW = datetime(2026, 1, 2, 3, 4, 5, tzinfo=UTC)
+
+
+def test_a_receipt_says_what_is_answered(tmp_path):
+    """An untouched exercise has no answer, a solution all; the zip is what collect takes for the student's."""
+    for room, done in (("exercises", 0), ("solutions", 6)):
+        folder = tmp_path / room / "ann"
+        folder.mkdir(parents=True)
+        receipt = hand_in(HOUSE / room / f"{NAME}.ipynb", folder / "mine.zip", NOW)
+        assert sum(answered for answered, _ in receipt.answers.values()) == done
+        assert f"Answered: {done} of 6" in str(receipt)
+        (one,) = collect(tmp_path / room)
+        assert (one.student, one.assignment, one.trouble) == ("ann", NAME, "")
+        assert one.data == (HOUSE / room / f"{NAME}.ipynb").read_bytes()
+    with zipfile.ZipFile(tmp_path / "solutions" / "ann" / "mine.zip") as archive:
+        assert receipt.sha256 in archive.read("receipt.txt").decode()
+
+
+def test_what_cannot_be_graded_is_not_packed(tmp_path):
+    """A file that is empty, or named like no exercise, is refused before it is handed in."""
+    for name, wrong in ((f"{NAME}.ipynb", UnreadableSubmission), ("lunch.ipynb", InvalidParameter)):
+        (tmp_path / name).write_text("")
+        with pytest.raises(wrong):
+            hand_in(tmp_path / name, tmp_path / "z.zip", NOW)
+    assert not (tmp_path / "z.zip").exists()
+
+
+@needs_sandbox
+def test_a_class_is_graded_from_the_command_line(tmp_path, capsys):
+    """Grade, stop at nothing, grade again from what is kept, export; regrade finds nothing changed, without walls as well."""
+    for student in ("ann", "bob"):
+        (tmp_path / "in" / student).mkdir(parents=True)
+    (tmp_path / "in" / "ann" / f"{NAME}.ipynb").write_bytes((HOUSE / "solutions" / f"{NAME}.ipynb").read_bytes())
+    (tmp_path / "in" / "bob" / f"{NAME}.ipynb").write_bytes(b"")
+    secret = tmp_path / "secret"
+    secret.write_text("11" * 32)
+    command = ["grade", str(tmp_path / "in"), "--out", str(tmp_path / "out"), "--secret", str(secret), "--workers", "1"]
+    assert main(command) == 1
+    out, _ = capsys.readouterr()
+    assert out.startswith("1 graded, 0 not graded, 1 unreadable") and "bob" in out
+    first = (tmp_path / "out" / "grades.csv").read_bytes()
+    assert main(command) == 1
+    assert (tmp_path / "out" / "grades.csv").read_bytes() == first
+    assert main(["export", str(tmp_path / "out"), "--to", "csv"]) == 0
+    assert table(tmp_path / "out" / "totals.csv") == [{"student": "ann", NAME: "25"}, {"student": "bob", NAME: ""}]
+    assert main(["regrade", str(tmp_path / "out"), "--out", str(tmp_path / "new"), "--trust", "--workers", "1"]) == 1
+    said = capsys.readouterr()
+    assert "0 scores changed" in said.out and "WITHOUT A SANDBOX" in said.err
+    assert (tmp_path / "new" / "grades.csv").read_bytes() == first
+    secret.write_text("22" * 32)
+    assert main(command) == 2
+    assert "another secret" in capsys.readouterr().err
+
+
+def test_without_a_sandbox_nothing_is_graded(tmp_path, monkeypatch, capsys):
+    """Refused, with how to get one; nothing is written."""
+    monkeypatch.setattr(sys, "platform", "darwin")
+    (tmp_path / "in" / "ann").mkdir(parents=True)
+    (tmp_path / "in" / "ann" / f"{NAME}.ipynb").write_text("{}")
+    assert main(["grade", str(tmp_path / "in"), "--out", str(tmp_path / "out"), "--secret", str(tmp_path / "s")]) == 2
+    assert "--trust" in capsys.readouterr().err
+    assert not (tmp_path / "out").exists()
