@@ -57,7 +57,7 @@ def collect(folder: Path, only: str = "", house: Path = HOUSE) -> list[Submissio
     known = assignments(house)
     if only and only not in known:
         raise InvalidParameter(f"there is no assignment {only!r}; there are: {', '.join(known)}")
-    found = unwrapped(list(files_in(folder)))
+    found = unwrapped(list(files_in(folder)), known)
     owners = gradescope_owners(found)
     submissions = [submission_of(file, owners, known, only) for file in found if is_candidate(file)]
     return sorted(without_doubles(submissions), key=lambda one: (one.student, one.assignment, one.file))
@@ -80,12 +80,15 @@ def files_in(folder: Path) -> Iterator[Found]:
             yield from unpacked(Found(place, data))
 
 
-def unwrapped(files: list[Found]) -> list[Found]:
+def unwrapped(files: list[Found], known: list[str]) -> list[Found]:
     """Files without the folders that hold all of them: what stands first in a place then is the instructor's, and all after that
-    may be a student's own, who is not asked there whose it is.
+    may be a student's own, who is not asked there whose it is. A folder of assignments, or of one zip, is a lone student's.
     """
     places = [file.place for file in files if not file.place[-1].startswith(".")]
     while places and all(len(place) > 2 for place in places) and len({place[0] for place in places}) == 1:
+        below = {place[1] for place in places}
+        if below <= set(known) or (len(below) == 1 and min(below).lower().endswith(".zip")):
+            break
         places = [place[1:] for place in places]
         files = [file._replace(place=file.place[1:] or file.place) for file in files]
     return files
@@ -96,7 +99,7 @@ def unpacked(file: Found, *, top: bool = False) -> Iterator[Found]:
     if not file.place[-1].lower().endswith(".zip"):
         yield file
         return
-    above = () if top else (*file.place[:-1], file.place[-1][: -len(".zip")])
+    above = () if top else file.place
     try:
         with zipfile.ZipFile(io.BytesIO(file.data)) as archive:
             members = [member for member in archive.infolist() if not member.is_dir()]
@@ -145,7 +148,7 @@ def owner(place: tuple[str, ...], owners: dict[str, str]) -> tuple[str, str]:
     >>> owner(("jane", "01_geometry", "01_geometry.ipynb"), {})
     ('jane', '01_geometry.ipynb')
     """
-    first, name = place[0], place[-1]
+    first, name = unzipped(place[0]), place[-1]
     if first in owners:
         return owners[first], name
     if (moodle := MOODLE.match(first)) is not None:
@@ -155,10 +158,15 @@ def owner(place: tuple[str, ...], owners: dict[str, str]) -> tuple[str, str]:
     return (first if len(place) > 1 else PurePosixPath(first).stem), name
 
 
+def unzipped(name: str) -> str:
+    """A name without the ending of a zip."""
+    return name[: -len(".zip")] if name.lower().endswith(".zip") else name
+
+
 def assignment_of(name: str, file: Found, known: list[str]) -> str:
     """The assignment that a file answers: by its name, by its folder, else by the marks of its cells; "" where none fits."""
     stem = COPIED.sub("", PurePosixPath(name).stem)
-    for candidate in (stem, *reversed(file.place[:-1])):
+    for candidate in (stem, *map(unzipped, reversed(file.place[:-1]))):
         if candidate in known:
             return candidate
     starts = [candidate for candidate in known if stem.lower().startswith(candidate.lower())]
