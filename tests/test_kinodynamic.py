@@ -227,7 +227,9 @@ def test_trajectories() -> None:
         ke.Trajectory(ke.Point(), (0, 0, 0), [(1, 0)], [1])
 
 
-@pytest.mark.parametrize(("rule", "order"), [(integrators.euler, 1), (integrators.runge_kutta, 4)], ids=("Euler", "Runge and Kutta"))
+@pytest.mark.parametrize(
+    ("rule", "order"), [(integrators.euler, 1), (integrators.runge_kutta, 4)], ids=("Euler", "Runge and Kutta")
+)
 def test_error_orders(rule: Any, order: int) -> None:
     """Twice as many steps: half the error by Euler's rule, a sixteenth by Runge's and Kutta's; none in closed form."""
     pose, v, curvature, t = (1.0, 2.0, 0.5), -1.5, 0.4, 4.0
