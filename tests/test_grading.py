@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from kinoedu.course.release import assignments
 from kinoedu.grading import sandbox
 from kinoedu.grading.grading import grade
 from kinoedu.grading.notebook import MOST_BYTES, UnreadableSubmission, cells_in
@@ -42,9 +43,10 @@ def graded(box: Sandbox, *sources: str) -> dict:
 
 
 @needs_sandbox
-def test_a_right_notebook_has_every_point(box):
-    data = (HOUSE / "solutions" / "01_geometry.ipynb").read_bytes()
-    record = grade(data, assignment("01_geometry"), SECRET, box)
+@pytest.mark.parametrize("name", assignments())
+def test_a_right_notebook_has_every_point(box, name):
+    """Every assignment of the course can be graded, and its solution is right also on cases that nobody has seen."""
+    record = grade((HOUSE / "solutions" / f"{name}.ipynb").read_bytes(), assignment(name), SECRET, box)
     assert all(question["score"] == question["max_score"] > 0 for question in record["questions"])
     assert record["cells"] == []
 
