@@ -34,7 +34,7 @@ def scene_of(problem: ProblemRecord) -> dict[str, Any]:
 def problem_of(scene: dict[str, Any]) -> Asked:
     """The problem in a scene, as a planner exercise hands it out.
 
-    >>> square = {"kind": "polygons", "boundary": [(0, 0), (4, 0), (4, 4), (0, 4)]}
+    >>> square = {"kind": "polygons", "boundary": [[0, 0], [4, 0], [4, 4], [0, 4]]}
     >>> problem = problem_of({"robot": {"kind": "point"}, "world": square, "start": [1, 1], "goal": [3, 2]})
     >>> problem.is_free_path(problem.start, problem.goal), problem.counts()
     (True, {'is_free_path': 1})

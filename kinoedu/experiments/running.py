@@ -2,10 +2,10 @@
 
 import os
 from collections.abc import Callable, Iterable, Iterator
-from concurrent.futures import FIRST_COMPLETED, wait
 from pathlib import Path
 from typing import Any
 
+from ..arrivals import Arrivals
 from ..errors import InvalidParameter
 from ..geometry.checks import shortened
 from .cells import FOUND, NOT_RUN, Cell, Outcome
@@ -75,25 +75,23 @@ def run(
 
 def outcomes(cells: Iterable[Cell], hand_over: HandOver) -> Iterator[tuple[Cell, Outcome]]:
     """Every cell with its outcome, as they come; a run whose worker is lost is handed over again."""
-    left, waiting, tries = iter(cells), {}, dict[str, int]()
+    left, arrivals, tries = iter(cells), Arrivals[Cell](), dict[str, int]()
 
     def start(cell: Cell) -> None:
         tries[cell.key] = tries.get(cell.key, 0) + 1
-        waiting[hand_over(cell)] = cell
+        arrivals.expect(hand_over(cell), cell)
 
     for _, cell in zip(range(AHEAD), left):  # in this order, or one would be lost
         start(cell)
-    while waiting:
-        for future in wait(waiting, timeout=0.2, return_when=FIRST_COMPLETED).done:  # woken, so that Ctrl-C is heard everywhere
-            cell = waiting.pop(future)
-            lost = future.exception()
-            if lost is not None and tries[cell.key] < TRIES:
-                start(cell)
-                continue
-            yield cell, future.result() if lost is None else Outcome(NOT_RUN, reason=f"{type(lost).__name__}: {lost}")
-            for following in left:
-                start(following)
-                break
+    for cell, future in arrivals:
+        lost = future.exception()
+        if lost is not None and tries[cell.key] < TRIES:
+            start(cell)
+            continue
+        yield cell, future.result() if lost is None else Outcome(NOT_RUN, reason=f"{type(lost).__name__}: {lost}")
+        for following in left:
+            start(following)
+            break
 
 
 def row(cell: Cell, outcome: Outcome) -> Row:

@@ -12,12 +12,13 @@ import multiprocessing
 import os
 import threading
 from collections.abc import Callable, Iterable, Iterator
-from concurrent.futures import FIRST_COMPLETED, Executor, Future, ProcessPoolExecutor, wait
+from concurrent.futures import Executor, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from ..arrivals import Arrivals
 from ..cache import source_digest
 from ..course.release import HOUSE, solution
 from ..whole_file import written_whole
@@ -177,19 +178,20 @@ def worked(jobs: Iterable[Job], place: Place, most: int | None) -> Iterator[tupl
         now = calm or left[:1]
         left = [job for job in left if job not in calm] if calm else left[1:]
         with place(most if calm else 1) as executor:
-            waiting: dict[Future[Grade], Job] = {executor.submit(work, job): job for job in now}
-            while waiting:
-                begun = {job.key for future, job in waiting.items() if future.running()}
-                for future in wait(waiting, timeout=0.2, return_when=FIRST_COMPLETED).done:
-                    job, trouble = waiting.pop(future), future.exception()
-                    if trouble is None:
-                        yield job, future.result(), ""
-                        continue
-                    tries[job.key] = tries.get(job.key, 0) + (job.key in begun or not isinstance(trouble, BrokenProcessPool))
-                    if tries[job.key] < TRIES:
-                        left.append(job)
-                    else:
-                        yield job, None, f"{type(trouble).__name__}: {trouble}"
+            arrivals, begun = Arrivals[Job](), set[str]()
+            for job in now:
+                arrivals.expect(executor.submit(work, job), job)
+            for job, future in arrivals:
+                trouble = future.exception()
+                if trouble is None:
+                    begun = {other.key for waiting, other in arrivals.waiting.items() if waiting.running()}
+                    yield job, future.result(), ""
+                    continue
+                tries[job.key] = tries.get(job.key, 0) + (job.key in begun or not isinstance(trouble, BrokenProcessPool))
+                if tries[job.key] < TRIES:
+                    left.append(job)
+                else:
+                    yield job, None, f"{type(trouble).__name__}: {trouble}"
 
 
 class Own(threading.local):

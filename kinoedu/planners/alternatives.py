@@ -35,7 +35,7 @@ def alternative_routes(plan: Plan, k: int = 3, *, penalty: float = 1.0) -> list[
     >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 2), (6, 2), (6, 8), (4, 8)]])
     >>> plan = prm(Problem(Point(), world, start=(1, 5), goal=(9, 5)), n=200, rng=0)
     >>> below, above = alternative_routes(plan, 2, penalty=10)
-    >>> bool(below.cost <= above.cost), (below.path[:, 1].mean() < 5) != (above.path[:, 1].mean() < 5)
+    >>> bool(below.cost <= above.cost), bool((below.path[:, 1].mean() < 5) != (above.path[:, 1].mean() < 5))
     (True, True)
     """
     if not isinstance(plan, Plan) or not isinstance(plan.roadmap, Roadmap | DrivenRoadmap):

@@ -146,7 +146,7 @@ def sst(
 
     >>> from kinoedu import Car, PolygonWorld, Problem
     >>> world = PolygonWorld([(0, 0), (20, 0), (20, 20), (0, 20)], [[(9, 0), (11, 0), (11, 10), (9, 10)]])
-    >>> plan = sst(Problem(Car(3, 1, 2), world, (4, 4, 0), (16, 4, 0)), rng=0)
+    >>> plan = sst(Problem(Car(3, 1, 2), world, (4, 4, 0), (16, 4, 0)), rng=1)
     >>> bool(20 < plan.cost < 40)
     True
     """
