@@ -188,3 +188,14 @@ def test_what_breaks_a_reader_is_reported_by_name_and_the_rest_is_read(tmp_path)
     assert found["ann"].trouble == ""
     assert {name for name, one in found.items() if one.trouble} == {"bob", "cat", "dan", "fay", "gil"}
     assert all(one.data == b"" for one in found.values() if one.trouble)
+
+
+@needs_sandbox
+def test_the_order_of_a_set_of_words_is_no_matter_of_chance():
+    """Each sandbox of its own, and each tells the same hash of a word."""
+    said = []
+    for _ in range(2):
+        box = Sandbox()
+        said.append(graded(box, "raise ValueError(hash('kinoedu'))")["cells"][0]["trouble"]["message"])
+        box.close()
+    assert said[0] == said[1]

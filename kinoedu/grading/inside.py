@@ -1,6 +1,6 @@
 """What runs in the sandbox: a student's cells, and then their functions on cases. Nothing else ever runs a student's program.
 
-`python -I inside.py SOCKET [MODULE...]`, started by `sandbox.py`, loads the library once, and those modules too, and waits.
+`python inside.py SOCKET [MODULE...]`, started by `sandbox.py`, loads the library once, and those modules too, and waits.
 For each request it forks a process that shuts itself in, runs what it can, and writes a line of JSON for each cell and each case as
 soon as it is done; whoever reads believes none of it. A request comes as two files, one to read and one to write lines to:
 
@@ -30,6 +30,7 @@ from typing import Any, NamedTuple
 PRACTICE = 50
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parent.parent)]
+sys.path += map(str, HERE.parent.parent.glob("site-packages-*"))
 
 import library  # noqa: E402  (beside this file: to import them from kinoedu would load all of it, before the mode is known)
 import shut_in  # noqa: E402

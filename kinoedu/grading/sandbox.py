@@ -65,16 +65,16 @@ def why_not() -> str:
         return f"programs can be shut in on x86_64 and aarch64, and this machine is {platform.machine()}"
     if shutil.which("bwrap") is None:
         return "bubblewrap is not installed (Debian, Ubuntu: sudo apt install bubblewrap; Fedora: sudo dnf install bubblewrap)"
-    trial = subprocess.run([*walls(), *python(), "-c", "print(6 * 7)"], capture_output=True, text=True, timeout=START, check=False)
+    trial = subprocess.run(walled("-c", "print(6 * 7)"), capture_output=True, text=True, timeout=START, check=False)
     if trial.stdout.strip() == "42":
         return ""
     said = " ".join(trial.stderr.split())[-300:]
     return f"bubblewrap cannot make a sandbox here ({said}); user namespaces must be allowed: see the instructor's guide"
 
 
-def python() -> list[str]:
-    """This Python, seeing nothing of the user's."""
-    return [sys.executable, "-I", "-B"]
+def python(executable: str) -> list[str]:
+    """A Python that sees nothing of the user's; not even the order of a set of words is left to chance, which `-I` would do."""
+    return [executable, "-s", "-P", "-B"]
 
 
 @functools.cache
@@ -96,9 +96,11 @@ def walls() -> tuple[str, ...]:
         command += ["--perms", "0755", "--dir", folder]
     for path in ("/usr", "/lib", "/lib64", "/bin", "/etc/ld.so.cache", "/etc/alternatives"):
         command += ["--symlink", os.readlink(path), path] if os.path.islink(path) else ["--ro-bind-try", path, path]
-    for path in map(str, readable()):
-        command += ["--ro-bind", path, path]
-    command += ["--ro-bind", str(PACKAGE), LIBRARY, "--proc", "/proc", "--dev", "/dev"]
+    for path in readable():
+        command += ["--ro-bind", str(path), str(path)]
+    for path, place in {PACKAGE: LIBRARY, **packages()}.items():
+        command += ["--ro-bind", str(path), place]
+    command += ["--proc", "/proc", "--dev", "/dev"]
     for path, most in (("/dev/shm", 2**20), ("/tmp", 64 * 2**20)):
         command += ["--perms", "1777", "--size", str(most), "--tmpfs", path]
     for name, value in ENVIRONMENT.items():
@@ -107,20 +109,22 @@ def walls() -> tuple[str, ...]:
 
 
 def readable() -> list[Path]:
-    """What of this machine a program may read, beside the system and the library: Python and its packages."""
-    prefixes = [Path(sys.prefix), Path(sys.base_prefix), Path(sysconfig.get_path("purelib"))]
-    chosen: list[Path] = []
-    for path in dict.fromkeys(prefixes):
-        if not path.is_relative_to("/usr") and not any(path.is_relative_to(other) for other in chosen):
-            chosen.append(path)
-    return chosen
+    """What of this machine a program may read where it is, beside the system: Python itself, of which an environment is only a
+    part.
+    """
+    return [path for path in [Path(sys.base_prefix)] if not path.is_relative_to("/usr")]
+
+
+def packages() -> dict[Path, str]:
+    """Python's packages, and where they are inside: beside the library, wherever the course is kept."""
+    return {Path(sysconfig.get_path(kind)): f"/course/site-packages-{kind}" for kind in ("purelib", "platlib")}
 
 
 class Sandbox:
     """Runs requests one after another, each shut in alone."""
 
     def __init__(self, program: Callable[[], list[str]] | None = None) -> None:
-        self.program = program or walled
+        self.program = program or functools.partial(walled, INSIDE)
         self.user = NOBODY if os.geteuid() == 0 else 0
         self.started: dict[tuple[str, ...], Started] = {}
 
@@ -157,18 +161,18 @@ class Started(NamedTuple):
     grader: socket.socket
 
 
-def walled() -> list[str]:
-    """The command that starts inside.py in the sandbox, but for its arguments."""
-    return [*walls(), *python(), INSIDE]
+def walled(*program: str) -> list[str]:
+    """The command that starts a program of Python's in the sandbox, but for more arguments."""
+    return [*walls(), *python(os.path.realpath(sys.executable)), *program]
 
 
 def without_walls() -> list[str]:
-    """The command that starts it without: only for programs that are trusted."""
+    """The command that starts trusted.py, inside.py without walls, but for its arguments."""
     return [
         "env",
         "-i",
         *(f"{name}={value}" for name, value in ENVIRONMENT.items()),
-        *python(),
+        *python(sys.executable),
         str(PACKAGE / "grading" / "trusted.py"),
     ]
 
