@@ -10,9 +10,9 @@ A *record* is a NamedTuple of arrays, numbers and records: the one kind of objec
 Without numba, or under NUMBA_DISABLE_JIT=1, everything still works and gives the same answers, slowly.
 
 The cache. numba notices a change in a compiled function's own file only, never in what it calls. So the code is kept in a folder
-named by a digest of all the package's sources, private to its user; and only what those sources fully determine is kept: functions
-of this package, for records of this package. Where no folder can be written, code is
-compiled anew in each process.
+named by a digest of the package's sources, private to its user; and only what those sources fully determine is kept: functions
+of this package, for records of this package, all from below the rooms that only use algorithms. Where no folder can be written,
+code is compiled anew in each process.
 """
 
 import functools
@@ -22,7 +22,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any, Protocol, TypeVar, cast
 
-from .cache import cache_folder
+from .cache import cache_folder, is_digested
 from .errors import DuplicateKind
 
 try:
@@ -33,10 +33,9 @@ try:
 except ImportError:  # pragma: no cover - tried in a process of its own
     numba = None
 
-PACKAGE = __name__.partition(".")[0]
 JIT = numba is not None and not numba.config.DISABLE_JIT
 
-log = logging.getLogger(PACKAGE)
+log = logging.getLogger(__name__.partition(".")[0])
 
 F = TypeVar("F", bound=Callable[..., Any])
 C = TypeVar("C", bound=type)
@@ -56,9 +55,7 @@ CACHE = cache_folder(Path(__file__).parent) if JIT else None
 def _is_ours(kind: Any) -> bool:
     """Whether a numba type is made of nothing but numbers, arrays and this package's records."""
     record_class = getattr(kind, "instance_class", None)
-    if record_class is not None and record_class.__module__.partition(".")[0] != PACKAGE:
-        return False
-    return all(map(_is_ours, getattr(kind, "types", ())))
+    return (record_class is None or is_digested(record_class)) and all(map(_is_ours, getattr(kind, "types", ())))
 
 
 if JIT:
@@ -151,7 +148,7 @@ def _dispatcher(function: Callable[..., Any], source: Callable[..., Any], **opti
         function.py_func = function  # type: ignore[attr-defined]
         return cast(Compiled, function)
     dispatcher = numba.njit(**OPTIONS, **options)(function)
-    if CACHE is not None and source.__module__.partition(".")[0] == PACKAGE:
+    if CACHE is not None and is_digested(source):
         previous, numba.config.CACHE_DIR = numba.config.CACHE_DIR, str(CACHE)
         try:
             dispatcher._cache = _PackageCache(source)

@@ -14,8 +14,10 @@ import pytest
 
 import kinoedu
 from kinoedu import Disk, Point, PolygonWorld, Problem, Recorder, Terrain, rrt
+from kinoedu.cache import UPPER_ROOMS, is_digested, source_digest
 from kinoedu.collision import is_free_path
 from kinoedu.compiled import CACHE, JIT, compiled, generic, record
+from kinoedu.course.exercise import Exercise
 from kinoedu.errors import DuplicateKind, InvalidParameter
 from kinoedu.planners.rrt import grow
 from kinoedu.robots.round import RoundRobot
@@ -328,6 +330,7 @@ print(json.dumps([point_in_polygon((1, 1), [(0, 0), (4, 0), (0, 4)]), kinoedu.__
 OWN_ROBOT = """
 from typing import NamedTuple
 import numpy as np
+from kinoedu.cache import UPPER_ROOMS, is_digested, source_digest
 from kinoedu.collision import is_free_path
 from kinoedu.configurations import space_of
 from kinoedu.spaces import RealSpace
@@ -391,3 +394,18 @@ print(json.dumps([sorted(heavy & set(sys.modules) - already), numba is None or n
     assert run(code) == [[], True]
     assert run(code, NUMBA_CACHE_DIR=str(tmp_path)) == [[], True]
     assert list(tmp_path.iterdir()) == []
+
+
+def test_only_sources_that_code_is_made_of_name_its_folder(tmp_path: Path) -> None:
+    """Another algorithm, another folder; another exercise, the same folder, and nothing compiled of exercises is kept."""
+    for room in ("planners", "course"):
+        (tmp_path / room).mkdir()
+        (tmp_path / room / "one.py").write_text("a = 1")
+    before = source_digest(tmp_path, without=UPPER_ROOMS)
+    (tmp_path / "course" / "one.py").write_text("a = 2")
+    assert source_digest(tmp_path, without=UPPER_ROOMS) == before
+    (tmp_path / "planners" / "one.py").write_text("a = 2")
+    assert source_digest(tmp_path, without=UPPER_ROOMS) != before
+    assert is_digested(rrt)
+    assert not is_digested(Exercise)
+    assert not is_digested(Cat)

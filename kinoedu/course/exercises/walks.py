@@ -7,10 +7,10 @@ import numpy as np
 
 from ...geometry import point_segment_distance
 from ...geometry.checks import Array
+from ...geometry.leash import at_most_apart, followed
 from ...geometry.polygons import places
 from ...words import say
 from ..exercise import MOST_SHOWN, RIGHT, Case, Exercise, Verdict, spoken
-from ..leash import at_most_apart, followed
 from ..outcomes import Answer, Outcome
 from ..shapes import Listed, Number, Numbers, Record
 

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..compiled import compiled
-from ..geometry.checks import Array, as_points
+from .checks import Array, as_points
 
 
 def followed(path: ArrayLike, guide: ArrayLike, leash: float) -> int:
