@@ -88,18 +88,13 @@ def walls() -> tuple[str, ...]:
     else:
         command += ["--unshare-user"]
     command += ["--cap-add", "CAP_SYS_ADMIN"]  # to shut each request in; gone before a program runs
-    for folder in (
-        "/etc",
-        str(Path(LIBRARY).parent),
-        *{str(above): None for path in readable() for above in reversed(path.parents[:-1])},
-    ):
+    above = {str(folder): None for place in readable().values() for folder in reversed(Path(place).parents[:-1])}
+    for folder in ("/etc", *above):
         command += ["--perms", "0755", "--dir", folder]
     for path in ("/usr", "/lib", "/lib64", "/bin", "/etc/ld.so.cache", "/etc/alternatives"):
         command += ["--symlink", os.readlink(path), path] if os.path.islink(path) else ["--ro-bind-try", path, path]
-    for path in readable():
-        command += ["--ro-bind", str(path), str(path)]
-    for path, place in {PACKAGE: LIBRARY, **packages()}.items():
-        command += ["--ro-bind", str(path), place]
+    for source, place in readable().items():
+        command += ["--ro-bind", str(source), place]
     command += ["--proc", "/proc", "--dev", "/dev"]
     for path, most in (("/dev/shm", 2**20), ("/tmp", 64 * 2**20)):
         command += ["--perms", "1777", "--size", str(most), "--tmpfs", path]
@@ -108,16 +103,13 @@ def walls() -> tuple[str, ...]:
     return (*command, "--remount-ro", "/dev", "--remount-ro", "/", "--chdir", "/tmp", "--hostname", "sandbox", "--")
 
 
-def readable() -> list[Path]:
-    """What of this machine a program may read where it is, beside the system: Python itself, of which an environment is only a
-    part.
+def readable() -> dict[Path, str]:
+    """What of this machine a program may read, beside the system, and where it is inside: Python itself where it is, the library and
+    Python's packages beside each other, wherever the course is kept.
     """
-    return [path for path in [Path(sys.base_prefix)] if not path.is_relative_to("/usr")]
-
-
-def packages() -> dict[Path, str]:
-    """Python's packages, and where they are inside: beside the library, wherever the course is kept."""
-    return {Path(sysconfig.get_path(kind)): f"/course/site-packages-{kind}" for kind in ("purelib", "platlib")}
+    places = {Path(sysconfig.get_path(kind)): f"/course/site-packages-{kind}" for kind in ("purelib", "platlib")}
+    itself = Path(sys.base_prefix)
+    return {PACKAGE: LIBRARY, **places} | ({} if itself.is_relative_to("/usr") else {itself: str(itself)})
 
 
 class Sandbox:
