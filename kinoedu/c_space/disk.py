@@ -1,4 +1,4 @@
-"""A disk among polygons: its obstacles grow by its radius, its workspace shrinks by it. Bullo & Smith, section 4.3.
+"""A disk among polygons: its obstacles grow by its radius, its workspace shrinks by it. Bullo & Smith, chapter 4.
 
 Each convex part of an obstacle grows into a shape whose outline is known exactly (`Rounded`). Where such shapes overlap, and where
 the workspace is not convex, the free regions are polygons, to a tolerance, and on the safe side: never larger than the truth.

@@ -1,6 +1,6 @@
 """A polygon that is moved without turning: its obstacles grow, its workspace shrinks, and it becomes a point.
 
-Bullo & Smith, section 4.3; LaValle, section 4.3.2. The robot's configuration is the position of its reference point, the origin of
+Bullo & Smith, chapter 4; LaValle, section 4.3.2. The robot's configuration is the position of its reference point, the origin of
 the coordinates in which its vertices are given.
 """
 

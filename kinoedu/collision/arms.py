@@ -1,4 +1,4 @@
-"""Which link of an arm is in contact: at one configuration, or painted over all of them. Bullo & Smith, section 4.1."""
+"""Which link of an arm is in contact: at one configuration, or painted over all of them. Bullo & Smith, chapter 4."""
 
 import math
 from typing import Any

@@ -1,4 +1,4 @@
-"""The roadmap that a decomposition makes: a node in each cell, a node on each wall. Bullo & Smith, section 2.2."""
+"""The roadmap that a decomposition makes: a node in each cell, a node on each wall. Bullo & Smith, chapter 2."""
 
 from typing import Any
 

@@ -1,6 +1,6 @@
 """A vertical line sweeps a polygonal world from left to right: where it meets vertices, cells end and others begin.
 
-Bullo & Smith, section 2.2, the sweeping trapezoidation algorithm; M. de Berg, O. Cheong, M. van Kreveld, M. Overmars, Computational
+Bullo & Smith, chapter 2, the sweeping trapezoidation algorithm; M. de Berg, O. Cheong, M. van Kreveld, M. Overmars, Computational
 Geometry, sections 2.1 and 6.1. The line's status is the list S of the edges that it crosses, here in pairs: a floor and the ceiling
 above it, with an open cell between them.
 

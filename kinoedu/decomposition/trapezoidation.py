@@ -1,6 +1,6 @@
 """Trapezoids: the free space of a polygonal world cut by a vertical wall up and down from every vertex.
 
-Bullo & Smith, section 2.2; M. de Berg, O. Cheong, M. van Kreveld, M. Overmars, Computational Geometry, sections 6.1 and 13.2. The
+Bullo & Smith, chapter 2; M. de Berg, O. Cheong, M. van Kreveld, M. Overmars, Computational Geometry, sections 6.1 and 13.2. The
 algorithm is in sweep.py.
 """
 

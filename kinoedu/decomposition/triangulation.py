@@ -1,6 +1,6 @@
 """Triangles: the other way to cut a polygonal world into convex cells, without walls inside edges.
 
-Bullo & Smith, section 2.2; de Berg et al., chapters 3 and 9. The constrained Delaunay triangulation, whose triangles are as little
+Bullo & Smith, chapter 2; de Berg et al., chapters 3 and 9. The constrained Delaunay triangulation, whose triangles are as little
 slender as the edges allow, is shapely's.
 """
 

@@ -1,4 +1,4 @@
-"""An arm in its workspace, and its configuration space: sampled or painted. Bullo & Smith, section 4.1."""
+"""An arm in its workspace, and its configuration space: sampled or painted. Bullo & Smith, chapter 4."""
 
 from typing import Any
 

@@ -1,4 +1,4 @@
-"""Lines, and which side of one a point lies on. Bullo & Smith, Lectures on Robotic Planning and Kinematics, section 1.5."""
+"""Lines, and which side of one a point lies on. Bullo & Smith, Lectures on Robotic Planning and Kinematics, chapter 1."""
 
 import math
 

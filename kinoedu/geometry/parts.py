@@ -64,10 +64,8 @@ def make_parts(pieces: Sequence[Array], radius: Sequence[float]) -> Parts:
 
 def part_boxes(parts: Parts) -> Array:
     """The bounding box (x0, y0, x1, y1) of each part with its radius, shape (k, 4)."""
-    spans = [parts.points[a:b] for a, b in zip(parts.first[:-1], parts.first[1:], strict=True)]
-    lo = np.array([span.min(axis=0) for span in spans]).reshape(-1, 2) - parts.radius[:, None]
-    hi = np.array([span.max(axis=0) for span in spans]).reshape(-1, 2) + parts.radius[:, None]
-    return np.hstack([lo, hi])
+    lo, hi = (ufunc.reduceat(parts.points, parts.first[:-1], axis=0) for ufunc in (np.minimum, np.maximum))
+    return np.hstack([lo - parts.radius[:, None], hi + parts.radius[:, None]])
 
 
 @inlined

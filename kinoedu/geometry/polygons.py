@@ -1,4 +1,4 @@
-"""Simple polygons: which points they hold, how far a point is from one, and the way round it. Bullo & Smith, section 1.5.
+"""Simple polygons: which points they hold, how far a point is from one, and the way round it. Bullo & Smith, chapter 1.
 
 A polygon is a closed set: its boundary belongs to it.
 """

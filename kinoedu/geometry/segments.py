@@ -1,4 +1,4 @@
-"""Segments: the nearest point on one, the distance to it, and where two of them meet. Bullo & Smith, section 1.5."""
+"""Segments: the nearest point on one, the distance to it, and where two of them meet. Bullo & Smith, chapter 1."""
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray

@@ -104,8 +104,8 @@ def walls() -> tuple[str, ...]:
 
 
 def readable() -> dict[Path, str]:
-    """What of this machine a program may read, beside the system, and where it is inside: Python itself where it is, the library and
-    Python's packages beside each other, wherever the course is kept.
+    """What of this machine a program may read, beside the system, and where it is inside: Python itself where it is; the library
+    and Python's packages beside each other, wherever the course is kept.
     """
     places = {Path(sysconfig.get_path(kind)): f"/course/site-packages-{kind}" for kind in ("purelib", "platlib")}
     itself = Path(sys.base_prefix)

@@ -1,4 +1,4 @@
-"""Breadth-first search: the nodes in the order of how many edges away they are. Bullo & Smith, 2.3; LaValle, 2.2.
+"""Breadth-first search: the nodes in the order of how many edges away they are. Bullo & Smith, chapter 2; LaValle, 2.2.
 
     BFS(G, start, goal)
      1  for each node v: parent(v) := none

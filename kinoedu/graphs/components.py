@@ -1,4 +1,4 @@
-"""Connected components: one breadth-first search from each node that none before has reached. Bullo & Smith, 2.3."""
+"""Connected components: one breadth-first search from each node that none before has reached. Bullo & Smith, chapter 2."""
 
 from typing import Any
 

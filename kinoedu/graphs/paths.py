@@ -63,7 +63,7 @@ def path_found(found: Search, goal: int) -> NDArray[np.int64] | None:
 
 
 def extract_path(parent: ArrayLike, goal: int) -> NDArray[np.int64]:
-    """The nodes from the root to `goal` by following parents (n,), where the root's is -1; shape (k,). Bullo & Smith, 2.3.
+    """The nodes from the root to `goal` by following parents (n,), where the root's is -1; shape (k,). Bullo & Smith, chapter 2.
 
         P := [goal]
         while the first node of P has a parent: put that parent before it

@@ -15,7 +15,7 @@
 The queue is a heap. Nothing is moved in it: v is inserted once more, and what is retrieved a second time at no gain is passed over.
 
 E. W. Dijkstra (1959); P. E. Hart, N. J. Nilsson, B. Raphael, "A formal basis for the heuristic determination of minimum cost
-paths" (1968); Bullo & Smith, section 2.4; LaValle, section 2.2.
+paths" (1968); Bullo & Smith, chapter 2; LaValle, section 2.2.
 """
 
 from collections.abc import Iterator

@@ -1,6 +1,6 @@
 """Planning by decomposition and search: cut the free space into cells, and walk from cell to cell.
 
-Bullo & Smith, sections 2.2 to 2.4.
+Bullo & Smith, chapter 2.
 
 The planner is exact and complete: it finds a path whenever there is one, and says after finite time that there is none.
 """

@@ -1,6 +1,6 @@
 """Vertical cells for a robot that turns: the cells say where to stand, a free heading is found there, and motions are tried.
 
-Bullo & Smith, section 2.2, for the cells. They are cells of the workspace, made for a point. So nothing is promised to a body: a
+Bullo & Smith, chapter 2, for the cells. They are cells of the workspace, made for a point. So nothing is promised to a body: a
 motion inside one cell may hit what bounds it, and is judged as any other.
 """
 

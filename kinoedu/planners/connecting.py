@@ -1,10 +1,11 @@
-"""Which nodes of a roadmap are tried with which: the connection rules. Bullo & Smith, section 4.3.
+"""Which nodes of a roadmap are tried with which: the connection rules. Bullo & Smith, chapter 5.
 
 A rule is a record; `joined(rule, problem, nodes)` gives the edges that it leads to. A rule of your own is a record with an answer
 registered for its type.
 """
 
 from functools import singledispatch
+from heapq import heapify, heappop
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -127,22 +128,28 @@ def within(problem: Any, tree: Any, radius: float, most: int) -> tuple[Numbers, 
 
 @body
 def join_components(problem: Any, nodes: Array, k: int) -> tuple[Numbers, Array]:
-    """The edges (m, 2) that join each node to the components of those before it, and their costs (m,). O(n^2 log n)."""
+    """The edges (m, 2) that join each node to the components of those before it, and their costs (m,). O(n^2) where few tries
+    are in vain, O(n^2 log n) at most.
+    """
     n = len(nodes)
     root, edges, costs, size = np.arange(n), np.empty((n, 2), np.int64), np.empty(n), 0
     for i in range(1, n):
-        apart, tries = np.empty(i), np.zeros(n, np.int64)
-        for j in range(i):
-            apart[j] = problem.distance(nodes[i], nodes[j])
-        for j in np.argsort(apart, kind="mergesort"):
+        closest, tries = [(problem.distance(nodes[i], nodes[j]), j) for j in range(i)], np.zeros(n, np.int64)
+        heapify(closest)
+        components = i - size  # that may still be joined: each edge so far made one of two
+        while components > 0 and len(closest) > 0:
+            j = heappop(closest)[1]
             component = root_of(root, j)
             if component == root_of(root, i) or tries[component] == k:
                 continue
             tries[component] += 1
-            if problem.is_free_path(nodes[i], nodes[j]):
+            joins = problem.is_free_path(nodes[i], nodes[j])
+            if joins:
                 root[component] = root_of(root, i)
                 edges[size, 0], edges[size, 1], costs[size] = i, j, problem.motion_cost(nodes[i], nodes[j])
                 size += 1
+            if joins or tries[component] == k:
+                components -= 1
     return edges[:size].copy(), costs[:size].copy()
 
 

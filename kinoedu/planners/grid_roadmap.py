@@ -1,6 +1,6 @@
 """Fixed-resolution roadmaps: a lattice of configurations, each joined to its neighbours.
 
-Bullo & Smith, section 4.2; LaValle, section 5.4.2.
+Bullo & Smith, chapter 5; LaValle, section 5.4.2.
 """
 
 from itertools import product

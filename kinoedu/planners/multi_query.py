@@ -1,6 +1,6 @@
 """One roadmap for many queries: a roadmap is built once, and each pair of start and goal is only joined to it.
 
-Bullo & Smith, section 4.3: the preprocessing phase and the query phase.
+Bullo & Smith, chapter 5: the preprocessing phase and the query phase.
 """
 
 from typing import Any

@@ -1,5 +1,5 @@
 """Probabilistic roadmaps. L. E. Kavraki, P. Svestka, J.-C. Latombe, M. H. Overmars, "Probabilistic roadmaps for path planning in
-high-dimensional configuration spaces" (1996); Bullo & Smith, section 4.3; LaValle, section 5.6.
+high-dimensional configuration spaces" (1996); Bullo & Smith, chapter 5; LaValle, section 5.6.
 """
 
 import math

@@ -9,7 +9,7 @@
      6      follow the path for the length of the horizon, or until a motion is not free
      7  return the path that was followed
 
-Bullo & Smith, section 4.5.
+Bullo & Smith, chapter 5.
 """
 
 from collections.abc import Callable, Iterator
@@ -46,23 +46,23 @@ class SeenMap(NamedTuple):
 
     def add(self, seen: Scan) -> None:
         """Take in what a scan hit. Hits that are far apart for their rays are not joined: there may be a way between."""
-        turned = np.roll(np.arange(len(seen.angles)), -1)
-        apart = np.sqrt(((seen.points[turned] - seen.points) ** 2).sum(axis=1))
-        wide = JOINED * np.maximum(seen.distances, seen.distances[turned]) * (2.0 * np.pi / len(seen.angles))
-        for i in np.flatnonzero(seen.hit & seen.hit[turned] & (apart <= wide) & (apart > 0.0)):
-            first, second = seen.points[i], seen.points[turned[i]]
-            middle = 0.5 * (first + second)
-            beyond = middle + THICKNESS * apart[i] * (middle - seen.origin) / np.sqrt(((middle - seen.origin) ** 2).sum())
-            size = int(np.frexp(apart[i])[1])
-            square = np.floor(middle / 2.0**size).astype(int).tolist()
-            self.walls.setdefault((size, *square), np.array([first, second, beyond]))
+        first, second = seen.points, np.roll(seen.points, -1, axis=0)
+        apart = np.sqrt(((second - first) ** 2).sum(axis=1))
+        wide = JOINED * np.maximum(seen.distances, np.roll(seen.distances, -1)) * (2.0 * np.pi / len(seen.angles))
+        joined = seen.hit & np.roll(seen.hit, -1) & (apart <= wide) & (apart > 0.0)
+        first, second, apart = first[joined], second[joined], apart[joined, None]
+        middle = 0.5 * (first + second)
+        away = middle - seen.origin
+        beyond = middle + THICKNESS * apart * away / np.sqrt((away**2).sum(axis=1, keepdims=True))
+        size = np.frexp(apart)[1]
+        squares = np.hstack([size, np.floor(middle / 2.0**size).astype(int)]).tolist()
+        for square, wall in zip(map(tuple, squares), np.stack([second, first, beyond], axis=1), strict=True):
+            if square not in self.walls and turn(*wall.ravel().tolist()) > 0:
+                self.walls[square] = wall
 
-    def world(self, asked: ProblemRecord) -> PolygonWorldRecord:
-        """What is known as a world: the bounding box, and the walls seen."""
-        walls = np.array(list(self.walls.values())).reshape(-1, 3, 2)
-        turns = np.array([turn(*wall.ravel().tolist()) for wall in walls], np.int64)
-        walls[turns < 0] = walls[turns < 0, ::-1]
-        return world_of_triangles(asked.world.lo, asked.world.hi, walls[turns != 0])
+    def known(self) -> Array:
+        """The walls seen so far, each counter-clockwise, shape (k, 3, 2)."""
+        return np.array(list(self.walls.values())).reshape(-1, 3, 2)
 
 
 class Look(NamedTuple):
@@ -146,7 +146,7 @@ def receding_horizon_looks(
         seen.add(around)
         room = 0.5 * (float(around.distances.min()) - inner.robot.radius - inner.clearance)
         plan = plan_in_map(seen, inner, q, min(margin, room), local, generator)
-        before, walls = problem.asked[MOTIONS], np.array(list(seen.walls.values())).reshape(-1, 3, 2)
+        before, walls = problem.asked[MOTIONS], seen.known()
         gone = [] if plan.path is None or moves == most else follow(problem, plan.path, ahead)
         yield Look(around, walls, plan, np.array(gone).reshape(-1, len(q)), int(problem.asked[MOTIONS] - before))
         if plan.path is None:
@@ -176,7 +176,8 @@ def connect_and_shorten(problem: ProblemRecord, rng: np.random.Generator) -> Pla
 
 def plan_in_map(seen: SeenMap, asked: ProblemRecord, q: Array, margin: float, planner: Local, rng: np.random.Generator) -> Plan:
     """A plan from q in what was seen, with a margin to the walls while there is one: corners between two rays were not seen."""
-    world, plan = seen.world(asked), Plan(None, np.inf, reason="the walls seen leave no room at the start or the goal")
+    world = world_of_triangles(asked.world.lo, asked.world.hi, seen.known())
+    plan = Plan(None, np.inf, reason="the walls seen leave no room at the start or the goal")
     for share in (1.0, 0.25, 0.0625, 0.015625):
         try:
             plan = planner(Problem(asked.robot, world, q, asked.goal, clearance=asked.clearance + share * margin), rng)

@@ -1,4 +1,4 @@
-"""Four properties of a roadmap, measured: accessible, departable, connected, efficient. Bullo & Smith, section 4.1."""
+"""Four properties of a roadmap, measured: accessible, departable, connected, efficient. Bullo & Smith, chapter 5."""
 
 from collections.abc import Callable
 from typing import Any, NamedTuple

@@ -1,5 +1,5 @@
 """Rapidly-exploring random trees. LaValle, "Rapidly-exploring random trees: a new tool for path planning" (1998); LaValle,
-Planning Algorithms, section 5.5; Bullo & Smith, section 4.5.
+Planning Algorithms, section 5.5; Bullo & Smith, chapter 5.
 """
 
 from typing import Any

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..compiled import body, callable_from_compiled
+from ..compiled import body, callable_from_compiled, compiled
 from ..geometry.checks import Array, as_generator
 from ..graphs import extract_path
 from ..problems import MOTIONS, Plan, Tree
@@ -16,6 +16,7 @@ from .answers import plan_along
 from .asking import body_for, both_ways, new_tree, world_size
 from .tuning import positive, whole
 
+Numbers = NDArray[np.int64]
 TRAPPED = -1
 USUAL = 500  # nodes of a tree when it meets the other
 
@@ -25,7 +26,7 @@ def grow_both(
     problem: Any,
     from_start: GrowingTree,
     from_goal: GrowingTree,
-    owner: NDArray[np.int64],
+    owner: Numbers,
     step: float,
     max_iterations: int,
     rng: np.random.Generator,
@@ -113,8 +114,10 @@ def rrt_connect(
     trees, owner = (roomy_tree(asked, most), roomy_tree(asked, most)), np.full(most, -1)
     before = asked.asked[MOTIONS]
     at_start, at_goal, iterations = body_for(asked, grow_both)(asked, *trees, owner, epsilon, limit, as_generator(rng))
-    tree, numbers = as_one(trees, owner[owner >= 0])
-    path = None if at_start == TRAPPED else meeting(tree.parent, numbers[0][at_start], numbers[1][at_goal])
+    grown = int(trees[0].size[0] + trees[1].size[0])
+    nodes, parent, number = as_one((trees[0].nodes, trees[1].nodes), (trees[0].parent, trees[1].parent), owner[:grown])
+    tree = Tree(nodes, parent)
+    path = None if at_start == TRAPPED else meeting(tree.parent, number[0, at_start], number[1, at_goal])
     reason = f"after {iterations:,} iterations the trees, {len(tree.nodes):,} nodes, have not met; allow more, or another step"
     stats = {"nodes": len(tree.nodes), "iterations": int(iterations), "checks": int(asked.asked[MOTIONS] - before)}
     return plan_along(asked, tree.nodes, path, reason, planner="RRT-Connect", tree=tree, stats=stats)
@@ -128,16 +131,20 @@ def roomy_tree(problem: Any, capacity: int) -> GrowingTree:
     return tree._replace(nodes=np.empty((capacity, d)), parent=np.empty(capacity, np.int64), next=np.empty(capacity, np.int64))
 
 
-def as_one(trees: tuple[GrowingTree, GrowingTree], owner: NDArray[np.int64]) -> tuple[Tree, list[NDArray[np.int64]]]:
-    """Both trees in one, in the order in which they grew, and the number there of each node of either."""
-    numbers = [np.flatnonzero(owner == who) for who in (0, 1)]
-    nodes, parent = np.empty((len(owner), trees[0].nodes.shape[1])), np.empty(len(owner), np.int64)
-    for tree, number in zip(trees, numbers, strict=True):
-        above = tree.parent[: len(number)]
-        nodes[number], parent[number] = tree.nodes[: len(number)], np.where(above < 0, -1, number[above])
-    return Tree(nodes, parent), numbers
+@compiled
+def as_one(nodes: tuple[Array, Array], parents: tuple[Numbers, Numbers], owner: Numbers) -> tuple[Array, Numbers, Numbers]:
+    """Two trees in one, in the order in which they grew: its nodes, their parents, and the number in it of each node of either."""
+    together, parent = np.empty((len(owner), nodes[0].shape[1])), np.empty(len(owner), np.int64)
+    number, size = np.empty((2, len(owner)), np.int64), np.zeros(2, np.int64)
+    for i in range(len(owner)):
+        who = owner[i]
+        k = size[who]
+        above = parents[who][k]
+        together[i], parent[i] = nodes[who][k], number[who, above] if above >= 0 else TRAPPED
+        number[who, k], size[who] = i, k + 1
+    return together, parent, number
 
 
-def meeting(parent: NDArray[np.int64], at_start: int, at_goal: int) -> NDArray[np.int64]:
+def meeting(parent: Numbers, at_start: int, at_goal: int) -> Numbers:
     """From the start's root to where its tree meets the other, and on to the goal's root."""
     return np.concatenate([extract_path(parent, at_start), extract_path(parent, at_goal)[-2::-1]])

@@ -1,4 +1,4 @@
-"""The incremental tree roadmap, whose expansion is yours to choose. Bullo & Smith, section 4.5.
+"""The incremental tree roadmap, whose expansion is yours to choose. Bullo & Smith, chapter 5.
 
      1  T := the start, without edges
      2  while T has fewer than N nodes:

@@ -1,4 +1,4 @@
-"""Visibility roadmaps, and the shortest paths of a point among polygons. Bullo & Smith, section 4.2; LaValle, section 6.2.4.
+"""Visibility roadmaps, and the shortest paths of a point among polygons. Bullo & Smith, chapter 5; LaValle, section 6.2.4.
 
 A shortest path is a string pulled tight: it turns only at corners where the free space is reflex, and goes straight between them.
 So the roadmap joins those corners that see each other, along obstacles too: its motions are semi-free, contact is allowed.

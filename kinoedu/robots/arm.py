@@ -1,4 +1,4 @@
-"""Arms in the plane: bars with rounded ends, one joint after another. Bullo & Smith, sections 3.3 and 3.4."""
+"""Arms in the plane: bars with rounded ends, one joint after another. Bullo & Smith, chapter 3."""
 
 import math
 from typing import NamedTuple

@@ -1,4 +1,4 @@
-"""Polygon robots: one that only moves, and one that turns as well. Bullo & Smith, section 3.1; LaValle, section 4.2."""
+"""Polygon robots: one that only moves, and one that turns as well. Bullo & Smith, chapter 3; LaValle, section 4.2."""
 
 from typing import NamedTuple
 

@@ -1,5 +1,5 @@
 """Dispersion: the radius of the largest ball without a point, its centre in the unit cube. H. Niederreiter, "Random number
-generation and quasi-Monte Carlo methods", chapter 6; Bullo & Smith, section 4.2; LaValle, section 5.2.3.
+generation and quasi-Monte Carlo methods", chapter 6; Bullo & Smith, chapter 4; LaValle, section 5.2.3.
 
 The walls are mirrors. A point's image in a wall is as far from the wall as the point, and farther from all of the cube: images
 change no distance inside, and with them a hole that touches a wall is a hole like any other.

@@ -1,4 +1,4 @@
-"""Grids in the unit cube, and the bound that the best of them meets. Bullo & Smith, section 4.2; A. G. Sukharev, "Optimal
+"""Grids in the unit cube, and the bound that the best of them meets. Bullo & Smith, chapter 4; A. G. Sukharev, "Optimal
 strategies of the search for an extremum" (1971); LaValle, section 5.2.
 """
 

@@ -1,5 +1,5 @@
 """Halton's sequence: van der Corput's, in another prime base for each coordinate. J. H. Halton, "On the efficiency of certain
-quasi-random sequences of points" (1960); Bullo & Smith, section 4.2; LaValle, section 5.2.4.
+quasi-random sequences of points" (1960); Bullo & Smith, chapter 4; LaValle, section 5.2.4.
 """
 
 from collections.abc import Sequence

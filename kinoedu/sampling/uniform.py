@@ -1,4 +1,4 @@
-"""Random points. Bullo & Smith, section 4.2; LaValle, section 5.2.2."""
+"""Random points. Bullo & Smith, chapter 4; LaValle, section 5.2.2."""
 
 import numpy as np
 

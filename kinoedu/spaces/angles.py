@@ -1,4 +1,4 @@
-"""Angles, in radians: wrapped to [-pi, pi), and the short way between two. Bullo & Smith, section 3.2; LaValle, section 5.1.
+"""Angles, in radians: wrapped to [-pi, pi), and the short way between two. Bullo & Smith, chapter 3; LaValle, section 5.1.
 
 A full turn is the float 2 * math.pi, here and everywhere, so that pi and -pi are the same direction to the last bit.
 """
@@ -38,7 +38,7 @@ def circle_distance(a: ArrayLike, b: ArrayLike) -> float | Array:
     """The length of the shorter arc of the unit circle from direction a to direction b, from 0 to pi.
 
     a, b : finite angles in radians, wrapped or not; one, or shape (n,). One angle is compared with each of many. Returns a number
-    or shape (n,). Correctly rounded, for nearly equal and nearly opposite directions too. Bullo & Smith, section 3.2. Raises
+    or shape (n,). Correctly rounded, for nearly equal and nearly opposite directions too. Bullo & Smith, chapter 3. Raises
     InvalidPoint.
 
     >>> circle_distance(3, -3) == 2 * math.pi - 6, circle_distance(0.5, [0.5, 1.0]).tolist()

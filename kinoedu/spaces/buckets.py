@@ -3,6 +3,7 @@
 Nodes of any dimension may be kept so: their distance is at least that of their first two coordinates.
 """
 
+import math
 from typing import NamedTuple
 
 import numpy as np
@@ -34,10 +35,10 @@ class GrowingTree(NamedTuple):
 
 def empty_tree(capacity: int, lo: Array, hi: Array) -> GrowingTree:
     """A tree without nodes, for configurations between lo and hi, shapes (d,)."""
-    plane = np.append(hi - lo, 0.0)[:2] if len(lo) < 2 else (hi - lo)[:2]
+    width, height = [*(hi - lo).tolist(), 0.0][:2]
     buckets = max(capacity / NODES_PER_BUCKET, 1.0)
-    cell = float(max(np.sqrt(plane[0] * plane[1] / buckets), plane.max() / buckets)) or 1.0
-    columns, rows = np.maximum(np.ceil(plane / cell), 1).astype(int).tolist()
+    cell = max(math.sqrt(width * height / buckets), max(width, height) / buckets) or 1.0
+    columns, rows = max(math.ceil(width / cell), 1), max(math.ceil(height / cell), 1)
     return GrowingTree(
         np.empty((capacity, len(lo))),
         np.empty(capacity, np.int64),

@@ -1,4 +1,4 @@
-"""Spaces of which some coordinates are angles: the circle, the torus, SE(2). Bullo & Smith, section 3.2; LaValle, section 5.1.
+"""Spaces of which some coordinates are angles: the circle, the torus, SE(2). Bullo & Smith, chapter 3; LaValle, section 5.1.
 
 A configuration's angles lie in [-pi, pi); every distance and every motion takes the short way round.
 """

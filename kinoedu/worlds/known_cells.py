@@ -14,6 +14,7 @@ from .parts_index import MARGIN, PartsIndex, clip
 
 MIXED, FREE, SOLID = 0, 1, 2
 FINE = 8  # small cells along the side of a cell of the index
+NOTHING = np.zeros((0, 0), np.int8)
 FAR, SMALL = 1e9, 1e-290  # farther out for its size, or smaller, rounding is no longer small beside a margin: nothing is known
 
 
@@ -25,7 +26,7 @@ def known_cells(hull: Array, parts: Parts, cells: PartsIndex, lo: Array, hi: Arr
     """
     size = (hi - lo).max()
     if size < SMALL or np.abs([lo, hi]).max() > FAR * size:
-        return np.zeros((0, 0), np.int8)
+        return NOTHING
     known = np.empty((FINE * cells.rows, FINE * cells.columns), np.int8)
     fill_known_cells(known, hull, parts, cells)
     return known

@@ -40,14 +40,12 @@ def index_parts(parts: Parts, lo: Array, hi: Array) -> PartsIndex:
     columns, rows = np.maximum(np.ceil((hi - lo) / cell - MARGIN), 1).astype(int).tolist()
     low = np.clip(np.floor((boxes[:, :2] - lo) / cell - MARGIN), 0, [columns - 1, rows - 1]).astype(int)
     high = np.clip(np.floor((boxes[:, 2:] - lo) / cell + MARGIN), 0, [columns - 1, rows - 1]).astype(int)
-    held: list[list[int]] = [[] for _ in range(columns * rows)]
-    for part, ((i0, j0), (i1, j1)) in enumerate(zip(low.tolist(), high.tolist(), strict=True)):
-        for j in range(j0, j1 + 1):
-            for i in range(i0, i1 + 1):
-                held[j * columns + i].append(part)
-    first = np.cumsum([0, *map(len, held)], dtype=np.int64)
-    found = np.array([part for parts_held in held for part in parts_held], np.int64)
-    return PartsIndex(float(lo[0]), float(lo[1]), cell, columns, rows, first, found, boxes)
+    wide, tall = (high - low + 1).T
+    part = np.repeat(np.arange(len(boxes)), wide * tall)
+    k = np.arange(len(part)) - np.repeat(np.cumsum(wide * tall) - wide * tall, wide * tall)  # which of its part's cells
+    held = (low[part, 1] + k // wide[part]) * columns + low[part, 0] + k % wide[part]
+    first = np.append(0, np.cumsum(np.bincount(held, minlength=columns * rows)))
+    return PartsIndex(float(lo[0]), float(lo[1]), cell, columns, rows, first, part[np.argsort(held, kind="stable")], boxes)
 
 
 @compiled

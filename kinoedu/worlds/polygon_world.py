@@ -12,7 +12,7 @@ from ..geometry.convex import convex_hull, convex_parts
 from ..geometry.parts import Parts, make_parts
 from ..geometry.polygons import places
 from ..geometry.rings import as_ring
-from .known_cells import known_cells
+from .known_cells import NOTHING, known_cells
 from .parts_index import PartsIndex, index_parts
 
 
@@ -69,23 +69,22 @@ def PolygonWorld(boundary: ArrayLike, obstacles: Iterable[Any] = ()) -> PolygonW
             solids.append([ring, *(room[::-1] for room in rooms)])
     centres, radii = [disc[None, :2] for disc in discs], [float(disc[2]) for disc in discs]
     edges = np.concatenate([edges_of(ring, solid) for solid, rings in enumerate(solids) for ring in rings])
-    return assembled(edges, hull, make_parts(pieces + centres, [0.0] * len(pieces) + radii))
+    parts, lo, hi = make_parts(pieces + centres, [0.0] * len(pieces) + radii), hull.min(axis=0), hull.max(axis=0)
+    cells = index_parts(parts, lo, hi)
+    return PolygonWorldRecord(edges, hull, parts, cells, known_cells(hull, parts, cells, lo, hi), lo, hi)
 
 
 def world_of_triangles(lo: Array, hi: Array, triangles: Array) -> PolygonWorldRecord:
-    """A box with triangles (k, 3, 2) in it, each counter-clockwise with an area: a `PolygonWorld`, unchecked and made at once."""
+    """A box with triangles (k, 3, 2) in it, each counter-clockwise with an area: a `PolygonWorld`, unchecked and made at once.
+
+    For a few motions: what would make many questions quick takes longer to prepare than they do.
+    """
     box = np.array([(lo[0], lo[1]), (hi[0], lo[1]), (hi[0], hi[1]), (lo[0], hi[1])])
     numbers = np.repeat(np.arange(1.0, len(triangles) + 1.0), 3)
     sides = np.concatenate([triangles, np.roll(triangles, -1, axis=1)], axis=2).reshape(-1, 4)
     edges = np.concatenate([edges_of(box[::-1], 0), np.column_stack([sides, numbers])])
-    return assembled(edges, box, make_parts(list(triangles), [0.0] * len(triangles)))
-
-
-def assembled(edges: Array, hull: Array, parts: Parts) -> PolygonWorldRecord:
-    """The record of a world, whose parts are looked up by cells."""
-    lo, hi = hull.min(axis=0), hull.max(axis=0)
-    cells = index_parts(parts, lo, hi)
-    return PolygonWorldRecord(edges, hull, parts, cells, known_cells(hull, parts, cells, lo, hi), lo, hi)
+    parts = Parts(triangles.reshape(-1, 2), 3 * np.arange(len(triangles) + 1), np.zeros(len(triangles)))
+    return PolygonWorldRecord(edges, box, parts, index_parts(parts, lo, hi), NOTHING, lo, hi)
 
 
 def edges_of(ring: Array, solid: int) -> Array:

@@ -1,4 +1,4 @@
-"""A range sensor: how far it is to the first wall in each direction. LaValle, section 11.1.1; Bullo & Smith, section 4.5."""
+"""A range sensor: how far it is to the first wall in each direction. LaValle, section 11.1.1; Bullo & Smith, chapter 5."""
 
 import math
 from typing import Any, NamedTuple

@@ -1,4 +1,4 @@
-"""Exercises on distances between angles: on the circle, and on the torus. Bullo & Smith, section 3.2."""
+"""Exercises on distances between angles: on the circle, and on the torus. Bullo & Smith, chapter 3."""
 
 from collections.abc import Iterator
 from math import pi

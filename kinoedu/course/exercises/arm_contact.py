@@ -1,4 +1,4 @@
-"""The exercise on an arm among discs: which link touches one? Bullo & Smith, sections 3.4 and 4.3."""
+"""The exercise on an arm among discs: which link touches one? Bullo & Smith, chapters 3 and 4."""
 
 from collections.abc import Iterator
 from typing import Any

@@ -1,4 +1,4 @@
-"""The exercise on C-obstacles: where may a robot's reference point not be? Bullo & Smith, section 4.2."""
+"""The exercise on C-obstacles: where may a robot's reference point not be? Bullo & Smith, chapter 4."""
 
 from collections.abc import Iterator
 from typing import Any

@@ -1,4 +1,4 @@
-"""The last exercise on decomposition: a path from cell to cell, judged by going along it. Bullo & Smith, section 2.4."""
+"""The last exercise on decomposition: a path from cell to cell, judged by going along it. Bullo & Smith, chapter 2."""
 
 from collections.abc import Iterator
 from typing import Any

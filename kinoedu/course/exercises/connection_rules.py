@@ -1,4 +1,4 @@
-"""Exercises on the rules by which a roadmap's nodes are joined. Bullo & Smith, section 4.3; LaValle, section 5.6."""
+"""Exercises on the rules by which a roadmap's nodes are joined. Bullo & Smith, chapter 5; LaValle, section 5.6."""
 
 from collections.abc import Iterator
 from typing import Any

@@ -1,4 +1,4 @@
-"""Exercises on convex polygons: is a point in one, do two of them meet? Bullo & Smith, section 4.3."""
+"""Exercises on convex polygons: is a point in one, do two of them meet? Bullo & Smith, chapter 4."""
 
 from collections.abc import Iterator
 from itertools import product

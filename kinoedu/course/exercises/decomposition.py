@@ -1,4 +1,4 @@
-"""Exercises on cells: the trapezoids of a world, and who is whose neighbour. Bullo & Smith, section 2.2."""
+"""Exercises on cells: the trapezoids of a world, and who is whose neighbour. Bullo & Smith, chapter 2."""
 
 from collections.abc import Iterator
 from typing import Any

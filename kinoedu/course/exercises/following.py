@@ -1,4 +1,4 @@
-"""The exercise on planning with a receding horizon: how far a plan is followed. Bullo & Smith, section 4.5."""
+"""The exercise on planning with a receding horizon: how far a plan is followed. Bullo & Smith, chapter 5."""
 
 from collections.abc import Iterator
 from typing import Any

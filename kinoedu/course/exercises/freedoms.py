@@ -1,4 +1,4 @@
-"""The exercise on degrees of freedom: bodies in the plane, and pins that hold them together. Bullo & Smith, section 3.1."""
+"""The exercise on degrees of freedom: bodies in the plane, and pins that hold them together. Bullo & Smith, chapter 3."""
 
 from collections.abc import Iterator
 from typing import Any

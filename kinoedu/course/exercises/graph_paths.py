@@ -1,4 +1,4 @@
-"""Exercises on paths in graphs without weights: of the fewest edges, or any. Bullo & Smith, section 2.3; LaValle, section 2.2."""
+"""Exercises on paths in graphs without weights: of the fewest edges, or any. Bullo & Smith, chapter 2; LaValle, section 2.2."""
 
 from collections.abc import Iterator
 from typing import Any, ClassVar

@@ -1,4 +1,4 @@
-"""Exercises on trees in graphs: the breadth-first tree, and the paths that parents hold. Bullo & Smith, section 2.3."""
+"""Exercises on trees in graphs: the breadth-first tree, and the paths that parents hold. Bullo & Smith, chapter 2."""
 
 from collections.abc import Iterator
 from typing import Any

@@ -1,4 +1,4 @@
-"""Exercises on grids in the unit cube. Bullo & Smith, section 4.2."""
+"""Exercises on grids in the unit cube. Bullo & Smith, chapter 4."""
 
 from collections.abc import Callable, Iterator
 from typing import Any

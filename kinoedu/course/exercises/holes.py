@@ -1,4 +1,4 @@
-"""The exercise on dispersion: two bounds, from a lattice of probes. Bullo & Smith, section 4.2; LaValle, section 5.2.3."""
+"""The exercise on dispersion: two bounds, from a lattice of probes. Bullo & Smith, chapter 4; LaValle, section 5.2.3."""
 
 import math
 from collections.abc import Iterator

@@ -1,4 +1,4 @@
-"""Exercises on the arm of two links: where its joints are, and which angles take its tip to a place. Bullo & Smith, section 3.3."""
+"""Exercises on the arm of two links: where its joints are, and which angles take its tip to a place. Bullo & Smith, chapter 3."""
 
 from collections.abc import Iterator
 from functools import partial

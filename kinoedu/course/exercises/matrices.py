@@ -1,4 +1,4 @@
-"""Exercises on adjacency matrices: which motions are free, and the searches that read it. Bullo & Smith, sections 2.3 and 4.3."""
+"""Exercises on adjacency matrices: which motions are free, and the searches that read it. Bullo & Smith, chapters 2 and 5."""
 
 from collections.abc import Callable, Iterator
 from typing import Any

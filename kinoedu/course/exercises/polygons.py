@@ -1,4 +1,4 @@
-"""Exercises on polygons. Bullo & Smith, section 1.5."""
+"""Exercises on polygons. Bullo & Smith, chapter 1."""
 
 from collections.abc import Iterator
 from typing import Any

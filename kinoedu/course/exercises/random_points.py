@@ -1,4 +1,4 @@
-"""The exercise on random points. Bullo & Smith, section 4.2; LaValle, section 5.2.2."""
+"""The exercise on random points. Bullo & Smith, chapter 4; LaValle, section 5.2.2."""
 
 from collections.abc import Callable, Iterator
 from typing import Any

@@ -1,4 +1,4 @@
-"""The exercise on shortest paths along a roadmap. Bullo & Smith, sections 2.4 and 4.3."""
+"""The exercise on shortest paths along a roadmap. Bullo & Smith, chapters 2 and 5."""
 
 from collections.abc import Iterator
 from typing import Any

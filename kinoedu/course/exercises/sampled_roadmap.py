@@ -1,4 +1,4 @@
-"""The exercise on the whole of PRM. Bullo & Smith, section 4.3; LaValle, section 5.6."""
+"""The exercise on the whole of PRM. Bullo & Smith, chapter 5; LaValle, section 5.6."""
 
 from collections.abc import Iterator
 from typing import Any

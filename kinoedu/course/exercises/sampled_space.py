@@ -1,4 +1,4 @@
-"""The exercise that asks for a drawing of samples of an arm's configuration space. Bullo & Smith, section 4.3."""
+"""The exercise that asks for a drawing of samples of an arm's configuration space. Bullo & Smith, chapter 4."""
 
 from collections.abc import Iterator
 from typing import Any

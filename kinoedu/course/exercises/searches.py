@@ -1,4 +1,4 @@
-"""Exercises on graphs with weights: Dijkstra's algorithm and A*. Bullo & Smith, section 2.4; LaValle, section 2.2."""
+"""Exercises on graphs with weights: Dijkstra's algorithm and A*. Bullo & Smith, chapter 2; LaValle, section 2.2."""
 
 from collections.abc import Iterator
 from typing import Any

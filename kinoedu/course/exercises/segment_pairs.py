@@ -1,4 +1,4 @@
-"""The exercise on two segments: what do they share? Bullo & Smith, section 4.3."""
+"""The exercise on two segments: what do they share? Bullo & Smith, chapter 4."""
 
 from collections.abc import Iterator
 from typing import Any

@@ -1,4 +1,4 @@
-"""Exercises on van der Corput's and Halton's sequences. Bullo & Smith, section 4.2; LaValle, section 5.2.4."""
+"""Exercises on van der Corput's and Halton's sequences. Bullo & Smith, chapter 4; LaValle, section 5.2.4."""
 
 from collections.abc import Iterator
 from typing import Any

@@ -1,4 +1,4 @@
-"""Exercises on one place of the sweep line: what it crosses, and where it is free. Bullo & Smith, section 2.2."""
+"""Exercises on one place of the sweep line: what it crosses, and where it is free. Bullo & Smith, chapter 2."""
 
 from collections.abc import Iterator
 from typing import Any

@@ -1,4 +1,4 @@
-"""The exercise on the incremental tree roadmap. Bullo & Smith, section 4.5."""
+"""The exercise on the incremental tree roadmap. Bullo & Smith, chapter 5."""
 
 from collections.abc import Callable, Iterator
 from typing import Any

@@ -1,4 +1,4 @@
-"""Exercises on rapidly-exploring random trees, of one tree and of two. LaValle, section 5.5; Bullo & Smith, section 4.5."""
+"""Exercises on rapidly-exploring random trees, of one tree and of two. LaValle, section 5.5; Bullo & Smith, chapter 5."""
 
 from collections.abc import Iterator
 from typing import Any

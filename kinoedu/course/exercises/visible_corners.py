@@ -1,4 +1,4 @@
-"""The exercise on visibility roadmaps. Bullo & Smith, section 4.2; LaValle, section 6.2.4."""
+"""The exercise on visibility roadmaps. Bullo & Smith, chapter 5; LaValle, section 6.2.4."""
 
 from collections.abc import Iterator
 from typing import Any
