@@ -4,10 +4,13 @@ import difflib
 import json
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
 from .errors import KinoeduError, UnreadableScene
 from .geometry.checks import shortened
+from .worlds.reading import read_text
+
+Built = TypeVar("Built")
 
 
 class Field(NamedTuple):
@@ -20,6 +23,12 @@ class Field(NamedTuple):
     def wrong(self, expected: str) -> UnreadableScene:
         """The error that names this field."""
         return UnreadableScene(f"{self.name} must be {expected}, got {shortened(self.value)}")
+
+    def check_version(self, known: int) -> None:
+        """Raise UnreadableScene for an object of another version than the one that is known."""
+        if isinstance(self.value, dict) and self.value.get("version") not in (known, None):
+            given = shortened(self.value["version"])
+            raise UnreadableScene(f"{self.name}.version must be {known}, got {given}; this kinoedu knows no other")
 
     def members(self, needed: tuple[str, ...], optional: tuple[str, ...] = ()) -> dict[str, "Field"]:
         """The fields of an object, which has all that are needed and none that is not known."""
@@ -70,6 +79,14 @@ class Field(NamedTuple):
         if not isinstance(name, str) or name not in kinds:
             raise self.wrong(f'an object with a "kind" among {", ".join(kinds)}')
         return kinds[name](self)
+
+
+def read_json(file: Path, name: str, build: Callable[[Field], Built]) -> Built:
+    """What is built of the whole of a file. Its own errors, and UnreadableScene, name the file and the field at fault."""
+    try:
+        return build(Field(name, parsed(read_text(file)), file.parent))
+    except KinoeduError as error:
+        raise type(error)(f"{file}: {error}" if str(file) not in str(error) else str(error)) from error
 
 
 def parsed(text: str) -> Any:

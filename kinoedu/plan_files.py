@@ -18,14 +18,13 @@ from typing import Any, TypeVar
 import numpy as np
 
 from .curves.space import CurveSpace
-from .errors import InvalidParameter, InvalidPoint, KinoeduError, UnknownFormat, UnreadableScene
-from .fields import Field, parsed
+from .errors import InvalidParameter, InvalidPoint, UnknownFormat, UnreadableScene
+from .fields import Field, read_json
 from .geometry.checks import as_array, shortened
 from .problems import Plan, ProblemRecord, Recorder, Roadmap, Tree, Walk
 from .scenes import problem_from, scene_of
 from .spaces import RealSpace, WrappingSpace
 from .whole_file import written_whole
-from .worlds.reading import read_text
 
 VERSION = 1
 WHOLE_NUMBERS = ("parent", "edges", "hit", "leave")  # the members of trees, roadmaps and walks that count nodes
@@ -117,18 +116,12 @@ def read_plan(path: str | os.PathLike[str]) -> Plan:
     file = Path(path)
     if file.suffix.lower() != ".json":
         raise UnknownFormat(f"{file}: a plan that can be read ends in .json, got {file.suffix or 'no ending'}")
-    try:
-        return plan_from(Field("plan", parsed(read_text(file)), file.parent))
-    except KinoeduError as error:
-        raise type(error)(f"{file}: {error}" if str(file) not in str(error) else str(error)) from error
+    return read_json(file, "plan", plan_from)
 
 
 def plan_from(plan: Field) -> Plan:
     """A plan from the whole file."""
-    if isinstance(plan.value, dict) and plan.value.get("version") not in (VERSION, None):
-        raise UnreadableScene(
-            f"plan.version must be {VERSION}, got {shortened(plan.value['version'])}; this kinoedu knows no other"
-        )
+    plan.check_version(VERSION)
     members = ("version", "planner", "cost", "reason", "path", "stats", "tree", "roadmap", "walk", "problem")
     fields = plan.members(members)
     there = {name: field for name, field in fields.items() if field.value is not None}

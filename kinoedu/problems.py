@@ -13,11 +13,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .collision import check_cost, is_free, is_free_drive, is_free_path, is_semi_free_path, motion_cost
-from .collision.batches import as_margin
 from .compiled import record
 from .configurations import as_configuration, space_of, why_not_free
 from .errors import InvalidGoal, InvalidStart
-from .geometry.checks import Array
+from .geometry.checks import Array, none_or_more
 from .robots.controls import control, curvature, drive
 from .robots.trajectory import DrivenTree, TrajectoryRecord
 from .spaces import distance, interpolate, nearest, sample
@@ -110,7 +109,7 @@ def Problem(robot: Any, world: Any, start: ArrayLike, goal: ArrayLike, *, cleara
     >>> problem.is_free_path(problem.start, problem.goal), problem.distance(problem.start, problem.goal)
     (False, 8.0)
     """
-    margin = as_margin(clearance)
+    margin = none_or_more(clearance, "clearance")
     space = space_of(robot, world)
     check_cost(robot, world)
     q_start, q_goal = as_configuration(start, space, "start"), as_configuration(goal, space, "goal")

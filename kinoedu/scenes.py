@@ -31,9 +31,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .errors import InvalidParameter, KinoeduError, UnknownFormat, UnreadableScene
-from .fields import Field, parsed
-from .geometry.checks import Array, shortened
+from .errors import InvalidParameter, UnknownFormat, UnreadableScene
+from .fields import Field, read_json
+from .geometry.checks import Array
 from .problems import Problem, ProblemRecord
 from .robots import Point
 from .scene_robots import MESH_OPTIONS, ROBOTS, described, mesh_options
@@ -43,7 +43,6 @@ from .worlds.benchmr import is_polygon_map, read_benchmr
 from .worlds.meshes import mesh_world
 from .worlds.movingai import read_scenario, scenario_beside
 from .worlds.polygon_world import PolygonWorldRecord, discs_of, rings_of
-from .worlds.reading import read_text
 from .worlds.terrain import TerrainRecord
 
 VERSION = 1
@@ -58,18 +57,12 @@ def read_scene(path: str | os.PathLike[str]) -> ProblemRecord:
     file = Path(path)
     if file.suffix.lower() != ".json":
         raise UnknownFormat(f"{file}: a scene ends in .json; maps, pictures and meshes are read by read_world")
-    try:
-        return problem_from(Field("scene", parsed(read_text(file)), file.parent))
-    except KinoeduError as error:
-        raise type(error)(f"{file}: {error}" if str(file) not in str(error) else str(error)) from error
+    return read_json(file, "scene", problem_from)
 
 
 def problem_from(scene: Field) -> ProblemRecord:
     """A problem from the whole scene."""
-    if isinstance(scene.value, dict) and scene.value.get("version") not in (VERSION, None):
-        raise UnreadableScene(
-            f"scene.version must be {VERSION}, got {shortened(scene.value['version'])}; this kinoedu knows no other"
-        )
+    scene.check_version(VERSION)
     fields = scene.members(("version", "robot", "world", "start", "goal"), ("about", "clearance"))
     return Problem(
         fields["robot"].kind(ROBOTS),

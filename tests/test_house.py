@@ -86,6 +86,18 @@ def test_readme_names_files_that_exist():
             assert target.startswith("http") or (page.parent / target).exists(), f"{page.name}: {target}"
 
 
+def test_index_of_algorithms_names_every_planner():
+    """And nothing that is not there."""
+    import operator
+    import re
+
+    import kinoedu
+
+    named = re.findall(r"`ke\.([\w.]+)", (HOUSE / "docs" / "algorithms.md").read_text(encoding="utf-8"))
+    assert all(operator.attrgetter(name)(kinoedu) for name in named)
+    assert {name for name in kinoedu.planners.__all__ if name.islower()} <= {name.rpartition(".")[2] for name in named}
+
+
 def test_shipped_maps_are_the_tested_ones():
     """The maps beside the notebooks equal those whose every query is tested."""
     shipped = [file for file in (HOUSE / "notebooks" / "maps").iterdir() if file.suffix in (".map", ".scen")]

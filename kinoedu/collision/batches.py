@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..compiled import body
-from ..errors import InvalidParameter, InvalidPoint
-from ..geometry.checks import Array, as_array
+from ..errors import InvalidPoint
+from ..geometry.checks import Array, as_array, none_or_more
 from ..robots.arm import ArmRobot
 from ..robots.car import CarRobot
 from ..robots.polygon import RigidPolygonRobot, TranslatingPolygonRobot
@@ -27,7 +27,7 @@ def free_configurations(robot: Any, world: Any, qs: ArrayLike, *, clearance: flo
     array([ True, False, False, False])
     """
     run = judge_configurations if are_records(robot, world) else judge_configurations.py_func
-    return run(robot, world, as_configurations(qs, robot, "qs"), as_margin(clearance))
+    return run(robot, world, as_configurations(qs, robot, "qs"), none_or_more(clearance, "clearance"))
 
 
 def free_motions(robot: Any, world: Any, a: ArrayLike, b: ArrayLike, *, clearance: float = 0.0) -> NDArray[np.bool_]:
@@ -44,7 +44,7 @@ def free_motions(robot: Any, world: Any, a: ArrayLike, b: ArrayLike, *, clearanc
     if len(starts) != len(ends):
         raise InvalidPoint(f"a and b must hold equally many configurations, got {len(starts)} and {len(ends)}")
     run = judge_motions if are_records(robot, world) else judge_motions.py_func
-    return run(robot, world, starts, ends, as_margin(clearance))
+    return run(robot, world, starts, ends, none_or_more(clearance, "clearance"))
 
 
 @coordinates.register(RoundRobot)
@@ -98,11 +98,3 @@ def as_configurations(value: ArrayLike, robot: Any, name: str) -> Array:
     if qs.ndim != 2 or qs.shape[1] != size:
         raise InvalidPoint(f"{name} must hold configurations of {size} numbers each, shape (n, {size}), got shape {qs.shape}")
     return qs
-
-
-def as_margin(clearance: float) -> float:
-    """A clearance as one length, zero or more, or InvalidParameter."""
-    margin = as_array(clearance, "clearance")
-    if margin.ndim or margin < 0.0:
-        raise InvalidParameter(f"clearance must be one length, zero or more, got {clearance!r}")
-    return float(margin)

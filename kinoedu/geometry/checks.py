@@ -76,6 +76,13 @@ def positive(value: Any, name: str) -> float:
     return float(value)
 
 
+def none_or_more(value: Any, name: str) -> float:
+    """A finite number, zero or more."""
+    if not is_real(value) or not 0.0 <= value <= LIMIT:
+        raise InvalidParameter(f"{name} must be a number, zero or more, at most 1e150, got {shortened(value)}")
+    return float(value)
+
+
 def whole(value: Any, name: str, *, least: int) -> int:
     """A whole number, not less than `least`; at most ten million, which is what memory holds nodes for."""
     if isinstance(value, bool) or not isinstance(value, int | np.integer) or not least <= value <= 10_000_000:

@@ -3,16 +3,9 @@
 from typing import Any
 
 from ..errors import InvalidParameter
-from ..geometry.checks import LIMIT, is_real, positive, shortened, whole
+from ..geometry.checks import is_real, none_or_more, positive, shortened, whole
 
 __all__ = ["none_or_more", "one_of", "positive", "share", "whole"]
-
-
-def none_or_more(value: Any, name: str) -> float:
-    """A finite number, zero or more."""
-    if not is_real(value) or not 0.0 <= value <= LIMIT:
-        raise InvalidParameter(f"{name} must be a number, zero or more, at most 1e150, got {shortened(value)}")
-    return float(value)
 
 
 def one_of(value: Any, name: str, choices: tuple[str, ...]) -> str:

@@ -9,18 +9,19 @@ Here they are mended, and a warning says which.
 
 import os
 import warnings
+from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..errors import InvalidPolygon, KinoeduError, MendedPolygons, UnknownFormat, UnreadableScene
-from ..fields import Field, parsed
+from ..errors import InvalidPolygon, MendedPolygons, UnknownFormat
+from ..fields import Field, read_json
 from ..geometry.checks import Array, as_array
 from ..geometry.rings import as_ring
 from .outlines import rectangle
 from .polygon_world import PolygonWorld, PolygonWorldRecord
-from .reading import read_text, regular_file
+from .reading import regular_file
 
 SLIVER = 1e-12  # of the polygon's rectangle: what a crossing pinches off and is smaller, is rounding
 
@@ -46,19 +47,12 @@ def read_benchmr(path: str | os.PathLike[str], *, boundary: ArrayLike | None = N
     Raises UnreadableScene, with the field at fault; InvalidPolygon for one without area, by its number.
     """
     file = regular_file(path)
-    try:
-        return map_from(Field("map", parsed(read_text(file)), file.parent), boundary, str(file))
-    except KinoeduError as error:
-        raise type(error)(f"{file}: {error}" if str(file) not in str(error) else str(error)) from error
+    return read_json(file, "map", lambda field: map_from(field, boundary, str(file)))
 
 
 def is_polygon_map(path: str | os.PathLike[str]) -> bool:
     """Whether a JSON file is such a map, and not a scene. Raises UnreadableScene."""
-    try:
-        found = parsed(read_text(path))
-    except UnreadableScene as error:
-        raise UnreadableScene(f"{path}: {error}" if str(path) not in str(error) else str(error)) from error
-    return isinstance(found, dict) and "polygons" in found
+    return read_json(Path(path), "map", lambda field: isinstance(field.value, dict) and "polygons" in field.value)
 
 
 def read_polygons(path: str | os.PathLike[str]) -> PolygonWorldRecord:

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from ..errors import InvalidParameter
-from ..geometry.checks import Array, as_array, as_generator, positive, whole
+from ..geometry.checks import Array, as_array, as_generator, none_or_more, positive, whole
 from .polygon_world import PolygonWorld, PolygonWorldRecord
 
 TRIES = 1000  # places that are drawn for each obstacle before there is said to be no room
@@ -43,7 +43,7 @@ def scattered(
     count, width, size = whole(n, "n", least=0), positive(side, "side"), positive(radius, "radius")
     if 2.0 * size > width:
         raise InvalidParameter(f"an obstacle of radius {size:g} must fit into a side of {width:g}; make it smaller")
-    apart = -np.inf if gap is None else none_or_more(gap)
+    apart = -np.inf if gap is None else none_or_more(gap, "gap")
     chance, placed, polygons = as_generator(rng), as_discs(keep_free), []
     kept = len(placed)
     for number in range(count):
@@ -82,11 +82,3 @@ def as_discs(discs: Sequence[Sequence[float]]) -> Array:
     if (rows[:, 2] < 0.0).any():
         raise InvalidParameter(f"keep_free takes discs (x, y, r) whose radius is not negative, got {rows.tolist()}")
     return rows
-
-
-def none_or_more(gap: float) -> float:
-    """A gap of zero or more."""
-    size = as_array(gap, "gap")
-    if size.ndim or size < 0.0:
-        raise InvalidParameter(f"gap must be one number, zero or more, got {gap!r}")
-    return float(size)
