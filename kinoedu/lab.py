@@ -18,6 +18,9 @@ def open_lab(*, browser: bool = True) -> int:
     if not (COURSE / TOUR).is_file():
         raise UnreadableScene(f"{COURSE / TOUR} is missing: start the course from its own folder, with python start.py")
     server = subprocess.Popen(lab_command(browser=browser and has_display()), cwd=COURSE)
+    silent = subprocess.DEVNULL
+    rest = [sys.executable, "-m", "kinoedu", "warm", "--rest"]
+    warming = subprocess.Popen(rest, cwd=COURSE, stdin=silent, stdout=silent, stderr=silent)
     try:
         address = address_of(server)
         if address:
@@ -26,6 +29,9 @@ def open_lab(*, browser: bool = True) -> int:
     except KeyboardInterrupt:
         server.wait()
         return 130
+    finally:
+        warming.terminate()
+        warming.wait()
 
 
 def lab_command(*, browser: bool) -> list[str]:

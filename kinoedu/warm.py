@@ -1,40 +1,131 @@
-"""Compile ahead what the course uses, so that no lesson waits for it."""
+"""Compile ahead what the course uses, so that no lesson waits for it: at once what the first lessons need, the rest while they are
+read.
+"""
 
+import os
+from collections.abc import Iterator
+from functools import partial
+from pathlib import Path
 from typing import Any
 
 from .compiled import CACHE
+from .curves import dubins_path, reeds_shepp_path
 from .graphs import Graph, bfs, dfs, dijkstra
-from .planners import bug2, plan_by_decomposition, plan_on_grid, prm, rrt
-from .problems import Problem
+from .planners import (
+    bug2,
+    informed_rrt_star,
+    kinodynamic_prm,
+    kinodynamic_rrt,
+    plan_by_decomposition,
+    plan_by_visibility,
+    plan_on_grid,
+    prm,
+    receding_horizon,
+    rrt,
+    rrt_connect,
+    rrt_star,
+    shortcut,
+    sst,
+)
+from .problems import Problem, ProblemRecord
 from .progress import stage
-from .robots import Point
+from .robots import Car, Disk, Point, RigidPolygon, TranslatingPolygon, TwoLinkArm
 from .worlds import PolygonWorld, Terrain
+
+Job = tuple[Any, ...]  # its name, a function, and what that is given
+
+ROOM = [(0, 0), (9, 0), (9, 9), (0, 9)]
+BEAM = [(-0.5, -0.2), (0.5, -0.2), (0.5, 0.2), (-0.5, 0.2)]
 
 
 def warm_up() -> None:
-    """Run every planner once in every kind of world, and the searches on a graph.
+    """What the tour and the first lessons need: the planners in every kind of world, bugs, and searches on a graph.
 
     What is compiled already is left; without a cache nothing is gained.
     """
-    if CACHE is None or (CACHE / "warm").exists():
+    compile_all("warm", first_jobs())
+
+
+def warm_the_rest() -> None:
+    """What later lessons need: other planners, and bodies that turn, bend and drive. Gives way to whatever else is running."""
+    if hasattr(os, "nice"):
+        os.nice(19)
+    compile_all("warm all", later_jobs())
+
+
+def compile_all(note: str, jobs: Iterator[Job]) -> None:
+    """Do all jobs, unless a note in the cache says that they are done."""
+    if CACHE is None or (CACHE / note).exists():
         return
-    worlds = {
-        "polygons": PolygonWorld([(0, 0), (9, 0), (9, 9), (5, 8), (0, 9)], [[(4, 0), (5, 0), (5, 5)], ((7, 5), 1.0)]),
-        "terrain": Terrain([[1] * 9] * 9),
+    for name, job, *given in jobs:
+        with stage(f"compiling once: {name}"):
+            job(*given)
+    Path(CACHE / note).touch()
+
+
+def first_jobs() -> Iterator[Job]:
+    """Point robots, bugs and graphs."""
+    round_and_not = PolygonWorld([*ROOM[:3], (5, 8), ROOM[3]], [[(4, 0), (5, 0), (5, 5)], ((7, 5), 1.0)])
+    for kind, world in {"polygons": round_and_not, "a terrain": Terrain([[1] * 9] * 9)}.items():
+        yield f"rrt, prm and A* on {kind}", plan_first, Problem(Point(), world, (1, 1), (8, 8))
+    yield "cells", plan_by_decomposition, room(Point(), (1, 1), (8, 8))
+    yield "bugs", bug2, (1, 1), (8, 8), [[(4, 2), (5, 2), (5, 6)], [(1, 8), (2, 8), (2, 9)]], 1.0
+    yield "searches on graphs", search_a_graph
+
+
+def plan_first(problem: ProblemRecord) -> None:
+    """The three planners of the tour."""
+    rrt(problem, rng=0)
+    prm(problem, rng=0)
+    plan_on_grid(problem)
+
+
+def search_a_graph() -> None:
+    """Every search, and what a graph is asked for."""
+    graph = Graph(nodes=[(0, 0), (1, 0)], edges=[(0, 1)])
+    for search in (bfs, dfs, dijkstra):
+        search(graph, 0)
+    graph.components()
+    graph.closest((1, 1))
+
+
+def later_jobs() -> Iterator[Job]:
+    """Other planners for a point, all sampling planners for other robots, the car's own."""
+    problem = room(Point(), (1, 1), (8, 8))
+    yield "visibility", plan_by_visibility, problem
+    yield "trees that rewire", plan_by_rewiring, problem
+    yield "a robot that explores", partial(receding_horizon, max_moves=2, rng=0), problem
+    car = room(Car(1.0, 0.5, 0.6), (1, 1, 0), (8, 8, 1))
+    bodies: dict[str, ProblemRecord] = {
+        "a point": problem,
+        "a disk": room(Disk(0.3), (1, 1), (8, 8)),
+        "a translating polygon": room(TranslatingPolygon(BEAM), (1, 1), (8, 8)),
+        "a turning polygon": room(RigidPolygon(BEAM), (1, 1, 0), (8, 8, 1)),
+        "an arm": room(TwoLinkArm(1.0, 0.8, 0.1, base=(2, 6)), (1.5, 0), (2.5, 0.5)),
+        "a car": car,
     }
-    jobs: list[tuple[Any, str]] = [(planner, kind) for kind in worlds for planner in (rrt, prm, plan_on_grid)]
-    worlds["straight polygons"] = PolygonWorld([(0, 0), (9, 0), (9, 9), (0, 9)], [[(4, 0), (5, 0), (5, 5)]])
-    jobs.append((plan_by_decomposition, "straight polygons"))
-    for number, (planner, kind) in enumerate(jobs, start=1):
-        with stage(f"compiling once, {number} of {len(jobs)}: {planner.__name__} on {kind}"):
-            problem = Problem(Point(), worlds[kind], (1, 1), (8, 8))
-            planner(problem, **({"rng": 0} if planner in (rrt, prm) else {}))
-    with stage("compiling once: bugs"):
-        bug2((1, 1), (8, 8), [[(4, 2), (5, 2), (5, 6)], [(1, 8), (2, 8), (2, 9)]], 1.0)
-    with stage("compiling once: searches on graphs"):
-        graph = Graph(nodes=[(0, 0), (1, 0)], edges=[(0, 1)])
-        for search in (bfs, dfs, dijkstra):
-            search(graph, 0)
-        graph.components()
-        graph.closest((1, 1))
-    (CACHE / "warm").touch()
+    for name, task in bodies.items():
+        yield f"rrt, rrt-connect and prm of {name}", plan_by_samples, task
+    yield "kinodynamic_rrt", partial(kinodynamic_rrt, max_iterations=50, rng=0), car
+    yield "kinodynamic_prm", partial(kinodynamic_prm, iterations=20, rng=0), car
+    yield "sst", partial(sst, max_iterations=50, rng=0), car
+    for curve in (dubins_path, reeds_shepp_path):
+        yield curve.__name__, curve, (0, 0, 0), (3, 2, 1), 1.0
+
+
+def plan_by_rewiring(problem: ProblemRecord) -> None:
+    """RRT* and its informed kin."""
+    rrt_star(problem, max_nodes=200, rng=0)
+    informed_rrt_star(problem, max_nodes=200, rng=0)
+
+
+def plan_by_samples(problem: ProblemRecord) -> None:
+    """A tree, two trees made shorter, a roadmap."""
+    rrt(problem, rng=0, max_nodes=50)
+    shortcut(rrt_connect(problem, rng=0, max_nodes=500), tries=5, rng=0)
+    prm(problem, n=20, rng=0)
+
+
+def room(robot: object, start: tuple[float, ...], goal: tuple[float, ...]) -> ProblemRecord:
+    """A task in a room with a wedge."""
+    return Problem(robot, PolygonWorld(ROOM, [[(4, 0), (5, 0), (5, 5)]]), start, goal)

@@ -3,12 +3,14 @@
 import json
 import re
 import shutil
+import subprocess
 import sys
 from pathlib import Path
 
 import pytest
 from lab_driver import RUN_ALL, keep, lab, needs_chromium, notebook_page
 
+import kinoedu.lab
 from kinoedu.lab import TOUR, has_display, lab_command
 
 HOUSE = Path(__file__).resolve().parent.parent
@@ -114,3 +116,19 @@ def test_jupyter_keeps_its_token_and_stays_on_this_computer(monkeypatch):
     monkeypatch.delenv("DISPLAY", raising=False)
     monkeypatch.delenv("WAYLAND_DISPLAY", raising=False)
     assert not has_display()
+
+
+def test_what_is_compiled_meanwhile_ends_with_the_lab(monkeypatch):
+    """A server that stops at once leaves no process behind."""
+    started = []
+
+    class Noted(subprocess.Popen):
+        def __init__(self, *args, **options):
+            super().__init__(*args, **options)
+            started.append(self)
+
+    monkeypatch.setattr(subprocess, "Popen", Noted)
+    monkeypatch.setattr(kinoedu.lab, "lab_command", lambda browser: [sys.executable, "-c", "raise SystemExit(3)"])
+    assert kinoedu.lab.open_lab(browser=False) == 3
+    assert [process.poll() is None for process in started] == [False, False]
+    assert started[1].args[1:] == ["-m", "kinoedu", "warm", "--rest"]

@@ -56,6 +56,7 @@ def parser() -> argparse.ArgumentParser:
     lab.add_argument("--no-browser", action="store_true", help="print the address instead of opening a browser")
     lab.set_defaults(run=run_lab)
     warm = commands.add_parser("warm", help="compile what the course uses, once", description="Compile what the course uses, once.")
+    warm.add_argument("--rest", action="store_true", help="what later lessons use; the lab does this while the first are read")
     warm.set_defaults(run=run_warm)
     add_release(commands)
     add_grade(commands)
@@ -71,9 +72,9 @@ def run_lab(arguments: argparse.Namespace) -> int:
     return open_lab(browser=not arguments.no_browser)
 
 
-def run_warm(_: argparse.Namespace) -> int:
+def run_warm(arguments: argparse.Namespace) -> int:
     """Compile ahead."""
-    from ..warm import warm_up
+    from ..warm import warm_the_rest, warm_up
 
-    warm_up()
+    (warm_the_rest if arguments.rest else warm_up)()
     return 0
