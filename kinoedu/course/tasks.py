@@ -1,5 +1,6 @@
 """The problems that planner exercises hand out, and how they travel."""
 
+from itertools import groupby
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -21,7 +22,19 @@ class Asked(Recorder):
         self.distance = problem.distance
 
     def __repr__(self) -> str:
-        return f"problem_of({scene_of(self.problem)})"
+        scene = scene_of(self.problem)
+        rows = scene["world"].get("rows")
+        return f"problem_of({scene})" if rows is None else f"problem_of({scene})".replace(repr(rows), in_runs(rows))
+
+
+def in_runs(rows: list[str]) -> str:
+    """A list as code, equal neighbours written once.
+
+    >>> in_runs(["...", "...", ".@."])
+    "[*['...'] * 2, '.@.']"
+    """
+    runs = [(row, len(list(alike))) for row, alike in groupby(rows)]
+    return "[" + ", ".join(f"*[{row!r}] * {n}" if n > 1 else repr(row) for row, n in runs) + "]"
 
 
 def scene_of(problem: ProblemRecord) -> dict[str, Any]:

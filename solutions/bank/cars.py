@@ -94,6 +94,27 @@ def old_heading(pose, v, phi, t, L):
     return *driven(*pose, v * t, tan(phi) / L)[:2], pose[2]
 
 
+@wrong("move", slip="straight_if_small")
+def straight_below_a_fiftieth(pose, v, phi, t, L):
+    """A threshold that is no rounding."""
+    return driven(*pose, v * t, tan(phi) / L if abs(phi) >= 0.02 else 0.0)
+
+
+@wrong("move", slip="steered")
+def where_the_wheels_point(pose, v, phi, t, L):
+    """The velocity has the direction of the front wheels."""
+    x, y, theta = driven(pose[0], pose[1], pose[2] + phi, v * t, tan(phi) / L)
+    return x, y, theta - phi
+
+
+@wrong("move")
+def a_thousand_steps(pose, v, phi, t, L):
+    """Nearly exact is not exact."""
+    for _ in range(1000):
+        pose = one_euler_step.function(pose, v, phi, t / 1000, L)
+    return pose
+
+
 @wrong("move", slip="other_side")
 def cosines_the_wrong_way(pose, v, phi, t, L):
     """The integral of the sine without its minus."""
@@ -138,6 +159,17 @@ def only_what_comes(start, controls, durations, L):
 def one_too_few(start, controls, durations, L):
     """Poses before controls, not after."""
     return np.reshape(replay_by(start, controls, durations, L)[:-1], (-1, 3))
+
+
+@wrong("replay", slip="one_array")
+def one_array_for_all(start, controls, durations, L):
+    """Changed in place, and appended again and again."""
+    pose = np.array(start, float)
+    poses = [pose]
+    for (v, phi), t in zip(controls, durations):
+        pose[:] = move(pose, v, phi, t, L)
+        poses.append(pose)
+    return poses
 
 
 @wrong("replay", slip="all_from_start")
@@ -330,6 +362,12 @@ def whole_orders(h, errors):
     return np.round(np.diff(np.log(errors)) / np.diff(np.log(h)))
 
 
+@wrong("order_of_error", slip="one_slope")
+def one_line_for_all(h, errors):
+    """The slope of the line of least squares, for each two."""
+    return np.full(len(h) - 1, np.polyfit(np.log(h), np.log(errors), 1)[0])
+
+
 @wrong("order_of_error")
 def one_number(h, errors):
     """The slope of the line of least squares."""
@@ -382,6 +420,23 @@ def size_of_the_angle(a, b, r):
 def turns_the_short_way(a, b, r):
     """The circle distance."""
     return min(word_lengths(a, b, r, turn=lambda angle: abs(wrap(angle + pi) - pi)))
+
+
+@wrong("csc_length", slip="beeline")
+def straight_if_the_headings_are_the_same(a, b, r):
+    """The same heading is not yet straight ahead."""
+    return hypot(b[0] - a[0], b[1] - a[1]) if a[2] == b[2] else min(word_lengths(a, b, r))
+
+
+@wrong("csc_length", slip="right_as_left")
+def every_turn_to_the_left(a, b, r):
+    """(alpha - theta) % (2 pi) for R as well."""
+    lengths = []
+    for word in ("LSL", "RSR", "LSR", "RSL"):
+        s0, s1 = (1 if word[0] == "L" else -1), (1 if word[2] == "L" else -1)
+        turns = iter((s0, s1))
+        lengths += word_lengths(a, b, r, turn=lambda angle, turns=turns: wrap(next(turns) * angle), words=(word,))
+    return min(lengths)
 
 
 @wrong("csc_length", slip="radians")

@@ -20,10 +20,11 @@ def rrt(problem, step, spacing, goal_bias, failures, rng, **how):
     pick = how.get("pick", np.argmin)
     done = False
     while failed < failures:
-        if problem.distance(nodes[-1], problem.goal) <= how.get("reach", step) and ends(nodes[-1], problem.goal):
+        near = problem.distance(nodes[-1], problem.goal) <= how.get("reach", step)
+        if len(nodes) > how.get("first", 0) and near and ends(nodes[-1], problem.goal):
             done = True
             break
-        q_rand = problem.goal if chance.random() < goal_bias else how.get("sample", problem.sample)(chance)
+        q_rand = problem.goal if how.get("at_goal", chance.random() < goal_bias) else how.get("sample", problem.sample)(chance)
         near = int(pick([problem.distance(q, q_rand) for q in nodes]))
         q_new = problem.steer(nodes[near], q_rand, how.get("stride", step))
         failed += 1
@@ -141,6 +142,24 @@ def without_the_goal(*given):
 def two_strides(*given):
     """Steps twice as long as asked for."""
     return rrt(*given, stride=2 * given[1])
+
+
+@wrong("rrt_on_terrain")
+def goal_not_tried_from_the_start(*given):
+    """The goal is looked for after a node has been added."""
+    return rrt(*given, first=1)
+
+
+@wrong("rrt_on_terrain")
+def never_draws_the_goal(*given):
+    """goal_bias is not used."""
+    return rrt(*given, at_goal=False)
+
+
+@wrong("rrt_on_terrain")
+def bias_the_other_way(problem, step, spacing, goal_bias, failures, rng):
+    """> for <."""
+    return rrt(problem, step, spacing, 1.0 - goal_bias, failures, rng)
 
 
 # PRM on a terrain
@@ -316,6 +335,26 @@ def nearly_the_same(table):
     return all_repeats(table, lambda i, j, c: abs(table[i][c] - table[j][c]) < 0.51)
 
 
+@wrong("repeated_rows", slip="close")
+def is_close(table):
+    """numpy's own idea of equal."""
+    return all_repeats(table, lambda i, j, c: np.isclose(table[i][c], table[j][c]))
+
+
+@wrong("repeated_rows", slip="close")
+def seven_digits(table):
+    """Compares what is printed, rounded."""
+    return all_repeats(table, lambda i, j, c: f"{table[i][c]:.7g}" == f"{table[j][c]:.7g}" != "nan")
+
+
+@wrong("repeated_rows", slip="one_each")
+def a_triple_for_each_pair(table):
+    """Stops at the first column that is the same."""
+    n = len(table)
+    shared = [(i, j, np.flatnonzero(table[i] == table[j])) for i in range(n) for j in range(i + 1, n)]
+    return [(i, j, columns[0]) for i, j, columns in shared if len(columns)]
+
+
 @wrong("repeated_rows")
 def first_of_each(table):
     """Remembers where a number was first, and reports pairs with that only."""
@@ -403,6 +442,16 @@ def once_is_enough(run, planners, seeds):
 def how_many(run, planners, seeds):
     """A count for a share."""
     return [[share * len(seeds), *rest] for share, *rest in (row(runs) for runs in asked(run, planners, seeds))]
+
+
+@wrong("compare_planners", slip="not_between")
+def one_of_the_lengths(run, planners, seeds):
+    """No interpolation."""
+    rows = [row(runs) for runs in asked(run, planners, seeds)]
+    for one, runs in zip(rows, asked(run, planners, seeds)):
+        found = sorted(length for length in runs if isfinite(length))
+        one[1:] = [found[int(quarter * (len(found) - 1))] for quarter in (0.25, 0.5, 0.75)] if found else [np.nan] * 3
+    return rows
 
 
 @wrong("compare_planners")
@@ -497,7 +546,20 @@ def sum_of_cells(cost, a, b):
     return sum(cost[j, i] for i, j, s in pieces(cost, a, b)) if (a != b).any() else cost[int(a[1]), int(a[0])]
 
 
-@wrong("cost_along")
+@wrong("cost_along", slip="first_end")
+def where_a_piece_begins(cost, a, b):
+    """The cell of a piece's first end, not of its middle."""
+    shares = {0.0, 1.0}
+    for p, q in zip(a, b):
+        shares |= {(line - p) / (q - p) for line in range(ceil(min(p, q)), floor(max(p, q)) + 1) if p != q}
+    shares, total = sorted(shares), 0.0
+    for t, s in zip(shares, shares[1:]):
+        x, y = a + (b - a) * t
+        total += (s - t) * hypot(*(b - a)) * cost[int(y), int(x)]
+    return total
+
+
+@wrong("cost_along", slip="whole_x_only")
 def cut_at_columns_only(cost, a, b):
     """Forgets the whole y."""
     shares = [0.0, 1.0]

@@ -52,7 +52,8 @@ from .small_angles import ExposeSmallAngles
 from .sweeping import Crossings, FreeIntervals
 from .tangent_curves import CscLength
 from .terrain_costs import CostAlong
-from .terrain_planners import PrmOnTerrain, RrtOnTerrain
+from .terrain_planners import RrtOnTerrain
+from .terrain_roadmaps import PrmOnTerrain
 from .tree_roadmaps import TreeRoadmap
 from .trees import Rrt, RrtConnect
 from .turning_trees import RrtForPolygon

@@ -24,10 +24,13 @@ class ComparePlanners(ValueExercise):
     answer = Numbers(("n", 4))
     slips = (
         Slip("mean", lambda lengths, *_: table_of(lengths, middle=np.mean)),
-        Slip("with_failures", lambda lengths, *_: table_of(lengths, found=np.ones_like, middle=half_way)),
+        Slip("with_failures", lambda lengths, *_: table_of(lengths, found=np.ones_like)),
         Slip("failures_are_zero", lambda lengths, *_: table_of(np.where(np.isfinite(lengths), lengths, 0.0), share_of=lengths)),
         Slip("percent", lambda lengths, *_: table_of(lengths) * (100.0, 1.0, 1.0, 1.0)),
         Slip("whole_spread", lambda lengths, *_: table_of(lengths, quarters=(0.0, 0.5, 1.0))),
+        Slip("not_between", lambda lengths, *_: table_of(lengths, method="nearest")),
+        Slip("not_between", lambda lengths, *_: table_of(lengths, method="lower")),
+        Slip("not_between", lambda lengths, *_: table_of(lengths, method="higher")),
         Slip("deviation", lambda lengths, *_: deviations(lengths)),
         Slip("one_seed", lambda lengths, *_: table_of(lengths[:, :1])),
         Slip("counts", lambda lengths, *_: table_of(lengths) * (lengths.shape[1], 1.0, 1.0, 1.0)),
@@ -61,7 +64,7 @@ class ComparePlanners(ValueExercise):
         inf = float("inf")
         for kind, rows, numbers in (
             ("all_found", [[4.0, 2.0, 6.0, 8.0, 10.0]], [0, 1, 2, 3, 4]),
-            ("other_seeds", [[4.0, 2.0, 6.0], [3.0, 3.0, 5.0]], [7, 3, 11]),
+            ("other_seeds", [[4.0, 2.0, 6.0, 8.0, 10.0]], [7, 3, 11, 2, 5]),
             ("some_fail", [[4.0, inf, 6.0, inf]], [0, 1, 2, 3]),
             ("none_found", [[inf, inf], [1.0, 2.0]], [0, 1]),
             ("outlier", [[2.0, 2.0, 3.0, 100.0]], [0, 1, 2, 3]),
@@ -97,22 +100,18 @@ def table_of(
     lengths: Array,
     *,
     found: Callable[[Array], Any] = np.isfinite,
-    middle: Callable[[Array], Any] = np.median,
+    middle: Callable[[Array], Any] | None = None,
     quarters: tuple[float, float, float] = QUARTERS,
+    method: Any = "linear",
     share_of: Array | None = None,
 ) -> Array:
     """A row for each row of lengths; the other arguments are what may be got wrong."""
     rows = []
     for runs, shown in zip(lengths, lengths if share_of is None else share_of):
         kept = runs[np.asarray(found(runs), bool)]
-        low, _, high = np.quantile(kept, quarters) if len(kept) else (np.nan,) * 3
-        rows.append((np.isfinite(shown).mean(), low, middle(kept) if len(kept) else np.nan, high))
+        low, half, high = np.quantile(kept, quarters, method=method) if len(kept) else (np.nan,) * 3
+        rows.append((np.isfinite(shown).mean(), low, middle(kept) if middle and len(kept) else half, high))
     return np.array(rows)
-
-
-def half_way(runs: Array) -> float:
-    """The middle of all, by interpolation: nan between two that are infinite."""
-    return float(np.quantile(runs, 0.5))
 
 
 def deviations(lengths: Array) -> Array:

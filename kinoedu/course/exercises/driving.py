@@ -58,6 +58,17 @@ def along_heading(share: float) -> Mover:
     return mistaken
 
 
+def steered(pose: Array, v: float, phi: float, t: float, wheelbase: float) -> Any:
+    """A car that goes where its front wheels point: its velocity has the direction theta + phi."""
+    x, y, heading = moved(pose + np.array([0.0, 0.0, phi]), v, phi, t, wheelbase)
+    return x, y, heading - phi
+
+
+def straight_if_small(pose: Array, v: float, phi: float, t: float, wheelbase: float) -> Array:
+    """No turn at angles that make one."""
+    return moved(pose, v, 0.0 if abs(phi) < 0.03 else phi, t, wheelbase)
+
+
 def without_turning(pose: Array, v: float, phi: float, t: float, wheelbase: float) -> Array:
     """The place is right, the heading as before."""
     return np.array([*moved(pose, v, phi, t, wheelbase)[:2], pose[2]])
@@ -90,6 +101,8 @@ class Move(PoseExercise):
         Slip("new_heading", along_heading(1.0)),
         Slip("arc_for_chord", along_heading(0.5)),
         Slip("no_turn", without_turning),
+        Slip("steered", steered),
+        Slip("straight_if_small", straight_if_small),
         Slip("other_side", round_the_other_side),
         Slip("forward", lambda pose, v, phi, t, wheelbase: moved(pose, abs(v), phi, t, wheelbase)),
     )
@@ -107,6 +120,9 @@ class Move(PoseExercise):
             ("back", (3, 4, 1), -2, 0, 5, 20),
             ("long", (0, 0, 0), 1, eighth, 50 * quarter, 10),
             ("nearly", (0, 0, 1), 1, 1e-12, 10, 20),
+            ("left", (0, 0, 0), 1, 0.01, 30, 20),
+            ("right", (0, 0, 0), 1, -0.01, 30, 20),
+            ("back", (0, 0, 0), -1, 0.02, 30, 20),
         ):
             yield drive_case(kind, first_pose, v, phi, t, size)
         for _ in range(12):
@@ -156,6 +172,7 @@ class Replay(PoseExercise):
     slips = (
         Slip("no_start", lambda *given: trajectory_poses(*given)[1:]),
         Slip("no_end", lambda *given: trajectory_poses(*given)[:-1]),
+        Slip("one_array", lambda *given: [trajectory_poses(*given)[-1]] * len(trajectory_poses(*given))),
         Slip("all_from_start", lambda s, u, d, w: [s, *(moved(s, v, phi, t, w) for (v, phi), t in zip(u, d))]),
         Slip("clock", lambda s, u, d, w: trajectory_poses(s, u, np.diff(d, prepend=0.0), w)),
         Slip("since_start", lambda s, u, d, w: trajectory_poses(s, u, np.cumsum(d), w)),

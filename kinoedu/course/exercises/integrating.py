@@ -119,6 +119,7 @@ class OrderOfError(ValueExercise):
         Slip("from_first", lambda h, e: np.log(e[0] / e[1:]) / np.log(h[0] / h[1:])),
         Slip("no_log", lambda h, e: np.diff(e) / np.diff(h)),
         Slip("never_negative", lambda h, e: np.maximum(orders(h, e), 0.0)),
+        Slip("one_slope", lambda h, e: np.full(len(h) - 1, np.polyfit(np.log(h), np.log(e), 1)[0])),
         Slip("rounded", lambda h, e: np.round(orders(h, e))),
     )
     reference = staticmethod(orders)

@@ -30,12 +30,14 @@ class RepeatedRows(ValueExercise):
     slips = (
         Slip("neighbours", lambda table: [r for r in repeats(table) if r[1] == r[0] + 1]),
         Slip("whole", lambda table: [r for r in repeats(table) if (table[r[0]] == table[r[1]]).all()]),
+        Slip("one_each", lambda table: one_each(repeats(table))),
         Slip("first_column", lambda table: [r for r in repeats(table) if r[2] == 0]),
         Slip("from_one", lambda table: [(i + 1, j + 1, c + 1) for i, j, c in repeats(table)]),
         Slip("both_ways", lambda table: [r for i, j, c in repeats(table) for r in ((i, j, c), (j, i, c))]),
         Slip("itself", lambda table: sorted(repeats(table) + [(i, i, c) for i, c in np.argwhere(table == table).tolist()])),
         Slip("missing", lambda table: repeats(np.where(np.isnan(table), -1.0, table))),
         Slip("close", lambda table: repeats(table, 0.5)),
+        Slip("close", lambda table: repeats(table, 0.01)),
     )
 
     @staticmethod
@@ -56,6 +58,8 @@ class RepeatedRows(ValueExercise):
             ("three_alike", [[7.0], [7.0], [7.0]]),
             ("missing", [[nan, 1], [nan, 2]]),
             ("none", [[812.1, 11.9], [812.4, 12.1]]),
+            ("none", [[812.1001, 11.9], [812.1002, 12.1]]),
+            ("none", [[0.1 + 0.2, 11.9], [0.3, 12.1]]),
             ("far_apart", PUBLISHED),
         ):
             yield Case(kind, {"table": np.array(rows, float)})
@@ -80,13 +84,20 @@ def repeats(table: Array, near: float = 0.0) -> list[tuple[int, int, int]]:
     return [(i, j, c) for i in range(n) for j in range(i + 1, n) for c in range(m) if abs(table[i, c] - table[j, c]) <= near]
 
 
+def one_each(found: list[tuple[int, int, int]]) -> list[tuple[int, int, int]]:
+    """The first triple of each two rows."""
+    return [t for k, t in enumerate(found) if t[:2] not in {other[:2] for other in found[:k]}]
+
+
 def table_by_chance(kind: str, n: int, rng: np.random.Generator) -> Array:
-    """Lengths, seconds and counts of n runs, all different but for what is copied."""
+    """Lengths, seconds and counts of n runs, all different but for what is copied; two are near each other where nothing is."""
     table = np.column_stack([700.0 + rng.permutation(10 * n)[:n] * 7.31, 5.0 + rng.permutation(9 * n)[:n] * 0.37])
     table = np.column_stack([table, 20.0 + rng.permutation(5 * n)[:n]])
     i = int(rng.integers(0, n - 3))
     c = int(rng.integers(3))
-    if kind == "one_column":
+    if kind == "none":
+        table[i + 1, 0] = table[i, 0] * (1.0 + 1e-6)
+    elif kind == "one_column":
         table[i + 1, c] = table[i, c]
     elif kind == "whole_rows":
         table[i + 1] = table[i]

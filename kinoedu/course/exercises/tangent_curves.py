@@ -58,6 +58,7 @@ class CscLength(ValueExercise):
         Slip("outer_only", lambda a, b, r: shortest_of(words_to(a, b, r), r, ("LSL", "RSR"))),
         Slip("inner_only", lambda a, b, r: shortest_of(words_to(a, b, r), r, ("LSR", "RSL"))),
         Slip("sign", lambda a, b, r: shortest_of(words_to(a, b, r, abs), r)),
+        Slip("right_as_left", lambda a, b, r: shortest_of(as_left_turns(a, b, r), r)),
         Slip("short_way", lambda a, b, r: shortest_of(words_to(a, b, r, lambda t: abs((t + math.pi) % FULL - math.pi)), r)),
         Slip("radians", lambda a, b, r: shortest_of({w: (t / r, u, v / r) for w, (t, u, v) in words_to(a, b, r).items()}, r)),
         Slip("no_root", lambda a, b, r: shortest_of(without_root(a, b, r), r)),
@@ -75,6 +76,7 @@ class CscLength(ValueExercise):
         yield pair_case("outer", (0, 0, 0), (1, -8, -half), 2)
         yield pair_case("inner", (0, 0, 0), (10, 4, 0.1), 1)
         yield pair_case("inner", (0, 0, 0), (10, -4, -0.1), 1)
+        yield pair_case("inner", (0, 0, 0), (20, 6, 0), 2)  # the same heading, and not straight ahead
         wanted = dict.fromkeys(("outer", "inner", "crossing"), 12)
         while any(wanted.values()):
             a, r = a_pose(rng), np.round(rng.uniform(0.5, 10), 1)
@@ -90,6 +92,13 @@ class CscLength(ValueExercise):
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """The shortest curve with its circles, and both lengths."""
         draw_tangents(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
+
+
+def as_left_turns(a: Array, b: Array, r: float) -> dict[str, Any]:
+    """Right turns measured as left ones: what is left of a whole turn."""
+    right = {word: (first < 0, last < 0) for word, (first, last) in WORDS.items()}
+    words = words_to(a, b, r).items()
+    return {w: ((-t if right[w][0] else t) % FULL, u, (-v if right[w][1] else v) % FULL) for w, (t, u, v) in words}
 
 
 def without_root(a: Array, b: Array, r: float) -> dict[str, Any]:

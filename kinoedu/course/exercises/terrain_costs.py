@@ -28,6 +28,8 @@ class CostAlong(ValueExercise):
         Slip("middle", lambda cost, a, b: length(a, b) * at(cost, (a + b) / 2)),
         Slip("start", lambda cost, a, b: length(a, b) * at(cost, a)),
         Slip("sampled", lambda cost, a, b: sampled(cost, a, b, 0.5)),
+        Slip("whole_x_only", lambda cost, a, b: summed(cost, a, b, cuts(a[:1], b[:1]), 0.5)),
+        Slip("first_end", lambda cost, a, b: summed(cost, a, b, cuts(a, b), 0.0)),
         Slip("transposed", lambda cost, a, b: transposed(cost, a, b)),
         Slip("upside_down", lambda cost, a, b: exact(cost[::-1], a, b)),
         Slip("length", lambda cost, a, b: length(a, b)),
@@ -107,6 +109,12 @@ def transposed(cost: Array, a: Array, b: Array) -> float:
     stretches = np.diff(cuts(a, b)) * length(a, b)
     inside = [(s, i, j) for s, (i, j) in zip(stretches, crossed(cost, a, b)) if i < len(cost) and j < len(cost[0])]
     return float(sum(cost[i, j] * s for s, i, j in inside))
+
+
+def summed(cost: Array, a: Array, b: Array, shares: Array, look: float) -> float:
+    """The sum over the pieces between shares of a motion, each looked up at one of its places: 0 is its first end, 1 its last."""
+    looked = shares[:-1] + look * np.diff(shares)
+    return float(sum(at(cost, a + (b - a) * t) * s for t, s in zip(looked, np.diff(shares) * length(a, b))))
 
 
 def at(cost: Array, q: Array) -> float:

@@ -1,4 +1,4 @@
-"""The exercises that ask for the two planners of the document: RRT and PRM on a bitmap, with its parameters."""
+"""What the exercises share that ask for the two planners of the document, and the one on RRT on a bitmap, with its parameters."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -6,8 +6,7 @@ from typing import Any
 import numpy as np
 
 from ...geometry.checks import Array
-from ...graphs import Graph, astar, extract_path
-from ...planners.prm import prm
+from ...graphs import extract_path
 from ...planners.rrt import grow
 from ...problems import Problem, Tree
 from ...robots import Point
@@ -22,7 +21,6 @@ from .planned import (
     Fault,
     PlannerExercise,
     Task,
-    empty_boxes,
     not_along_tree,
     not_to_nearest,
     three_times,
@@ -50,6 +48,7 @@ TERRAINS = {
     "bag": on_terrain([(26, 10, 28, 30), (14, 10, 28, 12), (14, 28, 28, 30)], (22.5, 20.5), (34.5, 20.5)),
     "sealed": on_terrain([(28, 28, 40, 30), (28, 28, 30, 40)], (5.5, 5.5), (35.5, 35.5)),
 }
+EMPTY = on_terrain([], (5.5, 5.5), (34.5, 33.5))
 
 
 class TerrainPlanner(PlannerExercise):
@@ -113,11 +112,21 @@ class RrtOnTerrain(TerrainPlanner):
     source = staticmethod(own_rrt)
     shown = staticmethod(grow)
 
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """As for both planners; then empty ground, where every sample is the goal."""
+        yield from super().cases(rng)
+        always = self.asked("open", EMPTY, int(rng.integers(1000)))
+        yield Case("open", {**always.given, "goal_bias": 1.0})
+
     def asked(self, kind: str, problem: Asked, rng: int) -> Case:
         """Fewer failures where there is no way: a tree that nothing stops grows for ever."""
         failures = 40 if kind == "sealed" else FAILURES
         tuning = {"step": STEP, "spacing": SPACING, "goal_bias": 0.5, "failures": failures}
         return Case(kind, {"problem": problem, **tuning, "rng": rng})
+
+    def uses_chance(self, case: Case) -> bool:
+        """Not where every sample is the goal."""
+        return super().uses_chance(case) and case.given["goal_bias"] < 1.0
 
     def fault(self, case: Case, answer: Any) -> Fault | None:
         """The path; the tree and its rule; whether the one belongs to the other; where it gave up."""
@@ -125,7 +134,8 @@ class RrtOnTerrain(TerrainPlanner):
         problem = case.given["problem"]
         fault = None if path is None else self.fault_of_end(case, path)
         fault = fault or why_not_a_tree(problem, nodes, parent, case.given["step"]) or not_to_nearest(problem, nodes, parent)
-        fault = fault or too_near(problem, nodes, case.given["spacing"])
+        fault = fault or too_near(problem, nodes, case.given["spacing"]) or went_past(problem, nodes, path, case.given["step"])
+        fault = fault or (not_at_the_goal(problem, nodes) if case.given["goal_bias"] == 1.0 else None)
         if fault is None and path is not None:
             fault = not_along_tree(path, nodes, parent)
         if fault is None and case.kind == "sealed" and len(nodes) < LEAST:
@@ -150,97 +160,18 @@ def too_near(problem: Any, nodes: Array, spacing: float) -> Fault | None:
     return None
 
 
-def bounds(problem: Any) -> tuple[Array, Array]:
-    """The corners of a problem's world."""
-    return problem.world.lo, problem.world.hi
-
-
-def own_prm(problem: Any, n: int, rng: int) -> Any:
-    """PRM as the exercise asks for it."""
-    chance, nodes = np.random.default_rng(rng), [problem.start, problem.goal]
-    while len(nodes) < n + 2:
-        q = problem.sample(chance)
-        if problem.is_free(q):
-            nodes.append(q)
-    edges = [(i, j) for i in range(n + 2) for j in range(i + 1, n + 2) if problem.is_free_path(nodes[i], nodes[j])]
-    numbers = shortest(problem, np.array(nodes), np.array(edges))
-    return nodes, edges, None if numbers is None else np.array(nodes)[numbers]
-
-
-def shortest(problem: Any, nodes: Array, edges: Array) -> Any:
-    """The numbers of the nodes on a shortest path from node 0 to node 1, or None."""
-    lengths = [problem.distance(nodes[i], nodes[j]) for i, j in edges]
-    return astar(Graph(len(nodes), np.reshape(edges, (-1, 2)), np.array(lengths)), 0, 1, np.zeros(len(nodes)))[0]
-
-
-class PrmOnTerrain(TerrainPlanner):
-    """A roadmap of so many free samples, every free pair joined, and a shortest path on it."""
-
-    name = "prm_on_terrain"
-    given = Record(problem=Task(), n=Whole(), rng=Whole())
-    result = Together((NODES, WholeNumbers(("m", 2)), Maybe(PATH)))
-    answer = three_times(result)
-    source = staticmethod(own_prm)
-    shown = staticmethod(prm)
-
-    def asked(self, kind: str, problem: Asked, rng: int) -> Case:
-        """Enough samples for every trap."""
-        return Case(kind, {"problem": problem, "n": 8 if kind == "same" else 40, "rng": rng})
-
-    def uses_chance(self, case: Case) -> bool:
-        """Nodes are drawn in every case."""
-        return True
-
-    def fault(self, case: Case, answer: Any) -> Fault | None:
-        """The nodes; the edges, each free pair once; the path, along them, and as short as they allow."""
-        nodes, edges, path = answer
-        problem, n = case.given["problem"], case.given["n"]
-        fault = fault_of_nodes(problem, nodes, n) or fault_of_edges(problem, nodes, edges)
-        if fault is not None or path is None:
-            known = fault is not None or shortest(problem, nodes, edges) is None
-            return fault if known else Fault("missed", nodes[:0])
-        return self.fault_of_end(case, path) or fault_of_way(problem, nodes, edges, path)
-
-    def drawn(self, answer: Any) -> tuple[list[Tree], Array | None]:
-        """The nodes, as trees of one node each, and the path."""
-        nodes, _, path = answer
-        return [Tree(nodes, np.full(len(nodes), -1))], path
-
-
-def fault_of_nodes(problem: Any, nodes: Array, n: int) -> Fault | None:
-    """Start, goal and n free samples from everywhere."""
-    if len(nodes) != n + 2:
-        return Fault("count", nodes[:0])
-    if not (np.array_equal(nodes[0], problem.start) and np.array_equal(nodes[1], problem.goal)):
-        return Fault("ends_first", nodes[:2])
-    for q in nodes:
-        if not problem.problem.is_free(q):
-            return Fault("free_node", q[None])
-    return Fault("corner", nodes[:0]) if n >= 40 and empty_boxes(nodes, *bounds(problem), 2) else None
-
-
-def fault_of_edges(problem: Any, nodes: Array, edges: Array) -> Fault | None:
-    """Every free pair, each once and no other."""
-    if len(edges) and (edges.min() < 0 or edges.max() >= len(nodes)):
-        return Fault("numbers_of_nodes", nodes[:0])
-    pairs = {(min(i, j), max(i, j)) for i, j in edges.tolist()}
-    if len(pairs) < len(edges) or any(i == j for i, j in pairs):
-        return Fault("once", nodes[:0])
-    for i in range(len(nodes)):
-        for j in range(i + 1, len(nodes)):
-            if ((i, j) in pairs) != bool(problem.problem.is_free_path(nodes[i], nodes[j])):
-                return Fault("free" if (i, j) in pairs else "all_pairs", nodes[[i, j]])
+def went_past(problem: Any, nodes: Array, path: Array | None, step: float) -> Fault | None:
+    """A node in free reach of the goal, after which the tree went on: with a path, any but the goal and the one it hangs on."""
+    for q in nodes[: len(nodes) - (0 if path is None else 2)]:
+        if problem.distance(q, problem.goal) <= step * (1.0 - 1e-9) and problem.problem.is_free_path(q, problem.goal):
+            return Fault("went_past", np.array([q, problem.goal]))
     return None
 
 
-def fault_of_way(problem: Any, nodes: Array, edges: Array, path: Array) -> Fault | None:
-    """A path along the edges, no longer than the shortest."""
-    at = [int(np.argmin(((nodes - q) ** 2).sum(axis=1))) for q in path]
-    pairs = {(i, j) for i, j in edges.tolist()} | {(j, i) for i, j in edges.tolist()}
-    for a, b, i, j in zip(path[:-1], path[1:], at[:-1], at[1:]):
-        on_nodes = np.allclose(nodes[[i, j]], [a, b], rtol=0.0, atol=1e-9)
-        if not on_nodes or ((i, j) not in pairs and i != j):
-            return Fault("along_edges", np.array([a, b]))
-    best = nodes[shortest(problem, nodes, edges)]
-    found, least = (sum(problem.distance(a, b) for a, b in zip(way[:-1], way[1:])) for way in (path, best))
-    return Fault("shortest", nodes[:0]) if found > least + 1e-6 * (1.0 + least) else None
+def not_at_the_goal(problem: Any, nodes: Array) -> Fault | None:
+    """A node off the straight way from start to goal, where every sample is the goal."""
+    whole = problem.distance(problem.start, problem.goal)
+    for q in nodes:
+        if problem.distance(problem.start, q) + problem.distance(q, problem.goal) > whole + 1e-6 * (1.0 + whole):
+            return Fault("always_the_goal", q[None])
+    return None
