@@ -69,6 +69,9 @@ ALSO_RIGHT = {
     ],
     "point_segment_distance": [lambda *given: np.array(EXERCISES["point_segment_distance"].source(*given))],
     "polygon_tangent": [lambda *given: list(map(np.float32, EXERCISES["polygon_tangent"].source(*given)))],
+    "free_heading": [
+        lambda problem, x, y: next((t for t in np.arange(0, 2 * np.pi, 0.199) if problem.is_free(np.array([x, y, t]))), None)
+    ],
     "bfs_tree": [
         lambda neighbours, start: EXERCISES["bfs_tree"].source([row[::-1] for row in neighbours], start),
         lambda neighbours, start: np.array(tree_of_last_parents(neighbours, start)),

@@ -55,7 +55,7 @@ def test_the_rule_is_chosen_from_the_menu(page):
 def test_properties_are_measured_while_an_obstacle_is_dragged(page):
     """The words tell all four, before and after."""
     seen = Seen(page, 1)
-    assert "accessible" in seen.told() and "times the shortest" in seen.told()
+    assert "accessible" in seen.told() and "delta at least" in seen.told()
     answers = int(seen.data("answers"))
     seen.drag("polygon-1", 60, 30)
     assert int(seen.data("answers")) > answers and "departable" in seen.told()

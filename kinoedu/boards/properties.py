@@ -45,8 +45,8 @@ def properties_board(
     >>> from kinoedu import Point, PolygonWorld, Problem
     >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
     >>> print(properties_board(Problem(Point(), world, start=(1, 1), goal=(9, 1)), n=20).canvas.drawing.text)
-    accessible 100 of 100 places drawn, departable 100; connected: components 1
-    efficient: delta at least 1.94; u and v, the worst pair drawn, have a way 1.94 times the shortest
+    accessible 100 of 100 places drawn, departable 100; components 1
+    efficient: delta at least 1.94, for u and v, the worst pair drawn
     """
     return PropertiesBoard(problem, n, rule, sampler, rng)
 

@@ -8,6 +8,7 @@ import io
 import logging
 from collections.abc import Callable
 from pathlib import Path
+from textwrap import fill
 from typing import TYPE_CHECKING, Any
 
 import anywidget
@@ -165,10 +166,10 @@ class SolidBoard(anywidget.AnyWidget):
         from matplotlib.figure import Figure
         from matplotlib.patches import Polygon
 
-        figure = Figure(figsize=(11.0, 5.0), dpi=60, layout="constrained")
+        figure = Figure(figsize=(11.0, 5.0), dpi=60)  # no layout of its own: what it takes for the solid's box is too large
         FigureCanvasAgg(figure)
-        draw_mesh(self._mesh, figure.add_subplot(1, 2, 1, projection="3d"), theta=self.theta)
-        ax = figure.add_subplot(1, 2, 2, aspect="equal")
+        draw_mesh(self._mesh, figure.add_axes((0.0, 0.02, 0.5, 0.96), projection="3d"), theta=self.theta)
+        ax = figure.add_axes((0.54, 0.08, 0.44, 0.76), aspect="equal")
         named = {"": "none", **palette.NAMED}
         for part in self.section["shapes"]:
             style = {
@@ -181,7 +182,7 @@ class SolidBoard(anywidget.AnyWidget):
             ax.plot(*np.transpose(line), color=palette.GOAL, linewidth=2.0)
         ax.autoscale_view()
         ax.tick_params(labelsize=palette.TEXT_SIZE - 1)
-        ax.set_title(self.section["text"], fontsize=palette.TEXT_SIZE, wrap=True)
+        ax.set_title(fill(self.section["text"], 44), fontsize=palette.TEXT_SIZE)
         stream = io.BytesIO()
         figure.savefig(stream, format="png")
         return stream.getvalue()

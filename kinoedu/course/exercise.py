@@ -171,7 +171,7 @@ class ValueExercise(Exercise):
         return say("exercise.wanted_error") if isinstance(truth, ValueError) else spoken(truth)
 
 
-MOST_SHOWN = 12  # points of a long array
+MOST_SHOWN, MOST_NUMBERS = 12, 60  # points of a long array, numbers of a long list
 
 
 def spoken(value: Any) -> str:
@@ -189,7 +189,8 @@ def spoken(value: Any) -> str:
     if isinstance(value, tuple):
         return "(" + ", ".join(map(spoken, value)) + ("," if len(value) == 1 else "") + ")"
     if isinstance(value, list):
-        if len(value) > MOST_SHOWN and any(isinstance(row, list | tuple | np.ndarray) for row in value):
-            return say("exercise.and_more", shown=spoken(value[:MOST_SHOWN])[:-1], more=len(value) - MOST_SHOWN)
+        most = MOST_SHOWN if any(isinstance(row, list | tuple | np.ndarray) for row in value) else MOST_NUMBERS
+        if len(value) > most:
+            return say("exercise.and_more", shown=spoken(value[:most])[:-1], more=len(value) - most)
         return "[" + ", ".join(map(spoken, value)) + "]"
     return f"{0.0 if abs(value) <= 1e-12 else float(value):.10g}"

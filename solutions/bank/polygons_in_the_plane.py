@@ -115,6 +115,20 @@ def a_few_places(problem, nodes):
     )
 
 
+@wrong("adjacency_matrix")
+def a_hundred_places(problem, nodes):
+    """Finer, and a thin wall slips through all the same."""
+    return filled(
+        nodes, lambda a, b: all(problem.is_free(problem.steer(a, b, t * problem.distance(a, b))) for t in np.linspace(0, 1, 100))
+    )
+
+
+@wrong("adjacency_matrix", slip="touching")
+def touches_allowed(problem, nodes):
+    """Semi-free for free."""
+    return filled(nodes, problem.is_semi_free_path)
+
+
 @wrong("adjacency_matrix", slip="one_side")
 def upper_half(problem, nodes):
     """Each pair is written once."""
@@ -336,6 +350,22 @@ def never_marked(A, start, goal):
 
 
 @wrong("dfs_on_matrix")
+def seen_on_this_way_only(A, start, goal):
+    """Forgets what it has seen when it goes back: all ways are tried."""
+
+    def enter(u, path):
+        if u == goal:
+            return path
+        for v in np.flatnonzero(A[u]).tolist():
+            way = None if v in path else enter(v, [*path, v])
+            if way:
+                return way
+        return None
+
+    return enter(start, [start])
+
+
+@wrong("dfs_on_matrix")
 def deep_from_zero(A, start, goal):
     """Begins with node 0."""
     return deep(A, 0, goal)
@@ -457,6 +487,28 @@ def chance_of_all(problem, step, goal_bias, iterations, rng):
 def path_from_the_goal(problem, *given):
     """Not turned round."""
     return grown(problem, *given, turned=False)
+
+
+@wrong("rrt_for_polygon")
+def asks_about_twenty_places(problem, *given):
+    """Places stand for the motion: a thin wall slips between them."""
+
+    def seen(a, b):
+        return all(problem.is_free(problem.steer(a, b, t * problem.distance(a, b))) for t in np.linspace(0, 1, 20))
+
+    return grown(problem, *given, free=seen, last=seen)
+
+
+@wrong("rrt_for_polygon")
+def half_steps(problem, step, goal_bias, iterations, rng):
+    """The step taken for a diameter: the goal is a step away, and is not joined."""
+    return grown(problem, step / 2, goal_bias, iterations, rng)
+
+
+@wrong("rrt_for_polygon")
+def never_the_goal(problem, step, goal_bias, iterations, rng):
+    """goal_bias is not used."""
+    return grown(problem, step, 0.0, iterations, rng)
 
 
 # Four chords

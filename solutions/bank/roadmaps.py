@@ -6,6 +6,7 @@ import random
 from itertools import combinations
 
 import numpy as np
+import shapely
 
 from kinoedu.course.bank import wrong
 
@@ -62,6 +63,14 @@ def never_along_an_obstacle(problem, obstacles):
     return found, [(i, j) for i, j in pairs if owner[i] != owner[j]]
 
 
+@wrong("visibility_roadmap", slip="hull")
+def corners_of_the_hull(problem, obstacles):
+    """Convex taken for: on the convex hull."""
+    hulls = [set(shapely.Polygon(ring).convex_hull.exterior.coords) for ring in obstacles]
+    corners = [v for ring, hull in zip(obstacles, hulls) for v in ring if tuple(v.tolist()) in hull]
+    return seen([problem.start, problem.goal, *corners], problem.is_semi_free_path)
+
+
 @wrong("visibility_roadmap")
 def reflex_for_convex(problem, obstacles):
     """The wrong turn."""
@@ -107,6 +116,14 @@ def last_vertex_forgotten(problem, obstacles):
     return seen(corners(problem, obstacles, kept), problem.is_semi_free_path)
 
 
+# Motions that are asked about otherwise
+
+
+def places_along(problem):
+    """Places for a motion: what is thin slips between them."""
+    return lambda a, b: all(problem.is_free(a + t * (b - a)) for t in np.linspace(0, 1, 100))
+
+
 # The r-radius rule
 
 
@@ -145,6 +162,18 @@ def its_own_neighbour(problem, nodes, r):
 def across_the_page(problem, nodes, r):
     """Angles do not wrap."""
     return within(problem, nodes, lambda a, b: np.linalg.norm(a - b) <= r)
+
+
+@wrong("radius_neighbours", slip="touching")
+def semi_free_for_free(problem, nodes, r):
+    """Contact allowed."""
+    return within(problem, nodes, lambda a, b: problem.distance(a, b) <= r, problem.is_semi_free_path)
+
+
+@wrong("radius_neighbours", slip="sampled")
+def a_hundred_places(problem, nodes, r):
+    """Places along the page for a motion."""
+    return within(problem, nodes, lambda a, b: problem.distance(a, b) <= r, places_along(problem))
 
 
 @wrong("radius_neighbours", slip="squared")
@@ -196,9 +225,9 @@ def rows(problem, nodes, k, distance=None, sign=1, skip=1):
     return [(i, j) for i in range(len(nodes)) for j in order[i][skip : k + skip]]
 
 
-def joined(problem, nodes, pairs):
+def joined(problem, nodes, pairs, free=None):
     once = {(min(i, j), max(i, j)) for i, j in pairs}
-    return sorted((i, j) for i, j in once if problem.is_free_path(nodes[i], nodes[j]))
+    return sorted((i, j) for i, j in once if (free or problem.is_free_path)(nodes[i], nodes[j]))
 
 
 @wrong("k_closest", slip="farthest")
@@ -256,6 +285,18 @@ def among_later_nodes(problem, nodes, k):
 def closest_on_the_page(problem, nodes, k):
     """Angles do not wrap."""
     return joined(problem, nodes, rows(problem, nodes, k, distance=lambda a, b: np.linalg.norm(a - b)))
+
+
+@wrong("k_closest", slip="touching")
+def closest_with_contact(problem, nodes, k):
+    """Contact allowed."""
+    return joined(problem, nodes, rows(problem, nodes, k), problem.is_semi_free_path)
+
+
+@wrong("k_closest", slip="sampled")
+def closest_by_places(problem, nodes, k):
+    """Places along the page for a motion."""
+    return joined(problem, nodes, rows(problem, nodes, k), places_along(problem))
 
 
 @wrong("k_closest", slip="one")
@@ -353,6 +394,18 @@ def components_on_the_page(problem, nodes, k):
     return by_components(problem, nodes, k, distance=lambda a, b: np.linalg.norm(a - b))
 
 
+@wrong("component_k_closest", slip="touching")
+def components_with_contact(problem, nodes, k):
+    """Contact allowed."""
+    return by_components(problem, nodes, k, free=problem.is_semi_free_path)
+
+
+@wrong("component_k_closest", slip="sampled")
+def components_by_places(problem, nodes, k):
+    """Places along the page for a motion."""
+    return by_components(problem, nodes, k, free=places_along(problem))
+
+
 @wrong("component_k_closest")
 def never_merged(problem, nodes, k):
     """Each node joins the first component that takes it, and bridges are forgotten."""
@@ -429,6 +482,27 @@ def ends_checked_not_edges(problem, n, k, rng):
     """Free nodes, and edges through walls."""
     nodes = built(problem, n, k, np.random.default_rng(rng))
     return nodes, sorted({(min(i, j), max(i, j)) for i, j in rows(problem, nodes, k)})
+
+
+@wrong("sampled_roadmap")
+def edges_that_touch(problem, n, k, rng):
+    """Contact allowed."""
+    nodes = built(problem, n, k, np.random.default_rng(rng))
+    return nodes, joined(problem, nodes, rows(problem, nodes, k), problem.is_semi_free_path)
+
+
+@wrong("sampled_roadmap")
+def edges_by_places(problem, n, k, rng):
+    """Places for a motion."""
+    nodes = built(problem, n, k, np.random.default_rng(rng))
+    return nodes, joined(problem, nodes, rows(problem, nodes, k), places_along(problem))
+
+
+@wrong("sampled_roadmap")
+def the_room_measured_by_eye(problem, n, k, rng):
+    """Samples of the room that the first cases show."""
+    nodes = built(problem, n, k, np.random.default_rng(rng), sample=lambda rng: rng.uniform((0, 0), (16, 10)))
+    return nodes, joined(problem, nodes, rows(problem, nodes, k))
 
 
 @wrong("sampled_roadmap")

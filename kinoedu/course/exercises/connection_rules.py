@@ -11,8 +11,8 @@ from ..exercise import RIGHT, Case, Slip, ValueExercise, Verdict
 from ..outcomes import Answer, Outcome
 from ..shapes import Number, Numbers, Record
 from ..whole_shapes import Whole, WholeNumbers
-from .hall_worlds import WALL, arm, distances, free_nodes, hall, random_obstacles
-from .joining import allowed, are_pairs, closest_rows, in_components, unique, without_wrap
+from .hall_worlds import ASTRIDE, GRAZING, SHEET, WALL, arm, distances, free_nodes, hall, random_obstacles
+from .joining import allowed, are_pairs, by_samples, closest_rows, in_components, unique, with_contact, without_wrap
 from .planned import Task
 from .roadmap_pictures import draw_joined
 
@@ -86,6 +86,8 @@ class RadiusNeighbours(RuleExercise):
         Slip("twice", lambda p, q, r: np.vstack([radius_pairs(p, q, r), radius_pairs(p, q, r)[:, ::-1]])),
         Slip("itself", lambda p, q, r: np.vstack([radius_pairs(p, q, r), np.repeat(np.arange(len(q)), 2).reshape(-1, 2)])),
         Slip("straight", lambda p, q, r: radius_pairs(without_wrap(p), q, r)),
+        Slip("touching", lambda p, q, r: radius_pairs(with_contact(p), q, r)),
+        Slip("sampled", lambda p, q, r: radius_pairs(by_samples(p), q, r)),
         Slip("squared", lambda p, q, r: radius_pairs(p, q, np.sqrt(r))),
         Slip("diameter", lambda p, q, r: radius_pairs(p, q, r / 2)),
     )
@@ -96,6 +98,7 @@ class RadiusNeighbours(RuleExercise):
             yield rule_case("pair", hall(), row, float(far))
         yield rule_case("wall", hall(WALL), ((5, 3), (11, 3)), 8.0)
         yield rule_case("wall", hall(WALL), ((5, 3), (11, 3), (8, 8)), 8.0)
+        yield from two_nodes(8.0)
         for i in range(ROUND):
             at = rng.integers(1, 5, 2)
             yield rule_case("pair", hall(), (at, at + ((3, 4), (4, 3))[i % 2]), (5.0, 4.5, 5.0, 5.5)[i % 4])
@@ -121,6 +124,8 @@ class KClosestNeighbours(RuleExercise):
         Slip("lost", lambda p, q, k: allowed(p, q, upwards(closest_rows(p, q, k)))),
         Slip("later", lambda p, q, k: allowed(p, q, unique(closest_rows(p, q, k, only_later=True)))),
         Slip("straight", lambda p, q, k: closest_pairs(without_wrap(p), q, k)),
+        Slip("touching", lambda p, q, k: closest_pairs(with_contact(p), q, k)),
+        Slip("sampled", lambda p, q, k: closest_pairs(by_samples(p), q, k)),
         Slip("one", lambda p, q, k: closest_pairs(p, q, 1)),
     )
 
@@ -132,8 +137,10 @@ class KClosestNeighbours(RuleExercise):
         yield rule_case("few", hall(), row, 5)
         yield rule_case("one_sided", hall(), row, 1)
         yield rule_case("one_sided", hall(), tail, 1)
+        yield rule_case("one_sided", hall(), ((3, 1), (1, 1), (6, 1)), 1)
         yield rule_case("ties", hall(), ((5, 5), (3, 5), (7, 5), (5, 1)), 1)
-        yield rule_case("wall", hall(WALL), ((6, 3), (10, 3), (1, 3)), 1)
+        yield rule_case("wall", hall(WALL), ((6, 3), (10, 3), (1, 3), (1, 4)), 1)
+        yield from two_nodes(1)
         for i in range(ROUND):
             yield rule_case("few", hall(), free_nodes(rng, hall(), 3), int(rng.integers(2, 5)))
             yield rule_case("one_sided", hall(), chain(rng), 1)
@@ -158,6 +165,8 @@ class ComponentNeighbours(RuleExercise):
         Slip("any_number", lambda p, q, k: in_components(p, q, len(q))),
         Slip("closest", closest_pairs),
         Slip("straight", lambda p, q, k: component_pairs(without_wrap(p), q, k)),
+        Slip("touching", lambda p, q, k: component_pairs(with_contact(p), q, k)),
+        Slip("sampled", lambda p, q, k: component_pairs(by_samples(p), q, k)),
     )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
@@ -168,6 +177,7 @@ class ComponentNeighbours(RuleExercise):
         yield rule_case("parts", hall(WALL), apart, 1)
         yield rule_case("wall", hall(WALL), ((10, 3), (10, 8), (6, 4)), 1)
         yield rule_case("wall", hall(WALL), ((10, 3), (10, 8), (6, 4)), 2)
+        yield from two_nodes(1)
         for i in range(ROUND):
             yield rule_case("few", hall(), free_nodes(rng, hall(), 3 + i % 2), int(rng.integers(1, 4)))
             sides = np.vstack([beside(rng, 4, 6), beside(rng, 10, 12), beside(rng, 4, 12, low=7.5)])
@@ -179,6 +189,13 @@ class ComponentNeighbours(RuleExercise):
 def rule_case(kind: str, problem: Any, nodes: Any, number: float) -> Case:
     """A case: the number is a radius or K."""
     return Case(kind, {"problem": problem, "nodes": np.array(nodes, float), "r" if isinstance(number, float) else "k": number})
+
+
+def two_nodes(number: float) -> Iterator[Case]:
+    """Motions that only the problem can judge: one that touches a corner, one through a thin wall, and an arm's short way."""
+    yield rule_case("wall", hall(WALL), GRAZING, number)
+    yield rule_case("wall", hall(SHEET), ASTRIDE, number)
+    yield rule_case("torus", arm(), ((5.9, 0.3), (0.4, 0.3)), number)
 
 
 def worlds(rng: np.random.Generator, i: int) -> Iterator[tuple[str, Any]]:

@@ -16,12 +16,15 @@ from .worlds_by_chance import has_room, round_polygon
 FULL = 2.0 * np.pi
 HALL = np.array([(0, 0), (16, 0), (16, 10), (0, 10)], float)
 WALL = np.array([(7, 0.5), (9, 0.5), (9, 6), (7, 6)], float)
+SHEET = np.array([(8, 0.5), (8.001, 0.5), (8.001, 9), (8, 9)], float)  # thinner than places along a motion are apart
+GRAZING = (5.5, 4.5), (8.0, 7.0)  # the motion between them touches a corner of the wall
+ASTRIDE = (5.1, 3.0), (11.37, 4.0)  # of the sheet: no round share of the way between them lies in it
 START, GOAL = (1.0, 1.0), (15.0, 1.0)
 
 
-def hall(*obstacles: Any, start: Any = START, goal: Any = GOAL) -> Asked:
-    """A problem in the hall, with obstacles made by hand."""
-    return Asked(Problem(Point(), PolygonWorld(HALL, obstacles), start, goal))
+def hall(*obstacles: Any, start: Any = START, goal: Any = GOAL, room: Array = HALL) -> Asked:
+    """A problem in the hall, or in another room, with obstacles made by hand."""
+    return Asked(Problem(Point(), PolygonWorld(room, obstacles), start, goal))
 
 
 def arm() -> Asked:

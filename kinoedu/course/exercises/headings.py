@@ -22,6 +22,7 @@ from .turning_pictures import draw_heading
 LEAST = 0.2  # radians: where there is a free heading, there are so many side by side
 BAR = RigidPolygon([(-0.5, -0.3), (2.5, -0.3), (2.5, 0.3), (-0.5, 0.3)])
 HOOK = RigidPolygon([(-0.4, -0.4), (1.8, -0.4), (1.8, 0.0), (0.0, 0.0), (0.0, 1.2), (-0.4, 1.2)])
+HALF = 0.56  # of the width of a dead end: the bar has little more than LEAST in it
 CORNER = (1.4, 1.4, 0.0)  # where robots stand at first: free in every world here
 
 
@@ -42,10 +43,10 @@ class FreeHeading(Exercise):
         yield case(BAR, room, (5.0, 5.0))
         yield case(BAR, room, (9.0, 5.0))
         for angle in (0.0, np.pi / 2, np.pi, -np.pi / 2):
-            yield case(BAR, slot(angle, 0.5), (5.0, 5.0))
+            yield case(BAR, slot(angle, HALF), (5.0, 5.0))
         yield case(BAR, slot(0.0, 0.2), (5.0, 5.0))
         for _ in range(12):
-            yield case(BAR, slot(float(np.round(rng.uniform(-np.pi, np.pi), 2)), 0.5), (5.0, 5.0))
+            yield case(BAR, slot(float(np.round(rng.uniform(-np.pi, np.pi), 2)), HALF), (5.0, 5.0))
         for robot in (BAR, HOOK):
             world = scattered(12, side=10.0, radius=1.2, keep_free=[(1.4, 1.4, 2.6)], rng=rng)
             for place in np.round(rng.uniform(0.5, 9.5, (40, 2)), 2):

@@ -1,6 +1,7 @@
 """How nodes are joined by a rule, and what programs answer that misunderstand it."""
 
-from typing import Any
+from collections.abc import Callable
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,6 +10,7 @@ from ...geometry.checks import Array
 from .hall_worlds import distances, is_arm
 
 Pairs = NDArray[np.int64]
+SAMPLES = 50  # places along a motion that a hasty program asks about
 
 
 def allowed(problem: Any, nodes: Array, pairs: Pairs) -> Pairs:
@@ -61,17 +63,25 @@ def in_components(problem: Any, nodes: Array, k: int, *, blind: bool = False, go
     return np.array(pairs, np.int64).reshape(-1, 2)
 
 
-class Unwrapped:
-    """A problem whose distances are measured on the page, not on the torus."""
+class Mistaken(NamedTuple):
+    """A problem as a program asks it that takes something else for a distance, or for a free motion."""
 
-    def __init__(self, problem: Any) -> None:
-        self.is_free_path = problem.is_free_path
-
-    def distance(self, a: Array, b: Array) -> float:
-        """On the page."""
-        return float(np.hypot(*(a - b)))
+    distance: Callable[[Array, Array], float]
+    is_free_path: Callable[[Array, Array], bool]
 
 
 def without_wrap(problem: Any) -> Any:
-    """The arm's problem without its wrapping; another problem as it is."""
-    return Unwrapped(problem) if is_arm(problem) else problem
+    """The arm's problem with distances on the page, not on the torus; another problem as it is."""
+    return Mistaken(lambda a, b: float(np.hypot(*(a - b))), problem.is_free_path) if is_arm(problem) else problem
+
+
+def with_contact(problem: Any) -> Mistaken:
+    """A problem in which motions may touch obstacles."""
+    return Mistaken(problem.distance, problem.is_semi_free_path)
+
+
+def by_samples(problem: Any) -> Mistaken:
+    """A problem in which a motion is judged by places along it."""
+    is_free = problem.problem.is_free
+    shares = np.linspace(0.0, 1.0, SAMPLES)
+    return Mistaken(problem.distance, lambda a, b: all(is_free(a + share * (b - a)) for share in shares))

@@ -22,6 +22,8 @@ from .tasks import SQUARE, box
 from .turning_pictures import draw_matrix
 
 Matrix = NDArray[np.int64]
+CROWD = np.pad(1 - np.eye(13, dtype=np.int64), (0, 1))  # everyone is joined to everyone, but for the last
+TOUCHED = PolygonWorld(SQUARE, [box(4, 2, 6, 4.5)])
 LESSON = "11_polygons_in_the_plane"
 MATRIX = WholeNumbers(("n", "n"))
 STICK = RigidPolygon([(-0.8, -0.2), (0.8, -0.2), (0.8, 0.2), (-0.8, 0.2)])
@@ -65,6 +67,7 @@ class AdjacencyMatrix(ValueExercise):
     slips = (
         Slip("ends_only", lambda problem, nodes: pairwise(problem, nodes, lambda p, a, b: p.is_free(a) and p.is_free(b))),
         Slip("halfway", lambda problem, nodes: pairwise(problem, nodes, halfway)),
+        Slip("touching", lambda problem, nodes: pairwise(problem, nodes, lambda p, a, b: p.is_semi_free_path(a, b))),
         Slip("one_side", lambda problem, nodes: np.triu(free_motions(problem, nodes))),
         Slip("loops", lambda problem, nodes: free_motions(problem, nodes) + np.eye(len(nodes))),
         Slip("contact", lambda problem, nodes: 1 - np.eye(len(nodes)) - free_motions(problem, nodes)),
@@ -77,16 +80,18 @@ class AdjacencyMatrix(ValueExercise):
         return free_motions(problem, nodes)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Two or three; a thin wall; turns in a corridor, where a step aside is free and a half turn is not; a roadmap."""
+        """Two or three; a thin wall; a corridor, where a step aside is free and a half turn is not; a touch; a roadmap."""
         for _ in range(10):
             room = scattered(3, side=10.0, radius=1.5, rng=rng)
             yield case("two", Disk(0.5), room, rng, int(rng.integers(2, 4)))
             wall = float(np.round(rng.uniform(4.0, 6.0), 2))
             thin = PolygonWorld(SQUARE, [box(wall, 0, wall + 0.01, float(np.round(rng.uniform(5.0, 8.0), 1)))])
-            yield case("wall", Disk(0.05), thin, rng, 5)
+            yield case("wall", Disk(0.005), thin, rng, 5)
             x = np.round(np.concatenate([rng.uniform(1.0, 3.8, 3), rng.uniform(6.2, 9.0, 2)]), 2)  # a sill is between the two sides
             poses = np.column_stack([x, np.full(5, 0.7), rng.choice([0.0, 0.2, 3.0, -3.0], 5)])
             yield Case("turn", {"problem": at_rest(STICK, CORRIDOR, poses[0]), "nodes": poses})
+        beside = np.array([(2, 5), (8, 5), (5, 8)], float)  # the disk touches the box on its way from the first to the second
+        yield Case("two", {"problem": at_rest(Disk(0.5), TOUCHED, beside[0]), "nodes": beside})
         for _ in range(10):
             world = scattered(8, side=10.0, radius=1.4, rng=rng)
             yield case("many", (STICK, Disk(0.4))[int(rng.integers(2))], world, rng, int(rng.integers(6, 13)))
@@ -153,12 +158,17 @@ class OnMatrix(PathExercise):
     given = Record(matrix=MATRIX, start=Whole(), goal=Whole())
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Those of lesson 4 whose edges lead both ways."""
+        """Those of lesson 4 whose edges lead both ways; before the larger ones a crowd, of more ways than can be tried."""
+        found = []
         for case in super().cases(rng):
             neighbours, start, goal = case.given.values()
             if case.kind != "directed" and symmetric(neighbours):
                 matrix = np.array([[int(v in row) for v in range(len(neighbours))] for row in neighbours])
-                yield Case(case.kind, {"matrix": matrix, "start": start, "goal": goal})
+                found.append(Case(case.kind, {"matrix": matrix, "start": start, "goal": goal}))
+        at = next(i for i, case in enumerate(found) if len(case.given["matrix"]) > len(CROWD))
+        yield from found[:at]
+        yield Case("unreachable", {"matrix": CROWD, "start": 0, "goal": len(CROWD) - 1})
+        yield from found[at:]
 
     def truth(self, case: Case) -> Any:
         """Of the lists."""

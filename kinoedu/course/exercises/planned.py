@@ -138,7 +138,7 @@ class PlannerExercise(Exercise):
     """A planner to write, called three times. Subclasses declare `result`, and `answer = three_times(result)`."""
 
     result: ClassVar[Shape]
-    shared = ("planner", "exercise")
+    shared: ClassVar[tuple[str, ...]] = ("planner", "exercise")
     seconds = 20.0
 
     @abstractmethod

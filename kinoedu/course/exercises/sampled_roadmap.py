@@ -12,7 +12,7 @@ from ..outcomes import Answer, Outcome
 from ..shapes import Numbers, Record, Together
 from ..whole_shapes import Whole, WholeNumbers
 from .connection_rules import Pairs, closest_pairs
-from .hall_worlds import HALL, WALL, hall, random_obstacles
+from .hall_worlds import ASTRIDE, GRAZING, HALL, SHEET, WALL, hall, random_obstacles
 from .joining import allowed, are_pairs
 from .planned import Fault, PlannerExercise, Task, three_times
 
@@ -50,14 +50,16 @@ class SampledRoadmap(PlannerExercise):
 
         yield case("none", hall(), 0, 3)
         yield case("none", hall(WALL), 0, 3)
+        yield case("none", hall(WALL, start=GRAZING[0], goal=GRAZING[1]), 0, 3)
+        yield case("none", hall(SHEET, start=ASTRIDE[0], goal=ASTRIDE[1]), 0, 3)
         yield case("room", hall(), 3, 2)
         yield case("wall", hall(WALL), 6, 2)
         for i in range(4):
             yield case("room", hall(), 4 + 4 * i, 3)
             yield case("wall", hall(WALL), 10 + 6 * i, 3)
             yield case("several", hall(*random_obstacles(rng, 2 + i // 2)), 20 + 5 * i, 4)
-        for _ in range(2):
-            yield case("many", hall(), MANY, 2)
+        for room in (HALL, 2 * HALL):
+            yield case("many", hall(room=room), MANY, 2)
 
     def uses_chance(self, case: Case) -> bool:
         """Where there is a sample."""
@@ -74,7 +76,9 @@ class SampledRoadmap(PlannerExercise):
         for q in nodes:
             if not problem.problem.is_free(q):
                 return Fault("samples", q[None])
-        if len(np.unique(nodes, axis=0)) < len(nodes) or (n >= MANY and not EVEN < unevenness(nodes[2:]) < UNEVEN):
+        if len(np.unique(nodes, axis=0)) < len(nodes) or (
+            n >= MANY and not EVEN < unevenness(nodes[2:], problem.world.hi) < UNEVEN
+        ):
             return Fault("spread", nowhere)
         if not are_pairs(pairs, len(nodes)):
             return Fault("pairs", nowhere)
@@ -120,9 +124,9 @@ class SampledRoadmap(PlannerExercise):
         plane.title(self.words(f"pictures.{rule}"), ax)
 
 
-def unevenness(points: Array) -> float:
-    """Of 16 equal boxes of the hall, the sum of (count - expected)^2 / expected: about 15 for random points."""
-    places = np.clip(np.floor(SIDE * points / HALL[2]), 0, SIDE - 1).astype(np.int64)
+def unevenness(points: Array, size: Array) -> float:
+    """Of 16 equal boxes of a hall of a size, the sum of (count - expected)^2 / expected: about 15 for random points."""
+    places = np.clip(np.floor(SIDE * points / size), 0, SIDE - 1).astype(np.int64)
     counts = np.bincount(SIDE * places[:, 0] + places[:, 1], minlength=SIDE * SIDE)
     expected = len(points) / (SIDE * SIDE)
     return float(((counts - expected) ** 2).sum() / expected)

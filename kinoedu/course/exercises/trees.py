@@ -110,8 +110,7 @@ class Rrt(TreeExercise):
         """Some chance is left to the goal in most; then all of it, with a way to the goal and without."""
         yield from super().cases(rng)
         for kind in ("room", "sealed"):
-            case = self.asked(kind, TRAPS[kind], rng)
-            yield case._replace(given={**case.given, "goal_bias": 1.0, "iterations": 20})
+            yield straight(self.asked(kind, TRAPS[kind], rng))
 
     def uses_chance(self, case: Case) -> bool:
         """Not where every sample is the goal."""
@@ -141,6 +140,11 @@ class Rrt(TreeExercise):
         """The tree and the path."""
         nodes, parent, path = answer
         return [Tree(nodes, parent)], path
+
+
+def straight(case: Case) -> Case:
+    """The case in which every sample is the goal."""
+    return case._replace(given={**case.given, "goal_bias": 1.0, "iterations": 20})
 
 
 def has_same_nodes(case: Case, nodes: Array) -> bool:

@@ -24,6 +24,7 @@ Seen = tuple[Array, NDArray[np.int64]]
 BOX = np.array([(6, 3), (10, 3), (10, 7), (6, 7)], float)
 TENT = np.array([(5, 3), (11, 3), (8, 7)], float)
 ANGLE = np.array([(5, 2), (11, 2), (11, 4), (7, 4), (7, 8), (5, 8)], float)
+CROWN = np.array([(5, 2), (11, 2), (11, 8), (9.5, 4), (8, 6), (6.5, 4), (5, 8)], float)  # its middle tip is not on its hull
 BENT_BOX = np.array([(6, 3), (8, 3), (10, 3), (10, 5), (10, 7), (6, 7)], float)  # two straight angles
 
 
@@ -34,9 +35,22 @@ def seen_corners(problem: Any, obstacles: list[Array]) -> Seen:
     return np.roll(roadmap.nodes, 2, axis=0), np.sort((roadmap.edges + 2) % n, axis=1)
 
 
-def roadmap_on(problem: Any, obstacles: list[Array], *, least: float = 0.0, how: str = "is_semi_free_path") -> Seen:
-    """Start, goal and the vertices that turn left by more than `least`, and the pairs of them whose motion is allowed."""
-    nodes = np.vstack([problem.start, problem.goal, *(ring[bends(ring) > least] for ring in obstacles)])
+def is_convex(ring: Array) -> Any:
+    """Which vertices turn left."""
+    return bends(ring) > 0.0
+
+
+def is_on_hull(ring: Array) -> Any:
+    """Which vertices are corners of the convex hull."""
+    import shapely
+
+    corners = set(shapely.MultiPoint(ring).convex_hull.exterior.coords)
+    return [tuple(v) in corners for v in ring.tolist()]
+
+
+def roadmap_on(problem: Any, obstacles: list[Array], *, kept: Any = is_convex, how: str = "is_semi_free_path") -> Seen:
+    """Start, goal and the vertices that are kept, and the pairs of them whose motion is allowed."""
+    nodes = np.vstack([problem.start, problem.goal, *(ring[kept(ring)] for ring in obstacles)])
     pairs = np.argwhere(np.triu(np.ones((len(nodes), len(nodes))), 1))
     if how != "is_semi_free_path":
         return nodes, allowed(problem, nodes, pairs)
@@ -68,8 +82,9 @@ class VisibleCorners(ValueExercise):
     reference = staticmethod(seen_corners)
     source = staticmethod(seen_corners)
     slips = (
-        Slip("every_vertex", lambda problem, obstacles: roadmap_on(problem, obstacles, least=-np.inf)),
-        Slip("not_reflex", lambda problem, obstacles: roadmap_on(problem, obstacles, least=-1e-9)),
+        Slip("every_vertex", lambda problem, obstacles: roadmap_on(problem, obstacles, kept=lambda ring: slice(None))),
+        Slip("not_reflex", lambda problem, obstacles: roadmap_on(problem, obstacles, kept=lambda ring: bends(ring) > -1e-9)),
+        Slip("hull", lambda problem, obstacles: roadmap_on(problem, obstacles, kept=is_on_hull)),
         Slip("no_contact", lambda problem, obstacles: roadmap_on(problem, obstacles, how="is_free_path")),
         Slip("no_ends", without_ends),
         Slip("between", between_obstacles),
@@ -80,6 +95,7 @@ class VisibleCorners(ValueExercise):
         yield seen_case("one", [TENT])
         yield seen_case("one", [BOX])
         yield seen_case("bay", [ANGLE])
+        yield seen_case("bay", [CROWN])
         yield seen_case("straight", [BENT_BOX])
         yield seen_case("several", [WALL, TENT * 0.4 + (8, 5.5)])
         for i in range(12):
