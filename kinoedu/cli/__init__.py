@@ -1,4 +1,5 @@
-"""The command line: kinoedu plan | experiment | lab | warm | release | grade | regrade | export | hand-in."""
+"""The command line: kinoedu plan | experiment | lab | warm | release | grade | regrade | export | hand-in | similar |
+new-exercise | autograde."""
 
 import argparse
 import io
@@ -8,12 +9,15 @@ from collections.abc import Sequence
 from typing import Any, NoReturn
 
 from ..errors import KinoeduError
+from .autograde import add_autograde
 from .experiment import add_experiment
 from .export import add_export
 from .grade import add_grade
 from .hand_in import add_hand_in
+from .new_exercise import add_new_exercise
 from .plan import add_plan
 from .release import add_release
+from .similar import add_similar
 
 DESCRIPTION = "kinoedu: a motion-planning course you can run."
 
@@ -62,6 +66,9 @@ def parser() -> argparse.ArgumentParser:
     add_grade(commands)
     add_export(commands)
     add_hand_in(commands)
+    add_autograde(commands)
+    add_similar(commands)
+    add_new_exercise(commands)
     return top
 
 

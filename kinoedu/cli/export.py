@@ -15,6 +15,8 @@ Write the grades as other programs read them.
   canvas      your own export of Canvas's gradebook (--template) with the assignment's column filled in, to be imported there
   gradescope  a results.json for each submission
   nbgrader    a course folder with nbgrader's gradebook, in which formgrader shows the answers that people grade
+
+Or, without grades, pack what Gradescope itself grades with: --gradescope-autograder.
 """
 
 EXPORT_EXAMPLES = """\
@@ -23,7 +25,10 @@ examples:
   python start.py export grades --to canvas --template from_canvas.csv --out to_canvas.csv
   python start.py export grades --to nbgrader --out nbgrader
   python start.py export grades --from-nbgrader nbgrader        (and what was graded there comes back)
+  python start.py export --gradescope-autograder autograder.zip --assignment 01_geometry
 """
+
+TRUST_CONTAINER = "gradescope-autograder: where no sandbox can be made there, run programs WITHOUT ONE, as an ordinary user"
 
 
 def add_export(commands: Any) -> None:
@@ -35,16 +40,19 @@ def add_export(commands: Any) -> None:
         epilog=EXPORT_EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    export.add_argument("grades", metavar="GRADES", type=Path, help="the folder that kinoedu grade made")
+    export.add_argument("grades", metavar="GRADES", type=Path, nargs="?", help="the folder that kinoedu grade made")
     what = export.add_mutually_exclusive_group(required=True)
     what.add_argument("--to", choices=tuple(EXPORTS), help="for whom")
     what.add_argument("--from-nbgrader", metavar="FOLDER", type=Path, help="bring scores back that people gave in formgrader")
+    what.add_argument("--gradescope-autograder", metavar="ZIP", type=Path, help="pack the judges of --assignment for Gradescope")
     export.add_argument("--out", metavar="PATH", type=Path, help="the file or folder to write (default: in GRADES)")
     export.add_argument("--template", metavar="FILE", type=Path, help="canvas: the export of its gradebook to start from")
     export.add_argument(
         "--column", default="", metavar="NAME", help="canvas: the column of the assignment, where it is named otherwise"
     )
     export.add_argument("--assignment", default="", metavar="NAME", help="only this one")
+    export.add_argument("--secret", metavar="FILE", type=Path, help="gradescope-autograder: the course's secret, which goes there")
+    export.add_argument("--trust-container", action="store_true", help=TRUST_CONTAINER)
     export.set_defaults(run=run_export)
 
 
@@ -54,6 +62,10 @@ def run_export(arguments: argparse.Namespace) -> int:
     from ..grading.decisions import read_decisions
     from ..grading.rows import class_rows
 
+    if arguments.gradescope_autograder is not None:
+        return to_autograder(arguments)
+    if arguments.grades is None:
+        raise InvalidParameter("say whose grades: the folder that kinoedu grade made")
     of = read_class(arguments.grades)
     if arguments.from_nbgrader is not None:
         return from_nbgrader(of, arguments.from_nbgrader)
@@ -93,6 +105,23 @@ def to_gradescope(arguments: argparse.Namespace, of: Any, rows: Any) -> str:
 
     folder = arguments.out or of.out / "gradescope"
     return f"wrote {export_gradescope(rows, folder)} files in {folder}"
+
+
+def to_autograder(arguments: argparse.Namespace) -> int:
+    """What Gradescope grades with."""
+    require_nbgrader()
+    from ..grading.autograder_zip import pack_autograder
+    from ..grading.questions import course_secret
+    from .grade import secret_of
+
+    if not arguments.assignment:
+        raise InvalidParameter("an autograder is for one assignment: name it with --assignment, such as 01_geometry")
+    secret = course_secret(secret_of(arguments, ""))
+    file, wall = arguments.gradescope_autograder, arguments.trust_container
+    with stage(f"packing {file}"):
+        count = pack_autograder(file, arguments.assignment, secret, container_is_wall=wall)
+    print(f"packed {count} files in {file}; it holds the course's secret, so give it to Gradescope and to nobody else")
+    return 0
 
 
 def to_nbgrader(arguments: argparse.Namespace, of: Any, rows: Any) -> str:

@@ -67,6 +67,7 @@ def add_how(command: argparse.ArgumentParser) -> None:
     where.add_argument("--workers", type=int, metavar="N", help="so many processes (default: one for each processor)")
     where.add_argument("--dask", metavar="ADDRESS", help="grade on the Dask cluster whose scheduler is there")
     command.add_argument("--secret", metavar="FILE", type=Path, help="the course's secret, from which hidden cases are drawn")
+    command.add_argument("--variants", action="store_true", help="each student has contracts of their own (release --variants)")
     command.add_argument("--trust", action="store_true", help="run submissions WITHOUT A SANDBOX: they may do whatever you may")
 
 
@@ -121,7 +122,7 @@ def run_of(arguments: argparse.Namespace, secret_file: Path, grading: Any, writi
     if arguments.trust:
         print(TRUSTED, file=sys.stderr)
     place = dask(arguments.dask) if arguments.dask is not None else local(arguments.workers)
-    return Run(secret_file, place, arguments.trust, grading, writing)
+    return Run(secret_file, place, arguments.trust, grading, writing, arguments.variants)
 
 
 def sum_up(of: Any, rows: Any) -> int:

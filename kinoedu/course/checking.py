@@ -29,12 +29,13 @@ class Printed(io.StringIO):
         return len(text)
 
 
-def check(function: Callable[..., Any], exercise: str = "", *, staged: bool = False) -> Feedback:
+def check(function: Callable[..., Any], exercise: str = "", *, variant: str = "", staged: bool = False) -> Feedback:
     """Judge a function; the answer shows itself in a notebook.
 
     Parameters
     ----------
     function : yours. Its name says which exercise it answers; or say it with `exercise`.
+    variant : the name of your own contract, where your notebook gives you one.
     staged : tell only the rule that was broken at first; with each further try that is wrong in another way also the smallest case,
         then its picture, then a hint.
 
@@ -45,7 +46,7 @@ def check(function: Callable[..., Any], exercise: str = "", *, staged: bool = Fa
     if not callable(function):
         raise InvalidParameter(say("check.no_function", what=described(function)))
     name = exercise or getattr(function, "__name__", "")
-    asked = find(name if isinstance(name, str) else "")
+    asked = find(name if isinstance(name, str) else "", variant)
     cases = list(asked.cases(np.random.default_rng(0)))
     printed: list[Printed] = []
     warm(asked, cases)

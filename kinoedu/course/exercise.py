@@ -55,7 +55,7 @@ class Exercise(ABC):
     given, answer : the shapes of a case's arguments and of the answer. seconds : the time for one call.
     slips : known misconceptions. shared : whose words it uses where it has none of its own. source : the library's own function,
     withheld when graded; None where there is none. shown : the lines of the library that a student may compare with in the end;
-    those of `source` where they are None.
+    those of `source` where they are None. variants : names of contracts, of which each student may be given one.
     """
 
     name: ClassVar[str]
@@ -68,6 +68,15 @@ class Exercise(ABC):
     shared: ClassVar[tuple[str, ...]] = ("exercise",)
     source: ClassVar[Callable[..., Any] | None] = None
     shown: ClassVar[Callable[..., Any] | None] = None
+    variants: ClassVar[tuple[str, ...]] = ()
+
+    def __init__(self, variant: str = "") -> None:
+        self.variant = variant  # "" where whatever the statement allows is right
+
+    @property
+    def contract(self) -> str:
+        """What a variant demands beside the statement, in words; "" where nothing."""
+        return self.words(f"contracts.{self.variant}") if self.variant else ""
 
     @abstractmethod
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:

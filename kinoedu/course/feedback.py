@@ -93,7 +93,8 @@ def told_right(report: Report) -> list[tuple[str, str]]:
 def told_case(exercise: Exercise, failure: Judged, printed: str) -> list[tuple[str, str]]:
     """The call that failed, what came of it, and what should have."""
     given = [f"{name} = {as_code(value)}" for name, value in failure.case.given.items()]
-    lines = [(say("check.call"), "\n".join([*given, f"{exercise.name}({', '.join(failure.case.given)})"]))]
+    lines = [(say("check.contract"), exercise.contract)] if exercise.contract else []
+    lines += [(say("check.call"), "\n".join([*given, f"{exercise.name}({', '.join(failure.case.given)})"]))]
     lines.append((say("check.yours"), outcome_words(exercise, failure)))
     if printed:
         lines.append((say("check.printed"), printed))

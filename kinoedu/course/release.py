@@ -5,8 +5,9 @@ A solution notebook is the only source of its assignment. Its outputs are cleare
 
 import os
 import zipfile
+from collections.abc import Iterable
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from ..errors import InvalidParameter
 from ..whole_file import written_whole
@@ -82,13 +83,26 @@ def pack(zip_file: str | os.PathLike[str], house: Path = HOUSE) -> int:
     """Pack what students get into a zip: no solutions, no bank, no tests. Returns the number of files."""
     rooms = [file for room in ROOMS_FOR_STUDENTS for file in sorted((house / room).rglob("*")) if file.is_file()]
     files = [house / name for name in FOR_STUDENTS] + [file for file in rooms if not is_by_product(file)]
+    write_zip(zip_file, (Packed(f"kinoedu-course/{file.relative_to(house).as_posix()}", file.read_bytes()) for file in files))
+    return len(files)
+
+
+class Packed(NamedTuple):
+    """A file of a zip: its place there, its bytes, who may do what with it."""
+
+    place: str
+    data: bytes
+    mode: int = 0o644
+
+
+def write_zip(zip_file: str | os.PathLike[str], files: Iterable[Packed]) -> None:
+    """Write a zip, whole or not at all: the same bytes for the same files."""
     with written_whole(zip_file) as part, zipfile.ZipFile(part, "w", zipfile.ZIP_DEFLATED) as archive:
         for file in files:
-            entry = zipfile.ZipInfo(f"kinoedu-course/{file.relative_to(house).as_posix()}", LONG_AGO)
+            entry = zipfile.ZipInfo(file.place, LONG_AGO)
             entry.compress_type = zipfile.ZIP_DEFLATED
-            entry.external_attr = 0o644 << 16
-            archive.writestr(entry, file.read_bytes())
-    return len(files)
+            entry.external_attr = file.mode << 16
+            archive.writestr(entry, file.data)
 
 
 def is_by_product(file: Path) -> bool:

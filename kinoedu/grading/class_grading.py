@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 from ..errors import InvalidParameter
 from .class_list import FILE, Class, entry_of, mark_of, read_class, with_earlier, write_class
+from .contracts import personal, refuse_forgotten
 from .decisions import read_decisions
 from .questions import course_secret
 from .running import Place, Progress, grade_all, local
@@ -15,13 +16,16 @@ from .writing import write_all
 
 
 class Run(NamedTuple):
-    """How a class is graded: where its secret is, where the work is done, whether without a sandbox, and who hears of it."""
+    """How a class is graded: where its secret is, where the work is done, whether without a sandbox, who hears of it, and
+    whether each student has contracts of their own.
+    """
 
     secret_file: Path
     place: Place = local()
     trusted: bool = False
     grading: Progress | None = None
     writing: Progress | None = None
+    variants: bool = False
 
 
 def require_sandbox(trusted: bool) -> None:
@@ -45,8 +49,7 @@ def grade_class(folder: Path, only: str, out: Path, run: Run) -> Class:
 def grade_found(sources: list[tuple[Path, str, list[Submission]]], out: Path, run: Run) -> Class:
     """The same, of submissions that were collected."""
     require_sandbox(run.trusted)
-    submissions = [one for _, _, found in sources for one in found]
-    if not submissions:
+    if not any(found for _, _, found in sources):
         raise InvalidParameter(f"{sources[0][0]} holds no notebooks, and no zips of them")
     earlier = read_class(out) if (out / FILE).exists() else None
     secret = course_secret(run.secret_file)
@@ -55,11 +58,17 @@ def grade_found(sources: list[tuple[Path, str, list[Submission]]], out: Path, ru
             f"{out} was graded with another secret, that of {earlier.secret_file}; name that one, or another folder"
         )
     read_decisions(out)
+    variants = run.variants or (earlier is not None and earlier.variants)
+    submissions = [one for _, _, found in sources for one in found]
+    if variants:
+        submissions = [personal(one, secret) for one in submissions]
+    else:
+        refuse_forgotten(submissions)
     out.mkdir(parents=True, exist_ok=True)
     graded = iter(grade_all(submissions, out, secret, place=run.place, progress=run.grading, trusted=run.trusted))
     entries = [entry_of(one, folder, only, secret) for folder, only, found in sources for one in islice(graded, len(found))]
     kept = with_earlier(entries, earlier.entries if earlier is not None else ())
-    of = Class(out, str(run.secret_file.resolve()), mark_of(secret), run.trusted, kept)
+    of = Class(out, str(run.secret_file.resolve()), mark_of(secret), run.trusted, kept, variants)
     write_class(of)
     write_all(of, run.writing)
     return of

@@ -40,8 +40,8 @@ class Entry(NamedTuple):
 
 
 class Class(NamedTuple):
-    """A graded class: its folder, the secret's file and what tells that secret from others, whether the sandbox was left out, and
-    the entries, by student and assignment.
+    """A graded class: its folder, the secret's file and what tells that secret from others, whether the sandbox was left out, the
+    entries, by student and assignment, and whether each student has contracts of their own.
     """
 
     out: Path
@@ -49,6 +49,7 @@ class Class(NamedTuple):
     secret_mark: str
     trusted: bool
     entries: list[Entry]
+    variants: bool = False
 
 
 def entry_of(one: Graded, folder: Path, only: str, secret: bytes) -> Entry:

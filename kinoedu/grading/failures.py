@@ -9,7 +9,7 @@ from typing import Any
 from ..cache import source_digest
 from ..course.exercise import Case, Exercise
 from ..course.exercises import find
-from ..course.feedback import picture_of
+from ..course.feedback import picture_of, told_case
 from ..course.judging import Judged
 from ..course.outcomes import decode_outcome
 from ..course.plain import WrongShape
@@ -17,6 +17,7 @@ from ..course.release import HOUSE
 from ..errors import KinoeduError
 from ..time_limit import TimeUp, within
 from ..whole_file import written_whole
+from ..words import say
 from .grading import Grade
 
 DRAWING = 20.0  # seconds
@@ -28,12 +29,25 @@ def failure_of(question: Grade) -> tuple[Exercise, Judged] | None:
     if kept is None:
         return None
     try:
-        exercise = find(question["question"])
+        exercise = find(question["question"], question.get("variant", ""))
         case = Case(kept["case"]["kind"], exercise.given.decode(kept["case"]["given"]))
         outcome = decode_outcome(kept["outcome"], exercise.answer)
         return exercise, Judged(case, outcome, exercise.judge(case, outcome), kept["slip"], kept["number"])
     except (KinoeduError, WrongShape, KeyError, TypeError):
         return None
+
+
+def told_of(question: Grade) -> list[tuple[str, str]]:
+    """What a failure's student may know beside the rule, as pairs of a title and a text: the case, if everybody has seen it, the
+    hint, and what to read again.
+    """
+    found = failure_of(question)
+    told = told_case(*found, "") if found is not None else []
+    if question.get("hint"):
+        told.append((say("check.hint"), question["hint"]))
+    if found is not None:
+        told.append((say("check.read"), found[0].words("section")))
+    return told
 
 
 def picture_for(question: Grade, folder: Path) -> bytes | None:
@@ -53,8 +67,9 @@ def picture_for(question: Grade, folder: Path) -> bytes | None:
 
 
 def name_of(question: Grade) -> str:
-    """The same for the same exercise, case, answer and sources."""
-    said = json.dumps([question["question"], question["failure"]["case"], question["failure"]["outcome"]], sort_keys=True)
+    """The same for the same exercise, contract, case, answer and sources."""
+    what = [question["question"], question.get("variant", ""), question["failure"]["case"], question["failure"]["outcome"]]
+    said = json.dumps(what, sort_keys=True)
     return hashlib.sha256((sources() + said).encode()).hexdigest()[:40]
 
 

@@ -10,14 +10,13 @@ from html import escape
 from pathlib import Path
 from typing import Any
 
-from ..course.feedback import told_case
 from ..course.outcomes import Raised, decode_outcome
 from ..course.plain import WrongShape
 from ..course.shapes import Maybe, Truth
 from ..words import say
 from .asking import is_stopped
 from .cells_of_csv import number
-from .failures import failure_of, picture_for
+from .failures import picture_for, told_of
 from .grading import RIGHT, Grade
 from .pages import heading, page, paragraph
 from .rows import BY_HAND, DECIDED, Row, totals
@@ -86,12 +85,7 @@ def section(row: Row, question: Grade | None, pictures: Path) -> Iterator[str]:
 
 def explained(question: Grade, pictures: Path) -> Iterator[str]:
     """What a wrong answer met: the case, if everybody has seen it, its picture, and the hint."""
-    found = failure_of(question)
-    told = told_case(*found, "") if found is not None else []
-    if question.get("hint"):
-        told.append((say("check.hint"), question["hint"]))
-    if found is not None:
-        told.append((say("check.read"), found[0].words("section")))
+    told = told_of(question)
     if told:
         plain = (say("check.wanted"), say("check.hint"), say("check.read"))
         pairs = [(title, escape(text) if title in plain else f"<code>{escape(text)}</code>") for title, text in told]

@@ -32,7 +32,7 @@ def grade(data: bytes, task: Assignment, secret: bytes, sandbox: Sandbox, *, pat
             "questions": [blank(asked) for asked in task.questions],
             "cells": [],
         }
-    asked = {one.exercise.name: (one, cases_of(one.exercise.name, secret)) for one in task.questions}
+    asked = {one.exercise.name: (one, cases_of(one.exercise.name, secret, one.exercise.variant)) for one in task.questions}
     to_ask = [Question(one.exercise, *known) for one, known in asked.values()]
     found = answers(sandbox, cells, to_ask, task.lent, patience=patience)
     questions = [judged(one, known, found.outcomes[name]) for name, (one, known) in asked.items()]
@@ -41,7 +41,8 @@ def grade(data: bytes, task: Assignment, secret: bytes, sandbox: Sandbox, *, pat
 
 def blank(asked: Asked) -> Grade:
     """A question to which there is no answer."""
-    return {
+    variant = {"variant": asked.exercise.variant} if asked.exercise.variant else {}
+    return variant | {
         "question": asked.exercise.name,
         "score": 0.0,
         "max_score": asked.points,

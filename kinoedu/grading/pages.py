@@ -32,6 +32,9 @@ dd {{ margin: 0; min-width: 0; white-space: pre-wrap; overflow-wrap: anywhere }}
 code, pre {{ font: 15px/1.45 ui-monospace, Consolas, monospace }}
 pre {{ white-space: pre-wrap; overflow-wrap: anywhere; margin: .3rem 0 }}
 img, svg {{ max-width: 100%; height: auto; display: block; margin: .4rem 0 }}
+.two {{ display: grid; grid-template-columns: 1fr 1fr; gap: 0 1.2rem; margin: 1rem calc(50% - 48vw) }}
+.two > * {{ min-width: 0; margin: 0; padding: .5rem .8rem; border-bottom: 1px solid #E5E7EB }}
+mark {{ background: {palette.PATH}40; color: inherit }}
 .quiet {{ color: {palette.OBSTACLE} }}
 @media (max-width: 40rem) {{ dl {{ grid-template-columns: 1fr }} dt {{ margin-top: .3rem }} }}
 @media print {{ body {{ margin: 0 }} section {{ break-inside: avoid }} }}

@@ -81,12 +81,12 @@ class Cases(NamedTuple):
 
 
 @functools.lru_cache(maxsize=256)
-def cases_of(name: str, secret: bytes) -> Cases:
-    """An exercise's cases, drawn from the secret; the same for every student of a course. The small ones that are always asked have
-    been seen: `check` shows them.
+def cases_of(name: str, secret: bytes, variant: str = "") -> Cases:
+    """An exercise's cases, drawn from the secret; the same for every student of a course who has the same contract. The small ones
+    that are always asked have been seen: `check` shows them.
     """
-    exercise = find(name)
-    digest = hmac.digest(secret, name.encode(), hashlib.sha256)
+    exercise = find(name, variant)
+    digest = hmac.digest(secret, (f"{name}:{variant}" if variant else name).encode(), hashlib.sha256)
     cases = list(exercise.cases(np.random.default_rng(int.from_bytes(digest))))
     shown = {spelled(exercise, case) for case in exercise.cases(np.random.default_rng(0))}
     seen = [case for case in cases if spelled(exercise, case) in shown]

@@ -50,7 +50,7 @@ def regrade(old: Path, out: Path, run: Run, folder: Path | None = None) -> tuple
     for name in (OVERRIDES, BY_HAND):
         if (old / name).exists() and not (out / name).exists():
             shutil.copy(old / name, out / name)
-    after = grade_found(found, out, run)
+    after = grade_found(found, out, run._replace(variants=run.variants or before.variants))
     changes = list(changes_between(before, after, read_decisions(out)))
     write_changes(changes, out / "changes.csv")
     return after, changes

@@ -22,6 +22,7 @@ from ..arrivals import Arrivals
 from ..cache import source_digest
 from ..course.release import HOUSE, solution
 from ..whole_file import written_whole
+from .contracts import with_variants
 from .grading import Grade, grade, is_late
 from .questions import assignment
 from .sandbox import NoSandbox, Sandbox, without_walls
@@ -43,6 +44,7 @@ class Job(NamedTuple):
     secret: bytes
     patience: float = 1.0
     trusted: bool = False
+    variants: tuple[tuple[str, str], ...] = ()
 
 
 class Graded(NamedTuple):
@@ -70,7 +72,7 @@ def grade_all(
     results = out / "results"
     results.mkdir(parents=True, exist_ok=True)
     readable = [one for one in submissions if not one.trouble]
-    jobs = {key: Job(key, one.assignment, one.data, secret, trusted=trusted) for one in readable for key in [key_of(one, secret)]}
+    jobs = {key: job_of(one, key, secret, trusted) for one in readable for key in [key_of(one, secret)]}
     known = {key: record for key in jobs if (record := kept(results / f"{key}.json")) is not None}
     tell = progress or (lambda done, everything: None)
     tell(len(known), len(jobs))
@@ -92,6 +94,11 @@ def grade_all(
     return [graded(one, known, troubles, secret) for one in submissions]
 
 
+def job_of(one: Submission, key: str, secret: bytes, trusted: bool) -> Job:
+    """What is to be done for a submission."""
+    return Job(key, one.assignment, one.data, secret, trusted=trusted, variants=one.variants)
+
+
 def graded(one: Submission, known: dict[str, Grade], troubles: dict[str, str], secret: bytes) -> Graded:
     """A submission with what came of it."""
     if one.trouble:
@@ -101,8 +108,9 @@ def graded(one: Submission, known: dict[str, Grade], troubles: dict[str, str], s
 
 
 def key_of(one: Submission, secret: bytes) -> str:
-    """The name of a result: the same for the same bytes, questions, secret and sources."""
-    parts = (one.assignment.encode(), one.data, hashlib.sha256(secret).digest(), sources(one.assignment))
+    """The name of a result: the same for the same bytes, questions, contracts, secret and sources."""
+    parts = [one.assignment.encode(), one.data, hashlib.sha256(secret).digest(), sources(one.assignment)]
+    parts += [repr(one.variants).encode()] if one.variants else []
     return hashlib.sha256(b"".join(hashlib.sha256(part).digest() for part in parts)).hexdigest()[:40]
 
 
@@ -210,7 +218,8 @@ def work(job: Job) -> Grade:
     """Grade a notebook, in this process and its sandbox. Raises NoSandbox."""
     sandbox = OWN.sandboxes[job.trusted]
     try:
-        return grade(job.data, assignment(job.assignment), job.secret, sandbox, patience=job.patience)
+        task = with_variants(assignment(job.assignment), job.variants)
+        return grade(job.data, task, job.secret, sandbox, patience=job.patience)
     except NoSandbox:
         sandbox.close()
         raise

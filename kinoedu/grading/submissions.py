@@ -29,13 +29,16 @@ MOST_UNPACKED = 2 * 2**30
 
 
 class Submission(NamedTuple):
-    """What a student handed in: the bytes of a notebook, or the trouble with it. `file` is where it was, for people to read."""
+    """What a student handed in: the bytes of a notebook, or the trouble with it. `file` is where it was, for people to read.
+    `variants` are the student's own contracts, as pairs of a question and a name, where the class has such.
+    """
 
     student: str
     assignment: str
     file: str
     data: bytes
     trouble: str = ""
+    variants: tuple[tuple[str, str], ...] = ()
 
 
 class Found(NamedTuple):

@@ -1,5 +1,7 @@
 """Every exercise of the course, by the name of the function that it asks for."""
 
+import functools
+
 from ...errors import InvalidParameter
 from ...words import say
 from ..exercise import Exercise
@@ -143,15 +145,25 @@ EXERCISES: dict[str, Exercise] = {
 }
 
 
-def find(name: str) -> Exercise:
-    """The exercise that asks for a function of this name. Raises InvalidParameter.
+def find(name: str, variant: str = "") -> Exercise:
+    """The exercise that asks for a function of this name, with a contract of its own where a variant is named. Raises
+    InvalidParameter.
 
     >>> find("point_line_distance").lesson
     '01_geometry'
     """
     if name not in EXERCISES:
         raise InvalidParameter(say("check.unknown", name=name, names=", ".join(EXERCISES)))
-    return EXERCISES[name]
+    exercise = EXERCISES[name]
+    if variant and variant not in exercise.variants:
+        raise InvalidParameter(say("check.no_variant", name=name, variant=variant, names=", ".join(exercise.variants) or "none"))
+    return varied(type(exercise), variant) if variant else exercise
+
+
+@functools.cache
+def varied(kind: type[Exercise], variant: str) -> Exercise:
+    """An exercise with a contract, each once: what it computes is kept by what it is."""
+    return kind(variant)
 
 
 __all__ = ["EXERCISES", "find"]

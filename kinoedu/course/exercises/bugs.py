@@ -37,6 +37,11 @@ def world(start: Any, goal: Any, obstacles: list[Array], step: float = STEP) -> 
 class BugExercise(WalkExercise):
     """A Bug algorithm, judged beside the exact walks of its forms."""
 
+    @property
+    def turns(self) -> tuple[str, ...]:
+        """Which way to turn at a hit: either, or the one that the contract names."""
+        return (self.variant,) if self.variant else TURNS
+
     @abstractmethod
     def plans(self, given: dict[str, Any]) -> list[Plan]:
         """The plan of every form that is right."""
@@ -93,6 +98,7 @@ class Bug1(BugExercise):
     name = "bug1"
     kinds = ("free", "one", "many")
     source = staticmethod(bug1)
+    variants = TURNS
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """No obstacle, one, and more."""
@@ -106,7 +112,7 @@ class Bug1(BugExercise):
 
     def plans(self, given: dict[str, Any]) -> list[Plan]:
         """Turning left or right, going back the shorter way or on in the same direction."""
-        return [bug1(*given.values(), turn=turn, way_back=back) for turn, back in product(TURNS, ("shorter", "same"))]
+        return [bug1(*given.values(), turn=turn, way_back=back) for turn, back in product(self.turns, ("shorter", "same"))]
 
 
 class Bug2(BugExercise):
@@ -115,6 +121,7 @@ class Bug2(BugExercise):
     name = "bug2"
     kinds = ("free", "one", "many", "spiral")
     source = staticmethod(bug2)
+    variants = TURNS
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """No obstacle, one, more; and one whose wall leads back to the line farther from the goal."""
@@ -132,7 +139,7 @@ class Bug2(BugExercise):
 
     def plans(self, given: dict[str, Any]) -> list[Plan]:
         """Turning left or right."""
-        return [bug2(*given.values(), turn=turn) for turn in TURNS]
+        return [bug2(*given.values(), turn=turn) for turn in self.turns]
 
 
 def walk_of(plan: Plan) -> Walk:

@@ -13,8 +13,12 @@ MOST_STEPS = 100  # of a path: a longer one is told in words
 # figures are imported inside the functions: matplotlib is not needed until something is wrong
 
 
-def draw_tree_answer(exercise: Exercise, case: Case, value: list[int] | None, far: Any, ax: Any) -> None:
-    """The graph, at each node how many edges away it is, and the student's arrows from parents to children."""
+def draw_tree_answer(
+    exercise: Exercise, case: Case, value: list[int] | None, far: Any, ax: Any, wanted: list[int] | None = None
+) -> None:
+    """The graph, at each node how many edges away it is, and the student's arrows from parents to children. wanted : the one tree
+    that is right, where ties do not go either way.
+    """
     from ...figures import palette
 
     neighbours, start = case.given["neighbours"], case.given["start"]
@@ -25,7 +29,7 @@ def draw_tree_answer(exercise: Exercise, case: Case, value: list[int] | None, fa
     if value is not None and len(value) == len(neighbours):
         for u, p in enumerate(value):
             if 0 <= p < len(value) and p != u:
-                good = u in neighbours[p] and far[p] + 1 == far[u]
+                good = u in neighbours[p] and far[p] + 1 == far[u] and (wanted is None or wanted[u] == p)
                 pointer(places, p, u, ax, palette.START if good else palette.GOAL, "-" if good else "--")
     note(value, ax)
     finish(exercise, case, ax)

@@ -1,6 +1,6 @@
 """Exercises on trees in graphs: the breadth-first tree, and the paths that parents hold. Bullo & Smith, chapter 2."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import Any
 
 import numpy as np
@@ -41,6 +41,7 @@ class BfsTree(OnGraph):
     given = Record(neighbours=NEIGHBOURS, start=Whole())
     answer = NODES
     shown = staticmethod(breadth_first)
+    variants = ("smallest", "largest")
     slips = (
         Slip("order", lambda neighbours, start: first_in(neighbours, start)[1]),
         Slip("stack", lambda neighbours, start: first_in(neighbours, start, at=-1)[0]),
@@ -78,18 +79,44 @@ class BfsTree(OnGraph):
             yield Case(kind, {"neighbours": neighbours, "start": int(rng.integers(len(neighbours)))})
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """Each reached node's parent has an edge to it, and is one edge nearer to the start; ties may go either way."""
+        """Each reached node's parent has an edge to it, and is one edge nearer to the start; ties go as the contract says."""
         rule = tree_fault(case.given["neighbours"], case.given["start"], value)
+        if not rule and self.variant and list(value) != self.truth(case):
+            rule = "contract"
         return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
+
+    def truth(self, case: Case) -> Any:
+        """One such tree: the library's, or the contract's."""
+        if not self.variant:
+            return super().truth(case)
+        return tree_of_extremes(case.given["neighbours"], case.given["start"], min if self.variant == "smallest" else max)
 
     def wanted(self, case: Case) -> str:
         """One such tree."""
+        if self.variant:
+            return spoken(self.truth(case))
         return say("bfs_tree.wanted", value=spoken(self.truth(case)))
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """The graph, how far each node is, and the student's arrows from parents to children."""
+        from ...figures import plane
+
         far = graphs.bfs(as_graph(case.given["neighbours"]), case.given["start"]).cost
-        draw_tree_answer(self, case, outcome.value if isinstance(outcome, Answer) else None, far, ax)
+        value, wanted = outcome.value if isinstance(outcome, Answer) else None, self.truth(case) if self.variant else None
+        draw_tree_answer(self, case, value, far, ax, wanted)
+        if self.judge(case, outcome).rule == "contract":
+            plane.title(self.words("pictures.contract"), ax)
+
+
+def tree_of_extremes(neighbours: Neighbours, start: int, choose: Callable[[list[int]], int]) -> list[int]:
+    """The breadth-first tree in which each node chooses among all that could be its parent."""
+    far = graphs.bfs(as_graph(neighbours), start).cost
+    able: list[list[int]] = [[] for _ in neighbours]
+    for v, row in enumerate(neighbours):
+        for u in row:
+            if np.isfinite(far[v]) and far[v] + 1 == far[u]:
+                able[u].append(v)
+    return [choose(nodes) if nodes else -1 for nodes in able]
 
 
 def with_start(parent: list[int], start: int, value: int) -> list[int]:

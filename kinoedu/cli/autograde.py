@@ -1,0 +1,42 @@
+"""kinoedu autograde: what Gradescope's run_autograder calls."""
+
+import argparse
+from pathlib import Path
+from typing import Any
+
+from ..errors import InvalidParameter
+
+AUTOGRADE_HELP = """\
+Grade the one submission in ROOT/submission into ROOT/results/results.json. This is what run_autograder calls in the zip that
+kinoedu export --gradescope-autograder packs. Where it cannot grade it writes nothing, so that nobody has a score by mistake.
+"""
+
+
+def add_autograde(commands: Any) -> None:
+    """The command and its options."""
+    autograde = commands.add_parser(
+        "autograde",
+        help="grade one submission, in Gradescope's container",
+        description=AUTOGRADE_HELP,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    autograde.add_argument("root", metavar="ROOT", type=Path, help="/autograder, or a folder laid out like it")
+    autograde.add_argument("--assignment", required=True, metavar="NAME", help="such as 01_geometry")
+    autograde.add_argument("--secret", required=True, metavar="FILE", type=Path, help="the course's secret")
+    autograde.add_argument(
+        "--trust-container", action="store_true", help="where no sandbox can be made, run programs WITHOUT ONE, as an ordinary user"
+    )
+    autograde.set_defaults(run=run_autograde)
+
+
+def run_autograde(arguments: argparse.Namespace) -> int:
+    """Grade, and say what came out: on Gradescope only instructors read that."""
+    from ..grading.autograder import autograde
+    from ..grading.questions import course_secret
+
+    if not arguments.secret.is_file():
+        raise InvalidParameter(f"there is no secret in {arguments.secret}: pack the autograder again")
+    secret = course_secret(arguments.secret)
+    results = autograde(arguments.root, arguments.assignment, secret, container_is_wall=arguments.trust_container)
+    print(f"score {results['score']}; {results['output']}")
+    return 0

@@ -1,0 +1,53 @@
+"""kinoedu similar: which programs are alike, for a person to look at."""
+
+import argparse
+from itertools import groupby
+from pathlib import Path
+from typing import Any
+
+from ..errors import InvalidParameter
+from ..progress import stage
+
+SIMILAR_HELP = """\
+Rank submissions by what they have in common with each other, and with the course's own solution, wrong answers and library. Names,
+comments, layout and the order of functions do not matter; what all were given is left out. Nothing is run, nothing is scored, and
+nothing is proved: look at the pairs.
+
+  python start.py similar submissions --out similar
+"""
+
+
+def add_similar(commands: Any) -> None:
+    """The command and its options."""
+    similar = commands.add_parser(
+        "similar",
+        help="list programs that are alike, for you to look at",
+        description=SIMILAR_HELP,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    similar.add_argument("submissions", metavar="SUBMISSIONS", type=Path, help="the folder or zip of what was handed in")
+    similar.add_argument("--out", metavar="FOLDER", type=Path, required=True, help="the folder of the pages")
+    similar.add_argument("--assignment", default="", metavar="NAME", help="take every notebook for this one, such as 01_geometry")
+    similar.add_argument("--most", type=int, default=100, metavar="N", help="pairs of either kind to list (default: %(default)s)")
+    similar.set_defaults(run=run_similar)
+
+
+def run_similar(arguments: argparse.Namespace) -> int:
+    """Compare, and say where to look."""
+    from ..grading.similar import similar
+    from ..grading.similar_page import write_similar
+    from ..grading.submissions import collect
+
+    if arguments.most < 1:
+        raise InvalidParameter(f"--most is a number from 1, got {arguments.most}")
+    submissions = [one for one in collect(arguments.submissions, arguments.assignment) if one.assignment]
+    if not submissions:
+        raise InvalidParameter(f"{arguments.submissions} holds no notebooks that answer an assignment")
+    submissions.sort(key=lambda one: one.assignment)
+    with stage(f"comparing {len(submissions)} submissions"):
+        found = [similar(name, mine, arguments.most) for name, mine in groupby(submissions, key=lambda one: one.assignment)]
+        count = write_similar(found, arguments.out)
+    left_out = len(submissions) - sum(len(one.programs) for one in found)
+    unread = f"; {left_out} submissions could not be read" if left_out else ""
+    print(f"{count} pairs; look at {arguments.out / 'similar.html'}{unread}")
+    return 0

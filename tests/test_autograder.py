@@ -1,0 +1,228 @@
+"""Gradescope's autograder: packed, unpacked, and run as Gradescope does, with a folder in the place of /autograder."""
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import zipfile
+from pathlib import Path
+
+import pytest
+
+from kinoedu.cli import main
+from kinoedu.grading import sandbox
+from kinoedu.grading.questions import assignment
+
+HOUSE = Path(__file__).resolve().parent.parent
+NAME = "01_geometry"
+SOLUTION = HOUSE / "solutions" / f"{NAME}.ipynb"
+QUICK = {"NUMBA_DISABLE_JIT": "1"}  # machine code is kept by the place of its source, and that is a new one each time
+NO_SANDBOX = sandbox.why_not()
+needs_sandbox = pytest.mark.skipif(bool(NO_SANDBOX), reason=NO_SANDBOX or "there is one")
+on_linux = pytest.mark.skipif(sys.platform != "linux", reason="Gradescope's containers are Linux")
+
+
+@pytest.fixture(scope="module")
+def packed(tmp_path_factory):
+    """The zip, by the command."""
+    folder = tmp_path_factory.mktemp("packed")
+    command = ["export", "--gradescope-autograder", str(folder / "autograder.zip"), "--assignment", NAME]
+    assert main([*command, "--secret", str(folder / "secret")]) == 0
+    return folder / "autograder.zip"
+
+
+@pytest.fixture
+def root(packed):
+    """A folder laid out as Gradescope's container, which every user can read, as there."""
+    with tempfile.TemporaryDirectory() as folder:
+        place = Path(folder)
+        place.chmod(0o755)
+        for below in ("submission", "results"):
+            (place / below).mkdir()
+        subprocess.run([sys.executable, "-m", "zipfile", "-e", str(packed), str(place / "source")], check=True)
+        yield place
+
+
+def run(root: Path, **environment: str) -> subprocess.CompletedProcess:
+    """run_autograder as Gradescope runs it, with this Python in the place of the one that setup.sh would install."""
+    shutil.copy(root / "source" / "run_autograder", root)
+    kept = {name: os.environ[name] for name in ("PATH", "KINOEDU_CACHE", "HOME") if name in os.environ}
+    command = ["bash", str(root / "run_autograder"), str(root)]
+    return subprocess.run(
+        command,
+        env={**kept, **QUICK, "KINOEDU_PYTHON": sys.executable, **environment},
+        cwd=root,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+
+
+def results(root: Path) -> dict:
+    """What it wrote."""
+    return json.loads((root / "results" / "results.json").read_text(encoding="ascii"))
+
+
+def notebook(*sources: str) -> str:
+    """A notebook of cells of code."""
+    cells = [{"cell_type": "code", "metadata": {}, "outputs": [], "execution_count": None, "source": source} for source in sources]
+    return json.dumps({"nbformat": 4, "nbformat_minor": 5, "metadata": {}, "cells": cells})
+
+
+def test_the_zip_asks_what_the_solution_asks_and_tells_no_answer(packed, root):
+    """Scripts at its top, the same questions, no line of an answer, no bank, no tests; the secret is for its owner's eyes."""
+    archive = zipfile.ZipFile(packed)
+    names = archive.namelist()
+    assert {"setup.sh", "run_autograder", "course_secret"} <= set(names)
+    assert archive.getinfo("run_autograder").external_attr >> 16 & 0o111
+    assert packed.stat().st_mode & 0o077 == 0
+    assert not any("/bank/" in name or "/tests/" in name or "__pycache__" in name for name in names)
+    mine, course = assignment(NAME), assignment(NAME, root / "source" / "kinoedu-course")
+    assert (course.questions, course.by_hand, course.lent) == (mine.questions, mine.by_hand, mine.lent)
+    asked = archive.read(f"kinoedu-course/solutions/{NAME}.ipynb").decode()
+    answers = [cell["source"] for cell in json.loads(SOLUTION.read_text())["cells"] if "BEGIN SOLUTION" in "".join(cell["source"])]
+    given = {line for cell in json.loads(asked)["cells"] for line in cell["source"]}
+    assert answers
+    assert "BEGIN SOLUTION" not in asked
+    for cell in answers:
+        lines = {
+            line.strip() for line in "".join(cell).split("### BEGIN SOLUTION")[1].split("### END SOLUTION")[0].splitlines()
+        } - {""}
+        assert not lines & {line.strip() for line in given}
+
+
+def test_the_scripts_are_bash():
+    """setup.sh, which needs a container and the network, is at least read by bash."""
+    from kinoedu.grading.autograder_zip import RUN, SETUP
+
+    for script in (SETUP, RUN):
+        assert subprocess.run(["bash", "-n"], input=script, text=True, check=False).returncode == 0
+
+
+@needs_sandbox
+def test_a_submission_is_graded_in_the_sandbox(root):
+    """The solution has all points, and so it has with its receipt beside it, as the zip of hand-in is unpacked there."""
+    shutil.copy(SOLUTION, root / "submission")
+    (root / "submission" / "receipt.txt").write_text("a receipt")
+    ran = run(root)
+    assert ran.returncode == 0, ran.stderr
+    told = results(root)
+    asked = assignment(NAME).questions
+    assert told["score"] == sum(one.points for one in asked)
+    assert [(one["name"], one["score"], one["max_score"]) for one in told["tests"]] == [
+        (one.exercise.name, one.points, one.points) for one in asked
+    ]
+    assert told["visibility"] == "visible" and told["stdout_visibility"] == "hidden"
+    assert {"score", "output", "visibility", "tests"} <= set(told)
+
+
+SPY = """
+import os
+def readable(path):
+    try:
+        open(path).read()
+        return True
+    except OSError:
+        return False
+def writable(path):
+    try:
+        open(path, "w").close()
+        return True
+    except OSError:
+        return False
+def fork():
+    try:
+        os.fork()
+        return True
+    except OSError:
+        return False
+raise RuntimeError((os.getuid() == 0, readable(SECRET), writable(RESULTS), writable(JUDGE), fork()))
+"""
+
+
+@on_linux
+@pytest.mark.skipif(not hasattr(os, "geteuid") or os.geteuid() != 0, reason="only root can become somebody else, as on Gradescope")
+def test_where_the_container_is_the_wall_it_must_be_said(root, tmp_path):
+    """Without bubblewrap nothing is graded and nothing written; with the flag a program is nobody, and reads no secret."""
+    tools = tmp_path / "bin"
+    tools.mkdir()
+    for name in ("bash", "env", "chmod"):
+        (tools / name).symlink_to(shutil.which(name))
+    places = {
+        "SECRET": str(root / "source" / "course_secret"),
+        "RESULTS": str(root / "results" / "results.json"),
+        "JUDGE": str(root / "source" / "kinoedu-course" / "kinoedu" / "__init__.py"),
+    }
+    spy = SPY
+    for word, place in places.items():
+        spy = spy.replace(word, repr(place))
+    good = "def point_line_distance(q, p1, p2):\n    if (p1 == p2).all():\n        raise ValueError\n    "
+    good += "d = p2 - p1\n    return abs(d[0] * (q - p1)[1] - d[1] * (q - p1)[0]) / (d @ d) ** 0.5"
+    (root / "submission" / f"{NAME}.ipynb").write_text(notebook(spy, good))
+    refused = run(root, PATH=str(tools))
+    assert refused.returncode == 2
+    assert "--trust-container" in refused.stderr
+    assert not list((root / "results").iterdir())
+    script = root / "source" / "run_autograder"
+    script.write_text(script.read_text().rstrip() + " --trust-container\n")
+    ran = run(root, PATH=str(tools))
+    assert ran.returncode == 0, ran.stderr
+    told = {one["name"]: one for one in results(root)["tests"]}
+    assert told["point_line_distance"]["score"] == 5.0
+    assert "1" in results(root)["output"]
+    shown = main_record(root, tools)
+    assert shown == "(False, False, False, False, False)"
+
+
+def main_record(root: Path, tools: Path) -> str:
+    """What the spying cell raised, from the record of the grade itself."""
+    code = (
+        "import sys, tempfile; from pathlib import Path\n"
+        "from kinoedu.grading.autograder import the_submission\n"
+        "from kinoedu.grading.running import grade_all, local\n"
+        "if __name__ == '__main__':\n"
+        f"    one = the_submission(Path({str(root / 'submission')!r}), {NAME!r})\n"
+        "    found = grade_all([one], Path(tempfile.mkdtemp()), b'x' * 16, place=local(1), trusted=True)[0]\n"
+        "    print(found.grade['cells'][0]['trouble']['message'])\n"
+    )
+    script = root / "look.py"
+    script.write_text(code)
+    environment = {**os.environ, **QUICK, "PATH": str(tools), "PYTHONPATH": str(root / "source" / "kinoedu-course")}
+    ran = subprocess.run([sys.executable, "-P", str(script)], env=environment, capture_output=True, text=True, check=True)
+    return ran.stdout.strip()
+
+
+@needs_sandbox
+def test_what_a_student_can_mend_is_told(root):
+    """Nothing, no notebook, two of them: no points, and the reason; a wrong answer has its smallest case and a hint."""
+    submission = root / "submission"
+    for files, words in (
+        ({}, "there is no notebook"),
+        ({f"{NAME}.ipynb": "{"}, "not a whole notebook"),
+        ({f"{NAME}.ipynb": notebook("x = 1"), f"{NAME} (1).ipynb": notebook("x = 2")}, "leave one"),
+    ):
+        shutil.rmtree(submission)
+        submission.mkdir()
+        for name, text in files.items():
+            (submission / name).write_text(text)
+        assert run(root).returncode == 0
+        assert results(root)["score"] == 0.0
+        assert words in results(root)["output"]
+    shutil.rmtree(submission)
+    submission.mkdir()
+    (submission / "mine.ipynb").write_text(notebook("def point_line_distance(q, p1, p2):\n    return 0.0"))
+    assert run(root).returncode == 0
+    told = {one["name"]: one for one in results(root)["tests"]}["point_line_distance"]
+    assert told["score"] < told["max_score"]
+    assert "smallest case" in told["output"] and "Hint" in told["output"]
+
+
+def test_an_autograder_is_for_one_assignment(tmp_path, capsys):
+    """Refused without its name, and with one that is none."""
+    command = ["export", "--gradescope-autograder", str(tmp_path / "a.zip"), "--secret", str(tmp_path / "secret")]
+    assert main(command) == 2
+    assert main([*command, "--assignment", "99_nothing"]) == 2
+    assert "99_nothing" in capsys.readouterr().err
+    assert not (tmp_path / "a.zip").exists()

@@ -1,0 +1,122 @@
+"""A new exercise is whole from its first minute: made in a copy of the house, it passes the house's own tests there."""
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from kinoedu.cli import main
+from kinoedu.course.new_exercise import LIST, new_exercise
+from kinoedu.errors import InvalidParameter
+
+HOUSE = Path(__file__).resolve().parent.parent
+NAME, LESSON = "halfway_there", "77_midpoints"
+WORDS = "import test_course as t; t.test_every_word_is_there_and_used()"  # without its file's fixture, which compiles everything
+MARKS = "from kinoedu.grading.questions import assignment as a; print([one.points for one in a({!r}).questions])"
+
+
+@pytest.fixture(scope="module")
+def house(tmp_path_factory):
+    """A copy of the house, without what takes long."""
+    copy = tmp_path_factory.mktemp("house")
+    shutil.copytree(HOUSE / "kinoedu", copy / "kinoedu", ignore=shutil.ignore_patterns("__pycache__"))
+    for room in ("bank", "new_exercise"):
+        shutil.copytree(HOUSE / "solutions" / room, copy / "solutions" / room, ignore=shutil.ignore_patterns("__pycache__"))
+    (copy / "tests").mkdir()
+    (copy / "exercises").mkdir()
+    for name in ("pyproject.toml", "tests/test_course.py", "tests/test_bank.py", "tests/test_release.py", "tests/nbval.cfg"):
+        shutil.copy(HOUSE / name, copy / name)
+    return copy
+
+
+def run(house: Path, *command: str) -> subprocess.CompletedProcess:
+    """Python in a house, with that house's kinoedu."""
+    environment = {**os.environ, "PYTHONPATH": str(house), "NUMBA_DISABLE_JIT": "1"}  # machine code would be made for this place
+    return subprocess.run(
+        [sys.executable, "-P", *command], cwd=house, env=environment, capture_output=True, text=True, encoding="utf-8", check=False
+    )
+
+
+def sources(file: Path) -> list[str]:
+    """What the cells of a notebook say."""
+    return ["".join(cell["source"]) for cell in json.loads(file.read_text(encoding="utf-8"))["cells"]]
+
+
+def test_a_new_exercise_passes_the_tests_of_the_house(house):
+    """Its own, those of every exercise, of every bank and of every solution, and the tools; then it is released."""
+    before = (house / LIST).read_text(encoding="utf-8")
+    made = run(house, "-m", "kinoedu", "new-exercise", NAME, "--lesson", LESSON)
+    assert made.returncode == 0, made.stderr
+    listed = [line.strip() for line in made.stdout.splitlines()]
+    assert {f"solutions/{LESSON}.ipynb", f"kinoedu/course/exercises/{NAME}.py", f"tests/test_{NAME}.py", LIST} <= set(listed)
+    assert len((house / LIST).read_text(encoding="utf-8").splitlines()) == len(before.splitlines()) + 2
+    assert "right, for all" in (house / "solutions" / f"{LESSON}.ipynb").read_text(encoding="utf-8")
+    released = run(house, "-m", "kinoedu", "release", LESSON)
+    assert released.returncode == 0, released.stderr
+    assert not any("p1 + p2" in source for source in sources(house / "exercises" / f"{LESSON}.ipynb"))
+    files = [f"tests/test_{NAME}.py", "tests/test_bank.py", "tests/test_release.py"]
+    chosen = f"{NAME} or {LESSON}"
+    tests = run(house, "-m", "pytest", "-q", "-n0", "-p", "no:cacheprovider", "--rootdir", str(house), *files, "-k", chosen)
+    assert tests.returncode == 0, tests.stdout + tests.stderr
+    assert "skipped" not in tests.stdout
+    mine = [line for line in listed if line.endswith(".py")]
+    for tool in (["check"], ["format", "--check"]):
+        ruff = run(house, "-m", "ruff", *tool, *mine)
+        assert ruff.returncode == 0, ruff.stdout
+
+
+def test_a_second_exercise_goes_to_the_end_of_its_lesson(house):
+    """What was there stays as it was, the cells have the marks of nbgrader with a point for each kind, and every word is there."""
+    before = sources(house / "solutions" / f"{LESSON}.ipynb")
+    assert run(house, "-m", "kinoedu", "new-exercise", "second_try", "--lesson", LESSON).returncode == 0
+    assert sources(house / "solutions" / f"{LESSON}.ipynb")[: len(before)] == before
+    code = f"import sys; sys.path.insert(0, 'tests'); {WORDS}; {MARKS.format(LESSON)}"
+    said = run(house, "-c", code)
+    assert said.stdout.strip() == "[3.0, 3.0]", said.stderr
+
+
+@pytest.mark.parametrize(
+    ("name", "lesson", "words"),
+    [
+        ("Halfway", LESSON, "named like the function"),
+        ("lambda", LESSON, "named like the function"),
+        ("../x", LESSON, "named like the function"),
+        ("halton", LESSON, "already"),
+        ("check", LESSON, "already"),
+        ("pictures", LESSON, "already"),
+        ("halfway", "walls", "14_walls"),
+        ("halfway", "../14_walls", "14_walls"),
+    ],
+)
+def test_what_cannot_be_is_refused(name, lesson, words, capsys):
+    """By name, and nothing is written."""
+    listed = (HOUSE / LIST).read_bytes()
+    assert main(["new-exercise", name, "--lesson", lesson]) == 2
+    assert words in capsys.readouterr().err
+    assert (HOUSE / LIST).read_bytes() == listed
+
+
+def test_what_fails_half_way_leaves_nothing(tmp_path):
+    """A notebook that does not run: the list is as it was, and no file is there."""
+    for folder in ("kinoedu/course/exercises", "kinoedu/words/en", "solutions/bank", "tests"):
+        (tmp_path / folder).mkdir(parents=True)
+    shutil.copy(HOUSE / LIST, tmp_path / LIST)
+    shutil.copytree(HOUSE / "solutions" / "new_exercise", tmp_path / "solutions" / "new_exercise")
+    cells = [{"cell_type": "code", "id": "a", "metadata": {}, "outputs": [], "execution_count": None, "source": "1 / 0"}]
+    kernel = {"kernelspec": {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"}}
+    book = tmp_path / "solutions" / f"{LESSON}.ipynb"
+    book.write_text(json.dumps({"nbformat": 4, "nbformat_minor": 5, "metadata": kernel, "cells": cells}))
+    there = {file: file.read_bytes() for file in tmp_path.rglob("*") if file.is_file()}
+    with pytest.raises(InvalidParameter, match="ZeroDivisionError"):
+        new_exercise(NAME, LESSON, tmp_path)
+    assert {file: file.read_bytes() for file in tmp_path.rglob("*") if file.is_file()} == there
+
+
+def test_students_have_no_solutions_to_add_to(tmp_path):
+    """Said so."""
+    with pytest.raises(InvalidParameter, match="for students"):
+        new_exercise(NAME, LESSON, tmp_path)

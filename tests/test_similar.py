@@ -1,0 +1,214 @@
+"""Programs that are alike are found whatever was renamed, moved or remarked; what all were given is no sign; nothing is scored."""
+
+import csv
+import io
+import json
+import random
+from pathlib import Path
+
+import pytest
+
+from kinoedu.cli import main
+from kinoedu.grading.fingerprints import RUN, WINDOW, crc, pieces, prints
+from kinoedu.grading.notebook import cells_in
+from kinoedu.grading.similar import similar
+from kinoedu.grading.similar_page import write_similar
+from kinoedu.grading.submissions import Submission
+
+HOUSE = Path(__file__).resolve().parent.parent
+NAME = "01_geometry"
+
+OWN_WAY = """
+def point_segment_distance(q, p1, p2):
+    # walk along the segment, ever finer
+    low, high = 0.0, 1.0
+    for step in range(60):
+        third = (high - low) / 3
+        left, right = low + third, high - third
+        if np.linalg.norm(q - p1 - left * (p2 - p1)) < np.linalg.norm(q - p1 - right * (p2 - p1)):
+            high = right
+        else:
+            low = left
+    return np.linalg.norm(q - p1 - low * (p2 - p1))
+"""
+HELPER = """
+def corners_turn(ring, way=1):
+    total = 0
+    for before, here, after in zip(ring[-1:] + ring[:-1], ring, ring[1:] + ring[:1]):
+        total += way * (here[0] - before[0]) * (after[1] - here[1])
+    return total if total > 0 else -total
+"""
+DISGUISED = '''
+def turning(points: list, direction: int = 1) -> float:
+    """All my own work."""
+    s: float = 0
+    for a, b, c in zip(
+        points[-1:] + points[:-1],
+        points,
+        points[1:] + points[:1],
+    ):
+        s += direction * (b[0] - a[0]) * (c[1] - b[1])  # cross
+    return s if s > 0 else -s
+
+x = 1
+
+def point_segment_distance(point, start, end):
+    "Mine."
+    a, b = 0.0, 1.0
+    for _ in range(60):
+        t = ((b - a) / 3)
+        u, v = a + t, b - t
+        if (np.linalg.norm(point - start - u * (end - start))
+                < np.linalg.norm(point - start - v * (end - start))):
+            b = v
+        else:
+            a = u
+    return np.linalg.norm(point - start - a * (end - start))
+'''
+CLOSED_FORM = """
+def point_segment_distance(q, p1, p2):
+    way = p2 - p1
+    square = way @ way
+    share = min(1.0, max(0.0, (q - p1) @ way / square)) if square > 0 else 0.0
+    nearest = p1 + share * way
+    return float(np.sqrt(((q - nearest) ** 2).sum()))
+"""
+
+
+def notebook(*sources: str) -> bytes:
+    """A notebook of cells of code."""
+    cells = [{"cell_type": "code", "metadata": {}, "outputs": [], "execution_count": None, "source": source} for source in sources]
+    return json.dumps({"nbformat": 4, "nbformat_minor": 5, "metadata": {}, "cells": cells}).encode()
+
+
+def handed_in(student: str, *sources: str) -> Submission:
+    """A submission of lesson 1."""
+    return Submission(student, NAME, f"{student}.ipynb", notebook(*sources))
+
+
+def by_chance(rng: random.Random) -> str:
+    """A function that nobody else writes."""
+    steps = [f"    s = s {rng.choice('+-*/')} a{rng.choice('+-*/')}{rng.randint(2, 10**6)}" for _ in range(25)]
+    return "\n".join(["def mine(a, s):", *steps, "    return s"])
+
+
+def named(found) -> list[tuple[str, str]]:
+    """The pairs of a list."""
+    return [(one.first.name, one.second.name) for one in found]
+
+
+def test_a_copy_is_found_in_disguise():
+    """Other names, comments, annotations, layout and order: the pair leads, as wholly alike; who wrote otherwise is not in it."""
+    rng = random.Random(1)
+    others = [handed_in(f"s{n}", by_chance(rng), CLOSED_FORM) for n in range(8)]
+    found = similar(NAME, [handed_in("ann", OWN_WAY, HELPER), *others, handed_in("bob", DISGUISED)])
+    first = found.each_other[0]
+    assert (first.first.name, first.second.name) == ("ann", "bob")
+    assert first.of_first > 0.95 and first.of_second > 0.95
+    assert not any("ann" in pair or "bob" in pair for pair in named(found.each_other[1:]))
+
+
+def test_what_many_write_weighs_less_than_what_two_share():
+    """Eight have much in common, two of them something less long as well: that outweighs it."""
+    all_of_them = [handed_in(f"s{n}", OWN_WAY, HELPER, *([CLOSED_FORM] if n in (3, 6) else [])) for n in range(8)]
+    found = similar(NAME, all_of_them)
+    assert named(found.each_other)[0] == ("s3", "s6")
+    assert found.each_other[0].weight > 3 * found.each_other[1].weight
+
+
+@pytest.mark.parametrize("given", ["exercises/09_trees", "exercises/02_bug_algorithms", "notebooks/01_geometry"])
+def test_what_all_were_given_is_taken_out(given):
+    """An exercise as it is handed out, and a lesson, have code in them, and nothing in common with themselves."""
+    data = (HOUSE / f"{given}.ipynb").read_bytes()
+    assert pieces([cell.source for cell in cells_in(data)])
+    found = similar(NAME, [Submission(student, NAME, "x.ipynb", data) for student in ("ann", "bob")])
+    assert found.each_other == [] and found.course == []
+    assert len(found.programs) == 2
+
+
+def test_the_courses_own_programs_are_recognised():
+    """The solution in the solution, and a function of the library in the file that it stands in, under other names."""
+    solved = Submission("ann", NAME, "x.ipynb", (HOUSE / "solutions" / f"{NAME}.ipynb").read_bytes())
+    text = (HOUSE / "kinoedu" / "geometry" / "segments.py").read_text(encoding="utf-8")
+    found = similar(NAME, [solved, handed_in("bob", text.replace("p1", "start").replace("p2", "end"))])
+    best: dict[str, str] = {}
+    for first, second in named(found.course):
+        best.setdefault(first, second)
+    assert best == {"ann": f"solutions/{NAME}.ipynb", "bob": "kinoedu/geometry/segments.py"}
+
+
+NONSENSE = [
+    "def f(:\n  the quick brown fox jumps\n  over the lazy dog = 7",
+    "\x00",
+    "(" * 5000,
+    "1" + "+1" * 50_000,
+    "x = 1" + "0" * 9000,
+    "",
+]
+
+
+@pytest.mark.parametrize("bad", NONSENSE, ids=range(len(NONSENSE)))
+def test_what_python_cannot_read_counts_by_its_lines(bad):
+    """It breaks nothing, the cells beside it count, and two who hand in the same lines are found."""
+    found = similar(NAME, [handed_in("ann", bad, OWN_WAY), handed_in("bob", DISGUISED, bad), handed_in("cy", CLOSED_FORM)])
+    assert named(found.each_other)[0] == ("ann", "bob")
+    lines = similar(NAME, [handed_in("ann", NONSENSE[0]), handed_in("bob", NONSENSE[0] + " # mine"), handed_in("cy", CLOSED_FORM)])
+    assert named(lines.each_other) == [("ann", "bob")]
+
+
+def test_whatever_two_share_that_is_long_enough_is_seen():
+    """The law of winnowing, on words by chance: a common stretch of RUN + WINDOW - 1 words has a common fingerprint."""
+    rng = random.Random(3)
+    for _ in range(200):
+        common = [rng.randint(0, 9) for _ in range(RUN + WINDOW - 1)]
+        one, other = (
+            [rng.randint(0, 9) for _ in range(rng.randint(0, 40))] + common + [rng.randint(0, 9) for _ in range(rng.randint(0, 40))]
+            for _ in range(2)
+        )
+        first, second = (prints([(crc(str(word)), at) for at, word in enumerate(said)], WINDOW) for said in (one, other))
+        assert first.keys() & second.keys()
+
+
+def test_shared_lines_are_where_they_are_said_to_be():
+    """The lines of a fingerprint lie in its piece, and together they cover what the piece does."""
+    (piece,) = pieces([OWN_WAY])
+    assert piece.lines[0].startswith("def point_segment_distance")
+    covered = {line for first, last in piece.prints.values() for line in range(first, last + 1)}
+    assert covered <= set(range(len(piece.lines)))
+    assert {3, 4, 5, 6, 7, 8} <= covered
+
+
+def test_pages_are_the_same_for_the_same_class_and_safe(tmp_path):
+    """A page for each pair, a table without formulas, hostile names and programs escaped, and old pages gone."""
+    evil = OWN_WAY.replace("# walk", "'</pre><script>alert(1)</script>' # walk")
+    submissions = [handed_in("=ann<b>", evil), handed_in("bob", DISGUISED), handed_in("cy", CLOSED_FORM)]
+    for student, sources in (("dan", OWN_WAY), ("eve", CLOSED_FORM)):
+        submissions.append(handed_in(student, sources))
+    write_similar([similar(NAME, submissions)], tmp_path)
+    (tmp_path / "pairs" / "old.html").write_text("old")
+    before = {file: file.read_bytes() for file in tmp_path.rglob("*") if file.is_file() and file.name != "old.html"}
+    write_similar([similar(NAME, submissions[::-1])], tmp_path)
+    assert {file: file.read_bytes() for file in tmp_path.rglob("*") if file.is_file()} == before
+    pages = "".join(data.decode() for file, data in before.items() if file.suffix == ".html")
+    assert "&lt;script&gt;alert" in pages
+    assert "<script>" not in pages and "ann<b>" not in pages
+    rows = list(csv.DictReader(io.StringIO((tmp_path / "similar.csv").read_text(encoding="utf-8"))))
+    assert rows[0].keys() >= {"first", "second", "share_of_first", "share_of_second", "page"}
+    assert any(row["first"] == "'=ann<b>" for row in rows)
+    assert all((tmp_path / row["page"]).exists() for row in rows)
+    assert not any("score" in column for column in rows[0])
+    page = (tmp_path / rows[0]["page"]).read_text(encoding="utf-8")
+    assert page.count("<mark>") >= 10
+
+
+def test_the_command_says_where_to_look(tmp_path, capsys):
+    """By the command, with one file that cannot be read; and an empty folder is refused."""
+    for student, data in (("ann", notebook(OWN_WAY)), ("bob", notebook(DISGUISED)), ("cy", b"{")):
+        (tmp_path / "in" / student).mkdir(parents=True)
+        (tmp_path / "in" / student / f"{NAME}.ipynb").write_bytes(data)
+    assert main(["similar", str(tmp_path / "in"), "--out", str(tmp_path / "out")]) == 0
+    said = capsys.readouterr().out
+    assert "similar.html" in said and "1 submissions could not be read" in said
+    (tmp_path / "empty").mkdir()
+    assert main(["similar", str(tmp_path / "empty"), "--out", str(tmp_path / "x")]) == 2
+    assert not (tmp_path / "x").exists()

@@ -1,0 +1,207 @@
+"""Contracts of one's own: each is accepted by its own judge and rejected by the other's, said where it is asked, graded as said."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from kinoedu.cli import main
+from kinoedu.course import EXERCISES, check
+from kinoedu.course.exercises import find
+from kinoedu.course.judging import attempt, report_on
+from kinoedu.errors import InvalidParameter
+from kinoedu.grading import sandbox
+from kinoedu.grading.contracts import choice, choices, personal, refuse_forgotten, with_variants
+from kinoedu.grading.questions import assignment, cases_of
+from kinoedu.grading.running import key_of
+from kinoedu.grading.submissions import Submission
+from kinoedu.grading.variants import write_variants
+from kinoedu.planners import bug1, bug2
+
+NO_SANDBOX = sandbox.why_not()
+needs_sandbox = pytest.mark.skipif(bool(NO_SANDBOX), reason=NO_SANDBOX or "there is one")
+SECRET = b"a secret of the tests, no course's"
+GRAPHS, BUGS = "04_graph_search", "02_bug_algorithms"
+
+
+def tree(choose):
+    """A breadth-first tree by levels, in which each node chooses its parent."""
+
+    def bfs_tree(neighbours, start):
+        parent, level, seen = [-1] * len(neighbours), {start}, {start}
+        while level:
+            below: dict[int, list[int]] = {}
+            for v in level:
+                for u in set(neighbours[v]) - seen:
+                    below.setdefault(u, []).append(v)
+            for u, able in below.items():
+                parent[u] = choose(able)
+            level = set(below)
+            seen |= level
+        return parent
+
+    return bfs_tree
+
+
+def walker(planner, **how):
+    """A bug of the library as a student's function."""
+    return lambda start, goal, obstacles, step: planner(start, goal, obstacles, step, **how).path
+
+
+PROGRAMS = {
+    ("bfs_tree", "smallest"): tree(min),
+    ("bfs_tree", "largest"): tree(max),
+    ("bug1", "left"): walker(bug1, turn="left"),
+    ("bug1", "right"): walker(bug1, turn="right"),
+    ("bug2", "left"): walker(bug2, turn="left"),
+    ("bug2", "right"): walker(bug2, turn="right"),
+}
+
+
+def judged(exercise, function, seed=0):
+    """The report on a function."""
+    cases = list(exercise.cases(np.random.default_rng(seed)))
+    return report_on(exercise, cases, (attempt(exercise, function, case) for case in cases))
+
+
+@pytest.mark.parametrize("name", ["bfs_tree", "bug1", "bug2"])
+def test_a_contract_accepts_its_own_and_no_other(name):
+    """Every contract's program is right by itself and in the exercise without contracts, and wrong by every other contract."""
+    variants = EXERCISES[name].variants
+    assert len(variants) > 1
+    for mine in variants:
+        assert judged(EXERCISES[name], PROGRAMS[name, mine]).is_right
+        for other in variants:
+            report = judged(find(name, other), PROGRAMS[name, mine])
+            assert report.is_right == (mine == other), (mine, other, report.failure)
+
+
+@pytest.mark.parametrize("exercise", [one for one in EXERCISES.values() if one.variants], ids=lambda one: one.name)
+def test_every_contract_has_words_of_its_own(exercise):
+    """And is said where a program breaks it."""
+    words = [find(exercise.name, variant).contract for variant in exercise.variants]
+    assert len(set(words)) == len(words)
+    assert exercise.contract == ""
+    for mine, other in zip(exercise.variants, exercise.variants[::-1]):
+        said = check(PROGRAMS[exercise.name, other], exercise.name, variant=mine)
+        assert "Your contract" in repr(said) and find(exercise.name, mine).contract in repr(said)
+        assert said.picture() is not None
+        assert "right, for all" in repr(check(PROGRAMS[exercise.name, mine], exercise.name, variant=mine))
+
+
+def test_an_unknown_contract_is_refused():
+    """By name, with those that there are."""
+    with pytest.raises(InvalidParameter, match="left, right"):
+        find("bug2", "backwards")
+    with pytest.raises(InvalidParameter, match="none"):
+        find("halton", "left")
+
+
+def test_contracts_follow_from_secret_and_student():
+    """The same for the same, whatever the capitals; about as many of each; others for another secret; none where there are none."""
+    students = [f"student{n}" for n in range(400)]
+    first = [choice(EXERCISES["bug2"], SECRET, student) for student in students]
+    assert first == [choice(EXERCISES["bug2"], SECRET, f" {student.upper()} ") for student in students]
+    assert 150 < first.count("left") < 250
+    assert first != [choice(EXERCISES["bug2"], b"another", student) for student in students]
+    assert first != [choice(EXERCISES["bug1"], SECRET, student) for student in students]
+    assert choices(assignment("01_geometry"), SECRET, "ann") == ()
+    task = with_variants(assignment(GRAPHS), (("bfs_tree", "largest"),))
+    assert [one.exercise.variant for one in task.questions if one.exercise.name == "bfs_tree"] == ["largest"]
+    assert [one.points for one in task.questions] == [one.points for one in assignment(GRAPHS).questions]
+
+
+def test_hidden_cases_and_results_know_the_contract():
+    """Results of the same bytes under other contracts are other results; without contracts they are where they always were."""
+    one = Submission("ann", GRAPHS, "x.ipynb", b"{}")
+    keys = {key_of(one._replace(variants=(("bfs_tree", variant),)), SECRET) for variant in ("smallest", "largest")}
+    assert len(keys | {key_of(one, SECRET)}) == 3
+    assert cases_of("bfs_tree", SECRET, "largest").cases != cases_of("bfs_tree", SECRET).cases
+    assert personal(one, SECRET).variants == choices(assignment(GRAPHS), SECRET, "ann")
+
+
+def test_each_student_gets_their_own_notebook(tmp_path):
+    """The statement says the contract before the answer, the check names it, all else is as it was; a table says whose is which."""
+    students = [f"s{n}" for n in range(12)]
+    assert write_variants([GRAPHS], students, SECRET, tmp_path) == 12
+    plain = json.loads((Path(__file__).parent.parent / "exercises" / f"{GRAPHS}.ipynb").read_text(encoding="utf-8"))
+    for student in students:
+        mine = choice(EXERCISES["bfs_tree"], SECRET, student)
+        book = json.loads((tmp_path / student / f"{GRAPHS}.ipynb").read_text(encoding="utf-8"))
+        sources = ["".join(cell["source"]) for cell in book["cells"]]
+        at = next(at for at, cell in enumerate(book["cells"]) if cell["id"] == "contract_bfs_tree")
+        assert find("bfs_tree", mine).contract in sources[at]
+        assert "def bfs_tree" in sources[at + 1]
+        assert f'check(bfs_tree, variant="{mine}")' in sources
+        assert len(sources) == len(plain["cells"]) + 1
+        others = ["".join(cell["source"]) for cell in plain["cells"]]
+        assert len([source for source in sources if source not in others]) == 2
+    rows = (tmp_path / "variants.csv").read_text(encoding="utf-8").splitlines()
+    assert rows[0] == "student,assignment,question,variant"
+    assert {row.rpartition(",")[2] for row in rows[1:]} == {"smallest", "largest"}
+    with pytest.raises(InvalidParameter, match="no exercise of 01_geometry"):
+        write_variants(["01_geometry"], students, SECRET, tmp_path)
+
+
+def test_who_forgets_the_contracts_is_told(tmp_path):
+    """Most notebooks give one, and nobody said so: refused; a student who writes so alone stops nobody."""
+    given, plain = (Submission(str(n), GRAPHS, "x", data) for n, data in enumerate((b'check(bfs_tree, variant="largest")', b"{}")))
+    refuse_forgotten([given, plain])
+    with pytest.raises(InvalidParameter, match="--variants"):
+        refuse_forgotten([given, given, plain])
+
+
+ANSWER = """
+def bfs_tree(neighbours, start):
+    parent, level, seen = [-1] * len(neighbours), {start}, {start}
+    while level:
+        below = {}
+        for v in level:
+            for u in set(neighbours[v]) - seen:
+                below.setdefault(u, []).append(v)
+        for u, able in below.items():
+            parent[u] = CHOOSE(able)
+        level = set(below)
+        seen |= level
+    return parent
+"""
+
+
+@needs_sandbox
+def test_a_copy_of_anothers_contract_does_not_pass(tmp_path, capsys):
+    """By the commands: two students with other contracts hand in the same program; it is right for one. Regraded it stays so."""
+    secret = tmp_path / "secret"
+    secret.write_text(SECRET.hex())
+    names = {choice(EXERCISES["bfs_tree"], SECRET, name): name for name in ("ann", "bob", "cy", "dan", "eve")}
+    (tmp_path / "students.txt").write_text("\n".join(names.values()) + "\n")
+    command = [
+        "release",
+        GRAPHS,
+        "--variants",
+        str(tmp_path / "students.txt"),
+        "--out",
+        str(tmp_path / "hand"),
+        "--secret",
+        str(secret),
+    ]
+    assert main(command) == 0
+    for student in names.values():
+        book = json.loads((tmp_path / "hand" / student / f"{GRAPHS}.ipynb").read_text(encoding="utf-8"))
+        for cell in book["cells"]:
+            if cell["metadata"].get("nbgrader", {}).get("grade_id") == "bfs_tree":
+                cell["source"] = ANSWER.replace("CHOOSE", "max")
+        (tmp_path / "in" / student).mkdir(parents=True)
+        (tmp_path / "in" / student / f"{GRAPHS}.ipynb").write_text(json.dumps(book))
+    grade = ["grade", str(tmp_path / "in"), "--out", str(tmp_path / "out"), "--secret", str(secret), "--workers", "1"]
+    assert main(grade) == 2
+    assert "--variants" in capsys.readouterr().err
+    assert main([*grade, "--variants"]) == 0
+    table = (tmp_path / "out" / "grades.csv").read_text(encoding="utf-8")
+    scores = {line.split(",")[0]: line.split(",")[3] for line in table.splitlines() if ",bfs_tree," in line}
+    assert float(scores[names["largest"]]) == 4.0
+    assert float(scores[names["smallest"]]) < 4.0
+    page = next((tmp_path / "out" / "feedback" / names["smallest"]).iterdir()).read_text(encoding="utf-8")
+    assert find("bfs_tree", "smallest").contract in page
+    assert main(["regrade", str(tmp_path / "out"), "--out", str(tmp_path / "new"), "--workers", "1"]) == 0
+    assert "0 scores changed" in capsys.readouterr().out
