@@ -49,6 +49,14 @@ PROPERTIES = YARD + "ke.boards.properties_board(yard, n=300)"
 RACE = YARD + "ke.boards.race_board(yard, nodes=1000)"
 REWIRING = YARD + "ke.boards.rewiring_board(yard, nodes=1000)"
 EXPLORING = YARD + "ke.boards.exploring_board(yard)"
+CAR = """
+import numpy as np
+import kinoedu as ke
+walls = [[(70, 0), (90, 0), (90, 90), (70, 90)], [(150, 70), (170, 70), (170, 160), (150, 160)]]
+world = ke.PolygonWorld([(0, 0), (240, 0), (240, 160), (0, 160)], walls)
+yard = ke.Problem(ke.Car(30, 10, 20), world, (25, 30, np.pi / 2), (200, 90, np.pi / 2))
+ke.boards.car_board(yard)
+"""
 DRAGGED = {  # on the first board of each notebook: what, and the thing
     SCENE: (("goal", "handle-1"), ("polygon", "polygon-2")),
     TOWN: (("goal in the town", "handle-1"),),
@@ -60,6 +68,7 @@ DRAGGED = {  # on the first board of each notebook: what, and the thing
     RACE: (("goal of a race, 1,000 nodes", "handle-1"), ("obstacle in a race", "polygon-2")),
     REWIRING: (("goal of RRT*, 1,000 nodes", "handle-1"), ("obstacle in RRT*", "polygon-2")),
     EXPLORING: (("goal of an explorer", "handle-1"), ("obstacle of an explorer", "polygon-2")),
+    CAR: (("goal of a car, kinodynamic RRT", "handle-2"), ("its heading", "handle-3"), ("wall in a car's way", "polygon-0")),
 }
 LISTEN = """board => { window.events = []; window.held = board; if (board.heard) return; board.heard = true;
     for (const what of ['asked', 'answered', 'painted'])

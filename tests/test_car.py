@@ -173,3 +173,13 @@ def test_nonsense_is_refused_by_name() -> None:
         CAR.move((0, 0), 1, 0, 1)
     with pytest.raises(InvalidStart):
         ke.Problem(CAR, WORLD, (3, 50, 0), (250, 250, 0))
+
+
+def test_the_last_moment_of_a_long_drive_is_its_last_pose() -> None:
+    """However the durations round when they are added up, one by one or in pairs."""
+    rng = np.random.default_rng(0)
+    for _ in range(200):
+        n = int(rng.integers(1, 60))
+        controls = np.column_stack([rng.choice([-1.0, 1.0], n), rng.uniform(-0.7, 0.7, n)])
+        drive = ke.Trajectory(CAR, (0, 0, 0), controls, rng.uniform(0.01, 3.0, n))
+        assert apart(drive.at(drive.duration), drive.poses[-1]) < 1e-9

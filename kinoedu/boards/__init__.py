@@ -4,6 +4,7 @@ from .arm import ArmBoard, arm_board
 from .board import Board, board
 from .bugs import BugBoard, bug_board
 from .canvas import Canvas
+from .car import CarBoard, car_board
 from .curves import curves_board
 from .drawing import Drawing, Layer
 from .exploring import ExploringBoard, exploring_board
@@ -24,6 +25,7 @@ __all__ = [
     "Board",
     "BugBoard",
     "Canvas",
+    "CarBoard",
     "Drawing",
     "ExploringBoard",
     "Layer",
@@ -39,6 +41,7 @@ __all__ = [
     "arm_board",
     "board",
     "bug_board",
+    "car_board",
     "curves_board",
     "distance_board",
     "exploring_board",

@@ -10,6 +10,10 @@
 //
 // What is *drawn* is painted by the answer alone, which may put it elsewhere: an arm's tip stays within reach, wherever it is pulled.
 //
+// What is *driven* is moved by Python alone, while arrow keys are held: see `hold`. Where a scene is *posed*, its handles are places
+// and the tips that they look at, by turns: pressed on the ground, the second place comes there, with Shift the first, and its tip is
+// in the hand.
+//
 // A *thing* is what can be moved: {kind: "handle" | "disc" | "polygon", i} or {kind: "vertex", i, r, v}, vertex v of ring r.
 
 const IN_FLIGHT = 3;          // questions under way at once: they hide the delay of the way there and back
@@ -18,7 +22,9 @@ const VERY_SLOW = 1000;       // ms: then nothing is asked before the thing that
 const PENDING = 250;          // ms after which an answer that is out of date is shown pale
 const QUIET = 600;            // ms without change before the text is read out
 const GROWTH = 4000;          // ms in which the whole growth is played
+const TICK = 40;              // ms between two messages that keys are held
 const JITTER = 4;             // pixels: a pointer that moved less has clicked
+const TURNS = 12;             // pixels: a pointer that moved less from a place on the ground has not pulled its tip
 const TINT = 0.35, STRIPES = 9;   // how much a body covers, and how far apart its stripes are, in pixels
 const WIDEST = 640, HIGHEST = 560, PAD = 8;   // of the picture, in pixels
 
@@ -40,6 +46,8 @@ export default {
 
 const copy = (value) => JSON.parse(JSON.stringify(value));
 const same = (a, b) => JSON.stringify(a) === JSON.stringify(b);
+const WAYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], ArrowUp: [0, 1] };
+const SIGNS = { ArrowLeft: "◀", ArrowUp: "▲", ArrowDown: "▼", ArrowRight: "▶" };
 const clamp = (x, low, high) => Math.min(Math.max(x, low), high);
 const fill = (words, values) => words.replace(/\{(\w+)\}/g, (_, name) => values[name]);
 const floats = (view) => new Float32Array(view.buffer.slice(view.byteOffset, view.byteOffset + view.byteLength));
@@ -80,6 +88,7 @@ class Board {
     this.drawing = { text: "", warning: "", note: "", layers: [], total: 0, unit: "", told: [], places: [] };
     Object.assign(this, { seq: 0, shown: 0, asked: 0, stale: 0, answers: 0, took: 0, bitmaps: 0, unkept: false });
     Object.assign(this, { waiting: false, pendingSince: null, step: 0, playing: null });
+    Object.assign(this, { held: new Set(), ticking: 0 });
     this.moved = new Map();                              // what moved since Python was last asked
     model.on("msg:custom", (message, buffers) => this.receive(message, buffers));
     model.on("change:scene", () => this.replaced());
@@ -87,7 +96,7 @@ class Board {
     this.model.send({ kind: "hello", from: this.id });
   }
 
-  stop() { this.pause(); clearTimeout(this.timer); }
+  stop() { this.pause(); this.release(); clearTimeout(this.timer); }
   changed() { this.views.forEach((view) => view.request()); }
 
   // the scene: where things are, and moving them
@@ -235,6 +244,23 @@ class Board {
     if (this.waiting) this.ask(true);
   }
 
+  // driving: while keys are held Python is told so, at most every so often, and moves what is driven
+
+  hold(key, down) {
+    if (down) this.held.add(key); else this.held.delete(key);
+    if (down && !this.ticking) this.tick();
+  }
+
+  release() { this.held.clear(); }
+
+  tick() {
+    this.ticking = this.held.size ? setTimeout(() => this.tick(), TICK) : 0;
+    if (!this.held.size || this.asked >= IN_FLIGHT) return;
+    this.asked += 1;
+    this.model.send({ kind: "keys", from: this.id, seq: this.seq, held: [...this.held] });
+    this.tell("asked", this.seq);
+  }
+
   show(message, buffers) {
     const layers = message.layers.map((layer, i) => ({ ...layer, data: floats(buffers[i]) }));
     const { seq, text, warning, total, unit, told, places, took } = message;
@@ -331,12 +357,41 @@ class View {
     this.slider = make("input", "kinoedu-slider", this.growth, { type: "range", min: 0, step: 1, "aria-label": words.slider });
     this.back = make("button", "kinoedu-reset", this.growth, { type: "button" });
     this.back.textContent = words.reset;
+    this.driven = this.board.scene.handles.findIndex((handle) => handle.driven);
+    if (this.driven >= 0) this.buildPad();
     this.told = make("div", "kinoedu-told", this.root, { "aria-hidden": "true" });
     this.state = make("div", "kinoedu-state", this.root, { role: "status", "aria-live": "polite" });
-    const { handles, polygons } = this.board.scene;
-    const hints = [words.hint, polygons.some((p) => p.vertices) && words.deeper, handles.some((h) => h.stop) && words.stops];
+    const { handles, polygons, posed } = this.board.scene;
+    const hints = [words.hint, polygons.some((p) => p.vertices) && words.deeper, handles.some((h) => h.stop) && words.stops,
+      posed && words.posed, this.driven >= 0 && words.driving];
     if (this.board.things().length) make("div", "kinoedu-hint", this.root).textContent = hints.filter(Boolean).join(" ");
     this.pen = this.canvas.getContext("2d");
+  }
+
+  buildPad() {                           // a button for each arrow key, for fingers
+    const { board } = this;
+    this.pad = make("div", "kinoedu-pad", this.growth, { role: "group", "aria-label": board.words.pad });
+    for (const [key, sign] of Object.entries(SIGNS)) {
+      const button = make("button", "", this.pad, { type: "button", "data-key": key, "aria-label": board.words[key] });
+      button.textContent = sign;
+      button.addEventListener("pointerdown", (event) => { button.setPointerCapture(event.pointerId); board.hold(key, true); });
+      for (const end of ["pointerup", "pointercancel"]) button.addEventListener(end, () => board.hold(key, false));
+      button.addEventListener("contextmenu", (event) => event.preventDefault());         // a finger that stays is no right click
+      button.addEventListener("click", (event) => { if (event.detail === 0) { board.hold(key, true); board.hold(key, false); } });
+    }
+    this.steered(this.pad);
+  }
+
+  steered(element) {                     // by the arrow keys while it has the focus
+    const held = (down) => (event) => {
+      if (!WAYS[event.key] || event.ctrlKey || event.metaKey) return;
+      this.board.hold(event.key, down);
+      event.preventDefault();
+      if (down) event.stopPropagation();
+    };
+    element.addEventListener("keydown", held(true));
+    element.addEventListener("keyup", held(false));
+    element.addEventListener("focusout", () => this.board.release());
   }
 
   listen() {
@@ -356,25 +411,36 @@ class View {
     const { lo, hi } = this.board.scene;
     const [wide, high] = [hi[0] - lo[0], hi[1] - lo[1]];
     const room = Math.max(Math.min(this.root.clientWidth || WIDEST, WIDEST), 160) - 2 * PAD;
-    this.scale = Math.min(room / wide, (HIGHEST - 2 * PAD) / high);
-    this.width = Math.round(wide * this.scale + 2 * PAD);
-    this.height = Math.round(high * this.scale + 2 * PAD);
-    this.unit = this.scale * Math.max(wide, high);
+    this.fit = Math.min(room / wide, (HIGHEST - 2 * PAD) / high);
+    this.width = Math.round(wide * this.fit + 2 * PAD);
+    this.height = Math.round(high * this.fit + 2 * PAD);
+    this.look();
     this.stage.style.width = `${this.width}px`;
     this.stage.style.height = `${this.height}px`;
     this.growth.style.maxWidth = `${Math.max(this.width, 320)}px`;
     this.request();
   }
 
+  look() {                               // at the whole world, or through an eye at so much of it as that sees at this step
+    const { lo, hi } = this.board.scene, eye = this.board.drawing.layers.find((layer) => layer.kind === "eye");
+    const size = Math.max(hi[0] - lo[0], hi[1] - lo[1]);
+    Object.assign(this, { scale: this.fit, unit: this.fit * size, left: PAD, bottom: this.height - PAD });
+    if (!eye) return;
+    let [x, y, seen] = [0, 0, 1];
+    for (let k = 0; k + 4 <= eye.data.length && eye.data[k + 3] <= this.board.step; k += 4) [x, y, seen] = eye.data.subarray(k, k + 3);
+    Object.assign(this, { scale: this.fit / seen, unit: (this.fit * size) / seen });
+    Object.assign(this, { left: this.width / 2 - x * this.unit, bottom: this.height / 2 + y * this.unit });
+  }
+
   toPixels([x, y]) {
     const { lo } = this.board.scene;
-    return [PAD + (x - lo[0]) * this.scale, this.height - PAD - (y - lo[1]) * this.scale];
+    return [this.left + (x - lo[0]) * this.scale, this.bottom - (y - lo[1]) * this.scale];
   }
 
   toWorld(event) {
     const box = this.canvas.getBoundingClientRect(), { lo } = this.board.scene;
     const px = ((event.clientX - box.left) / box.width) * this.width, py = ((event.clientY - box.top) / box.height) * this.height;
-    return [lo[0] + (px - PAD) / this.scale, lo[1] + (this.height - PAD - py) / this.scale];
+    return [lo[0] + (px - this.left) / this.scale, lo[1] + (this.bottom - py) / this.scale];
   }
 
   // pointers
@@ -402,9 +468,11 @@ class View {
 
   grab(event) {
     const anchor = this.toWorld(event), thing = this.under(anchor, event.pointerType === "touch");
-    if (!thing || event.button > 0) return;
+    if (event.button > 0 || (!thing && !this.board.scene.posed)) return;
     event.preventDefault();
+    if (thing && this.board.item(thing).driven) { this.buttons.get(nameOf(thing)).focus({ preventScroll: true }); return; }
     this.canvas.setPointerCapture(event.pointerId);
+    if (!thing) { this.pose(event, anchor); return; }
     const point = thing.kind !== "polygon";
     const offset = point ? this.board.place(thing).map((x, k) => x - anchor[k]) : [0, 0];     // it does not jump to the pointer
     const held = { thing, offset, anchor: point ? this.board.place(thing) : anchor, from: copy(this.board.shape(thing)) };
@@ -414,11 +482,19 @@ class View {
     this.request();
   }
 
+  pose(event, anchor) {                  // a place on the ground, and its tip is held
+    const { board } = this, place = { kind: "handle", i: event.shiftKey ? 0 : 2 }, tip = { kind: "handle", i: place.i + 1 };
+    board.move(place, board.place(place), board.place(place), anchor);
+    this.grabs.set(event.pointerId, { thing: tip, offset: [0, 0], anchor, from: anchor, x: event.clientX, y: event.clientY, fresh: true });
+    this.buttons.get(nameOf(place))?.focus({ preventScroll: true });
+  }
+
   drag(event) {
     const held = this.grabs.get(event.pointerId), at = this.toWorld(event);
     if (!held) { this.canvas.style.cursor = this.under(at, false) ? "grab" : ""; return; }
     held.still &&= this.stopAt(at, false) !== null && Math.hypot(event.clientX - held.x, event.clientY - held.y) < JITTER;
-    if (held.still) return;
+    held.fresh &&= Math.hypot(event.clientX - held.x, event.clientY - held.y) < TURNS;
+    if (held.still || held.fresh) return;
     this.canvas.style.cursor = "grabbing";
     this.board.move(held.thing, held.from, held.anchor, at.map((x, k) => x + held.offset[k]));
   }
@@ -439,7 +515,7 @@ class View {
   // keys: every thing has a button over it, seen only while it has the focus
 
   press(event, thing) {
-    const way = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], ArrowUp: [0, 1] }[event.key];
+    const way = WAYS[event.key];
     const { board } = this, { lo, hi } = board.scene;
     if (way) {
       const size = Math.max(hi[0] - lo[0], hi[1] - lo[1]) * (event.shiftKey ? 0.05 : 0.01), at = board.place(thing);
@@ -481,7 +557,8 @@ class View {
     const before = this.buttons;
     this.buttons = new Map([...wanted].map(([name, thing]) => {
       const button = before.get(name) ?? make("button", "kinoedu-thing", null, { type: "button", "data-thing": name });
-      if (!before.has(name)) button.addEventListener("keydown", (event) => this.press(event, thing));
+      if (before.has(name)) return [name, button];
+      if (this.board.item(thing).driven) this.steered(button); else button.addEventListener("keydown", (event) => this.press(event, thing));
       return [name, button];
     }));
     before.forEach((button, name) => { if (!wanted.has(name)) button.remove(); });
@@ -492,7 +569,7 @@ class View {
   label(thing, [x, y]) {
     const { words, scene } = this.board, show = (value) => value.toFixed(scene.decimals);
     const item = this.board.item(thing);
-    const kind = thing.kind === "polygon" && item.vertices ? "polygon" : thing.kind === "vertex" ? "vertex" : item.stop ? "stop" : "handle";
+    const kind = thing.kind === "polygon" && item.vertices ? "polygon" : thing.kind === "vertex" ? "vertex" : item.stop ? "stop" : item.driven ? "driven" : "handle";
     return fill(words[kind], { name: item.name, number: thing.v, x: show(x), y: show(y) });
   }
 
@@ -506,6 +583,7 @@ class View {
     if (this.canvas.width !== across || this.canvas.height !== down) Object.assign(this.canvas, { width: across, height: down });
     pen.setTransform(across / this.width, 0, 0, down / this.height, 0, 0);
     pen.lineJoin = pen.lineCap = "round";
+    if (!this.grabs.size) this.look();   // the ground stays where it is under a hand
     const late = board.pendingSince !== null && performance.now() - board.pendingSince > PENDING;
     const layers = board.drawing.layers.filter((layer) => !layer.last || board.step >= board.drawing.total);
     const paint = (wanted) => {
@@ -617,11 +695,11 @@ class View {
   // in one whose rows do not stay, with that at which it goes
 
   eachRow({ data, grows, ends }, size, visit) {
-    const stride = size + (grows ? 1 : 0) + (ends ? 1 : 0), unit = this.unit, bottom = this.height - PAD;
+    const stride = size + (grows ? 1 : 0) + (ends ? 1 : 0), { unit, left, bottom } = this;
     for (let k = 0; k + stride <= data.length; k += stride) {
       if (grows && data[k + size] > this.board.step) break;
       if (ends && data[k + stride - 1] <= this.board.step) continue;
-      visit(PAD + data[k] * unit, bottom - data[k + 1] * unit, data[k + 2] * unit, data[k + 3] * unit, k / stride);
+      visit(left + data[k] * unit, bottom - data[k + 1] * unit, data[k + 2] * unit, data[k + 3] * unit, k / stride);
     }
   }
 
@@ -634,18 +712,18 @@ class View {
   }
 
   paint_edges(layer) {
-    const { pen } = this, bottom = this.height - PAD;
+    const { pen, left, bottom } = this;
     pen.beginPath();
-    this.eachRow(layer, 4, (px, py, x, y) => { pen.moveTo(px, py); pen.lineTo(PAD + x, bottom - y); });
+    this.eachRow(layer, 4, (px, py, x, y) => { pen.moveTo(px, py); pen.lineTo(left + x, bottom - y); });
     this.stroke(layer);
   }
 
   outline(layer) {                       // of each row's polygon
-    const { pen, unit } = this, size = 2 * layer.points, stride = size + (layer.grows ? 1 : 0) + (layer.ends ? 1 : 0), bottom = this.height - PAD;
+    const { pen, unit, left, bottom } = this, size = 2 * layer.points, stride = size + (layer.grows ? 1 : 0) + (layer.ends ? 1 : 0);
     pen.beginPath();
     this.eachRow(layer, size, (_px, _py, _dx, _dy, k) => {
       for (let c = k * stride; c < k * stride + size; c += 2) {
-        const at = [PAD + layer.data[c] * unit, bottom - layer.data[c + 1] * unit];
+        const at = [left + layer.data[c] * unit, bottom - layer.data[c + 1] * unit];
         if (c === k * stride) pen.moveTo(...at); else pen.lineTo(...at);
       }
       pen.closePath();

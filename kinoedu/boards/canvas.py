@@ -5,6 +5,7 @@ a lesson writes is the answer: a function from a scene to a Drawing. The message
 
     to Python   {kind: "hello", from}                       a page is there: what was answered last?
                 {kind: "scene", from, seq, moved: [[kind, number, coordinates], ...]}
+                {kind: "keys", from, seq, held: ["ArrowUp", ...]}  again and again while arrow keys are held at what is driven
     from Python {kind: "drawing", to, seq, took, text, warning, total, unit, told, places, layers}
                                                             and a buffer of float32 for each layer
                 {kind: "note", text}                        what takes so long
@@ -38,11 +39,14 @@ from .scene import Scene, arranged_like, everything, moved
 
 log = logging.getLogger("kinoedu")
 
+ARROWS = ("ArrowLeft", "ArrowUp", "ArrowDown", "ArrowRight")
 FRONT = {  # the words that the browser shows, and what it fills in
     **dict.fromkeys(("play", "pause", "next", "reset", "slider", "movable", "thinking", "hint", "deeper", "stops"), ()),
+    **dict.fromkeys(("posed", "driving", "pad", *ARROWS), ()),
     "growth": ("shown", "total", "unit"),
     "handle": ("name", "x", "y"),
     "stop": ("name", "x", "y"),
+    "driven": ("name", "x", "y"),
     "polygon": ("name", "x", "y"),
     "vertex": ("name", "number", "x", "y"),
 }
@@ -59,6 +63,7 @@ class Canvas(anywidget.AnyWidget):
     answer : a function from a scene to a Drawing. A KinoeduError that it raises is shown as a warning, and nothing else.
     free : a bitmap to draw beneath, (rows, columns), the lowest row first; true is free, or, where the scene has `colours`, the
         number of one.
+    drive : a function of the arrow keys held, by their names, that moves on what is driven; then the scene is answered.
 
     `partner` is the key of another board that is scrubbed together with this one, as a plot is with what it plots; so are all that
     have the same partner.
@@ -75,8 +80,10 @@ class Canvas(anywidget.AnyWidget):
     palette = traitlets.Dict().tag(sync=True)
     words = traitlets.Dict().tag(sync=True)
 
-    def __init__(self, scene: Scene, answer: Callable[[Scene], Drawing], *, free: Any = None) -> None:
-        self._answer = answer
+    def __init__(
+        self, scene: Scene, answer: Callable[[Scene], Drawing], *, free: Any = None, drive: Callable[[set[str]], None] | None = None
+    ) -> None:
+        self._answer, self._drive = answer, drive
         self._free = None if free is None else np.asarray(free, np.uint8 if "colours" in scene else np.bool_)
         self.drawing = Drawing()
         self._shown = {**scene, "size": None if self._free is None else list(self._free.shape)}
@@ -142,6 +149,11 @@ class Canvas(anywidget.AnyWidget):
                     self._show(page, seq, warning=str(error))
                 else:
                     self._show(page, seq)
+            elif message.get("kind") == "keys" and isinstance(seq, int) and self._drive is not None:
+                held = message.get("held")
+                self._drive({key for key in ARROWS if key in held} if isinstance(held, list) else set())
+                self._draw()
+                self._show(page, seq)
 
     def _move(self, parts: Any) -> None:
         """Some parts of the scene moved: answer, unless they are where they were."""

@@ -14,13 +14,14 @@ from numpy.typing import ArrayLike
 
 from ..geometry.checks import Array
 
-POINTS = {"edges": 2, "path": 1, "dots": 1, "arrows": 1, "labels": 1}  # how many points begin each row; a polygon's are all of it
+POINTS = {"edges": 2, **dict.fromkeys(("path", "dots", "arrows", "labels", "eye"), 1)}  # that begin each row; a polygon's are all
 
 
 class Layer(NamedTuple):
     """Rows of numbers and how they look; the functions below make it.
 
-    rows : edges x, y, next x, next y; path, dots, labels x, y; arrows x, y, dx, dy; cells and bodies all corners.
+    rows : edges x, y, next x, next y; path, dots, labels x, y; arrows x, y, dx, dy; an eye x, y, width; cells and
+        bodies all corners.
     when : for each row the step at which it came, not decreasing; None where all is there from the beginning.
     until : for each row the step at which it is gone again; None where all stays.
     last : it is shown only when everything else has grown. hatched : of bodies, with stripes.
@@ -122,6 +123,12 @@ def bodies(
 ) -> Layer:
     """Polygons of k corners each, shape (n, k, 2), over everything else: an outline, a tint, and stripes where they are hatched."""
     return Layer("bodies", outlines(corners), colour, 2.0, when=steps_of(when), until=steps_of(until), hatched=hatched)
+
+
+def eye(points: ArrayLike, width: float, *, when: ArrayLike) -> Layer:
+    """What is seen of the world from each step on: a stretch of a width, in the world's unit, with a point (n, 2) in its middle."""
+    middles = rows_of(points, 2)
+    return Layer("eye", np.column_stack([middles, np.full(len(middles), width)]), "ink", when=steps_of(when))
 
 
 def outlines(corners: ArrayLike) -> Array:

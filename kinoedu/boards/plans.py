@@ -55,9 +55,11 @@ def canvas_for(problem: ProblemRecord, answer: Callable[[Scene], Drawing]) -> Ca
     return canvas_of(problem.world, scene_of(problem), answer)
 
 
-def canvas_of(world: Any, scene: Scene, answer: Callable[[Scene], Drawing]) -> Canvas:
-    """A canvas of a scene in a world, with the world's bitmap where it is one."""
-    return Canvas(scene, answer, free=world.free if isinstance(world, TerrainRecord) else None)
+def canvas_of(
+    world: Any, scene: Scene, answer: Callable[[Scene], Drawing], drive: Callable[[set[str]], None] | None = None
+) -> Canvas:
+    """A canvas of a scene in a world, with the world's bitmap where it is one; drive : what arrow keys do, as `Canvas` takes it."""
+    return Canvas(scene, answer, free=world.free if isinstance(world, TerrainRecord) else None, drive=drive)
 
 
 def scene_of(problem: ProblemRecord) -> Scene:

@@ -37,6 +37,9 @@ def printed(scene: Scene, drawing: Drawing, free: Any = None) -> bytes:
     for layer in drawing.layers:
         print_layer(layer, ax, drawing.total)
     print_handles(scene, ax)
+    for x, y, seen in (layer.rows[-1] for layer in drawing.layers if layer.kind == "eye"):
+        half_x, half_y = 0.5 * seen * (x1 - x0) / size, 0.5 * seen * (y1 - y0) / size
+        ax.set(xlim=(x - half_x, x + half_x), ylim=(y - half_y, y + half_y))
     if not scene.get("ticks", True):
         ax.set_axis_off()
     pictures = (with_few_colours(figure, dpi) for dpi in DPI)
@@ -97,10 +100,10 @@ def print_layer(layer: Layer, ax: Axes, total: int) -> None:
     dash: Any = (0, [2.0 * d / max(layer.width, 1.0) for d in layer.dash]) if layer.dash else "solid"
     z = 5.5 if layer.last else 3.0  # what comes last lies on the path
     if layer.kind == "cells":
-        shapes = list(rows.reshape(len(rows), -1, 2))
+        shapes = list(rows.reshape(-1, layer.points, 2))
         ax.add_collection(PolyCollection(shapes, facecolors=colour, edgecolors="none", zorder=0.7))
     elif layer.kind == "bodies":
-        shapes, stripes = list(rows.reshape(len(rows), -1, 2)), "////" if layer.hatched else None
+        shapes, stripes = list(rows.reshape(-1, layer.points, 2)), "////" if layer.hatched else None
         outline: Any = {"edgecolors": colour, "linewidths": layer.width, "hatch": stripes}
         ax.add_collection(PolyCollection(shapes, facecolors=f"{colour}59", zorder=z - 0.2, **outline))
     elif layer.kind == "edges":
@@ -123,7 +126,7 @@ def print_layer(layer: Layer, ax: Axes, total: int) -> None:
     elif layer.kind == "arrows":
         z, width = 6.0 if layer.when is None else 3.2, 0.008 * layer.width / 3.0  # those that grow lie beneath the path
         ax.quiver(*rows.T, angles="xy", scale_units="xy", scale=1.0, color=colour, width=width, zorder=z)
-    else:
+    elif layer.kind == "labels":
         for (x, y), text in zip(rows, layer.texts, strict=True):
             style: Any = {"fontsize": palette.TEXT_SIZE, "color": colour, "path_effects": HALO, "zorder": 8}
             ax.annotate(text, (x, y), xytext=(7, 7), textcoords="offset points", **style)

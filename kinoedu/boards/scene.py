@@ -7,6 +7,9 @@ discs       each {name, at, radius, movable}
 handles     points to drag: each {name, at, colour, marker: "dot" or "star", radius: of a body to draw}; or a stop {name, at, stop},
             drawn by the answer: the second handle comes to it when it is clicked, the first with Shift; what stands exactly
             there is taken along when it is dragged
+driven      a handle that has this is put elsewhere by the answer alone, while arrow keys are held: see `Canvas`
+posed       the handles are places and the tips that they look at, by turns: pressed on the ground, the second place comes there,
+            with Shift the first, and its tip is in the hand. Left out, they are places alone
 drawn       what has this is painted by the answer alone, which may put it elsewhere: see `Drawing.places`
 size        rows and columns of the bitmap beneath, or None
 colours     the names of the colours of a bitmap that has a byte a cell; left out, it is of bits, and true is free
@@ -69,6 +72,11 @@ def disc(name: str, at: ArrayLike, radius: float, *, movable: bool = True) -> di
 def drawn(item: dict[str, Any]) -> dict[str, Any]:
     """A handle or polygon that can be dragged, but is painted by the answer, which may put it elsewhere."""
     return {**item, "drawn": True}
+
+
+def driven(item: dict[str, Any]) -> dict[str, Any]:
+    """A handle that is not dragged, but driven by the arrow keys."""
+    return {**drawn(item), "driven": True}
 
 
 def place_of(scene: Scene, name: str) -> Array:

@@ -33,13 +33,9 @@ def draw_ackermann(car: CarRobot, pose: ArrayLike, phi: float, ax: Axes | None =
     place = car.ahead(pose, 0.0)
     body = ax.add_patch(Polygon(outline_at(car, place), facecolor=f"{palette.ROBOT}33", edgecolor=palette.ROBOT, linewidth=1.8))
     drawn: list[Artist] = [body]
-    for wheel in wheels_at(car, place):
-        middle = wheel.mean(axis=0)
-        across = math.atan2(middle[1] - centre[1], middle[0] - centre[0])
-        drawn += ax.plot(*zip(middle, centre), color=palette.TREE, linewidth=1.3, linestyle="--", zorder=2)
-        drawn.append(
-            ax.add_patch(Polygon(turned(wheel, middle, across + 0.5 * math.pi - place[2]), facecolor=palette.INK, zorder=4))
-        )
+    for wheel in steered_wheels(car, place, phi):
+        drawn += ax.plot(*zip(wheel.mean(axis=0), centre), color=palette.TREE, linewidth=1.3, linestyle="--", zorder=2)
+        drawn.append(ax.add_patch(Polygon(wheel, facecolor=palette.INK, zorder=4)))
     radius = math.dist(centre, place[:2])
     drawn.append(ax.add_patch(Circle((centre[0], centre[1]), radius, fill=False, edgecolor=palette.PATH, linewidth=2.4, zorder=1)))
     drawn += ax.plot(*centre, "o", color=palette.GOAL, markersize=9, zorder=5)
@@ -47,6 +43,26 @@ def draw_ackermann(car: CarRobot, pose: ArrayLike, phi: float, ax: Axes | None =
     ax.autoscale_view()
     ax.tick_params(labelsize=palette.TEXT_SIZE - 1)
     return drawn
+
+
+def steered_wheels(car: CarRobot, pose: ArrayLike, phi: float) -> list[Array]:
+    """The outlines of a car's four wheels, shape (4, 2) each, the rear two first, each across the line to the centre of rotation.
+
+    Raises InvalidPoint, InvalidParameter.
+
+    >>> from kinoedu import Car
+    >>> rear, _, front, _ = steered_wheels(Car(30, 10, 20), (0, 0, 0), 0.5)
+    >>> along, across = front[1] - front[0]
+    >>> bool(rear[0, 1] == rear[1, 1]), 0.4 < math.atan2(across, along) < 0.5
+    (True, True)
+    """
+    place, centre = car.ahead(pose, 0.0), car.turning_centre(pose, phi)
+    wheels = wheels_at(car, place)
+    if math.isinf(centre[0]):
+        return wheels
+    middles = [wheel.mean(axis=0) for wheel in wheels]
+    across = [math.atan2(y - centre[1], x - centre[0]) + math.copysign(0.5 * math.pi, phi) for x, y in middles]
+    return [turned(wheel, middle, angle - place[2]) for wheel, middle, angle in zip(wheels, middles, across)]
 
 
 def turned(outline: Array, middle: Array, angle: float) -> Array:

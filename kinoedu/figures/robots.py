@@ -16,7 +16,7 @@ from ..robots.car import CarRobot
 from ..robots.moving import place, way
 from ..robots.polygon import RigidPolygonRobot, TranslatingPolygonRobot
 from ..robots.round import RoundRobot
-from ..robots.trajectory import TrajectoryRecord
+from ..robots.trajectory import TrajectoryRecord, on_the_way
 from ..spaces import distance, interpolate
 from . import palette
 from .bars import draw_bar
@@ -114,8 +114,9 @@ def _(robot: CarRobot, a: Array, b: Array) -> Array:
 
 def driven_tracks(car: CarRobot, begins: Array, controls: Array, durations: Array) -> Array:
     """The ways (m, k, 2) of drives from poses (m, 3), each by one control (m, 2) for its duration (m,)."""
-    drives = [TrajectoryRecord(*drive, car.wheelbase) for drive in zip(begins, controls[:, None], durations[:, None])]
-    return np.array([drive.at(np.linspace(0.0, drive.duration, BENDS + 1))[:, :2] for drive in drives]).reshape(-1, BENDS + 1, 2)
+    times = durations[:, None] * np.linspace(0.0, 1.0, BENDS + 1)
+    which = np.repeat(np.arange(len(begins)), BENDS + 1)
+    return on_the_way(begins, controls, car.wheelbase, which, times.ravel())[:, :2].reshape(-1, BENDS + 1, 2)
 
 
 def even_times(trajectory: TrajectoryRecord) -> Array:

@@ -44,8 +44,8 @@ class TrajectoryRecord(NamedTuple):
         Raises InvalidPoint where it is not numbers.
         """
         times = np.clip(as_array(t, "t"), 0.0, self.duration)
-        begins = np.concatenate([[0.0], np.cumsum(self.durations)])
-        which = np.maximum(np.searchsorted(begins, np.atleast_1d(times)) - 1, 0)
+        begins = np.concatenate([[0.0], np.cumsum(self.durations)])  # its last may round to less than the duration
+        which = np.clip(np.searchsorted(begins, np.atleast_1d(times)) - 1, 0, max(len(self.durations) - 1, 0))
         poses = on_the_way(self.poses, self.controls, self.wheelbase, which, np.atleast_1d(times) - begins[which])
         return poses if times.ndim else poses[0]
 
