@@ -26,6 +26,10 @@ class Asked(Recorder):
         rows = scene["world"].get("rows")
         return f"problem_of({scene})" if rows is None else f"problem_of({scene})".replace(repr(rows), in_runs(rows))
 
+    def anew(self) -> "Asked":
+        """The same problem, of which nothing has been asked."""
+        return type(self)(problem_of(scene_of(self.problem)).problem)
+
 
 def in_runs(rows: list[str]) -> str:
     """A list as code, equal neighbours written once.

@@ -7,6 +7,7 @@ from .c_space import draw_c_obstacle, draw_grown, draw_turning_obstacle
 from .comparisons import draw_convergence, draw_ecdf, draw_medians
 from .decomposition import draw_decomposition, draw_sweep
 from .drawing import draw_path, draw_plan, draw_problem, draw_roadmap, draw_robot, draw_tree, draw_world
+from .driving_steps import draw_driving_steps
 from .graphs import draw_graph
 from .headings import draw_cells_with_headings, draw_headings
 from .rrt_steps import draw_rrt_flowchart, draw_rrt_steps
@@ -27,6 +28,7 @@ __all__ = [
     "draw_decomposition",
     "draw_dispersion",
     "draw_distance_to_goal",
+    "draw_driving_steps",
     "draw_ecdf",
     "draw_graph",
     "draw_grown",

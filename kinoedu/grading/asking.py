@@ -7,7 +7,7 @@ has seen, and the hidden ones. So what a student may read, such as an exception'
 
 from typing import Any, NamedTuple
 
-from ..course import drawn, expansions, shapes, tasks, whole_shapes
+from ..course import drawn, drivable, expansions, shapes, tasks, whole_shapes
 from ..course.exercise import Case, Exercise
 from ..course.judging import is_unwritten
 from ..course.outcomes import Late, Misshapen, Outcome, Raised, decode_outcome
@@ -24,7 +24,7 @@ CELL_SECONDS = 10.0
 GRACE = 2.0  # seconds in which what inside.py stops itself must be heard of
 DRAWING = ("kinoedu.figures.plane", "matplotlib.pyplot")  # to be loaded once, not by each program
 BROKEN_CELLS = 3  # after so many cells that could not even be stopped the others are not run
-KNOWN = {name for module in (shapes, whole_shapes, drawn, tasks, expansions) for name in vars(module)}
+KNOWN = {name for module in (shapes, whole_shapes, drawn, tasks, drivable, expansions) for name in vars(module)}
 
 
 class Cell(NamedTuple):

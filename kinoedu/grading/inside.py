@@ -144,7 +144,8 @@ def run(requests: Iterator[dict[str, Any]], channel: Channel) -> None:
 def asked(question: dict[str, Any]) -> Asked:
     """What a question's calls need: shapes that stand in the request as Python writes them, and its way to call."""
     known: dict[str, Any] = {}
-    for name in ("shapes", "whole_shapes", "drawn", *(("tasks", "expansions") if "Task()" in question["given"] else ())):
+    planned = ("tasks", "drivable", "expansions") if "Task()" in question["given"] else ()
+    for name in ("shapes", "whole_shapes", "drawn", *planned):
         known |= vars(importlib.import_module(f"kinoedu.course.{name}"))
     given, wanted = (eval(question[part], known) for part in ("given", "answer"))
     return Asked(given, wanted, question["seconds"], library.own_call(question["call"]))

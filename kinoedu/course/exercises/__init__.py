@@ -7,6 +7,7 @@ from ...words import say
 from ..exercise import Exercise
 from .angles import CircleDistance, TorusDistance
 from .arm_contact import LinkInContact
+from .best_controls import BestControl
 from .bugs import Bug1, Bug2, BugBase
 from .c_obstacles import CObstacle
 from .cell_paths import PlanByDecomposition
@@ -17,6 +18,7 @@ from .decomposition import Neighbours, TrapezoidsOfWorld
 from .displacements import Displacement, Rotation
 from .driving import Move, Replay
 from .environment_plot import PlotEnvironment
+from .fastest_drives import FastestDrive
 from .following import Follow
 from .four_chords import ExposeFourChords
 from .freedoms import DegreesOfFreedom
@@ -31,12 +33,14 @@ from .hidden_corridor import ExposeGrids
 from .holes import DispersionBounds
 from .integrating import Euler, OrderOfError
 from .kinematics import ForwardKinematics, InverseKinematics
+from .kinodynamic import KinodynamicPrm, KinodynamicRrt
 from .law_of_sines import ExposeReach
 from .lines import LineThroughPoints, PointLineDistance
 from .matrices import AdjacencyMatrix, BfsOnMatrix, DfsOnMatrix
 from .mended_bug import ExposeMendedBug
 from .misleading import MisleadingEstimate
 from .polygons import PointPolygonDistance, PolygonTangent
+from .pose_distances import HeadingDistance
 from .random_points import UniformRandom
 from .ray_counting import ExposeRayCounting
 from .repeats import RepeatedRows
@@ -141,6 +145,11 @@ EXERCISES: dict[str, Exercise] = {
         OrderOfError,
         CscLength,
         ExposeSmallAngles,
+        HeadingDistance,
+        BestControl,
+        KinodynamicRrt,
+        FastestDrive,
+        KinodynamicPrm,
     )
 }
 

@@ -21,7 +21,7 @@ from ...problems import Tree
 from ..exercise import RIGHT, Case, Exercise, Verdict, spoken
 from ..outcomes import Answer, Outcome
 from ..shapes import Numbers, Shape, Together, Truth
-from ..tasks import Asked, Task, problem_of, scene_of
+from ..tasks import Asked, Task, problem_of
 from .tasks import TRAPS
 
 __all__ = [
@@ -158,8 +158,7 @@ class PlannerExercise(Exercise):
         kept = random.getstate(), np.random.get_state()
         answers = []
         for rng in (given["rng"], given["rng"], given["rng"] + 1):
-            problem = problem_of(scene_of(given["problem"].problem))
-            answers.append(function(*{**given, "problem": problem, "rng": rng}.values()))
+            answers.append(function(*{**given, "problem": given["problem"].anew(), "rng": rng}.values()))
         now = random.getstate(), np.random.get_state()
         random.setstate(kept[0])
         np.random.set_state(kept[1])

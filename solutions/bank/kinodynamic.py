@@ -1,0 +1,619 @@
+"""Wrong answers to the exercises of lesson 13. Each is one that students give; the slip is what a check must recognise in it."""
+
+import heapq
+import math
+import random
+from math import hypot, pi, sqrt
+
+import numpy as np
+
+from kinoedu.course.bank import wrong
+from kinoedu.curves.arcs import driven
+from kinoedu.geometry import point_in_polygon
+from kinoedu.worlds.polygon_world import rings_of
+
+# How far poses are apart
+
+
+def short_way(a, b):
+    return (b - a + pi) % (2 * pi) - pi
+
+
+def off(a, b, turn):
+    return hypot(b[0] - a[0], b[1] - a[1], turn)
+
+
+@wrong("heading_distance", slip="no_wrap")
+def no_wrap(a, b, radian):
+    """The seed's own mistake."""
+    return off(a, b, radian * (b[2] - a[2]))
+
+
+@wrong("heading_distance", slip="one_way")
+def always_left(a, b, radian):
+    """Modulo without the short way."""
+    return off(a, b, radian * ((b[2] - a[2]) % (2 * pi)))
+
+
+@wrong("heading_distance", slip="once")
+def one_turn_taken_off(a, b, radian):
+    """Right while headings are in [-pi, pi)."""
+    turn = abs(b[2] - a[2])
+    return off(a, b, radian * min(turn, 2 * pi - turn))
+
+
+@wrong("heading_distance", slip="half_turns")
+def headings_as_lines(a, b, radian):
+    """Modulo pi."""
+    return off(a, b, radian * (abs(b[2] - a[2]) % pi))
+
+
+@wrong("heading_distance", slip="no_radian")
+def radians_as_lengths(a, b, radian):
+    """The worth is forgotten."""
+    return off(a, b, short_way(a[2], b[2]))
+
+
+@wrong("heading_distance", slip="divided")
+def worth_divided(a, b, radian):
+    """The other way round."""
+    return off(a, b, short_way(a[2], b[2]) / radian)
+
+
+@wrong("heading_distance", slip="degrees")
+def in_degrees(a, b, radian):
+    """Converted once too often."""
+    return off(a, b, radian * math.degrees(short_way(a[2], b[2])))
+
+
+@wrong("heading_distance", slip="root")
+def worth_outside_the_square(a, b, radian):
+    """radian * turn^2."""
+    return sqrt((b[0] - a[0]) ** 2 + (b[1] - a[1]) ** 2 + radian * short_way(a[2], b[2]) ** 2)
+
+
+@wrong("heading_distance", slip="place")
+def places_only(a, b, radian):
+    """The heading is forgotten."""
+    return off(a, b, 0)
+
+
+@wrong("heading_distance", slip="sum")
+def added(a, b, radian):
+    """Plus for the root of squares."""
+    return off(a, b, 0) + radian * abs(short_way(a[2], b[2]))
+
+
+@wrong("heading_distance", slip="square")
+def squared(a, b, radian):
+    """The root is forgotten."""
+    return off(a, b, radian * short_way(a[2], b[2])) ** 2
+
+
+@wrong("heading_distance")
+def rounded(a, b, radian):
+    """Rounded."""
+    return round(off(a, b, radian * short_way(a[2], b[2])), 2)
+
+
+@wrong("heading_distance")
+def chord(a, b, radian):
+    """Between the tips of two arrows: no wrap is needed, but it is the chord."""
+    return off(a, b, radian * 2 * math.sin(short_way(a[2], b[2]) / 2))
+
+
+# The best of some controls
+
+
+def best(problem, q, target, controls, t, n, *, apart=None, free=None, first=1, better=lambda a, b: a < b, move=None):
+    apart, move = apart or problem.distance, move or problem.move
+    choice, least = None, None
+    for i, (v, phi) in enumerate(controls):
+        away = [apart(move(q, v, phi, k * t / n), target) for k in range(first, n + 1)]
+        k = first + int(np.argmin(away))
+        if (least is None or better(min(away), least)) and (free or problem.is_free_drive)(q, v, phi, k * t / n):
+            choice, least = (i, k), min(away)
+    return choice
+
+
+@wrong("best_control", slip="last")
+def ends_compared(problem, q, target, controls, t, n):
+    """Cut at the last instant."""
+    choice = best(problem, q, target, controls, t, 1)
+    return choice and (choice[0], n)
+
+
+@wrong("best_control", slip="unchecked")
+def nothing_checked(*given):
+    """No question about contact."""
+    return best(*given, free=lambda *_: True)
+
+
+@wrong("best_control", slip="picked")
+def picked_then_checked(problem, q, target, controls, t, n):
+    """The closest of all, or nothing."""
+    i, k = best(problem, q, target, controls, t, n, free=lambda *_: True)
+    return (i, k) if problem.is_free_drive(q, *controls[i], k * t / n) else None
+
+
+@wrong("best_control", slip="whole")
+def beyond_the_cut(problem, q, target, controls, t, n):
+    """All of the drive must be free."""
+    return best(problem, q, target, controls, t, n, free=lambda q, v, phi, _: problem.is_free_drive(q, v, phi, t))
+
+
+@wrong("best_control", slip="end_only")
+def endpoint_only(problem, q, target, controls, t, n):
+    """The pose at the cut is free."""
+    return best(problem, q, target, controls, t, n, free=lambda q, v, phi, t: problem.is_free(problem.move(q, v, phi, t)))
+
+
+@wrong("best_control", slip="place")
+def nearest_place(*given):
+    """The heading does not count."""
+    return best(*given, apart=lambda a, b: math.dist(a[:2], b[:2]))
+
+
+@wrong("best_control", slip="no_wrap")
+def heading_not_wrapped(problem, *given):
+    """The plain difference."""
+    return best(problem, *given, apart=lambda a, b: off(a, b, problem.radian * (b[2] - a[2])))
+
+
+@wrong("best_control", slip="standing")
+def may_stand_still(*given):
+    """Step 0 counts."""
+    return best(*given, first=0)
+
+
+@wrong("best_control", slip="counted")
+def index_for_step(*given):
+    """argmin without the 1."""
+    choice = best(*given)
+    return choice and (choice[0], choice[1] - 1)
+
+
+@wrong("best_control", slip="farthest")
+def farthest_control(*given):
+    """A minus sign too many."""
+    problem = given[0]
+    return best(*given, apart=lambda a, b: -problem.distance(a, b))
+
+
+@wrong("best_control")
+def phi_for_tan(problem, *given):
+    """The seed's own mistake: it moves by phi / L."""
+    return best(problem, *given, move=lambda q, v, phi, t: np.array(driven(*q, v * t, phi / problem.robot.wheelbase)))
+
+
+@wrong("best_control")
+def corners_only(problem, q, target, controls, t, n):
+    """Ten moments, four corners."""
+    rings = [ring for rings in rings_of(problem.world)[1:] for ring in rings]
+
+    def free(q, v, phi, t):
+        for s in np.linspace(0, t, 10):
+            x, y, theta = problem.move(q, v, phi, s)
+            for a, b in problem.robot.outline:
+                corner = x + a * math.cos(theta) - b * math.sin(theta), y + a * math.sin(theta) + b * math.cos(theta)
+                if any(point_in_polygon(corner, ring) for ring in rings) or not (0 < corner[0] < 200 and 0 < corner[1] < 200):
+                    return False
+        return True
+
+    return best(problem, q, target, controls, t, n, free=free)
+
+
+@wrong("best_control")
+def first_free(problem, q, target, controls, t, n):
+    """The first that is free, not the best."""
+    return best(problem, q, target, controls, t, n, better=lambda a, b: False)
+
+
+@wrong("best_control")
+def last_free(problem, q, target, controls, t, n):
+    """The least is never updated."""
+    return best(problem, q, target, controls, t, n, better=lambda a, b: True)
+
+
+# A tree, and a roadmap, of drives
+
+
+def is_there(problem, q, wrap=True, heading=True):
+    turn = short_way(q[2], problem.goal[2]) if wrap else q[2] - problem.goal[2]
+    near = math.dist(q[:2], problem.goal[:2]) <= problem.tolerance
+    return near and (not heading or abs(turn) <= problem.turn_tolerance)
+
+
+def place(problem, turn, rng, goal_every=4, region_every=7):
+    if region_every and turn % region_every == 0:
+        return problem.near_goal(rng)
+    return problem.goal if goal_every and turn % goal_every == 0 else problem.sample(rng)
+
+
+def grown(problem, iterations, rng, *, k=1, there=is_there, where=place, choose=None, drive=None, **more):
+    """Nodes, parents, controls, durations; and the nodes at which the path may end."""
+    first, stop, closest, seed = (more.get(*one) for one in (("first", 1), ("stop", True), ("closest", True), ("seed", None)))
+    rng = np.random.default_rng(rng if seed is None else seed)
+    nodes, parent, controls, durations = [problem.start], [-1], [(0, 0)], [0]
+    for turn in range(first, iterations + first):
+        if stop and there(problem, nodes[-1]):
+            break
+        target = where(problem, turn, rng)
+        order = np.argsort([problem.distance(q, target) for q in nodes], kind="stable")
+        for near in order[:k] if choose is None else choose(order, k):
+            found = (drive or problem.best_drive)(nodes[near], target, rng)
+            if found is not None:
+                v, phi, t = found
+                nodes.append(problem.move(nodes[near], v, phi, t))
+                parent.append(int(near))
+                controls.append((v, phi))
+                durations.append(t)
+    arrived = [i for i, q in enumerate(nodes) if there(problem, q)]
+    nearest = int(np.argmin([problem.distance(q, problem.goal) for q in nodes])) if closest else len(nodes) - 1
+    return nodes, parent, controls, durations, arrived or [nearest]
+
+
+def path_to(parent, node):
+    path = [node]
+    while parent[path[-1]] >= 0:
+        path.append(parent[path[-1]])
+    return path[::-1]
+
+
+def rrt(*given, **options):
+    _, parent, controls, durations, ends = grown(*given, **options)
+    return parent, controls, durations, path_to(parent, ends[0])
+
+
+def prm(problem, k, iterations, rng, **options):
+    _, parent, controls, durations, ends = grown(problem, iterations, rng, **{"k": k, "stop": False, **options})
+    times = [0.0]
+    for p, t in zip(parent[1:], durations[1:]):
+        times.append(times[p] + t)
+    edges = [(p, i) for i, p in enumerate(parent)][1:]
+    return edges, controls[1:], durations[1:], path_to(parent, min(ends, key=lambda i: times[i]))
+
+
+@wrong("kinodynamic_rrt")
+def goal_test_without_wrap(*given):
+    """The seed's own mistake."""
+    return rrt(*given, there=lambda problem, q: is_there(problem, q, wrap=False))
+
+
+@wrong("kinodynamic_rrt")
+def goal_test_of_places(*given):
+    """Any heading will do."""
+    return rrt(*given, there=lambda problem, q: is_there(problem, q, heading=False))
+
+
+@wrong("kinodynamic_rrt")
+def no_region(*given):
+    """The region bias is ignored."""
+    return rrt(*given, where=lambda problem, turn, rng: place(problem, turn, rng, region_every=0))
+
+
+@wrong("kinodynamic_rrt")
+def no_goal_bias(*given):
+    """The goal is never a target."""
+    return rrt(*given, where=lambda problem, turn, rng: place(problem, turn, rng, goal_every=0))
+
+
+@wrong("kinodynamic_rrt")
+def always_the_goal(*given):
+    """Greedy."""
+    return rrt(*given, where=lambda problem, turn, rng: problem.goal)
+
+
+@wrong("kinodynamic_rrt")
+def turns_from_zero(*given):
+    """range(iterations): the region and the goal come a turn late."""
+    return rrt(*given, first=0)
+
+
+@wrong("kinodynamic_rrt")
+def from_the_root(*given):
+    """Always from the start."""
+    return rrt(*given, choose=lambda order, k: [0])
+
+
+@wrong("kinodynamic_rrt")
+def from_the_farthest(*given):
+    """argmax."""
+    return rrt(*given, choose=lambda order, k: order[-1:])
+
+
+@wrong("kinodynamic_rrt")
+def from_the_newest(*given):
+    """A snake, no tree."""
+    return rrt(*given, choose=lambda order, k: [len(order) - 1])
+
+
+@wrong("kinodynamic_rrt")
+def one_control_unchecked(problem, *given):
+    """A random control, and no question about contact."""
+
+    def drive(q, target, rng):
+        v, phi = problem.control(rng)
+        return v, phi, problem.longest
+
+    return rrt(problem, *given, drive=drive)
+
+
+@wrong("kinodynamic_rrt")
+def driven_to_the_end(problem, *given):
+    """The cut is ignored: the control is held for the longest time, and what comes then is not checked."""
+
+    def drive(q, target, rng):
+        found = problem.best_drive(q, target, rng)
+        return found and (*found[:2], problem.longest)
+
+    return rrt(problem, *given, drive=drive)
+
+
+@wrong("kinodynamic_rrt")
+def endpoint_checked(problem, *given):
+    """Only where it ends."""
+
+    def drive(q, target, rng):
+        v, phi = problem.control(rng)
+        return (v, phi, problem.longest) if problem.is_free(problem.move(q, v, phi, problem.longest)) else None
+
+    return rrt(problem, *given, drive=drive)
+
+
+@wrong("kinodynamic_rrt")
+def corners_checked(problem, *given):
+    """Ten moments, four corners, and the walls of the room only."""
+
+    def drive(q, target, rng):
+        v, phi = problem.control(rng)
+        for s in np.linspace(0, problem.longest, 10):
+            x, y, theta = problem.move(q, v, phi, s)
+            for a, b in problem.robot.outline:
+                corner = x + a * math.cos(theta) - b * math.sin(theta), y + a * math.sin(theta) + b * math.cos(theta)
+                if not (0 < corner[0] < problem.world.hi[0] and 0 < corner[1] < problem.world.hi[1]):
+                    return None
+        return v, phi, problem.longest
+
+    return rrt(problem, *given, drive=drive)
+
+
+@wrong("kinodynamic_rrt")
+def random_by_the_clock(*given):
+    """A generator without a seed."""
+    return rrt(*given, seed=random.SystemRandom().randrange(2**32))
+
+
+@wrong("kinodynamic_rrt")
+def global_chance(problem, iterations, rng):
+    """numpy's global chance, seeded."""
+    np.random.seed(rng)
+    return rrt(problem, iterations, int(np.random.randint(10**6)))
+
+
+@wrong("kinodynamic_rrt")
+def one_seed_for_all(problem, iterations, rng):
+    """default_rng(0)."""
+    return rrt(problem, iterations, 0)
+
+
+@wrong("kinodynamic_rrt")
+def path_from_the_goal(*given):
+    """Not turned round."""
+    parent, controls, durations, path = rrt(*given)
+    return parent, controls, durations, path[::-1]
+
+
+@wrong("kinodynamic_rrt")
+def path_to_the_last(*given):
+    """On failure the last node, not the nearest."""
+    return rrt(*given, closest=False)
+
+
+@wrong("kinodynamic_rrt")
+def goes_on_at_the_goal(*given):
+    """Never stops."""
+    return rrt(*given, stop=False)
+
+
+@wrong("kinodynamic_rrt")
+def times_since_the_start(*given):
+    """Durations added up."""
+    _, parent, controls, durations, ends = grown(*given)
+    clock = list(durations)
+    for i, p in enumerate(parent[1:], 1):
+        clock[i] += clock[p]
+    return parent, controls, clock, path_to(parent, ends[0])
+
+
+@wrong("kinodynamic_rrt")
+def phi_in_degrees(*given):
+    """Converted for the eye."""
+    parent, controls, durations, path = rrt(*given)
+    return parent, [(v, math.degrees(phi)) for v, phi in controls], durations, path
+
+
+@wrong("kinodynamic_prm")
+def first_that_arrives(*given):
+    """The oldest node near the goal."""
+    problem, k, iterations, rng = given
+    _, parent, controls, durations, ends = grown(problem, iterations, rng, k=k, stop=False)
+    return [(p, i) for i, p in enumerate(parent)][1:], controls[1:], durations[1:], path_to(parent, ends[0])
+
+
+@wrong("kinodynamic_prm")
+def closest_not_fastest(problem, k, iterations, rng):
+    """The node nearest to the goal, whenever it is reached."""
+    nodes, parent, controls, durations, _ = grown(problem, iterations, rng, k=k, stop=False)
+    nearest = int(np.argmin([problem.distance(q, problem.goal) for q in nodes]))
+    return [(p, i) for i, p in enumerate(parent)][1:], controls[1:], durations[1:], path_to(parent, nearest)
+
+
+@wrong("kinodynamic_prm")
+def fewest_drives(problem, k, iterations, rng):
+    """Breadth first."""
+    _, parent, controls, durations, ends = grown(problem, iterations, rng, k=k, stop=False)
+    edges = [(p, i) for i, p in enumerate(parent)][1:]
+    return edges, controls[1:], durations[1:], min((path_to(parent, i) for i in ends), key=len)
+
+
+@wrong("kinodynamic_prm")
+def edges_turned(*given):
+    """To, from."""
+    edges, *others = prm(*given)
+    return [(b, a) for a, b in edges], *others
+
+
+@wrong("kinodynamic_prm")
+def only_the_nearest(problem, k, iterations, rng):
+    """k is ignored."""
+    return prm(problem, 1, iterations, rng)
+
+
+@wrong("kinodynamic_prm")
+def the_farthest(*given):
+    """The last k of the order."""
+    return prm(*given, choose=lambda order, k: order[-k:])
+
+
+@wrong("kinodynamic_prm")
+def from_new_ones(problem, k, iterations, rng):
+    """Sorts anew after each drive: the second drive may start where the first has just ended."""
+    rng = np.random.default_rng(rng)
+    nodes, edges, controls, durations, times = [problem.start], [], [], [], [0.0]
+    for turn in range(1, iterations + 1):
+        target = place(problem, turn, rng)
+        for i in range(min(k, len(nodes))):
+            near = int(np.argsort([problem.distance(q, target) for q in nodes], kind="stable")[i])
+            found = problem.best_drive(nodes[near], target, rng)
+            if found is not None:
+                edges.append((near, len(nodes)))
+                nodes.append(problem.move(nodes[near], *found))
+                controls.append(found[:2])
+                durations.append(found[2])
+                times.append(times[near] + found[2])
+    ends = [i for i, q in enumerate(nodes) if is_there(problem, q)]
+    ends = ends or [int(np.argmin([problem.distance(q, problem.goal) for q in nodes]))]
+    return edges, controls, durations, path_to([-1, *(u for u, _ in edges)], min(ends, key=lambda i: times[i]))
+
+
+@wrong("kinodynamic_prm")
+def roadmap_without_region(*given):
+    """The region bias is ignored."""
+    return prm(*given, where=lambda problem, turn, rng: place(problem, turn, rng, region_every=0))
+
+
+@wrong("kinodynamic_prm")
+def roadmap_without_wrap(*given):
+    """The goal test does not wrap."""
+    return prm(*given, there=lambda problem, q: is_there(problem, q, wrap=False))
+
+
+@wrong("kinodynamic_prm")
+def stops_at_the_goal(*given):
+    """As a tree does: fewer ways to choose from. Seen where the goal is out of reach: it stops for any heading."""
+    return prm(*given, stop=True, there=lambda problem, q: math.dist(q[:2], problem.start[:2]) > 100)
+
+
+@wrong("kinodynamic_prm")
+def roadmap_by_the_clock(*given):
+    """A generator without a seed."""
+    return prm(*given, seed=random.SystemRandom().randrange(2**32))
+
+
+@wrong("kinodynamic_prm")
+def start_left_out(*given):
+    """The path without node 0."""
+    edges, controls, durations, path = prm(*given)
+    return edges, controls, durations, path[1:] or [len(edges)]
+
+
+# The fastest drive
+
+
+def dijkstra(n, edges, controls, durations, ends, *, rows=None):
+    rows = [(*pair, t) for pair, t in zip(edges, durations)] if rows is None else rows
+    far, parent, queue = {0: 0.0}, {0: -1}, [(0.0, 0)]
+    while queue:
+        d, u = heapq.heappop(queue)
+        for a, b, t in rows:
+            if a == u and d + t < far.get(b, math.inf):
+                far[b], parent[b] = d + t, u
+                heapq.heappush(queue, (d + t, int(b)))
+    reached = [int(end) for end in ends if end in far]
+    if not reached:
+        return None
+    path = [min(reached, key=far.get)]
+    while parent[path[-1]] >= 0:
+        path.append(int(parent[path[-1]]))
+    return path[::-1]
+
+
+@wrong("fastest_drive", slip="undirected")
+def both_ways(n, edges, controls, durations, ends):
+    """The seed's own mistake."""
+    rows = [(*pair, t) for pair, t in zip(edges, durations)]
+    return dijkstra(n, edges, controls, durations, ends, rows=rows + [(b, a, t) for a, b, t in rows])
+
+
+@wrong("fastest_drive", slip="fewest")
+def breadth_first(n, edges, controls, durations, ends):
+    """Each drive counts one."""
+    return dijkstra(n, edges, controls, np.ones(len(edges)), ends)
+
+
+@wrong("fastest_drive", slip="length")
+def shortest_not_fastest(n, edges, controls, durations, ends):
+    """Lengths, though durations are asked for."""
+    return dijkstra(n, edges, controls, [abs(v) * t for (v, _), t in zip(controls, durations)], ends)
+
+
+@wrong("fastest_drive", slip="first_end")
+def one_end(n, edges, controls, durations, ends):
+    """ends[0]."""
+    return dijkstra(n, edges, controls, durations, ends[:1])
+
+
+@wrong("fastest_drive", slip="against")
+def against_the_arrows(n, edges, controls, durations, ends):
+    """(to, from)."""
+    return dijkstra(n, edges, controls, durations, ends, rows=[(b, a, t) for (a, b), t in zip(edges, durations)])
+
+
+@wrong("fastest_drive", slip="backwards")
+def from_the_end(*given):
+    """Not turned round."""
+    path = dijkstra(*given)
+    return path and path[::-1]
+
+
+@wrong("fastest_drive", slip="no_start")
+def without_the_start(*given):
+    """Node 0 is left out."""
+    path = dijkstra(*given)
+    return path if path is None else path[1:]
+
+
+@wrong("fastest_drive", slip="no_end")
+def without_the_end(*given):
+    """The end is left out."""
+    path = dijkstra(*given)
+    return path if path is None else path[:-1]
+
+
+@wrong("fastest_drive")
+def empty_for_none(*given):
+    """An empty list where there is no drive."""
+    return dijkstra(*given) or []
+
+
+@wrong("fastest_drive")
+def greedy(n, edges, controls, durations, ends):
+    """The quickest drive from each node."""
+    path = [0]
+    while path[-1] not in ends:
+        on = [(t, int(b)) for (a, b), t in zip(edges, durations) if a == path[-1] and b not in path]
+        if not on:
+            return None
+        path.append(min(on)[1])
+    return path

@@ -1,0 +1,121 @@
+"""Lesson 13: what its exercises hand out and claim, against independent computations."""
+
+import csv
+import json
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+import shapely
+
+from kinoedu.course.drivable import REGION, DrivenTask, drivable
+from kinoedu.course.exercises import best_controls, fastest_drives, garages, kinodynamic, pose_distances
+from kinoedu.course.exercises.driven_trees import near_ones, why_not_driven
+from kinoedu.curves.integrators import runge_kutta
+from kinoedu.experiments import read_experiment
+from kinoedu.spaces.angles import short_way, wrapped
+
+EXPERIMENTS = Path(__file__).resolve().parent.parent / "notebooks" / "experiments"
+
+
+@pytest.mark.parametrize("name", garages.KINDS)
+def test_a_problem_travels_and_reads_as_the_line_that_makes_it(name):
+    """Through JSON, and through what a student copies; made anew, of it nothing has been asked."""
+    problem = garages.GARAGES[name]
+    sent = DrivenTask().decode(json.loads(json.dumps(DrivenTask().encode(problem))))
+    copied = eval(repr(problem), {"drivable": drivable})
+    assert DrivenTask().encode(sent) == DrivenTask().encode(copied) == DrivenTask().encode(problem.anew())
+    problem.sample(np.random.default_rng(0))
+    assert problem.anew().counts() == {}
+
+
+def test_moves_agree_with_fine_steps_and_drives_are_cut_where_they_are_closest():
+    """What the problem answers, against Runge and Kutta; the best drive is no farther at its cut than at any other of its steps."""
+    problem, rng = garages.GARAGES["room"], np.random.default_rng(1)
+    for _ in range(10):
+        v, phi = problem.problem.control(rng)
+        stepped = runge_kutta(problem.start, v, math.tan(phi) / 20, 7.0, 300)[-1]
+        assert problem.move(problem.start, v, phi, 7.0) == pytest.approx(stepped, abs=1e-6)
+        target = problem.near_goal(rng)
+        assert math.dist(target[:2], problem.goal[:2]) <= REGION * 20
+        v, phi, t = problem.best_drive(problem.start, target, rng)
+        away = [problem.distance(problem.move(problem.start, v, phi, k * problem.longest / 30), target) for k in range(1, 31)]
+        assert problem.distance(problem.move(problem.start, v, phi, t), target) <= min(away) + 1e-9
+        assert problem.is_free_drive(problem.start, v, phi, t)
+
+
+def test_distances_of_poses_by_complex_numbers():
+    """The short way is the angle of a quotient."""
+    for case in pose_distances.HeadingDistance().cases(np.random.default_rng(5)):
+        a, b, radian = case.given.values()
+        turn = np.angle(np.exp(1j * (a[2] - b[2])))
+        assert pose_distances.pose_distance(a, b, radian) == pytest.approx(np.linalg.norm([*(a - b)[:2], radian * turn]))
+
+
+@pytest.mark.parametrize("seed", range(2))
+def test_cases_of_the_best_control_are_as_stated(seed):
+    """By all pairs of a control and a step: the closest step of each control, then the closest control that is free."""
+    for case in best_controls.BestControl().cases(np.random.default_rng(seed)):
+        problem, q, target, controls, t, n = case.given.values()
+        away = np.array([[problem.distance(problem.move(q, *u, k * t / n), target) for k in range(1, n + 1)] for u in controls])
+        cuts = away.argmin(axis=1) + 1
+        free = [problem.is_free_drive(q, *u, k * t / n) for u, k in zip(controls, cuts)]
+        left = np.where(free, away.min(axis=1), np.inf)
+        best = int(left.argmin())
+        assert best_controls.best_of_controls(*case.given.values()) == ((best, cuts[best]) if any(free) else None)
+
+
+def test_fastest_drives_by_relaxing_again_and_again():
+    """Against Bellman's and Ford's algorithm."""
+    for case in fastest_drives.FastestDrive().cases(np.random.default_rng(3)):
+        n, edges, _, durations, ends = case.given.values()
+        time = np.where(np.arange(n) == 0, 0.0, np.inf)
+        for _ in range(n):
+            for (u, v), t in zip(edges, durations):
+                time[v] = min(time[v], time[u] + t)
+        way, least = fastest_drives.fastest(*case.given.values()), time[ends].min(initial=np.inf)
+        assert (way is None) == (least == np.inf)
+        assert way is None or fastest_drives.lasts(way, edges, durations) == pytest.approx(least)
+
+
+def test_replayed_trees_touch_nothing():
+    """Bodies along every drive of a tree among posts, by shapely."""
+    problem = garages.GARAGES["thin"]
+    parent, controls, durations, path = kinodynamic.own_kinodynamic_rrt(problem, 80, 4)
+    tree = kinodynamic.DrivenTree(None, np.array(parent), np.array(controls), np.array(durations))
+    fault, nodes = why_not_driven(problem, tree)
+    assert fault is None
+    solid = shapely.union_all([shapely.Polygon(post) for post in garages.POSTS])
+    for i in range(1, len(nodes)):
+        for t in np.linspace(0.0, durations[i], 12):
+            x, y, theta = problem.move(nodes[parent[i]], *controls[i], t)
+            turn = np.array([[math.cos(theta), math.sin(theta)], [-math.sin(theta), math.cos(theta)]])
+            assert not shapely.Polygon(garages.CAR.outline @ turn + (x, y)).intersects(solid)
+    assert path[0] == 0
+    assert [parent[b] for b in path[1:]] == list(path[:-1])
+
+
+def test_near_enough_is_judged_across_pi():
+    """A goal with the heading pi is reached from both sides."""
+    problem = garages.GARAGES["seam"]
+    x, y, _ = problem.goal
+    poses = np.array([(x, y, math.pi - 0.2), (x, y, -math.pi + 0.2), (x, y, math.pi - 0.3), (x + 5.1, y, math.pi)])
+    assert near_ones(problem, poses).tolist() == [0, 1]
+    assert abs(short_way(wrapped(math.pi - 0.2), -math.pi)) == pytest.approx(0.2)
+
+
+def test_the_stored_table_is_of_the_experiment_beside_it():
+    """Its problems, planners and seeds; and all of them were run."""
+    asked = read_experiment(EXPERIMENTS / "driving.toml")
+    with open(EXPERIMENTS / "driving.csv", encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    wanted = {(p, c.name, str(seed)) for p in asked.problems for c in asked.contestants for seed in asked.seeds}
+    assert {(row["problem"], row["planner"], row["seed"]) for row in rows} == wanted
+    assert {row["status"] for row in rows} == {"found", "no path"}
+
+
+@pytest.mark.parametrize("name", ["driving_tuning", "driving_obstacles"])
+def test_the_other_experiments_can_be_read(name):
+    """Every file that they name is there, and every argument is known."""
+    assert len(read_experiment(EXPERIMENTS / f"{name}.toml").contestants) >= 2
