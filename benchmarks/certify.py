@@ -4,15 +4,17 @@ A stretch of a motion is certified where the gap at its middle is more than any 
 not is halved. A stretch still uncertain after `HALVINGS` is taken to be free: its ends and its middle are.
 """
 
+from collections.abc import Callable
 from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
 import shapely
 
-from kinoedu import Plan
+from kinoedu import Plan, trajectory_along
 from kinoedu.problems import ProblemRecord
 from kinoedu.robots.arm import ArmRobot
+from kinoedu.robots.car import CarRobot
 from kinoedu.robots.polygon import RigidPolygonRobot
 from kinoedu.robots.round import RoundRobot
 from kinoedu.worlds.polygon_world import discs_of, rings_of
@@ -51,7 +53,7 @@ def bodies(robot: object, qs: np.ndarray) -> tuple[np.ndarray, float]:
         links = robot.lengths[:, None] * np.stack([np.cos(angles), np.sin(angles)], -1)
         joints = robot.base + np.concatenate([np.zeros((len(qs), 1, 2)), np.cumsum(links, axis=1)], axis=1)
         return shapely.linestrings(joints), float(robot.shape.radius[0])
-    theta = qs[:, 2:3] if isinstance(robot, RigidPolygonRobot) else np.zeros((len(qs), 1))
+    theta = qs[:, 2:3] if isinstance(robot, RigidPolygonRobot | CarRobot) else np.zeros((len(qs), 1))
     (x, y), cos, sin = robot.outline.T, np.cos(theta), np.sin(theta)
     return shapely.polygons(np.stack([cos * x - sin * y + qs[:, :1], sin * x + cos * y + qs[:, 1:2]], -1)), 0.0
 
@@ -69,29 +71,49 @@ def gaps(robot: object, scenery: Scenery, qs: np.ndarray) -> np.ndarray:
     return apart - radius + (CONTACT if radius > 0.0 or len(scenery.discs) else 0.0)
 
 
-def change(robot: object, a: np.ndarray, b: np.ndarray) -> tuple[np.ndarray, float]:
-    """What a motion adds to a, angles the short way round, and how far any point of the body moves at most."""
+class Motion(NamedTuple):
+    """Where the robot is after any shares (m,) of a motion, (m, d), and how far any point of its body moves at most."""
+
+    at: Callable[[np.ndarray], np.ndarray]
+    farthest: float
+
+
+def straight(robot: object, a: np.ndarray, b: np.ndarray) -> Motion:
+    """The motion from a to b, angles the short way round."""
     way = b - a
     if isinstance(robot, ArmRobot):
         way = (way + np.pi) % (2 * np.pi) - np.pi
-        return way, float(np.abs(np.cumsum(way)) @ robot.lengths)
-    if isinstance(robot, RigidPolygonRobot):
+        farthest = float(np.abs(np.cumsum(way)) @ robot.lengths)
+    elif isinstance(robot, RigidPolygonRobot):
         way[2] = (way[2] + np.pi) % (2 * np.pi) - np.pi
-        return way, float(np.hypot(way[0], way[1]) + abs(way[2]) * np.hypot(*robot.outline.T).max())
-    return way, float(np.hypot(way[0], way[1]))
+        farthest = float(np.hypot(way[0], way[1]) + abs(way[2]) * np.hypot(*robot.outline.T).max())
+    else:
+        farthest = float(np.hypot(way[0], way[1]))
+    return Motion(lambda shares: a + np.outer(shares, way), farthest)
 
 
-def is_free_motion(robot: object, scenery: Scenery, a: np.ndarray, b: np.ndarray) -> bool:
-    """Whether the whole motion from a to b is free."""
-    way, farthest = change(robot, a, b)
-    if (gaps(robot, scenery, a + np.outer([0.0, 0.5, 1.0], way)) <= 0.0).any():
+def arc(car: CarRobot, pose: np.ndarray, length: float, steering: float) -> Motion:
+    """The drive from a pose for a signed length, the steering held: the chord's heading is the mean of the two headings."""
+    turned = length * np.tan(steering) / car.wheelbase
+
+    def at(shares: np.ndarray) -> np.ndarray:
+        half = 0.5 * turned * shares
+        chord, heading = length * shares * np.sinc(half / np.pi), pose[2] + half
+        return np.column_stack([pose[0] + chord * np.cos(heading), pose[1] + chord * np.sin(heading), pose[2] + 2.0 * half])
+
+    return Motion(at, float(abs(length) + abs(turned) * np.hypot(*car.outline.T).max()))
+
+
+def is_free_motion(robot: object, scenery: Scenery, motion: Motion) -> bool:
+    """Whether the whole motion is free."""
+    if (gaps(robot, scenery, motion.at(np.array([0.0, 0.5, 1.0]))) <= 0.0).any():
         return False
     middles, half = np.array([0.5]), 0.5
     for _ in range(HALVINGS):
-        apart = gaps(robot, scenery, a + np.outer(middles, way))
+        apart = gaps(robot, scenery, motion.at(middles))
         if (apart <= 0.0).any():
             return False
-        uncertain = middles[apart <= half * farthest]
+        uncertain = middles[apart <= half * motion.farthest]
         if len(uncertain) == 0:
             return True
         half /= 2.0
@@ -110,6 +132,8 @@ def is_valid(plan: Plan, *, semi_free: bool = False) -> bool:
     """Whether a plan's path goes from the start to the goal, is as long as it says, and free (semi-free) all the way."""
     problem, path = plan.problem, plan.path
     assert isinstance(problem, ProblemRecord) and path is not None
+    if isinstance(problem.robot, CarRobot):
+        return is_valid_drive(plan, problem)
     if not (np.array_equal(path[0], problem.start) and np.array_equal(path[-1], problem.goal)):
         return False
     length = sum(problem.distance(a, b) for a, b in pairwise(path))
@@ -117,5 +141,39 @@ def is_valid(plan: Plan, *, semi_free: bool = False) -> bool:
     if semi_free:
         free = all(is_semi_free_motion(scenery, a, b) for a, b in pairwise(path))
     else:
-        free = all(is_free_motion(problem.robot, scenery, a, b) for a, b in pairwise(path))
+        free = all(is_free_motion(problem.robot, scenery, straight(problem.robot, a, b)) for a, b in pairwise(path))
     return free and bool(np.isclose(length, plan.cost, rtol=1e-9))
+
+
+def is_valid_drive(plan: Plan, problem: ProblemRecord) -> bool:
+    """The same for a car, whose controls are replayed: from the start along the path's poses, each arc free, to the goal or, for
+    planners that drive at random, to what counts as the goal."""
+    car, there, path = problem.robot, trajectory_along(plan), plan.path
+    scenery, passed = scenery_of(problem.world), [np.array(there.start)]
+    for (v, phi), t in zip(there.controls, there.durations):
+        if abs(phi) > car.max_steering * (1.0 + 1e-12) or not np.isin(v, car.speeds) or t < 0.0:
+            return False
+        drive = arc(car, passed[-1], v * t, phi)
+        if not is_free_motion(car, scenery, drive):
+            return False
+        passed.append(drive.at(np.array([1.0]))[0])
+    off = [min(pose_difference(q, pose) for pose in passed) for q in path]
+    near = plan.planner.startswith(("kinodynamic", "SST"))
+    tolerance = np.array([0.25 * car.wheelbase, np.radians(15.0)]) if near else np.full(2, 1e-6)
+    return (
+        np.array_equal(there.start, problem.start)
+        and max(off) < 1e-6
+        and pose_difference(path[-1], passed[-1]) < 1e-6
+        and bool((np.abs(pose_offset(path[-1], problem.goal)) <= tolerance).all())
+        and bool(np.isclose(there.length, plan.cost, rtol=1e-9))
+    )
+
+
+def pose_offset(p: np.ndarray, q: np.ndarray) -> np.ndarray:
+    """How far two poses are apart, and by what angle, shape (2,)."""
+    return np.array([np.hypot(*(p - q)[:2]), (p[2] - q[2] + np.pi) % (2 * np.pi) - np.pi])
+
+
+def pose_difference(p: np.ndarray, q: np.ndarray) -> float:
+    """The larger of the two."""
+    return float(np.abs(pose_offset(p, q)).max())

@@ -8,6 +8,7 @@ import argparse
 import json
 import time
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -72,7 +73,21 @@ PLANNERS: dict[str, Callable[[ProblemRecord, np.random.Generator], Plan]] = {
     "rrt_connect (curves)": lambda problem, rng: ke.rrt_connect(problem, max_nodes=3000, rng=rng),
     "kinodynamic_rrt": lambda problem, rng: ke.kinodynamic_rrt(problem, max_iterations=5000, rng=rng),
     "sst": lambda problem, rng: ke.sst(problem, rng=rng),
+    "hybrid_astar": lambda problem, rng: ever_finer(problem),
 }
+LADDER = [(0.25, 0.375), (0.03, 0.125), (0.004, 0.04)]  # spacing and step of hybrid A*, in wheelbases
+
+
+def ever_finer(problem: ProblemRecord) -> Plan:
+    """Hybrid A*, ever finer, by turns from the start and from the goal, whence the drive is turned round."""
+    out, base = ke.Problem(problem.robot, problem.world, problem.goal, problem.start), problem.robot.wheelbase
+    for spacing, step in LADDER:
+        for asked in (problem, out):
+            plan = ke.hybrid_astar(asked, spacing=spacing * base, step=step * base, max_nodes=50_000)
+            if plan.path is not None:
+                there = plan.trajectory if asked is problem else plan.trajectory.reversed
+                return replace(plan, path=there.poses, trajectory=there, problem=problem)
+    return plan
 
 
 def first_path(planner: Callable[..., Plan], case: Case, seconds: float) -> tuple[Plan | None, float]:

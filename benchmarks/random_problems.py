@@ -12,7 +12,7 @@ SIDE = 10.0
 SQUARE = [(0, 0), (SIDE, 0), (SIDE, SIDE), (0, SIDE)]
 NOTCHED = [(0, 0), (SIDE, 0), (SIDE, SIDE), (6, SIDE), (5, 6.5), (4, SIDE), (0, SIDE)]
 L_SHAPE = np.array([(-0.5, -0.2), (0.6, -0.2), (0.6, 0.1), (-0.2, 0.1), (-0.2, 0.7), (-0.5, 0.7)])
-ROBOTS = ("point", "disk", "sliding polygon", "turning polygon", "arm")
+ROBOTS = ("point", "disk", "sliding polygon", "turning polygon", "arm", "car")
 WORLDS = ("polygons", "discs too", "terrain")
 
 
@@ -45,6 +45,9 @@ def robot_at_random(kind: str, rng: np.random.Generator) -> object:
         return ke.Point()
     if kind == "disk":
         return ke.Disk(rng.uniform(0.05, 0.5))
+    if kind == "car":
+        length, speeds = rng.uniform(0.6, 1.6), (-1.0, 1.0) if rng.random() < 0.7 else (1.0,)
+        return ke.Car(length, rng.uniform(0.3, 0.5) * length, 0.6 * length, max_steering=rng.uniform(0.4, 0.9), speeds=speeds)
     if kind == "arm":
         return ke.TwoLinkArm(*rng.uniform(1.0, 2.5, 2), rng.uniform(0.0, 0.3), base=rng.uniform(3.0, 7.0, 2))
     outline = rng.uniform(0.4, 1.2) * L_SHAPE if rng.random() < 0.7 else L_SHAPE * (1.5, 0.05)
@@ -77,4 +80,4 @@ def ends_at_random(robot: str, world: object, rng: np.random.Generator) -> np.nd
     if robot == "arm":
         return rng.uniform(-np.pi, np.pi, (2, 2))
     places = rng.uniform(0, SIDE, (2, 2))
-    return np.column_stack([places, rng.uniform(-np.pi, np.pi, 2)]) if robot == "turning polygon" else places
+    return np.column_stack([places, rng.uniform(-np.pi, np.pi, 2)]) if robot in ("turning polygon", "car") else places

@@ -2,17 +2,6 @@
    numbers, so that it must grow the very same tree. */
 #include "ruler.h"
 
-typedef struct {
-    double *nodes; int64_t *parent; int64_t size, capacity;
-    double x, y, cell; int64_t columns, rows;
-    int64_t *head, *next;
-} Tree;
-
-static void bucket_of(const Tree *t, double x, double y, int64_t *i, int64_t *j) {
-    *i = (int64_t)fmin(fmax((x - t->x) / t->cell, 0.0), t->columns - 1.0);
-    *j = (int64_t)fmin(fmax((y - t->y) / t->cell, 0.0), t->rows - 1.0);
-}
-
 static int64_t add(Tree *t, double x, double y, int64_t parent) {
     int64_t i, j, node = t->size++;
     t->nodes[2 * node] = x;

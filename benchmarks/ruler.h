@@ -1,5 +1,5 @@
-/* What the rulers share: kinoedu's exact test of a point's motion among polygons, in C on the same flat arrays. Where orientation
-   is in doubt they give up (counted) instead of going exact. */
+/* What the rulers share: worlds and trees, and kinoedu's exact test of a point's motion among polygons, in C on the same flat
+   arrays. Where orientation is in doubt they give up (counted) instead of going exact. */
 #include <math.h>
 #include <stdint.h>
 
@@ -66,4 +66,15 @@ static int free_path(const World *w, double ax, double ay, double bx, double by)
         }
     }
     return 1;
+}
+
+typedef struct {
+    double *nodes; int64_t *parent; int64_t size, capacity;
+    double x, y, cell; int64_t columns, rows;
+    int64_t *head, *next;
+} Tree;
+
+static void bucket_of(const Tree *t, double x, double y, int64_t *i, int64_t *j) {
+    *i = (int64_t)fmin(fmax((x - t->x) / t->cell, 0.0), t->columns - 1.0);
+    *j = (int64_t)fmin(fmax((y - t->y) / t->cell, 0.0), t->rows - 1.0);
 }

@@ -28,7 +28,7 @@ class World(ctypes.Structure):
 
 
 class Tree(ctypes.Structure):
-    """`Tree` of rrt_ruler.c."""
+    """`Tree` of ruler.h."""
 
     _fields_ = (
         *[("nodes", DOUBLES), ("parent", INTEGERS), ("size", c_int64), ("capacity", c_int64)],

@@ -96,7 +96,7 @@ def row(ours: np.ndarray, theirs: np.ndarray, goal: Goal) -> list[str]:
 
 def surroundings() -> str:
     """What the numbers depend on: versions, processor, load."""
-    names = ("numpy", "numba", "scipy", "ompl", "pathplanning")
+    names = ("numpy", "numba", "scipy", "ompl", "pathplanning", "roboticstoolbox-python", "rsplan")
     versions = [f"{name} {found}" for name in names if (found := installed(name))]
     load = f", load {os.getloadavg()[0]:.1f}" if hasattr(os, "getloadavg") else ""
     return f"Python {platform.python_version()}, {', '.join(versions)}, {platform.machine()}, {os.cpu_count()} cores{load}"

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable
 from typing import Any, NamedTuple
 
 from certify import is_valid
-from random_problems import Drawn, drawn
+from random_problems import ROBOTS, WORLDS, Drawn, drawn
 from timing import surroundings
 
 import kinoedu as ke
@@ -19,6 +19,7 @@ PLANNERS: dict[str, Callable[[Any, int], ke.Plan]] = {
     "RRT*": lambda problem, seed: ke.rrt_star(problem, max_nodes=400, rng=seed),
     "informed RRT*": lambda problem, seed: ke.informed_rrt_star(problem, max_nodes=400, rng=seed),
     "PRM": lambda problem, seed: ke.prm(problem, n=200, k=8, rng=seed),
+    "PRM*": lambda problem, seed: ke.prm_star(problem, n=150, rng=seed),
     "RRT, shortcuts": lambda problem, seed: ke.shortcut(ke.rrt(problem, max_nodes=1500, rng=seed), tries=60, rng=seed),
 }
 ON_A_GRID = {"A* on a grid": lambda problem, seed: ke.plan_on_grid(problem)}
@@ -26,7 +27,15 @@ EXACT = {
     "decomposition": lambda problem, seed: ke.plan_by_decomposition(problem),
     "visibility": lambda problem, seed: ke.plan_by_visibility(problem),
 }
+DRIVING = {
+    "kinodynamic RRT": lambda problem, seed: ke.kinodynamic_rrt(problem, max_iterations=2000, rng=seed),
+    "kinodynamic PRM": lambda problem, seed: ke.kinodynamic_prm(problem, iterations=700, rng=seed),
+    "SST": lambda problem, seed: ke.sst(problem, max_iterations=10_000, rng=seed),
+    "hybrid A*": lambda problem, seed: ke.hybrid_astar(problem, max_nodes=20_000),
+}
+ONE_WAY = {"RRT", *DRIVING}  # those that plan for a car which only goes forward
 SEMI_FREE = ("visibility",)
+KINDS = len(ROBOTS) * len(WORLDS)
 
 
 class Outcome(NamedTuple):
@@ -46,6 +55,10 @@ def planners_for(case: Drawn, only: list[str] | None = None) -> dict[str, Callab
         fitting |= ON_A_GRID
     if (case.robot, case.world) == ("point", "polygons"):
         fitting |= EXACT
+    if case.robot == "car":
+        fitting |= DRIVING
+        if not case.problem.robot.both_ways:
+            fitting = {name: plan for name, plan in fitting.items() if name in ONE_WAY}
     return {name: plan for name, plan in fitting.items() if only is None or name in only}
 
 
@@ -55,7 +68,7 @@ def outcome(seed: int, only: list[str] | None = None) -> Outcome | None:
     fitting = planners_for(case, only)
     if not fitting:
         return None
-    name = list(fitting)[seed // 15 % len(fitting)]
+    name = list(fitting)[seed // KINDS % len(fitting)]
     plan = fitting[name](case.problem, seed)
     solved = plan.path is not None
     return Outcome(name, f"{case.robot}, {case.world}", seed, solved, not solved or is_valid(plan, semi_free=name in SEMI_FREE))
@@ -82,7 +95,7 @@ def main() -> None:
     options = argparse.ArgumentParser(description=__doc__)
     options.add_argument("--problems", type=int, default=10_000)
     options.add_argument("--first", type=int, default=0, help="the first seed")
-    options.add_argument("--planners", nargs="+", choices=[*PLANNERS, *ON_A_GRID, *EXACT], help="these alone (all)")
+    options.add_argument("--planners", nargs="+", choices=[*PLANNERS, *ON_A_GRID, *EXACT, *DRIVING], help="these alone (all)")
     given = options.parse_args()
     began = time.perf_counter()
     tried = (outcome(seed, given.planners) for seed in range(given.first, given.first + given.problems))

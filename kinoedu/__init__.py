@@ -17,7 +17,7 @@ from importlib import import_module
 from typing import Any
 
 from . import collision, curves, decomposition, geometry, graphs, planners, problems, robots, scenes, spaces, worlds
-from .collision import link_in_contact
+from .collision import collision_bound, collision_probability, link_in_contact
 from .curves import dubins_path, reeds_shepp_path
 from .decomposition import decomposition_roadmap, sweep, trapezoidation, triangulation
 from .graphs import Graph, astar, bfs_path, bfs_tree, dfs_path, dijkstra
@@ -39,6 +39,7 @@ from .planners import (
     changed_box,
     changing_roadmap,
     grid_roadmap,
+    hybrid_astar,
     informed_rrt_star,
     kinodynamic_prm,
     kinodynamic_rrt,
@@ -46,6 +47,7 @@ from .planners import (
     plan_by_cells_with_headings,
     plan_by_decomposition,
     plan_by_visibility,
+    plan_in_time,
     plan_on_grid,
     plan_on_roadmap,
     prm,
@@ -67,7 +69,8 @@ from .problems import Plan, Problem, Recorder
 from .robots import Car, Disk, Point, RigidPolygon, Trajectory, TranslatingPolygon, TwoLinkArm
 from .scenes import read_problem, read_scene, write_scene
 from .spaces import circle_distance, torus_distance
-from .worlds import PolygonWorld, Terrain, read_world, scan
+from .timed_problems import TimedProblem
+from .worlds import Moving, MovingWorld, PolygonWorld, Terrain, UncertainWorld, read_world, scan
 
 __version__ = "0.1.0"
 
@@ -95,6 +98,8 @@ __all__ = [
     "Disk",
     "Graph",
     "KClosest",
+    "Moving",
+    "MovingWorld",
     "Plan",
     "Point",
     "PolygonWorld",
@@ -103,9 +108,11 @@ __all__ = [
     "Recorder",
     "RigidPolygon",
     "Terrain",
+    "TimedProblem",
     "Trajectory",
     "TranslatingPolygon",
     "TwoLinkArm",
+    "UncertainWorld",
     "after_change",
     "alternative_routes",
     "astar",
@@ -126,6 +133,8 @@ __all__ = [
     "changing_roadmap",
     "circle_distance",
     "collision",
+    "collision_bound",
+    "collision_probability",
     "corner_grid",
     "course",
     "curves",
@@ -141,6 +150,7 @@ __all__ = [
     "graphs",
     "grid_roadmap",
     "halton",
+    "hybrid_astar",
     "informed_rrt_star",
     "kinodynamic_prm",
     "kinodynamic_rrt",
@@ -149,6 +159,7 @@ __all__ = [
     "plan_by_cells_with_headings",
     "plan_by_decomposition",
     "plan_by_visibility",
+    "plan_in_time",
     "plan_on_grid",
     "plan_on_roadmap",
     "planners",

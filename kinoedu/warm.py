@@ -13,6 +13,7 @@ from .curves import dubins_path, reeds_shepp_path
 from .graphs import Graph, bfs, dfs, dijkstra
 from .planners import (
     bug2,
+    hybrid_astar,
     informed_rrt_star,
     kinodynamic_prm,
     kinodynamic_rrt,
@@ -108,6 +109,7 @@ def later_jobs() -> Iterator[Job]:
         yield f"rrt, rrt-connect and prm of {name}", plan_by_samples, task
     yield "kinodynamic_rrt", partial(kinodynamic_rrt, max_iterations=50, rng=0), car
     yield "kinodynamic_prm", partial(kinodynamic_prm, iterations=20, rng=0), car
+    yield "hybrid_astar", hybrid_astar, car
     yield "sst", partial(sst, max_iterations=50, rng=0), car
     for curve in (dubins_path, reeds_shepp_path):
         yield curve.__name__, curve, (0, 0, 0), (3, 2, 1), 1.0

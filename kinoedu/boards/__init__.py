@@ -5,10 +5,12 @@ from .board import Board, board
 from .bugs import BugBoard, bug_board
 from .canvas import Canvas
 from .car import CarBoard, car_board
+from .chances import ChanceBoard, chance_board
 from .curves import curves_board
 from .drawing import Drawing, Layer
 from .exploring import ExploringBoard, exploring_board
 from .geometry import distance_board
+from .moving import MovingBoard, moving_board
 from .properties import PropertiesBoard, properties_board
 from .race import RaceBoard, race_board
 from .reach import reach_board, torus_board
@@ -26,9 +28,11 @@ __all__ = [
     "BugBoard",
     "Canvas",
     "CarBoard",
+    "ChanceBoard",
     "Drawing",
     "ExploringBoard",
     "Layer",
+    "MovingBoard",
     "PropertiesBoard",
     "RaceBoard",
     "RewiringBoard",
@@ -42,9 +46,11 @@ __all__ = [
     "board",
     "bug_board",
     "car_board",
+    "chance_board",
     "curves_board",
     "distance_board",
     "exploring_board",
+    "moving_board",
     "properties_board",
     "race_board",
     "reach_board",

@@ -97,6 +97,8 @@ def wound(ring: np.ndarray, *, inner: bool) -> np.ndarray:
 def print_layer(layer: Layer, ax: Axes, total: int) -> None:
     """One layer, as it is after the last step."""
     colour, rows = palette.NAMED[layer.colour], layer.rows if layer.until is None else layer.rows[layer.until > total]
+    if len(rows) == 0:
+        return
     dash: Any = (0, [2.0 * d / max(layer.width, 1.0) for d in layer.dash]) if layer.dash else "solid"
     z = 5.5 if layer.last else 3.0  # what comes last lies on the path
     if layer.kind == "cells":

@@ -1,6 +1,6 @@
 """Collision: whole motions of a robot's body against a world."""
 
-from . import driving, round_polygons, round_terrain, translating, turning
+from . import driving, in_time, round_polygons, round_terrain, translating, turning
 from .arms import link_in_contact, paint_configuration_space
 from .asks import coordinates, is_free, is_free_drive, is_free_path, is_semi_free_path
 from .batches import free_configurations, free_motions
@@ -8,16 +8,21 @@ from .clearances import clearance_of
 from .costs import check_cost, motion_cost
 from .driving import is_free_trajectory
 from .headings import free_heading, free_headings
+from .probability import Chance, collision_bound, collision_probability, path_clearances
 
 __all__ = [
+    "Chance",
     "check_cost",
     "clearance_of",
+    "collision_bound",
+    "collision_probability",
     "coordinates",
     "driving",
     "free_configurations",
     "free_heading",
     "free_headings",
     "free_motions",
+    "in_time",
     "is_free",
     "is_free_drive",
     "is_free_path",
@@ -26,6 +31,7 @@ __all__ = [
     "link_in_contact",
     "motion_cost",
     "paint_configuration_space",
+    "path_clearances",
     "round_polygons",
     "round_terrain",
     "translating",

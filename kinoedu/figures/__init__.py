@@ -10,16 +10,19 @@ from .drawing import draw_path, draw_plan, draw_problem, draw_roadmap, draw_robo
 from .driving_steps import draw_driving_steps
 from .graphs import draw_graph
 from .headings import draw_cells_with_headings, draw_headings
+from .moving import draw_against_time, draw_moment, draw_movers
 from .rrt_steps import draw_rrt_flowchart, draw_rrt_steps
 from .samples import draw_dispersion, draw_samples, draw_shares
 from .saving import save_panels, save_plan
 from .searches import draw_search
 from .solid import draw_mesh, torus_mesh
 from .success import draw_spread, draw_success
+from .uncertain import draw_uncertain
 from .walks import draw_distance_to_goal, draw_walk
 
 __all__ = [
     "draw_ackermann",
+    "draw_against_time",
     "draw_bug_base_flowchart",
     "draw_c_obstacle",
     "draw_cells_with_headings",
@@ -35,6 +38,8 @@ __all__ = [
     "draw_headings",
     "draw_medians",
     "draw_mesh",
+    "draw_moment",
+    "draw_movers",
     "draw_path",
     "draw_plan",
     "draw_problem",
@@ -50,6 +55,7 @@ __all__ = [
     "draw_sweep",
     "draw_tree",
     "draw_turning_obstacle",
+    "draw_uncertain",
     "draw_walk",
     "draw_world",
     "plot_configuration_space",

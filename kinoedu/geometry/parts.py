@@ -12,6 +12,8 @@ The record table (every record is a NamedTuple; compiled code reads its fields):
 | `CarRobot` | outline, shape, wheelbase, max_steering, radius, speeds, both_ways (robots/car.py) |
 | `PolygonWorldRecord` | edges (m, 5), hull, obstacles: Parts, cells: PartsIndex, known, lo and hi (worlds/polygon_world.py) |
 | `PartsIndex` | x, y, cell, columns, rows, first, parts, boxes (worlds/parts_index.py) |
+| `MovingWorldRecord` | still, shapes, times, places, knots, outlines, owner, lo, hi (worlds/moving.py) |
+| `UncertainWorldRecord` | expected, empty, parts, owner (k,), sigma (m,) (worlds/uncertain.py) |
 | `TerrainRecord` | free (rows, columns), resolution, origin, lo and hi (worlds/terrain.py) |
 | `RealSpace` | lo and hi (d,) (spaces/real.py) |
 | `WrappingSpace` | lo, hi, wraps and weight (d,) (spaces/wrapping.py) |
@@ -25,6 +27,7 @@ The record table (every record is a NamedTuple; compiled code reads its fields):
 | `Sweep` | the state of a sweep line, flat (decomposition/sweep.py) |
 | `Rounded`, `Slide` | a grown convex shape; a robot's way round an obstacle (c_space/rounded.py, c_space/sliding.py) |
 | `ProblemRecord` | robot, world, space, start, goal, clearance, asked (problems.py) |
+| `TimedProblemRecord` | robot, world, start, goal, speed, horizon, clearance (timed_problems.py) |
 | `Lattice`, `CellGrid` | a grid's place and size, over a problem or over cells (planners/grid.py) |
 
 One vertex with a radius is a disc, two a rounded bar such as an arm's link, three or more a convex polygon, counter-clockwise; a

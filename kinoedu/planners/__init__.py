@@ -15,6 +15,7 @@ from .changing import after_change, changed_box, changing_roadmap
 from .connecting import ComponentKClosest, KClosest, Radius
 from .grid import plan_on_grid
 from .grid_roadmap import grid_roadmap
+from .hybrid_astar import hybrid_astar
 from .kinodynamic_prm import kinodynamic_prm
 from .kinodynamic_rrt import kinodynamic_rrt
 from .multi_query import build_roadmap, query
@@ -25,6 +26,7 @@ from .roadmap_search import dijkstra_path, plan_on_roadmap
 from .rrt import rrt
 from .rrt_connect import rrt_connect
 from .rrt_star import informed_rrt_star, rrt_star
+from .safe_intervals import plan_in_time, safe_intervals
 from .shortcut import shortcut
 from .sst import sst
 from .trajectories import trajectory_along
@@ -50,6 +52,7 @@ __all__ = [
     "decomposition_roadmap",
     "dijkstra_path",
     "grid_roadmap",
+    "hybrid_astar",
     "informed_rrt_star",
     "kinodynamic_prm",
     "kinodynamic_rrt",
@@ -57,6 +60,7 @@ __all__ = [
     "plan_by_cells_with_headings",
     "plan_by_decomposition",
     "plan_by_visibility",
+    "plan_in_time",
     "plan_on_grid",
     "plan_on_roadmap",
     "prm",
@@ -68,6 +72,7 @@ __all__ = [
     "rrt_connect",
     "rrt_expansion",
     "rrt_star",
+    "safe_intervals",
     "shortcut",
     "sst",
     "sweep",

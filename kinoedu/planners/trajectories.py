@@ -4,7 +4,7 @@ import numpy as np
 
 from ..curves.space import pieces_between
 from ..errors import InvalidParameter
-from ..geometry.checks import shortened
+from ..geometry.checks import Array, shortened
 from ..problems import Plan, ProblemRecord, Recorder
 from ..robots.car import CarRobot
 from ..robots.trajectory import Trajectory, TrajectoryRecord
@@ -31,12 +31,14 @@ def trajectory_along(plan: Plan) -> TrajectoryRecord:
     if not isinstance(inner, ProblemRecord) or not isinstance(inner.robot, CarRobot):
         raise InvalidParameter("only a car is driven along a path; plan for a Problem(Car(...), world, start, goal)")
     car = inner.robot
-    controls, durations = [], []
-    for a, b in zip(plan.path, plan.path[1:]):
-        turns, lengths = pieces_between(a, b, car.radius, car.both_ways)
-        for turn, length in zip(turns.tolist(), lengths.tolist()):
-            if length != 0.0:
-                speed = float(car.speeds.max() if length > 0.0 else car.speeds.min())
-                controls.append((speed, turn * car.max_steering))
-                durations.append(length / speed)
-    return Trajectory(car, plan.path[0], np.array(controls).reshape(-1, 2), durations)
+    told = [told_along(car, a, b) for a, b in zip(plan.path, plan.path[1:])]
+    controls = np.concatenate([np.empty((0, 2)), *(controls for controls, _ in told)])
+    return Trajectory(car, plan.path[0], controls, np.concatenate([np.empty(0), *(durations for _, durations in told)]))
+
+
+def told_along(car: CarRobot, a: Array, b: Array) -> tuple[Array, Array]:
+    """The controls (n, 2) that drive a car along the shortest curve from pose a to pose b, and for how long each, (n,)."""
+    turns, lengths = pieces_between(a, b, car.radius, car.both_ways)
+    turns, lengths = turns[lengths != 0.0], lengths[lengths != 0.0]
+    speeds = np.where(lengths > 0.0, car.speeds.max(), car.speeds.min())
+    return np.stack([speeds, turns * car.max_steering], axis=1), lengths / speeds

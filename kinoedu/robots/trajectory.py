@@ -38,14 +38,20 @@ class TrajectoryRecord(NamedTuple):
         """The pose at the start and after each control, shape (n + 1, 3): the controls replayed."""
         return replayed(self.start, self.controls, self.durations, self.wheelbase)
 
+    @property
+    def reversed(self) -> "TrajectoryRecord":
+        """The same drive from its end to its start: every control the other way, the last one first."""
+        backwards = self.controls[::-1] * (-1.0, 1.0)
+        return TrajectoryRecord(self.poses[-1], backwards, self.durations[::-1].copy(), self.wheelbase)
+
     def at(self, t: ArrayLike) -> Array:
         """The pose after a time t, shape (3,); for many, shape (m,), the poses (m, 3). t is kept between 0 and the whole duration.
 
         Raises InvalidPoint where it is not numbers.
         """
         times = np.clip(as_array(t, "t"), 0.0, self.duration)
-        begins = np.concatenate([[0.0], np.cumsum(self.durations)])  # its last may round to less than the duration
-        which = np.clip(np.searchsorted(begins, np.atleast_1d(times)) - 1, 0, max(len(self.durations) - 1, 0))
+        begins = np.concatenate([[0.0], np.cumsum(self.durations)])
+        which = np.searchsorted(begins[1:-1], np.atleast_1d(times))  # the last control is held to the end, however sums are rounded
         poses = on_the_way(self.poses, self.controls, self.wheelbase, which, np.atleast_1d(times) - begins[which])
         return poses if times.ndim else poses[0]
 

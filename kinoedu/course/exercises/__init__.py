@@ -11,6 +11,7 @@ from .best_controls import BestControl
 from .bugs import Bug1, Bug2, BugBase
 from .c_obstacles import CObstacle
 from .cell_paths import PlanByDecomposition
+from .chance_by_margins import ChanceMargins
 from .comparing import ComparePlanners
 from .connection_rules import ComponentNeighbours, KClosestNeighbours, RadiusNeighbours
 from .convex import ConvexPolygonsIntersect, PointInConvexPolygon
@@ -39,6 +40,7 @@ from .lines import LineThroughPoints, PointLineDistance
 from .matrices import AdjacencyMatrix, BfsOnMatrix, DfsOnMatrix
 from .mended_bug import ExposeMendedBug
 from .misleading import MisleadingEstimate
+from .missed_moments import ExposeMoments
 from .polygons import PointPolygonDistance, PolygonTangent
 from .pose_distances import HeadingDistance
 from .random_points import UniformRandom
@@ -46,9 +48,11 @@ from .ray_counting import ExposeRayCounting
 from .repeats import RepeatedRows
 from .rewiring import Insert
 from .roadmap_paths import ShortestPath
+from .safe_arrival import EarliestArrival
 from .sampled_edges import ExposeSampling
 from .sampled_roadmap import SampledRoadmap
 from .sampled_space import PlotConfigurationSpace
+from .scenario_chance import CollisionProbability
 from .searches import Astar, Dijkstra
 from .segment_pairs import SegmentIntersection
 from .segments import PointSegmentDistance
@@ -60,6 +64,7 @@ from .tangent_curves import CscLength
 from .terrain_costs import CostAlong
 from .terrain_planners import RrtOnTerrain
 from .terrain_roadmaps import PrmOnTerrain
+from .timed_contact import FirstContact
 from .tree_roadmaps import TreeRoadmap
 from .trees import Rrt, RrtConnect
 from .turning_trees import RrtForPolygon
@@ -150,6 +155,11 @@ EXERCISES: dict[str, Exercise] = {
         KinodynamicRrt,
         FastestDrive,
         KinodynamicPrm,
+        FirstContact,
+        EarliestArrival,
+        ChanceMargins,
+        CollisionProbability,
+        ExposeMoments,
     )
 }
 

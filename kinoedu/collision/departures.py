@@ -1,0 +1,169 @@
+"""When to leave: the moments at which a place, or a way that begins then, is met by something that moves.
+
+A way from a place at a constant speed, begun at the time t, is at the share s of its duration at the time t + s. In the plane of s
+and that time, what a convex piece in straight motion meets is convex: the robot seen from the piece is a point among grown
+obstacles, and its place depends linearly on both. So each piece, in each of its stretches, forbids one interval of departures.
+"""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..compiled import body, compiled
+from ..geometry.checks import Array
+from ..geometry.grown import grown, summed
+from ..geometry.parts import Parts, make_parts
+from ..robots.round import RoundRobot
+from ..worlds.moving import MovingWorldRecord, place_at
+
+PAUSE = 1e-9  # of the horizon: so long before and after contact a place counts as met
+
+
+def seen_from_movers(robot: Any, world: MovingWorldRecord, clearance: float) -> tuple[Parts, NDArray[np.int64]]:
+    """Where the robot's reference point must not be, in the frame of each moving piece: convex polygons, what is round a little
+    larger than the truth; and the `knots` of each.
+    """
+    shapes = world.shapes
+    pieces: list[Any] = []
+    own: list[int] = []
+    if isinstance(robot, RoundRobot):
+        bodies, more = [np.zeros((1, 2))], robot.radius
+    else:
+        body = robot.shape
+        bodies, more = [body.points[a:b] for a, b in zip(body.first[:-1], body.first[1:])], 0.0
+    for i in range(len(shapes.radius)):
+        piece = shapes.points[shapes.first[i] : shapes.first[i + 1]]
+        for body_piece in bodies:
+            pieces.append(grown(summed_with(piece, -body_piece), float(shapes.radius[i]) + more + clearance))
+            own.append(i)
+    return make_parts(pieces, [0.0] * len(pieces)), world.knots[own].reshape(-1, 2)
+
+
+def summed_with(piece: Array, other: Array) -> Array:
+    """The hull of sums of two pieces; a point moves the other."""
+    return piece + other[0] if len(other) == 1 else other + piece[0] if len(piece) == 1 else summed(piece, other)
+
+
+@compiled
+def met_departures(
+    hulls: Parts, knots: NDArray[np.int64], times: Array, places: Array, horizon: float,
+    a: Array, vx: float, vy: float, duration: float,
+) -> Array:  # fmt: skip
+    """The closed intervals of departures from a with the velocity v, held for a duration, that are met; (k, 2), unsorted."""
+    met, size = np.empty((len(times) * len(knots) + len(knots), 2)), 0
+    for i in range(len(knots)):
+        begin, end = knots[i, 0], knots[i, 1]
+        for k in range(begin, end + 1):  # the stretch before knot k, and the last after all of them
+            first = times[k - 1] if k > begin and times[k - 1] > 0.0 else 0.0
+            last = times[k] if k < end and times[k] < horizon else horizon
+            if first > last:
+                continue
+            x, y = place_at(times, places, begin, end, first)
+            wx, wy = 0.0, 0.0
+            if begin < k < end:
+                wx = (places[k, 0] - places[k - 1, 0]) / (times[k] - times[k - 1])
+                wy = (places[k, 1] - places[k - 1, 1]) / (times[k] - times[k - 1])
+            low, high = met_between(hulls, i, a[0] - x, a[1] - y, vx, vy, wx, wy, duration, first, last)
+            if low <= high:
+                met[size, 0], met[size, 1] = low - PAUSE * horizon, high + PAUSE * horizon
+                size += 1
+    return met[:size].copy()
+
+
+@compiled
+def met_between(
+    hulls: Parts, i: int, x: float, y: float, vx: float, vy: float, wx: float, wy: float, duration: float, first: float, last: float
+) -> tuple[float, float]:
+    """The least and the greatest departure t - s such that (x, y) + s v - (t - first) w lies in hull i for some 0 <= s <= duration
+    and first <= t <= last: the rectangle of s and t, clipped by the hull's edges. The first is larger where there is none.
+    """
+    begin, end = hulls.first[i], hulls.first[i + 1]
+    if is_beyond(hulls.points[begin:end, 0], x, duration * vx, (last - first) * wx) or is_beyond(
+        hulls.points[begin:end, 1], y, duration * vy, (last - first) * wy
+    ):
+        return np.inf, -np.inf
+    region, size = np.empty((4 + 2 * (end - begin), 2)), 4
+    region[0, 0], region[0, 1], region[1, 0], region[1, 1] = 0.0, first, duration, first
+    region[2, 0], region[2, 1], region[3, 0], region[3, 1] = duration, last, 0.0, last
+    px, py = hulls.points[end - 1, 0], hulls.points[end - 1, 1]
+    for k in range(begin, end):
+        qx, qy = hulls.points[k, 0], hulls.points[k, 1]
+        ex, ey = qx - px, qy - py
+        at_corner = ex * (y - py) - ey * (x - px)
+        by_s, by_t = ex * vy - ey * vx, ey * wx - ex * wy
+        region, size = clipped(region, size, at_corner - first * by_t, by_s, by_t)
+        if size == 0:
+            break
+        px, py = qx, qy
+    low, high = np.inf, -np.inf
+    for k in range(size):
+        low, high = min(low, region[k, 1] - region[k, 0]), max(high, region[k, 1] - region[k, 0])
+    return low, high
+
+
+@compiled
+def is_beyond(points: Array, x: float, by_s: float, by_t: float) -> bool:
+    """Whether no coordinate from x on, as far as by_s and minus by_t bring it, is within what points span: then nothing is met."""
+    low, high = x + min(by_s, 0.0) - max(by_t, 0.0), x + max(by_s, 0.0) - min(by_t, 0.0)
+    return high < points.min() or low > points.max()
+
+
+@compiled
+def clipped(region: Array, size: int, c: float, a: float, b: float) -> tuple[Array, int]:
+    """The part of a convex region, its first `size` rows, where c + a s + b t >= 0 (Sutherland and Hodgman, 1974)."""
+    kept, n = np.empty_like(region), 0
+    for k in range(size):
+        s0, t0 = region[k - 1 if k > 0 else size - 1, 0], region[k - 1 if k > 0 else size - 1, 1]
+        s1, t1 = region[k, 0], region[k, 1]
+        before, here = c + a * s0 + b * t0, c + a * s1 + b * t1
+        if (before < 0.0) != (here < 0.0):
+            share = before / (before - here)
+            kept[n, 0], kept[n, 1] = s0 + share * (s1 - s0), t0 + share * (t1 - t0)
+            n += 1
+        if here >= 0.0:
+            kept[n, 0], kept[n, 1] = s1, t1
+            n += 1
+    return kept, n
+
+
+@compiled
+def first_departure(met: Array, t: float) -> float:
+    """The first moment from t on that lies in none of the closed intervals, (k, 2)."""
+    waiting = True
+    while waiting:
+        waiting = False
+        for i in range(len(met)):
+            if met[i, 0] <= t <= met[i, 1]:
+                t, waiting = np.nextafter(met[i, 1], np.inf), True
+    return t
+
+
+@compiled
+def between_meetings(met: Array, horizon: float) -> Array:
+    """The intervals of [0, horizon] that lie between the closed intervals met, (k, 2), in order; shape (m, 2)."""
+    order, free, size, t = np.argsort(met[:, 0]), np.empty((len(met) + 1, 2)), 0, 0.0
+    for i in order:
+        if met[i, 0] > t:
+            free[size, 0], free[size, 1] = t, min(met[i, 0], horizon)
+            size += 1
+        t = max(t, np.nextafter(met[i, 1], np.inf))
+        if t > horizon:
+            break
+    if t <= horizon:
+        free[size, 0], free[size, 1] = t, horizon
+        size += 1
+    return free[:size].copy()
+
+
+@body
+def all_safe_intervals(
+    hulls: Parts, knots: NDArray[np.int64], times: Array, places: Array, horizon: float, nodes: Array
+) -> tuple[Array, NDArray[np.int64]]:
+    """The safe intervals (k, 2) of all nodes, one node's after another's; those of node i are rows first[i]:first[i + 1]."""
+    safe, first = np.empty((len(nodes) * ((len(times) + 1) * len(knots) + 1), 2)), np.zeros(len(nodes) + 1, np.int64)
+    for i in range(len(nodes)):
+        own = between_meetings(met_departures(hulls, knots, times, places, horizon, nodes[i], 0.0, 0.0, 0.0), horizon)
+        safe[first[i] : first[i] + len(own)] = own
+        first[i + 1] = first[i] + len(own)
+    return safe[: first[-1]].copy(), first

@@ -1,0 +1,129 @@
+"""Obstacles that move as is known: each from place to place in straight lines, at given times. Nothing turns."""
+
+from collections.abc import Iterable
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..compiled import compiled
+from ..errors import InvalidWorld
+from ..geometry.checks import Array, as_array, shortened
+from ..geometry.convex import convex_parts
+from ..geometry.parts import Parts, make_parts
+from ..geometry.rings import as_ring
+from .polygon_world import PolygonWorldRecord, as_disc
+
+
+class Mover(NamedTuple):
+    """What `Moving` makes: an outline (n, 2) in its own frame, or a radius, and the frame's origin (k, 2) at times (k,)."""
+
+    outline: Array
+    radius: float
+    times: Array
+    places: Array
+
+    def at(self, t: float) -> Array:
+        """Where its frame's origin is at a time, shape (2,)."""
+        return np.array(place_at(self.times, self.places, 0, len(self.times), float(t)))
+
+
+class MovingWorldRecord(NamedTuple):
+    """What `MovingWorld` makes. Configurations in it are (x, y, t).
+
+    `still` is what does not move. `shapes` are the convex pieces of what does, each in its own frame; the origin of piece i is
+    at places[k] at times[k] for knots[i, 0] <= k < knots[i, 1]. `outlines` are the movers' whole outlines, for drawing, and `owner`
+    (pieces,) tells which of them a piece belongs to. lo and hi are the corners of the bounding box.
+    """
+
+    still: PolygonWorldRecord
+    shapes: Parts
+    times: Array
+    places: Array
+    knots: NDArray[np.int64]
+    outlines: Parts
+    owner: NDArray[np.int64]
+    lo: Array
+    hi: Array
+
+
+def Moving(shape: ArrayLike, times: ArrayLike, places: ArrayLike) -> Mover:
+    """An obstacle that moves from place to place in straight lines, without turning.
+
+    Parameters
+    ----------
+    shape : a simple polygon (n, 2) in its own frame, or one number: the radius of a disc round its frame's origin.
+    times : (k,), increasing, k >= 1. places : (k, 2), where the frame's origin is then.
+
+    Before the first time it stands at the first place, after the last at the last. Raises InvalidWorld, InvalidPolygon,
+    InvalidPoint.
+
+    >>> Moving(0.5, [0, 4], [(0, 0), (8, 0)]).at(1.0)
+    array([2., 0.])
+    """
+    moments, where = as_array(times, "times"), as_array(places, "places")
+    if moments.ndim != 1 or len(moments) == 0 or where.shape != (len(moments), 2):
+        raise InvalidWorld(f"times (k,) and places (k, 2) must be as many, k >= 1, got shapes {moments.shape} and {where.shape}")
+    if not (np.diff(moments) > 0.0).all():
+        raise InvalidWorld(f"times must increase from one place to the next, got {shortened(moments.tolist())}; sort them")
+    if np.ndim(shape) == 0:
+        disc = as_disc((0.0, 0.0), shape, "a moving disc")  # type: ignore[arg-type]
+        return Mover(np.zeros((1, 2)), float(disc[2]), moments, where)
+    return Mover(as_ring(shape, "a moving obstacle"), 0.0, moments, where)
+
+
+def MovingWorld(still: PolygonWorldRecord, movers: Iterable[Any]) -> MovingWorldRecord:
+    """A PolygonWorld with obstacles that move through it; they may pass through what stands still, and through each other.
+
+    Raises InvalidWorld.
+
+    >>> from .polygon_world import PolygonWorld
+    >>> hall = PolygonWorld([(0, 0), (10, 0), (10, 6), (0, 6)])
+    >>> world = MovingWorld(hall, [Moving([(-1, -1), (1, -1), (1, 1), (-1, 1)], [0, 5], [(5, -2), (5, 8)])])
+    >>> world.knots
+    array([[0, 2]])
+    """
+    if not isinstance(still, PolygonWorldRecord):
+        raise InvalidWorld(f"what stands still must be a PolygonWorld, got {shortened(still)}")
+    known = tuple(movers)
+    for mover in known:
+        if not isinstance(mover, Mover):
+            raise InvalidWorld(f"what moves must be made by Moving(shape, times, places), got {shortened(mover)}")
+    pieces = [[mover.outline] if mover.radius > 0.0 else convex_parts(mover.outline) for mover in known]
+    owner = np.repeat(np.arange(len(known)), [len(own) for own in pieces])
+    ends = np.cumsum([0, *(len(mover.times) for mover in known)])
+    radii = [mover.radius for mover in known]
+    return MovingWorldRecord(
+        still,
+        make_parts([piece for own in pieces for piece in own], [radii[k] for k in owner]),
+        np.concatenate([np.empty(0), *(mover.times for mover in known)]),
+        np.concatenate([np.empty((0, 2)), *(mover.places for mover in known)]),
+        np.column_stack([ends[:-1], ends[1:]])[owner].reshape(-1, 2),
+        make_parts([mover.outline for mover in known], radii),
+        owner,
+        still.lo,
+        still.hi,
+    )
+
+
+def movers_at(world: MovingWorldRecord, t: float) -> list[tuple[Array, float]]:
+    """Where what moves is at a time: for each mover its outline (n, 2), or its centre (1, 2), and its radius, 0 for a polygon."""
+    shown, parts = [], world.outlines
+    for k in range(len(parts.radius)):
+        begin, end = world.knots[np.flatnonzero(world.owner == k)[0]]
+        offset = place_at(world.times, world.places, int(begin), int(end), float(t))
+        shown.append((parts.points[parts.first[k] : parts.first[k + 1]] + offset, float(parts.radius[k])))
+    return shown
+
+
+@compiled
+def place_at(times: Array, places: Array, begin: int, end: int, t: float) -> tuple[float, float]:
+    """Where something is at a time t that is at places[k] at times[k], begin <= k < end."""
+    if t <= times[begin]:
+        return places[begin, 0], places[begin, 1]
+    for k in range(begin + 1, end):
+        if t < times[k]:
+            share = (t - times[k - 1]) / (times[k] - times[k - 1])
+            x, y = places[k - 1, 0], places[k - 1, 1]
+            return x + share * (places[k, 0] - x), y + share * (places[k, 1] - y)
+    return places[end - 1, 0], places[end - 1, 1]

@@ -1,0 +1,126 @@
+"""Obstacles whose places are uncertain: each is off from where it is expected by a Gaussian offset, the same in all directions."""
+
+import math
+from collections.abc import Iterable
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..errors import InvalidParameter, InvalidWorld
+from ..geometry.checks import Array, as_array, as_generator, is_real, whole
+from ..geometry.convex import convex_parts
+from ..geometry.grown import grown
+from ..geometry.parts import Parts, make_parts
+from ..geometry.rings import as_ring
+from .polygon_world import PolygonWorld, PolygonWorldRecord, as_disc, is_pair_with_radius
+
+
+class UncertainWorldRecord(NamedTuple):
+    """What `UncertainWorld` makes. `expected` has every obstacle where it is expected, `empty` none.
+
+    `parts` are the convex pieces of the obstacles, owner (k,) tells which obstacle each belongs to, sigma (m,) how uncertain each
+    obstacle is: the standard deviation of its offset in x, and in y.
+    """
+
+    expected: PolygonWorldRecord
+    empty: PolygonWorldRecord
+    parts: Parts
+    owner: NDArray[np.int64]
+    sigma: Array
+
+
+def UncertainWorld(boundary: ArrayLike, obstacles: Iterable[Any], sigma: ArrayLike) -> UncertainWorldRecord:
+    """A workspace whose obstacles are about where they are said to be. Its boundary is certain.
+
+    Parameters
+    ----------
+    boundary : (n, 2), a simple polygon. obstacles : m simple polygons (k, 2), or pairs (centre, radius).
+    sigma : the standard deviation of each obstacle's offset along any axis, one number for all or (m,); 0 where it is certain.
+        Each obstacle moves as a whole; offsets are independent of each other.
+
+    Raises InvalidWorld, InvalidPolygon, InvalidPoint.
+
+    >>> world = UncertainWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [((3, 3), 1), [(5, 2), (7, 2), (6, 4)]], 0.2)
+    >>> world.sigma, world.owner
+    (array([0.2, 0.2]), array([0, 1]))
+    """
+    given = list(obstacles)
+    pieces = [pieces_of(obstacle, f"obstacle {number}") for number, obstacle in enumerate(given)]
+    spread = as_array(sigma, "sigma")
+    if (spread.ndim and spread.shape != (len(given),)) or (spread < 0.0).any():
+        raise InvalidWorld(f"sigma must be zero or more, one number or one for each of {len(given)} obstacles, got {sigma!r}")
+    owner = np.repeat(np.arange(len(given)), [len(own) for own, _ in pieces])
+    radii = [radius for own, radius in pieces for _ in own]
+    parts = make_parts([piece for own, _ in pieces for piece in own], radii)
+    return UncertainWorldRecord(
+        PolygonWorld(boundary, given), PolygonWorld(boundary), parts, owner, np.broadcast_to(spread, (len(given),)).copy()
+    )
+
+
+def pieces_of(obstacle: Any, name: str) -> tuple[list[Array], float]:
+    """The convex pieces of an obstacle and their radius."""
+    if is_pair_with_radius(obstacle):
+        x, y, radius = as_disc(obstacle[0], obstacle[1], name)
+        return [np.array([(x, y)])], float(radius)
+    return convex_parts(as_ring(obstacle, name)), 0.0
+
+
+def chance_margins(sigma: ArrayLike, delta: float) -> Array:
+    """How far to stay away from each obstacle, so that the chance to touch any is at most delta; shape (m,).
+
+    An offset of standard deviation sigma along each of two axes is longer than r with the chance exp(-r^2 / (2 sigma^2)): its
+    square over sigma^2 has the chi-square distribution of two degrees of freedom. Each of the m obstacles that are uncertain gets
+    an equal share delta / m of the chance (union bound): r = sigma sqrt(-2 log(delta / m)). Raises InvalidParameter.
+
+    >>> chance_margins([0.1, 0.1, 0.0], 0.05).round(4)
+    array([0.2716, 0.2716, 0.    ])
+    """
+    spread = as_array(sigma, "sigma")
+    if not is_real(delta) or not 0.0 < delta < 1.0:
+        raise InvalidParameter(f"delta must be a chance between 0 and 1, both excluded, got {delta!r}")
+    if spread.ndim != 1 or (spread < 0.0).any():
+        raise InvalidParameter(f"sigma must be numbers of zero or more, shape (m,), got {sigma!r}")
+    uncertain = max(int(np.count_nonzero(spread)), 1)
+    return spread * math.sqrt(-2.0 * math.log(delta / uncertain))
+
+
+def inflated(world: UncertainWorldRecord, delta: float) -> PolygonWorldRecord:
+    """The world with every obstacle grown by its `chance_margins`: a path that is free in it is hit with a chance of at most delta.
+
+    Any planner may be used there. Corners are rounded by polygons on the safe side, half a percent of a margin beyond the truth.
+    Raises InvalidParameter.
+
+    >>> world = UncertainWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [((3, 3), 1)], 0.2)
+    >>> inflated(world, 0.05).obstacles.radius.round(4)
+    array([1.4895])
+    """
+    margin, parts = chance_margins(world.sigma, delta)[world.owner], world.parts
+    solids: list[Any] = []
+    for k, (own, more) in enumerate(zip(parts.radius, margin)):
+        piece = parts.points[parts.first[k] : parts.first[k + 1]]
+        solids.append((piece[0], own + more) if own > 0.0 else grown(piece, float(more)))
+    return PolygonWorld(ring_of(world.empty), solids)
+
+
+def scenarios(world: UncertainWorldRecord, n: int, *, rng: int | np.random.Generator) -> Array:
+    """n draws of all obstacles' offsets, shape (n, m, 2). The same seed gives the same ones: common random numbers, so that two
+    paths are compared in the same scenarios. Raises InvalidParameter.
+    """
+    count = whole(n, "n", least=0)
+    return as_generator(rng).standard_normal((count, len(world.sigma), 2)) * world.sigma[:, None]
+
+
+def as_it_is(world: UncertainWorldRecord, offsets: ArrayLike) -> PolygonWorldRecord:
+    """One scenario as a world: every convex piece moved by its obstacle's offset, offsets (m, 2). Raises InvalidPoint."""
+    moved, parts = as_array(offsets, "offsets").reshape(len(world.sigma), 2)[world.owner], world.parts
+    solids: list[Any] = []
+    for k, (own, by) in enumerate(zip(parts.radius, moved)):
+        piece = parts.points[parts.first[k] : parts.first[k + 1]] + by
+        solids.append((piece[0], own) if own > 0.0 else piece)
+    return PolygonWorld(ring_of(world.empty), solids)
+
+
+def ring_of(world: PolygonWorldRecord) -> Array:
+    """The boundary of a world without obstacles, as it was given."""
+    return world.edges[::-1, :2].copy()

@@ -1,0 +1,552 @@
+"""Wrong answers to the exercises of lesson 14. Each is one that students give; the slip is what a check must recognise in it."""
+
+import math
+import random
+from heapq import heappop, heappush
+from statistics import NormalDist
+
+import numpy as np
+
+from kinoedu.course.bank import wrong
+from kinoedu.geometry import line_through_points, point_segment_distance
+
+# The first contact
+
+
+def entering(x, v, r):
+    """The moments at which x + s v enters and leaves the disc round the origin; infinite where it does not."""
+    a, b, c = v @ v, 2 * x @ v, x @ x - r * r
+    square = b * b - 4 * a * c
+    if a == 0 or square < 0:
+        return math.inf, math.inf
+    return (-b - math.sqrt(square)) / (2 * a), (-b + math.sqrt(square)) / (2 * a)
+
+
+def contact(x, v, r):
+    """Right, for a motion seen from the disc."""
+    if x @ x <= r * r:
+        return 0.0
+    s = entering(x, v, r)[0]
+    return s if 0 <= s <= 1 else math.inf
+
+
+@wrong("first_contact", slip="standing")
+def disc_stands(p0, p1, c0, c1, r):
+    """The disc's motion is forgotten."""
+    return contact(p0 - c0, p1 - p0, r)
+
+
+@wrong("first_contact", slip="added")
+def adds_motions(p0, p1, c0, c1, r):
+    """A plus for a minus."""
+    return contact(p0 - c0, p1 - p0 + c1 - c0, r)
+
+
+@wrong("first_contact", slip="backwards")
+def the_other_difference(p0, p1, c0, c1, r):
+    """Place by one, motion by the other."""
+    return contact(p0 - c0, (c1 - c0) - (p1 - p0), r)
+
+
+@wrong("first_contact", slip="ends_only")
+def first_and_last_moment(p0, p1, c0, c1, r):
+    """A motion judged at its ends."""
+    if math.dist(p0, c0) <= r:
+        return 0
+    return 1 if math.dist(p1, c1) <= r else math.inf
+
+
+@wrong("first_contact", slip="leaving")
+def larger_root(p0, p1, c0, c1, r):
+    """The wrong one of two roots."""
+    x, v = p0 - c0, (p1 - p0) - (c1 - c0)
+    s = entering(x, v, r)[1]
+    return 0.0 if x @ x <= r * r else s if 0 <= s <= 1 else math.inf
+
+
+@wrong("first_contact", slip="any_time")
+def no_beginning_no_end(p0, p1, c0, c1, r):
+    """Whatever the root is."""
+    return entering(p0 - c0, (p1 - p0) - (c1 - c0), r)[0]
+
+
+@wrong("first_contact", slip="nearest")
+def closest_approach(p0, p1, c0, c1, r):
+    """When they are nearest, not when they touch."""
+    x, v = p0 - c0, (p1 - p0) - (c1 - c0)
+    s = np.clip(-(x @ v) / (v @ v), 0, 1) if v.any() else 0.0
+    return s if np.hypot(*(x + s * v)) <= r else math.inf
+
+
+@wrong("first_contact", slip="not_at_once")
+def inside_is_missed(p0, p1, c0, c1, r):
+    """No look at the beginning."""
+    s = entering(p0 - c0, (p1 - p0) - (c1 - c0), r)[0]
+    return s if 0 <= s <= 1 else math.inf
+
+
+@wrong("first_contact", slip="length")
+def how_far(p0, p1, c0, c1, r):
+    """The way of the point until then."""
+    return contact(p0 - c0, (p1 - p0) - (c1 - c0), r) * math.dist(p0, p1)
+
+
+@wrong("first_contact", slip="diameter")
+def half_the_radius(p0, p1, c0, c1, r):
+    """r taken for the diameter."""
+    return contact(p0 - c0, (p1 - p0) - (c1 - c0), r / 2)
+
+
+@wrong("first_contact")
+def ways_that_cross(p0, p1, c0, c1, r):
+    """The two segments are compared, without time."""
+    near = min(point_segment_distance(p, c0, c1) for p in np.linspace(p0, p1, 200))
+    return 0.5 if near <= r else math.inf
+
+
+@wrong("first_contact")
+def ten_moments(p0, p1, c0, c1, r):
+    """Sampled."""
+    for s in np.linspace(0, 1, 11):
+        if math.dist(p0 + s * (p1 - p0), c0 + s * (c1 - c0)) <= r:
+            return s
+    return math.inf
+
+
+@wrong("first_contact")
+def divides_by_nothing(p0, p1, c0, c1, r):
+    """Two that move alike."""
+    x, v = p0 - c0, (p1 - p0) - (c1 - c0)
+    if x @ x <= r * r:
+        return 0.0
+    a, b, c = float(v @ v), 2 * float(x @ v), float(x @ x) - r * r
+    if b * b - 4 * a * c < 0:
+        return math.inf
+    s = (-b - math.sqrt(b * b - 4 * a * c)) / (2 * a)
+    return s if 0 <= s <= 1 else math.inf
+
+
+# The earliest arrival
+
+
+def neighbours(moves, both=True):
+    ways = {}
+    for u, v, d in moves:
+        ways.setdefault(int(u), []).append((int(v), d))
+        if both:
+            ways.setdefault(int(v), []).append((int(u), d))
+    return ways
+
+
+def planned(safe, moves, start, goal, *, both=True, first_only=False, waits=True, until_end=True, by_interval=True, checks=True):
+    """Right with the arguments as they are; each of them breaks one thing."""
+    ways, done = neighbours(moves, both), set()
+    k = next((k for k, (b, e) in enumerate(safe[start]) if b <= 0 <= e), None)
+    waiting = [] if k is None else [(0.0, start, k, ((start, 0.0),))]
+    while waiting:
+        t, u, k, rows = heappop(waiting)
+        if u == goal:
+            return list(rows)
+        state = (u, k) if by_interval else u
+        if state in done:
+            continue
+        done.add(state)
+        for v, d in ways.get(u, []):
+            for j, (b, e) in enumerate(safe[v][:1] if first_only else safe[v]):
+                there = max(t + d, b) if waits and checks else t + d
+                fits = not checks or b <= there <= e
+                if fits and (not until_end or there - d <= safe[u][k][1]):
+                    heappush(waiting, (there, v, j, (*rows, (v, there))))
+    return []
+
+
+@wrong("earliest_arrival")
+def one_arrival_for_a_place(safe, moves, start, goal):
+    """Dijkstra as in lesson 4: a place is done when it is first taken out."""
+    return planned(safe, moves, start, goal, by_interval=False)
+
+
+@wrong("earliest_arrival")
+def never_waits(safe, moves, start, goal):
+    """On and on."""
+    return planned(safe, moves, start, goal, waits=False)
+
+
+@wrong("earliest_arrival")
+def waits_anywhere(safe, moves, start, goal):
+    """The end of the interval in which it waits is not looked at."""
+    return planned(safe, moves, start, goal, until_end=False)
+
+
+@wrong("earliest_arrival")
+def first_interval_only(safe, moves, start, goal):
+    """What opens later is not seen."""
+    return planned(safe, moves, start, goal, first_only=True)
+
+
+@wrong("earliest_arrival")
+def obstacles_forgotten(safe, moves, start, goal):
+    """The shortest way, as if nothing moved."""
+    return planned(safe, moves, start, goal, checks=False, until_end=False)
+
+
+@wrong("earliest_arrival")
+def one_way_streets(safe, moves, start, goal):
+    """Moves are used in the order in which they are written."""
+    return planned(safe, moves, start, goal, both=False)
+
+
+@wrong("earliest_arrival")
+def without_the_start(safe, moves, start, goal):
+    """The first row is missing."""
+    return np.reshape(planned(safe, moves, start, goal)[1:], (-1, 2))
+
+
+@wrong("earliest_arrival")
+def from_the_goal(safe, moves, start, goal):
+    """Parents followed, and not turned round."""
+    return planned(safe, moves, start, goal)[::-1]
+
+
+@wrong("earliest_arrival")
+def departures_for_arrivals(safe, moves, start, goal):
+    """Each row has the moment at which the robot sets out for its place."""
+    rows = planned(safe, moves, start, goal)
+    took = {(u, v): d for u, own in neighbours(moves).items() for v, d in own}
+    return rows[:1] + [(v, t - took[u, v]) for (u, _), (v, t) in zip(rows, rows[1:])]
+
+
+@wrong("earliest_arrival")
+def depth_first(safe, moves, start, goal):
+    """A way, not the earliest."""
+    ways, done = neighbours(moves), set()
+    waiting = [(0.0, start, k, [(start, 0.0)]) for k, (b, e) in enumerate(safe[start]) if b <= 0 <= e]
+    while waiting:
+        t, u, k, rows = waiting.pop()
+        if u == goal:
+            return rows
+        if (u, k) in done:
+            continue
+        done.add((u, k))
+        for v, d in sorted(ways.get(u, []), reverse=True):
+            for j, (b, e) in enumerate(safe[v]):
+                there = max(t + d, b)
+                if there <= e and there - d <= safe[u][k][1]:
+                    waiting.append((there, v, j, [*rows, (v, there)]))
+    return []
+
+
+@wrong("earliest_arrival")
+def fewest_moves(safe, moves, start, goal):
+    """Breadth first: moves are counted, not durations."""
+    same = [(u, v, 1.0) for u, v, _ in moves]
+    return planned(safe, same, start, goal)
+
+
+@wrong("earliest_arrival")
+def waits_after_the_move(safe, moves, start, goal):
+    """It sets out at once, and has arrived when the place is safe: as if it could wait on the way."""
+    ways, done = neighbours(moves), set()
+    k = next((k for k, (b, e) in enumerate(safe[start]) if b <= 0 <= e), None)
+    waiting = [] if k is None else [(0.0, start, ((start, 0.0),))]
+    while waiting:
+        t, u, rows = heappop(waiting)
+        if u == goal:
+            return list(rows)
+        if (u, t) in done:
+            continue
+        done.add((u, t))
+        for v, d in ways.get(u, []):
+            later = [max(b, t + d) for b, e in safe[v] if t + d <= e]
+            if later and len(rows) < 12:
+                heappush(waiting, (min(later), v, (*rows, (v, min(later)))))
+    return []
+
+
+@wrong("earliest_arrival")
+def says_no_way(safe, moves, start, goal):
+    """Gives up as soon as something is in the way."""
+    rows = planned(safe, moves, start, goal)
+    plain = planned(safe, moves, start, goal, checks=False, until_end=False)
+    return rows if rows == plain else []
+
+
+# The margins
+
+
+def root(share):
+    return math.sqrt(-2 * math.log(share))
+
+
+@wrong("chance_margins", slip="not_shared")
+def all_for_each(sigma, delta):
+    """No union bound."""
+    return sigma * root(delta)
+
+
+@wrong("chance_margins", slip="one_axis")
+def two_sided_normal(sigma, delta):
+    """1.96, as in statistics."""
+    return sigma * NormalDist().inv_cdf(1 - delta / len(sigma) / 2)
+
+
+@wrong("chance_margins", slip="one_tail")
+def one_sided_normal(sigma, delta):
+    """1.64."""
+    return sigma * NormalDist().inv_cdf(1 - delta / len(sigma))
+
+
+@wrong("chance_margins", slip="variance")
+def by_variance(sigma, delta):
+    """sigma taken for its square."""
+    return sigma**2 * root(delta / len(sigma))
+
+
+@wrong("chance_margins", slip="other_tail")
+def within(sigma, delta):
+    """The chance to be inside."""
+    return sigma * math.sqrt(-2 * math.log(1 - delta / len(sigma)))
+
+
+@wrong("chance_margins", slip="no_two")
+def without_two(sigma, delta):
+    """exp(-r^2 / sigma^2)."""
+    return sigma * math.sqrt(-math.log(delta / len(sigma)))
+
+
+@wrong("chance_margins", slip="no_root")
+def squares(sigma, delta):
+    """The square of the margin, over sigma."""
+    return sigma * (-2 * math.log(delta / len(sigma)))
+
+
+@wrong("chance_margins", slip="log_ten")
+def decimal_logarithm(sigma, delta):
+    """log10."""
+    return sigma * math.sqrt(-2 * math.log10(delta / len(sigma)))
+
+
+@wrong("chance_margins", slip="independent")
+def as_if_independent(sigma, delta):
+    """A product of chances."""
+    return sigma * root(1 - (1 - delta) ** (1 / len(sigma)))
+
+
+@wrong("chance_margins", slip="largest")
+def one_for_all(sigma, delta):
+    """The largest sigma for all."""
+    return np.full(len(sigma), max(sigma)) * root(delta / len(sigma))
+
+
+@wrong("chance_margins", slip="by_sigma")
+def shares_by_sigma(sigma, delta):
+    """Who is more uncertain may be hit more often."""
+    return [s * root(delta * s / sum(sigma)) for s in sigma]
+
+
+@wrong("chance_margins")
+def three_sigma(sigma, delta):
+    """A rule of thumb."""
+    return 3 * sigma
+
+
+# The chance of a collision
+
+
+def distance(path, centre):
+    return min(point_segment_distance(centre, a, b) for a, b in zip(path, path[1:]))
+
+
+def tries(path, discs, offsets, far=distance):
+    """Whether disc j is hit in scenario s."""
+    return np.array([[far(path, np.add(disc[:2], by)) <= disc[2] for disc, by in zip(discs, row)] for row in offsets])
+
+
+def wilson(p, n, z=1.96):
+    middle, reach = p + z * z / (2 * n), z * math.sqrt(p * (1 - p) / n + z * z / (4 * n * n))
+    return p, (middle - reach) / (1 + z * z / n), (middle + reach) / (1 + z * z / n)
+
+
+@wrong("collision_probability", slip="corners")
+def points_of_the_path(path, discs, offsets):
+    """No stretches."""
+    hits = tries(path, discs, offsets, lambda way, c: min(math.dist(p, c) for p in way))
+    return wilson(hits.any(axis=1).mean(), len(hits))
+
+
+@wrong("collision_probability", slip="per_disc")
+def counts_contacts(path, discs, offsets):
+    """Contacts, not scenarios."""
+    hits = tries(path, discs, offsets)
+    return wilson(min(hits.sum() / len(hits), 1.0), len(hits))
+
+
+@wrong("collision_probability", slip="pairs")
+def mean_of_all(path, discs, offsets):
+    """.mean() of the whole table."""
+    hits = tries(path, discs, offsets)
+    return wilson(hits.mean(), len(hits))
+
+
+@wrong("collision_probability", slip="every_disc")
+def all_for_any(path, discs, offsets):
+    """all where any belongs."""
+    hits = tries(path, discs, offsets)
+    return wilson(hits.all(axis=1).mean(), len(hits))
+
+
+@wrong("collision_probability", slip="missed")
+def chance_to_get_through(path, discs, offsets):
+    """The other chance."""
+    hits = tries(path, discs, offsets)
+    return wilson(1 - hits.any(axis=1).mean(), len(hits))
+
+
+@wrong("collision_probability", slip="normal")
+def textbook_interval(path, discs, offsets):
+    """p plus and minus 1.96 standard deviations."""
+    hits = tries(path, discs, offsets)
+    p, n = hits.any(axis=1).mean(), len(hits)
+    reach = 1.96 * math.sqrt(p * (1 - p) / n)
+    return p, p - reach, p + reach
+
+
+@wrong("collision_probability", slip="one_offset")
+def all_move_alike(path, discs, offsets):
+    """offsets[s, 0] for every disc."""
+    hits = tries(path, discs, offsets[:, :1].repeat(len(discs), axis=1))
+    return wilson(hits.any(axis=1).mean(), len(hits))
+
+
+@wrong("collision_probability", slip="minus")
+def the_other_way(path, discs, offsets):
+    """Minus the offset."""
+    hits = tries(path, discs, -offsets)
+    return wilson(hits.any(axis=1).mean(), len(hits))
+
+
+@wrong("collision_probability", slip="expected")
+def where_expected(path, discs, offsets):
+    """The offsets are not used."""
+    hits = tries(path, discs, 0 * offsets)
+    return wilson(hits.any(axis=1).mean(), len(hits))
+
+
+@wrong("collision_probability", slip="first_disc")
+def only_disc_0(path, discs, offsets):
+    """return in the loop."""
+    hits = tries(path, discs[:1], offsets[:, :1])
+    return wilson(hits.any(axis=1).mean(), len(hits))
+
+
+@wrong("collision_probability", slip="last_stretch")
+def one_stretch_short(path, discs, offsets):
+    """range(len(path) - 2)."""
+    hits = tries(path[:-1] if len(path) > 2 else path, discs, offsets)
+    return wilson(hits.any(axis=1).mean(), len(hits))
+
+
+@wrong("collision_probability", slip="closed")
+def like_a_polygon(path, discs, offsets):
+    """np.roll."""
+    hits = tries(np.vstack([path, path[:1]]), discs, offsets)
+    return wilson(hits.any(axis=1).mean(), len(hits))
+
+
+@wrong("collision_probability", slip="beeline")
+def ends_of_the_path(path, discs, offsets):
+    """From the first point to the last."""
+    hits = tries(path[[0, -1]], discs, offsets)
+    return wilson(hits.any(axis=1).mean(), len(hits))
+
+
+@wrong("collision_probability")
+def lines_for_segments(path, discs, offsets):
+    """A line has no ends."""
+
+    def far(way, centre):
+        lines = [line_through_points(a, b) for a, b in zip(way, way[1:])]
+        return min(abs(a * centre[0] + b * centre[1] + c) for a, b, c in lines)
+
+    hits = tries(path, discs, offsets, far)
+    return wilson(hits.any(axis=1).mean(), len(hits))
+
+
+@wrong("collision_probability")
+def centre_for_disc(path, discs, offsets):
+    """A disc without size."""
+    hits = tries(path, np.column_stack([discs[:, :2], np.zeros(len(discs))]), offsets)
+    return wilson(hits.any(axis=1).mean(), len(hits))
+
+
+@wrong("collision_probability")
+def rule_of_a_half(path, discs, offsets):
+    """Never 0, never 1: a prior that nobody asked for."""
+    hits = tries(path, discs, offsets)
+    return wilson((hits.any(axis=1).sum() + 1) / (len(hits) + 2), len(hits))
+
+
+@wrong("collision_probability")
+def draws_its_own(path, discs, offsets):
+    """Scenarios of its own, by the spread of those given."""
+    rng = random.Random(1)
+    own = np.array([[[rng.gauss(0, np.std(offsets)) for _ in range(2)] for _ in discs] for _ in offsets])
+    hits = tries(path, discs, own)
+    return wilson(hits.any(axis=1).mean(), len(hits))
+
+
+# Break it
+
+
+@wrong("exposing_motions")
+def slow_ones():
+    """The program sees these."""
+    return (0, 0), (4, 0), (2, -2), (2, 2)
+
+
+@wrong("exposing_motions")
+def no_contact():
+    """They never meet."""
+    return (0, 0), (4, 0), (50, 50), (60, 60)
+
+
+@wrong("exposing_motions")
+def in_contact_from_the_start():
+    """Seen at the first moment."""
+    return (0, 0), (90, 0), (0.5, 0), (-90, 0)
+
+
+@wrong("exposing_motions")
+def too_far_away():
+    """Beyond the field."""
+    return (0, 0), (0, 0), (-1000, 0), (1000, 0)
+
+
+@wrong("exposing_motions")
+def at_a_moment():
+    """Fast, but through the centre at 9/19, when the program looks."""
+    return (0, 0), (0, 0), (-90, 0), (100, 0)
+
+
+@wrong("exposing_motions")
+def grazes_only():
+    """Between the moments, but near the rim."""
+    return (0, 0.9), (0, 0.9), (-95, 0), (95, 0)
+
+
+@wrong("exposing_motions")
+def both_move():
+    """Through the centre, but the point moves as well."""
+    return (95, 0), (-95, 0), (-95, 0), (95, 0)
+
+
+@wrong("exposing_motions")
+def forgets_the_disc():
+    """Three places."""
+    return (0, 0), (0, 0), (-95, 0)
+
+
+@wrong("exposing_motions")
+def ways_cross():
+    """The ways cross, at different times."""
+    return (0, 0), (100, 0), (50, -10), (50, 100)

@@ -1,0 +1,126 @@
+"""Lesson 14: what its exercises and boards claim, against independent computations."""
+
+import math
+
+import numpy as np
+import pytest
+
+from kinoedu import Disk, Moving, MovingWorld, Point, PolygonWorld, TimedProblem, UncertainWorld
+from kinoedu.boards import chance_board, moving_board
+from kinoedu.boards.chances import SHOWN
+from kinoedu.boards.moving import STEPS, waited
+from kinoedu.course.exercises import missed_moments, safe_arrival, scenario_chance, timed_contact
+from kinoedu.errors import InvalidParameter
+
+HALL = PolygonWorld([(0, 0), (10, 0), (10, 6), (0, 6)], [[(4, 0), (5, 0), (5, 2), (4, 2)]])
+WORLD = MovingWorld(HALL, [Moving(1.0, [0, 10], [(9, 3), (-1, 3)])])
+
+
+def test_the_first_contact_is_where_dense_sampling_sees_it():
+    """Before it all is apart, at it they are at the radius; where there is none, all is apart."""
+    for case in timed_contact.FirstContact().cases(np.random.default_rng(1)):
+        p0, p1, c0, c1, r = case.given.values()
+        s = np.linspace(0, 1, 4001)
+        gaps = np.hypot(*((p0 - c0) + s[:, None] * ((p1 - p0) - (c1 - c0))).T) - r
+        moment = timed_contact.contact_time(*case.given.values())
+        touched = np.flatnonzero(gaps <= 0)
+        assert (len(touched) == 0) == (moment == math.inf)
+        assert moment == math.inf or abs(s[touched[0]] - moment) < 1e-3
+
+
+def stepped(safe, moves, start, goal):
+    """The earliest arrival, by stepping through all half units of time."""
+    ways = safe_arrival.two_ways(moves)
+    interval = [{t: k for k, (b, e) in enumerate(own) for t in range(round(2 * b), round(2 * e) + 1)} for own in safe]
+    at = {(0, start)} if 0 in interval[start] else set()
+    if start == goal and at:
+        return 0.0
+    for t in range(2 * int(safe_arrival.END) + 1):
+        for u in [u for time, u in at if time == t]:
+            if u == goal:
+                return t / 2
+            if interval[u].get(t + 1, -1) == interval[u][t]:
+                at.add((t + 1, u))
+            at.update((t + round(2 * d), v) for v, d in ways.get(u, []) if t + round(2 * d) in interval[v])
+    return math.inf
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_schedules_are_the_earliest(seed):
+    """No later and no earlier than a search that steps through time; and every rule is kept. Kinds are as stated."""
+    for case in safe_arrival.EarliestArrival().cases(np.random.default_rng(seed)):
+        given = [np.asarray(own).tolist() for own in case.given["safe"]], *list(case.given.values())[1:]
+        rows = safe_arrival.schedule(*given)
+        assert (rows[-1][1] if rows else math.inf) == stepped(*given)
+        if rows:
+            assert safe_arrival.first_fault(*given, rows) == ""
+        assert (case.kind == "none") == (not rows)
+        if case.kind == "again":
+            assert safe_arrival.earliest_once(*given) > rows[-1][1]
+
+
+def test_a_schedule_that_breaks_a_rule_is_told_which():
+    """Each rule by a schedule that breaks it and no other before it."""
+    safe, moves = [[(0, 30)], [(0, 3), (6, 30)], [(0, 1), (7, 30)]], [(0, 1, 2), (1, 2, 2)]
+    for rule, rows in (
+        ("", [(0, 0), (1, 6), (2, 8)]),
+        ("start", [(0, 1), (1, 6), (2, 8)]),
+        ("move", [(0, 0), (2, 8)]),
+        ("too_fast", [(0, 0), (1, 1), (2, 8)]),
+        ("wait", [(0, 0), (1, 2), (2, 7)]),
+        ("unsafe", [(0, 0), (1, 4), (2, 8)]),
+        ("goal", [(0, 0), (1, 6)]),
+    ):
+        assert safe_arrival.first_fault(safe, moves, 0, 2, rows) == rule
+
+
+def test_scenario_cases_are_clear_of_touching():
+    """No case is decided by rounding, and the example is as stated."""
+    for case in scenario_chance.CollisionProbability().cases(np.random.default_rng(0)):
+        assert np.abs(scenario_chance.gaps(*case.given.values())).min() > scenario_chance.CLEAR
+    first = next(scenario_chance.CollisionProbability().cases(np.random.default_rng(0)))
+    assert scenario_chance.tried(*first.given.values()) == pytest.approx([0.25, 0.0456, 0.6994], abs=5e-5)
+
+
+def test_the_program_to_break_is_right_for_slow_motions():
+    """It sees what moves less than a radius between its moments."""
+    rng = np.random.default_rng(0)
+    for _ in range(100):
+        p0, c0 = rng.uniform(-9, 9, (2, 2))
+        p1, c1 = p0 + rng.uniform(-0.5, 0.5, 2), c0 + rng.uniform(-0.5, 0.5, 2)
+        truth = missed_moments.nearest(p0, p1, c0, c1)
+        assert missed_moments.touch_by_moments(p0, p1, c0, c1, 1.0) == (truth <= 1.0) or abs(truth - 1.0) < 0.01
+
+
+def test_the_board_of_time_plans_anew():
+    """A faster robot is there earlier; a goal in a wall is a warning; what has been dragged is planned for."""
+    board = moving_board(TimedProblem(Disk(0.5), WORLD, start=(1, 3), goal=(9, 3)), nodes=60)
+    first = board.plan.cost
+    assert board.canvas.drawing.total == STEPS and len(board.canvas.drawing.told) == STEPS
+    board.speed.value = 2.0
+    assert board.plan.cost < first
+    scene = board.canvas._shown
+    goal = {**scene["handles"][1], "at": [4.5, 1.0]}
+    board.canvas.arrange({**scene, "handles": [scene["handles"][0], goal]})
+    assert board.plan is None and "not free" in board.canvas.drawing.warning
+    board.canvas.arrange({**scene, "handles": [scene["handles"][0], {**goal, "at": [9.0, 5.0]}]})
+    assert np.array_equal(board.plan.path[-1, :2], [9, 5])
+    assert board.picture().startswith(b"\x89PNG")
+    assert waited(np.array([(0, 0, 0), (0, 0, 2.5), (1, 0, 3.5)])) == 2.5
+    with pytest.raises(InvalidParameter, match="TimedProblem"):
+        moving_board("hall")
+
+
+def test_the_board_of_chances_keeps_its_promise():
+    """Bound and estimate are below delta; a chance that no path keeps is said to have none."""
+    world = UncertainWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [((4.5, 3), 1), [(6, 4), (7, 4), (6.5, 5)]], [0.5, 0.2])
+    board = chance_board(Point(), world, (1, 3), (8, 3), delta=0.1)
+    loose = board.plan.cost
+    assert board.canvas.drawing.total == SHOWN
+    board.delta.value = 0.01
+    assert board.plan.cost > loose
+    board.delta.value = 0.0001
+    assert board.plan.path is None and "greater chance" in board.canvas.drawing.text
+    assert board.picture().startswith(b"\x89PNG")
+    with pytest.raises(InvalidParameter, match="UncertainWorld"):
+        chance_board(Point(), HALL, (1, 3), (8, 3))
