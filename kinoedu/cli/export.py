@@ -87,6 +87,7 @@ def to_csv(arguments: argparse.Namespace, of: Any, rows: Any) -> str:
 
 def to_canvas(arguments: argparse.Namespace, of: Any, rows: Any) -> str:
     """Canvas's own table, filled in."""
+    from ..grading.cells_of_csv import one_line
     from ..grading.exports import export_canvas
 
     if arguments.template is None:
@@ -95,7 +96,7 @@ def to_canvas(arguments: argparse.Namespace, of: Any, rows: Any) -> str:
         )
     file = arguments.out or of.out / "canvas.csv"
     unknown = export_canvas(rows, arguments.template, file, arguments.column)
-    missing = f"; Canvas does not have: {', '.join(unknown)}" if unknown else ""
+    missing = f"; Canvas does not have: {one_line(', '.join(unknown))}" if unknown else ""
     return f"wrote {file}{missing}"
 
 

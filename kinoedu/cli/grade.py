@@ -85,7 +85,7 @@ def run_grade(arguments: argparse.Namespace) -> int:
 
 def run_regrade(arguments: argparse.Namespace) -> int:
     """Grade anew, and list what changed."""
-    from ..grading.cells_of_csv import number
+    from ..grading.cells_of_csv import number, one_line
     from ..grading.class_list import read_class
     from ..grading.regrading import regrade
     from ..grading.rows import class_rows
@@ -98,7 +98,7 @@ def run_regrade(arguments: argparse.Namespace) -> int:
     for one in changes[:MOST_LISTED]:
         kept = f" (yours holds: {one.kept})" if one.kept else ""
         scores = f"{number(one.before) or '-'} -> {number(one.after) or '-'}"
-        print(f"  {one.student} {one.assignment} {one.question}: {scores}{kept}; {one.why}")
+        print(f"  {one_line(f'{one.student} {one.assignment} {one.question}: {scores}{kept}; {one.why}')}")
     return status
 
 
@@ -127,6 +127,7 @@ def run_of(arguments: argparse.Namespace, secret_file: Path, grading: Any, writi
 
 def sum_up(of: Any, rows: Any) -> int:
     """One line on what was graded, one for each that was not, and what to do next."""
+    from ..grading.cells_of_csv import one_line
     from ..grading.rows import NOT_GRADED, UNREADABLE
 
     bad = {row[:2]: row for row in rows if row.status in (UNREADABLE, NOT_GRADED)}
@@ -136,7 +137,7 @@ def sum_up(of: Any, rows: Any) -> int:
     print(f"{counts}; look at {of.out / 'report.html'}; scores are in {of.out / 'grades.csv'}")
     for entry in lost[:MOST_LISTED]:
         row = bad[entry.student, entry.assignment]
-        print(f"  {entry.student}, {entry.file}: {row.status}: {row.message}")
+        print(f"  {one_line(f'{entry.student}, {entry.file}: {row.status}: {row.message}')}")
     if len(lost) > MOST_LISTED:
         print(f"  and {len(lost) - MOST_LISTED} more, in the report")
     if len(lost) > unreadable:

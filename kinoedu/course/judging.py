@@ -80,17 +80,19 @@ def same_data(shape: Shape, value: Any, data: Any) -> bool:
 
 
 def report_on(exercise: Exercise, cases: Iterable[Case], outcomes: Iterable[Outcome]) -> Report:
-    """Judge outcomes in the order of their cases. Asks for no more after one that came too late or was not written yet."""
-    right = dict.fromkeys(exercise.kinds, 0)
+    """Judge outcomes in the order of their cases. Asks for no more after one that came too late or was not written yet; a kind of
+    which some case was not reached is not right, so that nobody gains by giving up.
+    """
+    right, all_cases = dict.fromkeys(exercise.kinds, 0), list(cases)
     seen: list[Judged] = []
-    for number, (case, outcome) in enumerate(zip(cases, outcomes, strict=False)):
+    for number, (case, outcome) in enumerate(zip(all_cases, outcomes, strict=False)):
         verdict = exercise.judge(case, outcome)
         seen.append(Judged(case, outcome, verdict, number=number))
         right[case.kind] += verdict.is_right
         if isinstance(outcome, Late) or is_unwritten(outcome):
             break
     failures = [one for one in seen if not one.verdict.is_right]
-    broken = {failure.case.kind for failure in failures}
+    broken = {failure.case.kind for failure in failures} | {case.kind for case in all_cases[len(seen) :]}
     if not any(one.verdict.is_right and isinstance(one.outcome, Answer) for one in seen):
         broken = set(exercise.kinds)  # to refuse every input is not to refuse the wrong ones
     failed = tuple(kind for kind in exercise.kinds if kind in broken or not right[kind])

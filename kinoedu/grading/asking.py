@@ -5,6 +5,7 @@ no answer, and one that was not asked for as nothing at all. A sandbox is asked 
 has seen, and the hidden ones. So what a student may read, such as an exception's message, was said before a hidden case was there.
 """
 
+import time
 from typing import Any, NamedTuple
 
 from ..course import drawn, drivable, expansions, shapes, tasks, whole_shapes
@@ -65,11 +66,15 @@ def answers(
     """Run the cells and ask the questions, as many times as it takes. Raises NoSandbox.
 
     lent : what the assignment takes from the exercises' own modules, as "module:name". patience : how many times its usual
-    time everything is given.
+    time everything is given. What is not asked when all that time is over, however often it broke off, counts as late.
     """
     found = Answers({}, {})
     cells, questions = list(cells), list(questions)
+    until = time.monotonic() + LONGEST * patience
     while questions:
+        if time.monotonic() > until:
+            found.outcomes.update({question.name: [Late(left_running=False)] for question in questions})
+            break
         longest = max([CELL_SECONDS, *(question.exercise.seconds for question in questions)]) * patience
         drawn = any(own_call(question.exercise) for question in questions)
         request = request_for(cells, questions, patience)
@@ -139,6 +144,9 @@ def take(reply: Reply, questions: list[Question], found: Answers) -> None:
                 take_outcome(line, asked[name], part, found)
     if reply.end == "done":
         found.outcomes.update({name: found.outcomes.get(name) for name in asked})
+        for outcomes in (found.outcomes[question.name] for question in questions if is_open(question, found, HIDDEN)):
+            if outcomes is not None:  # it said that it is done, and was not asked all
+                outcomes.append(Misshapen(say("grading.no_outcome")))
 
 
 def take_outcome(line: dict[str, Any], question: Question, part: int, found: Answers) -> None:

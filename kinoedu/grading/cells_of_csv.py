@@ -7,7 +7,25 @@ from pathlib import Path
 
 from ..whole_file import written_whole
 
-FORMULA = ("=", "+", "-", "@")
+FORMULA = (
+    "=",
+    "+",
+    "-",
+    "@",
+    "\uff1d",
+    "\uff0b",
+    "\uff0d",
+    "\uff20",
+)  # the last four as wide as a Chinese character, and heard too
+
+
+def one_line(text: str) -> str:
+    """Text on one line, without what would steer a terminal or turn the direction of writing.
+
+    >>> one_line("ann\\x1b[2J\\u202e\\nb")
+    'ann [2J b'
+    """
+    return " ".join("".join(c if c.isprintable() else " " for c in text).split())
 
 
 def harmless(text: str) -> str:
@@ -16,7 +34,7 @@ def harmless(text: str) -> str:
     >>> harmless("=cmd|' /C calc'!A0"), harmless("two\\nlines"), harmless("-1")
     ("'=cmd|' /C calc'!A0", 'two lines', "'-1")
     """
-    line = " ".join("".join(c if c.isprintable() else " " for c in text).split())
+    line = one_line(text)
     return f"'{line}" if line.lstrip("'").startswith(FORMULA) else line
 
 

@@ -12,7 +12,7 @@ from ..course.exercises import EXERCISES
 from ..errors import InvalidParameter
 from ..whole_file import written_whole
 from ..words import say
-from .notebook import cells_in, notebook_in, read_bytes
+from .notebook import cells_in, joined, notebook_in, read_bytes
 
 UNTOUCHED = "YOUR ANSWER HERE"
 
@@ -96,19 +96,24 @@ def said_by_checks(cells: list[Any]) -> dict[str, str]:
     """The first line of what each check() left in the notebook."""
     said = {}
     for cell in cells:
-        if isinstance(cell, dict) and (called := re.match(r"\s*check\((\w+)", "".join(cell.get("source", "")))):
-            for output in cell.get("outputs", ()):
-                text = "".join(output.get("data", {}).get("text/plain", "")).partition("\n")[0]
-                said[called[1]] = text.removeprefix(f"{called[1]}: ")
-                break
+        outputs = table(cell).get("outputs")
+        called = re.match(r"\s*check\((\w+)", joined(table(cell).get("source")))
+        if called and isinstance(outputs, list) and outputs:
+            text = joined(table(table(outputs[0]).get("data")).get("text/plain")).partition("\n")[0]
+            said[called[1]] = text.removeprefix(f"{called[1]}: ")
     return said
 
 
 def by_hand(cells: list[Any]) -> list[tuple[str, bool]]:
     """The answers that people grade, and whether each was touched."""
-    marked = [(cell, cell.get("metadata", {}).get("nbgrader", {})) for cell in cells if isinstance(cell, dict)]
+    marked = [(cell, table(table(table(cell).get("metadata")).get("nbgrader"))) for cell in cells]
     return [
-        (str(mark["grade_id"]), UNTOUCHED not in "".join(cell.get("source", "")))
+        (str(mark["grade_id"]), UNTOUCHED not in joined(cell.get("source")))
         for cell, mark in marked
         if mark.get("grade") and mark.get("solution") and "grade_id" in mark
     ]
+
+
+def table(data: Any) -> dict[str, Any]:
+    """A table of a notebook; what else stands in its place is an empty one."""
+    return data if isinstance(data, dict) else {}

@@ -17,7 +17,7 @@ from .cells_of_csv import harmless, number, write_rows
 from .class_list import Class, Entry, digest_of
 from .decisions import BY_HAND, COLUMNS
 from .feedback_page import file_name
-from .notebook import UnreadableSubmission, notebook_in
+from .notebook import UnreadableSubmission, joined, notebook_in
 from .questions import assignment
 from .rows import BY_HAND as TO_GRADE
 from .rows import DECIDED, Row
@@ -119,6 +119,11 @@ def printable(text: str) -> str:
     return text.encode("utf-8", "replace").decode("utf-8")
 
 
+def printed(text: Any) -> str:
+    """Text of a notebook that a database takes."""
+    return printable(joined(text))
+
+
 def add_score(gradebook: Any, row: Row) -> None:
     """A score of the grader's, or a person's in its place; what people grade is marked as theirs until they have."""
     from nbgrader.api import MissingEntry
@@ -151,7 +156,7 @@ def clean_cell(cell: dict[str, Any], left: Marks) -> dict[str, Any]:
     mine = metadata.get("nbgrader") if isinstance(metadata, dict) else None
     name = mine.get("grade_id") if isinstance(mine, dict) else None
     mark = left.pop(name, None) if isinstance(name, str) else None
-    source = joined(cell.get("source"))
+    source = printed(cell.get("source"))
     if cell.get("cell_type") != "code":
         return markdown(TAG.sub("&lt;", source), mark)
     return {**markdown(source, mark), "cell_type": "code", "execution_count": None, "outputs": list(clean_outputs(cell))}
@@ -170,17 +175,11 @@ def clean_outputs(cell: dict[str, Any]) -> Iterator[dict[str, Any]]:
         if not isinstance(output, dict):
             continue
         if output.get("output_type") == "stream":
-            yield {"output_type": "stream", "name": "stdout", "text": joined(output.get("text"))}
+            yield {"output_type": "stream", "name": "stdout", "text": printed(output.get("text"))}
         data = output.get("data")
-        shown = {kind: joined(value) for kind, value in data.items() if kind in SHOWN} if isinstance(data, dict) else {}
+        shown = {kind: printed(value) for kind, value in data.items() if kind in SHOWN} if isinstance(data, dict) else {}
         if shown:
             yield {"output_type": "display_data", "metadata": {}, "data": shown}
-
-
-def joined(text: Any) -> str:
-    """Text, of which notebooks may make a list of lines."""
-    parts = text if isinstance(text, list) else [text]
-    return printable("".join(part for part in parts if isinstance(part, str)))
 
 
 def scores_from_nbgrader(of: Class, folder: Path) -> int:

@@ -1,8 +1,10 @@
 """A submission's cells, read with care: a notebook may be empty, cut off, no notebook at all, or made to break its reader."""
 
+import ast
 import json
 import os
 import stat
+import warnings
 from pathlib import Path
 from typing import Any
 
@@ -10,10 +12,12 @@ from ..errors import KinoeduError
 from .asking import Cell
 
 MOST_BYTES = 60 * 2**20  # a notebook's pictures and all
-MOST_PARTS = 2**22  # commas: each may be a value, and takes far more memory than a byte
+MOST_PARTS = 2**21  # commas and brackets: each may be a value, and takes far more memory than a byte
 MOST_SOURCE = 2**20  # characters of code
 MOST_CELLS = 2_000
-UNHEARD = ("%", "!", "?")  # lines for a notebook only
+UNHEARD = ("%", "!", "?")  # how lines begin that are for a notebook only
+ALL_THE_SAME = ("%%time", "%%capture")  # first lines of cells that are run as they are
+LONGEST = 200_000  # characters of a cell to be read as Python
 
 
 class UnreadableSubmission(KinoeduError):
@@ -57,7 +61,7 @@ def notebook_in(data: bytes) -> dict[str, Any]:
     """A notebook of version 4 as JSON has it. Raises UnreadableSubmission."""
     if not data.strip():
         raise UnreadableSubmission("the file is empty")
-    if data.count(b",") > MOST_PARTS:
+    if sum(map(data.count, (b",", b"[", b"{"))) > MOST_PARTS:
         raise UnreadableSubmission("the file holds more numbers and words than a notebook does")
     try:
         book = json.loads(data.decode("utf-8-sig"))
@@ -74,12 +78,29 @@ def notebook_in(data: bytes) -> dict[str, Any]:
 
 def source_of(cell: dict[str, Any]) -> str:
     """A cell's code as Python reads it: without the lines that only a notebook understands, and what no file can hold replaced."""
-    source = cell.get("source", "")
-    if isinstance(source, list):
-        source = "".join(part for part in source if isinstance(part, str))
-    if not isinstance(source, str):
-        return ""
-    if source.startswith("%%"):
-        return ""
-    lines = source.encode("utf-8", "replace").decode("utf-8").splitlines(keepends=True)
-    return "".join(line for line in lines if not line.lstrip().startswith(UNHEARD))
+    lines = joined(cell.get("source")).encode("utf-8", "replace").decode("utf-8").splitlines(keepends=True)
+    if lines and lines[0].startswith("%%"):
+        lines = lines[1:] if lines[0].split()[0] in ALL_THE_SAME else []
+    left = [lines, [line for line in lines if not line.startswith(UNHEARD)]]  # within brackets or text such lines are Python's
+    left += [[line for line in lines if not line.lstrip().startswith(UNHEARD)]]
+    sources = list(dict.fromkeys(map("".join, left)))
+    return next(filter(is_python, sources[:-1]), sources[-1])
+
+
+def is_python(source: str) -> bool:
+    """Whether Python can read it."""
+    if len(source) > LONGEST:
+        return False
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            ast.parse(source)
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return False
+    return True
+
+
+def joined(text: Any) -> str:
+    """Text, of which notebooks may make a list of lines; what else stands in its place is none."""
+    parts = text if isinstance(text, list) else [text]
+    return "".join(part for part in parts if isinstance(part, str))

@@ -24,6 +24,7 @@ def write_similar(found: list[Similar], folder: Path) -> int:
     lines = [
         [*map(harmless, (of.assignment, one.first.name, one.second.name)), *map(number, one[2:]), place] for place, of, one in pairs
     ]
+    folder.mkdir(parents=True, exist_ok=True)
     write_rows(folder / "similar.csv", [COLUMNS, *lines])
     write_page(folder / "similar.html", page(say("similar.title"), [paragraph(say("similar.about")), *map(summary, found)]))
     return len(pairs)

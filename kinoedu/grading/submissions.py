@@ -9,23 +9,28 @@ Any of them may be a zip, and a student's file may be a zip. A zip is read in me
 """
 
 import io
-import json
 import re
 import zipfile
+import zlib
 from collections.abc import Iterable, Iterator
 from pathlib import Path, PurePosixPath
 from typing import NamedTuple
 
 from ..course.release import HOUSE, assignments
 from ..errors import InvalidParameter
-from .notebook import MOST_BYTES, UnreadableSubmission, read_bytes
+from .cells_of_csv import one_line
+from .notebook import MOST_BYTES, UnreadableSubmission, notebook_in, read_bytes
 
 CANVAS = re.compile(r"^(?P<student>[^_]+)_(?:late_)?(?P<id>\d+)_\d+_(?P<file>.+)$", re.IGNORECASE)
 MOODLE = re.compile(r"^(?P<student>.+)_(?P<id>\d+)_assignsubmission_(?:file|onlinetext)_?$")
 GRADESCOPE = re.compile(r"^submission_\d+$")
 COPIED = re.compile(r"([ _-]?\(\d+\)|-\d+|[ _-]copy\d*)+$", re.IGNORECASE)  # what a download or a second try adds to a name
+METADATA = "submission_metadata.yml"
 MOST_MEMBERS = 10_000
-MOST_UNPACKED = 2 * 2**30
+MOST_UNPACKED = 2 * 2**30  # bytes of all notebooks of a class, and here of one student
+MOST_OF_ONE, MOST_UNPACKED_OF_ONE = 100, 4 * MOST_BYTES
+PACKED = (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)  # others take what memory the file says
+LONGEST_NAME, MOST_NAMED = 300, 5  # characters of a file's place, files in a sentence
 
 
 class Submission(NamedTuple):
@@ -76,11 +81,16 @@ def files_in(folder: Path) -> Iterator[Found]:
         if any(part.startswith(".") or part == "__MACOSX" for part in place) or (file.is_dir() and not file.is_symlink()):
             continue
         try:
-            data = read_bytes(file)
+            data = read_bytes(file) if is_read(file.name) else b""
         except UnreadableSubmission as trouble:
             yield Found(place, b"", str(trouble))
         else:
             yield from unpacked(Found(place, data))
+
+
+def is_read(name: str) -> bool:
+    """Whether a file is opened at all: what else lies beside a notebook takes no memory and is no trouble, whatever it is."""
+    return name.lower().endswith((".ipynb", ".zip")) or name == METADATA
 
 
 def unwrapped(files: list[Found], known: list[str]) -> list[Found]:
@@ -105,21 +115,36 @@ def unpacked(file: Found, *, top: bool = False) -> Iterator[Found]:
     above = () if top else file.place
     try:
         with zipfile.ZipFile(io.BytesIO(file.data)) as archive:
-            members = [member for member in archive.infolist() if not member.is_dir()]
-            if len(members) > MOST_MEMBERS or sum(member.file_size for member in members) > MOST_UNPACKED:
-                raise UnreadableSubmission("the zip holds too much")
-            for member in members:
+            for member in members_of(archive, top=top):
                 place = (*above, *PurePosixPath(member.filename.replace("\\", "/")).parts)
                 inner = member_of(archive, member, place)
                 yield from unpacked(inner) if top and not inner.trouble else [inner]
-    except (zipfile.BadZipFile, UnreadableSubmission, OSError, ValueError, NotImplementedError, RuntimeError, EOFError) as error:
+    except (*UNREADABLE, UnreadableSubmission) as error:
         yield Found(file.place, b"", f"the zip cannot be read: {error}")
+
+
+UNREADABLE = (zipfile.BadZipFile, zlib.error, OSError, ValueError, NotImplementedError, RuntimeError, EOFError)
+
+
+def members_of(archive: zipfile.ZipFile, *, top: bool) -> list[zipfile.ZipInfo]:
+    """The files of a class's zip, or the notebooks of a student's. Raises UnreadableSubmission."""
+    most, most_bytes = (MOST_MEMBERS, MOST_UNPACKED) if top else (MOST_OF_ONE, MOST_UNPACKED_OF_ONE)
+    members = [one for one in archive.infolist() if not one.is_dir() and (top or one.filename.lower().endswith(".ipynb"))]
+    if len(members) > most or sum(one.file_size for one in members if is_read(one.filename)) > most_bytes:
+        raise UnreadableSubmission("the zip holds too much")
+    if not (members or top):
+        raise UnreadableSubmission("it holds no notebook, unless that is in another zip; hand in the notebook itself")
+    return members
 
 
 def member_of(archive: zipfile.ZipFile, member: zipfile.ZipInfo, place: tuple[str, ...]) -> Found:
     """One file of a zip, read no further than it may be long."""
     if any(part.startswith(".") or part == "__MACOSX" for part in place):
         return Found((*place[:-1], ".skipped"), b"")
+    if not is_read(place[-1]):
+        return Found(place, b"")
+    if member.compress_type not in PACKED:
+        return Found(place, b"", "it was packed in an unusual way; pack it with an ordinary zip")
     with archive.open(member) as stream:
         data = stream.read(MOST_BYTES + 1)
     return Found(place, data) if len(data) <= MOST_BYTES else Found(place, b"", "the file is too large")
@@ -133,7 +158,7 @@ def is_candidate(file: Found) -> bool:
 def submission_of(file: Found, owners: dict[str, str], known: list[str], only: str) -> Submission:
     """Whose a file is, and which assignment it answers."""
     student, name = owner(file.place, owners)
-    where = "/".join(file.place)
+    where = one_line("/".join(file.place)[-LONGEST_NAME:])
     assignment = only or assignment_of(name, file, known)
     trouble = file.trouble or (
         "" if assignment else f"it answers no assignment that is known; its name should begin with one of: {', '.join(known)}"
@@ -183,9 +208,9 @@ def by_marks(data: bytes, known: list[str]) -> str:
     from .questions import assignment
 
     try:
-        cells = json.loads(data)["cells"]
+        cells = notebook_in(data)["cells"]
         marks = {cell["metadata"]["nbgrader"]["grade_id"] for cell in cells if "nbgrader" in cell.get("metadata", {})}
-    except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
+    except (UnreadableSubmission, KeyError, TypeError, AttributeError):
         return ""
     shared = {name: sum(asked.exercise.name in marks for asked in assignment(name).questions) for name in known}
     best = max(known, key=lambda name: shared[name], default="")
@@ -200,7 +225,7 @@ def gradescope_owners(files: Iterable[Found]) -> dict[str, str]:
 
     owners: dict[str, str] = {}
     for file in files:
-        if file.place == ("submission_metadata.yml",) and len(file.data) < MOST_BYTES:
+        if file.place == (METADATA,) and len(file.data) < MOST_BYTES:
             try:
                 about = yaml.safe_load(file.data)
                 entries = {str(key): value[":submitters"][0] for key, value in about.items()}
@@ -219,5 +244,5 @@ def without_doubles(submissions: list[Submission]) -> Iterator[Submission]:
         if len({one.data for one in group}) == 1 or not group[0].assignment:
             yield from group[: 1 if group[0].assignment else None]
         else:
-            files = ", ".join(one.file for one in group)
+            files = ", ".join([*(one.file for one in group[:MOST_NAMED]), *["..."] * (len(group) > MOST_NAMED)])
             yield group[0]._replace(data=b"", file=files, trouble=f"handed in more than once, with differences: {files}; leave one")

@@ -7,6 +7,7 @@ from collections import deque
 from collections.abc import Iterator
 
 MOST_OUTPUT = 32 * 2**20  # bytes
+MOST_PARTS = 2**21  # commas and brackets, each of which may be a value, and takes far more memory than a byte
 MOST_LINE = 2**20
 LONGEST = 300.0  # seconds for everything, however much is said
 START = 60.0  # seconds until the first line, on a slow machine
@@ -20,7 +21,7 @@ class Talk:
         self.end = ""
         self.unsaid = self.kept = b""
         self.heard: deque[bytes] = deque()
-        self.total = 0
+        self.total = self.parts = 0
         self.last = time.monotonic() + START
         self.very_last = self.last + LONGEST * max(1.0, patience / 10.0)
         self.ready = selectors.DefaultSelector()
@@ -63,11 +64,12 @@ class Talk:
     def hear_more(self, data: bytes) -> None:
         """Take it for lines, as long as it is not too much."""
         self.total += len(data)
+        self.parts += sum(map(data.count, (b",", b"[", b"{")))
         *whole, self.kept = (self.kept + data).split(b"\n")
         if whole:
             self.last = time.monotonic() + self.patience
         self.heard.extend(whole)
-        if self.total > MOST_OUTPUT or len(self.kept) > MOST_LINE:
+        if self.total > MOST_OUTPUT or self.parts > MOST_PARTS or len(self.kept) > MOST_LINE:
             self.end = "flood"
         elif not data:
             self.end = "died"

@@ -1,0 +1,190 @@
+"""Files, answers and programs made to break their reader, or by clumsy hands: the rest of the class is graded, and nobody gains."""
+
+import io
+import json
+import os
+import zipfile
+
+import numpy as np
+import pytest
+
+from kinoedu.course.exercises import find
+from kinoedu.course.judging import attempt, report_on
+from kinoedu.course.outcomes import Late, Misshapen, Raised
+from kinoedu.grading import asking, talk
+from kinoedu.grading.asking import Cell, Question, answers
+from kinoedu.grading.handing_in import answers_in
+from kinoedu.grading.notebook import MOST_PARTS, UnreadableSubmission, notebook_in, source_of
+from kinoedu.grading.sandbox import Reply
+from kinoedu.grading.submissions import MOST_OF_ONE, by_marks, collect
+from kinoedu.grading.talk import Talk
+
+NOTEBOOK = json.dumps({"nbformat": 4, "nbformat_minor": 5, "metadata": {}, "cells": []}).encode()
+EXERCISE = find("point_line_distance")
+
+
+def packed(way: int, **files: bytes) -> bytes:
+    """A zip with files, in its bytes."""
+    stream = io.BytesIO()
+    with zipfile.ZipFile(stream, "w", way) as archive:
+        for name, data in files.items():
+            archive.writestr(name, data)
+    return stream.getvalue()
+
+
+def spoilt(data: bytes) -> bytes:
+    """With nonsense where the compressed bytes begin."""
+    return data[:50] + b"\xff" * 10 + data[60:]
+
+
+ZIPS = {
+    "its bytes are no deflated ones": spoilt(packed(zipfile.ZIP_DEFLATED, **{"01_geometry.ipynb": NOTEBOOK * 50})),
+    "it asks for 4 GB to be unpacked": packed(zipfile.ZIP_LZMA, **{"01_geometry.ipynb": NOTEBOOK * 50}),
+    "it is in another zip": packed(0, **{"inner.zip": packed(0, **{"01_geometry.ipynb": NOTEBOOK})}),
+    "it holds too many": packed(zipfile.ZIP_STORED, **{f"{at}.ipynb": NOTEBOOK for at in range(MOST_OF_ONE + 1)}),
+}
+
+
+@pytest.mark.parametrize("data", ZIPS.values(), ids=ZIPS)
+def test_a_zip_that_cannot_be_read_is_said_and_costs_nobody_else(data, tmp_path):
+    for student, name, content in (("ann", "x.zip", data), ("bob", "01_geometry.ipynb", NOTEBOOK)):
+        (tmp_path / student).mkdir()
+        (tmp_path / student / name).write_bytes(content)
+    ann, bob = collect(tmp_path)
+    assert (ann.student, bool(ann.trouble), ann.data) == ("ann", True, b"")
+    assert (bob.student, bob.trouble, bob.data) == ("bob", "", NOTEBOOK)
+
+
+def test_what_lies_beside_a_notebook_is_not_read_and_no_trouble(tmp_path):
+    home = tmp_path / "ann" / "01_geometry"
+    home.mkdir(parents=True)
+    (home / "01_geometry.ipynb").write_bytes(NOTEBOOK)
+    with open(home / "film.mp4", "wb") as file:
+        file.truncate(2**30)
+    (home / "link.txt").symlink_to("/etc/passwd")
+    (tmp_path / "bob.zip").write_bytes(packed(zipfile.ZIP_DEFLATED, **{"01_geometry.ipynb": NOTEBOOK, "zeros": bytes(2**28)}))
+    assert [(one.student, one.trouble) for one in collect(tmp_path)] == [("ann", ""), ("bob", "")]
+
+
+def test_names_without_end_are_cut(tmp_path):
+    (tmp_path / "ann").mkdir()
+    files = {"a/" * 20_000 + f"{at}/01_geometry.ipynb": NOTEBOOK + b" " * at for at in range(50)}
+    (tmp_path / "ann" / "x.zip").write_bytes(packed(zipfile.ZIP_STORED, **files))
+    (one,) = collect(tmp_path)
+    assert "more than once" in one.trouble and len(one.trouble) + len(one.file) < 4000
+
+
+def test_a_name_steers_no_terminal(tmp_path, capsys):
+    from kinoedu.cli.grade import sum_up
+    from kinoedu.grading.class_list import Class, Entry
+    from kinoedu.grading.rows import UNREADABLE, Row
+
+    (tmp_path / "ann").mkdir()
+    (tmp_path / "ann" / "01_geometry\x1b[2J\u202e.ipynb").write_bytes(b"")
+    (one,) = collect(tmp_path)
+    assert one.file.isprintable()
+    entry = Entry("bob\x1b]0;mine\x07", "01_geometry", "x", "", "", "", "", "")
+    row = Row(entry.student, entry.assignment, "", None, 0.0, UNREADABLE, "no\x1b[31m notebook")
+    assert sum_up(Class(tmp_path, "", "", False, [entry]), [row]) == 1
+    assert capsys.readouterr().out.replace("\n", "").isprintable()
+
+
+def test_nothing_alike_is_said_too(tmp_path):
+    from kinoedu.grading.similar import Similar
+    from kinoedu.grading.similar_page import write_similar
+
+    assert write_similar([Similar("01_geometry", [], [], [])], tmp_path / "new") == 0
+    assert (tmp_path / "new" / "similar.html").exists()
+
+
+@pytest.mark.parametrize("part", ['{"a":' * 500 + "1" + "}" * 500, "[]", '{"a":{}}'], ids=["deep", "lists", "tables"])
+def test_a_notebook_that_would_fill_the_memory_is_refused_before_it_is_read(part):
+    many = ",".join([part] * (MOST_PARTS // part.count(part[0]) + 1))
+    data = f'{{"nbformat": 4, "cells": [], "more": [{many}]}}'.encode()
+    with pytest.raises(UnreadableSubmission, match="more numbers and words"):
+        notebook_in(data)
+    assert by_marks(data, ["01_geometry"]) == ""
+
+
+@pytest.mark.parametrize(
+    ("source", "wanted"),
+    [
+        ("x = (\n    7\n    % 4\n)\n", "x = (\n    7\n    % 4\n)\n"),
+        ("%matplotlib inline\nx = (7\n  % 4)\n", "x = (7\n  % 4)\n"),
+        ('t = """\n%a\n!b\n"""', 't = """\n%a\n!b\n"""'),
+        ("if True:\n    %time x\n    y = 1\n", "if True:\n    y = 1\n"),
+        ("%%time\nx = 1\n", "x = 1\n"),
+        ("%%bash\nx = 1\n", ""),
+        ("%%", ""),
+        (None, ""),
+        (["x = 1\n", 7, None, "y = 2"], "x = 1\ny = 2"),
+    ],
+)
+def test_only_lines_for_a_notebook_are_left_out(source, wanted):
+    assert source_of({"source": source}) == wanted
+
+
+@pytest.mark.parametrize("odd", [None, 7, "text", [], [None], {"nbgrader": None}, {"nbgrader": [1]}, {"data": {"text/plain": 7}}])
+def test_handing_in_meets_any_notebook(odd):
+    cells = [
+        {"cell_type": "code", "source": "check(bug1)", "metadata": odd, "outputs": odd},
+        {"source": odd, "outputs": [odd]},
+        odd,
+    ]
+    data = json.dumps({"nbformat": 4, "cells": cells}).encode()
+    assert not any(answered for answered, _ in answers_in(data, "01_geometry").values())
+
+
+@pytest.mark.parametrize("end", [Late(False), Raised(["NotImplementedError"], "", [], ""), Raised(["Stopped"], "", [], ""), None])
+def test_who_gives_up_has_no_kind_that_was_not_asked_to_its_end(end):
+    cases = list(EXERCISE.cases(np.random.default_rng(0)))
+    every_one = [attempt(EXERCISE, EXERCISE.reference, case) for case in cases]
+    assert report_on(EXERCISE, cases, every_one).score == 1.0
+    for at in range(len(cases)):
+        report = report_on(EXERCISE, iter(cases), every_one[:at] + [end] * (end is not None))
+        assert set(report.failed) >= {case.kind for case in cases[at:]}
+
+
+class Liar:
+    """A sandbox in which a program ends as it likes, having said what it likes."""
+
+    def __init__(self, parts: list[list[dict]], end: str) -> None:
+        self.reply, self.asked = Reply(parts, end), 0
+
+    def ask(self, *_: object) -> Reply:
+        """The same each time."""
+        self.asked += 1
+        return self.reply
+
+
+def question(name: str) -> Question:
+    """A question with its cases."""
+    return Question(find(name), list(find(name).cases(np.random.default_rng(0))), 2)
+
+
+def test_who_says_to_be_done_is_asked_for_the_rest():
+    line = {"question": EXERCISE.name, "case": 0, "outcome": {"kind": "Answer", "value": 0.0}}
+    found = answers(Liar([[{"ready": True}], [line], []], "done"), [], [question(EXERCISE.name)]).outcomes
+    assert isinstance(found[EXERCISE.name][-1], Misshapen) and len(found[EXERCISE.name]) == 2
+
+
+def test_breaking_off_again_and_again_takes_no_more_time_than_once(monkeypatch):
+    monkeypatch.setattr(asking, "LONGEST", -1.0)
+    liar = Liar([[{"ready": True}]], "late")
+    found = answers(liar, [Cell(1, "")], [question(EXERCISE.name), question("point_segment_distance")]).outcomes
+    assert liar.asked == 0 and list(found.values()) == [[Late(False)]] * 2
+
+
+def test_lines_that_would_fill_the_memory_are_a_flood(monkeypatch):
+    monkeypatch.setattr(talk, "MOST_PARTS", 1000)
+    ends = []
+    for line in (b'{"cell": 1}\n' * 3, b'{"a": [' + b"{}," * 500 + b"{}]}\n"):
+        asking_end, answering = os.pipe()
+        os.write(answering, line)
+        os.close(answering)
+        conversation = Talk(os.open(os.devnull, os.O_WRONLY), asking_end, 1.0)
+        list(conversation.lines())
+        ends.append(conversation.end)
+        os.close(asking_end)
+        os.close(conversation.asking)
+    assert ends == ["died", "flood"]
