@@ -316,6 +316,7 @@ def test_hand_grading_goes_to_nbgrader_and_back(tmp_path):
     write_class(of)
     assert export_nbgrader(of, write_all(of), tmp_path / "course") == 1
     shown = (tmp_path / "course" / "autograded" / "ann" / HAND / f"{HAND}.ipynb").read_text(encoding="utf-8")
+    assert (tmp_path / "course" / "source" / HAND).is_dir()  # or formgrader lists nothing to grade
     assert "<script" not in shown and "1 < 2 &lt;/pre" in shown and "plain" in shown and '"points": 99' not in shown
     whose = ("flowchart_bug1", HAND, HAND, "ann")
     with Gradebook(address(tmp_path / "course")) as gradebook:
@@ -356,6 +357,34 @@ def test_what_cannot_be_graded_is_not_packed(tmp_path):
         with pytest.raises(wrong):
             hand_in(tmp_path / name, tmp_path / "z.zip", NOW)
     assert not (tmp_path / "z.zip").exists()
+
+
+def test_a_receipt_says_what_python_cannot_read_and_what_was_never_checked(tmp_path):
+    """An answer typed into the exercise as it was handed out, and one without its colon."""
+    book = json.loads((HOUSE / "exercises" / f"{NAME}.ipynb").read_text(encoding="utf-8"))
+    typed = {
+        "line_through_points": "def line_through_points(p1, p2):\n    return 1",
+        "exposing_case": "def exposing_case()\n    pass",
+    }
+    for cell in book["cells"]:
+        cell["source"] = typed.get(cell["metadata"].get("nbgrader", {}).get("grade_id"), cell["source"])
+    (tmp_path / f"{NAME}.ipynb").write_text(json.dumps(book), encoding="utf-8")
+    answers = hand_in(tmp_path / f"{NAME}.ipynb", tmp_path / "z.zip", NOW).answers
+    assert answers["line_through_points"][0] and "has not been run" in answers["line_through_points"][1]
+    assert not answers["exposing_case"][0] and "expected ':' (line 1)" in answers["exposing_case"][1]
+
+
+def test_a_notebook_under_anothers_name_is_the_wrong_file(tmp_path):
+    """It is refused before it is handed in, and has no score; it is graded where its own assignment is asked for."""
+    (tmp_path / "ann").mkdir()
+    wrong = tmp_path / "ann" / f"{NAME}.ipynb"
+    wrong.write_bytes((HOUSE / "exercises" / f"{HAND}.ipynb").read_bytes())
+    with pytest.raises(InvalidParameter, match=f"cells are those of {HAND}"):
+        hand_in(wrong, tmp_path / "z.zip", NOW)
+    (one,) = collect(tmp_path)
+    assert one.assignment == NAME and f"cells are those of {HAND}" in one.trouble
+    (one,) = collect(tmp_path, HAND)
+    assert (one.assignment, one.trouble) == (HAND, "")
 
 
 @needs_sandbox

@@ -13,10 +13,12 @@ from kinoedu.course.judging import attempt, report_on
 from kinoedu.course.outcomes import Late, Misshapen, Raised
 from kinoedu.grading import asking, talk
 from kinoedu.grading.asking import Cell, Question, answers
+from kinoedu.grading.found import MOST_OF_ONE
 from kinoedu.grading.handing_in import answers_in
+from kinoedu.grading.marks import most_marks, shared_marks
 from kinoedu.grading.notebook import MOST_PARTS, UnreadableSubmission, notebook_in, source_of
 from kinoedu.grading.sandbox import Reply
-from kinoedu.grading.submissions import MOST_OF_ONE, by_marks, collect
+from kinoedu.grading.submissions import collect
 from kinoedu.grading.talk import Talk
 
 NOTEBOOK = json.dumps({"nbformat": 4, "nbformat_minor": 5, "metadata": {}, "cells": []}).encode()
@@ -103,7 +105,7 @@ def test_a_notebook_that_would_fill_the_memory_is_refused_before_it_is_read(part
     data = f'{{"nbformat": 4, "cells": [], "more": [{many}]}}'.encode()
     with pytest.raises(UnreadableSubmission, match="more numbers and words"):
         notebook_in(data)
-    assert by_marks(data, ["01_geometry"]) == ""
+    assert most_marks(shared_marks(data, ["01_geometry"])) == ""
 
 
 @pytest.mark.parametrize(

@@ -48,7 +48,7 @@ def add_grade(commands: Any) -> None:
     )
     grade.add_argument("submissions", metavar="SUBMISSIONS", type=Path, help="the folder or zip of what was handed in")
     grade.add_argument("--out", metavar="GRADES", type=Path, required=True, help="the folder of the grades")
-    grade.add_argument("--assignment", default="", metavar="NAME", help="take every notebook for this one, such as 01_geometry")
+    grade.add_argument("--assignment", default="", metavar="NAME", help="only this one, such as 01_geometry")
     add_how(grade)
     grade.set_defaults(run=run_grade)
     regrade = commands.add_parser("regrade", help="grade a class once more, and compare", description=REGRADE_HELP)

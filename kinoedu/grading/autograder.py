@@ -18,12 +18,14 @@ from ..whole_file import written_whole
 from ..words import say
 from .exports import gradescope_results
 from .failures import told_of
+from .found import files_in
 from .grading import RIGHT, Grade
+from .marks import assignment_of
 from .questions import assignment
 from .rows import Row
 from .running import grade_all, local
 from .sandbox import why_not
-from .submissions import Submission, assignment_of, files_in, is_candidate, without_doubles
+from .submissions import Submission, is_candidate, without_doubles
 
 Results = dict[str, Any]  # JSON data, as Gradescope reads it
 
@@ -62,7 +64,7 @@ def is_trusted(container_is_wall: bool) -> bool:
 def the_submission(folder: Path, name: str) -> Submission:
     """The notebook in a folder: the one that answers the assignment, or the only one. What stands in its way is its trouble."""
     found = [file for file in files_in(folder) if is_candidate(file)] if folder.is_dir() else []
-    mine = [file for file in found if assignment_of(file.place[-1], file, [name])] or found
+    mine = [file for file in found if assignment_of(file.place[-1], file.place, file.data, [name])] or found
     if not mine:
         return Submission("", name, "", b"", say("gradescope.nothing", name=name))
     return next(without_doubles([Submission("", name, "/".join(file.place), file.data, file.trouble) for file in mine]))

@@ -85,10 +85,10 @@ def canvas_columns(head: list[str], names: list[str], column: str, template: Pat
     plain = [re.sub(r"[^a-z0-9]", "", re.sub(r"\(\d+\)\s*$", "", name).lower()) for name in head]
     if column:
         at = [place for place, name in enumerate(head) if column in (name, re.sub(r"\s*\(\d+\)\s*$", "", name))]
-        if len(names) != 1 or len(at) != 1:
-            raise InvalidParameter(
-                f"--column names one column of {template} for one assignment; there are {len(at)} and {len(names)}"
-            )
+        if len(names) != 1:
+            raise InvalidParameter(f"--column is for one assignment; say with --assignment which of {', '.join(names)}")
+        if len(at) != 1:
+            raise InvalidParameter(f"{len(at)} columns of {template} are named {column!r}; there are: {', '.join(head)}")
         return {names[0]: at[0]}
     places = {name: plain.index(key) for name in names if (key := re.sub(r"[^a-z0-9]", "", name.lower())) in plain}
     if not places:

@@ -11,7 +11,7 @@ from ..course.exercise import Case, Exercise
 from ..course.exercises import find
 from ..course.feedback import picture_of, told_case
 from ..course.judging import Judged
-from ..course.outcomes import decode_outcome
+from ..course.outcomes import Answer, decode_outcome
 from ..course.plain import WrongShape
 from ..course.release import HOUSE
 from ..errors import KinoeduError
@@ -53,7 +53,7 @@ def told_of(question: Grade) -> list[tuple[str, str]]:
 def picture_for(question: Grade, folder: Path) -> bytes | None:
     """The failing case of a question as a PNG, from `folder`, drawn now where it is not there; None where none can be drawn."""
     found = failure_of(question)
-    if found is None:
+    if found is None or shows_nothing(*found):
         return None
     file = folder / f"{name_of(question)}.png"
     if not file.exists():
@@ -64,6 +64,11 @@ def picture_for(question: Grade, folder: Path) -> bytes | None:
         with written_whole(file) as part:
             part.write_bytes(picture)
     return file.read_bytes()
+
+
+def shows_nothing(exercise: Exercise, failure: Judged) -> bool:
+    """Whether a picture would be empty: nothing was given, and nothing came back."""
+    return not failure.case.given and not isinstance(failure.outcome, Answer)
 
 
 def name_of(question: Grade) -> str:

@@ -19,7 +19,7 @@ UNTOUCHED = "YOUR ANSWER HERE"
 
 class Receipt(NamedTuple):
     """What was packed: the assignment, the notebook's SHA-256, when, and for each question whether there is an answer and what its
-    check said last ("" where it said nothing).
+    check said last, or why Python cannot read it ("" where there is nothing to say).
     """
 
     assignment: str
@@ -37,14 +37,20 @@ class Receipt(NamedTuple):
         ]
         for name, (answered, said) in self.answers.items():
             state = say("hand_in.yes" if answered else "hand_in.no")
-            lines.append(f"  {name}: {state}" + (f"; {said}" if said and answered else ""))
+            lines.append(f"  {name}: {state}" + (f"; {said}" if said else ""))
         return "\n".join(lines)
 
 
 def hand_in(file: Path, zip_file: Path, now: datetime) -> Receipt:
     """Check a notebook and pack it. Raises UnreadableSubmission where it could not be graded, InvalidParameter for no exercise."""
-    data = read_bytes(file)
-    receipt = Receipt(assignment_of(file), hashlib.sha256(data).hexdigest(), now, answers_in(data, assignment_of(file)))
+    data, assignment = read_bytes(file), assignment_of(file)
+    answers = answers_in(data, assignment)
+    asked = {EXERCISES[name].lesson for name in marks_in(notebook_in(data)["cells"]) if name in EXERCISES}
+    if asked and assignment not in asked:
+        raise InvalidParameter(
+            f"{file.name} is named like {assignment}, but its cells are those of {min(asked)}: is it the wrong file?"
+        )
+    receipt = Receipt(assignment, hashlib.sha256(data).hexdigest(), now, answers)
     with written_whole(zip_file) as part, zipfile.ZipFile(part, "w", zipfile.ZIP_DEFLATED) as archive:
         archive.writestr(f"{receipt.assignment}.ipynb", data)
         archive.writestr("receipt.txt", f"{receipt}\n")
@@ -62,12 +68,27 @@ def assignment_of(file: Path) -> str:
 
 def answers_in(data: bytes, assignment: str) -> dict[str, tuple[bool, str]]:
     """For each question whether it is answered, and what its check said last. Raises UnreadableSubmission."""
-    written = written_functions([cell.source for cell in cells_in(data)])
+    sources = [cell.source for cell in cells_in(data)]
+    written, broken = written_functions(sources), broken_functions(sources)
     book = notebook_in(data)["cells"]
     said = said_by_checks(book)
     asked = [name for name, exercise in EXERCISES.items() if exercise.lesson == assignment]
-    answers = {name: (written.get(name, False), said.get(name, "")) for name in asked}
+    answers = {name: (True, said.get(name, "")) if written.get(name) else (False, broken.get(name, "")) for name in asked}
     return answers | {name: (is_touched, "") for name, is_touched in by_hand(book)}
+
+
+def broken_functions(sources: list[str]) -> dict[str, str]:
+    """The functions in cells that Python cannot read, and why it cannot."""
+    found: dict[str, str] = {}
+    for source in sources:
+        try:
+            ast.parse(source)
+        except SyntaxError as error:
+            words = say("hand_in.unreadable", message=error.msg, line=error.lineno)
+            found |= dict.fromkeys(re.findall(r"^def (\w+)", source, re.MULTILINE), words)
+        except (ValueError, RecursionError, MemoryError):
+            continue
+    return found
 
 
 def written_functions(sources: list[str]) -> dict[str, bool]:
@@ -100,8 +121,15 @@ def said_by_checks(cells: list[Any]) -> dict[str, str]:
         called = re.match(r"\s*check\((\w+)", joined(table(cell).get("source")))
         if called and isinstance(outputs, list) and outputs:
             text = joined(table(table(outputs[0]).get("data")).get("text/plain")).partition("\n")[0]
-            said[called[1]] = text.removeprefix(f"{called[1]}: ")
+            stale = text == say("check.unanswered", name=called[1])  # the exercise as it was handed out
+            said[called[1]] = say("hand_in.unchecked") if stale else text.removeprefix(f"{called[1]}: ")
     return said
+
+
+def marks_in(cells: list[Any]) -> set[str]:
+    """The names that nbgrader's marks give to cells."""
+    found = (table(table(table(cell).get("metadata")).get("nbgrader")).get("grade_id") for cell in cells)
+    return {str(name) for name in found if name}
 
 
 def by_hand(cells: list[Any]) -> list[tuple[str, bool]]:

@@ -1,6 +1,7 @@
 """nbgrader's gradebook, for the answers that people grade: scores go there, formgrader shows the answers, and its scores come back.
 
-A course folder is made that `nbgrader` knows: gradebook.db, nbgrader_config.py, and in autograded/ the notebooks. What a notebook
+A course folder is made that `nbgrader` knows: gradebook.db, nbgrader_config.py, an empty folder in source/ for each assignment, as
+formgrader lists no other, and in autograded/ the notebooks. What a notebook
 shows there is cleaned first: text and pictures stay, and no tag of HTML does.
 """
 
@@ -109,6 +110,7 @@ def add_notebook(gradebook: Any, entry: Entry, data: bytes, folder: Path) -> boo
     gradebook.update_or_create_submission(name, student)
     file = folder / "autograded" / student / name / f"{name}.ipynb"
     file.parent.mkdir(parents=True, exist_ok=True)
+    (folder / "source" / name).mkdir(parents=True, exist_ok=True)
     with written_whole(file) as part:
         part.write_text(json.dumps(book, indent=1) + "\n", encoding="ascii")
     return True

@@ -134,7 +134,9 @@ def students(found: dict[tuple[str, str], Total], names: list[str]) -> Iterator[
 
 
 def total_words(total: Total) -> str:
-    """A total as a cell."""
+    """A total as a cell; where nothing has a score it is none rather than zero."""
+    if total.waiting == total.questions:
+        return say("grades.report.all_open", most=number(total.max_score))
     score = f"{number(total.score)} / {number(total.max_score)}"
     return say("grades.report.open", score=score, waiting=total.waiting) if total.waiting else score
 

@@ -5,31 +5,24 @@
     Full Name_12345_assignsubmission_file_/file.ipynb                Moodle
     submission_12345/file.ipynb beside submission_metadata.yml       Gradescope
 
-Any of them may be a zip, and a student's file may be a zip. A zip is read in memory and nothing of it is ever unpacked to the disk.
+Any of them may be a zip, and a student's file may be a zip.
 """
 
-import io
 import re
-import zipfile
-import zlib
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path, PurePosixPath
 from typing import NamedTuple
 
 from ..course.release import HOUSE, assignments
 from ..errors import InvalidParameter
 from .cells_of_csv import one_line
-from .notebook import MOST_BYTES, UnreadableSubmission, notebook_in, read_bytes
+from .found import METADATA, Found, files_in
+from .marks import assignment_of, most_marks, shared_marks, unzipped
+from .notebook import MOST_BYTES
 
 CANVAS = re.compile(r"^(?P<student>[^_]+)_(?:late_)?(?P<id>\d+)_\d+_(?P<file>.+)$", re.IGNORECASE)
 MOODLE = re.compile(r"^(?P<student>.+)_(?P<id>\d+)_assignsubmission_(?:file|onlinetext)_?$")
 GRADESCOPE = re.compile(r"^submission_\d+$")
-COPIED = re.compile(r"([ _-]?\(\d+\)|-\d+|[ _-]copy\d*)+$", re.IGNORECASE)  # what a download or a second try adds to a name
-METADATA = "submission_metadata.yml"
-MOST_MEMBERS = 10_000
-MOST_UNPACKED = 2 * 2**30  # bytes of all notebooks of a class, and here of one student
-MOST_OF_ONE, MOST_UNPACKED_OF_ONE = 100, 4 * MOST_BYTES
-PACKED = (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)  # others take what memory the file says
 LONGEST_NAME, MOST_NAMED = 300, 5  # characters of a file's place, files in a sentence
 
 
@@ -46,19 +39,11 @@ class Submission(NamedTuple):
     variants: tuple[tuple[str, str], ...] = ()
 
 
-class Found(NamedTuple):
-    """A file, its place as names from the top down, and its bytes or the trouble with it."""
-
-    place: tuple[str, ...]
-    data: bytes
-    trouble: str = ""
-
-
 def collect(folder: Path, only: str = "", house: Path = HOUSE) -> list[Submission]:
     """All submissions in a folder or zip, ordered by student and assignment; of one assignment where `only` names it.
 
     Every file that may be a submission comes back: what cannot be read, is handed in twice or belongs to no assignment has its
-    trouble with it. Raises InvalidParameter.
+    trouble with it, and so has who handed in something and no notebook. Raises InvalidParameter.
     """
     if not folder.exists():
         raise InvalidParameter(f"there is no folder {folder}")
@@ -68,36 +53,19 @@ def collect(folder: Path, only: str = "", house: Path = HOUSE) -> list[Submissio
     found = unwrapped(list(files_in(folder)), known)
     owners = gradescope_owners(found)
     submissions = [submission_of(file, owners, known, only) for file in found if is_candidate(file)]
+    submissions += without_notebook(found, {one.student for one in submissions}, owners, known)
+    submissions = [*only_for(only, submissions)] if only else [*map(known_or_troubled(known), submissions)]
     return sorted(without_doubles(submissions), key=lambda one: (one.student, one.assignment, one.file))
-
-
-def files_in(folder: Path) -> Iterator[Found]:
-    """Every file in a folder, also those in its zips; in a stable order. What is no plain file has that trouble."""
-    if folder.is_file():
-        yield from unpacked(Found((folder.name,), read_bytes(folder)), top=True)
-        return
-    for file in sorted(folder.rglob("*")):
-        place = file.relative_to(folder).parts
-        if any(part.startswith(".") or part == "__MACOSX" for part in place) or (file.is_dir() and not file.is_symlink()):
-            continue
-        try:
-            data = read_bytes(file) if is_read(file.name) else b""
-        except UnreadableSubmission as trouble:
-            yield Found(place, b"", str(trouble))
-        else:
-            yield from unpacked(Found(place, data))
-
-
-def is_read(name: str) -> bool:
-    """Whether a file is opened at all: what else lies beside a notebook takes no memory and is no trouble, whatever it is."""
-    return name.lower().endswith((".ipynb", ".zip")) or name == METADATA
 
 
 def unwrapped(files: list[Found], known: list[str]) -> list[Found]:
     """Files without the folders that hold all of them: what stands first in a place then is the instructor's, and all after that
-    may be a student's own, who is not asked there whose it is. A folder of assignments, or of one zip, is a lone student's.
+    may be a student's own, who is not asked there whose it is. A folder of assignments, or of one zip, is a lone student's. What
+    Gradescope says of its folders stands beside them.
     """
     places = [file.place for file in files if not file.place[-1].startswith(".")]
+    if any(GRADESCOPE.match(place[1]) for place in places if len(place) > 2):
+        places = [place for place in places if place[1:] != (METADATA,)]
     while places and all(len(place) > 2 for place in places) and len({place[0] for place in places}) == 1:
         below = {place[1] for place in places}
         if below <= set(known) or (len(below) == 1 and min(below).lower().endswith(".zip")):
@@ -107,63 +75,60 @@ def unwrapped(files: list[Found], known: list[str]) -> list[Found]:
     return files
 
 
-def unpacked(file: Found, *, top: bool = False) -> Iterator[Found]:
-    """A file, or what is in it where it is a zip; a zip in a zip only where the first is a whole class."""
-    if not file.place[-1].lower().endswith(".zip"):
-        yield file
-        return
-    above = () if top else file.place
-    try:
-        with zipfile.ZipFile(io.BytesIO(file.data)) as archive:
-            for member in members_of(archive, top=top):
-                place = (*above, *PurePosixPath(member.filename.replace("\\", "/")).parts)
-                inner = member_of(archive, member, place)
-                yield from unpacked(inner) if top and not inner.trouble else [inner]
-    except (*UNREADABLE, UnreadableSubmission) as error:
-        yield Found(file.place, b"", f"the zip cannot be read: {error}")
-
-
-UNREADABLE = (zipfile.BadZipFile, zlib.error, OSError, ValueError, NotImplementedError, RuntimeError, EOFError)
-
-
-def members_of(archive: zipfile.ZipFile, *, top: bool) -> list[zipfile.ZipInfo]:
-    """The files of a class's zip, or the notebooks of a student's. Raises UnreadableSubmission."""
-    most, most_bytes = (MOST_MEMBERS, MOST_UNPACKED) if top else (MOST_OF_ONE, MOST_UNPACKED_OF_ONE)
-    members = [one for one in archive.infolist() if not one.is_dir() and (top or one.filename.lower().endswith(".ipynb"))]
-    if len(members) > most or sum(one.file_size for one in members if is_read(one.filename)) > most_bytes:
-        raise UnreadableSubmission("the zip holds too much")
-    if not (members or top):
-        raise UnreadableSubmission("it holds no notebook, unless that is in another zip; hand in the notebook itself")
-    return members
-
-
-def member_of(archive: zipfile.ZipFile, member: zipfile.ZipInfo, place: tuple[str, ...]) -> Found:
-    """One file of a zip, read no further than it may be long."""
-    if any(part.startswith(".") or part == "__MACOSX" for part in place):
-        return Found((*place[:-1], ".skipped"), b"")
-    if not is_read(place[-1]):
-        return Found(place, b"")
-    if member.compress_type not in PACKED:
-        return Found(place, b"", "it was packed in an unusual way; pack it with an ordinary zip")
-    with archive.open(member) as stream:
-        data = stream.read(MOST_BYTES + 1)
-    return Found(place, data) if len(data) <= MOST_BYTES else Found(place, b"", "the file is too large")
-
-
 def is_candidate(file: Found) -> bool:
     """Whether a file may be a submission: a notebook, or what could not be opened."""
     return file.place[-1].lower().endswith(".ipynb") or (bool(file.trouble) and not file.place[-1].startswith("."))
 
 
 def submission_of(file: Found, owners: dict[str, str], known: list[str], only: str) -> Submission:
-    """Whose a file is, and which assignment it answers."""
+    """Whose a file is, and which assignment it answers; "" where that cannot be known. Named like one and with the cells of another
+    it is the wrong file, unless it is the other that is asked for.
+    """
     student, name = owner(file.place, owners)
-    where = one_line("/".join(file.place)[-LONGEST_NAME:])
-    assignment = only or assignment_of(name, file, known)
-    trouble = file.trouble or (
-        "" if assignment else f"it answers no assignment that is known; its name should begin with one of: {', '.join(known)}"
-    )
-    return Submission(student, assignment, where, file.data, trouble)
+    named, shared = assignment_of(name, file.place, file.data, known), shared_marks(file.data, known)
+    marked = most_marks(shared)
+    if not marked or not named or shared[named]:
+        return Submission(student, named, where(file), file.data, file.trouble)
+    if only == marked:
+        return Submission(student, marked, where(file), file.data)
+    wrong = f"it is named like {named}, but its cells are those of {marked}: is it the wrong file?"
+    return Submission(student, named, where(file), file.data, wrong)
+
+
+def where(file: Found) -> str:
+    """Where a file was, in a line."""
+    return one_line("/".join(file.place)[-LONGEST_NAME:])
+
+
+def without_notebook(found: list[Found], have: set[str], owners: dict[str, str], known: list[str]) -> list[Submission]:
+    """Of who handed in something and no notebook, one submission that says so."""
+    rest: dict[str, list[Found]] = {}
+    for file in found:
+        if not file.place[-1].startswith(".") and (len(file.place) > 1 or CANVAS.match(file.place[0])):
+            rest.setdefault(owner(file.place, owners)[0], []).append(file)
+    lost = []
+    for student, files in rest.items():
+        if student not in have:
+            named = assignment_of(files[0].place[-1], files[0].place, b"", known)
+            seen = some_of([where(file) for file in files])
+            lost.append(Submission(student, named, seen, b"", "there is no notebook in what was handed in"))
+    return lost
+
+
+def known_or_troubled(known: list[str]) -> Callable[[Submission], Submission]:
+    """Gives a submission to no assignment its trouble."""
+    unknown = f"it answers no assignment that is known; its name should begin with one of: {', '.join(known)}"
+    return lambda one: one if one.assignment or one.trouble else one._replace(trouble=unknown)
+
+
+def only_for(only: str, submissions: list[Submission]) -> Iterator[Submission]:
+    """What is for one assignment, or may be, and of who handed in only something else, that."""
+    answered = {one.student for one in submissions if one.assignment in ("", only)}
+    for one in submissions:
+        if one.assignment in ("", only):
+            yield one._replace(assignment=only)
+        elif one.student not in answered:
+            yield one._replace(assignment=only, data=b"", trouble=f"it is for {one.assignment}, and {only} is what is graded")
 
 
 def owner(place: tuple[str, ...], owners: dict[str, str]) -> tuple[str, str]:
@@ -184,37 +149,6 @@ def owner(place: tuple[str, ...], owners: dict[str, str]) -> tuple[str, str]:
     if (canvas := CANVAS.match(first)) is not None:
         return f"{canvas['student']}_{canvas['id']}", canvas["file"] if len(place) == 1 else name
     return (first if len(place) > 1 else PurePosixPath(first).stem), name
-
-
-def unzipped(name: str) -> str:
-    """A name without the ending of a zip."""
-    return name[: -len(".zip")] if name.lower().endswith(".zip") else name
-
-
-def assignment_of(name: str, file: Found, known: list[str]) -> str:
-    """The assignment that a file answers: by its name, by its folder, else by the marks of its cells; "" where none fits."""
-    stem = COPIED.sub("", PurePosixPath(name).stem)
-    for candidate in (stem, *map(unzipped, reversed(file.place[:-1]))):
-        if candidate in known:
-            return candidate
-    starts = [candidate for candidate in known if stem.lower().startswith(candidate.lower())]
-    if starts:
-        return max(starts, key=len)
-    return by_marks(file.data, known)
-
-
-def by_marks(data: bytes, known: list[str]) -> str:
-    """The assignment most of whose questions stand in a notebook's marks."""
-    from .questions import assignment
-
-    try:
-        cells = notebook_in(data)["cells"]
-        marks = {cell["metadata"]["nbgrader"]["grade_id"] for cell in cells if "nbgrader" in cell.get("metadata", {})}
-    except (UnreadableSubmission, KeyError, TypeError, AttributeError):
-        return ""
-    shared = {name: sum(asked.exercise.name in marks for asked in assignment(name).questions) for name in known}
-    best = max(known, key=lambda name: shared[name], default="")
-    return best if best and shared[best] else ""
 
 
 def gradescope_owners(files: Iterable[Found]) -> dict[str, str]:
@@ -244,5 +178,10 @@ def without_doubles(submissions: list[Submission]) -> Iterator[Submission]:
         if len({one.data for one in group}) == 1 or not group[0].assignment:
             yield from group[: 1 if group[0].assignment else None]
         else:
-            files = ", ".join([*(one.file for one in group[:MOST_NAMED]), *["..."] * (len(group) > MOST_NAMED)])
+            files = some_of([one.file for one in group])
             yield group[0]._replace(data=b"", file=files, trouble=f"handed in more than once, with differences: {files}; leave one")
+
+
+def some_of(names: list[str]) -> str:
+    """The first few names."""
+    return ", ".join(names[:MOST_NAMED] + ["..."] * (len(names) > MOST_NAMED))

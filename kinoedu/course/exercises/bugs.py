@@ -1,7 +1,7 @@
 """Exercises on the Bug algorithms. Bullo & Smith, chapter 1.
 
-The worlds leave no doubt: a wall is met squarely or not at all, obstacles are far apart beside a step, and no two ways round are
-nearly equally long. So a walk in steps, with its small errors, goes where the exact walk goes.
+The worlds leave no doubt: a wall is met squarely or not at all, obstacles are far apart beside a step, and of no obstacle are the
+two ways back round it nearly equally long. So a walk in steps, with its small errors, goes where the exact walk goes.
 """
 
 from abc import abstractmethod
@@ -17,7 +17,7 @@ from ...geometry.polygons import place
 from ...planners import bug1, bug2, bug_base
 from ...problems import Plan, Walk
 from ..exercise import Case
-from .walks import Departure, WalkExercise
+from .walks import Departure, WalkExercise, length_of
 
 ME145 = [np.array([(1, 2), (1, 0), (3, 0)], float), np.array([(2, 3), (4, 1), (5, 2)], float)]
 BOX = np.array([(2, -1), (4, -1), (4, 2), (2, 2)], float)
@@ -27,6 +27,8 @@ UP = np.array([0.0, 1.0])
 TURNS = ("left", "right")
 STEP = 0.05
 CLEAR = 8.0  # steps: what is not met stays so far away
+SHORT = 2.5  # steps: so little before a hit the wall is still farther than half of that, or it is grazed rather than met
+TIED = 0.3  # two ways round a wall that differ by less are as good as equally long to a walk in steps
 
 
 def world(start: Any, goal: Any, obstacles: list[Array], step: float = STEP) -> dict[str, Any]:
@@ -55,8 +57,12 @@ class BugExercise(WalkExercise):
         while True:
             given = random_world(rng, n)
             plans = self.plans(given)
-            if max(len(walk_of(plan).hit) for plan in plans) == n and leaves_no_doubt(given, plans):
+            if max(len(walk_of(plan).hit) for plan in plans) == n and all(self.leaves_no_doubt(given, plan) for plan in plans):
                 return Case(kind, given)
+
+    def leaves_no_doubt(self, given: dict[str, Any], plan: Plan) -> bool:
+        """Whether a walk with small errors goes the same way as an exact one."""
+        return is_clear(given, plan)
 
 
 class BugBase(BugExercise):
@@ -113,6 +119,10 @@ class Bug1(BugExercise):
     def plans(self, given: dict[str, Any]) -> list[Plan]:
         """Turning left or right, going back the shorter way or on in the same direction."""
         return [bug1(*given.values(), turn=turn, way_back=back) for turn, back in product(self.turns, ("shorter", "same"))]
+
+    def leaves_no_doubt(self, given: dict[str, Any], plan: Plan) -> bool:
+        """Nor may it be in doubt which way back is the shorter."""
+        return is_clear(given, plan) and not is_tied(given, plan)
 
 
 class Bug2(BugExercise):
@@ -173,11 +183,6 @@ def random_world(rng: np.random.Generator, n: int) -> dict[str, Any]:
     return world((0, 0), goal, obstacles)
 
 
-def leaves_no_doubt(given: dict[str, Any], plans: list[Plan]) -> bool:
-    """Whether a walk with small errors goes the same way as each of the exact ones."""
-    return all(is_clear(given, plan) for plan in plans) and not is_tied(plans)
-
-
 def is_clear(given: dict[str, Any], plan: Plan) -> bool:
     """Whether every straight move hits squarely what it hits, and stays well away from everything else."""
     walk, room = walk_of(plan), CLEAR * given["step"]
@@ -188,7 +193,6 @@ def is_clear(given: dict[str, Any], plan: Plan) -> bool:
         far = np.linalg.norm(b - a)
         if far < 2.0 * room:
             return False
-        ahead = b + room * (b - a) / far
         for obstacle in given["obstacles"]:
             near = [float(point_polygon_distance(q, obstacle)) for q in (a, b)]
             shares = np.linspace(0.0, 1.0, 200)
@@ -197,12 +201,27 @@ def is_clear(given: dict[str, Any], plan: Plan) -> bool:
             shares = shares[(shares >= begun) & (shares <= 1.0 - ended)]
             if np.min(point_polygon_distance(a + shares[:, None] * (b - a), obstacle), initial=np.inf) < room:
                 return False
-            if near[1] < 1e-6 and place(ahead[0], ahead[1], obstacle) <= 0:
+            if near[1] < 1e-6 and not is_met_squarely(b, given["step"] * (b - a) / far, obstacle):
                 return False
     return True
 
 
-def is_tied(plans: list[Plan]) -> bool:
-    """Whether two forms of the walk differ in length by so little that a walk in steps could take either."""
-    costs = sorted(plan.cost for plan in plans)
-    return any(0.0 < b - a < 0.3 for a, b in zip(costs, costs[1:]))
+def is_met_squarely(hit: Array, stride: Array, obstacle: Array) -> bool:
+    """Whether a move that hits a convex obstacle comes upon it steeply, by no corner, and would go on into it. Then a walk that
+    stops as soon as the wall is nearer than a step stops near the hit.
+    """
+    before, ahead = hit - SHORT * stride, hit + CLEAR * stride
+    steep = point_polygon_distance(before, obstacle) > SHORT / 2.0 * np.linalg.norm(stride)
+    return bool(steep and place(ahead[0], ahead[1], obstacle) > 0)
+
+
+def is_tied(given: dict[str, Any], plan: Plan) -> bool:
+    """Whether the two ways back round an obstacle are nearly equally long, so that a walk of Bug 1 in steps could take either."""
+    walk = walk_of(plan)
+    for hit, leave in zip(walk.hit, walk.leave):
+        wall = min(given["obstacles"], key=lambda obstacle: float(point_polygon_distance(walk.points[hit], obstacle)))
+        around = length_of(np.vstack([wall, wall[:1]]))
+        back = walk.travelled[leave] - walk.travelled[hit] - around
+        if abs(around - 2.0 * back) < TIED:
+            return True
+    return False
