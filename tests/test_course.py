@@ -546,6 +546,8 @@ def test_every_word_is_there_and_used():
         computed = f'f"{name}.{{' in sources or name in ("exercise", "advice", "board")  # asked for by keys that are put together
         if name not in EXERCISES and not computed:
             for key, text in rows.items():
+                if name in {other for exercise in EXERCISES.values() for other in exercise.shared} and key in ("section", "wonder"):
+                    continue
                 assert not isinstance(text, str) or re.search(rf'"{name}\.{key}|"{name}\.", ?"{key}"|{name}_{key}', sources), (
                     f"{name}.{key}"
                 )
