@@ -19,8 +19,8 @@ from validity import KINDS, outcome
 @pytest.mark.parametrize("planner", ["RRT", "RRT-Connect"])
 def test_no_path_of_a_few_hundred_is_invalid(planner):
     """All robots, all worlds; most are solved."""
-    outcomes = [outcome(seed, [planner]) for seed in range(1_000_000, 1_000_150)]
-    assert [one for one in outcomes if not one.valid] == []
+    outcomes = [one for seed in range(1_000_000, 1_000_150) if (one := outcome(seed, [planner])) is not None]
+    assert len(outcomes) > 130 and [one for one in outcomes if not one.valid] == []
     assert sum(one.solved for one in outcomes) > 75
 
 
