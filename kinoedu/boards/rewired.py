@@ -105,10 +105,13 @@ def rehung_from(log: Rewirings) -> NDArray[np.int64]:
 
 def near_pairs(log: Rewirings) -> NDArray[np.int64]:
     """Pairs of a node and an older one within its ball, (m, 2)."""
-    x, y = log.nodes[:, :2].T
-    dx, dy = x[:, None] - x, y[:, None] - y
-    within = np.tril(dx * dx + dy * dy <= (log.radius * log.radius)[:, None], -1)
-    return np.argwhere(within)
+    from scipy.spatial import cKDTree
+
+    nodes = log.nodes[:, :2]
+    older, newer = cKDTree(nodes).query_pairs(float(log.radius.max()) * (1.0 + 1e-9), output_type="ndarray").T
+    within = ((nodes[older] - nodes[newer]) ** 2).sum(axis=1) <= log.radius[newer] ** 2
+    pairs = np.column_stack([newer, older])[within]
+    return pairs[np.lexsort((pairs[:, 1], pairs[:, 0]))]
 
 
 def told_of(log: Rewirings, near: NDArray[np.int64], costs: list[float]) -> list[str]:
