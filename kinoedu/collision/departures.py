@@ -51,7 +51,7 @@ def met_departures(
     a: Array, vx: float, vy: float, duration: float,
 ) -> Array:  # fmt: skip
     """The closed intervals of departures from a with the velocity v, held for a duration, that are met; (k, 2), unsorted."""
-    met, size = np.empty((len(times) * len(knots) + len(knots), 2)), 0
+    met, size = np.empty((stretches(knots), 2)), 0
     for i in range(len(knots)):
         begin, end = knots[i, 0], knots[i, 1]
         for k in range(begin, end + 1):  # the stretch before knot k, and the last after all of them
@@ -69,6 +69,12 @@ def met_departures(
                 met[size, 0], met[size, 1] = low - PAUSE * horizon, high + PAUSE * horizon
                 size += 1
     return met[:size].copy()
+
+
+@compiled
+def stretches(knots: NDArray[np.int64]) -> int:
+    """How many straight motions all pieces make together: those between their knots, and a rest before and after."""
+    return int((knots[:, 1] - knots[:, 0] + 1).sum())
 
 
 @compiled
@@ -161,7 +167,7 @@ def all_safe_intervals(
     hulls: Parts, knots: NDArray[np.int64], times: Array, places: Array, horizon: float, nodes: Array
 ) -> tuple[Array, NDArray[np.int64]]:
     """The safe intervals (k, 2) of all nodes, one node's after another's; those of node i are rows first[i]:first[i + 1]."""
-    safe, first = np.empty((len(nodes) * ((len(times) + 1) * len(knots) + 1), 2)), np.zeros(len(nodes) + 1, np.int64)
+    safe, first = np.empty((len(nodes) * (stretches(knots) + 1), 2)), np.zeros(len(nodes) + 1, np.int64)
     for i in range(len(nodes)):
         own = between_meetings(met_departures(hulls, knots, times, places, horizon, nodes[i], 0.0, 0.0, 0.0), horizon)
         safe[first[i] : first[i] + len(own)] = own

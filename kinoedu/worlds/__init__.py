@@ -12,20 +12,30 @@ from .scattered import scattered
 from .terrain import Terrain
 from .uncertain import UncertainWorld, as_it_is, chance_margins, inflated, scenarios
 
-__all__ = ["PolygonWorld", "Scan", "Terrain", "mesh_outline", "mesh_world", "read_benchmr", "read_mesh", "read_world", "scan"]
 __all__ = [
     "LANDSCAPES",
+    "Moving",
+    "MovingWorld",
     "PolygonWorld",
     "Scan",
     "Terrain",
+    "UncertainWorld",
+    "as_it_is",
+    "chance_margins",
     "clearance_of_cells",
     "hills",
+    "inflated",
     "landscape",
+    "mesh_outline",
+    "mesh_world",
+    "movers_at",
+    "read_benchmr",
     "read_heights",
+    "read_mesh",
     "read_world",
     "roughness",
     "scan",
+    "scattered",
+    "scenarios",
     "slope",
 ]
-__all__ = ["PolygonWorld", "Scan", "Terrain", "read_world", "scan", "scattered"]
-__all__ += ["Moving", "MovingWorld", "UncertainWorld", "as_it_is", "chance_margins", "inflated", "movers_at", "scenarios"]
