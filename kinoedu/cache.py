@@ -44,6 +44,12 @@ def is_digested(source: Any) -> bool:
     return package == __name__.partition(".")[0] and room not in UPPER_ROOMS
 
 
+def is_ours(kind: Any) -> bool:
+    """Whether a numba type is made of nothing but numbers, arrays and records that are digested."""
+    record_class = getattr(kind, "instance_class", None)
+    return (record_class is None or is_digested(record_class)) and all(map(is_ours, getattr(kind, "types", ())))
+
+
 def user_cache() -> Path:
     """The folder of all versions."""
     if "KINOEDU_CACHE" in os.environ:

@@ -9,10 +9,9 @@ A *record* is a NamedTuple of arrays, numbers and records: the one kind of objec
 
 Without numba, or under NUMBA_DISABLE_JIT=1, everything still works and gives the same answers, slowly.
 
-The cache. numba notices a change in a compiled function's own file only, never in what it calls. So the code is kept in a folder
-named by a digest of the package's sources, private to its user; and only what those sources fully determine is kept: functions
-of this package, for records of this package, all from below the rooms that only use algorithms. Where no folder can be written,
-code is compiled anew in each process.
+The cache. numba notices a change in a compiled function's own file only, never in what it calls. So code is kept in a folder named
+by a digest of the sources that it may be made of (`cache.py`), for functions and records of this package only. Where no folder can
+be written, code is compiled anew in each process.
 """
 
 import functools
@@ -22,7 +21,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any, Protocol, TypeVar, cast
 
-from .cache import cache_folder, is_digested
+from .cache import cache_folder, is_digested, is_ours
 from .errors import DuplicateKind
 
 try:
@@ -52,28 +51,38 @@ class Compiled(Protocol):
 CACHE = cache_folder(Path(__file__).parent) if JIT else None
 
 
-def _is_ours(kind: Any) -> bool:
-    """Whether a numba type is made of nothing but numbers, arrays and this package's records."""
-    record_class = getattr(kind, "instance_class", None)
-    return (record_class is None or is_digested(record_class)) and all(map(_is_ours, getattr(kind, "types", ())))
-
-
 if JIT:
 
     class _PackageCache(FunctionCache):
-        """Keeps code on disk only where the package's sources determine it: a record from elsewhere brings code from elsewhere."""
+        """Keeps code on disk only where the package's sources determine it: a record from elsewhere brings code from elsewhere.
+        Opened when its function is first called: that looks at the disk, and a program calls few of all functions."""
 
-        is_body = False
+        is_body = is_open = False
+
+        def __init__(self, source: Callable[..., Any]) -> None:
+            self._source, self._cache_path = source, str(CACHE)
+
+        def open(self) -> None:
+            previous, numba.config.CACHE_DIR = numba.config.CACHE_DIR, str(CACHE)
+            try:
+                super().__init__(self._source)
+            except RuntimeError:  # the folder has gone: compiled anew in each process
+                self._name, self._enabled = self._source.__qualname__, False
+            finally:
+                numba.config.CACHE_DIR = previous
+            self.is_open = True
 
         def load_overload(self, sig: Any, target_context: Any) -> Any:
-            found = super().load_overload(sig, target_context) if all(map(_is_ours, sig)) else None
+            if not self.is_open:
+                self.open()
+            found = super().load_overload(sig, target_context) if all(map(is_ours, sig)) else None
             if found is None and self.is_body:
                 log.info("compiling %s once; the next run starts at once", self._name.rpartition(".")[2])
             return found
 
         def save_overload(self, sig: Any, data: Any) -> None:
             loadable = not isinstance(data.signature.return_type, numba.types.Generator)  # numba fails to call one from new code
-            if loadable and all(map(_is_ours, data.signature.args)):
+            if loadable and all(map(is_ours, data.signature.args)):
                 super().save_overload(sig, data)
 
     @intrinsic
@@ -149,13 +158,7 @@ def _dispatcher(function: Callable[..., Any], source: Callable[..., Any], **opti
         return cast(Compiled, function)
     dispatcher = numba.njit(**OPTIONS, **options)(function)
     if CACHE is not None and is_digested(source):
-        previous, numba.config.CACHE_DIR = numba.config.CACHE_DIR, str(CACHE)
-        try:
-            dispatcher._cache = _PackageCache(source)
-        except RuntimeError:  # a function typed at a prompt, or a folder that has gone: compiled anew in each process
-            pass
-        finally:
-            numba.config.CACHE_DIR = previous
+        dispatcher._cache = _PackageCache(source)
     return cast(Compiled, dispatcher)
 
 
