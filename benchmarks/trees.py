@@ -1,4 +1,4 @@
-"""RRT-Connect's first solution among 24 boxes and through narrow doors, and RRT* grown for 5,000 iterations."""
+"""RRT-Connect's first solution among 24 polygons, 24 boxes and through narrow doors, and RRT* grown for 5,000 iterations."""
 
 import argparse
 from collections.abc import Callable
@@ -6,8 +6,9 @@ from functools import partial
 from typing import Any
 
 import numpy as np
+from ompl_peer import FreeMotion, compiled_test
 from timing import Contestant, Goal, available, measure, report
-from worlds import SIDE, Case, among_boxes, through_doors
+from worlds import SIDE, Case, among_boxes, between_polygons, through_doors
 
 import kinoedu as ke
 
@@ -24,22 +25,66 @@ def kinoedu(planner: str) -> Contestant:
     )
 
 
-def pathplanning(planner: str) -> Contestant:
-    """Its native planners, which judge motions among boxes exactly; gamma is the one that kinoedu's defaults come to."""
+class AmongPolygons:
+    """A plane with polygons as pathplanning asks for it in Python: it knows none itself. Compiled code answers."""
+
+    distance_metric = "euclidean"  # it may look for neighbours by its own index
+    bounds, dimension = ((0.0, SIDE), (0.0, SIDE)), 2
+
+    def __init__(self, free: FreeMotion) -> None:
+        self.free = free
+
+    def sample_free(self, rng: np.random.Generator) -> np.ndarray:
+        """A free place."""
+        while not self.is_state_valid(q := rng.uniform(0.0, SIDE, 2)):
+            pass
+        return q
+
+    def is_state_valid(self, q: np.ndarray) -> bool:
+        """Whether a place is free."""
+        return self.free(q[0], q[1], q[0], q[1])
+
+    def is_motion_valid(self, a: np.ndarray, b: np.ndarray) -> bool:
+        """Whether a motion is free."""
+        return self.free(a[0], a[1], b[0], b[1])
+
+    def distance(self, a: np.ndarray, b: np.ndarray) -> float:
+        """How far apart two places are."""
+        return float(np.hypot(b[0] - a[0], b[1] - a[1]))
+
+    def steer(self, a: np.ndarray, b: np.ndarray, step: float) -> np.ndarray:
+        """A step from a towards b."""
+        apart = self.distance(a, b)
+        return b if apart <= step else a + step / apart * (b - a)
+
+
+def among_polygons(case: Case) -> Any:
+    """A plane that pathplanning asks in Python, by a test compiled for its world."""
+    return AmongPolygons(compiled_test(case.problem))
+
+
+def boxed(case: Case) -> Any:
+    """pathplanning's own plane with boxes, which it judges exactly, without Python."""
+    from pathplanning.spaces import Grid2DSamplingSpace
+
+    return Grid2DSamplingSpace((0, SIDE), (0, SIDE), obs_rectangle=case.obstacles.tolist(), delta=0.0)
+
+
+def pathplanning(planner: str, space_of: Callable[[Case], Any]) -> Contestant:
+    """Its native planners; gamma is the one that kinoedu's defaults come to."""
     from pathplanning.core.contracts import ContinuousProblem, GoalState
     from pathplanning.core.params import RrtParams
     from pathplanning.planners.sampling.rrt_connect import plan_rrt_connect
     from pathplanning.planners.sampling.rrt_star import plan_rrt_star
-    from pathplanning.spaces import Grid2DSamplingSpace
 
     plan = plan_rrt_connect if planner == "rrt_connect" else plan_rrt_star
     gamma = 2.0 * 1.5**0.5 * SIDE / np.pi**0.5
 
     def contestant(case: Case) -> Callable[[], Any]:
-        space = Grid2DSamplingSpace((0, SIDE), (0, SIDE), obs_rectangle=case.obstacles.tolist(), delta=0.0)
         radius = {"rrt_star_radius_gamma": gamma, "rrt_star_radius_bias": 0.0, "rrt_star_radius_max_factor": 1.0}
-        params = RrtParams(max_iters=100 * ITERATIONS if planner == "rrt_connect" else ITERATIONS, step_size=STEP, **radius)
-        asked = ContinuousProblem(space, case.problem.start, GoalState(case.problem.goal))
+        iterations = 100 * ITERATIONS if planner == "rrt_connect" else ITERATIONS
+        params = RrtParams(max_iters=iterations, step_size=STEP, allow_python_callbacks=True, **radius)
+        asked = ContinuousProblem(space_of(case), case.problem.start, GoalState(case.problem.goal))
         return lambda: plan(asked, params=params, rng=np.random.default_rng(case.seed))
 
     return contestant
@@ -58,14 +103,17 @@ def main() -> None:
     options = argparse.ArgumentParser(description=__doc__)
     options.add_argument("--repeats", type=int, default=7)
     repeats = options.parse_args().repeats
-    for planner, title, world in (
-        ("rrt_connect", "RRT-Connect, first solution among 24 boxes", among_boxes),
-        ("rrt_connect", "RRT-Connect, first solution through three doors", through_doors),
-        ("rrt_star", f"RRT*, {ITERATIONS:,} iterations among 24 boxes", among_boxes),
+    for planner, title, world, space_of in (
+        ("rrt_connect", "RRT-Connect, first solution among 24 polygons", between_polygons, among_polygons),
+        ("rrt_connect", "RRT-Connect, first solution among 24 boxes", among_boxes, boxed),
+        ("rrt_connect", "RRT-Connect, first solution through three doors", through_doors, boxed),
+        ("rrt_star", f"RRT*, {ITERATIONS:,} iterations among 24 boxes", among_boxes, boxed),
     ):
-        makers = {"kinoedu": kinoedu, "pathplanning": pathplanning}
-        contestants = available({name: partial(make, planner) for name, make in makers.items()})
-        seconds = measure(contestants, map(world, range(10)), judge, repeats=repeats)
+        makers: dict[str, Callable[[], Contestant]] = {
+            "kinoedu": partial(kinoedu, planner),
+            "pathplanning": partial(pathplanning, planner, space_of),
+        }
+        seconds = measure(available(makers), map(world, range(10)), judge, repeats=repeats)
         report(title, seconds, GOALS if planner == "rrt_connect" else {})
 
 

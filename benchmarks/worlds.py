@@ -22,12 +22,23 @@ class Case(NamedTuple):
 
 def among_polygons(seed: int) -> Case:
     """20 convex polygons of 4 to 8 corners, and 4 round a goal that cannot be reached. Rows x, y, radius: the polygons' circles."""
-    rng = np.random.default_rng(seed)
-    centres = rng.uniform(10, 90, (20, 2))
-    polygons = [inscribed_polygon(centre, 5.0, rng) for centre in centres]
+    polygons, circles = discs(20, seed)
     world = ke.PolygonWorld(SQUARE, polygons + walls())
-    circles = np.vstack([np.column_stack([centres, np.full(20, 5.0)]), [*WALLED_IN, 2.5]])
-    return Case(ke.Problem(ke.Point(), world, (2, 2), WALLED_IN), seed, circles)
+    return Case(ke.Problem(ke.Point(), world, (2, 2), WALLED_IN), seed, np.vstack([circles, [*WALLED_IN, 2.5]]))
+
+
+def between_polygons(seed: int) -> Case:
+    """24 convex polygons of 4 to 8 corners between two opposite corners of the square. Rows x, y, radius: their circles."""
+    polygons, circles = discs(24, seed)
+    return Case(ke.Problem(ke.Point(), ke.PolygonWorld(SQUARE, polygons), (2, 2), (98, 98)), seed, circles)
+
+
+def discs(count: int, seed: int) -> tuple[list[np.ndarray], np.ndarray]:
+    """Convex polygons in circles of radius 5 at random, and the circles, rows x, y, radius."""
+    rng = np.random.default_rng(seed)
+    centres = rng.uniform(10, 90, (count, 2))
+    polygons = [inscribed_polygon(centre, 5.0, rng) for centre in centres]
+    return polygons, np.column_stack([centres, np.full(count, 5.0)])
 
 
 def inscribed_polygon(centre: np.ndarray, radius: float, rng: np.random.Generator) -> np.ndarray:

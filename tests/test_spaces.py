@@ -38,7 +38,7 @@ from kinoedu.spaces.closest import fill, k_closest_in_buckets
 from kinoedu.spaces.rings import SMALL
 
 LAW = settings(derandomize=True, deadline=None, database=None, max_examples=200, suppress_health_check=list(HealthCheck))
-KINDS = ["spread", "clumped", "lattice", "one place", "on a line", "beyond the box"]
+KINDS = ["spread", "clumped", "lattice", "one place", "on a line", "beyond the box", "in a corner"]
 
 
 def drawn_nodes(rng: np.random.Generator, kind: str, n: int, d: int) -> Any:
@@ -47,6 +47,8 @@ def drawn_nodes(rng: np.random.Generator, kind: str, n: int, d: int) -> Any:
         return rng.uniform(-5, 5, (4, d))[rng.integers(4, size=n)] + rng.normal(0, 1e-3, (n, d))
     if kind == "lattice":
         return rng.integers(-5, 6, (n, d)).astype(float)
+    if kind == "in a corner":
+        return rng.uniform(-5, -3, (n, d))
     if kind == "one place":
         return np.full((n, d), 1.25)
     if kind == "on a line":

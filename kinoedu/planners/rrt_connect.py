@@ -111,7 +111,7 @@ def rrt_connect(
     epsilon = positive(world_size(asked) / 20.0 if step is None else step, "step")
     most = whole(max_nodes, "max_nodes", least=2)
     limit = 10 * most if max_iterations is None else whole(max_iterations, "max_iterations", least=0)
-    trees, owner = (roomy_tree(asked, most), roomy_tree(asked, most)), np.full(most, -1)
+    trees, owner = (roomy_tree(asked, most), roomy_tree(asked, most)), np.empty(most, np.int64)
     before = asked.asked[MOTIONS]
     at_start, at_goal, iterations = body_for(asked, grow_both)(asked, *trees, owner, epsilon, limit, as_generator(rng))
     grown = int(trees[0].size[0] + trees[1].size[0])

@@ -18,7 +18,8 @@ NODES_PER_BUCKET = 1.0
 class GrowingTree(NamedTuple):
     """A tree under construction: room for `len(nodes)` nodes, of which the first size[0] are there.
 
-    Bucket (i, j) covers (x, y) + (i, j) * cell. Its nodes are a chain: head[j * columns + i], then next[node], until -1.
+    Bucket (i, j) covers (x, y) + (i, j) * cell. Its nodes are a chain: head[j * columns + i], then next[node], until -1. Nodes lie
+    in columns used[0] to used[1] and in rows used[2] to used[3] only.
     """
 
     nodes: Array
@@ -31,6 +32,7 @@ class GrowingTree(NamedTuple):
     rows: int
     head: NDArray[np.int64]
     next: NDArray[np.int64]
+    used: NDArray[np.int64]
 
 
 def empty_tree(capacity: int, lo: Array, hi: Array) -> GrowingTree:
@@ -50,6 +52,7 @@ def empty_tree(capacity: int, lo: Array, hi: Array) -> GrowingTree:
         rows,
         np.full(columns * rows, -1, np.int64),
         np.empty(capacity, np.int64),
+        np.array([columns, -1, rows, -1]),
     )
 
 
@@ -65,7 +68,17 @@ def add(tree: GrowingTree, q: Array, parent: int) -> int:
     bucket = row * tree.columns + column
     tree.next[node] = tree.head[bucket]
     tree.head[bucket] = node
+    used = tree.used
+    used[0], used[1] = min(used[0], column), max(used[1], column)
+    used[2], used[3] = min(used[2], row), max(used[3], row)
     return node
+
+
+@inlined
+def first_ring(tree: GrowingTree, column: int, row: int) -> int:
+    """The number of the first ring of buckets round (column, row) that is in use; from a place without nodes it may be far away."""
+    used = tree.used
+    return max(max(used[0] - column, column - used[1]), max(used[2] - row, row - used[3]))
 
 
 @inlined

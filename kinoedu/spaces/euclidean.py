@@ -7,7 +7,7 @@ import numpy as np
 
 from ..compiled import compiled, inlined
 from ..geometry.checks import Array
-from .buckets import GrowingTree, bucket_of
+from .buckets import GrowingTree, bucket_of, first_ring
 
 SMALL = 150  # up to here looking at all nodes is faster
 
@@ -26,21 +26,22 @@ def nearest_euclidean_node(tree: GrowingTree, q: Array) -> int:
     """The number of the node with the least Euclidean distance to q, the first among equals."""
     if tree.size[0] <= SMALL:
         return nearest_of_all(tree, q)
+    used = tree.used
     column, row = bucket_of(tree, q[0], q[1] if len(q) > 1 else 0.0)
     x, y = q[0] - tree.x, (q[1] if len(q) > 1 else 0.0) - tree.y
     best, least = nearest_in_bucket(tree, row * tree.columns + column, q, -1, np.inf)
-    for ring in range(1, max(tree.columns, tree.rows)):
+    for ring in range(max(first_ring(tree, column, row), 1), max(tree.columns, tree.rows)):
         below, above = squared_gap(y, row - ring, tree.cell), squared_gap(y, row + ring, tree.cell)
         left, right = squared_gap(x, column - ring, tree.cell), squared_gap(x, column + ring, tree.cell)
         if least < min(min(below, above), min(left, right)):
             break
         for j, gap in ((row - ring, below), (row + ring, above)):
-            if 0 <= j < tree.rows and gap <= least:
-                for i in range(max(column - ring, 0), min(column + ring, tree.columns - 1) + 1):
+            if used[2] <= j <= used[3] and gap <= least:
+                for i in range(max(column - ring, used[0]), min(column + ring, used[1]) + 1):
                     best, least = nearest_in_bucket(tree, j * tree.columns + i, q, best, least)
         for i, gap in ((column - ring, left), (column + ring, right)):
-            if 0 <= i < tree.columns and gap <= least:
-                for j in range(max(row - ring + 1, 0), min(row + ring - 1, tree.rows - 1) + 1):
+            if used[0] <= i <= used[1] and gap <= least:
+                for j in range(max(row - ring + 1, used[2]), min(row + ring - 1, used[3]) + 1):
                     best, least = nearest_in_bucket(tree, j * tree.columns + i, q, best, least)
     return best
 

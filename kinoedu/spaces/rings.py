@@ -10,7 +10,7 @@ import numpy as np
 
 from ..compiled import compiled, generic, inlined
 from ..geometry.checks import Array
-from .buckets import GrowingTree, bucket_of
+from .buckets import GrowingTree, bucket_of, first_ring
 from .euclidean import SMALL
 
 
@@ -68,20 +68,21 @@ def to_the_best(search: Nearest) -> float:
 def search_rings(space: Any, tree: GrowingTree, q: Array, x: float, y: float, search: Any) -> Any:
     """The search after all wanted nodes near q were offered; q's first coordinates are x and y, or mean the same as they."""
     wx, wy = weight_of(space, 0), weight_of(space, 1)
+    used = tree.used
     column, row = bucket_of(tree, x, y)
     search = offer_bucket(search, space, tree, row * tree.columns + column, q)
-    for ring in range(1, max(tree.columns, tree.rows)):
+    for ring in range(max(first_ring(tree, column, row), 1), max(tree.columns, tree.rows)):
         below, above = squared_gap(y - tree.y, row - ring, tree.cell, wy), squared_gap(y - tree.y, row + ring, tree.cell, wy)
         left, right = squared_gap(x - tree.x, column - ring, tree.cell, wx), squared_gap(x - tree.x, column + ring, tree.cell, wx)
         if squared_reach(search) < min(min(below, above), min(left, right)):
             break
         for j, gap in ((row - ring, below), (row + ring, above)):
-            if 0 <= j < tree.rows and gap <= squared_reach(search):
-                for i in range(max(column - ring, 0), min(column + ring, tree.columns - 1) + 1):
+            if used[2] <= j <= used[3] and gap <= squared_reach(search):
+                for i in range(max(column - ring, used[0]), min(column + ring, used[1]) + 1):
                     search = offer_bucket(search, space, tree, j * tree.columns + i, q)
         for i, gap in ((column - ring, left), (column + ring, right)):
-            if 0 <= i < tree.columns and gap <= squared_reach(search):
-                for j in range(max(row - ring + 1, 0), min(row + ring - 1, tree.rows - 1) + 1):
+            if used[0] <= i <= used[1] and gap <= squared_reach(search):
+                for j in range(max(row - ring + 1, used[2]), min(row + ring - 1, used[3]) + 1):
                     search = offer_bucket(search, space, tree, j * tree.columns + i, q)
     return search
 
