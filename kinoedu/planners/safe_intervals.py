@@ -3,6 +3,7 @@
 M. Phillips, M. Likhachev, "SIPP: Safe interval path planning for dynamic environments" (2011); LaValle, section 7.1.
 """
 
+from heapq import heappop, heappush
 from typing import Any
 
 import numpy as np
@@ -26,21 +27,21 @@ from .tuning import whole
 def search_intervals(
     problem: Any, graph: GraphRecord, nodes: Array, safe: Array, first: NDArray[np.int64], hulls: Parts, knots: NDArray[np.int64]
 ) -> tuple[Array, Array, NDArray[np.int64], int]:
-    """Dijkstra's search over the safe intervals of all nodes. For each when the robot arrives there at the earliest, when it left
-    the interval before, and which that was; and the interval of the goal, node 1, that is reached first, or -1.
+    """Dijkstra's search over the safe intervals of all nodes, from the first of node 0. For each when the robot is there at the
+    earliest, when it left the interval before, and which that was; and the interval of the goal, node 1, reached first, or -1.
     """
     arrival, departure, parent = np.full(len(safe), np.inf), np.zeros(len(safe)), np.full(len(safe), -1)
-    owner, is_done = np.empty(len(safe), np.int64), np.zeros(len(safe), np.bool_)
+    owner = np.empty(len(safe), np.int64)
     times, places = problem.world.times, problem.world.places
     for u in range(len(nodes)):
         owner[first[u] : first[u + 1]] = u
-    if first[1] > 0 and safe[0, 0] == 0.0:
-        arrival[0] = 0.0
-    while True:
-        here = int(np.argmin(np.where(is_done, np.inf, arrival)))
-        if is_done[here] or arrival[here] == np.inf:
-            return arrival, departure, parent, -1
-        is_done[here], u = True, owner[here]
+    arrival[0] = 0.0
+    frontier = [(0.0, 0)]
+    while len(frontier) > 0:
+        when, here = heappop(frontier)
+        u = owner[here]
+        if when > arrival[here]:  # it has been reached earlier, and was gone on from then
+            continue
         if u == 1:
             return arrival, departure, parent, here
         for k in range(graph.first[u], graph.first[u + 1]):
@@ -53,6 +54,8 @@ def search_intervals(
                 on_time = t <= safe[here, 1] and safe[there, 0] <= arrives <= safe[there, 1]
                 if on_time and arrives < arrival[there] and is_free_ride(problem, nodes[u], nodes[v], arrival[here], t, arrives):
                     arrival[there], departure[there], parent[there] = arrives, t, here
+                    heappush(frontier, (arrives, there))
+    return arrival, departure, parent, -1
 
 
 @inlined
