@@ -85,6 +85,24 @@ def test_every_planner_has_its_name(name, tmp_path, capsys):
     assert f"length {plan.cost:.8g}" in capsys.readouterr().out
 
 
+@pytest.mark.parametrize("name", ["kinodynamic-rrt", "sst", "hybrid-astar"])
+def test_a_car_is_driven(name, tmp_path, capsys):
+    """What the command line drives is what the function drives; a robot that is no car is refused."""
+    yard = ke.PolygonWorld([(0, 0), (20, 0), (20, 20), (0, 20)], [[(9, 0), (11, 0), (11, 10), (9, 10)]])
+    problem = ke.Problem(ke.Car(3, 1, 2), yard, (4, 4, 0), (16, 4, 0))
+    ke.write_scene(problem, tmp_path / "yard.json")
+    tuning, options = ({}, []) if name == "hybrid-astar" else ({"max_iterations": 300, "rng": 2}, ["--iterations", "300"])
+    plan = {"kinodynamic-rrt": ke.kinodynamic_rrt, "sst": ke.sst, "hybrid-astar": ke.hybrid_astar}[name](problem, **tuning)
+    drive = ["plan", str(tmp_path / "yard.json"), "--planner", name, "--seed", "2", *options, "--out", str(tmp_path / "plan.png")]
+    assert main(drive) == (plan.path is None)
+    out = capsys.readouterr().out
+    assert (f"length {plan.cost:.8g}" if plan.path is not None else plan.reason) in out
+    assert f"{plan.stats['nodes']:,} nodes" in out
+    assert (tmp_path / "plan.png").stat().st_size > 1000
+    assert main(["plan", MAZE, "--planner", name]) == 2
+    assert "Car(" in capsys.readouterr().err
+
+
 def test_no_path_is_status_1_with_its_reason(tmp_path, capsys):
     """A closed room is an answer, and its picture is drawn."""
     ring = [(3, 3), (6, 3), (6, 6), (3, 6)]

@@ -28,6 +28,9 @@ PLANNERS = {
     "rrt-star": Choice("rrt_star", "a tree whose paths become shortest; any scene", {"step": "step", "nodes": "max_nodes"}, True),
     "prm": Choice("prm", "a roadmap of random samples; any scene", {"nodes": "n", "neighbours": "k"}, True),
     "astar": Choice("plan_on_grid", "a search on a grid; for a point or a disk", {"spacing": "spacing"}, False),
+    "kinodynamic-rrt": Choice("kinodynamic_rrt", "a tree of drives, for a car", {"iterations": "max_iterations"}, True),
+    "sst": Choice("sst", "a sparse tree of ever shorter drives, for a car", {"iterations": "max_iterations"}, True),
+    "hybrid-astar": Choice("hybrid_astar", "a search among short drives, for a car", {"spacing": "spacing"}, False),
     "visibility": Choice("plan_by_visibility", "from corner to corner; the shortest path, but only for a point *", {}, False),
     "decomposition": Choice("plan_by_decomposition", "cells of the free space; exact, but only for a point *", {}, False),
 }
@@ -99,8 +102,9 @@ def add_plan_options(plan: argparse.ArgumentParser) -> None:
         "--spacing",
         type=float,
         metavar="D",
-        help="astar: the side of the grid's cells (default: the map's own, or a hundredth of the world)",
+        help="the side of a cell; astar: (the map's own, or a hundredth of the world); hybrid-astar: (a quarter of the wheelbase)",
     )
+    how.add_argument("--iterations", type=int, metavar="N", help="kinodynamic-rrt, sst: stop after so many (1,000; sst 20,000)")
 
 
 def numbers(text: str) -> list[float]:
@@ -178,7 +182,7 @@ def planned(problem: Any, arguments: argparse.Namespace) -> Any:
     from .. import planners
 
     choice = PLANNERS[arguments.planner]
-    given = {name: getattr(arguments, name) for name in ("step", "nodes", "neighbours", "spacing")}
+    given = {name: getattr(arguments, name) for name in ("step", "nodes", "neighbours", "spacing", "iterations")}
     given = {name: value for name, value in given.items() if value is not None}
     for name in given:
         if name not in choice.options:
