@@ -16,6 +16,7 @@ HELP = """usage: python start.py [command ...]
 
   python start.py                    set up, then open the course in JupyterLab
   python start.py test [arguments]   set up, add the test tools, run pytest
+  python start.py site               set up, then write the course as a site into build/site
   python start.py command ...        set up, then run a command of kinoedu, as in: python start.py plan --help
 
 The set-up is done once, in .venv beside this file, and needs the network only then.
@@ -26,7 +27,8 @@ LOG = os.path.join(VENV, "install.log")
 STAMP = os.path.join(VENV, "installed.json")
 PYTHON = os.path.join(VENV, *(["Scripts", "python.exe"] if os.name == "nt" else ["bin", "python"]))
 COURSE, TEACHING, TESTS = "environment.txt", "solutions/environment.txt", "tests/environment.txt"
-MEGABYTES = {COURSE: 700, TEACHING: 100, TESTS: 500}
+SITE = "docs/environment.txt"
+MEGABYTES = {COURSE: 700, TEACHING: 100, TESTS: 500, SITE: 100}
 TEACHING_COMMANDS = ["release", "export"]
 PIP_OPTIONS = ["--no-deps", "--only-binary", ":all:", "-r"]
 
@@ -78,9 +80,13 @@ def require_python(version):
 def start(arguments):
     """Set up what the command needs, and become that command."""
     if arguments[:1] == ["test"]:
-        set_up([COURSE, TEACHING, TESTS])
+        set_up([COURSE, TEACHING, TESTS, SITE])
         os.chdir(HERE)
         return become(["-m", "pytest", "--rootdir", HERE] + arguments[1:])
+    if arguments[:1] == ["site"]:
+        set_up([COURSE, SITE])
+        os.chdir(HERE)
+        return become(["-m", "sphinx", "-j", "auto", "-c", "docs", "-d", "build/doctrees", ".", "build/site"] + arguments[1:])
     set_up([COURSE, TEACHING] if arguments[:1] and arguments[0] in TEACHING_COMMANDS else [COURSE])
     if not arguments:
         subprocess.call([PYTHON, "-P", "-m", "kinoedu", "warm"], env=environment())

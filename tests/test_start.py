@@ -59,9 +59,11 @@ class Course:
             "environment.txt": "# nothing\n",
             "solutions/environment.txt": "# nothing\n",
             "tests/environment.txt": "# nothing\n",
+            "docs/environment.txt": "# nothing\n",
             "kinoedu/__init__.py": "",
             "kinoedu/__main__.py": STUB,
             "pytest.py": STUB,
+            "sphinx.py": STUB,
         }.items():
             (self.home / name).parent.mkdir(parents=True, exist_ok=True)
             (self.home / name).write_text(text)
@@ -193,7 +195,16 @@ def test_tests_run_at_the_root_with_their_own_tools(course, tmp_path):
     assert os.path.samefile(ended.seen[0]["folder"], course.home)
     course.run("test")
     course.run("plan")
-    assert course.calls() == ["environment.txt", "solutions/environment.txt", "tests/environment.txt"]
+    assert course.calls() == ["environment.txt", "solutions/environment.txt", "tests/environment.txt", "docs/environment.txt"]
+
+
+def test_the_site_is_written_into_build(course, tmp_path):
+    """From anywhere; it brings what writes pages, and no tests."""
+    course.run("plan")
+    ended = course.run("site", "-W", cwd=tmp_path)
+    assert ended.seen[0]["arguments"][-3:] == [".", "build/site", "-W"]
+    assert os.path.samefile(ended.seen[0]["folder"], course.home)
+    assert course.calls() == ["environment.txt", "docs/environment.txt"]
 
 
 def test_an_instructors_command_brings_its_tools(course):
@@ -407,7 +418,7 @@ def pins(name: str, machine: dict[str, str]) -> dict[str, str]:
     return found
 
 
-@pytest.mark.parametrize("name", ["environment.txt", "solutions/environment.txt", "tests/environment.txt"])
+@pytest.mark.parametrize("name", ["environment.txt", "solutions/environment.txt", "tests/environment.txt", "docs/environment.txt"])
 def test_every_line_is_an_exact_pin_from_the_index_of_the_user(name):
     for pin in requirements(name):
         assert re.fullmatch(r"==[^*,]+", str(pin.specifier)) and pin.url is None, pin
@@ -421,7 +432,9 @@ def test_pins_satisfy_pyproject_on_every_platform(machine):
     teaching, extras = pins("solutions/environment.txt", machine), project["optional-dependencies"]
     assert not course.keys() & teaching.keys() and not (course | teaching).keys() & tests.keys() - course.keys()
     assert all(course[name] == tests[name] for name in course.keys() & tests.keys())
-    held_by = {"teach": course | teaching, "test": course | tests, "cluster": course | tests}
+    site, others = pins("docs/environment.txt", machine), teaching | tests
+    assert not course.keys() & site.keys() and all(others[name] == site[name] for name in others.keys() & site.keys())
+    held_by = {"teach": course | teaching, "test": course | tests, "cluster": course | tests, "site": course | site}
     for wanted, held in ((project["dependencies"], course), *((extras[name], held) for name, held in held_by.items())):
         for requirement in map(Requirement, wanted):
             if requirement.marker is None or requirement.marker.evaluate(machine):

@@ -1,0 +1,112 @@
+"""What the site adds to Sphinx: docstrings as they are written here, links to the source, pictures that say what they are."""
+
+import ast
+import inspect
+import re
+import shutil
+import textwrap
+from pathlib import Path, PurePosixPath
+
+from docutils import nodes
+from sphinx import addnodes
+
+from kinoedu.words import say
+
+CODE_OR_MARKUP = re.compile(r"`[^`]+`|[*_|\\]")
+NAMED = re.compile(r"(?m)^(\w[\w\\, ()]*) : (.*)")
+FIGURE = re.compile(r"<Figure size (\d+)")
+WIDE = 640  # in pixels; what is wider cannot be read in the width of a telephone, and is scrolled there
+BOARD = "application/vnd.jupyter.widget-view+json"
+NAME = re.compile(r"ke\.([\w.]+)(?:\(.*\))?$")
+
+
+def setup(app):
+    """Called by Sphinx."""
+    app.connect("source-read", add_contents)
+    app.connect("autodoc-process-docstring", mark_up)
+    app.connect("autodoc-process-signature", as_written)
+    app.connect("autodoc-skip-member", is_field)
+    app.connect("doctree-read", tell_pictures)
+    app.connect("doctree-read", lead_to_sources, priority=400)  # before Sphinx copies what is linked
+    app.connect("build-finished", name_the_entrance)
+    return {"parallel_read_safe": True, "parallel_write_safe": True}
+
+
+def add_contents(app, docname, source):
+    """The entrance is README.md; what GitHub need not show, the order of all pages, is kept beside."""
+    if docname == app.config.root_doc:
+        source[0] += Path(app.confdir, "contents.md").read_text(encoding="utf-8")
+
+
+def name_the_entrance(app, failure):
+    """Who opens the site's folder gets the entrance."""
+    if failure is None:
+        shutil.copy(Path(app.outdir, f"{app.config.root_doc}.html"), Path(app.outdir, "index.html"))
+
+
+def mark_up(app, what, name, thing, options, lines):
+    """Docstrings are plain text, with examples, `code` and lists of `name : meaning`; make them Sphinx's markup."""
+    lines[:] = "\n\n".join(marked(paragraph) for paragraph in "\n".join(lines).split("\n\n")).splitlines()
+
+
+def marked(paragraph):
+    """A paragraph as reStructuredText."""
+    if paragraph.startswith(">>>"):
+        return paragraph
+    if paragraph.startswith(" "):
+        return f"::\n\n{paragraph}"
+    text = paragraph.removeprefix("Parameters\n----------\n")
+    text = CODE_OR_MARKUP.sub(lambda found: f"`{found[0]}`" if found[0][0] == "`" else f"\\{found[0]}", text)
+    if all(line.startswith(" ") or NAMED.match(line) for line in text.splitlines()):
+        return NAMED.sub(r"**\1**\n    \2", text)
+    return text
+
+
+def as_written(app, what, name, thing, options, arguments, returned):
+    """A signature as it stands in the source, where types have their short names."""
+    if arguments is None:
+        return None
+    definition = ast.parse(textwrap.dedent(inspect.getsource(thing))).body[0]
+    if isinstance(definition, ast.ClassDef):
+        fields = [part for part in definition.body if isinstance(part, ast.AnnAssign) and "ClassVar" not in ast.unparse(part)]
+        definition = next((part for part in definition.body if getattr(part, "name", "") == "__init__"), None)
+        if definition is None:
+            return f"({', '.join(map(ast.unparse, fields))})" if fields else "", None
+    taken = definition.args.args
+    definition.args.args = taken[1:] if taken and taken[0].arg in ("self", "cls") else taken
+    gives = definition.returns if what != "class" else None
+    return f"({ast.unparse(definition.args)})", ast.unparse(gives) if gives else None
+
+
+def is_field(app, what, name, thing, skip, options):
+    """Fields of records are told in the record's docstring."""
+    return True if type(thing).__name__ == "_tuplegetter" else None
+
+
+def lead_to_sources(app, doctree):
+    """Links to Python files lead to the page with their text, and `ke.rrt` to its place in the reference."""
+    page = app.env.docname
+    for link in list(doctree.findall(addnodes.download_reference)):
+        file = PurePosixPath(app.env.relfn2path(link["reftarget"], page)[0])
+        if file.suffix == ".py":
+            uri = "../" * page.count("/") + f"_modules/{file.with_suffix('.html')}"
+            link.replace_self(nodes.reference("", "", *link.children, refuri=uri))
+    for code in list(doctree.findall(nodes.literal)):
+        if named := NAME.match(code.astext()):
+            link = addnodes.pending_xref("", refdomain="py", reftype="obj", reftarget=named[1], refspecific=True, refdoc=page)
+            code.replace_self(link)
+            link += code
+
+
+def tell_pictures(app, doctree):
+    """A picture of a notebook says in words what it shows, and if it is wide; one of a board, that the board is elsewhere."""
+    for output in doctree.findall(nodes.container):
+        if output.get("nb_element") == "mime_bundle":
+            kinds = {kind["mime_type"]: kind for kind in output.children}
+            for image in output.findall(nodes.image):
+                told = kinds["text/plain"].astext()
+                figure = FIGURE.match(told)
+                image["alt"] = say("site.figure") if figure else told
+                image["classes"] += ["wide"] if figure and int(figure[1]) > WIDE else []
+            if BOARD in kinds:
+                kinds["image/png"] += nodes.paragraph("", say("site.still"), classes=["still"])
