@@ -8,6 +8,7 @@ import re
 import shutil
 import sys
 import tomllib
+from html import escape
 from pathlib import Path
 
 import numpy as np
@@ -16,6 +17,7 @@ import pytest
 from kinoedu import geometry, words
 from kinoedu.course import EXERCISES, ValueExercise, check
 from kinoedu.course.advice import COMPLAINTS
+from kinoedu.course.feedback import folded
 from kinoedu.course.judging import attempt, report_on
 from kinoedu.course.outcomes import Answer, Changed, Late, Misshapen, Raised, decode_outcome, encode_outcome
 from kinoedu.errors import InvalidParameter
@@ -521,6 +523,13 @@ def test_what_a_program_says_is_escaped():
         raise RuntimeError("<script>alert(1)</script>\ud800")
 
     assert "<script>" not in check(point_line_distance)._repr_html_()
+
+
+def test_a_long_line_opens_on_a_click():
+    """Its beginning is shown, and all of it can be copied; a short one stands as it is."""
+    line = "problem = '" + "<" * 500 + "'"
+    assert folded(line).startswith("<details") and folded(line).count("&lt;") > 500
+    assert folded("n = '<'") == escape("n = '<'")
 
 
 def test_every_word_is_there_and_used():

@@ -10,6 +10,7 @@ import pytest
 import shapely
 
 from kinoedu.course.drivable import REGION, DrivenTask, drivable
+from kinoedu.course.exercise import Case
 from kinoedu.course.exercises import best_controls, fastest_drives, garages, kinodynamic, pose_distances
 from kinoedu.course.exercises.driven_trees import near_ones, why_not_driven
 from kinoedu.curves.integrators import runge_kutta
@@ -103,6 +104,29 @@ def test_near_enough_is_judged_across_pi():
     poses = np.array([(x, y, math.pi - 0.2), (x, y, -math.pi + 0.2), (x, y, math.pi - 0.3), (x + 5.1, y, math.pi)])
     assert near_ones(problem, poses).tolist() == [0, 1]
     assert abs(short_way(wrapped(math.pi - 0.2), -math.pi)) == pytest.approx(0.2)
+
+
+@pytest.mark.parametrize("name", garages.OPEN)
+def test_no_wall_can_be_reached_where_every_turn_is_counted(name):
+    """All turns together lead less far than the nearest wall is away."""
+    problem, world = garages.GARAGES[name], garages.GARAGES[name].problem.world
+    reach = kinodynamic.TURNS[name] * problem.longest * np.abs(garages.CAR.speeds).max() + 30.0
+    assert (world.lo + reach < problem.start[:2]).all()
+    assert (problem.start[:2] < world.hi - reach).all()
+
+
+@pytest.mark.parametrize("name", garages.OPEN)
+def test_goal_and_region_may_both_have_the_turns_of_both(name, monkeypatch):
+    """In turns 28, 56, ... the goal is as right as its region."""
+
+    def goal_first(problem, turn, rng):
+        return problem.goal if turn % 4 == 0 else problem.near_goal(rng) if turn % 7 == 0 else problem.sample(rng)
+
+    monkeypatch.setattr(kinodynamic, "place_to_go", goal_first)
+    tree, roadmap = kinodynamic.KinodynamicRrt(), kinodynamic.KinodynamicPrm()
+    for exercise, more in ((tree, {}), (roadmap, {"k": 2})):
+        case = Case(name, {"problem": garages.GARAGES[name], **more, "iterations": kinodynamic.TURNS[name], "rng": 3})
+        assert exercise.fault(case, [np.array(part) for part in exercise.source(*case.given.values())]) is None
 
 
 def test_the_stored_table_is_of_the_experiment_beside_it():

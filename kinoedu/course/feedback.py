@@ -13,6 +13,7 @@ from .judging import Judged, Report
 from .outcomes import Answer, Changed, Misshapen, Raised
 
 RULE, CASE, PICTURE, ALL = 1, 2, 3, 4  # the stages: each shows what those before it show, and more
+LONG, SHOWN = 400, 60  # letters: of a line that is longer than that so many are shown at first
 TRIES: dict[str, list[int]] = {}  # for each exercise the failures so far in this session, different ones
 
 
@@ -178,9 +179,16 @@ def picture_of(exercise: Exercise, failure: Judged) -> bytes:
     return stream.getvalue()
 
 
+def folded(line: str) -> str:
+    """A line as HTML; of one that is very long the beginning, and all of it on a click."""
+    if len(line) <= LONG:
+        return escape(line)
+    return f"<details style='display:inline-block'><summary>{escape(line[:SHOWN])} …</summary>{escape(line)}</details>"
+
+
 def row(title: str, text: str) -> str:
     """One line of the words as HTML; what a student's program said is escaped."""
-    body = "<br>".join(escape(text).splitlines())
+    body = "<br>".join(folded(line) for line in text.splitlines())
     if not title:
         return f"<p style='margin:0 0 .4em'><b>{body}</b></p>"
     kind = "code" if title in (say("check.call"), say("check.yours"), say("check.where"), say("check.printed")) else "span"

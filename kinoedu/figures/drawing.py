@@ -27,6 +27,7 @@ from .robots import draw_along, draw_driven, draw_robot, driven_tracks, even_tim
 from .walks import draw_walk
 
 POINT = Point()
+CLOSE = 0.15  # of the world's size: names of places that are nearer would lie on each other
 HALO = [patheffects.withStroke(linewidth=3.5, foreground="white")]
 
 
@@ -113,6 +114,9 @@ def draw_problem(problem: ProblemRecord, ax: Axes | None = None) -> list[Artist]
         at = place_of(problem.robot, q)
         artists += ax.plot(*at, marker, color=colour, markersize=size, markeredgecolor="white", markeredgewidth=1.2, zorder=7)
         artists.append(label_beside(at, name, colour, problem.world, ax))
+    start, goal = (place_of(problem.robot, q) for q in (problem.start, problem.goal))
+    if abs(goal - start).max() < CLOSE * abs(problem.world.hi - problem.world.lo).max():
+        artists[-1].set(position=(0, -9), ha="center", va="top")  # below, where the other name is not
     return artists
 
 

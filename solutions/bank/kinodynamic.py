@@ -96,7 +96,7 @@ def rounded(a, b, radian):
     return round(off(a, b, radian * short_way(a[2], b[2])), 2)
 
 
-@wrong("heading_distance")
+@wrong("heading_distance", slip="chord")
 def chord(a, b, radian):
     """Between the tips of two arrows: no wrap is needed, but it is the chord."""
     return off(a, b, radian * 2 * math.sin(short_way(a[2], b[2]) / 2))
@@ -105,14 +105,14 @@ def chord(a, b, radian):
 # The best of some controls
 
 
-def best(problem, q, target, controls, t, n, *, apart=None, free=None, first=1, better=lambda a, b: a < b, move=None):
-    apart, move = apart or problem.distance, move or problem.move
+def best(problem, q, target, controls, t, n, *, apart=None, free=None, first=1, better=lambda a, b: a < b, move=None, cut=None):
+    apart, move, cut = apart or problem.distance, move or problem.move, cut or np.argmin
     choice, least = None, None
     for i, (v, phi) in enumerate(controls):
         away = [apart(move(q, v, phi, k * t / n), target) for k in range(first, n + 1)]
-        k = first + int(np.argmin(away))
-        if (least is None or better(min(away), least)) and (free or problem.is_free_drive)(q, v, phi, k * t / n):
-            choice, least = (i, k), min(away)
+        k = first + int(cut(away))
+        if (least is None or better(away[k - first], least)) and (free or problem.is_free_drive)(q, v, phi, k * t / n):
+            choice, least = (i, k), away[k - first]
     return choice
 
 
@@ -158,6 +158,34 @@ def nearest_place(*given):
 def heading_not_wrapped(problem, *given):
     """The plain difference."""
     return best(problem, *given, apart=lambda a, b: off(a, b, problem.radian * (b[2] - a[2])))
+
+
+@wrong("best_control", slip="dip")
+def stops_when_it_gets_worse(*given):
+    """The first dip: a control that comes round again is cut too soon."""
+    return best(*given, cut=lambda away: next((k for k in range(len(away) - 1) if away[k + 1] > away[k]), len(away) - 1))
+
+
+@wrong("best_control", slip="shorter")
+def closest_free_step(problem, q, target, controls, t, n):
+    """What touches something is cut before that, not left out."""
+    choice, least = None, math.inf
+    for i, (v, phi) in enumerate(controls):
+        for k in range(1, n + 1):
+            away = problem.distance(problem.move(q, v, phi, k * t / n), target)
+            if away < least and problem.is_free_drive(q, v, phi, k * t / n):
+                choice, least = (i, k), away
+    return choice
+
+
+@wrong("best_control", slip="closer")
+def must_be_closer_than_q(problem, q, target, controls, t, n):
+    """The least begins with the distance of q."""
+    choice = best(problem, q, target, controls, t, n)
+    if choice is None:
+        return None
+    end = problem.move(q, *controls[choice[0]], choice[1] * t / n)
+    return choice if problem.distance(end, target) < problem.distance(q, target) else None
 
 
 @wrong("best_control", slip="standing")
@@ -239,7 +267,7 @@ def grown(problem, iterations, rng, *, k=1, there=is_there, where=place, choose=
         if stop and there(problem, nodes[-1]):
             break
         target = where(problem, turn, rng)
-        order = np.argsort([problem.distance(q, target) for q in nodes], kind="stable")
+        order = np.argsort([more.get("apart", problem.distance)(q, target) for q in nodes], kind="stable")
         for near in order[:k] if choose is None else choose(order, k):
             found = (drive or problem.best_drive)(nodes[near], target, rng)
             if found is not None:
@@ -320,6 +348,19 @@ def from_the_root(*given):
 def from_the_farthest(*given):
     """argmax."""
     return rrt(*given, choose=lambda order, k: order[-1:])
+
+
+@wrong("kinodynamic_rrt")
+def from_the_nearest_place(*given):
+    """The heading does not count in what is near."""
+    return rrt(*given, apart=lambda a, b: math.dist(a[:2], b[:2]))
+
+
+@wrong("kinodynamic_rrt")
+def no_path_without_a_goal(*given):
+    """An empty path where no node is near enough."""
+    nodes, parent, controls, durations, ends = grown(*given)
+    return parent, controls, durations, path_to(parent, ends[0]) if is_there(given[0], nodes[ends[0]]) else []
 
 
 @wrong("kinodynamic_rrt")
@@ -511,8 +552,20 @@ def roadmap_without_wrap(*given):
 
 @wrong("kinodynamic_prm")
 def stops_at_the_goal(*given):
-    """As a tree does: fewer ways to choose from. Seen where the goal is out of reach: it stops for any heading."""
-    return prm(*given, stop=True, there=lambda problem, q: math.dist(q[:2], problem.start[:2]) > 100)
+    """As a tree does: fewer ways to choose from."""
+    return prm(*given, stop=True)
+
+
+@wrong("kinodynamic_prm")
+def from_the_nearest_places(*given):
+    """The heading does not count in what is near."""
+    return prm(*given, apart=lambda a, b: math.dist(a[:2], b[:2]))
+
+
+@wrong("kinodynamic_prm")
+def one_too_many(problem, k, *given):
+    """order[: k + 1]."""
+    return prm(problem, k + 1, *given)
 
 
 @wrong("kinodynamic_prm")
@@ -572,6 +625,25 @@ def shortest_not_fastest(n, edges, controls, durations, ends):
 def one_end(n, edges, controls, durations, ends):
     """ends[0]."""
     return dijkstra(n, edges, controls, durations, ends[:1])
+
+
+@wrong("fastest_drive", slip="doubles")
+def last_of_two_rows(n, edges, controls, durations, ends):
+    """A dictionary of edges: of two drives from u to v it keeps the last."""
+    rows = {(int(a), int(b)): t for (a, b), t in zip(edges, durations)}
+    return dijkstra(n, edges, controls, durations, ends, rows=[(*pair, t) for pair, t in rows.items()])
+
+
+@wrong("fastest_drive", slip="passes")
+def relaxed_three_times(n, edges, controls, durations, ends):
+    """Bellman and Ford without their loop: enough where the rows stand in a good order."""
+    far, parent = {0: 0.0}, {0: -1}
+    for _ in range(3):
+        for (a, b), t in zip(edges.tolist(), durations):
+            if a in far and far[a] + t < far.get(b, math.inf):
+                far[b], parent[b] = far[a] + t, a
+    reached = [end for end in ends.tolist() if end in far]
+    return path_to(parent, min(reached, key=far.get)) if reached else None
 
 
 @wrong("fastest_drive", slip="against")

@@ -21,16 +21,18 @@ POSE = Numbers((3,))
 Choice = tuple[int, int] | None
 
 
-def chosen(off: Callable[..., float], is_free: Callable[..., bool], first: int = 1) -> Callable[..., Choice]:
+def chosen(
+    off: Callable[..., float], is_free: Callable[..., bool], first: int = 1, cut: Callable[..., Any] = np.argmin
+) -> Callable[..., Choice]:
     """A program that takes the control least off at its best step, counted from `first`, among those that pass for free."""
 
     def choose(problem: Any, q: Array, target: Array, controls: Array, t: float, n: int) -> Choice:
         best, least = None, math.inf
         for i, (v, phi) in enumerate(controls):
             away = [off(problem, problem.move(q, v, phi, k * t / n), target) for k in range(first, n + 1)]
-            k = first + int(np.argmin(away))
-            if min(away) < least and is_free(problem, q, v, phi, k * t / n, t):
-                best, least = (i, k), min(away)
+            k = int(cut(away))
+            if away[k] < least and is_free(problem, q, v, phi, (first + k) * t / n, t):
+                best, least = (i, first + k), away[k]
         return best
 
     return choose
@@ -82,14 +84,36 @@ def counted_from_zero(*given: Any) -> Choice:
     return choice and (choice[0], choice[1] - 1)
 
 
+def first_dip(away: list[float]) -> int:
+    """The step before the first that is farther away."""
+    return next((k for k in range(len(away) - 1) if away[k + 1] > away[k]), len(away) - 1)
+
+
+def cut_until_free(problem: Any, q: Array, target: Array, controls: Array, t: float, n: int) -> Choice:
+    """Every step is asked about: a control that touches something is cut before that."""
+    steps = [(i, k) for i in range(len(controls)) for k in range(1, n + 1)]
+    free = [(i, k) for i, k in steps if problem.is_free_drive(q, *controls[i], k * t / n)]
+    return min(free, key=lambda ik: distance(problem, problem.move(q, *controls[ik[0]], ik[1] * t / n), target), default=None)
+
+
+def only_closer(problem: Any, q: Array, target: Array, controls: Array, t: float, n: int) -> Choice:
+    """The least begins with how far q itself is away."""
+    choice = best_of_controls(problem, q, target, controls, t, n)
+    if choice is None:
+        return None
+    end = problem.move(q, *controls[choice[0]], choice[1] * t / n)
+    return choice if distance(problem, end, target) < distance(problem, q, target) else None
+
+
 def farthest(*given: Any) -> Choice:
     """max for min."""
     return chosen(lambda problem, a, b: -problem.distance(a, b), up_to_cut)(*given)
 
 
+MIDDLE = [post for post in POSTS if 60 <= min(post[0]) and max(post[0]) < 180]
 ROOMS = (
     in_garage((30, 30, 0), (150, 150, 0)),
-    in_garage((30, 30, 0), (150, 150, 0), box(100, 112, 101, 125), box(118, 96, 119, 97), box(75, 75, 90, 80), *POSTS),
+    in_garage((30, 30, 0), (150, 150, 0), box(100, 112, 101, 125), box(118, 96, 119, 97), box(75, 75, 90, 80), *MIDDLE),
 )
 
 
@@ -112,15 +136,19 @@ class BestControl(ValueExercise):
         Slip("end_only", chosen(distance, its_end)),
         Slip("place", chosen(lambda problem, a, b: math.dist(a[:2], b[:2]), up_to_cut)),
         Slip("no_wrap", chosen(lambda problem, a, b: math.hypot(*(b - a)[:2], problem.radian * (b[2] - a[2])), up_to_cut)),
+        Slip("dip", chosen(distance, up_to_cut, cut=first_dip)),
+        Slip("shorter", cut_until_free),
+        Slip("closer", only_closer),
         Slip("standing", chosen(distance, up_to_cut, 0)),
         Slip("counted", counted_from_zero),
         Slip("farthest", farthest),
     )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """A control straight on first; then controls by chance, until there are enough of each kind."""
+        """A control straight on first; one that comes round again; then controls by chance, until there are enough of each kind."""
         yield Case("open", given(ROOMS[0], (100, 100, 0), (110, 100, 0), [(2, 0), (-1, 0)], 4.0, 4))
         yield Case("cut", given(ROOMS[0], (100, 100, 0), (104, 100, 0), [(2, 0), (-1, 0)], 4.0, 4))
+        yield Case("cut", given(ROOMS[0], (100, 100, 0), (90, 120, -2.6), [(2, 0.7), (-1, -0.2)], 60.0, 12))
         drawn: dict[str, list[Case]] = {kind: [] for kind in self.kinds}
         while min(map(len, drawn.values())) < 10:
             case = self.drawn_case(rng)

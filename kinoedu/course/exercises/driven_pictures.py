@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from ...geometry.checks import Array
 from ...robots.trajectory import TrajectoryRecord
 from ...words import say
 from ..exercise import Case, ValueExercise, spoken
@@ -29,10 +30,18 @@ def draw_driven_answer(problem: Any, built: Any, fault: Any, words: str, ax: Any
         drive = TrajectoryRecord(problem.start, tree.controls[numbers], tree.durations[numbers], problem.robot.wheelbase)
         if len(numbers):
             draw_path(drive.at(np.linspace(0.0, drive.duration, 12 * len(numbers)))[:, :2], ax)
+        look_closer(np.vstack([tree.nodes, problem.start, problem.goal])[:, :2], 5.0 * problem.robot.wheelbase, ax)
     if fault is not None and len(fault.marked):
         ax.plot(*fault.marked[:, :2].T, "--", color=palette.GOAL, linewidth=3.5, zorder=8, scalex=False, scaley=False)
         ax.plot(*fault.marked[-1, :2], "X", color=palette.GOAL, markersize=13, markeredgecolor="white", zorder=9)
     plane.title(words, ax)
+
+
+def look_closer(places: Array, least: float, ax: Any) -> None:
+    """Where the world is large, show only what is round the places, and so far at least."""
+    middle, reach = (places.min(axis=0) + places.max(axis=0)) / 2.0, max(0.6 * float(np.ptp(places, axis=0).max()), least)
+    if 4.0 * reach < float(np.ptp(ax.get_xlim())):
+        ax.set(xlim=(middle[0] - reach, middle[0] + reach), ylim=(middle[1] - reach, middle[1] + reach))
 
 
 def draw_two_poses(exercise: ValueExercise, case: Case, value: Any, ax: Any) -> None:
@@ -53,27 +62,46 @@ def draw_two_poses(exercise: ValueExercise, case: Case, value: Any, ax: Any) -> 
 
 
 def draw_choice(exercise: ValueExercise, case: Case, value: Any, ax: Any) -> None:
-    """The drives by all controls, thin; the right one up to its cut, and the student's."""
+    """The drives by all controls, thin; the right one up to its cut, and the student's, with the car's body where there is one."""
     from ...figures import cars, palette, plane
     from ...figures.drawing import draw_world
+    from ...figures.robots import outline_at
 
     room, q, target, controls, t, n = case.given.values()
     bends = np.tan(controls[:, 1]) / room.problem.robot.wheelbase
     ways = [arc(q, v * t, bend) for (v, _), bend in zip(controls, bends)]
-    frame_both(np.vstack([*ways, target[None]]), None if value is None else ways[0][:1], "", ax)
+    shown = exercise.truth(case) if value is None or not is_choice(value, controls, n) else value
+    bodies = [] if shown is None else [outline_at(room.problem.robot, pose) for pose in swept(case, bends, *shown)]
+    tips = [pose[:2] + 8.0 * np.array([math.cos(pose[2]), math.sin(pose[2])]) for pose in (q, target)]
+    around = np.vstack([*(way[:, :2] for way in ways), *bodies, *tips, target[:2]])
+    frame_both(around, None if value is None else around[:1], "", ax)
     limits = ax.get_xlim(), ax.get_ylim()
     draw_world(room.problem.world, ax)
     ax.set(xlim=limits[0], ylim=limits[1])
+    for body in bodies:
+        ax.fill(*body.T, facecolor="none", edgecolor=palette.ROBOT, linewidth=1.4, zorder=4)
     for number, way in enumerate(ways):
         ax.plot(*way[:, :2].T, "-", color=palette.OUTSIDE, linewidth=2.0, zorder=3)
         plane.label(way[-1, :2], str(number), ax, colour=palette.INK)
     for choice, colour, style in ((exercise.truth(case), palette.START, "-"), (value, palette.GOAL, "--")):
-        if choice is not None and 0 <= choice[0] < len(controls) and 0 <= choice[1] <= n:
+        if choice is not None and is_choice(choice, controls, n):
             i, k = choice
             ax.plot(*arc(q, controls[i, 0] * t * k / n, bends[i])[:, :2].T, style, color=colour, linewidth=4.0, zorder=5)
     cars.draw_pose(q, 8.0, "q", ax, colour=palette.INK, below=True)
     cars.draw_pose(target, 8.0, say("driven_picture.target"), ax, colour=palette.TREE)
     plane.title(exercise.words(f"pictures.{case.kind}"), ax)
+
+
+def is_choice(choice: Any, controls: Array, n: int) -> bool:
+    """Whether there is such a control, and such a step."""
+    return bool(0 <= choice[0] < len(controls) and 0 <= choice[1] <= n)
+
+
+def swept(case: Case, bends: Array, i: int, k: int) -> Array:
+    """Four poses of a drive by control i up to its step k, with both ends."""
+    _, q, _, controls, t, n = case.given.values()
+    way = arc(q, controls[i, 0] * t * k / n, bends[i])
+    return way[np.unique(np.linspace(0, len(way) - 1, 4).astype(int))]
 
 
 def draw_fastest(exercise: ValueExercise, case: Case, value: Any, ax: Any) -> None:

@@ -16,6 +16,7 @@ from ..outcomes import Answer, Outcome
 from .planned import Fault, PlannerExercise
 
 GOAL_EVERY, REGION_EVERY = 4, 7
+MANY = 20  # turns from which chance can be told
 SLACK = 1e-9  # what a duration or a distance may be off, as a share of it
 NOWHERE = np.empty((0, 3))
 Path = NDArray[np.int64]
@@ -57,7 +58,9 @@ def distances(problem: Any, nodes: Array, q: Array) -> Array:
 
 def not_along(parent: NDArray[np.int64], path: Path, nodes: Array) -> Fault | None:
     """A path that does not begin at node 0, or goes from a node to another than a child of it."""
-    if not len(path) or path[0] != 0:
+    if not len(path):
+        return Fault("nothing", NOWHERE)
+    if path[0] != 0:
         return Fault("start", nodes[:1])
     for a, b in zip(path[:-1], path[1:]):
         if not 0 < b < len(parent) or parent[b] != a:
@@ -98,7 +101,7 @@ def by_turns(problem: Any, nodes: Array, turns: list[tuple[int, NDArray[np.int64
         if turn % GOAL_EVERY and turn % REGION_EVERY and turn > 8:
             others += 1
             straight += not not_biased(problem, nodes, before, chosen, GOAL_EVERY)
-    return Fault("chance", NOWHERE) if straight > 0.8 * others else None
+    return Fault("chance", NOWHERE) if others >= MANY and straight > 0.8 * others else None
 
 
 class DrivingPlanner(PlannerExercise):
@@ -130,8 +133,10 @@ class DrivingPlanner(PlannerExercise):
     def answer_words(self, case: Case, value: Any) -> str:
         """How much was built, where the drive ends, and where it is at fault."""
         tree, poses = self.nodes_of(case, value[0])
-        x, y, theta = poses[-1] if len(poses) else np.full(3, np.nan)
-        told = self.words("answers.drive", nodes=len(tree.nodes), drives=max(len(poses) - 1, 0), x=x, y=y, theta=theta)
+        if not len(poses):
+            return self.words("answers.nowhere", nodes=len(tree.nodes))
+        x, y, theta = poses[-1]
+        told = self.words("answers.drive", nodes=len(tree.nodes), drives=len(poses) - 1, x=x, y=y, theta=theta)
         fault = self.fault_of_three(case, value)
         where = np.round(fault.marked, 2).tolist() if fault is not None else []
         return f"{told}; {self.words('answers.at', marked=where)}" if where else told

@@ -50,6 +50,23 @@ def lasts(way: list[int], edges: Pairs, durations: Array, directed: bool = True)
     return float(sum(times.get(pair, np.inf) for pair in zip(way, way[1:])))
 
 
+def last_of_doubles(n: int, edges: Pairs, controls: Array, durations: Array, ends: Pairs) -> Way:
+    """A dictionary of edges keeps the last row of each pair."""
+    pairs = np.reshape(edges, (-1, 2))
+    kept = list({(u, v): i for i, (u, v) in enumerate(pairs.tolist())}.values())
+    return fastest(n, pairs[kept], controls[kept], durations[kept], ends)
+
+
+def relaxed_three_times(n: int, edges: Pairs, controls: Array, durations: Array, ends: Pairs) -> Way:
+    """The rows are gone through too seldom: enough where they stand in the order in which they are driven."""
+    ways: dict[int, tuple[float, Way]] = {0: (0.0, [0])}
+    for u, v, t in 3 * [(int(u), int(v), float(t)) for (u, v), t in zip(np.reshape(edges, (-1, 2)), durations)]:
+        time, way = ways.get(u, (np.inf, None))
+        if time + t < ways.get(v, (np.inf, None))[0]:
+            ways[v] = time + t, [*(way or []), v]
+    return min((ways[int(end)] for end in ends if int(end) in ways), default=(np.inf, None))[1]
+
+
 def turned(change: Callable[[list[int]], list[int]]) -> Callable[..., Way]:
     """A program that returns the fastest drive otherwise."""
 
@@ -79,6 +96,8 @@ class FastestDrive(ValueExercise):
         Slip("fewest", way_by(lambda controls, durations: np.ones(len(durations)))),
         Slip("first_end", lambda n, edges, controls, durations, ends: fastest(n, edges, controls, durations, ends[:1])),
         Slip("against", lambda n, edges, *others: fastest(n, np.reshape(edges, (-1, 2))[:, ::-1], *others)),
+        Slip("doubles", last_of_doubles),
+        Slip("passes", relaxed_three_times),
         Slip("backwards", turned(lambda way: way[::-1])),
         Slip("no_start", turned(lambda way: way[1:])),
         Slip("no_end", turned(lambda way: way[:-1])),
@@ -92,6 +111,7 @@ class FastestDrive(ValueExercise):
             ("detour", 3, [(0, 2, 9), (0, 1, 3), (1, 2, 4)], [2]),
             ("length", 3, [(0, 2, 6, 0.5), (0, 1, 2, 2), (1, 2, 3, 2)], [2]),
             ("oneway", 4, [(2, 0, 1), (0, 1, 5), (1, 3, 4), (3, 2, 2)], [2]),
+            ("length", 3, [(0, 2, 4, 2), (0, 2, 9, 0.5), (0, 1, 3), (1, 2, 3)], [2]),
             ("ends", 4, [(0, 1, 2), (1, 2, 5), (1, 3, 4)], [2, 3]),
             ("none", 3, [(1, 0, 3), (1, 2, 4)], [2]),
             ("none", 2, [(0, 1, 3)], []),
@@ -104,7 +124,7 @@ class FastestDrive(ValueExercise):
                 yield self.random_case(kind, size, rng)
 
     def random_case(self, kind: str, n: int, rng: np.random.Generator) -> Case:
-        """A roadmap by chance, whose ends lie far from the start."""
+        """A roadmap by chance, in any order, some of its drives also done slowly; the ends lie far from the start."""
         pairs = [(int(rng.integers(max(v - 3, 0), v)), v) for v in range(1, n)]
         if kind != "chain":
             pairs += [row[:2] for row in random_rows("directed", n, rng) if row[0] != row[1]]
@@ -112,6 +132,9 @@ class FastestDrive(ValueExercise):
         rows = [(u, v, float(np.round(rng.uniform(1, 15), 3)), rng.choice(speeds)) for u, v in dict.fromkeys(pairs)]
         several = kind in ("ends", "none", "there")
         ends = rng.choice(np.arange(1 + n // 2, n), 1 + several, replace=False).tolist()
+        if kind != "chain":
+            rows += [(u, v, 2.0 * t, speed) for u, v, t, speed in rows[::2]]
+        rows = [rows[i] for i in rng.permutation(len(rows))]
         if kind == "oneway":
             rows.append((ends[0], 0, 0.5, 1.0))
         if kind == "none":

@@ -28,10 +28,10 @@ from .driven_trees import (
     not_nearest_to_goal,
     why_not_driven,
 )
-from .garages import GARAGES, KINDS
+from .garages import GARAGES, KINDS, OPEN
 from .planned import Fault, three_times
 
-TURNS = {"same": 20, "room": 300, "turn": 300, "seam": 300, "thin": 300, "far": 60, "sealed": 100}
+TURNS = {"same": 20, "room": 300, "turn": 95, "seam": 300, "thin": 300, "far": 60, "sealed": 100}
 CONTROLS, DURATIONS, ROUTE = Numbers(("n", 2)), Numbers(("n",)), WholeNumbers(("k",))
 
 
@@ -97,9 +97,10 @@ class KinodynamicRrt(DrivingPlanner):
         fault = not_along(tree.parent, path, nodes) or not_ended(problem, nodes, path)
         if fault is None and not len(near_ones(problem, nodes, SLACK)):
             fault = stopped_early(nodes, iterations)
-        if fault is None and case.kind == "far":
+        if fault is None and case.kind in OPEN:
             turns = [(i, tree.parent[i : i + 1]) for i in range(1, len(nodes))]
-            fault = by_turns(problem, nodes, turns) if len(nodes) == iterations + 1 else Fault("dropped", NOWHERE)
+            whole = len(nodes) == iterations + 1 or len(near_ones(problem, nodes, SLACK))
+            fault = by_turns(problem, nodes, turns) if whole else Fault("dropped", NOWHERE)
         return fault
 
 
@@ -178,8 +179,10 @@ class KinodynamicPrm(DrivingPlanner):
             return fault
         if len(nodes) > k * iterations + 1:
             return Fault("iterations", NOWHERE)
+        if stopped_early(nodes, iterations):
+            return Fault("onward", nodes[-1:])
         fault = not_along(tree.parent, path, nodes) or not_fastest(problem, tree, nodes, path)
-        return fault or (fault_of_groups(problem, edges, nodes, k, iterations) if case.kind == "far" else None)
+        return fault or (fault_of_groups(problem, edges, nodes, k, iterations) if case.kind in OPEN else None)
 
 
 def not_fastest(problem: Any, tree: DrivenTree, nodes: Array, path: NDArray[np.int64]) -> Fault | None:
