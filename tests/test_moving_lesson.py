@@ -8,7 +8,7 @@ import pytest
 from kinoedu import Disk, Moving, MovingWorld, Point, PolygonWorld, TimedProblem, UncertainWorld
 from kinoedu.boards import chance_board, moving_board
 from kinoedu.boards.chances import SHOWN
-from kinoedu.boards.moving import STEPS, waited
+from kinoedu.boards.moving import STEPS, stands_at, waited
 from kinoedu.course.exercises import missed_moments, safe_arrival, scenario_chance, timed_contact
 from kinoedu.errors import InvalidParameter
 
@@ -20,28 +20,35 @@ def test_the_first_contact_is_where_dense_sampling_sees_it():
     """Before it all is apart, at it they are at the radius; where there is none, all is apart."""
     for case in timed_contact.FirstContact().cases(np.random.default_rng(1)):
         p0, p1, c0, c1, r = case.given.values()
-        s = np.linspace(0, 1, 4001)
-        gaps = np.hypot(*((p0 - c0) + s[:, None] * ((p1 - p0) - (c1 - c0))).T) - r
+        x, v = p0 - c0, (p1 - p0) - (c1 - c0)
+        nearest = np.clip(-(x @ v) / max(v @ v, 1e-300), 0, 1)  # a contact may be too short for any grid
+        s = np.sort(np.append(np.linspace(0, 1, 4001), nearest))
+        gaps = np.hypot(*(x + s[:, None] * v).T) - r
         moment = timed_contact.contact_time(*case.given.values())
         touched = np.flatnonzero(gaps <= 0)
         assert (len(touched) == 0) == (moment == math.inf)
         assert moment == math.inf or abs(s[touched[0]] - moment) < 1e-3
 
 
+TICKS = 16  # in a unit of time: all times in the cases are multiples of one
+
+
 def stepped(safe, moves, start, goal):
-    """The earliest arrival, by stepping through all half units of time."""
+    """The earliest arrival, by stepping through all ticks."""
     ways = safe_arrival.two_ways(moves)
-    interval = [{t: k for k, (b, e) in enumerate(own) for t in range(round(2 * b), round(2 * e) + 1)} for own in safe]
-    at = {(0, start)} if 0 in interval[start] else set()
-    if start == goal and at:
-        return 0.0
-    for t in range(2 * int(safe_arrival.END) + 1):
-        for u in [u for time, u in at if time == t]:
-            if u == goal:
-                return t / 2
-            if interval[u].get(t + 1, -1) == interval[u][t]:
-                at.add((t + 1, u))
-            at.update((t + round(2 * d), v) for v, d in ways.get(u, []) if t + round(2 * d) in interval[v])
+    interval = [{t: k for k, (b, e) in enumerate(own) for t in range(round(TICKS * b), round(TICKS * e) + 1)} for own in safe]
+    at = [set() for _ in range(TICKS * (int(safe_arrival.END) + 5))]
+    if 0 in interval[start]:
+        at[0].add(start)
+    for t, here in enumerate(at):
+        if goal in here:
+            return t / TICKS
+        for u in here:
+            if t in interval[u] and interval[u].get(t + 1, -1) == interval[u][t]:
+                at[t + 1].add(u)
+            for v, d in ways.get(u, []):
+                if t + round(TICKS * d) in interval[v]:
+                    at[t + round(TICKS * d)].add(v)
     return math.inf
 
 
@@ -55,6 +62,8 @@ def test_schedules_are_the_earliest(seed):
         if rows:
             assert safe_arrival.first_fault(*given, rows) == ""
         assert (case.kind == "none") == (not rows)
+        if case.kind == "aside":
+            assert len({place for place, _ in rows}) < len(rows)
         if case.kind == "again":
             assert safe_arrival.earliest_once(*given) > rows[-1][1]
 
@@ -65,6 +74,7 @@ def test_a_schedule_that_breaks_a_rule_is_told_which():
     for rule, rows in (
         ("", [(0, 0), (1, 6), (2, 8)]),
         ("start", [(0, 1), (1, 6), (2, 8)]),
+        ("own_row", [(0, 0), (0, 4), (1, 6), (2, 8)]),
         ("move", [(0, 0), (2, 8)]),
         ("too_fast", [(0, 0), (1, 1), (2, 8)]),
         ("wait", [(0, 0), (1, 2), (2, 7)]),
@@ -72,6 +82,16 @@ def test_a_schedule_that_breaks_a_rule_is_told_which():
         ("goal", [(0, 0), (1, 6)]),
     ):
         assert safe_arrival.first_fault(safe, moves, 0, 2, rows) == rule
+    assert safe_arrival.first_fault([[(2, 30)], *safe[1:]], moves, 0, 2, [(0, 0), (1, 6), (2, 8)]) == "begin"
+
+
+def test_a_rule_that_was_misread_is_named():
+    """By what the search finds without it; where nothing fits, none."""
+    touching = [[(0, 4), (7, 30)], [(0, 30)], [(0, 1), (10, 30)]], [(0, 1, 2), (0, 2, 1)]
+    assert safe_arrival.misread(*touching, 0, 2, [(0, 0), (1, 2), (0, 7), (2, 10)]) == "closed"
+    short = [[(0, 30)], [(0, 3), (6, 30)]], [(0, 1, 2)]
+    assert safe_arrival.misread(*short, 0, 1, [(0, 0), (1, 6)]) == "forever"
+    assert safe_arrival.misread(*short, 0, 1, [(0, 0), (1, 7)]) == safe_arrival.misread(*short, 0, 1, []) == ""
 
 
 def test_scenario_cases_are_clear_of_touching():
@@ -103,10 +123,12 @@ def test_the_board_of_time_plans_anew():
     goal = {**scene["handles"][1], "at": [4.5, 1.0]}
     board.canvas.arrange({**scene, "handles": [scene["handles"][0], goal]})
     assert board.plan is None and "not free" in board.canvas.drawing.warning
+    assert [layer.kind for layer in board.canvas.drawing.layers] == ["bodies"]  # what moves is still there to be seen
     board.canvas.arrange({**scene, "handles": [scene["handles"][0], {**goal, "at": [9.0, 5.0]}]})
     assert np.array_equal(board.plan.path[-1, :2], [9, 5])
     assert board.picture().startswith(b"\x89PNG")
-    assert waited(np.array([(0, 0, 0), (0, 0, 2.5), (1, 0, 3.5)])) == 2.5
+    path = np.array([(0, 0, 0), (0, 0, 2.5), (1, 0, 3.5)])
+    assert waited(path) == 2.5 and [stands_at(path, t) for t in (0, 2, 2.5, 3, 3.5)] == [True, True, False, False, False]
     with pytest.raises(InvalidParameter, match="TimedProblem"):
         moving_board("hall")
 
@@ -121,6 +143,10 @@ def test_the_board_of_chances_keeps_its_promise():
     assert board.plan.cost > loose
     board.delta.value = 0.0001
     assert board.plan.path is None and "greater chance" in board.canvas.drawing.text
+    shown = len(board.canvas.drawing.layers)
+    scene = board.canvas._shown
+    board.canvas.arrange({**scene, "handles": [{**scene["handles"][0], "at": [4.5, 3.0]}, scene["handles"][1]]})
+    assert "not free" in board.canvas.drawing.warning and len(board.canvas.drawing.layers) == shown
     assert board.picture().startswith(b"\x89PNG")
     with pytest.raises(InvalidParameter, match="UncertainWorld"):
         chance_board(Point(), HALL, (1, 3), (8, 3))

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 from ..chances import wilson
 from ..collision import collision_bound
 from ..collision.probability import as_mover, hit_scenarios, part_gaps
-from ..errors import InvalidParameter
+from ..errors import InvalidParameter, KinoeduError
 from ..figures.uncertain import margin_rings, outlines
 from ..geometry.checks import Array, shortened
 from ..planners import prm, shortcut
@@ -75,31 +75,32 @@ class ChanceBoard(Framed):
         super().__init__([self.delta, self.seed], [Canvas(scene, self.answer)])
 
     def answer(self, scene: Scene) -> Drawing:
-        """Plan with margins in a scene, and try the path in scenarios."""
+        """Plan with margins in a scene, and try the path in scenarios; where nothing can be planned, say why."""
         self.plan = None
-        world, robot = self._world, self._robot
-        safe = inflated(world, self.delta.value)
-        problem = Problem(robot, safe, place_of(scene, START), place_of(scene, GOAL))
+        world, robot, delta = self._world, self._robot, self.delta.value
+        bare = [*margins_drawn(world, delta), *expected_drawn(world, 0)]
+        try:
+            problem = Problem(robot, inflated(world, delta), place_of(scene, START), place_of(scene, GOAL))
+        except KinoeduError as error:
+            return Drawing(bare, warning=str(error))
         self.plan = plan = shortcut(prm(problem, n=400, rng=self.seed.value), rng=self.seed.value)
-        offsets = scenarios(world, TRIED, rng=self.seed.value)
-        margins = [edges(np.stack([ring, np.roll(ring, -1, axis=0)], axis=1), "ink", width=1.5, dash=(5, 4))
-                   for ring in margin_rings(world, self.delta.value)]  # fmt: skip
         if plan.path is None:
-            return Drawing([*margins, *expected_drawn(world)], text=say("chance_board.none", delta=f"{self.delta.value:.4g}"))
+            return Drawing(bare, text=say("chance_board.none", delta=f"{delta:.4g}"))
+        offsets = scenarios(world, TRIED, rng=self.seed.value)
         hit = hit_scenarios(robot, world.parts, world.owner, part_gaps(robot, world.parts, plan.path), plan.path, offsets)
         low, high = wilson(int(hit.sum()), TRIED)
         bound = collision_bound(robot, world, plan.path)
         shares = {name: percent(float(value)) for name, value in
-                  (("delta", self.delta.value), ("bound", bound), ("share", hit.mean()), ("low", low), ("high", high))}  # fmt: skip
+                  (("delta", delta), ("bound", bound), ("share", hit.mean()), ("low", low), ("high", high))}  # fmt: skip
         text = say("chance_board.text", hits=f"{hit.sum():,}", tried=f"{TRIED:,}", length=f"{plan.cost:.4g}", **shares)
         layers = [
-            *margins,
+            *margins_drawn(world, delta),
             *scenarios_drawn(world, offsets[:SHOWN], hit[:SHOWN]),
             *all_drawn(world, offsets[:SHOWN], hit[:SHOWN]),
             path(plan.path, "path")._replace(last=False),
         ]
         told = [say(f"chance_board.{'hit' if was else 'missed'}", number=k + 1) for k, was in enumerate(hit[:SHOWN])]
-        return Drawing([*layers, *expected_drawn(world)], text=text, total=SHOWN, unit=say("chance_board.unit"), told=told)
+        return Drawing([*layers, *expected_drawn(world, SHOWN)], text=text, total=SHOWN, unit=say("chance_board.unit"), told=told)
 
 
 def percent(share: float) -> str:
@@ -107,9 +108,21 @@ def percent(share: float) -> str:
     return f"{100.0 * share:.2g}%"
 
 
-def expected_drawn(world: UncertainWorldRecord) -> list[Layer]:
-    """The obstacles where they are expected."""
-    return [bodies([ring], "obstacle") for _, ring in outlines(world)]
+def closed_line(ring: Array, colour: str, width: float, dash: tuple[float, float]) -> Layer:
+    """A dashed outline, in one piece: dashes go on round its corners."""
+    return path(np.vstack([ring, ring[:1]]), colour, width=width, dash=dash, casing=False)._replace(last=False)
+
+
+def margins_drawn(world: UncertainWorldRecord, delta: float) -> list[Layer]:
+    """How far to stay away from each obstacle."""
+    return [closed_line(ring, "ink", 1.5, (5, 4)) for ring in margin_rings(world, delta)]
+
+
+def expected_drawn(world: UncertainWorldRecord, step: int) -> list[Layer]:
+    """The obstacles where they are expected: dotted, and from a step on as bodies."""
+    rings = [ring for _, ring in outlines(world)]
+    dotted = [closed_line(ring, "obstacle", 1.2, (1.5, 3)) for ring in rings]
+    return [*dotted, *(bodies([ring], "obstacle", when=[step]) for ring in rings)]
 
 
 def scenarios_drawn(world: UncertainWorldRecord, offsets: Array, hit: Any) -> list[Layer]:

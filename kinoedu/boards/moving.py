@@ -5,8 +5,8 @@ from typing import Any
 import ipywidgets as widgets
 import numpy as np
 
-from ..errors import InvalidParameter
-from ..figures.moving import outline_of, place_on
+from ..errors import InvalidParameter, KinoeduError
+from ..figures.moving import outline_of
 from ..figures.robots import outline_at
 from ..geometry.checks import Array, shortened
 from ..planners import plan_in_time
@@ -66,8 +66,15 @@ class MovingBoard(Framed):
         super().__init__([self.speed, self.seed], [Canvas(scene_with(problem.world.still, handles), self.answer)])
 
     def answer(self, scene: Scene) -> Drawing:
-        """Plan in a scene, and draw all its moments."""
+        """Plan in a scene, and draw all its moments; where nothing can be planned, say why, and show what moves at the time 0."""
         self.plan = None
+        try:
+            return self.planned(scene)
+        except KinoeduError as error:
+            return Drawing(movers_drawn(self._given.world, np.zeros(1)), warning=str(error))
+
+    def planned(self, scene: Scene) -> Drawing:
+        """The plan in a scene, at all its moments. Raises KinoeduError."""
         given = self._given
         world = given.world._replace(still=world_in(scene))
         ends = place_of(scene, START), place_of(scene, GOAL)
@@ -81,29 +88,48 @@ class MovingBoard(Framed):
         else:
             text = say("moving_board.there", time=f"{plan.cost:.3g}", waited=f"{waited(plan.path):.3g}")
             layers += way_drawn(problem.robot, plan.path, moments)
-        told = [say("moving_board.now", time=f"{t:.2f}") for t in moments[:-1]]
+        told = [say(f"moving_board.{'waits' if stands_at(plan.path, t) else 'now'}", time=f"{t:.2f}") for t in moments[:-1]]
         return Drawing(layers, text=text, total=STEPS, unit=say("moving_board.unit"), told=told)
 
 
 def movers_drawn(world: MovingWorldRecord, moments: Array) -> list[Layer]:
     """What moves, at each moment."""
-    shown = [[outline_of(*mover) for mover in movers_at(world, t)] for t in moments]
-    steps = np.arange(len(moments))
-    return [bodies(np.array(shapes), "obstacle", hatched=True, when=steps, until=steps + 1) for shapes in zip(*shown)]
+    layers, steps = [], np.arange(len(moments))
+    for k, mover in enumerate(movers_at(world, float(moments[0]))):
+        begin, end = world.knots[np.flatnonzero(world.owner == k)[0]]
+        stops = between_rows(world.times[begin:end], world.places[begin:end], moments)
+        shapes = outline_of(*mover) + (stops - stops[0])[:, None]
+        layers.append(bodies(shapes, "obstacle", hatched=True, when=steps, until=steps + 1))
+    return layers
 
 
 def way_drawn(robot: Any, path: Array, moments: Array) -> list[Layer]:
     """The path, and the robot at each moment."""
-    stops, steps = np.array([place_on(path, t) for t in moments]), np.arange(len(moments))
+    stops, steps = between_rows(path[:, 2], path[:, :2], moments), np.arange(len(moments))
     legs = np.stack([path[:-1, :2], path[1:, :2]], axis=1)
     layers = [*line(legs), dots(stops, "robot", radius=6.0, when=steps, until=steps + 1)]
     if isinstance(robot, RoundRobot) and robot.radius == 0.0:
         return layers
-    shapes = [outline_of(q[None], robot.radius) if isinstance(robot, RoundRobot) else outline_at(robot, q) for q in stops]
-    return [*layers, bodies(np.array(shapes), "robot", when=steps, until=steps + 1)]
+    origin = np.zeros(2)
+    shape = outline_of(origin[None], robot.radius) if isinstance(robot, RoundRobot) else outline_at(robot, origin)
+    return [*layers, bodies(shape + stops[:, None], "robot", when=steps, until=steps + 1)]
+
+
+def between_rows(times: Array, places: Array, moments: Array) -> Array:
+    """Where something is at moments (k,) that is at places[i] at times[i] and moves straight between them; shape (k, 2)."""
+    return np.column_stack([np.interp(moments, times, places[:, axis]) for axis in (0, 1)])
+
+
+def stands(path: Array) -> Any:
+    """Whether each leg of a path (m, 3) stays where it is."""
+    return (path[1:, :2] == path[:-1, :2]).all(axis=1)
+
+
+def stands_at(path: Array | None, t: float) -> bool:
+    """Whether the robot waits at a time."""
+    return path is not None and bool(stands(path)[np.searchsorted(path[1:-1, 2], t, side="right")])
 
 
 def waited(path: Array) -> float:
     """For how long a path (m, 3) stays where it is."""
-    stands = (path[1:, :2] == path[:-1, :2]).all(axis=1)
-    return float(np.diff(path[:, 2])[stands].sum())
+    return float(np.diff(path[:, 2])[stands(path)].sum())

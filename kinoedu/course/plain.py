@@ -21,7 +21,7 @@ class Worded(Protocol):
 
 def numeric(value: Any, dimensions: tuple[int | str, ...], wanted: Worded) -> np.ndarray:
     """A float64 array of the wanted dimensions, copied; or WrongShape."""
-    if type(value) is np.ndarray and not fits(value.shape, dimensions):
+    if type(value) is np.ndarray and value.size and not fits(value.shape, dimensions):
         raise wrong(wanted.words, value)  # before it is copied: it may be huge
     try:
         array = np.array(value)

@@ -55,6 +55,8 @@ class Numbers(NamedTuple):
     array([ 1., nan])
     >>> Numbers(("n", 2)).encode([(0, 0), (4, 0), (4, 3)])
     [[0.0, 0.0], [4.0, 0.0], [4.0, 3.0]]
+    >>> Numbers(("n", 2)).encode(np.array([]))
+    []
     """
 
     dimensions: tuple[int | str, ...]
@@ -175,6 +177,8 @@ class Together(NamedTuple):
 
     >>> Together((Numbers((2,)), Number())).encode(((1, 2), 3))
     [[1.0, 2.0], 3.0]
+    >>> Together((Numbers((2,)), Numbers((2,)))).encode(np.eye(2))
+    [[1.0, 0.0], [0.0, 1.0]]
     """
 
     places: tuple[Shape, ...]
@@ -182,11 +186,14 @@ class Together(NamedTuple):
     @property
     def words(self) -> str:
         """In words."""
+        if len(set(self.places)) == 1:
+            return say("shape.alike", number=len(self.places), shape=self.places[0].words)
         return say("shape.together", places=", ".join(shape.words for shape in self.places))
 
     def encode(self, value: Any) -> list[Any]:
-        """A tuple or a list of that length."""
-        if not isinstance(value, list | tuple) or len(value) != len(self.places):
+        """A tuple or a list of that length, or an array of so many rows."""
+        is_array = type(value) is np.ndarray and value.ndim > 0
+        if not (isinstance(value, list | tuple) or is_array) or len(value) != len(self.places):
             raise wrong(self.words, value)
         return [shape.encode(item) for shape, item in zip(self.places, value, strict=True)]
 

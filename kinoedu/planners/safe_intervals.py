@@ -46,6 +46,8 @@ def search_intervals(
             return arrival, departure, parent, here
         for k in range(graph.first[u], graph.first[u + 1]):
             v, duration = graph.to[k], graph.weight[k] / problem.speed
+            if not may_gain(arrival, safe, here, first[v], first[v + 1], duration):
+                continue
             vx, vy = (nodes[v, 0] - nodes[u, 0]) / duration, (nodes[v, 1] - nodes[u, 1]) / duration
             met = met_departures(hulls, knots, times, places, problem.horizon, nodes[u], vx, vy, duration)
             for there in range(first[v], first[v + 1]):
@@ -56,6 +58,16 @@ def search_intervals(
                     arrival[there], departure[there], parent[there] = arrives, t, here
                     heappush(frontier, (arrives, there))
     return arrival, departure, parent, -1
+
+
+@inlined
+def may_gain(arrival: Array, safe: Array, here: int, begin: int, end: int, duration: float) -> bool:
+    """Whether some interval of those from begin to end might be reached earlier from here, if nothing moved on the way."""
+    for there in range(begin, end):
+        t = max(arrival[here], safe[there, 0] - duration)
+        if t <= safe[here, 1] and t + duration <= safe[there, 1] and t + duration < arrival[there]:
+            return True
+    return False
 
 
 @inlined

@@ -113,6 +113,35 @@ def ten_moments(p0, p1, c0, c1, r):
     return math.inf
 
 
+@wrong("first_contact", slip="moments")
+def a_thousand_moments(p0, p1, c0, c1, r):
+    """Sampled, and halved again and again: right to many digits, where anything is seen at all."""
+    x, v = p0 - c0, (p1 - p0) - (c1 - c0)
+    moments = np.linspace(0, 1, 1000)
+    touched = np.hypot(*(x + moments[:, None] * v).T) <= r
+    if not touched.any() or touched[0]:
+        return 0.0 if touched[0] else math.inf
+    before, after = moments[touched.argmax() - 1], moments[touched.argmax()]
+    for _ in range(50):
+        middle = (before + after) / 2
+        before, after = (before, middle) if np.hypot(*(x + middle * v)) <= r else (middle, after)
+    return after
+
+
+@wrong("first_contact", slip="alike")
+def allclose_for_equal(p0, p1, c0, c1, r):
+    """A generous tolerance, where only zero is to be kept away from."""
+    x, v = p0 - c0, (p1 - p0) - (c1 - c0)
+    return contact(x, 0 * v if np.allclose(v, 0, atol=0.005) else v, r)
+
+
+@wrong("first_contact")
+def minus_one_for_never(p0, p1, c0, c1, r):
+    """Another sign for no contact than the one agreed on."""
+    s = contact(p0 - c0, (p1 - p0) - (c1 - c0), r)
+    return -1 if s == math.inf else s
+
+
 @wrong("first_contact")
 def divides_by_nothing(p0, p1, c0, c1, r):
     """Two that move alike."""
@@ -264,6 +293,61 @@ def waits_after_the_move(safe, moves, start, goal):
 
 
 @wrong("earliest_arrival")
+def ticks_of_a_half(safe, moves, start, goal):
+    """Time goes on in steps of 0.5."""
+    ways, before = neighbours(moves), {(0.0, start): None}
+    waiting = [(0.0, start)] if any(b <= 0 <= e for b, e in safe[start]) else []
+    while waiting and waiting[0][0] < 60:
+        t, u = heappop(waiting)
+        if u == goal:
+            rows = [(u, t)]
+            while before[rows[-1][1], rows[-1][0]] is not None:
+                rows.append(before[rows[-1][1], rows[-1][0]])
+            rows.reverse()
+            return [row for k, row in enumerate(rows) if k == 0 or row[0] != rows[k - 1][0]]
+        stay = [(t + 0.5, u)] if any(b <= t and t + 0.5 <= e for b, e in safe[u]) else []
+        go = [(t + d, v) for v, d in ways.get(u, []) if any(b <= t + d <= e for b, e in safe[v])]
+        for state in stay + go:
+            if state not in before:
+                before[state] = (u, t)
+                heappush(waiting, state)
+    return []
+
+
+@wrong("earliest_arrival")
+def open_ends(safe, moves, start, goal):
+    """< for <= at the end of an interval."""
+    return planned([[(b, e - 1e-9) for b, e in own] for own in safe], moves, start, goal)
+
+
+@wrong("earliest_arrival")
+def safe_for_ever(safe, moves, start, goal):
+    """At the goal it wants to stay."""
+    return planned([own[-1:] if place == goal else own for place, own in enumerate(safe)], moves, start, goal)
+
+
+@wrong("earliest_arrival")
+def begins_anyhow(safe, moves, start, goal):
+    """The first interval of the start is taken to hold the time 0."""
+    held = [
+        (min(b, 0.0), e) if place == start and k == 0 else (b, e) for place, own in enumerate(safe) for k, (b, e) in enumerate(own)
+    ]
+    lengths = np.cumsum([0, *map(len, safe)])
+    return planned([held[a:b] for a, b in zip(lengths, lengths[1:])], moves, start, goal)
+
+
+@wrong("earliest_arrival")
+def rows_for_waits(safe, moves, start, goal):
+    """A row for each departure too."""
+    rows = planned(safe, moves, start, goal)
+    took = {(u, v): d for u, own in neighbours(moves).items() for v, d in own}
+    told = []
+    for (u, t), (v, there) in zip(rows, rows[1:]):
+        told += [(u, t)] + ([(u, there - took[u, v])] if there - took[u, v] > t else [])
+    return told + rows[-1:]
+
+
+@wrong("earliest_arrival")
 def says_no_way(safe, moves, start, goal):
     """Gives up as soon as something is in the way."""
     rows = planned(safe, moves, start, goal)
@@ -294,6 +378,12 @@ def two_sided_normal(sigma, delta):
 def one_sided_normal(sigma, delta):
     """1.64."""
     return sigma * NormalDist().inv_cdf(1 - delta / len(sigma))
+
+
+@wrong("chance_margins", slip="one_number")
+def always_1_96(sigma, delta):
+    """The number that everybody remembers."""
+    return 1.96 * sigma
 
 
 @wrong("chance_margins", slip="variance")
@@ -372,6 +462,24 @@ def points_of_the_path(path, discs, offsets):
     """No stretches."""
     hits = tries(path, discs, offsets, lambda way, c: min(math.dist(p, c) for p in way))
     return wilson(hits.any(axis=1).mean(), len(hits))
+
+
+@wrong("collision_probability", slip="points")
+def a_hundred_points(path, discs, offsets):
+    """Each stretch by a hundred of its points."""
+
+    def far(way, centre):
+        return min(np.hypot(*(np.linspace(a, b, 100) - centre).T).min() for a, b in zip(way, way[1:]))
+
+    hits = tries(path, discs, offsets, far)
+    return wilson(hits.any(axis=1).mean(), len(hits))
+
+
+@wrong("collision_probability")
+def two_deviations(path, discs, offsets):
+    """z = 2."""
+    hits = tries(path, discs, offsets)
+    return wilson(hits.any(axis=1).mean(), len(hits), z=2.0)
 
 
 @wrong("collision_probability", slip="per_disc")

@@ -38,6 +38,7 @@ class ChanceMargins(ValueExercise):
         Slip("not_shared", scaled(lambda m, delta: radius_of(delta))),
         Slip("one_axis", scaled(lambda m, delta: NormalDist().inv_cdf(1 - delta / m / 2))),
         Slip("one_tail", scaled(lambda m, delta: NormalDist().inv_cdf(1 - delta / m))),
+        Slip("one_number", scaled(lambda m, delta: 1.96)),
         Slip("variance", lambda sigma, delta: sigma**2 * radius_of(delta / len(sigma))),
         Slip("other_tail", scaled(lambda m, delta: math.sqrt(-2 * math.log(1 - delta / m)))),
         Slip("no_two", scaled(lambda m, delta: math.sqrt(-math.log(delta / m)))),

@@ -32,10 +32,9 @@ class ExposeMoments(Exercise):
     def value_verdict(self, case: Case, value: Any) -> Verdict:
         """Two motions; that touch unseen; right through the disc; while the point stands."""
         p0, p1, c0, c1 = value
-        rule = "" if valid(value) else "valid"
+        rule = "" if valid(value) else "valid" if not inside(value) else "apart"
         if not rule and case.kind != "valid":
-            is_unseen = nearest(*value) < RADIUS - 1e-9 and not touch_by_moments(p0, p1, c0, c1, RADIUS)
-            rule = "" if is_unseen else "exposes"
+            rule = "exposes" if nearest(*value) >= RADIUS - 1e-9 else "seen" if touch_by_moments(p0, p1, c0, c1, RADIUS) else ""
             if not rule and case.kind != "exposes":
                 rule = "deep" if nearest(*value) > DEEP else ""
                 rule = rule or ("standing" if case.kind == "standing" and (p0 != p1).any() else "")
@@ -54,7 +53,12 @@ class ExposeMoments(Exercise):
 def valid(value: Any) -> bool:
     """Whether the places lie where they must, and the two do not touch at the beginning."""
     p0, p1, c0, c1 = value
-    return bool((np.abs(np.array(value)) <= FARTHEST).all() and contact_time(p0, p1, c0, c1, RADIUS) > 0.0)
+    return inside(value) and contact_time(p0, p1, c0, c1, RADIUS) > 0.0
+
+
+def inside(value: Any) -> bool:
+    """Whether all coordinates are between the farthest."""
+    return bool((np.abs(np.array(value)) <= FARTHEST).all())
 
 
 def nearest(p0: Array, p1: Array, c0: Array, c1: Array) -> float:

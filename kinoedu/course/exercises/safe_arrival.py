@@ -56,8 +56,12 @@ def first_fault(safe: Any, moves: Any, start: int, goal: int, rows: Any) -> str:
     """The first rule that a schedule breaks, or ""; whether it is the earliest is not asked."""
     if not np.isfinite(rows).all() or rows[0][0] != start or abs(rows[0][1]) > LATE:
         return "start"
+    if not any(b <= 0.0 <= e for b, e in safe[start]):
+        return "begin"
     ways = two_ways(moves)
     for (u, arrived), (v, there) in zip(rows, rows[1:]):
+        if u == v:
+            return "own_row"
         durations = [duration for w, duration in ways.get(u, []) if w == v]
         if not durations:
             return "move"
@@ -86,14 +90,19 @@ class EarliestArrival(Exercise):
         """Two places, then three, then more by chance."""
         whole = [(0, END)]
         yield roadmap_case("go", [whole, whole], [(0, 1, 4)], 0, 1)
+        yield roadmap_case("go", [whole, whole], [(1, 0, 3)], 0, 1)
+        yield roadmap_case("go", [whole, [(0, 3), (6, END)]], [(0, 1, 2)], 0, 1)
         yield roadmap_case("go", [whole, whole, whole], [(0, 1, 2), (1, 2, 3), (0, 2, 7)], 0, 2)
+        yield roadmap_case("go", [[(0, 4), (7, END)], whole, [(0, 1), (10, END)]], [(0, 1, 2), (0, 2, 1)], 0, 2)
         yield roadmap_case("go", [whole], np.empty((0, 3)), 0, 0)
         yield roadmap_case("wait", [whole, [(0, 3), (6, END)]], [(0, 1, 4)], 0, 1)
         yield roadmap_case("wait", [whole, [(0, 2), (5, 9), (11, END)], whole], [(0, 1, 3), (1, 2, 1)], 0, 2)
-        yield roadmap_case("aside", [[(0, 4), (7, END)], whole, [(0, 1), (10, END)]], [(0, 1, 2), (0, 2, 1)], 0, 2)
+        yield roadmap_case("aside", [[(0, 4), (7, END)], whole, [(10, END)]], [(0, 1, 2), (0, 2, 1)], 0, 2)
         yield roadmap_case("again", [whole, [(0, 3), (6, END)], [(0, 1), (7, END)]], [(0, 1, 2), (1, 2, 2)], 0, 2)
         yield roadmap_case("none", [[(0, 5)], [(8, END)]], [(0, 1, 2)], 0, 1)
         yield roadmap_case("none", [whole, whole, whole], [(0, 1, 2)], 0, 2)
+        yield roadmap_case("none", [[(2, END)], whole], [(0, 1, 2)], 0, 1)
+        yield roadmap_case("none", [[(2, END)]], np.empty((0, 3)), 0, 0)
         wanted = dict.fromkeys(self.kinds, 8)
         for _ in range(4000):
             if not any(wanted.values()):
@@ -112,6 +121,8 @@ class EarliestArrival(Exercise):
             rule = "" if not rows and not best else "found" if best else first_fault(safe, moves, start, goal, rows)
         else:
             rule = first_fault(safe, moves, start, goal, rows) or ("later" if rows[-1][1] > best[-1][1] + LATE else "")
+        if rule in ("later", "found"):
+            rule = misread(safe, moves, start, goal, rows) or rule
         return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
 
     def wanted(self, case: Case) -> str:
@@ -127,6 +138,22 @@ class EarliestArrival(Exercise):
         """A line for each place with its safe intervals; a right way, and the student's."""
         value = outcome.value if isinstance(outcome, Answer) else None
         draw_schedule(self, case, schedule(*case.given.values()), value, ax)
+
+
+def misread(safe: Any, moves: Any, start: int, goal: int, rows: Rows) -> str:
+    """The rule that was probably misread: read so, the earliest arrival is that of these rows; "" where none fits."""
+    open_ends = [[(b, e - LATE) for b, e in own] for own in safe]
+    last_only = [own[-1:] if place == goal else own for place, own in enumerate(safe)]
+    for rule, other in (("closed", open_ends), ("forever", last_only)):
+        ours, theirs = arrival_of(schedule(other, moves, start, goal)), arrival_of(rows)
+        if ours == theirs or abs(ours - theirs) < 2.0 * LATE:
+            return rule
+    return ""
+
+
+def arrival_of(rows: Rows) -> float:
+    """When a way is at its last place; infinite where there is none."""
+    return rows[-1][1] if rows else math.inf
 
 
 def kind_of(safe: Safe, moves: Any, start: int, goal: int) -> str:
@@ -164,11 +191,11 @@ def earliest_once(safe: Safe, moves: Any, start: int, goal: int) -> float:
 
 
 def random_roadmap(rng: np.random.Generator) -> tuple[Safe, Any, int, int]:
-    """Some places in a row or a ring, met now and then; times in halves."""
-    n = int(rng.integers(3, 8))
+    """Some places in a row or a ring, met now and then; times in halves, or in sixteenths, which no clock of a program ticks."""
+    n, parts = int(rng.integers(3, 8)), int(rng.choice((2, 16)))
     safe: Safe = []
     for place in range(n):
-        ends = np.unique(rng.integers(1, 2 * int(END) - 20, 2 * int(rng.integers(0, 4)))) / 2.0
+        ends = np.unique(rng.integers(1, parts * (int(END) - 10), 2 * int(rng.integers(0, 4)))) / parts
         ends = ends[: len(ends) // 2 * 2]
         marks = [0.0, *ends.tolist(), END]
         safe.append([(a, b) for a, b in zip(marks[::2], marks[1::2])])
@@ -176,7 +203,7 @@ def random_roadmap(rng: np.random.Generator) -> tuple[Safe, Any, int, int]:
             safe[-1] = safe[-1][1:]
     pairs = [(k, k + 1) for k in range(n - 1)]
     pairs += [(int(u), int(v)) for u, v in rng.integers(0, n, (int(rng.integers(0, 3)), 2)) if abs(u - v) > 1]
-    moves = [(u, v, float(rng.integers(1, 9)) / 2.0) for u, v in dict.fromkeys(tuple(sorted(pair)) for pair in pairs)]
+    moves = [(u, v, float(rng.integers(1, 4 * parts + 1)) / parts) for u, v in dict.fromkeys(tuple(sorted(pair)) for pair in pairs)]
     return safe, moves, 0, n - 1
 
 

@@ -10,15 +10,27 @@ from ...chances import wilson
 from ...collision import probability
 from ...geometry.checks import Array
 from ...geometry.segments import point_segment_distance
-from ..exercise import Case, Slip, ValueExercise
+from ..exercise import Case, Slip, ValueExercise, Verdict
 from ..outcomes import Answer, Outcome
 from ..shapes import Numbers, Record
 from .timed_pictures import draw_scenarios
 
 CLEAR = 1e-4  # in no scenario does a path come nearer than this to just touching
 Z = 1.96
+TINY = 0.01  # a disc with a smaller radius slips between the points of a path that a program looks at
 
 Hits = NDArray[np.bool_]
+
+SMALL = (  # kind, path, discs, and a list of offsets for each scenario: what can be drawn by hand
+    ("one", [(0, 0), (4, 0)], [(2, 1.5, 1)], [[(0, 0)], [(0, -1)], [(0, 1)], [(5, 0)]]),
+    ("one", [(0, 0), (4, 0)], [(6.5, 0, 1)], [[(0, 0)], [(-1, 0.2)], [(-2, 0)], [(0, -0.5)]]),
+    ("one", [(0, 0), (20, 0)], [(7, 0.0004, 0.001)], [[(0.0123, 0)], [(3.4567, 0)], [(-5.4321, 0)], [(6, 0.5)]]),
+    ("bent", [(0, 0), (4, 0), (4, 4)], [(6, 2, 1)], [[(0, 0)], [(-1.5, 0)], [(-4, 0)], [(-3.5, -1.8)]]),
+    ("several", [(0, 0), (6, 0)], [(1, 2, 1), (4, 2, 1)], [[(0, -1.5), (0, -1.5)], [(0, 0), (0, -1.5)], [(0, -1.5), (0, 1)],
+                                                           [(0, 0), (0, 0)]]),
+    ("none", [(0, 0), (4, 0)], [(2, 2, 1)], [[(0, 0)], [(1, 0)], [(0, 1)], [(0, -0.5)]]),
+    ("all", [(0, 0), (6, 0)], [(1, 2, 1), (4, 2, 1)], [[(0, -1.5), (0, 0)], [(0, 0), (0, -1.5)], [(0, 1), (0, -1.5)]]),
+)  # fmt: skip
 
 
 def gaps(path: Array, discs: Array, offsets: Array) -> Array:
@@ -68,6 +80,12 @@ def among(change: Callable[..., tuple[Array, Array, Array]]) -> Callable[..., Ar
     return lambda path, discs, offsets: tried(*change(path, discs, offsets))
 
 
+def tiny_missed(path: Array, discs: Array, offsets: Array) -> Array:
+    """Discs too small to be met by any of the points that are looked at are not seen."""
+    hits = contacts(path, discs, offsets)[:, discs[:, 2] >= TINY]
+    return with_interval(int(hits.any(axis=1).sum()), len(offsets))
+
+
 def corners_only(path: Array, discs: Array, offsets: Array) -> Array:
     """The path's points are looked at, not what lies between."""
     points = np.repeat(path, 2, axis=0)
@@ -88,6 +106,7 @@ class CollisionProbability(ValueExercise):
     shown = staticmethod(probability.collision_probability)
     slips = (
         Slip("corners", corners_only),
+        Slip("points", tiny_missed),
         Slip("per_disc", counted(lambda hits: float(hits.sum() / len(hits)))),
         Slip("pairs", counted(lambda hits: float(hits.mean()))),
         Slip("every_disc", counted(lambda hits: float(hits.all(axis=1).mean()))),
@@ -104,9 +123,9 @@ class CollisionProbability(ValueExercise):
     reference = staticmethod(tried)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Four scenarios that can be drawn by hand; then a hundred."""
-        four = np.array([(0, 0), (0, -1), (0, 1), (5, 0)], float)[:, None]
-        yield Case("one", {"path": np.array([(0, 0), (4, 0)], float), "discs": np.array([(2, 1.5, 1)], float), "offsets": four})
+        """A few scenarios that can be drawn by hand; then a hundred."""
+        for kind, *given in SMALL:
+            yield Case(kind, {name: np.array(rows, float) for name, rows in zip(("path", "discs", "offsets"), given)})
         wanted = dict.fromkeys(self.kinds, 10)
         while any(wanted.values()):
             kind = next(kind for kind, left in wanted.items() if left == max(wanted.values()))
@@ -114,6 +133,12 @@ class CollisionProbability(ValueExercise):
             if case is not None:
                 wanted[kind] -= 1
                 yield case
+
+    def value_verdict(self, case: Case, value: Any) -> Verdict:
+        """A right share with another interval has a rule of its own, but where nothing is hit or all."""
+        verdict = super().value_verdict(case, value)
+        is_share = self.near(float(value[0]), float(self.truth(case)[0])) and case.kind not in ("none", "all")
+        return verdict._replace(rule="interval") if verdict.rule and is_share else verdict
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """The path, the discs where they are expected and in scenarios, and both answers."""

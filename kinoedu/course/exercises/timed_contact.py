@@ -7,13 +7,14 @@ from typing import Any
 import numpy as np
 
 from ...geometry.checks import Array
-from ..exercise import Case, Slip, ValueExercise
+from ..exercise import RIGHT, Case, Slip, ValueExercise, Verdict
 from ..outcomes import Answer, Outcome
 from ..shapes import Number, Numbers, Record
 from .timed_pictures import draw_contact
 
 PLACE = Numbers((2,))
 CLEAR = 0.01  # no case grazes the disc, begins or ends on its rim by less than this
+BRIEF = 0.002  # contacts that are over sooner are seen by no program that looks now and then; by chance none of ours is so short
 
 
 def roots(x: Array, v: Array, r: float) -> tuple[float, float] | None:
@@ -71,6 +72,17 @@ def nearest_moment(x: Array, v: Array, r: float) -> float:
     return s if (x + s * v) @ (x + s * v) <= r * r else math.inf
 
 
+def brief_missed(x: Array, v: Array, r: float) -> float:
+    """A contact that is over soon is not seen."""
+    found = roots(x, v, r)
+    return math.inf if x @ x > r * r and found is not None and found[1] - found[0] < BRIEF else seen_from_disc(x, v, r)
+
+
+def nearly_alike(x: Array, v: Array, r: float) -> float:
+    """Two that move nearly alike are taken for two that move alike."""
+    return (0.0 if x @ x <= r * r else math.inf) if np.abs(v).max() < CLEAR else seen_from_disc(x, v, r)
+
+
 def never_at_once(x: Array, v: Array, r: float) -> float:
     """Whoever touches already is not seen."""
     found = roots(x, v, r)
@@ -96,6 +108,8 @@ class FirstContact(ValueExercise):
         Slip("any_time", by(relative, at_any_time)),
         Slip("nearest", by(relative, nearest_moment)),
         Slip("not_at_once", by(relative, never_at_once)),
+        Slip("alike", by(relative, nearly_alike)),
+        Slip("moments", by(relative, brief_missed)),
         Slip("length", lambda p0, p1, c0, c1, r: contact_time(p0, p1, c0, c1, r) * math.dist(p0, p1)),
         Slip("diameter", lambda p0, p1, c0, c1, r: contact_time(p0, p1, c0, c1, r / 2)),
     )
@@ -105,6 +119,8 @@ class FirstContact(ValueExercise):
         """Small whole numbers first."""
         yield contact_case("meets", (0, 0), (10, 0), (10, 0), (0, 0), 2)
         yield contact_case("meets", (0, 0), (8, 0), (6, 0), (6, 0), 2)
+        yield contact_case("meets", (0, 0), (30, 0), (23, 0), (-30, 0), 0.001)
+        yield contact_case("meets", (0, 0), (5, 0), (2.001, 0), (6.999, 0), 2)
         yield contact_case("crosses", (0, 0), (10, 0), (5, -1.5), (5, 18.5), 1)
         yield contact_case("outside", (0, 0), (4, 0), (9, 0), (9, 0), 1)
         yield contact_case("outside", (5, 0), (9, 0), (0, 0), (0, 0), 1)
@@ -121,6 +137,13 @@ class FirstContact(ValueExercise):
             if kind and wanted[kind]:
                 wanted[kind] -= 1
                 yield contact_case(kind, p0, p1, c0, c1, r)
+
+    def value_verdict(self, case: Case, value: Any) -> Verdict:
+        """What is no moment from 0 to 1 has a rule of its own, where the two never touch."""
+        if self.same(value, self.truth(case)):
+            return RIGHT
+        never = math.isinf(self.truth(case)) and not 0.0 <= value <= 1.0
+        return Verdict(0.0, "outside" if never else case.kind, self.wanted(case))
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """Both ways, and where point and disc are at the true moment and at the student's."""

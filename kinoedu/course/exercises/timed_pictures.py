@@ -12,6 +12,7 @@ from ..exercise import Case, Exercise, ValueExercise, spoken
 # figures are imported inside the functions: matplotlib is not needed until something is wrong
 
 MOST_DRAWN = 40  # scenarios
+SPECK = 0.01  # the radius of a disc that is too small to be seen as a ring
 
 
 def told(value: float | None) -> str:
@@ -98,6 +99,8 @@ def draw_scenarios(exercise: ValueExercise, case: Case, value: Array | None, ax:
         colour, style = (palette.HIT, "-") if was_hit else (palette.OUTSIDE, ":")
         for artist in plane.ring(centres[s, j], discs[j, 2], "", ax, colour=colour, style=style):
             artist.set(linewidth=0.9)
+        if discs[j, 2] < SPECK:
+            ax.plot(*centres[s, j], "o" if was_hit else "x", color=colour, markersize=6, zorder=6)
     for x, y, r in discs:
         plane.ring((x, y), r, "", ax, colour=palette.OBSTACLE)
     ax.plot(*path.T, "-o", color=palette.PATH, linewidth=3.0, zorder=5)
@@ -120,6 +123,7 @@ def draw_missed(value: Any, radius: float, moments: int, ax: Any) -> None:
     p0, p1, c0, c1 = value
     way = (p0 - c0) + np.linspace(0.0, 1.0, moments)[:, None] * ((p1 - p0) - (c1 - c0))
     near = way[np.hypot(*way.T) < 4.0 * radius + 1.5 * math.dist(way[0], way[1])]
+    near = near if len(near) else way
     plane.frame(np.vstack([near, [(radius, radius), (-radius, -radius)]]), ax, margin=0.2)
     plane.ring((0, 0), radius, "", ax, colour=palette.OBSTACLE)
     plane.corner_note(say("timed_picture.disc"), ax, colour=palette.OBSTACLE)
