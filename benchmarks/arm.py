@@ -1,15 +1,15 @@
 """A two-link arm's configuration space, 360 x 360: which link is in contact, over a lattice of angles; beside shapely."""
 
-import argparse
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import numpy as np
-from timing import Contestant, Goal, available, measure, report
+from timing import Contestant, Goal, available, measure, report, run
 
 import kinoedu as ke
 from kinoedu.collision import paint_configuration_space
 
+SECONDS = 40
 GOALS = {"shapely": Goal(at_least=40)}
 N, L1, L2, WIDTH = 360, 1.5, 1.2, 0.2
 
@@ -77,11 +77,8 @@ def judge(case: Case, answers: dict[str, Any]) -> None:
         assert (answers["kinoedu"] == answers["shapely"]).all()
 
 
-def main() -> None:
+def main(repeats: int = 3) -> None:
     """Five worlds."""
-    options = argparse.ArgumentParser(description=__doc__)
-    options.add_argument("--repeats", type=int, default=3)
-    repeats = options.parse_args().repeats
     seconds = measure(
         available({"kinoedu": kinoedu, "shapely": shapely}), [case(seed) for seed in range(5)], judge, repeats=repeats
     )
@@ -89,4 +86,4 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

@@ -2,15 +2,15 @@
 JupyterLab in headless Chromium; and answers a second while the tip or q is.
 """
 
-import argparse
-import sys
 import tempfile
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from board import CHROMIUM, RUN_ALL, drag, lab, notebook_page, written_notebook
+from timing import Missing, run
 
+SECONDS = 120
 ARM = """
 import kinoedu as ke
 obstacles = [[(1.2, 1.4), (2.6, 1.2), (2.2, 2.4)], [(-2.4, 0.4), (-1.2, 0.6), (-1.4, 1.8)], ((0.4, 2.2), 0.4), ((0.2, -1.4), 0.3)]
@@ -38,14 +38,10 @@ def dragged(page: Any, name: str, number: int, seconds: float) -> dict[str, floa
     return {**rates, "pictures": pictures}
 
 
-def main() -> None:
-    """Drag an obstacle, the tip and q, and print a table."""
-    options = argparse.ArgumentParser(description=__doc__)
-    options.add_argument("--seconds", type=float, default=4.0, help="how long each thing is dragged")
-    options.add_argument("--repeats", type=int, default=3)
-    given = options.parse_args()
+def main(seconds: float = 4.0, repeats: int = 3) -> None:
+    """Drag an obstacle, the tip and q, and print a table; `seconds` is how long each is dragged."""
     if CHROMIUM is None:
-        sys.exit("skipped: this needs Chromium")
+        raise Missing("Chromium")
     print("| what is dragged | moves/s | pictures/s | answers/s | paints/s | delay ms, median | 95 % | out of order | |")
     print("|---|---:|---:|---:|---:|---:|---:|---:|---|")
     with tempfile.TemporaryDirectory() as home, tempfile.TemporaryDirectory() as course:
@@ -54,7 +50,7 @@ def main() -> None:
             page.evaluate(RUN_ALL)
             page.wait_for_selector(".kinoedu-board[data-answers]")
             for what, name, number in DRAGGED:
-                rounds = [dragged(page, name, number, given.seconds) for _ in range(given.repeats)]
+                rounds = [dragged(page, name, number, seconds) for _ in range(repeats)]
                 mean = {key: float(np.median([r[key] for r in rounds])) for key in rounds[0]}
                 goal, rate = (PICTURES, mean["pictures"]) if name.startswith(("disc", "polygon")) else (PLANS, mean["plans"])
                 cells = [f"{mean[key]:.3g}" for key in ("moves", "pictures", "plans", "paints", "delay", "late", "backward")]
@@ -63,4 +59,4 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

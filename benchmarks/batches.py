@@ -1,12 +1,11 @@
 """Many questions at once, beside shapely: points in polygons, segments against polygons, pairs of convex polygons."""
 
-import argparse
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import numpy as np
 import shapely
-from timing import Contestant, Goal, available, measure, report
+from timing import Contestant, Goal, available, measure, report, run
 from trapezoids import stars
 from worlds import SIDE, SQUARE, among_polygons
 
@@ -15,6 +14,7 @@ from kinoedu.collision import free_configurations, free_motions
 from kinoedu.geometry import convex_pairs_intersect
 from kinoedu.worlds.polygon_world import rings_of
 
+SECONDS = 120
 POINTS, PAIRS, LENGTH = 100_000, 20_000, 10.0
 PREPARED, TREE, BUILT = "shapely, prepared", "shapely, STRtree", "shapely"
 
@@ -139,11 +139,8 @@ def convex_pairs() -> dict[str, Callable[[Any], np.ndarray]]:
     return {"kinoedu": ours, PREPARED: lambda case: shapely.intersects(*case.polygons), BUILT: from_arrays}
 
 
-def main() -> None:
+def main(repeats: int = 11) -> None:
     """Three seeds each; the answers of all are compared after every turn."""
-    options = argparse.ArgumentParser(description=__doc__)
-    options.add_argument("--repeats", type=int, default=11)
-    repeats = options.parse_args().repeats
     for name, make in (("24 convex polygons", standard), ("200 polygons", many)):
         cases = list(map(make, range(3)))
         for title, questions, times in (
@@ -164,4 +161,4 @@ def compare(title: str, questions: dict[str, Any], cases: list[Any], times: floa
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

@@ -1,6 +1,5 @@
 """How lively a board is: new plans and paints a second while a thing is dragged, in a real JupyterLab in headless Chromium."""
 
-import argparse
 import sys
 import tempfile
 import time
@@ -8,12 +7,14 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from timing import Missing, run
 
 HOUSE = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(HOUSE / "tests"))
 
 from lab_driver import CHROMIUM, RUN_ALL, lab, notebook_page, written_notebook  # noqa: E402 - beside the tests, which it serves first
 
+SECONDS = 400
 SCENE = """
 import kinoedu as ke
 obstacles = [[(2, 3), (3.5, 2.6), (3.9, 6.5), (2.4, 6.1)], [(5, 0.6), (6.2, 0.9), (6, 4.4), (5.2, 4.6)],
@@ -132,14 +133,10 @@ def told(what: str, rounds: list[dict[str, float]]) -> None:
     print(f"| {what} | {' | '.join(cells)} | {verdict} |", flush=True)
 
 
-def main() -> None:
-    """Drag on every board and print a table."""
-    options = argparse.ArgumentParser(description=__doc__)
-    options.add_argument("--seconds", type=float, default=4.0, help="how long each thing is dragged")
-    options.add_argument("--repeats", type=int, default=3)
-    given = options.parse_args()
+def main(seconds: float = 4.0, repeats: int = 3) -> None:
+    """Drag on every board and print a table; `seconds` is how long each is dragged."""
     if CHROMIUM is None:
-        sys.exit("skipped: this needs Chromium")
+        raise Missing("Chromium")
     print("| what is dragged | moves/s | plans/s | paints/s | delay ms, median | 95 % | out of order | |")
     print("|---|---:|---:|---:|---:|---:|---:|---|")
     with tempfile.TemporaryDirectory() as home, tempfile.TemporaryDirectory() as course:
@@ -152,8 +149,8 @@ def main() -> None:
                     page.wait_for_selector(".kinoedu-board[data-answers]")
                     page.wait_for_timeout(2000)  # JupyterLab is still moving cells about
                     for what, name in things:
-                        told(what, [drag(page, name, given.seconds) for _ in range(given.repeats)])
+                        told(what, [drag(page, name, seconds) for _ in range(repeats)])
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

@@ -1,6 +1,5 @@
 """Dubins' and Reeds and Shepp's curves between 10,000 pairs of poses: how long they are, and who is right where lengths differ."""
 
-import argparse
 import cmath
 import math
 from collections import defaultdict
@@ -8,13 +7,15 @@ from collections.abc import Callable, Iterable
 from typing import Any, NamedTuple
 
 import numpy as np
-from timing import Contestant, available, measure, report
+from timing import Contestant, available, measure, report, run
 
 import kinoedu as ke
 from kinoedu.curves.space import CurveSpace
 from kinoedu.spaces import distance
 
+SECONDS = 60
 PAIRS, BATCH, RADIUS = 10_000, 500, 2.5
+COMPILED = "kinoedu, in compiled code"
 SAME = 1e-9  # of the radius: lengths that differ by less are the same
 Pieces = Iterable[tuple[float, float]]  # curvature and signed length of each
 
@@ -146,24 +147,24 @@ class Verdicts:
 
 
 def race(title: str, makers: dict[str, Callable[[], Contestant]], batches: int) -> None:
-    """Lengths and times of all batches."""
+    """Lengths and times of all batches: of the curves, and of their lengths alone, which is all that OMPL tells."""
     verdicts = Verdicts()
     seconds = measure(available(makers), map(pairs_of, range(batches)), verdicts, repeats=1)
+    alone = {name: seconds.pop(name) for name in (COMPILED, "OMPL") if name in seconds}
     report(f"{title}, {BATCH} pairs at a time", seconds, {})
+    report(f"{title}, {BATCH} lengths alone", alone, {}, ours=COMPILED)
     verdicts.print()
 
 
-def main() -> None:
+def main(pairs: int = PAIRS) -> None:
     """Both kinds of curve."""
-    options = argparse.ArgumentParser(description=__doc__)
-    options.add_argument("--pairs", type=int, default=PAIRS)
-    batches = -(-options.parse_args().pairs // BATCH)
+    batches = -(-pairs // BATCH)
     peers = {"rsplan": rsplan, "OMPL": lambda: ompl("ReedsSheppStateSpace")}
-    ours = {"kinoedu": lambda: kinoedu(ke.reeds_shepp_path), "kinoedu, in compiled code": lambda: in_compiled_code(True)}
+    ours = {"kinoedu": lambda: kinoedu(ke.reeds_shepp_path), COMPILED: lambda: in_compiled_code(True)}
     race("Reeds and Shepp", ours | peers, batches)
-    ours = {"kinoedu": lambda: kinoedu(ke.dubins_path), "kinoedu, in compiled code": lambda: in_compiled_code(False)}
+    ours = {"kinoedu": lambda: kinoedu(ke.dubins_path), COMPILED: lambda: in_compiled_code(False)}
     race("Dubins", ours | {"OMPL": lambda: ompl("DubinsStateSpace")}, batches)
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

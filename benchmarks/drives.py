@@ -3,7 +3,6 @@
 `certify.py` tells which of them are free. A drive judged whole must never be called free where it is not.
 """
 
-import argparse
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
@@ -11,12 +10,13 @@ import numba
 import numpy as np
 from certify import arc, is_free_motion, scenery_of
 from random_problems import robot_at_random, world_at_random
-from timing import Contestant, measure, report
+from timing import Contestant, measure, report, run
 
 from kinoedu.collision import is_free, is_free_drive
 from kinoedu.curves.arcs import driven
 from kinoedu.robots.car import CarRobot
 
+SECONDS = 100
 DRIVES, EACH, STEPS = 10_000, 100, 150
 
 
@@ -100,11 +100,9 @@ class Verdicts:
             print(f"| {name} | {missed:,} | {alarms:,} |")
 
 
-def main() -> None:
+def main(drives: int = DRIVES) -> None:
     """Both ways, drive by drive."""
-    options = argparse.ArgumentParser(description=__doc__)
-    options.add_argument("--drives", type=int, default=DRIVES)
-    cases, verdicts = range(options.parse_args().drives // EACH), Verdicts()
+    cases, verdicts = range(drives // EACH), Verdicts()
     ways = {"whole": contestant(judged_whole), f"in {STEPS} steps": contestant(judged_in_steps)}
     report(f"{EACH} drives of a car", measure(ways, map(case_of, cases), verdicts, repeats=1), {}, ours="whole")
     verdicts.print()
@@ -112,4 +110,4 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

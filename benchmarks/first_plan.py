@@ -1,6 +1,5 @@
 """New processes with a warm cache: the first plan against the first call of one bare compiled function, and the imports alone."""
 
-import argparse
 import subprocess
 import sys
 import tempfile
@@ -8,8 +7,9 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from timing import Contestant, Goal, measure, report
+from timing import Contestant, Goal, measure, report, run
 
+SECONDS = 60
 IMPORTS = "import numpy, numba"
 BARE = """
 import numba, numpy as np
@@ -25,6 +25,7 @@ print(total(np.ones(3)))
 """
 FIRST_PLAN = """
 import kinoedu as ke
+
 world = ke.PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
 print(ke.rrt(ke.Problem(ke.Point(), world, start=(1, 1), goal=(9, 1)), rng=0).path is not None)
 """
@@ -46,11 +47,8 @@ def judge(_case: Any, answers: dict[str, str]) -> None:
     assert all(answer in ("", "3.0", "True") for answer in answers.values()), answers
 
 
-def main() -> None:
+def main(repeats: int = 11) -> None:
     """Eleven rounds; the first of each, which may fill the caches, does not count."""
-    options = argparse.ArgumentParser(description=__doc__)
-    options.add_argument("--repeats", type=int, default=11)
-    repeats = options.parse_args().repeats
     with tempfile.TemporaryDirectory() as place:
         folder = Path(place)
         imports = {"kinoedu": process(folder, "ours", "import kinoedu"), "numpy and numba": process(folder, "bare", IMPORTS)}
@@ -62,4 +60,4 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

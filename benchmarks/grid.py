@@ -1,15 +1,15 @@
 """A* on random bitmaps of 1,000 x 1,000 cells, from the bitmap to the path between opposite corners."""
 
-import argparse
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import numpy as np
-from timing import Contestant, Goal, available, measure, report
+from timing import Contestant, Goal, available, measure, report, run
 from worlds import bitmap
 
 import kinoedu as ke
 
+SECONDS = 50
 GOALS = {"scipy": Goal(at_least=4), "pathplanning": Goal(at_least=4)}
 MOVES = ((0, 1), (1, 0), (1, 1), (1, -1))  # rows, columns; the other four go back
 SQRT2 = 2.0**0.5
@@ -107,11 +107,8 @@ def judge(case: Case, answers: dict[str, Any]) -> None:
         assert np.sqrt((steps**2).sum(axis=1)).sum() <= cost * (1 + 1e-12)
 
 
-def main() -> None:
+def main(repeats: int = 3) -> None:
     """Three densities, two bitmaps of each."""
-    options = argparse.ArgumentParser(description=__doc__)
-    options.add_argument("--repeats", type=int, default=3)
-    repeats = options.parse_args().repeats
     for blocked in (0.1, 0.25, 0.35):
         contestants = available({"kinoedu": kinoedu, "scipy": scipy, "pathplanning": pathplanning})
         seconds = measure(contestants, [Case(bitmap(seed, blocked)) for seed in range(2)], judge, repeats=repeats)
@@ -119,4 +116,4 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

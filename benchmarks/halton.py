@@ -1,13 +1,13 @@
 """A million points of Halton's sequence in the plane."""
 
-import argparse
 from typing import Any
 
 import numpy as np
-from timing import Contestant, Goal, available, measure, report
+from timing import Contestant, Goal, available, measure, report, run
 
 import kinoedu as ke
 
+SECONDS = 10
 POINTS = 1_000_000
 GOALS = {"scipy": Goal(at_least=10)}
 
@@ -35,14 +35,12 @@ def judge(n: int, answers: dict[str, Any]) -> None:
         assert np.abs(answers["kinoedu"] - answers["scipy"]).max() < 1e-14
 
 
-def main() -> None:
+def main(repeats: int = 11) -> None:
     """Eleven rounds."""
-    options = argparse.ArgumentParser(description=__doc__)
-    options.add_argument("--repeats", type=int, default=11)
     contestants = available({"kinoedu": kinoedu, "scipy": scipy})
-    seconds = measure(contestants, [POINTS], judge, repeats=options.parse_args().repeats)
+    seconds = measure(contestants, [POINTS], judge, repeats=repeats)
     report(f"Halton, {POINTS:,} points in the plane", seconds, GOALS)
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

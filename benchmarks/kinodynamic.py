@@ -1,6 +1,5 @@
 """A car's trees on a map of 300 x 300: of random drives for 1,000 iterations, no pose counting as the goal; of Dubins' curves."""
 
-import argparse
 import ctypes
 from collections.abc import Callable
 from ctypes import byref, c_double, c_int64
@@ -8,7 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from ruler import DOUBLES, compile_c, pointer, tree_of, world_of
-from timing import Contestant, Goal, Judge, available, measure, report
+from timing import Contestant, Goal, Judge, available, measure, report, run
 
 import kinoedu as ke
 from kinoedu.collision import is_free
@@ -16,6 +15,7 @@ from kinoedu.collision.turning import contact_size
 from kinoedu.planners.driving import bias_of, driven, drives_of, new_growth
 from kinoedu.problems import ProblemRecord
 
+SECONDS = 90
 ITERATIONS, TRIALS, SIDE = 1000, 20, 300.0
 INSIDE = [(10, 10), (290, 10), (290, 290), (10, 290)]  # the walls are 10 thick
 SOLID = [[(75, 75), (100, 75), (100, 100), (75, 100)], [(125, 175), (225, 175), (235, 165), (135, 165)]]
@@ -157,14 +157,11 @@ def judge_curves(case: Case, answers: dict[str, Any]) -> None:
     assert len(answers["kinoedu"].tree.nodes) == answers["Robotics Toolbox"].g.n == NODES
 
 
-def main() -> None:
+def main(repeats: int = 5) -> None:
     """Three trees, each grown five times."""
-    options = argparse.ArgumentParser(description=__doc__)
-    options.add_argument("--repeats", type=int, default=5)
-    given = options.parse_args()
-    race(f"{ITERATIONS:,} iterations of {TRIALS} controls", {"kinoedu": kinoedu, "C ruler": ruler}, judge, given.repeats)
-    race(f"{ITERATIONS:,} iterations of one control", {"kinoedu": one_control, "OMPL": ompl}, judge_ompl, given.repeats)
-    race(f"{NODES} nodes joined by curves", {"kinoedu": dubins, "Robotics Toolbox": robotics_toolbox}, judge_curves, given.repeats)
+    race(f"{ITERATIONS:,} iterations of {TRIALS} controls", {"kinoedu": kinoedu, "C ruler": ruler}, judge, repeats)
+    race(f"{ITERATIONS:,} iterations of one control", {"kinoedu": one_control, "OMPL": ompl}, judge_ompl, repeats)
+    race(f"{NODES} nodes joined by curves", {"kinoedu": dubins, "Robotics Toolbox": robotics_toolbox}, judge_curves, repeats)
 
 
 def race(title: str, makers: dict[str, Callable[[], Contestant]], judge_all: Judge, repeats: int) -> None:
@@ -175,4 +172,4 @@ def race(title: str, makers: dict[str, Callable[[], Contestant]], judge_all: Jud
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

@@ -3,13 +3,12 @@
 The optimum is the visibility roadmap's, which may touch corners; a path that must not touch them comes as close to it as you like.
 """
 
-import argparse
 from collections.abc import Callable, Iterable
 from typing import Any
 
 import numpy as np
 from random_problems import SQUARE, star
-from timing import surroundings
+from timing import run, surroundings
 
 import kinoedu as ke
 from kinoedu.errors import InvalidGoal, InvalidStart
@@ -57,19 +56,15 @@ def row(planner: str, cases: list[tuple[ProblemRecord, float]], seeds: range) ->
     return f"| {planner} | {' | '.join(cells)} |"
 
 
-def main() -> None:
+def main(worlds: int = 10, seeds: int = 10) -> None:
     """The table: gap in per cent, median and quartiles over worlds and seeds, and how many in a hundred were solved."""
-    options = argparse.ArgumentParser(description=__doc__)
-    options.add_argument("--worlds", type=int, default=10)
-    options.add_argument("--seeds", type=int, default=10)
-    given = options.parse_args()
-    cases, seeds = [crowded(seed) for seed in range(given.worlds)], range(given.seeds)
+    cases = [crowded(seed) for seed in range(worlds)]
     print(f"| gap in %: median (quartiles), solved in % | {' | '.join(f'{n:,} samples' for n in SAMPLES)} |")
     print("|---|" + "---|" * len(SAMPLES))
     for planner in PLANNERS:
-        print(row(planner, cases, seeds), flush=True)
-    print(f"\n{given.worlds} worlds, {given.seeds} seeds each; {surroundings()}")
+        print(row(planner, cases, range(seeds)), flush=True)
+    print(f"\n{worlds} worlds, {seeds} seeds each; {surroundings()}")
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

@@ -4,7 +4,6 @@ Each planner plans again and again from one generator until it has a path; secon
 replayed from its controls and judged by shapely in fine steps before it counts.
 """
 
-import argparse
 import json
 import time
 from collections.abc import Callable, Iterator
@@ -14,6 +13,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 import shapely
+from timing import run
 
 import kinoedu as ke
 from kinoedu.problems import Plan, ProblemRecord
@@ -113,11 +113,8 @@ def judge(case: Case, plan: Plan) -> None:
     assert not shapely.intersects(shapely.polygons(corners), case.solid).any(), case.name
 
 
-def main() -> None:
+def main(seconds: float = 10.0) -> None:
     """A row for each case: how long each planner took, and how far it drives."""
-    options = argparse.ArgumentParser(description=__doc__)
-    options.add_argument("--seconds", type=float, default=10.0)
-    seconds = options.parse_args().seconds
     cases = [*tpcap(), *bench_mr()]
     for planner in PLANNERS.values():
         planner(cases[0].problem, np.random.default_rng(0))  # compiles
@@ -133,4 +130,4 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

@@ -1,6 +1,5 @@
 """PRM samples 500 and 2,000 nodes among 24 boxes, joins each to its 10 closest and searches the roadmap."""
 
-import argparse
 from collections.abc import Callable
 from ctypes import byref, c_double, c_int64
 from functools import lru_cache, partial
@@ -9,12 +8,13 @@ from typing import Any, NamedTuple
 import numpy as np
 from ompl_peer import Setup, compiled_test
 from ruler import compile_c, pointer, world_of
-from timing import Contestant, Goal, available, measure, report
+from timing import Contestant, Goal, available, measure, report, run
 from worlds import SIDE, Case, among_boxes
 
 import kinoedu as ke
 from kinoedu.planners.neighbours import k_closest
 
+SECONDS = 60
 K = 10
 GOALS = {"C ruler": Goal(at_most=1.2), "pathplanning": Goal(at_least=1.4), "OMPL": Goal(at_least=3.5)}
 
@@ -125,11 +125,8 @@ def judge(n: int, case: Case, answers: dict[str, Any]) -> None:
         assert 0.8 < length / ours.cost < 1.25, (name, length, ours.cost)
 
 
-def main() -> None:
+def main(repeats: int = 7) -> None:
     """Three worlds, each planned in seven times."""
-    options = argparse.ArgumentParser(description=__doc__)
-    options.add_argument("--repeats", type=int, default=7)
-    repeats = options.parse_args().repeats
     for n in (500, 2000):
         makers = {"kinoedu": kinoedu, "C ruler": ruler, "pathplanning": pathplanning, "OMPL": ompl}
         contestants = available({name: partial(make, n) for name, make in makers.items()})
@@ -138,4 +135,4 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

@@ -1,6 +1,5 @@
 """RRT fills a tree of 5,000 nodes among 24 polygons; its goal cannot be reached."""
 
-import argparse
 import random
 import runpy
 from collections.abc import Callable
@@ -12,12 +11,13 @@ from typing import Any
 import numpy as np
 from ompl_peer import Setup, compiled_test
 from ruler import compile_c, pointer, tree_of, world_of
-from timing import Contestant, Goal, Missing, available, measure, report
+from timing import Contestant, Goal, Missing, available, measure, report, run
 from worlds import SIDE, WALLED_IN, Case, among_polygons
 
 import kinoedu as ke
 from kinoedu.planners.asking import new_tree
 
+SECONDS = 60
 NODES, STEP, BIAS = 5000, 5.0, 0.05
 GOALS = {"C ruler": Goal(at_most=1.3), "OMPL": Goal(at_least=10), "PythonRobotics": Goal(at_least=500)}
 
@@ -72,11 +72,11 @@ def ompl() -> Contestant:
     return contestant
 
 
-def python_robotics(checkout: str | None) -> Contestant:
+def python_robotics(checkout: str) -> Contestant:
     """Its RRT, which knows discs alone: the circles round the polygons, judged every half unit as by its default. It counts
     iterations, not nodes: it gets as many as kinoedu needed.
     """
-    if checkout is None:
+    if not checkout:
         raise Missing("give a checkout of it: --pythonrobotics PATH")
     path = Path(checkout, "PathPlanning", "RRT", "rrt.py")
     if not path.is_file():
@@ -123,17 +123,13 @@ def judge_ompl(case: Case, setup: Setup, planner: Any) -> None:
             assert problem.is_free_path(at[i], at[j]) and problem.distance(at[i], at[j]) <= STEP * (1 + 1e-9)
 
 
-def main() -> None:
-    """Three worlds, each planned in five times."""
-    options = argparse.ArgumentParser(description=__doc__)
-    options.add_argument("--pythonrobotics", metavar="PATH", help="a checkout of github.com/AtsushiSakai/PythonRobotics")
-    options.add_argument("--repeats", type=int, default=5)
-    given = options.parse_args()
-    theirs = {"PythonRobotics": lambda: python_robotics(given.pythonrobotics)}
+def main(repeats: int = 5, pythonrobotics: str = "") -> None:
+    """Three worlds, each planned in five times; `pythonrobotics` is a checkout of github.com/AtsushiSakai/PythonRobotics."""
+    theirs = {"PythonRobotics": lambda: python_robotics(pythonrobotics)}
     contestants = available({"kinoedu": kinoedu, "C ruler": ruler, "OMPL": ompl, **theirs})
-    seconds = measure(contestants, map(among_polygons, range(3)), judge, repeats=given.repeats)
+    seconds = measure(contestants, map(among_polygons, range(3)), judge, repeats=repeats)
     report(f"RRT, {NODES:,} nodes among 24 polygons", seconds, GOALS)
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

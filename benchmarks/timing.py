@@ -4,19 +4,26 @@ A *contestant* takes a case and returns what is timed, a function without argume
 returns a contestant, or raises Missing or ImportError where this computer lacks what it needs: then it is named and left out.
 """
 
+import argparse
 import gc
+import inspect
 import os
-import platform
+import sys
 import time
 from collections.abc import Callable, Iterable
-from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
 
+from kinoedu.bench import append_ratios, as_table, surroundings
+from kinoedu.bench.ratios import HELD, MISSED, NO_GOAL, Ratio
+from kinoedu.bench.running import NOTHING_RUN, RESULTS, SKIPPED
+
 Contestant = Callable[[Any], Callable[[], Any]]
 Judge = Callable[[Any, dict[str, Any]], None]
 Seconds = dict[str, list[float]]
+OURS = None, None, None, "", NO_GOAL  # kinoedu is beside nobody
 
 
 class Missing(Exception):
@@ -37,7 +44,7 @@ def available(makers: dict[str, Callable[[], Contestant]]) -> dict[str, Contesta
         try:
             found[name] = make()
         except (Missing, ImportError) as error:
-            print(f"skipped: {name} ({error})")
+            print(f"{SKIPPED}{name} ({error})")
     return found
 
 
@@ -56,16 +63,18 @@ def measure(contestants: dict[str, Contestant], cases: Iterable[Any], judge: Jud
     return seconds
 
 
-def turn(contestant: Contestant, case: Any, *, runs: int = 5, enough: float = 0.1) -> tuple[float, Any]:
+def turn(
+    contestant: Contestant, case: Any, *, runs: int = 5, enough: float = 0.1, clock: Callable[[], float] = time.perf_counter
+) -> tuple[float, Any]:
     """The best of a few runs in a row, so that nobody pays for the caches that the one before emptied; and the last answer."""
     best, spent = np.inf, 0.0
     gc.collect()
     gc.disable()
     for _ in range(runs):
-        run = contestant(case)
-        began = time.perf_counter()
-        answer = run()
-        took = time.perf_counter() - began
+        work = contestant(case)
+        began = clock()
+        answer = work()
+        took = clock() - began
         best, spent = min(best, took), spent + took
         if spent > enough:
             break
@@ -74,37 +83,44 @@ def turn(contestant: Contestant, case: Any, *, runs: int = 5, enough: float = 0.
 
 
 def report(title: str, seconds: Seconds, goals: dict[str, Goal], *, ours: str = "kinoedu") -> None:
-    """Print a table: each ratio is the median over the rounds, with the middle half of them in brackets."""
-    print(f"\n### {title}\n\n| contestant | median, ms | ratio | to hold | |\n|---|---:|---:|---:|---|")
-    for name, times in seconds.items():
-        cells = row(np.array(seconds[ours]), np.array(times), goals.get(name, Goal())) if name != ours else ["", "", ""]
-        print(f"| {name} | {1e3 * np.median(times):.3g} | {' | '.join(cells)} |")
-    print(f"\n{len(seconds[ours])} rounds; {surroundings()}", flush=True)
+    """Print a table, and add it to ratios.csv where `kinoedu bench` has named a folder for it."""
+    row, mine = Path(sys.argv[0]).stem, np.array(seconds[ours])
+    ratios = [
+        Ratio(row, title, name, 1e3 * float(np.median(times)), *ratio, len(mine))
+        for name, times in seconds.items()
+        for ratio in [OURS if name == ours else beside(mine, np.array(times), goals.get(name, Goal()))]
+    ]
+    print(f"\n### {title}\n\n{as_table(ratios)}\n\n{len(mine)} rounds; {surroundings()}", flush=True)
+    if RESULTS in os.environ:
+        append_ratios(Path(os.environ[RESULTS], "ratios.csv"), ratios)
 
 
-def row(ours: np.ndarray, theirs: np.ndarray, goal: Goal) -> list[str]:
-    """The ratio, the goal and whether it holds: our time by a ruler's, a peer's time by ours."""
-    ratios = ours / theirs if goal.at_most else theirs / ours
-    low, middle, high = np.percentile(ratios, [25, 50, 75])
-    ratio = f"{middle:.3g} ({low:.3g} to {high:.3g})"
+def beside(ours: np.ndarray, theirs: np.ndarray, goal: Goal) -> tuple[float, float, float, str, str]:
+    """The median ratio, the middle half of all, the goal and whether it holds: our time by a ruler's, a peer's time by ours."""
+    low, middle, high = map(float, np.percentile(ours / theirs if goal.at_most else theirs / ours, [25, 50, 75]))
     if goal.at_most:
-        return [ratio, f"<= {goal.at_most:g}", "holds" if middle <= goal.at_most else "MISSED"]
+        return middle, low, high, f"<= {goal.at_most:g}", HELD if middle <= goal.at_most else MISSED
     if goal.at_least:
-        return [ratio, f">= {goal.at_least:g}", "holds" if middle >= goal.at_least else "MISSED"]
-    return [ratio, "", ""]
+        return middle, low, high, f">= {goal.at_least:g}", HELD if middle >= goal.at_least else MISSED
+    return middle, low, high, "", NO_GOAL
 
 
-def surroundings() -> str:
-    """What the numbers depend on: versions, processor, load."""
-    names = ("numpy", "numba", "scipy", "ompl", "pathplanning", "roboticstoolbox-python", "rsplan")
-    versions = [f"{name} {found}" for name in names if (found := installed(name))]
-    load = f", load {os.getloadavg()[0]:.1f}" if hasattr(os, "getloadavg") else ""
-    return f"Python {platform.python_version()}, {', '.join(versions)}, {platform.machine()}, {os.cpu_count()} cores{load}"
-
-
-def installed(name: str) -> str | None:
-    """A package's version, or None."""
+def run(main: Callable[..., None]) -> None:
+    """Do a script's work as the command line says: each parameter of main is an option, with its default. The status is 3 where
+    this computer lacks what all of it needs.
+    """
+    options = argparse.ArgumentParser(description=inspect.getdoc(inspect.getmodule(main)))
+    for name, parameter in inspect.signature(main).parameters.items():
+        kind = type(parameter.default)
+        options.add_argument(
+            f"--{name}",
+            type=kind,
+            default=parameter.default,
+            metavar="N" if kind is int else name.upper(),
+            help="default: %(default)s",
+        )
     try:
-        return version(name)
-    except PackageNotFoundError:
-        return None
+        main(**vars(options.parse_args()))
+    except (Missing, ModuleNotFoundError) as error:
+        print(f"{SKIPPED}{error}")
+        sys.exit(NOTHING_RUN)

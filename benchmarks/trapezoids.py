@@ -1,11 +1,10 @@
 """Trapezoids of 200 star-shaped polygons, beside a triangulation in C; and how their time grows with the number of vertices."""
 
-import argparse
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import numpy as np
-from timing import Contestant, Goal, available, measure, report, turn
+from timing import Contestant, Goal, available, measure, report, run, turn
 from worlds import SIDE, SQUARE
 
 import kinoedu as ke
@@ -13,6 +12,7 @@ from kinoedu.decomposition.sweep import new_sweep
 from kinoedu.decomposition.trapezoidation import drain
 from kinoedu.worlds.polygon_world import edges_of
 
+SECONDS = 30
 GOALS = {"triangle": Goal(at_most=1.2)}
 
 
@@ -85,19 +85,17 @@ def growth() -> None:
         before = (n, took)
 
 
-def main() -> None:
+def main(repeats: int = 11) -> None:
     """Three worlds, each cut up in eleven times."""
-    options = argparse.ArgumentParser(description=__doc__)
-    options.add_argument("--repeats", type=int, default=11)
     cases = []
     for seed in range(3):
         polygons, centres = stars(200, seed)
         cases.append(Stars(ke.PolygonWorld(SQUARE, polygons), polygons, centres))
     contestants = available({"kinoedu": kinoedu, "triangle": triangle})
-    seconds = measure(contestants, cases, judge, repeats=options.parse_args().repeats)
+    seconds = measure(contestants, cases, judge, repeats=repeats)
     report(f"cells of 200 polygons, about {len(cases[0].world.edges):,} vertices", seconds, GOALS)
     growth()
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

@@ -1,17 +1,17 @@
 """RRT-Connect's first solution among 24 polygons, 24 boxes and through narrow doors, and RRT* grown for 5,000 iterations."""
 
-import argparse
 from collections.abc import Callable
 from functools import partial
 from typing import Any
 
 import numpy as np
 from ompl_peer import FreeMotion, compiled_test
-from timing import Contestant, Goal, available, measure, report
+from timing import Contestant, Goal, available, measure, report, run
 from worlds import SIDE, Case, among_boxes, between_polygons, through_doors
 
 import kinoedu as ke
 
+SECONDS = 120
 STEP, ITERATIONS = 5.0, 5000
 GOALS = {"pathplanning": Goal(at_least=8)}
 
@@ -98,11 +98,8 @@ def judge(case: Case, answers: dict[str, Any]) -> None:
         assert all(case.problem.is_free_path(a, b) for a, b in zip(path[:-1], path[1:], strict=True)), name
 
 
-def main() -> None:
+def main(repeats: int = 7) -> None:
     """Ten worlds, each planned in seven times."""
-    options = argparse.ArgumentParser(description=__doc__)
-    options.add_argument("--repeats", type=int, default=7)
-    repeats = options.parse_args().repeats
     for planner, title, world, space_of in (
         ("rrt_connect", "RRT-Connect, first solution among 24 polygons", between_polygons, among_polygons),
         ("rrt_connect", "RRT-Connect, first solution among 24 boxes", among_boxes, boxed),
@@ -118,4 +115,4 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

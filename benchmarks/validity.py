@@ -8,9 +8,9 @@ from typing import Any, NamedTuple
 
 from certify import is_valid
 from random_problems import ROBOTS, WORLDS, Drawn, drawn
-from timing import surroundings
 
 import kinoedu as ke
+from kinoedu.bench import surroundings
 from kinoedu.chances import wilson
 
 PLANNERS: dict[str, Callable[[Any, int], ke.Plan]] = {

@@ -9,24 +9,43 @@ from collections.abc import Collection
 from pathlib import Path
 from typing import Any
 
-UPPER_ROOMS = ("boards", "cli", "course", "experiments", "figures", "grading")  # no code below calls theirs: none of it is kept
+# Nothing below these rooms calls them: none of what they compile is kept.
+UPPER_ROOMS = ("bench", "boards", "cli", "course", "experiments", "figures", "grading")
 STALE = 30 * 24 * 3600.0  # seconds after which the code of other versions is cleared away
 
 
 def cache_folder(package: Path) -> Path | None:
     """The writable folder for the code compiled from a package's sources, or None where there is none.
 
-    KINOEDU_CACHE names another place than the user's cache folder.
+    KINOEDU_CACHE names another place than the user's cache folder; KINOEDU_WARMED one that somebody has warmed for all users, who
+    begin with a copy of it.
     """
     try:
         folder = user_cache() / source_digest(package, without=UPPER_ROOMS)
         if not folder.exists():
-            folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+            make(folder)
             clear_stale(folder)
         tempfile.TemporaryFile(dir=folder).close()
     except (OSError, RuntimeError):  # RuntimeError: the user has no home
         return None
     return folder
+
+
+def make(folder: Path) -> None:
+    """The folder, with what is warmed for all users; whole or not at all, as several processes may begin at once."""
+    folder.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
+    fresh = Path(tempfile.mkdtemp(dir=folder.parent))
+    warmed = Path(os.environ.get("KINOEDU_WARMED", os.devnull)) / folder.name
+    try:
+        shutil.copytree(warmed, fresh, dirs_exist_ok=True)
+    except OSError:  # nothing is warmed, or not for this user to read
+        shutil.rmtree(fresh)
+        fresh.mkdir()
+    fresh.chmod(0o700)
+    try:
+        fresh.rename(folder)
+    except OSError:  # another process was faster
+        shutil.rmtree(fresh, ignore_errors=True)
 
 
 def source_digest(package: Path, without: Collection[str] = ()) -> str:

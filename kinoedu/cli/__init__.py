@@ -1,5 +1,5 @@
 """The command line: kinoedu plan | experiment | lab | warm | release | grade | regrade | export | hand-in | similar |
-new-exercise | autograde."""
+new-exercise | autograde | bench."""
 
 import argparse
 import io
@@ -10,6 +10,7 @@ from typing import Any, NoReturn
 
 from ..errors import KinoeduError
 from .autograde import add_autograde
+from .bench import add_bench
 from .experiment import add_experiment
 from .export import add_export
 from .grade import add_grade
@@ -69,6 +70,7 @@ def parser() -> argparse.ArgumentParser:
     add_autograde(commands)
     add_similar(commands)
     add_new_exercise(commands)
+    add_bench(commands)
     return top
 
 

@@ -1,0 +1,30 @@
+"""The speed table: rows that are scripts beside the package, run one after another, and what came out as one table."""
+
+from .pages import as_markdown, as_table, totals
+from .peers import install_peer, named_peers
+from .pictures import PICTURES, draw_folder
+from .ratios import Ratio, append_ratios, read_ratios
+from .rows import BENCHMARKS, Row, chosen, read_rows
+from .running import Outcome, run_row
+from .surroundings import load, surroundings
+
+__all__ = [
+    "BENCHMARKS",
+    "PICTURES",
+    "Outcome",
+    "Ratio",
+    "Row",
+    "append_ratios",
+    "as_markdown",
+    "as_table",
+    "chosen",
+    "draw_folder",
+    "install_peer",
+    "load",
+    "named_peers",
+    "read_ratios",
+    "read_rows",
+    "run_row",
+    "surroundings",
+    "totals",
+]

@@ -1,0 +1,129 @@
+"""kinoedu bench: the speed table, row by row."""
+
+import argparse
+import time
+from collections.abc import Sequence
+from pathlib import Path
+from textwrap import shorten
+from typing import Any
+
+from ..bench import (
+    BENCHMARKS,
+    PICTURES,
+    Outcome,
+    Row,
+    as_markdown,
+    chosen,
+    draw_folder,
+    install_peer,
+    load,
+    named_peers,
+    read_ratios,
+    read_rows,
+    run_row,
+    surroundings,
+    totals,
+)
+from ..errors import InvalidParameter
+from ..progress import duration, stage
+
+BENCH_HELP = """\
+Time kinoedu beside other libraries and beside C, row by row, each in a process of its own.
+
+Into the folder go ratios.csv, a line for each contestant; ratios.md, the table of the whole with what it depends on; ratios.png and
+ratios.svg, its picture; and what each row printed, in ROW.md. The ratios are those of this run alone; earlier ones are replaced.
+
+Peers are not part of the course: what is not installed is named and left out. --peers installs them beside the course's packages,
+each by itself. Let the computer do nothing else meanwhile.
+"""
+
+BENCH_EXAMPLES = """\
+examples:
+  python start.py bench --list
+  python start.py bench --peers
+  python start.py bench rrt prm --repeats 3 --out results
+
+exit status: 0 every row came to its end, goals held or missed, 1 some failed, with the reason in the table, 2 the input was wrong
+"""
+
+
+def add_bench(commands: Any) -> None:
+    """The command and its options."""
+    bench = commands.add_parser(
+        "bench",
+        help="time kinoedu beside other libraries and beside C",
+        description=BENCH_HELP,
+        epilog=BENCH_EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    bench.add_argument("rows", nargs="*", metavar="ROW", help="such as rrt (default: all)")
+    bench.add_argument("--list", action="store_true", help="say which rows there are and how long they take, and run none")
+    bench.add_argument("--peers", action="store_true", help="install the libraries of benchmarks/environment.txt first")
+    bench.add_argument("--pythonrobotics", type=Path, metavar="PATH", help="a checkout of PythonRobotics, to run it as well")
+    bench.add_argument("--repeats", type=int, metavar="N", help="rounds of each row that counts them (default: its own number)")
+    bench.add_argument("--out", type=Path, metavar="FOLDER", help="where results go (default: benchmarks/results)")
+    bench.set_defaults(run=run_bench)
+
+
+def run_bench(arguments: argparse.Namespace) -> int:
+    """Run the rows, and say where the table is."""
+    rows = chosen(read_rows(BENCHMARKS), arguments.rows)
+    if arguments.list:
+        listed(rows)
+        return 0
+    if arguments.repeats is not None and arguments.repeats < 1:
+        raise InvalidParameter(f"--repeats is a number from 1, got {arguments.repeats}")
+    if arguments.pythonrobotics is not None and not arguments.pythonrobotics.is_dir():
+        raise InvalidParameter(f"--pythonrobotics {arguments.pythonrobotics}: is no folder; give a checkout of PythonRobotics")
+    if arguments.peers:
+        peers_installed()
+    options = {"repeats": arguments.repeats, "pythonrobotics": arguments.pythonrobotics and arguments.pythonrobotics.resolve()}
+    folder = BENCHMARKS / "results" if arguments.out is None else arguments.out
+    folder.mkdir(parents=True, exist_ok=True)
+    outcomes = all_run(rows, folder, {name: value for name, value in options.items() if value is not None})
+    print(f"{totals(read_ratios(folder / 'ratios.csv'), outcomes)} The table is {folder / 'ratios.md'}")
+    return int(any(outcome.ended == "failed" for outcome in outcomes))
+
+
+def listed(rows: Sequence[Row]) -> None:
+    """A line for each row."""
+    width = max(len(row.name) for row in rows)
+    for row in rows:
+        print(f"{row.name:<{width}}  {duration(row.seconds):>6}  {shorten(row.about, 100, placeholder=' ...')}")
+    print(f"{len(rows)} rows, about {duration(sum(row.seconds for row in rows))} in all")
+
+
+def peers_installed() -> None:
+    """Install them, and name those that cannot be had."""
+    file = BENCHMARKS / "environment.txt"
+    for peer in named_peers(file):
+        with stage(f"installing {peer}"):
+            wrong = install_peer(peer, file)
+        print(f"{peer}: not installed ({wrong})" if wrong else f"{peer}: installed", flush=True)
+
+
+def all_run(rows: Sequence[Row], folder: Path, options: dict[str, Any]) -> list[Outcome]:
+    """Run one row after another. The table is written after each, the picture in the end, also where somebody stops it."""
+    for old in ("ratios.csv", "ratios.md", *PICTURES):
+        (folder / old).unlink(missing_ok=True)
+    outcomes: list[Outcome] = []
+    began = f"{time.strftime('%Y-%m-%d %H:%M')}, at the start {load()}"
+    try:
+        for number, row in enumerate(rows, start=1):
+            with stage(f"{number} of {len(rows)}: {row.name}, about {duration(row.seconds)}"):
+                outcomes.append(run_row(row, folder, options))
+            print(told(outcomes[-1]), flush=True)
+            around = [began, f"at the end: {surroundings()}", f"{len(outcomes)} of {len(rows)} rows were run"]
+            text = as_markdown(read_ratios(folder / "ratios.csv"), outcomes, around)
+            (folder / "ratios.md").write_text(text, encoding="utf-8")
+    finally:
+        with stage("drawing the ratios"):
+            draw_folder(folder)
+    return outcomes
+
+
+def told(outcome: Outcome) -> str:
+    """How a row ended, in a line."""
+    left_out = f"; without {'; '.join(outcome.left_out)}" if outcome.left_out else ""
+    reason = f": {outcome.reason}" if outcome.reason else ""
+    return f"{outcome.row.name}: {outcome.ended} in {duration(outcome.seconds)}{reason}{left_out}"
