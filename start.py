@@ -18,6 +18,8 @@ HELP = """usage: python start.py [command ...]
   python start.py test [arguments]   set up, add the test tools, run pytest
   python start.py site               set up, then write the course as a site into build/site
   python start.py command ...        set up, then run a command of kinoedu, as in: python start.py plan --help
+  python start.py wheelhouse FOLDER  set up, then download into a folder what computers without network set up from:
+  python start.py --wheels FOLDER ...
 
 The set-up is done once, in .venv beside this file, and needs the network only then.
 """
@@ -44,7 +46,7 @@ CAUSES = [
     (r"connection|timed? ?out|getaddrinfo|name resolution|failed to fetch|error sending|dns error|sslerror|proxyerror",
      "packages cannot be downloaded; connect to the network and run this again"),
     (r"no matching distribution|no solution found|no wheels|requires-python",
-     "a package is not made for this Python or computer; use Python 3.11 to 3.14, 64 bits"),
+     "a package is not made for this Python or computer; use Python 3.11 to 3.14, 64 bits, and --wheels of its like"),
     (r"permission|not permitted|access is denied|os error (5|13|30)\b|read-only",
      "cannot write in %s; close what runs from it, or copy the folder to a place of yours" % HERE),
 ]
@@ -79,6 +81,11 @@ def require_python(version):
 
 def start(arguments):
     """Set up what the command needs, and become that command."""
+    if arguments[:1] == ["--wheels"]:
+        os.environ["KINOEDU_WHEELS"] = folder_of(arguments)
+        arguments = arguments[2:]
+    if arguments[:1] == ["wheelhouse"]:
+        return gather(folder_of(arguments))
     if arguments[:1] == ["test"]:
         set_up([COURSE, TEACHING, TESTS, SITE])
         os.chdir(HERE)
@@ -91,6 +98,27 @@ def start(arguments):
     if not arguments:
         subprocess.call([PYTHON, "-P", "-m", "kinoedu", "warm"], env=environment())
     return become(["-m", "kinoedu"] + (arguments or ["lab"]))
+
+
+def folder_of(arguments):
+    """The folder that stands after a word; whole, as the installers run elsewhere."""
+    if len(arguments) < 2:
+        raise Stop("%s needs a folder; see python start.py --help" % arguments[0])
+    return os.path.abspath(arguments[1])
+
+
+def gather(folder):
+    """Download, as wheels for computers like this one, all that .venv was brought to."""
+    set_up([COURSE])
+    with open(os.path.abspath(__file__), "rb") as lock:
+        wait_for(lock)
+        open(LOG, "wb").close()
+        tell = progress("downloading wheels into %s" % folder)
+        for name in sorted(set(MEGABYTES) & set(installed())):
+            if not with_pip(name, lock, tell, ["download", "--dest", folder]):
+                raise Stop("%s (log: %s)" % (explain(read_log()), LOG))
+        tell("\n")
+    return 0
 
 
 def become(arguments):
@@ -216,14 +244,22 @@ def install(name, tool, lock):
 
 
 def with_uv(name, lock, tell):
-    return finish([shutil.which("uv"), "pip", "install", "--python", PYTHON] + PIP_OPTIONS + [name], lock, tell)
+    return finish([shutil.which("uv"), "pip", "install", "--python", PYTHON] + source() + PIP_OPTIONS + [name], lock, tell)
 
 
-def with_pip(name, lock, tell):
+def with_pip(name, lock, tell, task=("install", "--no-compile")):
     """Compiling bytecode is left to the first import, as most modules are never imported."""
-    pip = [PYTHON, "-I", "-m", "pip", "install", "--no-compile", "--no-input", "--disable-pip-version-check"]
+    pip = [PYTHON, "-I", "-m", "pip"] + list(task) + ["--no-input", "--disable-pip-version-check", "--retries", "2"]
     return (finish([PYTHON, "-I", "-m", "ensurepip"], lock, tell)
-            and finish(pip + ["--retries", "2"] + PIP_OPTIONS + [name], lock, tell))
+            and finish(pip + source() + PIP_OPTIONS + [name], lock, tell))
+
+
+def source():
+    """Where packages come from: the user's index, or nothing but a folder of wheels."""
+    folder = os.environ.get("KINOEDU_WHEELS")
+    if folder and not os.path.isdir(folder):
+        raise Stop("there is no folder of wheels at %s" % folder)
+    return ["--no-index", "--find-links", os.path.abspath(folder)] if folder else []
 
 
 def finish(line, lock, tell):

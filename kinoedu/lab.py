@@ -2,6 +2,7 @@
 
 import json
 import os
+import shutil
 import subprocess
 import sys
 import time
@@ -17,7 +18,7 @@ def open_lab(*, browser: bool = True) -> int:
     """Run JupyterLab at the tour until it is stopped; returns its exit status. Without a display the address is printed only."""
     if not (COURSE / TOUR).is_file():
         raise UnreadableScene(f"{COURSE / TOUR} is missing: start the course from its own folder, with python start.py")
-    server = subprocess.Popen(lab_command(browser=browser and has_display()), cwd=COURSE)
+    server = subprocess.Popen(lab_command(browser=browser and has_display()), cwd=lessons())
     silent = subprocess.DEVNULL
     rest = [sys.executable, "-m", "kinoedu", "warm", "--rest"]
     warming = subprocess.Popen(rest, cwd=COURSE, stdin=silent, stdout=silent, stderr=silent)
@@ -32,6 +33,23 @@ def open_lab(*, browser: bool = True) -> int:
     finally:
         warming.terminate()
         warming.wait()
+
+
+def lessons() -> Path:
+    """Where the notebooks are written: beside the course, or in the user's home where the course is only to be read."""
+    writable = os.access(COURSE / "notebooks", os.W_OK)
+    return COURSE if writable else copy_lessons(Path.home() / "kinoedu")
+
+
+def copy_lessons(folder: Path) -> Path:
+    """The folder, with those lessons, maps and exercises that were not in it; what is there, a student has written."""
+    for room in ("notebooks", "exercises"):
+        for source in sorted((COURSE / room).rglob("*")):
+            copy = folder / source.relative_to(COURSE)
+            if source.is_file() and not copy.exists():
+                copy.parent.mkdir(parents=True, exist_ok=True)
+                shutil.copyfile(source, copy)  # without its mode: the copy is to be written
+    return folder
 
 
 def lab_command(*, browser: bool) -> list[str]:

@@ -305,6 +305,28 @@ def test_a_cache_that_cannot_be_written_does_not_hinder(tmp_path: Path) -> None:
 
 
 @needs_jit
+def test_users_begin_with_what_was_warmed_for_all(tmp_path: Path) -> None:
+    """A copy of their own, private, from which nothing is compiled. A file where a warmed folder is expected does not hinder."""
+    code = """
+import json, os, kinoedu.compiled as c
+from kinoedu.geometry import orientation
+from kinoedu.geometry.exact import turn
+orientation((0, 0), (1, 0), (0, 1))
+counts = [sum(found.values()) for found in (turn.stats.cache_hits, turn.stats.cache_misses)]
+print(json.dumps([*counts, str(c.CACHE), c.CACHE.stat().st_mode & 0o777]))
+"""
+    warmed, own = tmp_path / "warmed", tmp_path / "own"
+    hits, misses, folder, _ = run(code, KINOEDU_CACHE=str(warmed))
+    assert (hits, misses) == (0, 1)
+    for path in Path(folder).rglob("*"):
+        path.chmod(0o555 if path.is_dir() else 0o444)
+    hits, misses, folder, mode = run(code, KINOEDU_CACHE=str(own), KINOEDU_WARMED=str(warmed))
+    assert (hits, misses) == (1, 0)
+    assert Path(folder).parent == own and (os.name != "posix" or mode == 0o700)
+    assert run(ORIENT, KINOEDU_CACHE=str(tmp_path / "another"), KINOEDU_WARMED=__file__) == [1, True]
+
+
+@needs_jit
 def test_a_change_in_a_callee_is_never_answered_from_the_cache(tmp_path: Path) -> None:
     """A copy of the package whose innermost function is edited between two processes that share one cache."""
     copy = tmp_path / "site" / "kinoedu"

@@ -118,6 +118,20 @@ def test_jupyter_keeps_its_token_and_stays_on_this_computer(monkeypatch):
     assert not has_display()
 
 
+def test_a_course_that_is_only_read_is_written_at_home(monkeypatch, tmp_path):
+    """Lessons, exercises and maps are copied once; what a student wrote there is kept."""
+    assert kinoedu.lab.lessons() == HOUSE
+    monkeypatch.setattr(kinoedu.lab.os, "access", lambda *_: False)
+    monkeypatch.setattr(Path, "home", lambda: tmp_path)
+    assert kinoedu.lab.lessons() == tmp_path / "kinoedu"
+    tour, town = tmp_path / "kinoedu" / TOUR, tmp_path / "kinoedu" / "notebooks" / "maps" / "Paris_1_256.map"
+    assert tour.read_bytes() == (HOUSE / TOUR).read_bytes() and town.is_file()
+    tour.write_text("mine", encoding="utf-8")
+    town.unlink()
+    kinoedu.lab.lessons()
+    assert tour.read_text(encoding="utf-8") == "mine" and town.is_file()
+
+
 def test_what_is_compiled_meanwhile_ends_with_the_lab(monkeypatch):
     """A server that stops at once leaves no process behind."""
     started = []
