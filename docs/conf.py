@@ -11,7 +11,7 @@ os.environ["NUMBA_DISABLE_JIT"] = "1"  # the reference shows functions as they a
 project = "kinoedu"
 root_doc = "README"
 include_patterns = ["README.md", "CHANGELOG.md", "docs/**.md", "notebooks/*.ipynb", "exercises/*.ipynb"]
-include_patterns += ["notebooks/maps/README.md", "solutions/README.md", "benchmarks/README.md"]
+include_patterns += ["notebooks/maps/README.md", "tests/data/*/README.md", "solutions/README.md", "benchmarks/README.md"]
 exclude_patterns = ["docs/contents.md"]  # the entrance has it
 extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.viewcode", "formulas", "rendering"]
 

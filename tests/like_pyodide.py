@@ -41,6 +41,9 @@ def refuse_processes_and_threads() -> None:
     subprocess.Popen.__init__ = no_process  # type: ignore[assignment]
     os.fork = no_process  # type: ignore[assignment]
     threading.Thread.start = no_thread  # type: ignore[method-assign]
+    import kinoedu.time_limit
+
+    kinoedu.time_limit.IN_BROWSER = True
 
 
 def shown(notebook: Path) -> list[str]:
@@ -74,9 +77,6 @@ def main() -> None:
     os.chdir(notebook.parent)
     sys.meta_path.insert(0, Absent())
     refuse_processes_and_threads()
-    import kinoedu.time_limit
-
-    kinoedu.time_limit.IN_BROWSER = True
     texts = shown(notebook)
     print(json.dumps({"texts": texts, "asked": sorted(asked)}))
 
