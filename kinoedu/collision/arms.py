@@ -10,14 +10,12 @@ from ..compiled import body, compiled, inlined
 from ..errors import InvalidParameter, InvalidPoint, InvalidRobot
 from ..geometry.checks import Array, as_array, shortened
 from ..geometry.parts import Parts
-from ..geometry.separation import dividing_line
+from ..geometry.separation import line_towards, nearest_corner
 from ..robots.arm import ArmRobot
 from ..robots.moving import X, Y, place
 from ..spaces.angles import FULL_TURN, wrapped
 from ..worlds.nearby import obstacles_near, rim
 from .turning import contact_size, first_in_contact, meets_part, piece_in_contact
-
-REMEMBERED = 256  # parts whose last interval is kept as a guess; more share them
 
 
 def link_in_contact(arm: ArmRobot, q: ArrayLike, world: Any) -> int:
@@ -58,8 +56,9 @@ def paint_configuration_space(arm: ArmRobot, world: Any, n: int = 360) -> NDArra
     of n equal cells: theta1 to the right, theta2 up when row 0 is drawn lowest.
 
     Link 1 depends on theta1 alone. Link 2 turns about the elbow: the directions in which it meets a convex obstacle are one
-    interval round the direction of the obstacle's nearest point, so each end of it is found by halving. For k obstacles within
-    reach: O(n k log n) contacts are judged, instead of n^2 k. Raises InvalidRobot, InvalidParameter.
+    interval round the direction of the obstacle's nearest point, whose ends are known in closed form: only cells that lie within
+    rounding of an end are judged. O(n (n + k)) for k corners within reach, instead of O(n^2 k). Raises InvalidRobot,
+    InvalidParameter.
 
     >>> from kinoedu import PolygonWorld, TwoLinkArm
     >>> world = PolygonWorld([(-4, -4), (4, -4), (4, 4), (-4, 4)], [((2, 1), 0.5)])
@@ -79,7 +78,6 @@ def painted(arm: ArmRobot, world: Any, image: NDArray[np.int8], contact: float) 
     """`paint_configuration_space` on an image of zeros."""
     n, ring = len(image), rim_parts(rim(world))
     corners, q, still = np.empty((4, 5)), np.zeros(2), np.zeros(2)
-    rim_counts, counts = np.zeros((len(ring.radius), 2), np.int64), np.zeros((REMEMBERED, 2), np.int64)
     for i1 in range(n):
         q[0], q[1] = centre_of(i1, n), 0.0
         if piece_in_contact(arm, 0, world, q, still, corners, contact, contact):
@@ -87,9 +85,9 @@ def painted(arm: ArmRobot, world: Any, image: NDArray[np.int8], contact: float) 
             continue
         place(arm, 1, q, still, 0.0, corners)
         x, y, reach = corners[2, X], corners[2, Y], arm.lengths[1] + arm.shape.radius[1] + contact
-        paint_second_link(arm, q, ring, np.arange(len(ring.radius)), contact, corners, rim_counts, image[:, i1])
+        paint_second_link(arm, q, ring, np.arange(len(ring.radius)), contact, corners, image[:, i1])
         parts, near = obstacles_near(world, x - reach, y - reach, x + reach, y + reach)
-        paint_second_link(arm, q, parts, near, contact, corners, counts, image[:, i1])
+        paint_second_link(arm, q, parts, near, contact, corners, image[:, i1])
     return image.copy()
 
 
@@ -117,27 +115,26 @@ def paint_second_link(
     near: NDArray[np.int64],
     contact: float,
     corners: Array,
-    counts: NDArray[np.int64],
     column: NDArray[np.int8],
 ) -> None:
-    """Paint the angles of link 2 at which it meets one of the parts near its elbow, which touches none of them.
-
-    counts (m, 2) keep how many cells met each part before, on either side: in the next column it is about as many.
-    """
+    """Paint the angles of link 2 at which it meets one of the parts near its elbow, which touches none of them."""
     n, still = len(column), np.zeros(2)
     reach = arm.lengths[1] + arm.shape.radius[1] + 2.0 * contact
     for j in near:
         q[1] = 0.0
         place(arm, 1, q, still, 0.0, corners)
-        x, y, nx, ny = dividing_line(corners, 2, 3, parts.points, parts.first[j], parts.first[j + 1])
-        if (corners[2, X] - x) * nx + (corners[2, Y] - y) * ny > reach + parts.radius[j]:
+        x, y = corners[2, X], corners[2, Y]
+        _, a, b, apart = nearest_corner(corners, 2, 3, parts.points, parts.first[j], parts.first[j + 1])
+        if apart > reach + parts.radius[j]:
             continue
-        towards = (wrapped(math.atan2(-ny, -nx) - q[0]) + math.pi) / (FULL_TURN / n) - 0.5
-        below = math.floor(towards)
-        for side, begin, step in ((0, below, -1), (1, below + 1, 1)):
-            guess = counts[j % len(counts), side]
-            count = cells_in_contact(arm, q, still, corners, parts, j, contact, begin, step, n, guess)
-            counts[j % len(counts), side] = count
+        _, _, nx, ny = line_towards(x, y, parts.points[a, X], parts.points[a, Y], parts.points[b, X], parts.points[b, Y])
+        facing = math.atan2(-ny, -nx)
+        ahead = wrapped(facing - q[0])
+        below = math.floor((ahead + math.pi) / (FULL_TURN / n) - 0.5)
+        for begin, step in ((below, -1), (below + 1, 1)):
+            kept = arm.shape.radius[1] + parts.radius[j] + contact
+            turn = ahead + step * last_contact(parts, j, x, y, arm.lengths[1], kept, facing, step)
+            count = cells_in_contact(arm, q, still, corners, parts, j, contact, begin, step, n, turn)
             for k in range(count):
                 column[(begin + k * step) % n] = 2
 
@@ -154,23 +151,52 @@ def cells_in_contact(
     begin: int,
     step: int,
     n: int,
-    guess: int,
+    turn: float,
 ) -> int:
-    """How many cells from `begin` on meet part j, by wider and wider steps from a guess, then by halving.
+    """How many cells from `begin` on meet part j, which link 2 meets up to the angle `turn`: cells near that end are judged.
 
     Beyond a right angle from the part's nearest point none does.
     """
-    least, most = 0, max(min(n // 4 + 2, n // 2), 1)
-    middle, stride = guess, 1
-    while least < most:
-        if not least <= middle < most:
-            middle = (least + most) // 2
-        q[1] = centre_of((begin + middle * step) % n, n)
-        if meets_part(arm, 1, q, still, corners, parts, j, arm.shape.radius[1] + contact, contact):
-            least = middle + 1
-            middle += stride
-        else:
-            most = middle
-            middle -= stride
-        stride *= 2
-    return least
+    most = max(min(n // 4 + 2, n // 2), 1)
+    cells = n / FULL_TURN
+    doubt = (1e-3 + 2.0 * math.sqrt(contact / arm.lengths[1])) * cells
+    to_end = step * (turn - centre_of(begin, n)) * cells
+    count = min(max(math.floor(to_end - doubt) + 1, 0), most)
+    while count < most and count <= to_end + doubt:
+        q[1] = centre_of((begin + count * step) % n, n)
+        if not meets_part(arm, 1, q, still, corners, parts, j, arm.shape.radius[1] + contact, contact):
+            break
+        count += 1
+    return count
+
+
+@compiled
+def last_contact(parts: Parts, j: int, x: float, y: float, length: float, kept: float, facing: float, side: int) -> float:
+    """How far a link that turns about (x, y), from facing part j's nearest point to one side, meets what is within `kept` of it.
+
+    There it touches a corner's circle, along the link or with its tip, or its tip crosses a side. Radians, zero or more.
+    """
+    begin, end = parts.first[j], parts.first[j + 1]
+    last = 0.0
+    for k in range(begin, end):
+        dx, dy = parts.points[k, X] - x, parts.points[k, Y] - y
+        squared = dx * dx + dy * dy
+        d = math.sqrt(squared)
+        if kept <= d <= length + kept:
+            if squared - kept * kept <= length * length:
+                half = math.asin(kept / d)
+            else:
+                half = math.acos(min((squared + length * length - kept * kept) / (2.0 * d * length), 1.0))
+            last = max(last, side * wrapped(math.atan2(dy, dx) - facing) + half)
+        after = k + 1 if k + 1 < end else begin
+        ex, ey = parts.points[after, X] - parts.points[k, X], parts.points[after, Y] - parts.points[k, Y]
+        size = math.sqrt(ex * ex + ey * ey)
+        away = (dx * ey - dy * ex) / size if size > 0.0 else 0.0  # the side lies on the left of where it is seen from, or right
+        h = abs(away) - kept
+        if 0.0 <= h <= length:
+            straight, half = math.atan2(-ex * away, ey * away), math.acos(h / length)
+            tip = straight + side * half
+            along = ((length * math.cos(tip) - dx) * ex + (length * math.sin(tip) - dy) * ey) / size
+            if 0.0 <= along <= size:
+                last = max(last, side * wrapped(straight - facing) + half)
+    return last
