@@ -19,10 +19,12 @@ from kinoedu.errors import InvalidParameter, UnreadableScene
 from kinoedu.figures.growth import save_growth
 
 BENCHMARKS = Path(__file__).resolve().parent.parent / "benchmarks"
-sys.path.append(str(BENCHMARKS))
+sys.path.insert(0, str(BENCHMARKS))
 
 from growing import GROWTHS  # noqa: E402 - the benchmarks are scripts beside each other
 from growth import exponents, timed, write_csv  # noqa: E402
+
+sys.path.remove(str(BENCHMARKS))
 
 HOLDS = '''"""A row that holds one goal and misses another.
 
