@@ -11,6 +11,7 @@ import pytest
 from kinoedu.curves import Curve, dubins_path, reeds_shepp_path
 from kinoedu.curves import dubins as dubins_file
 from kinoedu.curves import reeds_shepp as reeds_shepp_file
+from kinoedu.curves.space import pieces_between
 from kinoedu.errors import InvalidParameter, InvalidPoint
 from kinoedu.spaces.angles import wrapped
 
@@ -151,3 +152,16 @@ def test_nonsense_is_refused_by_name(path: Any) -> None:
             path((0, 0, 0), (1, 1, 1), radius)
     with pytest.raises(InvalidPoint):
         path((0, 0, 0), (1, 1, 1), 1.0).at("far")
+
+
+def test_a_curve_is_the_same_from_either_end():
+    """Also where several are as short, as between poses that hardly differ in place: an edge is judged from one end and driven from
+    the other."""
+    rng = np.random.default_rng(8)
+    for spread in (0.0, 0.1, 1.0, 10.0):
+        for a, b in rng.uniform(-1, 1, (200, 2, 3)) * (spread, spread, np.pi):
+            turns, lengths = pieces_between(a, b, 1.5, True)
+            back_turns, back_lengths = pieces_between(b, a, 1.5, True)
+            there, back = lengths != 0.0, back_lengths != 0.0
+            assert turns[there].tolist() == back_turns[back][::-1].tolist()
+            assert lengths[there].tolist() == (-back_lengths[back][::-1]).tolist()

@@ -32,10 +32,27 @@ class CurveSpace(NamedTuple):
 
 @compiled
 def pieces_between(a: Array, b: Array, radius: float, both_ways: bool) -> tuple[NDArray[np.int64], Array]:
-    """The turns and signed lengths of the pieces of the shortest curve from a to b."""
+    """The turns and signed lengths of the pieces of the shortest curve from a to b.
+
+    Poses between which several curves are as short are no rarity. Driven both ways a curve is the same from either end, for a
+    planner that judges an edge from one may drive it from the other: it is chosen from the pose that comes first in order.
+    """
+    if both_ways and comes_before(b, a):
+        x, y, phi = seen_from(b, a, radius)
+        turns, lengths = shortest(x, y, phi)
+        return turns[::-1].copy(), -radius * lengths[::-1]
     x, y, phi = seen_from(a, b, radius)
     turns, lengths = shortest(x, y, phi) if both_ways else shortest_forward(x, y, phi)
     return turns, radius * lengths
+
+
+@compiled
+def comes_before(a: Array, b: Array) -> bool:
+    """Whether a comes before b in the order of their first numbers that differ."""
+    for i in range(len(a)):
+        if a[i] != b[i]:
+            return bool(a[i] < b[i])
+    return False
 
 
 @distance.register(CurveSpace)
