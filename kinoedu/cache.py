@@ -23,7 +23,7 @@ def cache_folder(package: Path) -> Path | None:
     try:
         folder = user_cache() / source_digest(package, without=UPPER_ROOMS)
         if not folder.exists():
-            make(folder)
+            make_folder(folder)
             clear_stale(folder)
         tempfile.TemporaryFile(dir=folder).close()
     except (OSError, RuntimeError):  # RuntimeError: the user has no home
@@ -31,11 +31,11 @@ def cache_folder(package: Path) -> Path | None:
     return folder
 
 
-def make(folder: Path) -> None:
-    """The folder, with what is warmed for all users; whole or not at all, as several processes may begin at once."""
+def make_folder(folder: Path) -> None:
+    """Make the folder, with what is warmed for all users in it; whole or not at all, as several processes may begin at once."""
     folder.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
     fresh = Path(tempfile.mkdtemp(dir=folder.parent))
-    warmed = Path(os.environ.get("KINOEDU_WARMED", os.devnull)) / folder.name
+    warmed = Path(os.environ.get("KINOEDU_WARMED") or os.devnull) / folder.name
     try:
         shutil.copytree(warmed, fresh, dirs_exist_ok=True)
     except OSError:  # nothing is warmed, or not for this user to read

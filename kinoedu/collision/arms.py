@@ -17,6 +17,8 @@ from ..spaces.angles import FULL_TURN, wrapped
 from ..worlds.nearby import obstacles_near, rim
 from .turning import contact_size, first_in_contact, meets_part, piece_in_contact
 
+DOUBT = 1e-3  # radians from the end of an interval within which cells are judged; an end is known far better, but where it grazes
+
 
 def link_in_contact(arm: ArmRobot, q: ArrayLike, world: Any) -> int:
     """The first link that touches or enters an obstacle, or the outside of the world, counted from 1; 0 where none does.
@@ -56,8 +58,8 @@ def paint_configuration_space(arm: ArmRobot, world: Any, n: int = 360) -> NDArra
     of n equal cells: theta1 to the right, theta2 up when row 0 is drawn lowest.
 
     Link 1 depends on theta1 alone. Link 2 turns about the elbow: the directions in which it meets a convex obstacle are one
-    interval round the direction of the obstacle's nearest point, whose ends are known in closed form: only cells that lie within
-    rounding of an end are judged. O(n (n + k)) for k corners within reach, instead of O(n^2 k). Raises InvalidRobot,
+    interval round the direction of the obstacle's nearest point, whose ends are known in closed form: only cells close to
+    an end are judged. O(n (n + k)) for k corners within reach, instead of O(n^2 k). Raises InvalidRobot,
     InvalidParameter.
 
     >>> from kinoedu import PolygonWorld, TwoLinkArm
@@ -159,7 +161,7 @@ def cells_in_contact(
     """
     most = max(min(n // 4 + 2, n // 2), 1)
     cells = n / FULL_TURN
-    doubt = (1e-3 + 2.0 * math.sqrt(contact / arm.lengths[1])) * cells
+    doubt = (DOUBT + 2.0 * math.sqrt(contact / arm.lengths[1])) * cells
     to_end = step * (turn - centre_of(begin, n)) * cells
     count = min(max(math.floor(to_end - doubt) + 1, 0), most)
     while count < most and count <= to_end + doubt:
@@ -172,31 +174,46 @@ def cells_in_contact(
 
 @compiled
 def last_contact(parts: Parts, j: int, x: float, y: float, length: float, kept: float, facing: float, side: int) -> float:
-    """How far a link that turns about (x, y), from facing part j's nearest point to one side, meets what is within `kept` of it.
+    """How far a link that turns about (x, y), from facing part j's nearest point to one side, 1 or -1, comes within `kept` of it.
 
-    There it touches a corner's circle, along the link or with its tip, or its tip crosses a side. Radians, zero or more.
+    There its end or its flank touches a circle round a corner, or its end crosses a line beside an edge. Radians, zero or more.
     """
-    begin, end = parts.first[j], parts.first[j + 1]
-    last = 0.0
+    begin, end, last = parts.first[j], parts.first[j + 1], 0.0
+    before = end - 1
     for k in range(begin, end):
-        dx, dy = parts.points[k, X] - x, parts.points[k, Y] - y
-        squared = dx * dx + dy * dy
-        d = math.sqrt(squared)
-        if kept <= d <= length + kept:
-            if squared - kept * kept <= length * length:
-                half = math.asin(kept / d)
-            else:
-                half = math.acos(min((squared + length * length - kept * kept) / (2.0 * d * length), 1.0))
-            last = max(last, side * wrapped(math.atan2(dy, dx) - facing) + half)
-        after = k + 1 if k + 1 < end else begin
-        ex, ey = parts.points[after, X] - parts.points[k, X], parts.points[after, Y] - parts.points[k, Y]
-        size = math.sqrt(ex * ex + ey * ey)
-        away = (dx * ey - dy * ex) / size if size > 0.0 else 0.0  # the side lies on the left of where it is seen from, or right
-        h = abs(away) - kept
-        if 0.0 <= h <= length:
-            straight, half = math.atan2(-ex * away, ey * away), math.acos(h / length)
-            tip = straight + side * half
-            along = ((length * math.cos(tip) - dx) * ex + (length * math.sin(tip) - dy) * ey) / size
-            if 0.0 <= along <= size:
-                last = max(last, side * wrapped(straight - facing) + half)
+        ax, ay = parts.points[before, X] - x, parts.points[before, Y] - y
+        bx, by = parts.points[k, X] - x, parts.points[k, Y] - y
+        before = k
+        last = max(last, side * wrapped(math.atan2(by, bx) - facing) + beside_corner(bx, by, length, kept))
+        last = max(last, past_edge(ax, ay, bx, by, length, kept, facing, side))
     return last
+
+
+@compiled
+def beside_corner(x: float, y: float, length: float, kept: float) -> float:
+    """The angle between a corner's direction and a link from the origin that touches the circle round it; -inf out of its reach."""
+    squared = x * x + y * y
+    d = math.sqrt(squared)
+    if not kept <= d <= length + kept:
+        return -np.inf
+    if squared - kept * kept <= length * length:
+        return math.asin(kept / d)
+    return math.acos(min((squared + length * length - kept * kept) / (2.0 * d * length), 1.0))
+
+
+@compiled
+def past_edge(ax: float, ay: float, bx: float, by: float, length: float, kept: float, facing: float, side: int) -> float:
+    """The angle, from `facing` to one side, at which the end of a link from the origin crosses the line beside the edge a-b, on the
+    side of the origin; -inf where it passes beyond the edge's ends.
+    """
+    ex, ey = bx - ax, by - ay
+    size = math.sqrt(ex * ex + ey * ey)
+    if size == 0.0:
+        return -np.inf
+    apart = (ax * ey - ay * ex) / size  # signed: the foot of the perpendicular on the edge's line is (ey, -ex) * apart / size
+    if not 0.0 <= abs(apart) - kept <= length:
+        return -np.inf
+    straight, half = math.atan2(-ex * apart, ey * apart), math.acos((abs(apart) - kept) / length)
+    tip = straight + side * half
+    along = ((length * math.cos(tip) - ax) * ex + (length * math.sin(tip) - ay) * ey) / size
+    return side * wrapped(straight - facing) + half if 0.0 <= along <= size else -np.inf
