@@ -27,7 +27,7 @@ from kinoedu.graphs import (
 from kinoedu.graphs.bfs import search_breadth_first
 from kinoedu.graphs.components import component_labels
 from kinoedu.graphs.dfs import search_depth_first
-from kinoedu.graphs.search import expansions, search
+from kinoedu.graphs.search import search
 
 graphs = st.integers(1, 12).flatmap(
     lambda n: st.tuples(
@@ -81,17 +81,6 @@ def test_astar_with_any_admissible_estimate_is_optimal(case, data):
         assert found.cost[goal] == left[0]
         assert path[0] == 0
         assert path[-1] == goal
-
-
-def test_expansions_can_be_stepped():
-    """The generator behind the searches yields one node after another, with the costs filled in so far."""
-    graph = Graph(3, [(0, 1), (1, 2)], [1.0, 2.0])
-    cost, parent = np.full(3, np.inf), np.full(3, -1)
-    steps = expansions(graph.flat(), 0, -1, np.zeros(3), cost, parent)
-    assert next(steps) == 0
-    assert next(steps) == 1
-    assert cost.tolist() == [0.0, 1.0, np.inf] or cost.tolist() == [0.0, 1.0, 3.0]
-    assert list(steps) == [2]
 
 
 def test_interpreted_search_is_the_same():
@@ -333,13 +322,16 @@ def test_steps_count_nodes_and_edges():
 
 def test_searches_run_on_grids():
     """Any kind that answers degree and edge: breadth-first search finds the Manhattan distance where no move is diagonal."""
-    from kinoedu.planners.grid import CellGrid
+    from kinoedu.planners.grid import Cells, Grid
 
-    free = np.array([[1, 1, 1], [1, 0, 1], [1, 1, 1]], bool)
-    grid = CellGrid(free, 0.0, 0.0, 1.0, 3, 3)
-    assert bfs(grid, 0).cost.tolist() == [0, 1, 2, 1, np.inf, 3, 2, 3, 4]
-    assert len(dfs_path(grid, 0, 8)) >= 5 and [m.node for m in bfs_expansions(grid, 0)] == bfs(grid, 0).expanded.tolist()
-    assert bfs_path(grid, 0, 4) is None and dfs_path(grid, 0, 4) is None
+    free = np.zeros((5, 5), bool)
+    free[1:-1, 1:-1] = [[1, 1, 1], [1, 0, 1], [1, 1, 1]]
+    grid = Grid(Cells(free.ravel()), 0.0, 0.0, 1.0, 5, 5)
+    first, middle, last = 6, 12, 18
+    assert bfs(grid, first).cost.reshape(5, 5)[1:-1, 1:-1].tolist() == [[0, 1, 2], [1, np.inf, 3], [2, 3, 4]]
+    assert len(dfs_path(grid, first, last)) >= 5
+    assert [m.node for m in bfs_expansions(grid, first)] == bfs(grid, first).expanded.tolist()
+    assert bfs_path(grid, first, middle) is None and dfs_path(grid, first, middle) is None
 
 
 @given(graphs)
@@ -570,9 +562,9 @@ def test_a_search_compiles_after_its_steps_were_kept_on_disk(tmp_path):
     import subprocess
     import sys
 
-    make = "import numpy as np; from kinoedu.graphs import Graph, dijkstra; from kinoedu.graphs.search import expansions; "
-    step = "print(list(expansions(Graph(1).flat(), 0, -1, np.zeros(1), np.zeros(1), np.zeros(1, int))))"
-    for code in (step, "print(dijkstra(Graph(1), 0).expanded)"):
+    make = "import numpy as np; from kinoedu.graphs import Graph, bfs; from kinoedu.graphs.bfs import breadth_first; "
+    step = "print(list(breadth_first(Graph(1).flat(), 0, -1, np.zeros(1), np.zeros(1, int), np.zeros(1, int))))"
+    for code in (step, "print(bfs(Graph(1), 0).expanded)"):
         run = subprocess.run(
             [sys.executable, "-c", make + code],
             env={**os.environ, "KINOEDU_CACHE": str(tmp_path)},

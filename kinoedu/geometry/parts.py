@@ -28,7 +28,8 @@ The record table (every record is a NamedTuple; compiled code reads its fields):
 | `Rounded`, `Slide` | a grown convex shape; a robot's way round an obstacle (c_space/rounded.py, c_space/sliding.py) |
 | `ProblemRecord` | robot, world, space, start, goal, clearance, asked (problems.py) |
 | `TimedProblemRecord` | robot, world, start, goal, speed, horizon, clearance (timed_problems.py) |
-| `Lattice`, `CellGrid` | a grid's place and size, over a problem or over cells (planners/grid.py) |
+| `Grid`; `Cells`, `Motions` | a grid's place and size; what its moves are judged by (planners/grid.py) |
+| `RadixHeap`, `Known` | a search's queue, and what it knows of each node (graphs/radix_heap.py, graphs/search.py) |
 
 One vertex with a radius is a disc, two a rounded bar such as an arm's link, three or more a convex polygon, counter-clockwise; a
 non-convex polygon is several parts. So one distance routine judges them all. Records hold few arrays: compiled code counts a

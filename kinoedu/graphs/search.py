@@ -12,46 +12,59 @@
      9              insert v into Q, or move it forward
     10  return failure
 
-The queue is a heap. Nothing is moved in it: v is inserted once more, and what is retrieved a second time at no gain is passed over.
+The queue is a radix heap. Nothing is moved in it: v is inserted once more, and what is retrieved again at no gain is passed over.
 
 E. W. Dijkstra (1959); P. E. Hart, N. J. Nilsson, B. Raphael, "A formal basis for the heuristic determination of minimum cost
 paths" (1968); Bullo & Smith, chapter 2; LaValle, section 2.2.
 """
 
 from collections.abc import Iterator
-from heapq import heappop, heappush
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..compiled import body, compiled
+from ..compiled import body, callable_from_compiled, compiled
 from ..errors import InvalidGraph
 from ..geometry.checks import Array, shortened
 from .flat import degree, edge
-from .paths import Expansion, Search, Steps, ends, moments, path_found
+from .paths import Expansion, Search, Steps, ends, path_found
+from .radix_heap import NONE, RadixHeap, enlarged, first, has_room, in_order, insert, radix_heap, remove_first
 
 ROUNDING = 1e-12  # of a cost
 
 
-@compiled
-def expansions(graph: Any, start: int, goal: int, estimate: Array, cost: Array, parent: NDArray[np.int64]) -> Iterator[int]:
-    """Yield the nodes in the order in which they are expanded: least cost so far plus estimate first. Fills cost and parent.
+class Known(NamedTuple):
+    """What a search knows of each node: its least cost so far, its parent, and whether it has been expanded at that cost."""
 
-    An estimate that never exceeds the true remaining cost makes the first path found a shortest one; where it is not consistent, a
-    node is expanded again whenever that gains more than rounding.
+    cost: Array
+    parent: NDArray[np.int64]
+    settled: NDArray[np.bool_]
+
+
+@compiled
+def expand(
+    graph: Any, goal: int, estimate: Array, known: Known, queue: RadixHeap, expanded: NDArray[np.int64], n: int
+) -> tuple[int, bool]:
+    """Lines 3 to 10: expand node after node, least cost so far plus estimate first, of several the one inserted last.
+
+    Returns how many are in `expanded`, and whether that is all: the goal is one of them, or none is left. It stops short where
+    that array is full, or the queue might be. An estimate that never exceeds the true remaining cost makes the first path found a
+    shortest one; where it is not consistent, a node is expanded again whenever that gains more than rounding.
     """
-    settled = np.zeros(len(cost), np.bool_)
-    cost[start] = 0.0
-    frontier = [(estimate[start], estimate[start], start)]
-    while len(frontier) > 0:
-        _, _, u = heappop(frontier)
-        if settled[u]:
-            continue
+    cost, parent, settled = known
+    while n < len(expanded):
+        u = first_unsettled(queue, settled)
+        if u == NONE:
+            return n, True
+        if not has_room(queue, degree(graph, u)):
+            break
+        remove_first(queue)
         settled[u] = True
-        yield u
+        expanded[n] = u
+        n += 1
         if u == goal:
-            return
+            return n, True
         for k in range(degree(graph, u)):
             v, weight = edge(graph, u, k)
             if v < 0 or cost[u] + weight >= cost[v] * (1.0 - ROUNDING if settled[v] else 1.0):
@@ -59,22 +72,44 @@ def expansions(graph: Any, start: int, goal: int, estimate: Array, cost: Array, 
             cost[v] = cost[u] + weight
             parent[v] = u
             settled[v] = False
-            heappush(frontier, (cost[v] + estimate[v], estimate[v], v))
+            insert(queue, v, cost[v] + estimate[v])
+    return n, False
+
+
+@callable_from_compiled
+def first_unsettled(queue: RadixHeap, settled: NDArray[np.bool_]) -> int:
+    """The first of the queue, left in it, once what has been settled since it was inserted is taken out; or -1."""
+    u = first(queue)
+    while u != NONE and settled[u]:
+        remove_first(queue)
+        u = first(queue)
+    return u
+
+
+@callable_from_compiled
+def begun(size: int, start: int, estimate: Array) -> tuple[Known, RadixHeap]:
+    """Lines 1 and 2."""
+    known, queue = Known(np.full(size, np.inf), np.full(size, -1, np.int64), np.zeros(size, np.bool_)), radix_heap(64)
+    known.cost[start] = 0.0
+    insert(queue, start, estimate[start])
+    return known, queue
 
 
 @body
 def search(graph: Any, start: int, goal: int, estimate: Array) -> tuple[Array, NDArray[np.int64], NDArray[np.int64], int]:
-    """Run the expansions to their end; goal = -1 expands all that can be reached. The last number counts edges looked at."""
-    cost, parent = np.full(len(estimate), np.inf), np.full(len(estimate), -1, np.int64)
-    expanded, n, looked_at = np.empty(len(estimate), np.int64), 0, 0
-    for u in expansions(graph, start, goal, estimate, cost, parent):
+    """The whole search: costs, parents, expanded nodes, how many edges were looked at. goal = -1 expands all that are reached."""
+    known, queue = begun(len(estimate), start, estimate)
+    expanded = np.empty(len(estimate), np.int64)
+    n, done = expand(graph, goal, estimate, known, queue, expanded, 0)
+    while not done:
         if n == len(expanded):
             expanded = np.append(expanded, expanded)
-        expanded[n] = u
-        n += 1
-        if u != goal:
-            looked_at += degree(graph, u)
-    return cost, parent, expanded[:n], looked_at
+        queue = enlarged(queue, degree(graph, first(queue)))
+        n, done = expand(graph, goal, estimate, known, queue, expanded, n)
+    looked_at = 0
+    for u in expanded[:n]:
+        looked_at += degree(graph, u) if u != goal else 0
+    return known.cost, known.parent, expanded[:n], looked_at
 
 
 def best_first(flat: Any, start: int, goal: int, estimate: Array) -> Search:
@@ -141,16 +176,17 @@ def dijkstra_expansions(graph: Any, start: int) -> Iterator[Expansion]:
 
 
 def best_first_moments(flat: Any, start: int, goal: int, estimate: Array) -> Iterator[Expansion]:
-    """Expansions with the nodes that wait: those whose cost has become less since they were last expanded, if they ever were."""
-    cost, parent = np.full(flat.size, np.inf), np.full(flat.size, -1)
-    when_expanded = np.full(flat.size, np.inf)
-
-    def waiting(u: int, _: int) -> NDArray[np.int64]:
-        when_expanded[u] = cost[u]
-        nodes = np.flatnonzero(cost < when_expanded)
-        return nodes[np.lexsort([nodes, estimate[nodes], cost[nodes] + estimate[nodes]])]
-
-    return moments(expansions.py_func(flat, start, goal, estimate, cost, parent), cost, parent, waiting)
+    """Before each expansion, what is known and which nodes wait."""
+    known, queue = begun(flat.size, start, estimate)
+    expanded, n, done = np.empty(flat.size, np.int64), 0, False
+    while not done and (u := first_unsettled(queue, known.settled)) != NONE:
+        waiting = [v for v in dict.fromkeys(in_order(queue)) if v != u and not known.settled[v]]
+        yield Expansion(int(u), expanded[:n].copy(), np.array(waiting, np.int64), known.cost.copy(), known.parent.copy())
+        if not has_room(queue, degree(flat, u)):
+            queue = enlarged(queue, degree(flat, u))
+        if n == len(expanded):
+            expanded = np.append(expanded, expanded)
+        n, done = expand.py_func(flat, goal, estimate, known, queue, expanded[: n + 1], n)
 
 
 def as_estimate(estimate: ArrayLike | None, size: int) -> Array:

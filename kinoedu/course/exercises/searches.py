@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from ... import graphs
-from ...graphs.search import expansions
+from ...graphs.search import expand
 from ...words import say
 from ..exercise import Case, Slip, ValueExercise, spoken
 from ..outcomes import Answer, Outcome
@@ -33,7 +33,7 @@ class Dijkstra(ValueExercise):
     kinds = ("small", "detour", "directed", "unreachable", "negative")
     given = Record(neighbours=NEIGHBOURS, weights=WEIGHTS, start=Whole())
     answer = Numbers(("n",))
-    shown = staticmethod(expansions)
+    shown = staticmethod(expand)
     slips = (
         Slip("edges", lambda neighbours, weights, start: [float(d) if d >= 0 else np.inf for d in depths(neighbours, start)]),
         Slip("first_found", lambda neighbours, weights, start: best_first(neighbours, weights, start, improves=False)[0]),
@@ -104,7 +104,7 @@ class Astar(PathExercise):
     kinds = ("small", "estimate", "inconsistent", "directed", "unreachable", "start_is_goal")
     given = Record(neighbours=NEIGHBOURS, weights=WEIGHTS, estimate=Listed(Number()), start=Whole(), goal=Whole())
     last_rule = "shortest"
-    shown = staticmethod(expansions)
+    shown = staticmethod(expand)
     slips = (
         Slip("greedy", lambda n, w, estimate, s, g: best_path(n, w, estimate, s, g, cost_counts=0.0, improves=False)),
         Slip("at_sight", lambda n, w, estimate, s, g: best_path(n, w, estimate, s, g, at_sight=True)),

@@ -1,0 +1,130 @@
+"""The priority queue of the searches, against a heap of (priority, when inserted)."""
+
+import heapq
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from kinoedu.compiled import compiled
+from kinoedu.graphs import Graph, astar, astar_expansions
+from kinoedu.graphs.radix_heap import NONE, enlarged, first, has_room, in_order, insert, radix_heap, remove_first
+
+PRIORITIES = st.one_of(
+    st.integers(0, 5).map(float),
+    st.floats(0.0, allow_nan=False),
+    st.integers(0, 3).map(lambda n: float(np.nextafter(1.0, 2.0)) if n == 3 else 1.0 + n * 2.0**-52),
+)
+RETRIEVE = None
+
+
+class Reference:
+    """What the queue promises: the least priority first, the last inserted among equals, none below the last one retrieved."""
+
+    def __init__(self) -> None:
+        self.heap: list[tuple[float, int, int]] = []
+        self.count, self.least = 0, 0.0
+
+    def insert(self, node: int, priority: float) -> None:
+        heapq.heappush(self.heap, (max(priority, self.least), -self.count, node))
+        self.count += 1
+
+    def retrieve(self) -> int:
+        if not self.heap:
+            return NONE
+        self.least, _, node = heapq.heappop(self.heap)
+        return node
+
+
+def retrieved(queue: Any) -> int:
+    """The first node, taken out."""
+    node = first(queue)
+    if node != NONE:
+        remove_first(queue)
+    return int(node)
+
+
+@given(st.lists(st.one_of(PRIORITIES, st.none()), max_size=80))
+@settings(derandomize=True, deadline=None, max_examples=400)
+def test_it_retrieves_what_a_heap_does(actions):
+    """Whatever is inserted and retrieved in turn, rising or not; and what waits is listed in that order at any time."""
+    queue, reference = radix_heap(1), Reference()
+    for node, priority in enumerate(actions):
+        if priority is RETRIEVE:
+            assert retrieved(queue) == reference.retrieve()
+            continue
+        if not has_room(queue, 1):
+            queue = enlarged(queue, 1)
+        insert(queue, node, priority)
+        reference.insert(node, priority)
+        assert in_order(queue) == [node for *_, node in sorted(reference.heap)]
+    left = in_order(queue)
+    assert [retrieved(queue) for _ in left] == [reference.retrieve() for _ in left] == left
+    assert retrieved(queue) == reference.retrieve() == NONE
+
+
+def test_entries_are_used_again():
+    """A queue that never holds more than three nodes needs no more room than that."""
+    queue = radix_heap(3)
+    for node in range(1000):
+        insert(queue, node, float(node // 3))
+        if node % 3 == 2:
+            assert [retrieved(queue) for _ in range(3)] == [node, node - 1, node - 2]
+    assert len(queue.entries) == 3
+
+
+@compiled
+def drained(priorities: Any) -> Any:
+    """The order of retrieval, compiled."""
+    queue, order = radix_heap(4), np.empty(len(priorities), np.int64)
+    for node in range(len(priorities)):
+        if not has_room(queue, 1):
+            queue = enlarged(queue, 1)
+        insert(queue, node, priorities[node])
+    for i in range(len(order)):
+        order[i] = first(queue)
+        remove_first(queue)
+    return order
+
+
+@pytest.mark.parametrize("scale", [1e-320, 1e-150, 1.0, 1e150])
+def test_it_sorts_floats_of_any_size(scale):
+    """Compiled and interpreted; also the smallest, infinity and 0."""
+    rng = np.random.default_rng(0)
+    priorities = np.concatenate([rng.integers(0, 50, 300) * scale, rng.random(300) * scale, [0.0, np.inf, np.inf, 0.0]])
+    wanted = np.lexsort([-np.arange(len(priorities)), priorities])
+    assert np.array_equal(drained(priorities), wanted)
+    assert np.array_equal(drained.py_func(priorities), wanted)
+
+
+def test_a_search_goes_on_from_where_it_is():
+    """Of equally good nodes A* takes the one seen last: on a square without obstacles it expands the nodes of its path alone."""
+    n = 12
+    number = np.arange(n * n).reshape(n, n)
+    across, up = np.stack([number[:, :-1], number[:, 1:]], axis=-1), np.stack([number[:-1], number[1:]], axis=-1)
+    edges = np.concatenate([across.reshape(-1, 2), up.reshape(-1, 2)])
+    graph = Graph(n * n, edges, np.ones(len(edges)))
+    estimate = np.add.outer(np.arange(n)[::-1], np.arange(n)[::-1]).ravel()
+    path, found = astar(graph, 0, n * n - 1, estimate)
+    assert path is not None and found.expanded.tolist() == path.tolist()
+    moments = list(astar_expansions(graph, 0, n * n - 1, estimate))
+    assert [moment.node for moment in moments] == path.tolist()
+    assert all(after.node not in moment.frontier[1:] for moment, after in zip(moments, moments[1:]))
+
+
+NODES = 8
+ROWS = st.lists(st.tuples(st.integers(0, NODES - 1), st.integers(0, NODES - 1), st.integers(0, 4)), max_size=30)
+SHARES = st.lists(st.sampled_from([0.0, 0.3, 0.7, 1.0]), min_size=NODES, max_size=NODES)
+
+
+@given(ROWS, SHARES, st.integers(0, NODES - 1))
+@settings(derandomize=True, deadline=None, max_examples=300)
+def test_lower_bounds_that_are_not_consistent_cost_no_optimality(rows, shares, goal):
+    """Any estimate from zero to the true cost that remains."""
+    graph = Graph(NODES, [row[:2] for row in rows], [float(row[2]) for row in rows], directed=True)
+    remaining = graph.cost_to_go(goal)
+    estimate = np.floor(np.minimum(remaining, 50.0) * shares)
+    path, found = astar(graph, 0, goal, estimate)
+    assert found.cost[goal] == remaining[0] and (path is None) == np.isinf(remaining[0])
