@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from kinoedu.compiled import compiled
-from kinoedu.graphs import Graph, astar, astar_expansions
+from kinoedu.graphs import Graph, astar, astar_expansions, dijkstra
 from kinoedu.graphs.radix_heap import NONE, enlarged, first, has_room, in_order, insert, radix_heap, remove_first
 
 PRIORITIES = st.one_of(
@@ -21,21 +21,18 @@ RETRIEVE = None
 
 
 class Reference:
-    """What the queue promises: the least priority first, the last inserted among equals, none below the last one retrieved."""
+    """What the queue promises: the least priority first, among equals the last inserted."""
 
     def __init__(self) -> None:
         self.heap: list[tuple[float, int, int]] = []
-        self.count, self.least = 0, 0.0
+        self.count = 0
 
     def insert(self, node: int, priority: float) -> None:
-        heapq.heappush(self.heap, (max(priority, self.least), -self.count, node))
+        heapq.heappush(self.heap, (priority, -self.count, node))
         self.count += 1
 
     def retrieve(self) -> int:
-        if not self.heap:
-            return NONE
-        self.least, _, node = heapq.heappop(self.heap)
-        return node
+        return heapq.heappop(self.heap)[-1] if self.heap else NONE
 
 
 def retrieved(queue: Any) -> int:
@@ -97,6 +94,20 @@ def test_it_sorts_floats_of_any_size(scale):
     wanted = np.lexsort([-np.arange(len(priorities)), priorities])
     assert np.array_equal(drained(priorities), wanted)
     assert np.array_equal(drained.py_func(priorities), wanted)
+
+
+def test_a_search_makes_room_as_it_needs_it():
+    """A star and a complete graph have many more edges than a queue begins with; all nodes are expanded, some of them again."""
+    star = Graph(300, [(0, v) for v in range(1, 300)], np.arange(299.0))
+    assert np.array_equal(dijkstra(star, 0).expanded, np.arange(300)) and star.cost_to_go(7)[8] == 13.0
+    n = 80
+    pairs = [(u, v) for u in range(n) for v in range(u)]
+    whole = Graph(n, pairs, [(u - v) ** 1.5 for u, v in pairs])
+    found = dijkstra(whole, 0)
+    assert np.array_equal(found.cost, np.arange(float(n))) and found.steps == (n, n * (n - 1))
+    estimate = np.where(np.arange(n) % 2 == 1, np.arange(n)[::-1], 0.0)
+    path, found = astar(whole, 0, n - 1, estimate)
+    assert path is not None and path.tolist() == list(range(n)) and len(found.expanded) > n
 
 
 def test_a_search_goes_on_from_where_it_is():

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..compiled import compiled, generic, record
+from ..compiled import body, compiled, generic, record
 from ..errors import InvalidGraph
 from ..geometry.checks import Array, shortened
 
@@ -61,11 +61,39 @@ def flat_graph(size: int, edges: NDArray[np.int64], weights: Array, *, directed:
     >>> graph.neighbours(0), degree(graph, 2), edge(graph, 0, 1)
     (array([1, 2]), np.int64(1), (np.int64(2), np.float64(5.0)))
     """
-    ways = edges if directed else np.concatenate([edges, edges[:, ::-1]])
-    weights_there = weights if directed else np.concatenate([weights, weights])
-    _, by_target = counting_sort(ways[:, 1], np.arange(len(ways)), size)
-    first, order = counting_sort(ways[:, 0], by_target, size)
-    return GraphRecord(size, edges, weights, first, ways[order, 1], weights_there[order])
+    return GraphRecord(size, edges, weights, *compressed_rows(size, edges, weights, 1 if directed else 2))
+
+
+@body
+def compressed_rows(
+    size: int, edges: NDArray[np.int64], weights: Array, ways: int
+) -> tuple[NDArray[np.int64], NDArray[np.int64], Array]:
+    """Where the edges that leave each node begin, where they lead and their weights; each edge goes there, or there and back.
+
+    Two counting sorts, by the node led to and then by the node left: the second keeps what the first has put in order.
+    """
+    m = len(edges)
+    by_target, by_source = np.zeros(size + 2, np.int64), np.zeros(size + 2, np.int64)
+    for way in range(ways):
+        for e in range(m):
+            by_source[edges[e, way] + 2] += 1
+            by_target[edges[e, 1 - way] + 2] += 1
+    for u in range(2, size + 2):
+        by_source[u] += by_source[u - 1]
+        by_target[u] += by_target[u - 1]
+    arcs = np.empty((ways * m, 2), np.int64)
+    for way in range(ways):
+        for e in range(m):
+            at = by_target[edges[e, 1 - way] + 1]
+            by_target[edges[e, 1 - way] + 1] += 1
+            arcs[at, 0], arcs[at, 1] = e, way
+    to, weight = np.empty(ways * m, np.int64), np.empty(ways * m)
+    for i in range(len(arcs)):
+        e, way = arcs[i, 0], arcs[i, 1]
+        at = by_source[edges[e, way] + 1]
+        by_source[edges[e, way] + 1] += 1
+        to[at], weight[at] = edges[e, 1 - way], weights[e]
+    return by_source[:-1].copy(), to, weight
 
 
 @compiled

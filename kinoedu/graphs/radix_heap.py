@@ -1,4 +1,4 @@
-"""A priority queue for searches, whose priorities only rise: it sorts by bits, and compares next to nothing.
+"""A priority queue for searches, whose priorities mostly rise: it sorts by bits, and compares next to nothing.
 
 The bits of a float of zero or more, read as a whole number, come in the order of the floats. Let `least` be the bits of the
 priority last retrieved. What first differs from it at bit b, counted from 1 for the lowest, waits in bucket b; what equals it, in
@@ -15,8 +15,11 @@ In line 4 every entry goes down, since nothing has changed from bit b upwards: i
 times. A binary heap compares at each of its levels instead, and a processor guesses every other comparison wrong.
 
 A bucket is a list in which the last to come is the first: of equal priorities the node inserted last is retrieved first. So A* goes
-on from where it is. A priority below the one last retrieved counts as equal to it; in a search such come only from an estimate that
-is not consistent, and as none retrieved exceeds the cost of a shortest path, the first path found is still a shortest one.
+on from where it is.
+
+Where an estimate is not consistent, a priority may come that is below `least`. It becomes the least then, and first differs from
+the old one at bit b, which it does not have. What was in buckets 0 to b - 1 has that bit: it all goes to bucket b, which was empty,
+as what is there would have to be above the old least and lack the bit.
 
 R. K. Ahuja, K. Mehlhorn, J. B. Orlin, R. E. Tarjan, "Faster algorithms for the shortest path problem" (1990).
 """
@@ -31,11 +34,8 @@ from ..compiled import callable_from_compiled
 
 PRIORITY, NODE, NEXT = 0, 1, 2  # of an entry
 BUCKETS = 64
-FREE, USED, LEAST = (
-    BUCKETS,
-    BUCKETS + 1,
-    BUCKETS + 2,
-)  # behind their heads: that of the entries to use again, how many there are, least
+# behind the buckets: the list of entries to use again, how many were ever used, the bits of the least
+FREE, USED, LEAST = 64, 65, 66
 NONE = -1
 
 
@@ -49,7 +49,7 @@ class RadixHeap(NamedTuple):
 @callable_from_compiled
 def radix_heap(capacity: int) -> RadixHeap:
     """An empty queue with room for so many nodes."""
-    heads = np.full(BUCKETS + 3, NONE)
+    heads = np.full(67, NONE)
     heads[USED] = heads[LEAST] = 0
     return RadixHeap(np.empty((capacity, 3), np.int64), heads)
 
@@ -77,9 +77,25 @@ def insert(queue: RadixHeap, node: int, priority: float) -> None:
         queue.heads[USED] += 1
     else:
         queue.heads[FREE] = queue.entries[entry, NEXT]
-    queue.entries[entry, NODE] = node
-    queue.entries[entry, PRIORITY] = max(np.float64(priority).view(np.int64), queue.heads[LEAST])
+    bits = np.float64(priority).view(np.int64)
+    if bits < queue.heads[LEAST]:
+        lower_least(queue, bits)
+    queue.entries[entry, PRIORITY], queue.entries[entry, NODE] = bits, node
     put_first(queue, bucket_of(queue, entry), entry)
+
+
+@callable_from_compiled
+def lower_least(queue: RadixHeap, bits: np.int64) -> None:
+    """Make `bits` the least, and move what is in the buckets below the bit in which it differs from the old one."""
+    bucket = bit_length(bits ^ queue.heads[LEAST])
+    for lower in range(bucket):
+        entry = queue.heads[lower]
+        if entry != NONE:
+            while queue.entries[entry, NEXT] != NONE:
+                entry = queue.entries[entry, NEXT]
+            queue.entries[entry, NEXT] = queue.heads[bucket]
+            queue.heads[bucket], queue.heads[lower] = queue.heads[lower], NONE
+    queue.heads[LEAST] = bits
 
 
 @callable_from_compiled

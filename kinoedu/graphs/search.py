@@ -53,12 +53,12 @@ def expand(
     shortest one; where it is not consistent, a node is expanded again whenever that gains more than rounding.
     """
     cost, parent, settled = known
-    while n < len(expanded):
+    while True:
         u = first_unsettled(queue, settled)
         if u == NONE:
             return n, True
-        if not has_room(queue, degree(graph, u)):
-            break
+        if n == len(expanded) or not has_room(queue, degree(graph, u)):
+            return n, False
         remove_first(queue)
         settled[u] = True
         expanded[n] = u
@@ -73,7 +73,6 @@ def expand(
             parent[v] = u
             settled[v] = False
             insert(queue, v, cost[v] + estimate[v])
-    return n, False
 
 
 @callable_from_compiled
@@ -119,9 +118,9 @@ def best_first(flat: Any, start: int, goal: int, estimate: Array) -> Search:
 
 
 def dijkstra(graph: Any, start: int) -> Search:
-    """Shortest paths from one node to all: their costs, and each node's parent on its path. O(m log n).
+    """Shortest paths from one node to all: their costs, and each node's parent on its path.
 
-    Raises InvalidGraph where `start` is not a node.
+    O(n + m b) for costs that differ in b bits, of 63. Raises InvalidGraph where `start` is not a node.
 
     >>> from kinoedu.graphs import Graph
     >>> found = dijkstra(Graph(4, [(0, 1), (1, 2), (0, 2)], [1.0, 1.0, 5.0]), 0)
