@@ -22,15 +22,17 @@ MARKERS = ("o", "s", "^")  # free, link 1, link 2: told apart without colours to
 TICKS = np.array([-1.0, -0.5, 0.0, 0.5, 1.0]) * np.pi
 TICK_NAMES = (r"$-\pi$", r"$-\pi/2$", "0", r"$\pi/2$", r"$\pi$")
 
+ANSWERS = palette.FREE_LINK, palette.INK, palette.HIT  # free, link 1, link 2: the colours of the square
 LINK_WORDS = "figure.link_0", "figure.link_1", "figure.link_2"
 
 
 def plot_environment(arm: ArmRobot, q: ArrayLike, world: Any, ax: Axes | None = None) -> list[Artist]:
-    """Draw a world and the arm in it: base, links with their width, joints, each link in the colour of its answer to contact."""
+    """Draw a world and the arm in it: base, links with their width, joints, all in the colour of the answer: blue free,
+    black link 1 in contact, red link 2."""
     ax = axes_for(world, ax)
     angles = as_array(q, "q")
     hit = link_in_contact(arm, angles, world)
-    artists = draw_world(world, ax) + draw_robot(arm, angles, ax, palette.FREE_LINK if hit == 0 else palette.HIT)
+    artists = draw_world(world, ax) + draw_robot(arm, angles, ax, ANSWERS[hit])
     base = ax.plot(*arm.base, "s", color=palette.INK, markersize=11, zorder=7)
     ax.set_title(say("figure.link_in_contact", link=hit) if hit else say("figure.no_link_in_contact"), fontsize=palette.TEXT_SIZE)
     return [*artists, *base]
