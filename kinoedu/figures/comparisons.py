@@ -23,11 +23,14 @@ LINES = ("-", "--", "-.", ":")
 WIDE = 20.0  # values whose largest is so many times the smallest are drawn on a logarithmic axis
 
 
-def draw_medians(values: Mapping[str, ArrayLike], ax: Axes | None = None, *, label: str = "") -> list[Artist]:
+def draw_medians(
+    values: Mapping[str, ArrayLike], ax: Axes | None = None, *, label: str = "", colours: int = len(COLOURS)
+) -> list[Artist]:
     """Draw a bar as long as the median of each planner's values (runs,), with a line over the middle half of them, and its number.
 
     Infinite values count neither there nor there: how many of the runs are finite is written beside the number. `label` is what
-    the numbers are. Returns the artists. Raises InvalidPoint.
+    the numbers are. After so many `colours`, at least 1, the first comes again: 2 where two planners take turns on
+    several problems. Returns the artists. Raises InvalidPoint.
 
     >>> artists = draw_medians({"RRT": [12.0, 14.0, np.inf], "PRM": [11.0, 11.5, 12.0]}, label="length")
     >>> plt.close()
@@ -37,10 +40,11 @@ def draw_medians(values: Mapping[str, ArrayLike], ax: Axes | None = None, *, lab
     finite = [given[np.isfinite(given)] for given in runs.values()]
     spreads = np.array([np.quantile(some, (0.25, 0.5, 0.75)) if len(some) else np.full(3, np.nan) for some in finite])
     artists: list[Artist] = []
+    paint = [COLOURS[i % colours % len(COLOURS)] for i in range(len(runs))]
     for i, ((low, median, high), some, given) in enumerate(zip(spreads, finite, runs.values())):
-        artists += ax.barh(i, np.nan_to_num(median), height=0.62, color=COLOURS[i % 6], alpha=0.45)
+        artists += ax.barh(i, np.nan_to_num(median), height=0.62, color=paint[i], alpha=0.45)
         artists += ax.plot([low, high], [i, i], color=palette.INK, linewidth=2.4, solid_capstyle="butt")
-        artists += ax.plot([median, median], [i - 0.31, i + 0.31], color=COLOURS[i % 6], linewidth=3.0, solid_capstyle="butt")
+        artists += ax.plot([median, median], [i - 0.31, i + 0.31], color=paint[i], linewidth=3.0, solid_capstyle="butt")
         place = np.nan_to_num(high)
         artists.append(ax.annotate(number(median, some, given), (place, i), xytext=(6, 0), textcoords="offset points", **TEXT))
     ax.set_yticks(range(len(runs)), list(runs))
