@@ -3,6 +3,8 @@
 import io
 import json
 import os
+import shutil
+import sys
 import zipfile
 from pathlib import Path
 
@@ -239,3 +241,10 @@ def test_the_order_of_a_set_of_words_is_no_matter_of_chance():
         said.append(graded(box, "raise ValueError(hash('kinoedu'))")["cells"][0]["trouble"]["message"])
         box.close()
     assert said[0] == said[1]
+
+
+@needs_sandbox
+def test_a_python_that_is_a_copy_is_shut_in_too(tmp_path, monkeypatch):
+    """In an environment of copies Python is a file that is not in the sandbox; the one that it was copied from is."""
+    monkeypatch.setattr(sys, "executable", shutil.copy(os.path.realpath(sys.executable), tmp_path / "python"))
+    assert sandbox.why_not() == ""

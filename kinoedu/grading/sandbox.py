@@ -155,7 +155,8 @@ class Started(NamedTuple):
 
 def walled(*program: str) -> list[str]:
     """The command that starts a program of Python's in the sandbox, but for more arguments."""
-    return [*walls(), *python(os.path.realpath(sys.executable)), *program]
+    base = getattr(sys, "_base_executable", None) or sys.executable  # that of .venv may be a copy, which is not inside
+    return [*walls(), *python(os.path.realpath(base)), *program]
 
 
 def without_walls() -> list[str]:
