@@ -64,6 +64,15 @@ def test_dijkstra_costs_equal_networkx(case):
     assert sorted(found.expanded) == sorted(expected)
 
 
+@pytest.mark.parametrize("n", [33, 34, 50, 100, 200, 5000])
+def test_dijkstra_reaches_the_end_of_a_tree_of_any_size(n):
+    """Each node waits once, so none waits any more when the last one is expanded; and a star, whose nodes all wait together."""
+    rows = np.stack([np.arange(n - 1), np.arange(1, n)], axis=1)
+    assert np.array_equal(dijkstra(Graph(n, rows, np.ones(n - 1)), 0).cost, np.arange(n))
+    star = dijkstra(Graph(n, [(0, leaf) for leaf in range(1, n)], np.ones(n - 1)), 0)
+    assert star.cost.sum() == n - 1 and star.steps.nodes == n
+
+
 @given(graphs, st.data())
 @settings(derandomize=True, deadline=None, max_examples=200)
 def test_astar_with_any_admissible_estimate_is_optimal(case, data):

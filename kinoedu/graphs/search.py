@@ -103,7 +103,8 @@ def search(graph: Any, start: int, goal: int, estimate: Array) -> tuple[Array, N
     while not done:
         if n == len(expanded):
             expanded = np.append(expanded, expanded)
-        queue = enlarged(queue, degree(graph, first(queue)))
+        else:
+            queue = enlarged(queue, degree(graph, first(queue)))
         n, done = expand(graph, goal, estimate, known, queue, expanded, n)
     looked_at = 0
     for u in expanded[:n]:
