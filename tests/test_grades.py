@@ -15,7 +15,7 @@ from kinoedu.course.exercises import find
 from kinoedu.errors import InvalidParameter
 from kinoedu.grading import sandbox
 from kinoedu.grading.cells_of_csv import harmless, unharmed
-from kinoedu.grading.class_list import Class, Entry, with_earlier, write_class
+from kinoedu.grading.class_list import Class, Entry, read_class, with_earlier, write_class
 from kinoedu.grading.decisions import read_decisions
 from kinoedu.grading.exports import export_canvas, export_csv, export_gradescope
 from kinoedu.grading.feedback_page import file_name, page_name
@@ -97,6 +97,20 @@ def failing() -> dict:
     }
     one["cells"] = [{"cell": 3, "trouble": raised}]
     return one
+
+
+def test_who_was_late_is_told(tmp_path):
+    """In the last column of grades.csv, in the report, where they are counted, and on the student's own page."""
+    of = a_class(tmp_path, {"ann": record(), "bob": record()}, troubles={"cy": "the file is empty"})
+    of = of._replace(entries=[entry._replace(late=entry.student != "ann") for entry in of.entries])
+    write_class(of)
+    write_all(read_class(tmp_path))
+    late = {(row["student"], row["late"]) for row in table(tmp_path / "grades.csv")}
+    assert late == {("ann", ""), ("bob", "late"), ("cy", "late")}
+    report = (tmp_path / "report.html").read_text(encoding="utf-8")
+    assert "2 handed in late." in report and report.count("</a> late") == 2
+    pages = {name: (tmp_path / "feedback" / name / f"{NAME}.html").read_text(encoding="utf-8") for name in ("ann", "bob")}
+    assert ["late" in pages[name].partition("</style>")[2] for name in ("ann", "bob")] == [False, True]
 
 
 def test_cells_of_a_table_are_no_formulas():

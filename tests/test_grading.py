@@ -162,6 +162,24 @@ def test_submissions_are_found_as_they_are_laid_out(tmp_path):
     assert {one.assignment for name, one in found.items() if name not in ("fay", "gil")} == {"01_geometry"}
 
 
+def test_who_was_late_is_known_from_canvas(tmp_path):
+    """From the mark before its file, a notebook or not; a student's own file that is named so says nothing."""
+    for place in (
+        "doecarl_LATE_123_456_01_geometry-2.ipynb",
+        "roeann_124_457_01_geometry.ipynb",
+        "poejim_LATE_125_458_notes.pdf",
+        "leezoe_126_459_01_geometry.zip/poejim_LATE_1_2_01_geometry.ipynb",
+    ):
+        (tmp_path / place).parent.mkdir(exist_ok=True)
+        (tmp_path / place).write_bytes(notebook("x = 1"))
+    assert {one.student: one.late for one in collect(tmp_path)} == {
+        "doecarl_123": True,
+        "roeann_124": False,
+        "poejim_125": True,
+        "leezoe_126": False,
+    }
+
+
 def test_a_zip_of_gradescope_is_read_as_it_was_downloaded(tmp_path):
     """All is in one folder there, and whose each submission is stands beside them."""
     about = "".join(f"submission_{n}:\n  :submitters:\n  - :sid: '{sid}'\n" for n, sid in ((1, "77"), (2, "88")))

@@ -199,6 +199,8 @@ def test_pages_are_the_same_for_the_same_class_and_safe(tmp_path):
     assert not any("score" in column for column in rows[0])
     page = (tmp_path / rows[0]["page"]).read_text(encoding="utf-8")
     assert page.count("<mark>") >= 10
+    shown = [line for line in page.splitlines() if line.startswith("<pre") and line != "<pre></pre>"]
+    assert shown and all(line.startswith('<pre title="') for line in shown)  # a narrow page says above each whose it is
 
 
 def test_the_command_says_where_to_look(tmp_path, capsys):

@@ -134,7 +134,9 @@ def sum_up(of: Any, rows: Any) -> int:
     lost = [entry for entry in of.entries if (entry.student, entry.assignment) in bad]
     unreadable = sum(bad[entry.student, entry.assignment].status == UNREADABLE for entry in lost)
     counts = f"{len(of.entries) - len(lost)} graded, {len(lost) - unreadable} not graded, {unreadable} unreadable"
-    print(f"{counts}; look at {of.out / 'report.html'}; scores are in {of.out / 'grades.csv'}")
+    late = sum(entry.late for entry in of.entries)
+    marked = f", {late} of them handed in late" if late else ""
+    print(f"{counts}{marked}; look at {of.out / 'report.html'}; scores are in {of.out / 'grades.csv'}")
     for entry in lost[:MOST_LISTED]:
         row = bad[entry.student, entry.assignment]
         print(f"  {one_line(f'{entry.student}, {entry.file}: {row.status}: {row.message}')}")

@@ -26,7 +26,7 @@ class Entry(NamedTuple):
 
     file : where it was in `folder`, the folder or zip that was collected, of one assignment where `only` names it. digest : of its
     bytes. key : its result's name; "" where it could not be read, and then `trouble` says why. Where there is a key and no result,
-    `trouble` is the machine's.
+    `trouble` is the machine's. late : Canvas marked the file so.
     """
 
     student: str
@@ -37,6 +37,7 @@ class Entry(NamedTuple):
     digest: str
     key: str
     trouble: str
+    late: bool = False
 
 
 class Class(NamedTuple):
@@ -56,7 +57,8 @@ def entry_of(one: Graded, folder: Path, only: str, secret: bytes) -> Entry:
     """What is kept of a submission."""
     mine, key = one.submission, "" if one.submission.trouble else key_of(one.submission, secret)
     where = (mine.file, str(folder.resolve()), only)
-    return Entry(mine.student, mine.assignment, *where, digest_of(mine), key, "" if one.grade is not None else one.trouble)
+    trouble = "" if one.grade is not None else one.trouble
+    return Entry(mine.student, mine.assignment, *where, digest_of(mine), key, trouble, mine.late)
 
 
 def digest_of(one: Submission) -> str:

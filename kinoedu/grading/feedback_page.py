@@ -47,6 +47,8 @@ def feedback_page(rows: list[Row], record: Grade | None, trouble: str, pictures:
     student, assignment = rows[0].student, rows[0].assignment
     total = totals(rows)[student, assignment]
     body = [paragraph(student, "quiet")]
+    if rows[0].late:
+        body.append(paragraph(say("grades.late")))
     if trouble:
         body += [heading(say("grades.trouble")), paragraph(trouble)]
     if assignment:

@@ -12,7 +12,7 @@ from ..words import say
 from .cells_of_csv import number
 from .class_list import Class, record_of
 from .feedback_page import page_name
-from .pages import heading, page, paragraph, table
+from .pages import breakable, heading, page, paragraph, table
 from .rows import DECIDED, NOT_GRADED, UNREADABLE, Row, Total, totals
 
 TENTHS = 10
@@ -25,15 +25,21 @@ def report_page(of: Class, rows: list[Row]) -> str:
     bad = {row[:2] for row in rows if row.status in (UNREADABLE, NOT_GRADED)}
     counts = {"students": len({row.student for row in rows}), "submissions": len(of.entries)}
     graded = sum((entry.student, entry.assignment) not in bad for entry in of.entries)
-    body = [paragraph(say("grades.report.summary", **counts, graded=graded))]
+    late = {(entry.student, entry.assignment) for entry in of.entries if entry.late}
+    body = [paragraph(say("grades.report.summary", **counts, graded=graded) + late_words(len(late)))]
     body += not_graded(of, rows)
     for name in names:
         body += spread(name, [total for (_, assignment), total in found.items() if assignment == name])
     body += questions(rows)
     body += mistakes(of)
-    body += students(found, names)
+    body += students(found, names, late)
     body += decisions(rows)
     return page(say("grades.report.title"), body)
+
+
+def late_words(count: int) -> str:
+    """How many were late, where any were."""
+    return " " + say("grades.report.late", count=count) if count else ""
 
 
 def not_graded(of: Class, rows: list[Row]) -> Iterator[str]:
@@ -44,7 +50,7 @@ def not_graded(of: Class, rows: list[Row]) -> Iterator[str]:
         yield heading(say("grades.report.not_graded"))
         head = [say(f"grades.report.{key}") for key in ("student", "file", "reason")]
         reasons = [(entry.student, entry.file, f"{row.status}: {entry.trouble or row.message}") for entry, row in found]
-        yield table(head, [map(escape, reason) for reason in reasons])
+        yield table(head, [map(breakable, reason) for reason in reasons])
 
 
 def spread(name: str, found: list[Total]) -> Iterator[str]:
@@ -90,7 +96,7 @@ def questions(rows: list[Row]) -> Iterator[str]:
         shares = [(row.score or 0.0) / row.max_score for row in group]
         answered = sum(row.status != "not answered" for row in scored if (row.assignment, row.question) == (assignment, question))
         full, mean = sum(share >= 1.0 for share in shares) / len(shares), sum(shares) / len(shares)
-        lines.append([escape(assignment), escape(question), f"{answered} / {len(shares)}", f"{full:.0%}", f"{mean:.0%}"])
+        lines.append([breakable(assignment), breakable(question), f"{answered} / {len(shares)}", f"{full:.0%}", f"{mean:.0%}"])
     yield table(head, lines, numbers=3)
 
 
@@ -109,7 +115,8 @@ def mistakes(of: Class) -> Iterator[str]:
     yield paragraph(say("grades.report.mistakes_about"), "quiet")
     head = [say(f"grades.report.{key}") for key in ("question", "mistake", "count")]
     often = sorted(met.items(), key=lambda item: (-item[1], item[0]))
-    yield table(head, [[escape(name), escape(words_of(name, reason)), str(count)] for (name, reason), count in often], numbers=1)
+    lines = [[breakable(name), breakable(words_of(name, reason)), str(count)] for (name, reason), count in often]
+    yield table(head, lines, numbers=1)
 
 
 def words_of(question: str, reason: str) -> str:
@@ -120,15 +127,15 @@ def words_of(question: str, reason: str) -> str:
         return reason
 
 
-def students(found: dict[tuple[str, str], Total], names: list[str]) -> Iterator[str]:
-    """A line for each student, with links to their pages."""
+def students(found: dict[tuple[str, str], Total], names: list[str], late: set[tuple[str, str]]) -> Iterator[str]:
+    """A line for each student, with links to their pages, and what was late."""
     yield heading(say("grades.report.students"))
     lines = []
     for student in sorted({student for student, _ in found}):
-        line = [escape(student)]
+        line = [breakable(student)]
         for name in names:
-            total = found.get((student, name))
-            line.append("" if total is None else f'<a href="{quote(page_name(student, name))}">{total_words(total)}</a>')
+            total, mark = found.get((student, name)), f" {say('grades.late_mark')}" if (student, name) in late else ""
+            line.append("" if total is None else f'<a href="{quote(page_name(student, name))}">{total_words(total)}</a>{mark}')
         lines.append(line)
     yield table([say("grades.report.student"), *names], lines, numbers=len(names))
 
@@ -147,4 +154,4 @@ def decisions(rows: Iterable[Row]) -> Iterator[str]:
     if found:
         yield heading(say("grades.report.decisions"))
         head = [say(f"grades.report.{key}") for key in ("student", "question", "reason", "score")]
-        yield table(head, [[escape(row.student), escape(row.question), escape(row.message), number(row.score)] for row in found], 1)
+        yield table(head, [[*map(breakable, (row.student, row.question, row.message)), number(row.score)] for row in found], 1)

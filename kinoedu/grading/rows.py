@@ -13,11 +13,12 @@ from .grading import Grade
 from .questions import assignment
 
 UNREADABLE, NOT_GRADED, BY_HAND, DECIDED = "unreadable", "not graded", "to grade by hand", "set by hand"
-COLUMNS = ("student", "assignment", "question", "score", "max_score", "status", "message")
+COLUMNS = ("student", "assignment", "question", "score", "max_score", "status", "message", "late")
+LATE = "late"
 
 
 class Row(NamedTuple):
-    """One question of one student; `score` is None as long as there is none."""
+    """One question of one student; `score` is None as long as there is none. late : Canvas marked what was handed in so."""
 
     student: str
     assignment: str
@@ -26,6 +27,7 @@ class Row(NamedTuple):
     max_score: float
     status: str
     message: str
+    late: bool = False
 
 
 def class_rows(of: Class, decisions: Decisions) -> list[Row]:
@@ -41,7 +43,7 @@ def class_rows(of: Class, decisions: Decisions) -> list[Row]:
 def entry_rows(entry: Entry, record: Grade | None) -> list[Row]:
     """The rows of one submission, as the grader has it; where there is trouble, they say which."""
     if not entry.assignment:
-        return [Row(entry.student, "", "", None, 0.0, UNREADABLE, trouble_of(entry, record))]
+        return [Row(entry.student, "", "", None, 0.0, UNREADABLE, trouble_of(entry, record), entry.late)]
     task = assignment(entry.assignment)
     if record is None or record["status"] == UNREADABLE:
         trouble = (trouble_status(entry, record), trouble_of(entry, record))
@@ -49,7 +51,7 @@ def entry_rows(entry: Entry, record: Grade | None) -> list[Row]:
     else:
         told = [(one["question"], one["score"], one["max_score"], one["status"], one["message"]) for one in record["questions"]]
     told += [(name, None, most, BY_HAND, "") for name, most in task.by_hand.items()]
-    return [Row(entry.student, entry.assignment, *rest) for rest in told]
+    return [Row(entry.student, entry.assignment, *rest, entry.late) for rest in told]
 
 
 def trouble_status(entry: Entry, record: Grade | None) -> str:
@@ -109,4 +111,5 @@ def cells(rows: Iterable[Row]) -> Iterator[tuple[str, ...]]:
             number(row.max_score),
             row.status,
             harmless(row.message),
+            LATE if row.late else "",
         )

@@ -2,12 +2,13 @@
 
 from collections.abc import Iterable, Iterator
 from html import escape
+from itertools import repeat
 from pathlib import Path
 
 from ..words import say
 from .cells_of_csv import harmless, number, write_rows
 from .fingerprints import Piece
-from .pages import heading, page, paragraph, table, write_page
+from .pages import breakable, heading, page, paragraph, table, write_page
 from .similar import Likeness, Similar
 
 COLUMNS = ("assignment", "first", "second", "weight", "share_of_first", "share_of_second", "page")
@@ -50,8 +51,8 @@ def summary(of: Similar) -> str:
 def row(pair: tuple[str, Likeness]) -> list[str]:
     """A pair's cells, in HTML."""
     place, one = pair
-    first = f'<a href="{place}">{escape(one.first.name)}</a>'
-    return [first, escape(one.second.name), percent(one.of_first), percent(one.of_second), f"{one.weight:.0f}"]
+    first = f'<a href="{place}">{breakable(one.first.name)}</a>'
+    return [first, breakable(one.second.name), percent(one.of_first), percent(one.of_second), f"{one.weight:.0f}"]
 
 
 def percent(share: float) -> str:
@@ -70,7 +71,7 @@ def pair_page(of: Similar, one: Likeness) -> str:
     body = [paragraph(say("similar.about")), paragraph(shares, "quiet"), '<div class="two">']
     body += [f"<h2>{escape(name)}</h2>" for name in (one.first.name, one.second.name)]
     for pieces in beside(one.first.pieces, one.second.pieces, shared):
-        body += [f"<pre>{marked(piece, shared) if piece is not None else ''}</pre>" for piece in pieces]
+        body += map(shown, pieces, (one.first.name, one.second.name), repeat(shared))
     return page(f"{of.assignment}: {say('similar.title')}", [*body, "</div>"])
 
 
@@ -85,6 +86,11 @@ def beside(first: Iterable[Piece], second: Iterable[Piece], shared: set[int]) ->
             yield piece, partner
     for other in left:
         yield None, other
+
+
+def shown(piece: Piece | None, name: str, shared: set[int]) -> str:
+    """A piece, and whose it is, which a narrow page says above it; or the place where the other program has nothing like it."""
+    return "<pre></pre>" if piece is None else f'<pre title="{escape(name)}">{marked(piece, shared)}</pre>'
 
 
 def marked(piece: Piece, shared: set[int]) -> str:

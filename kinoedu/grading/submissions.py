@@ -20,7 +20,7 @@ from .found import METADATA, Found, files_in
 from .marks import assignment_of, most_marks, shared_marks, unzipped
 from .notebook import MOST_BYTES
 
-CANVAS = re.compile(r"^(?P<student>[^_]+)_(?:late_)?(?P<id>\d+)_\d+_(?P<file>.+)$", re.IGNORECASE)
+CANVAS = re.compile(r"^(?P<student>[^_]+)_(?P<late>late_)?(?P<id>\d+)_\d+_(?P<file>.+)$", re.IGNORECASE)
 MOODLE = re.compile(r"^(?P<student>.+)_(?P<id>\d+)_assignsubmission_(?:file|onlinetext)_?$")
 GRADESCOPE = re.compile(r"^submission_\d+$")
 LONGEST_NAME, MOST_NAMED = 300, 5  # characters of a file's place, files in a sentence
@@ -28,7 +28,8 @@ LONGEST_NAME, MOST_NAMED = 300, 5  # characters of a file's place, files in a se
 
 class Submission(NamedTuple):
     """What a student handed in: the bytes of a notebook, or the trouble with it. `file` is where it was, for people to read.
-    `variants` are the student's own contracts, as pairs of a question and a name, where the class has such.
+    `variants` are the student's own contracts, as pairs of a question and a name, where the class has such. `late` : Canvas marked
+    it so.
     """
 
     student: str
@@ -37,6 +38,7 @@ class Submission(NamedTuple):
     data: bytes
     trouble: str = ""
     variants: tuple[tuple[str, str], ...] = ()
+    late: bool = False
 
 
 def collect(folder: Path, only: str = "", house: Path = HOUSE) -> list[Submission]:
@@ -87,12 +89,18 @@ def submission_of(file: Found, owners: dict[str, str], known: list[str], only: s
     student, name = owner(file.place, owners)
     named, shared = assignment_of(name, file.place, file.data, known), shared_marks(file.data, known)
     marked = most_marks(shared)
+    one = Submission(student, named, where(file), file.data, file.trouble, late=marked_late(file))
     if not marked or not named or shared[named]:
-        return Submission(student, named, where(file), file.data, file.trouble)
+        return one
     if only == marked:
-        return Submission(student, marked, where(file), file.data)
-    wrong = f"it is named like {named}, but its cells are those of {marked}: is it the wrong file?"
-    return Submission(student, named, where(file), file.data, wrong)
+        return one._replace(assignment=marked, trouble="")
+    return one._replace(trouble=f"it is named like {named}, but its cells are those of {marked}: is it the wrong file?")
+
+
+def marked_late(file: Found) -> bool:
+    """Whether Canvas marked a file, as in doejane_LATE_1234_56789_file.ipynb; the other systems mark none."""
+    canvas = CANVAS.match(unzipped(file.place[0]))
+    return canvas is not None and canvas["late"] is not None
 
 
 def where(file: Found) -> str:
@@ -111,7 +119,8 @@ def without_notebook(found: list[Found], have: set[str], owners: dict[str, str],
         if student not in have:
             named = assignment_of(files[0].place[-1], files[0].place, b"", known)
             seen = some_of([where(file) for file in files])
-            lost.append(Submission(student, named, seen, b"", "there is no notebook in what was handed in"))
+            late = any(map(marked_late, files))
+            lost.append(Submission(student, named, seen, b"", "there is no notebook in what was handed in", late=late))
     return lost
 
 
@@ -179,7 +188,8 @@ def without_doubles(submissions: list[Submission]) -> Iterator[Submission]:
             yield from group[: 1 if group[0].assignment else None]
         else:
             files = some_of([one.file for one in group])
-            yield group[0]._replace(data=b"", file=files, trouble=f"handed in more than once, with differences: {files}; leave one")
+            wrong = f"handed in more than once, with differences: {files}; leave one"
+            yield group[0]._replace(data=b"", file=files, trouble=wrong, late=any(one.late for one in group))
 
 
 def some_of(names: list[str]) -> str:
