@@ -9,6 +9,7 @@ import pytest
 from kinoedu.cli import main
 from kinoedu.course import EXERCISES, check
 from kinoedu.course.exercises import find
+from kinoedu.course.exercises.graph_slips import first_in
 from kinoedu.course.judging import attempt, report_on
 from kinoedu.errors import InvalidParameter
 from kinoedu.grading import sandbox
@@ -75,6 +76,16 @@ def test_a_contract_accepts_its_own_and_no_other(name):
         for other in variants:
             report = judged(find(name, other), PROGRAMS[name, mine])
             assert report.is_right == (mine == other), (mine, other, report.failure)
+            if mine != other:  # all that is wrong is the contract, and no misconception is made of that
+                assert (report.failure.verdict.rule, report.failure.slip) == ("contract", "")
+
+
+@pytest.mark.parametrize("variant", ["smallest", "largest"])
+def test_a_tree_by_no_contract_is_no_misconception(variant):
+    """Who takes the parent that comes first misses the contract, and is told nothing else, whichever cases are drawn."""
+    for seed in range(20):
+        report = judged(find("bfs_tree", variant), lambda neighbours, start: first_in(neighbours, start)[0], seed)
+        assert (report.failure.verdict.rule, report.failure.slip) == ("contract", "")
 
 
 @pytest.mark.parametrize("exercise", [one for one in EXERCISES.values() if one.variants], ids=lambda one: one.name)

@@ -39,6 +39,7 @@ class Verdict(NamedTuple):
 
 
 RIGHT = Verdict(1.0)
+CONTRACT = "contract"  # the rule that is broken where an answer is right but for the student's own contract
 
 
 class Slip(NamedTuple):

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from ..time_limit import Bounded, within
-from .exercise import Case, Exercise, ValueExercise, Verdict
+from .exercise import CONTRACT, Case, Exercise, ValueExercise, Verdict
 from .outcomes import Answer, Changed, Late, Outcome, Raised, outcome_of
 from .plain import WrongShape
 from .shapes import Shape, Truth
@@ -105,8 +105,10 @@ def report_on(exercise: Exercise, cases: Iterable[Case], outcomes: Iterable[Outc
 def slip_in(exercise: Exercise, failures: list[Judged], seen: list[Judged]) -> str:
     """The misconception that explains every failure of the first one's kind and half of all, and the most of what was seen.
 
-    A wrong yes or no is explained by many: there it must explain all that was seen.
+    A wrong yes or no is explained by many: there it must explain all that was seen. What is right but for the contract needs none.
     """
+    if failures[0].verdict.rule == CONTRACT:
+        return ""
     first = failures[0].case.kind
     explained = {slip: [explains(exercise, slip.answer, one) for one in failures] for slip in exercise.slips}
     likely = [

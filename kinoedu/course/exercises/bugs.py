@@ -16,7 +16,7 @@ from ...geometry.checks import Array
 from ...geometry.polygons import place
 from ...planners import bug1, bug2, bug_base
 from ...problems import Plan, Walk
-from ..exercise import Case
+from ..exercise import CONTRACT, Case
 from .walks import Departure, WalkExercise, length_of
 
 ME145 = [np.array([(1, 2), (1, 0), (3, 0)], float), np.array([(2, 3), (4, 1), (5, 2)], float)]
@@ -51,6 +51,13 @@ class BugExercise(WalkExercise):
     def exact_walks(self, given: dict[str, Any]) -> list[Array]:
         """Their walks."""
         return [walk_of(plan).points for plan in self.plans(given)]
+
+    def departure(self, given: dict[str, Any], path: Array) -> Departure | None:
+        """The first rule that a path breaks, and where; the contract, where it turned the other way and all else is right."""
+        found = super().departure(given, path)
+        if found is None or not self.variant or type(self)().departure(given, path) is not None:
+            return found
+        return Departure(CONTRACT, found.at)
 
     def random_case(self, rng: np.random.Generator, kind: str, n: int) -> Case:
         """A case among n obstacles, all of which are met on some form of the walk."""

@@ -9,7 +9,7 @@ from ... import graphs
 from ...errors import InvalidGraph
 from ...graphs.bfs import breadth_first
 from ...words import say
-from ..exercise import RIGHT, Case, Slip, ValueExercise, Verdict, spoken
+from ..exercise import CONTRACT, RIGHT, Case, Slip, ValueExercise, Verdict, spoken
 from ..outcomes import Answer, Outcome
 from ..shapes import Listed, Maybe, Record
 from ..whole_shapes import Whole
@@ -82,7 +82,7 @@ class BfsTree(OnGraph):
         """Each reached node's parent has an edge to it, and is one edge nearer to the start; ties go as the contract says."""
         rule = tree_fault(case.given["neighbours"], case.given["start"], value)
         if not rule and self.variant and list(value) != self.truth(case):
-            rule = "contract"
+            rule = CONTRACT
         return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
 
     def truth(self, case: Case) -> Any:
@@ -104,7 +104,7 @@ class BfsTree(OnGraph):
         far = graphs.bfs(as_graph(case.given["neighbours"]), case.given["start"]).cost
         value, wanted = outcome.value if isinstance(outcome, Answer) else None, self.truth(case) if self.variant else None
         draw_tree_answer(self, case, value, far, ax, wanted)
-        if self.judge(case, outcome).rule == "contract":
+        if self.judge(case, outcome).rule == CONTRACT:
             plane.title(self.words("pictures.contract"), ax)
 
 
