@@ -99,6 +99,20 @@ def failing() -> dict:
     return one
 
 
+def test_a_comment_alone_is_said_beside_what_the_grader_says(tmp_path):
+    """On the student's page, whether the answer is right or wrong, in the table and in the report; no score changes."""
+    of = a_class(tmp_path, {"ann": failing()})
+    said = "student,assignment,question,score,comment\nann,{0},point_line_distance,,see <me>\nann,{0},exposing_case,,well done\n"
+    (tmp_path / "overrides.csv").write_text(said.format(NAME), encoding="utf-8")
+    write_all(of)
+    page = (tmp_path / page_name("ann", NAME)).read_text(encoding="utf-8")
+    assert "see &lt;me&gt;" in page and "A rule" in page and "well done" in page
+    report = (tmp_path / "report.html").read_text(encoding="utf-8")
+    assert "see &lt;me&gt;" in report and "well done" in report
+    rows = {row["question"]: (row["score"], row["message"]) for row in table(tmp_path / "grades.csv")}
+    assert (rows["point_line_distance"], rows["exposing_case"]) == (("0", "see <me>"), ("3", "well done"))
+
+
 def test_who_was_late_is_told(tmp_path):
     """In the last column of grades.csv, in the report, where they are counted, and on the student's own page."""
     of = a_class(tmp_path, {"ann": record(), "bob": record()}, troubles={"cy": "the file is empty"})

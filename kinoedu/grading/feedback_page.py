@@ -79,6 +79,8 @@ def section(row: Row, question: Grade | None, pictures: Path) -> Iterator[str]:
     if question is not None and question["status"] != RIGHT:
         if row.status != DECIDED:
             yield paragraph(question["message"])
+            if row.comment:
+                yield paragraph(say("grades.comment", comment=row.comment))
         yield from explained(question, pictures)
     elif row.status == RIGHT:
         yield paragraph(row.message)

@@ -149,8 +149,8 @@ def total_words(total: Total) -> str:
 
 
 def decisions(rows: Iterable[Row]) -> Iterator[str]:
-    """What people decided."""
-    found = [row for row in rows if row.status == DECIDED]
+    """What people decided, and where they only said something, that."""
+    found = [row for row in rows if row.status == DECIDED or row.comment]
     if found:
         yield heading(say("grades.report.decisions"))
         head = [say(f"grades.report.{key}") for key in ("student", "question", "reason", "score")]

@@ -18,7 +18,9 @@ LATE = "late"
 
 
 class Row(NamedTuple):
-    """One question of one student; `score` is None as long as there is none. late : Canvas marked what was handed in so."""
+    """One question of one student; `score` is None as long as there is none. late : Canvas marked what was handed in so.
+    comment : a person's, or "".
+    """
 
     student: str
     assignment: str
@@ -28,6 +30,7 @@ class Row(NamedTuple):
     status: str
     message: str
     late: bool = False
+    comment: str = ""
 
 
 def class_rows(of: Class, decisions: Decisions) -> list[Row]:
@@ -70,10 +73,8 @@ def decided(row: Row, decision: Decision | None) -> Row:
     """A row with what somebody decided."""
     if decision is None:
         return row
-    message = decision.comment or row.message
-    if decision.score is None:
-        return row._replace(message=message)
-    return row._replace(score=decision.score, status=DECIDED, message=message)
+    row = row._replace(message=decision.comment or row.message, comment=decision.comment)
+    return row if decision.score is None else row._replace(score=decision.score, status=DECIDED)
 
 
 class Total(NamedTuple):
