@@ -13,6 +13,7 @@ import pytest
 
 from kinoedu.cli import main
 from kinoedu.grading import sandbox
+from kinoedu.grading.autograder import the_submission
 from kinoedu.grading.questions import assignment
 
 HOUSE = Path(__file__).resolve().parent.parent
@@ -116,6 +117,15 @@ def test_a_submission_is_graded_in_the_sandbox(root):
     ]
     assert told["visibility"] == "visible" and told["stdout_visibility"] == "hidden"
     assert {"score", "output", "visibility", "tests"} <= set(told)
+
+
+def test_the_wrong_file_is_named(tmp_path):
+    """Cells of another assignment under this one's name, as `grade` tells too; cells of none, as another editor writes them, are run."""
+    other = (HOUSE / "solutions" / "02_bug_algorithms.ipynb").read_bytes()
+    for data, told in ((other, "wrong file"), (SOLUTION.read_bytes(), ""), (notebook("x = 1").encode(), "")):
+        (tmp_path / f"{NAME}.ipynb").write_bytes(data)
+        trouble = the_submission(tmp_path, NAME).trouble
+        assert told in trouble and bool(told) == bool(trouble)
 
 
 SPY = """

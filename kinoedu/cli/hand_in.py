@@ -32,5 +32,5 @@ def run_hand_in(arguments: argparse.Namespace) -> int:
 
     zip_file = arguments.out or Path(f"{arguments.file.stem}.zip")
     receipt = hand_in(arguments.file, zip_file, datetime.now(UTC))
-    print(f"{receipt}\nYour zip: {zip_file}. Save the notebook before you pack it; what is not saved is not in it.")
+    print(f"{receipt}\nYour zip: {zip_file}. Nothing was sent: upload it yourself. What you had not saved is not in it.")
     return 0

@@ -57,7 +57,8 @@ def write(house: Path, files: dict[str, str]) -> None:
 def refuse(name: str, lesson: str, house: Path) -> None:
     """Raise InvalidParameter where there can be no such exercise."""
     if not re.fullmatch(r"[a-z][a-z0-9_]{2,50}", name) or keyword.iskeyword(name):
-        raise InvalidParameter(f"an exercise is named like the function it asks for, such as closest_wall; got {name!r}")
+        wanted = "3 to 51 small letters, digits and _, such as closest_wall"
+        raise InvalidParameter(f"an exercise is named like the function it asks for, by {wanted}; got {name!r}")
     if not re.fullmatch(r"\d\d_[a-z0-9_]+", lesson):
         raise InvalidParameter(f"a lesson is named like 14_walls: two digits and a word or more; got {lesson!r}")
     if not (house / TEMPLATES).is_dir():

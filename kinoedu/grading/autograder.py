@@ -20,7 +20,7 @@ from .exports import gradescope_results
 from .failures import told_of
 from .found import files_in
 from .grading import RIGHT, Grade
-from .marks import assignment_of
+from .marks import assignment_of, marks_in, shared_marks
 from .questions import assignment
 from .rows import Row
 from .running import grade_all, local
@@ -67,7 +67,10 @@ def the_submission(folder: Path, name: str) -> Submission:
     mine = [file for file in found if assignment_of(file.place[-1], file.place, file.data, [name])] or found
     if not mine:
         return Submission("", name, "", b"", say("gradescope.nothing", name=name))
-    return next(without_doubles([Submission("", name, "/".join(file.place), file.data, file.trouble) for file in mine]))
+    one = next(without_doubles([Submission("", name, "/".join(file.place), file.data, file.trouble) for file in mine]))
+    if marks_in(one.data) and not any(shared_marks(one.data, [name]).values()):
+        return one._replace(trouble=say("gradescope.wrong_file", name=name))
+    return one
 
 
 def results_of(name: str, record: Grade | None, trouble: str) -> Results:

@@ -24,12 +24,17 @@ def shared_marks(data: bytes, known: list[str]) -> dict[str, int]:
     """How many questions of each assignment stand in a notebook's marks."""
     from .questions import assignment
 
+    marks = marks_in(data)
+    return {name: sum(asked.exercise.name in marks for asked in assignment(name).questions) for name in known} if marks else {}
+
+
+def marks_in(data: bytes) -> set[str]:
+    """The names that nbgrader gave a notebook's cells; none where it cannot be read, or was made elsewhere."""
     try:
         cells = notebook_in(data)["cells"]
-        marks = {cell["metadata"]["nbgrader"]["grade_id"] for cell in cells if "nbgrader" in cell.get("metadata", {})}
+        return {cell["metadata"]["nbgrader"]["grade_id"] for cell in cells if "nbgrader" in cell.get("metadata", {})}
     except (UnreadableSubmission, KeyError, TypeError, AttributeError):
-        return {}
-    return {name: sum(asked.exercise.name in marks for asked in assignment(name).questions) for name in known}
+        return set()
 
 
 def most_marks(shared: dict[str, int]) -> str:
