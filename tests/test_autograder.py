@@ -120,7 +120,7 @@ def test_a_submission_is_graded_in_the_sandbox(root):
 
 
 def test_the_wrong_file_is_named(tmp_path):
-    """Cells of another assignment under this one's name, as `grade` tells too; cells of none, as another editor writes them, are run."""
+    """Cells of another assignment under this one's name, as `grade` tells too; cells without any marks are run."""
     other = (HOUSE / "solutions" / "02_bug_algorithms.ipynb").read_bytes()
     for data, told in ((other, "wrong file"), (SOLUTION.read_bytes(), ""), (notebook("x = 1").encode(), "")):
         (tmp_path / f"{NAME}.ipynb").write_bytes(data)

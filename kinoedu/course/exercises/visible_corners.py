@@ -1,6 +1,7 @@
 """The exercise on visibility roadmaps. Bullo & Smith, chapter 5; LaValle, section 6.2.4."""
 
 from collections.abc import Iterator
+from itertools import combinations
 from typing import Any
 
 import numpy as np
@@ -14,7 +15,7 @@ from ..outcomes import Answer, Outcome
 from ..shapes import Listed, Numbers, Record, Together
 from ..whole_shapes import WholeNumbers
 from .connection_rules import titled
-from .hall_worlds import WALL, bends, hall, random_obstacles
+from .hall_worlds import GOAL, START, WALL, bends, hall, random_obstacles
 from .joining import allowed, are_pairs
 from .planned import Task
 from .sweeping import RING
@@ -100,13 +101,13 @@ class VisibleCorners(ValueExercise):
         yield seen_case("several", [WALL, TENT * 0.4 + (8, 5.5)])
         for i in range(12):
             shift, turned = rng.integers(-2, 3, 2), int(rng.integers(6))
-            yield seen_case("one", random_obstacles(rng, 1))
-            bays = random_obstacles(rng, 1, convex=False)
+            yield seen_case("one", without_doubt(rng, 1))
+            bays = without_doubt(rng, 1, convex=False)
             while (bends(bays[0]) > 0).all():
-                bays = random_obstacles(rng, 1, convex=False)
+                bays = without_doubt(rng, 1, convex=False)
             yield seen_case("bay", bays)
             yield seen_case("straight", [np.roll(BENT_BOX + shift, turned, axis=0)])
-            yield seen_case("several", random_obstacles(rng, 2 + i // 4, convex=bool(i % 2)))
+            yield seen_case("several", without_doubt(rng, 2 + i // 4, convex=bool(i % 2)))
 
     def same(self, value: Any, truth: Any) -> bool:
         """The same nodes in any order, start and goal excepted, and the same edges between them."""
@@ -154,6 +155,23 @@ def seen_case(kind: str, obstacles: list[Array]) -> Case:
     problem = hall(*obstacles)
     problem.is_semi_free_path(problem.start, problem.goal)
     return Case(kind, {"problem": problem, "obstacles": [np.array(ring, float) for ring in obstacles]})
+
+
+def without_doubt(rng: np.random.Generator, n: int, *, convex: bool = True) -> list[Array]:
+    """Obstacles by chance, of whose vertices, start and goal no three are in line: with two decimals such are in line on paper, and
+    miss that in the computer by less than a motion's judge can see.
+    """
+    rings = random_obstacles(rng, n, convex=convex)
+    while is_in_line(np.vstack([START, GOAL, *rings])):
+        rings = random_obstacles(rng, n, convex=convex)
+    return rings
+
+
+def is_in_line(points: Array) -> bool:
+    """Whether three of some points are, but for rounding."""
+    a, b, c = (points[at] for at in np.array(list(combinations(range(len(points)), 3))).T)
+    (ux, uy), (vx, vy) = (b - a).T, (c - a).T
+    return bool((np.abs(ux * vy - uy * vx) < 1e-9).any())
 
 
 def placed(found: Array, nodes: Array) -> list[int] | None:
