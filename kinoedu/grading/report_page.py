@@ -134,7 +134,7 @@ def students(found: dict[tuple[str, str], Total], names: list[str], late: set[tu
     for student in sorted({student for student, _ in found}):
         line = [breakable(student)]
         for name in names:
-            total, mark = found.get((student, name)), f" {say('grades.late_mark')}" if (student, name) in late else ""
+            total, mark = found.get((student, name)), " " + say("grades.late_mark") if (student, name) in late else ""
             line.append("" if total is None else f'<a href="{quote(page_name(student, name))}">{total_words(total)}</a>{mark}')
         lines.append(line)
     yield table([say("grades.report.student"), *names], lines, numbers=len(names))
