@@ -120,7 +120,7 @@ class RrtOnTerrain(TerrainPlanner):
 
     def asked(self, kind: str, problem: Asked, rng: int) -> Case:
         """Fewer failures where there is no way: a tree that nothing stops grows for ever."""
-        failures = 40 if kind == "sealed" else FAILURES
+        failures = 80 if kind == "sealed" else FAILURES
         tuning = {"step": STEP, "spacing": SPACING, "goal_bias": 0.5, "failures": failures}
         return Case(kind, {"problem": problem, **tuning, "rng": rng})
 
