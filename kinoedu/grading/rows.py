@@ -13,8 +13,7 @@ from .grading import Grade
 from .questions import assignment
 
 UNREADABLE, NOT_GRADED, BY_HAND, DECIDED = "unreadable", "not graded", "to grade by hand", "set by hand"
-COLUMNS = ("student", "assignment", "question", "score", "max_score", "status", "message", "late")
-LATE = "late"
+COLUMNS = ("student", "assignment", "question", "score", "max_score", "status", "message")
 
 
 class Row(NamedTuple):
@@ -112,5 +111,4 @@ def cells(rows: Iterable[Row]) -> Iterator[tuple[str, ...]]:
             number(row.max_score),
             row.status,
             harmless(row.message),
-            LATE if row.late else "",
         )
