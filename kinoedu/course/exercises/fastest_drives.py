@@ -8,24 +8,29 @@ from numpy.typing import NDArray
 
 from ... import graphs
 from ...geometry.checks import Array
+from ...planners import dijkstra_path
 from ...planners.kinodynamic_prm import searched
+from ...planners.roadmap_search import Search
 from ..exercise import RIGHT, Case, Slip, ValueExercise, Verdict, spoken
 from ..outcomes import Answer, Outcome
 from ..shapes import Maybe, Numbers, Record
 from ..whole_shapes import Whole, WholeNumbers
+from .graph_slips import fewest_edges
 from .random_graphs import SIZES, random_rows
 
 Pairs = NDArray[np.int64]
 Way = list[int] | None
 
 
-def way_by(weights: Callable[[Array, Array], Array], *, directed: bool = True) -> Callable[..., Way]:
+def way_by(
+    weights: Callable[[Array, Array], Array], *, directed: bool = True, search: Search = dijkstra_path
+) -> Callable[..., Way]:
     """A program that finds the lightest way from node 0 to one of the ends, by weights of controls (m, 2) and durations (m,)."""
 
     def find(n: int, edges: Pairs, controls: Array, durations: Array, ends: Pairs) -> Way:
         pairs, heavy = np.reshape(edges, (-1, 2)), weights(np.reshape(controls, (-1, 2)), np.asarray(durations, float))
         graph = graphs.Graph(n, pairs, heavy, directed=directed)
-        ways = [path.tolist() for path in (graphs.astar(graph, 0, int(end))[0] for end in ends) if path is not None]
+        ways = [path.tolist() for path in (search(graph, 0, int(end)) for end in ends) if path is not None]
         return min(ways, key=lambda way: lasts(way, pairs, heavy, directed), default=None)
 
     return find
@@ -93,7 +98,7 @@ class FastestDrive(ValueExercise):
     slips = (
         Slip("undirected", way_by(by_time, directed=False)),
         Slip("length", way_by(lambda controls, durations: np.abs(controls[:, 0]) * durations)),
-        Slip("fewest", way_by(lambda controls, durations: np.ones(len(durations)))),
+        Slip("fewest", way_by(lambda controls, durations: np.ones(len(durations)), search=fewest_edges)),
         Slip("first_end", lambda n, edges, controls, durations, ends: fastest(n, edges, controls, durations, ends[:1])),
         Slip("against", lambda n, edges, *others: fastest(n, np.reshape(edges, (-1, 2))[:, ::-1], *others)),
         Slip("doubles", last_of_doubles),

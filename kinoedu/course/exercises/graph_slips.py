@@ -4,6 +4,10 @@ from collections.abc import Callable
 from math import inf
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
+from ...graphs import Graph
 from .random_graphs import Neighbours, Weights
 
 Answer = Callable[..., Any]
@@ -152,6 +156,13 @@ def best_path(neighbours: Neighbours, weights: Weights, estimate: list[float], s
     parent = best_first(neighbours, weights, start, goal, estimate=estimate, **how)[1]
     path = followed(parent, goal)
     return path if path and path[0] == start else None
+
+
+def fewest_edges(graph: Graph, start: int, goal: int) -> NDArray[np.int64] | None:
+    """A path of the fewest edges; of several that which a heap of costs and nodes leads to, where the lesser number goes first."""
+    neighbours = [graph.neighbours(u).tolist() for u in range(graph.size)]
+    path = best_path(neighbours, [[1] * len(row) for row in neighbours], [0.0] * graph.size, start, goal)
+    return None if path is None else np.array(path, np.int64)
 
 
 def lightest_first(neighbours: Neighbours, weights: Weights, start: int) -> list[float]:

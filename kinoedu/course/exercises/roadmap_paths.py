@@ -8,12 +8,14 @@ from numpy.typing import NDArray
 
 from ... import graphs
 from ...geometry.checks import Array
+from ...planners import dijkstra_path
 from ...words import say
 from ..exercise import RIGHT, Case, Slip, ValueExercise, Verdict, spoken
 from ..outcomes import Answer, Outcome
 from ..shapes import Maybe, Number, Numbers, Record, Together
 from ..whole_shapes import Whole, WholeNumbers
 from .connection_rules import titled
+from .graph_slips import fewest_edges
 from .random_graphs import random_rows
 
 Pairs = NDArray[np.int64]
@@ -28,8 +30,16 @@ def shortest(nodes: Array, edges: Pairs, start: int, goal: int) -> Way:
 
 def along(nodes: Array, edges: Pairs, weights: Array, start: int, goal: int, *, directed: bool = False) -> Way:
     """A path of the least weight and its length, (None, inf) where there is none."""
-    graph = graphs.Graph(len(nodes), edges, weights, directed=directed)
-    path, _ = graphs.astar(graph, start, goal)
+    return measured(nodes, dijkstra_path(graphs.Graph(len(nodes), edges, weights, directed=directed), start, goal))
+
+
+def fewest(nodes: Array, edges: Pairs, start: int, goal: int) -> Way:
+    """A path of the fewest edges and its length."""
+    return measured(nodes, fewest_edges(graphs.Graph(len(nodes), edges), start, goal))
+
+
+def measured(nodes: Array, path: Pairs | None) -> Way:
+    """A path and its length."""
     if path is None:
         return None, np.inf
     return path.tolist(), float(lengths(nodes, np.column_stack([path[:-1], path[1:]])).sum())
@@ -67,7 +77,7 @@ class ShortestPath(ValueExercise):
     reference = staticmethod(shortest)
     source = staticmethod(shortest)
     slips = (
-        Slip("fewest", lambda nodes, edges, s, g: along(nodes, edges, np.ones(len(edges)), s, g)),
+        Slip("fewest", fewest),
         Slip("counted", summed_otherwise(lambda nodes, edges: np.ones(len(edges)))),
         Slip("squared", summed_otherwise(lambda nodes, edges: lengths(nodes, edges) ** 2)),
         Slip("one_way", lambda nodes, edges, s, g: along(nodes, edges, lengths(nodes, edges), s, g, directed=True)),
