@@ -62,8 +62,11 @@ def test_a_pulled_tip_moves_q_and_stays_within_reach(arm):
 def test_a_pulled_elbow_turns_link_1_alone(arm):
     """The second angle stays."""
     workspace, square = arm
+    before = numbers(square.label("handle-0"))
     workspace.drag("handle-0", -30, -60)
     square.until("!told.startsWith('θ₁ = 34°') && told.includes('θ₂ = 17°')")
+    after = numbers(square.label("handle-0"))
+    assert after[0] != before[0] and after[1] == before[1]
 
 
 def test_keys_turn_joints_and_cross_the_side_of_the_square(arm):
@@ -91,6 +94,8 @@ def test_q_is_dragged_across_a_side(arm):
     square.drag("handle-0", 0, box["y"] + box["height"] - y + 10)
     square.until("/θ₂ = 1[0-9][0-9]°/.test(told)")
     workspace.until("/q = \\(0.6., [23]/.test(told)")
+    _, above = numbers(square.label("handle-0"))
+    assert math.pi / 2 < above < math.pi
 
 
 def test_a_dragged_obstacle_repaints_the_square_live(arm):

@@ -5,40 +5,33 @@ from typing import Any
 import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
-from numpy.typing import ArrayLike
 
 from ..geometry.checks import Array
 from ..problems import Plan
+from ..spaces.angles import nearest_turn
 from . import palette
 from .arms import torus_axes
 from .drawing import draw_edges
-
-FULL = 2.0 * np.pi
 
 
 def draw_torus_roadmap(plan: Plan, ax: Axes | None = None) -> list[Artist]:
     """Draw the roadmap and the path of a two-link arm by its angles, -pi to pi. Returns the artists."""
     ax = torus_axes(ax)
-    nodes, edges = wrapped(plan.roadmap.nodes), plan.roadmap.edges
+    nodes, edges = nearest_turn(plan.roadmap.nodes), plan.roadmap.edges
     artists = draw_edges(unrolled(nodes[edges[:, 0]], nodes[edges[:, 1]]), ax, palette.ROADMAP, width=0.8, zorder=3)
     artists += ax.plot(*nodes.T, ".", color=palette.TREE, markersize=5, zorder=3.5)
     if plan.path is not None:
-        path = wrapped(plan.path)
+        path = nearest_turn(plan.path)
         artists += draw_edges(unrolled(path[:-1], path[1:]), ax, palette.INK, width=5.0, zorder=4)
         artists += draw_edges(unrolled(path[:-1], path[1:]), ax, palette.PATH, width=3.0, zorder=5)
-    ends: Any = wrapped([plan.problem.start, plan.problem.goal])
+    ends: Any = nearest_turn(np.array([plan.problem.start, plan.problem.goal]))
     for q, colour, marker in zip(ends, (palette.START, palette.GOAL), "o*"):
         artists += ax.plot(*q, marker, color=colour, markersize=13, markeredgecolor="white", zorder=7)
     return artists
 
 
-def wrapped(angles: ArrayLike) -> Array:
-    """The same directions from -pi to pi, as the square shows them."""
-    return np.mod(np.asarray(angles, float) + np.pi, FULL) - np.pi
-
-
 def unrolled(a: Array, b: Array) -> Array:
     """The shorter ways from a to b, (k, 2, 2); those that leave the square once more, as they come in on the other side."""
-    way = np.mod(b - a + np.pi, FULL) - np.pi
+    way = nearest_turn(b - a)
     out, back = np.stack([a, a + way], axis=1), np.stack([b - way, b], axis=1)
     return np.concatenate([out, back[np.abs(out[:, 1] - b).max(axis=1) > 1e-9]])

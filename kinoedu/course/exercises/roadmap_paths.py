@@ -39,7 +39,7 @@ def fewest(nodes: Array, edges: Pairs, start: int, goal: int) -> Way:
 
 
 def measured(nodes: Array, path: Pairs | None) -> Way:
-    """A path and its length."""
+    """A path, as node numbers, and its length; (None, inf) for none."""
     if path is None:
         return None, np.inf
     return path.tolist(), float(lengths(nodes, np.column_stack([path[:-1], path[1:]])).sum())
