@@ -8,18 +8,21 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from scipy.ndimage import distance_transform_cdt
 from test_collision import BOX, ExactWorld, exact_worlds, whole
 from test_geometry import SLOW_LAW, exact, place_exactly, shared_exactly
 
 from kinoedu import Disk, Point, PolygonWorld, Terrain
 from kinoedu.collision import coordinates, free_configurations, free_motions, is_free, is_free_path
+from kinoedu.collision.batches import judge_motions
 from kinoedu.errors import InvalidParameter, InvalidPoint, InvalidPolygon
 from kinoedu.geometry import convex_hull, convex_pairs_intersect, convex_polygons_intersect
 from kinoedu.geometry.convex_pairs import convex_turn
-from kinoedu.worlds.known_cells import FINE, FREE, MIXED, SOLID
+from kinoedu.worlds.known_cells import ALONG, FREE, MIXED, MOST, RIM, SOLID, measure_reach, nothing_known
 
 TRIANGLE, SQUARE = [(0, 0), (2, 0), (0, 2)], [(1, 1), (2, 1), (2, 2), (1, 2)]
 WORLD = PolygonWorld(BOX, [[(1, 1), (3, 1), (3, 3), (1, 3)], [(5, 5), (20, 5), (12, 20)], ((-8, -8), 3)])
+UNKNOWN = WORLD._replace(known=nothing_known())  # the same, every question judged
 NONE = np.empty((0, 2))
 
 
@@ -63,12 +66,37 @@ def test_points_are_located_at_any_scale(size: float, shift: float) -> None:
 def test_what_is_known_of_a_cell_is_true_of_its_points() -> None:
     """Many points of each kind of cell; most cells are known."""
     rng = np.random.default_rng(2)
-    cells, known = WORLD.cells, WORLD.known
-    assert known.shape == (FINE * cells.rows, FINE * cells.columns)
-    assert (known == MIXED).mean() < 0.5 and {FREE, SOLID} <= set(known.ravel().tolist())
-    for j, i in np.argwhere(known != MIXED).tolist():
-        qs = np.array([cells.x, cells.y]) + (np.array([i, j]) + rng.uniform(0, 1, (5, 2))) * cells.cell / FINE
-        assert (free_motions(Point(), WORLD, qs, qs[::-1]) == (known[j, i] == FREE)).all()
+    known = WORLD.known
+    assert ALONG / 2 < max(known.reach.shape) <= ALONG and known.reach.shape[0] % WORLD.cells.rows == 0
+    assert np.isin(known.reach, (MIXED, RIM)).mean() < 0.5 and {FREE, FREE + 1, MIXED, RIM, SOLID} <= set(known.reach.flat)
+    for j, i in np.argwhere((known.reach >= FREE) | (known.reach == SOLID)).tolist():
+        qs = np.array([known.x, known.y]) + (np.array([i, j]) + rng.uniform(0, 1, (5, 2))) * known.side
+        assert (free_motions(Point(), UNKNOWN, qs, qs[::-1]) == (known.reach[j, i] >= FREE)).all()
+
+
+def test_the_reach_of_a_cell_is_its_distance_to_what_is_not_free() -> None:
+    """In moves of a chess king, off the grid too; and never more than a small number can hold."""
+    free = np.pad(WORLD.known.reach >= FREE, 1)
+    assert (np.maximum(WORLD.known.reach, 0) == distance_transform_cdt(free, "chessboard")[1:-1, 1:-1]).all()
+    wide = np.pad(np.full((298, 299), FREE, np.int8), 1)
+    measure_reach(wide)
+    assert wide.max() == wide[150, 150] == MOST and wide[10, 150] == 10 and wide[150, -3] == 2
+
+
+@pytest.mark.parametrize("robot", [Point(), Disk(0.05), Disk(1.7)])
+def test_what_is_known_changes_no_answer(robot: Any) -> None:
+    """Motions anywhere, and such as run along the cells' sides and through their corners; interpreted, too."""
+    rng, known = np.random.default_rng(5), WORLD.known
+    corners = np.array([known.x, known.y]) + rng.integers(0, known.reach.shape[::-1], (4000, 2, 2)) * known.side
+    near = corners + rng.choice([0.0, 0.0, 1e-15, -1e-15, 1e-9, 0.5, 2.0], corners.shape) * known.side
+    anywhere = rng.uniform(WORLD.lo, WORLD.hi, (4000, 2, 2))
+    vertices = rng.choice(WORLD.edges[:, :2], (2000, 2))
+    for ends in (near, anywhere, vertices, np.concatenate([anywhere[:2000, :1], vertices[:, 1:]], axis=1)):
+        a, b = ends[:, 0].copy(), ends[:, 1].copy()
+        free = free_motions(robot, WORLD, a, b)
+        assert (free == free_motions(robot, UNKNOWN, a, b)).all()
+        assert (free_configurations(robot, WORLD, a) == free_motions(robot, UNKNOWN, a, a)).all()
+        assert (free[:40] == judge_motions.py_func(robot, WORLD, a[:40], b[:40], 0.0)).all()
 
 
 def test_a_readers_own_robot_is_asked_by_the_interpreter() -> None:

@@ -8,7 +8,7 @@ from ..geometry.exact import height, length, turn
 from ..geometry.parts import segment_part_distance
 from ..geometry.segments import segment_distance, shared_points
 from ..robots.round import RoundRobot
-from ..worlds.known_cells import FREE, SOLID, known_at
+from ..worlds.known_cells import FREE, RIM, SOLID, known_at, known_between
 from ..worlds.parts_index import motion_touches_any, point_touches_any
 from ..worlds.polygon_world import PolygonWorldRecord
 from .asks import is_free, is_free_path, is_semi_free_path
@@ -20,24 +20,26 @@ ROUND = 1e-12  # contact of what is round is decided to this share of its radius
 def round_among_polygons(robot: RoundRobot, world: PolygonWorldRecord, a: Array, b: Array, clearance: float) -> bool:
     """Both ends inside the hull of the boundary, and no part touched on the way. A point's motion is judged exactly."""
     radius = robot.radius + clearance
-    at_a, at_b = what_is_known(world, a), what_is_known(world, b)
-    return (
-        at_a != SOLID
-        and at_b != SOLID
-        and ((at_a == FREE and radius == 0.0) or is_inside(a, radius, world.hull))
-        and ((at_b == FREE and radius == 0.0) or is_inside(b, radius, world.hull))
-        and not motion_touches_any(a[0], a[1], b[0], b[1], radius, world.obstacles, world.cells)
-    )
+    if not (is_in_box(a, world) and is_in_box(b, world)):
+        return False
+    found = known_between(a[0], a[1], b[0], b[1], radius, world.known)
+    if found in (FREE, SOLID):
+        return found == FREE
+    if (found == RIM or radius > 0.0) and not (is_inside(a, radius, world.hull) and is_inside(b, radius, world.hull)):
+        return False
+    return not motion_touches_any(a[0], a[1], b[0], b[1], radius, world.obstacles, world.cells)
 
 
 @is_free.register(RoundRobot, PolygonWorldRecord)
 def round_in_place(robot: RoundRobot, world: PolygonWorldRecord, q: Array, clearance: float) -> bool:
-    """A motion that stays where it is; but for most places of a point the answer is known, and for others its cell has it."""
-    at_q, radius = what_is_known(world, q), robot.radius + clearance
-    if at_q == SOLID or (at_q == FREE and radius == 0.0):
-        return at_q == FREE
-    x, y = q[0], q[1]
-    if not is_inside(q, radius, world.hull):
+    """A motion that stays where it is; but of a point its cell has the answer."""
+    x, y, radius = q[0], q[1], robot.radius + clearance
+    if not is_in_box(q, world):
+        return False
+    found = known_at(x, y, radius, world.known)
+    if found in (FREE, SOLID):
+        return found == FREE
+    if (found == RIM or radius > 0.0) and not is_inside(q, radius, world.hull):
         return False
     if radius == 0.0:
         return not point_touches_any(x, y, world.obstacles, world.cells)
@@ -45,12 +47,9 @@ def round_in_place(robot: RoundRobot, world: PolygonWorldRecord, q: Array, clear
 
 
 @inlined
-def what_is_known(world: PolygonWorldRecord, q: Array) -> int:
-    """Whether a point is known to be FREE, or SOLID as is all outside the bounding box; MIXED where it has to be looked at."""
-    x, y = q[0], q[1]
-    if not (world.lo[0] < x < world.hi[0] and world.lo[1] < y < world.hi[1]):
-        return SOLID
-    return known_at(x, y, world.known, world.cells)
+def is_in_box(q: Array, world: PolygonWorldRecord) -> bool:
+    """Whether a point is strictly inside the world's bounding box."""
+    return world.lo[0] < q[0] < world.hi[0] and world.lo[1] < q[1] < world.hi[1]
 
 
 @inlined

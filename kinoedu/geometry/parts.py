@@ -90,7 +90,7 @@ def segment_meets_part(ax: float, ay: float, bx: float, by: float, parts: Parts,
         left += side > 0
         right += side < 0
         px, py, qx, qy = points[last, 0], points[last, 1], points[k, 0], points[k, 1]
-        if turn(px, py, qx, qy, ax, ay) < 0 and turn(px, py, qx, qy, bx, by) < 0:
+        if max(turn(px, py, qx, qy, ax, ay), turn(px, py, qx, qy, bx, by)) < 0:
             return False
         last = k
     return left < end - begin and right < end - begin

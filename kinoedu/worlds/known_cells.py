@@ -1,64 +1,141 @@
-"""Small cells known to be wholly free or wholly solid: most points of a world are located by looking up one of them.
+"""Small cells known to be wholly free or wholly solid: most questions are answered by looking up a few of them.
 
-Source: the bucket methods of F. P. Preparata and M. I. Shamos, "Computational Geometry" (1985), section 2.2.
+A free cell also knows how far freedom reaches round it, in cells; a motion that stays within that is free without a look at any
+obstacle. What is left, near the obstacles' edges, has to be judged exactly.
+
+Source: the bucket methods of F. P. Preparata and M. I. Shamos, "Computational Geometry" (1985), section 2.2; for the reach,
+A. Rosenfeld and J. L. Pfaltz, "Sequential operations in digital picture processing" (1966).
 """
+
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..compiled import body, compiled, inlined
 from ..geometry.checks import Array
-from ..geometry.exact import turn
+from ..geometry.exact import length, turn
 from ..geometry.parts import Parts
 from .parts_index import MARGIN, PartsIndex, clip
 
-MIXED, FREE, SOLID = 0, 1, 2
-FINE = 8  # small cells along the side of a cell of the index
-NOTHING = np.zeros((0, 0), np.int8)
+SOLID, RIM, MIXED, FREE = -2, -1, 0, 1
+ALONG = 600  # so many small cells at most along the longer side of a world
+MOST = 127  # of an int8
+PIECES = 4  # of a motion that are looked up one by one
 FAR, SMALL = 1e9, 1e-290  # farther out for its size, or smaller, rounding is no longer small beside a margin: nothing is known
 
 
-def known_cells(hull: Array, parts: Parts, cells: PartsIndex, lo: Array, hi: Array) -> NDArray[np.int8]:
-    """What each small cell wholly is, shape (FINE * rows, FINE * columns): FREE inside the hull and off all parts, SOLID, or MIXED.
+class KnownCells(NamedTuple):
+    """Cell (i, j) covers (x, y) + (i, j) * side, with per_unit = 1 / side; reach[j, i] is what it wholly is.
 
-    A cell counts with a margin round it, so that rounding cannot carry a point to a cell which it does not belong to. Empty for
+    SOLID, or how far it is FREE: 1 if the cell itself is and a neighbour is not, 2 if all its eight neighbours are too, and so on.
+    MIXED where neither is known, RIM if not even that the cell is inside the world's hull. No cells at all where nothing is known.
+    """
+
+    x: float
+    y: float
+    side: float
+    per_unit: float
+    reach: NDArray[np.int8]
+
+
+def known_cells(hull: Array, parts: Parts, cells: PartsIndex, lo: Array, hi: Array) -> KnownCells:
+    """The small cells of a world: the cells of the index, halved and halved again as long as they are not too many.
+
+    A cell counts with a margin round it, so that rounding cannot carry a point to a cell which it does not belong to. No cells for
     worlds too far out or too small to be cut up so.
     """
     size = (hi - lo).max()
     if size < SMALL or np.abs([lo, hi]).max() > FAR * size:
-        return NOTHING
-    known = np.empty((FINE * cells.rows, FINE * cells.columns), np.int8)
-    fill_known_cells(known, hull, parts, cells)
+        return nothing_known()
+    fine = 2 ** max(int(np.log2(ALONG / max(cells.rows, cells.columns))), 0)
+    reach = np.full((fine * cells.rows, fine * cells.columns), RIM, np.int8)
+    known = KnownCells(cells.x, cells.y, cells.cell / fine, fine / cells.cell, reach)
+    fill_known_cells(known, fine, hull, parts, cells)
+    measure_reach(known.reach)
     return known
 
 
+def nothing_known() -> KnownCells:
+    """No cells."""
+    return KnownCells(0.0, 0.0, 1.0, 1.0, np.zeros((0, 0), np.int8))
+
+
 @body
-def fill_known_cells(known: NDArray[np.int8], hull: Array, parts: Parts, cells: PartsIndex) -> None:
-    """Judge the small cells by the hull and by the parts that the index names there."""
-    side = cells.cell / FINE
-    for j in range(known.shape[0]):
-        for i in range(known.shape[1]):
-            x0, x1 = cells.x + (i - MARGIN) * side, cells.x + (i + 1.0 + MARGIN) * side
-            y0, y1 = cells.y + (j - MARGIN) * side, cells.y + (j + 1.0 + MARGIN) * side
-            found = FREE if box_in_polygon(x0, y0, x1, y1, hull, 0, len(hull)) == SOLID else MIXED
-            cell = j // FINE * cells.columns + i // FINE
-            for entry in range(cells.first[cell], cells.first[cell + 1]):
-                part = box_in_part(x0, y0, x1, y1, parts, cells.parts[entry], cells.boxes)
-                found = MIXED if part == MIXED else found
-                if part == SOLID:
-                    found = SOLID
-                    break
-            known[j, i] = found
+def fill_known_cells(known: KnownCells, fine: int, hull: Array, parts: Parts, cells: PartsIndex) -> None:
+    """Judge cells of the index, then their quarters where that does not tell, and so on down to the small cells."""
+    size = fine
+    while size > 0:
+        for j in range(0, known.reach.shape[0], size):
+            for i in range(0, known.reach.shape[1], size):
+                if known.reach[j, i] == MIXED or known.reach[j, i] == RIM:
+                    known.reach[j : j + size, i : i + size] = judged_block(
+                        i, j, size, known, j // fine * cells.columns + i // fine, hull, parts, cells
+                    )
+        size //= 2
+
+
+@compiled
+def judged_block(i: int, j: int, size: int, known: KnownCells, cell: int, hull: Array, parts: Parts, cells: PartsIndex) -> int:
+    """What size * size small cells wholly are, with the margin of one: by the hull, and by the parts in their cell of the index."""
+    x0, x1 = known.x + (i - MARGIN) * known.side, known.x + (i + size + MARGIN) * known.side
+    y0, y1 = known.y + (j - MARGIN) * known.side, known.y + (j + size + MARGIN) * known.side
+    inside = known.reach[j, i] == MIXED or box_in_polygon(x0, y0, x1, y1, hull, 0, len(hull)) == SOLID
+    found = FREE if inside else RIM
+    for entry in range(cells.first[cell], cells.first[cell + 1]):
+        part = box_in_part(x0, y0, x1, y1, parts, cells.parts[entry], cells.boxes)
+        if part == SOLID:
+            return SOLID
+        found = min(found, part)
+    return found
+
+
+@body
+def measure_reach(reach: NDArray[np.int8]) -> None:
+    """How far each FREE cell is so: one more than its neighbour that is least so. Swept up, then down, by what was passed.
+
+    The cells along the grid's edge are never FREE: they are not wholly inside the hull.
+    """
+    rows, columns = reach.shape
+    for j in range(1, rows - 1):
+        for i in range(1, columns - 1):
+            reach[j, i] = MOST if reach[j, i] == FREE else reach[j, i]
+    for step in (1, -1):
+        for row in range(1, rows - 1):
+            line = reach[row if step > 0 else rows - 1 - row]
+            passed = reach[row - 1 if step > 0 else rows - row]
+            for i in range(1, columns - 1):
+                line[i] = min(line[i], one_more(min(passed[i - 1], passed[i], passed[i + 1])))
+            for column in range(1, columns - 1):
+                i = column if step > 0 else columns - 1 - column
+                line[i] = min(line[i], one_more(line[i - step]))
+
+
+@compiled
+def one_more(reach: int) -> int:
+    """A cell more than a neighbour's reach, or FREE where that one is not free at all."""
+    return min(max(reach, 0), MOST - 1) + 1
 
 
 @inlined
 def box_in_part(x0: float, y0: float, x1: float, y1: float, parts: Parts, i: int, boxes: Array) -> int:
-    """Whether a box is SOLID inside part i, FREE of it, or neither; a round part is not looked at closely."""
+    """Whether a box is SOLID inside part i, FREE of it, or neither."""
     if x1 < boxes[i, 0] or x0 > boxes[i, 2] or y1 < boxes[i, 1] or y0 > boxes[i, 3]:
         return FREE
     if parts.radius[i] > 0.0:
-        return MIXED
+        return box_in_disc(x0, y0, x1, y1, parts.points[parts.first[i]], parts.radius[i])
     return box_in_polygon(x0, y0, x1, y1, parts.points, parts.first[i], parts.first[i + 1])
+
+
+@compiled
+def box_in_disc(x0: float, y0: float, x1: float, y1: float, centre: Array, radius: float) -> int:
+    """Whether a box is SOLID strictly inside a disc, FREE of it, or neither; a disc too large to tell is not looked at closely."""
+    left, right, below, above = centre[0] - x0, x1 - centre[0], centre[1] - y0, y1 - centre[1]
+    if radius > FAR * (x1 - x0):
+        return MIXED
+    if length(max(left, right), max(below, above)) < radius:
+        return SOLID
+    return FREE if length(max(-left, -right, 0.0), max(-below, -above, 0.0)) > radius else MIXED
 
 
 @compiled
@@ -82,9 +159,40 @@ def box_in_polygon(x0: float, y0: float, x1: float, y1: float, points: Array, be
 
 
 @inlined
-def known_at(x: float, y: float, known: NDArray[np.int8], cells: PartsIndex) -> int:
-    """What is known of the small cell that holds a point of the world's bounding box; MIXED where nothing is."""
-    if len(known) == 0:
-        return MIXED
-    side = cells.cell / FINE
-    return known[clip((y - cells.y) / side, known.shape[0] - 1), clip((x - cells.x) / side, known.shape[1] - 1)]
+def known_at(x: float, y: float, radius: float, known: KnownCells) -> int:
+    """Whether a disc in the world's bounding box is known to be FREE, or its centre SOLID; else MIXED or RIM, as its cell is."""
+    rows, columns = known.reach.shape
+    if rows == 0:
+        return RIM
+    reach = known.reach[clip((y - known.y) * known.per_unit, rows - 1), clip((x - known.x) * known.per_unit, columns - 1)]
+    return FREE if reach > cells_in(radius, known) else min(reach, MIXED)
+
+
+@inlined
+def known_between(ax: float, ay: float, bx: float, by: float, radius: float, known: KnownCells) -> int:
+    """The same for a disc moved along a-b: piece after piece, which is FREE where one end's reach holds the other."""
+    rows, columns = known.reach.shape
+    if rows == 0:
+        return RIM
+    u, v = (ax - known.x) * known.per_unit, (ay - known.y) * known.per_unit
+    s, t = (bx - known.x) * known.per_unit, (by - known.y) * known.per_unit
+    i, j, k, m = clip(u, columns - 1), clip(v, rows - 1), clip(s, columns - 1), clip(t, rows - 1)
+    at_a, at_b, spare = known.reach[j, i], known.reach[m, k], cells_in(radius, known)
+    if max(abs(k - i), abs(m - j)) + spare < max(at_a, at_b):
+        return FREE
+    found, rest = FREE, min(min(at_a, at_b), MIXED)
+    for piece in range(1, PIECES + 1):
+        k, m = clip(u + piece / PIECES * (s - u), columns - 1), clip(v + piece / PIECES * (t - v), rows - 1)
+        at_b = known.reach[m, k]
+        if at_b == SOLID:
+            return SOLID
+        if max(abs(k - i), abs(m - j)) + spare >= max(at_a, at_b):
+            found = rest
+        i, j, at_a = k, m, at_b
+    return found if rest != SOLID else SOLID
+
+
+@inlined
+def cells_in(radius: float, known: KnownCells) -> int:
+    """How many cells a disc may stick out of the one that holds its centre."""
+    return int(min(np.ceil(radius * known.per_unit), MOST)) if radius > 0.0 else 0

@@ -69,9 +69,8 @@ def clip(value: float, high: int) -> int:
 @inlined
 def motion_touches_any(ax: float, ay: float, bx: float, by: float, radius: float, parts: Parts, cells: PartsIndex) -> bool:
     """Whether a disc moved along a-b touches a part. Row by row, the cells that the motion passes are looked up."""
-    x0, x1 = min(ax, bx) - radius, max(ax, bx) + radius
+    ox, oy, cell = cells.x, cells.y, cells.cell
     y0, y1 = min(ay, by) - radius, max(ay, by) + radius
-    ox, oy, cell, boxes = cells.x, cells.y, cells.cell, cells.boxes
     for j in range(clip((y0 - oy) / cell, cells.rows - 1), clip((y1 - oy) / cell, cells.rows - 1) + 1):
         bottom, top = oy + (j - MARGIN) * cell, oy + (j + 1.0 + MARGIN) * cell
         left, right = stretch_in_band(ax, ay, bx, by, bottom - radius, top + radius)
@@ -79,11 +78,20 @@ def motion_touches_any(ax: float, ay: float, bx: float, by: float, radius: float
         end = clip((right + radius - ox) / cell + MARGIN, cells.columns - 1)
         for entry in range(cells.first[j * cells.columns + begin], cells.first[j * cells.columns + end + 1]):
             i = cells.parts[entry]
-            if x1 < boxes[i, 0] or x0 > boxes[i, 2] or y1 < boxes[i, 1] or y0 > boxes[i, 3]:
-                continue
-            if motion_touches_part(ax, ay, bx, by, radius, parts, i):
+            if may_touch(ax, ay, bx, by, radius, cells.boxes, i) and motion_touches_part(ax, ay, bx, by, radius, parts, i):
                 return True
     return False
+
+
+@inlined
+def may_touch(ax: float, ay: float, bx: float, by: float, radius: float, boxes: Array, i: int) -> bool:
+    """Whether the box round a disc moved along a-b meets part i's box."""
+    return (
+        max(ax, bx) + radius >= boxes[i, 0]
+        and min(ax, bx) - radius <= boxes[i, 2]
+        and max(ay, by) + radius >= boxes[i, 1]
+        and min(ay, by) - radius <= boxes[i, 3]
+    )
 
 
 @inlined

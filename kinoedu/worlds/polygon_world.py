@@ -4,7 +4,7 @@ from collections.abc import Iterable, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ..errors import InvalidPolygon, InvalidWorld
 from ..geometry.checks import Array, as_array, as_point
@@ -12,7 +12,7 @@ from ..geometry.convex import convex_hull, convex_parts
 from ..geometry.parts import Parts, make_parts
 from ..geometry.polygons import places
 from ..geometry.rings import as_ring
-from .known_cells import NOTHING, known_cells
+from .known_cells import KnownCells, known_cells, nothing_known
 from .parts_index import PartsIndex, index_parts
 
 
@@ -32,7 +32,7 @@ class PolygonWorldRecord(NamedTuple):
     hull: Array
     obstacles: Parts
     cells: PartsIndex
-    known: NDArray[np.int8]
+    known: KnownCells
     lo: Array
     hi: Array
 
@@ -84,7 +84,7 @@ def world_of_triangles(lo: Array, hi: Array, triangles: Array) -> PolygonWorldRe
     sides = np.concatenate([triangles, np.roll(triangles, -1, axis=1)], axis=2).reshape(-1, 4)
     edges = np.concatenate([edges_of(box[::-1], 0), np.column_stack([sides, numbers])])
     parts = Parts(triangles.reshape(-1, 2), 3 * np.arange(len(triangles) + 1), np.zeros(len(triangles)))
-    return PolygonWorldRecord(edges, box, parts, index_parts(parts, lo, hi), NOTHING, lo, hi)
+    return PolygonWorldRecord(edges, box, parts, index_parts(parts, lo, hi), nothing_known(), lo, hi)
 
 
 def edges_of(ring: Array, solid: int) -> Array:
