@@ -106,7 +106,14 @@ def tell_pictures(app, doctree):
             for image in output.findall(nodes.image):
                 told = kinds["text/plain"].astext()
                 figure = FIGURE.match(told)
-                image["alt"] = say("site.figure") if figure else told
+                image["alt"] = say("site.figure", section=section_of(output)) if figure else told
                 image["classes"] += ["wide"] if figure and int(figure[1]) > WIDE else []
             if BOARD in kinds:
                 kinds["image/png"] += nodes.paragraph("", say("site.still"), classes=["still"])
+
+
+def section_of(node):
+    """The title of the section that a node is in."""
+    while not isinstance(node, nodes.section):
+        node = node.parent
+    return node.next_node(nodes.title).astext()

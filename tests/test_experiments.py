@@ -437,6 +437,8 @@ def test_bars_and_growth_count_only_what_came():
             ke.figures.draw_ecdf(wrong)
     with pytest.raises(KinoeduError):
         ke.figures.draw_convergence({"a": ([1, 2], [[1.0, 2.0]])})
+    with pytest.raises(KinoeduError, match=r"^colours"):
+        ke.figures.draw_medians({"a": [1.0]}, colours=0)
     plt.close("all")
 
 

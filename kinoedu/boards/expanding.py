@@ -85,7 +85,7 @@ def on_grid(places: Array, states: NDArray[np.int64], side: float) -> list[Layer
     node, state, when, until = spells(states)
     layers = [
         cells(corners[node[state == which]], colour, when=when[state == which], until=until[state == which])
-        for which, colour in ((EXPANDED, "cell"), (FRONTIER, "frontier"), (EXPANDING, "robot"))
+        for which, colour in ((EXPANDED, "cell"), (FRONTIER, "frontier"), (EXPANDING, "ink"))
     ]
     outlines = np.stack([corners, np.roll(corners, -1, axis=1)], axis=2)
     return [*layers, edges(outlines, "outside", width=0.6)]
@@ -100,7 +100,7 @@ def on_graph(graph: Graph, states: NDArray[np.int64], radius: float) -> list[Lay
         dots(places[there], "ink", radius=radius + 1.5),
         dots(places[there], "free", radius=radius),
     ]
-    for which, colour, more in ((EXPANDED, "tree", 0.0), (FRONTIER, "frontier", 0.0), (EXPANDING, "robot", 3.0)):
+    for which, colour, more in ((EXPANDED, "tree", 0.0), (FRONTIER, "frontier", 0.0), (EXPANDING, "ink", 3.0)):
         these = state == which
         layers.append(dots(places[node[these]], colour, radius=radius + more, when=when[these], until=until[these]))
     return layers

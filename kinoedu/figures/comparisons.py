@@ -13,7 +13,7 @@ from matplotlib.axes import Axes
 from numpy.typing import ArrayLike
 
 from ..errors import InvalidPoint
-from ..geometry.checks import Array, shortened
+from ..geometry.checks import Array, shortened, whole
 from ..words import say
 from . import palette
 from .ends import name_ends
@@ -30,12 +30,12 @@ def draw_medians(
 
     Infinite values count neither there nor there: how many of the runs are finite is written beside the number. `label` is what
     the numbers are. After so many `colours`, at least 1, the first comes again: 2 where two planners take turns on
-    several problems. Returns the artists. Raises InvalidPoint.
+    several problems. Returns the artists. Raises InvalidPoint, InvalidParameter.
 
     >>> artists = draw_medians({"RRT": [12.0, 14.0, np.inf], "PRM": [11.0, 11.5, 12.0]}, label="length")
     >>> plt.close()
     """
-    runs = as_runs(values)
+    runs, colours = as_runs(values), whole(colours, "colours", least=1)
     ax = axes_of(ax, (7.0, 1.0 + 0.6 * len(runs)))
     finite = [given[np.isfinite(given)] for given in runs.values()]
     spreads = np.array([np.quantile(some, (0.25, 0.5, 0.75)) if len(some) else np.full(3, np.nan) for some in finite])
