@@ -53,7 +53,7 @@ def copy_lessons(folder: Path) -> Path:
 
 
 def lab_command(*, browser: bool) -> list[str]:
-    """The command that starts JupyterLab."""
+    """The command that starts JupyterLab, which shall neither ask the network for news nor its reader whether to."""
     command = [
         sys.executable,
         "-m",
@@ -61,6 +61,8 @@ def lab_command(*, browser: bool) -> list[str]:
         TOUR,
         "--ServerApp.ip=127.0.0.1",
         "--ServerApp.answer_yes=True",
+        "--LabApp.news_url=None",
+        "--LabApp.check_for_updates_class=jupyterlab.NeverCheckForUpdate",
         "--log-level=WARN",
     ]
     if not browser:

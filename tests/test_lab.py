@@ -105,10 +105,11 @@ PLAYED = {Path(TOUR).name: play_tour, "01_geometry.ipynb": play_distance}
 
 
 def test_jupyter_keeps_its_token_and_stays_on_this_computer(monkeypatch):
-    """The command listens on localhost and switches no guard off; without a display it opens no browser."""
+    """The command listens on localhost, asks nobody for news and switches no guard off; without a display it opens no browser."""
     command = lab_command(browser=False)
     assert command[:4] == [sys.executable, "-m", "jupyterlab", TOUR]
     assert "--ServerApp.ip=127.0.0.1" in command
+    assert "--LabApp.news_url=None" in command
     assert "--no-browser" in command
     assert "--no-browser" not in lab_command(browser=True)
     assert not any("token" in word or "password" in word or "xsrf" in word for word in command)

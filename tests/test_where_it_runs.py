@@ -170,8 +170,8 @@ def test_students_and_the_grader_are_not_root_and_the_solutions_stay_with_the_gr
     assert any("solutions" in rest for _, rest in grader) and not any("solutions" in rest for _, rest in base + course)
 
 
-def test_what_the_image_tells_jupyter_is_python_that_runs():
-    """The configuration that is written leads to the lessons, and opens the tour."""
+def test_what_the_image_tells_jupyter_is_python_that_runs(monkeypatch):
+    """The configuration that is written leads to the lessons, and opens the tour; so it does in a hub that says nothing else."""
     (run,) = [rest for word, rest in instructions() if word == "RUN" and "jupyter_server_config" in rest]
     lines = re.findall(r'"([^"]+)"', run)
 
@@ -179,9 +179,12 @@ def test_what_the_image_tells_jupyter_is_python_that_runs():
         """Takes every attribute."""
 
     config = Any()
-    config.ServerApp, config.LabApp = Any(), Any()
-    exec("\n".join(lines), {"c": config})
-    assert (Path(config.ServerApp.root_dir) / config.LabApp.default_url.removeprefix("/lab/tree/")).is_file()
+    for hub, opened in (("", "/lab/tree/notebooks/00_tour.ipynb"), ("/tree", "/tree")):
+        config.ServerApp, config.LabApp = Any(), Any()
+        monkeypatch.setenv("JUPYTERHUB_DEFAULT_URL", hub)
+        exec("\n".join(lines), {"c": config})
+        assert (Path(config.ServerApp.root_dir) / config.LabApp.default_url.removeprefix("/lab/tree/")).is_file()
+        assert config.ServerApp.default_url == opened
 
 
 # --- a browser ------------------------------------------------------------------------------------------------------
