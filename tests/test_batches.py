@@ -18,7 +18,7 @@ from kinoedu.collision.batches import judge_motions
 from kinoedu.errors import InvalidParameter, InvalidPoint, InvalidPolygon
 from kinoedu.geometry import convex_hull, convex_pairs_intersect, convex_polygons_intersect
 from kinoedu.geometry.convex_pairs import convex_turn
-from kinoedu.worlds.known_cells import ALONG, FREE, MIXED, MOST, RIM, SOLID, measure_reach, nothing_known
+from kinoedu.worlds.known_cells import ALONG, FINE, FREE, MIXED, MOST, RIM, SOLID, nothing_known
 
 TRIANGLE, SQUARE = [(0, 0), (2, 0), (0, 2)], [(1, 1), (2, 1), (2, 2), (1, 2)]
 WORLD = PolygonWorld(BOX, [[(1, 1), (3, 1), (3, 3), (1, 3)], [(5, 5), (20, 5), (12, 20)], ((-8, -8), 3)])
@@ -67,7 +67,7 @@ def test_what_is_known_of_a_cell_is_true_of_its_points() -> None:
     """Many points of each kind of cell; most cells are known."""
     rng = np.random.default_rng(2)
     known = WORLD.known
-    assert ALONG / 2 < max(known.reach.shape) <= ALONG and known.reach.shape[0] % WORLD.cells.rows == 0
+    assert known.reach.shape == (FINE * WORLD.cells.rows, FINE * WORLD.cells.columns)
     assert np.isin(known.reach, (MIXED, RIM)).mean() < 0.5 and {FREE, FREE + 1, MIXED, RIM, SOLID} <= set(known.reach.flat)
     for j, i in np.argwhere((known.reach >= FREE) | (known.reach == SOLID)).tolist():
         qs = np.array([known.x, known.y]) + (np.array([i, j]) + rng.uniform(0, 1, (5, 2))) * known.side
@@ -75,12 +75,18 @@ def test_what_is_known_of_a_cell_is_true_of_its_points() -> None:
 
 
 def test_the_reach_of_a_cell_is_its_distance_to_what_is_not_free() -> None:
-    """In moves of a chess king, off the grid too; and never more than a small number can hold."""
-    free = np.pad(WORLD.known.reach >= FREE, 1)
-    assert (np.maximum(WORLD.known.reach, 0) == distance_transform_cdt(free, "chessboard")[1:-1, 1:-1]).all()
-    wide = np.pad(np.full((298, 299), FREE, np.int8), 1)
-    measure_reach(wide)
-    assert wide.max() == wide[150, 150] == MOST and wide[10, 150] == 10 and wide[150, -3] == 2
+    """In moves of a chess king, as far as it is looked at."""
+    far = distance_transform_cdt(WORLD.known.reach >= FREE, "chessboard")
+    assert far.max() > MOST == WORLD.known.reach.max()
+    assert (np.maximum(WORLD.known.reach, 0) == np.minimum(far, MOST)).all()
+
+
+def test_a_world_of_many_parts_has_no_more_small_cells() -> None:
+    """A city's cells of the index are not cut up at all."""
+    x, y = np.meshgrid(np.arange(-23.0, 23.0), np.arange(-23.0, 23.0))
+    parts = [[(x, y), (x + 0.5, y), (x, y + 0.5)] for x, y in zip(x.flat, y.flat, strict=True)]
+    world = PolygonWorld(BOX, parts)
+    assert ALONG / 2 < max(world.known.reach.shape) <= ALONG and (world.known.reach == SOLID).any()
 
 
 @pytest.mark.parametrize("robot", [Point(), Disk(0.05), Disk(1.7)])

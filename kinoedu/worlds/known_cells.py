@@ -19,8 +19,8 @@ from ..geometry.parts import Parts
 from .parts_index import MARGIN, PartsIndex, clip
 
 SOLID, RIM, MIXED, FREE = -2, -1, 0, 1
-ALONG = 600  # so many small cells at most along the longer side of a world
-MOST = 127  # of an int8
+FINE, ALONG = 32, 600  # small cells along the side of a cell of the index, and along the longer side of a world, at most
+MOST = 16  # cells that are looked at for the reach: longer motions are cut into pieces
 PIECES = 4  # of a motion that are looked up one by one
 FAR, SMALL = 1e9, 1e-290  # farther out for its size, or smaller, rounding is no longer small beside a margin: nothing is known
 
@@ -48,7 +48,9 @@ def known_cells(hull: Array, parts: Parts, cells: PartsIndex, lo: Array, hi: Arr
     size = (hi - lo).max()
     if size < SMALL or np.abs([lo, hi]).max() > FAR * size:
         return nothing_known()
-    fine = 2 ** max(int(np.log2(ALONG / max(cells.rows, cells.columns))), 0)
+    fine = FINE
+    while fine > 1 and fine * max(cells.rows, cells.columns) > ALONG:
+        fine //= 2
     reach = np.full((fine * cells.rows, fine * cells.columns), RIM, np.int8)
     known = KnownCells(cells.x, cells.y, cells.cell / fine, fine / cells.cell, reach)
     fill_known_cells(known, fine, hull, parts, cells)
@@ -90,31 +92,16 @@ def judged_block(i: int, j: int, size: int, known: KnownCells, cell: int, hull: 
     return found
 
 
-@body
 def measure_reach(reach: NDArray[np.int8]) -> None:
-    """How far each FREE cell is so: one more than its neighbour that is least so. Swept up, then down, by what was passed.
+    """How far each FREE cell is so, up to MOST: how often what is free can be peeled, a layer of cells at a time, and still has it.
 
     The cells along the grid's edge are never FREE: they are not wholly inside the hull.
     """
-    rows, columns = reach.shape
-    for j in range(1, rows - 1):
-        for i in range(1, columns - 1):
-            reach[j, i] = MOST if reach[j, i] == FREE else reach[j, i]
-    for step in (1, -1):
-        for row in range(1, rows - 1):
-            line = reach[row if step > 0 else rows - 1 - row]
-            passed = reach[row - 1 if step > 0 else rows - row]
-            for i in range(1, columns - 1):
-                line[i] = min(line[i], one_more(min(passed[i - 1], passed[i], passed[i + 1])))
-            for column in range(1, columns - 1):
-                i = column if step > 0 else columns - 1 - column
-                line[i] = min(line[i], one_more(line[i - step]))
-
-
-@compiled
-def one_more(reach: int) -> int:
-    """A cell more than a neighbour's reach, or FREE where that one is not free at all."""
-    return min(max(reach, 0), MOST - 1) + 1
+    free = reach == FREE
+    for _ in range(FREE, MOST):
+        free[:, 1:-1] &= free[:, :-2] & free[:, 2:]
+        free[1:-1] &= free[:-2] & free[2:]
+        reach += free
 
 
 @inlined
@@ -195,4 +182,4 @@ def known_between(ax: float, ay: float, bx: float, by: float, radius: float, kno
 @inlined
 def cells_in(radius: float, known: KnownCells) -> int:
     """How many cells a disc may stick out of the one that holds its centre."""
-    return int(min(np.ceil(radius * known.per_unit), MOST)) if radius > 0.0 else 0
+    return int(min(np.ceil(radius * known.per_unit), float(MOST))) if radius > 0.0 else 0
