@@ -3,17 +3,19 @@
     {"version": 1, "planner": "rrt", "cost": 17.5, "reason": "", "path": [[x, y], ...], "stats": {"nodes": 34},
      "tree": {"nodes": [[x, y], ...], "parent": [-1, 0, ...]},
      "roadmap": {"nodes": [[x, y], ...], "edges": [[i, j], ...]},
+     "trajectory": {"start": [x, y, theta], "controls": [[v, phi], ...], "durations": [...], "wheelbase": 2.5},
      "walk": {"points": [...], "following": [...], "travelled": [...], "distance_to_goal": [...], "hit": [...], "leave": [...]},
      "problem": a scene}
 
-Null stands for what a plan has not: a path with its cost, a tree, a roadmap, a walk, and a problem that scenes can hold.
+Trees and roadmaps that are driven have "controls" and "durations" too, such roadmaps also "goals". Null stands for what a plan has
+not: a path with its cost, a tree, a roadmap, a walk, a trajectory, and a problem that scenes can hold.
 """
 
 import csv
 import json
 import os
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any
 
 import numpy as np
 
@@ -22,14 +24,16 @@ from .errors import InvalidParameter, InvalidPoint, UnknownFormat, UnreadableSce
 from .fields import Field, read_json
 from .geometry.checks import as_array, shortened
 from .problems import Plan, ProblemRecord, Recorder, Roadmap, Tree, Walk
+from .robots.trajectory import DrivenRoadmap, DrivenTree, TrajectoryRecord
 from .scenes import problem_from, scene_of
 from .spaces import RealSpace, WrappingSpace
 from .whole_file import written_whole
 
 VERSION = 1
-WHOLE_NUMBERS = ("parent", "edges", "hit", "leave")  # the members of trees, roadmaps and walks that count nodes
-
-Built = TypeVar("Built", Tree, Roadmap, Walk)
+KINDS: dict[str, tuple[Any, ...]] = {"tree": (Tree, DrivenTree), "roadmap": (Roadmap, DrivenRoadmap), "walk": (Walk,)}
+WHOLE_NUMBERS = ("parent", "edges", "goals", "hit", "leave")  # the members of these that count nodes
+PAIRS = ("edges", "controls")
+AS_MANY_AS_THEY_ARE = ("edges", "goals", "hit", "leave")
 
 
 def write_plan(plan: Plan, path: str | os.PathLike[str]) -> None:
@@ -95,7 +99,7 @@ def write_whole_plan(plan: Plan, file: Path) -> None:
         "reason": plan.reason,
         "path": None if plan.path is None else plan.path.tolist(),
         "stats": {name: int(count) for name, count in plan.stats.items()},
-        **{name: written_out(getattr(plan, name)) for name in ("tree", "roadmap", "walk")},
+        **{name: written_out(getattr(plan, name)) for name in ("tree", "roadmap", "walk", "trajectory")},
         "problem": scene,
     }
     with file.open("w", encoding="utf-8") as stream:
@@ -103,12 +107,12 @@ def write_whole_plan(plan: Plan, file: Path) -> None:
 
 
 def written_out(built: Any) -> dict[str, Any] | None:
-    """A tree, a roadmap or a walk as an object of lists."""
+    """A tree, a roadmap, a walk or a trajectory as an object of lists and numbers."""
     return None if built is None else {name: np.asarray(getattr(built, name)).tolist() for name in built._fields}
 
 
 def read_plan(path: str | os.PathLike[str]) -> Plan:
-    """The plan in a JSON file that `write_plan` wrote: path, cost, tree, roadmap and walk equal to the last bit.
+    """The plan in a JSON file that `write_plan` wrote: path, cost, and all that was built, equal to the last bit.
 
     What the file says is not judged again: whether its path is free is for `plan.problem.is_free_path` to say. Raises
     UnreadableScene with the field at fault, UnknownFormat for another ending.
@@ -123,7 +127,7 @@ def plan_from(plan: Field) -> Plan:
     """A plan from the whole file."""
     plan.check_version(VERSION)
     members = ("version", "planner", "cost", "reason", "path", "stats", "tree", "roadmap", "walk", "problem")
-    fields = plan.members(members)
+    fields = plan.members(members, ("trajectory",))
     there = {name: field for name, field in fields.items() if field.value is not None}
     if ("path" in there) != ("cost" in there):
         raise plan.wrong("with both a path and its cost, or with neither")
@@ -133,9 +137,8 @@ def plan_from(plan: Field) -> Plan:
     return Plan(
         path,
         fields["cost"].number() if "cost" in there else np.inf,
-        tree=built_from(there["tree"], Tree) if "tree" in there else None,
-        roadmap=built_from(there["roadmap"], Roadmap) if "roadmap" in there else None,
-        walk=built_from(there["walk"], Walk) if "walk" in there else None,
+        **{name: built_from(there[name], kinds) for name, kinds in KINDS.items() if name in there},
+        trajectory=trajectory_from(there["trajectory"]) if "trajectory" in there else None,
         stats={name: int(numbers_of(count)) for name, count in stats_of(fields["stats"]).items()},
         reason=fields["reason"].text(),
         problem=problem_from(there["problem"]) if "problem" in there else None,
@@ -160,30 +163,48 @@ def numbers_of(field: Field) -> Any:
         raise UnreadableScene(str(error)) from error
 
 
-def built_from(field: Field, kind: type[Built]) -> Built:
-    """A tree, a roadmap or a walk; its first member are its nodes, and what counts nodes counts nodes that are there."""
+def built_from(field: Field, kinds: tuple[Any, ...]) -> Any:
+    """A tree, a roadmap or a walk, of the kind that has the members given; the first are its nodes, and others may count them."""
+    given = set(field.value) if isinstance(field.value, dict) else set()
+    kind = next((kind for kind in kinds if set(kind._fields) == given), kinds[0])
     fields = field.members(kind._fields)
     first, *others = kind._fields
     nodes = numbers_of(fields[first])
     if nodes.ndim != 2 or len(nodes) == 0:
         raise fields[first].wrong("a list of configurations")
-    return kind(nodes, *(member(fields[name], name, len(nodes)) for name in others))
+    built = kind(nodes, *(member(fields[name], name, len(nodes)) for name in others))
+    for name, array in zip(others, built[1:], strict=True):
+        among = "edges" if "edges" in others and name in ("controls", "durations") else first
+        if name not in AS_MANY_AS_THEY_ARE and len(array) != len(getattr(built, among)):
+            raise fields[name].wrong(f"as long as the list of {len(getattr(built, among))} {among}")
+    return built
 
 
 def member(field: Field, name: str, n: int) -> Any:
-    """A member of what has n nodes: a flag, a length or a parent for each; or any number of nodes' numbers or of pairs of them."""
+    """A member of what has n nodes: flags, numbers, or pairs of them; what counts nodes counts nodes that are there."""
     if name == "following":
-        if not all(isinstance(flag.value, bool) for flag in field.items()) or len(field.items()) != n:
-            raise field.wrong(f"true or false for each of {n} points")
+        if not all(isinstance(flag.value, bool) for flag in field.items()):
+            raise field.wrong("a list of true and false")
         return np.array(field.value, np.bool_)
     array = numbers_of(field)
     if array.size == 0:
-        array = array.reshape((0, 2) if name == "edges" else 0)
-    if array.ndim != (2 if name == "edges" else 1) or (name == "edges" and array.shape[1] != 2):
-        raise field.wrong("pairs of numbers" if name == "edges" else "a list of numbers")
-    if name not in ("edges", "hit", "leave") and len(array) != n:
-        raise field.wrong(f"as long as the list of {n} nodes")
+        array = array.reshape((0, 2) if name in PAIRS else 0)
+    if array.ndim != (2 if name in PAIRS else 1) or (name in PAIRS and array.shape[1] != 2):
+        raise field.wrong("pairs of numbers" if name in PAIRS else "a list of numbers")
     return node_numbers(field, array, n) if name in WHOLE_NUMBERS else array
+
+
+def trajectory_from(field: Field) -> TrajectoryRecord:
+    """A trajectory, as it was driven: whether a car can drive it is for the car to say."""
+    fields = field.members(TrajectoryRecord._fields)
+    start, controls, durations = numbers_of(fields["start"]), *(member(fields[name], name, 0) for name in ("controls", "durations"))
+    if start.shape != (3,):
+        raise fields["start"].wrong("[x, y, theta]")
+    if len(durations) != len(controls) or (durations < 0.0).any():
+        raise fields["durations"].wrong(f"a number of zero or more for each of {len(controls)} controls")
+    if not fields["wheelbase"].number() > 0.0:
+        raise fields["wheelbase"].wrong("positive")
+    return TrajectoryRecord(start, controls, durations, fields["wheelbase"].number())
 
 
 def node_numbers(field: Field, array: Any, n: int) -> Any:

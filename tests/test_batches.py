@@ -18,7 +18,7 @@ from kinoedu.collision.batches import judge_motions
 from kinoedu.errors import InvalidParameter, InvalidPoint, InvalidPolygon
 from kinoedu.geometry import convex_hull, convex_pairs_intersect, convex_polygons_intersect
 from kinoedu.geometry.convex_pairs import convex_turn
-from kinoedu.worlds.known_cells import ALONG, FINE, FREE, MIXED, MOST, RIM, SOLID, nothing_known
+from kinoedu.worlds.known_cells import ALONG, FINE, FREE, MIXED, MOST, RIM, SOLID, known_at, known_between, nothing_known
 
 TRIANGLE, SQUARE = [(0, 0), (2, 0), (0, 2)], [(1, 1), (2, 1), (2, 2), (1, 2)]
 WORLD = PolygonWorld(BOX, [[(1, 1), (3, 1), (3, 3), (1, 3)], [(5, 5), (20, 5), (12, 20)], ((-8, -8), 3)])
@@ -61,6 +61,7 @@ def test_points_are_located_at_any_scale(size: float, shift: float) -> None:
     world = PolygonWorld([(x - far, -far), (x + far, -far), (x + far, far), (x - far, far)])
     qs = [(x, 0), (x + far, 0), (x, -far), (x + 2 * far, 0), (-x - 2 * far, 0)]
     assert free_configurations(Point(), world, qs).tolist() == [True, False, False, False, False]
+    assert (world.known.reach.size > 0) == (size > 1e-290 and shift == 0.0)
 
 
 def test_what_is_known_of_a_cell_is_true_of_its_points() -> None:
@@ -79,6 +80,54 @@ def test_the_reach_of_a_cell_is_its_distance_to_what_is_not_free() -> None:
     far = distance_transform_cdt(WORLD.known.reach >= FREE, "chessboard")
     assert far.max() > MOST == WORLD.known.reach.max()
     assert (np.maximum(WORLD.known.reach, 0) == np.minimum(far, MOST)).all()
+
+
+@pytest.mark.parametrize("excess", [0.0, 1e-12, 1e-4, 0.005, 0.0099, 0.3])
+@pytest.mark.parametrize("upright", [False, True])
+def test_what_is_known_is_true_in_oblong_worlds(excess: float, upright: bool) -> None:
+    """Where the shorter side is a little more than a number of cells: up to the edge, past which nothing is free."""
+    rng = np.random.default_rng(8)
+    turned = slice(None, None, -1 if upright else 1)
+    for cells in range(1, 8):
+        height = (cells + excess) / 8
+        boxes = [
+            (0.055 * k, height - 0.001 * k, 0.055 * k + 0.05, height - 0.0003 * k) for k in range(1, 17)
+        ]  # 16 parts make 8 cells along
+        corners = [np.array([(a, b), (c, b), (c, d), (a, d)])[:, turned] for a, b, c, d in boxes]
+        world = PolygonWorld(np.array([(0, 0), (1, 0), (1, height), (0, height)])[:, turned], corners)
+        judged = world._replace(known=nothing_known())
+        assert (world.known.reach[[0, -1]] < FREE).all() and (world.known.reach[:, [0, -1]] < FREE).all()
+        a = rng.uniform((0, height - 0.02), (1, height), (400, 2))[:, turned]
+        b = np.clip(a + rng.uniform(-0.1, 0.1, a.shape), 0, 1)
+        for robot in (Point(), Disk(0.0005), Disk(0.01), Disk(0.05)):
+            lower = a - 0.7 * robot.radius
+            assert (free_configurations(robot, world, lower) == free_configurations(robot, judged, lower)).all()
+            assert (free_motions(robot, world, lower, b) == free_motions(robot, judged, lower, b)).all()
+
+
+def test_a_disc_fills_the_reach_and_no_more() -> None:
+    """At the corners of free cells, discs of about their reach; just inside an edge a point is not free."""
+    known, rng = WORLD.known, np.random.default_rng(3)
+    for j, i in rng.permutation(np.argwhere(known.reach >= FREE))[:400].tolist():
+        corner = np.array([[known.x + (i + rng.integers(2)) * known.side, known.y + (j + rng.integers(2)) * known.side]])
+        for rim in (-1.0, -0.5, 0.0, 0.5, 1.0, 1.5):
+            disc = Disk((known.reach[j, i] + rim) * known.side) if known.reach[j, i] + rim > 0 else Point()
+            assert free_configurations(disc, WORLD, corner) == free_configurations(disc, UNKNOWN, corner)
+    inside = np.nextafter(3, 0)
+    assert not free_configurations(Point(), PolygonWorld(BOX, [[(1, 1), (inside, 1), (inside, 3), (1, 3)]]), [(inside, 2)])[0]
+
+
+def test_most_answers_are_known() -> None:
+    """Of points and short motions; of discs in the open."""
+    rng = np.random.default_rng(4)
+    ends = [
+        (*a, *np.clip(a + step, WORLD.lo, WORLD.hi))
+        for a, step in zip(rng.uniform(-24, 24, (300, 2)), rng.uniform(-3, 3, (300, 2)))
+    ]
+    answers = [known_between.py_func(*motion, 0.0, WORLD.known) for motion in ends]
+    assert {SOLID, FREE} < set(answers) and np.isin(answers, (SOLID, FREE)).mean() > 0.8
+    assert np.isin([known_at.py_func(*motion[:2], 0.0, WORLD.known) for motion in ends], (SOLID, FREE)).mean() > 0.9
+    assert np.isin([known_at.py_func(*motion[:2], 1.0, WORLD.known) for motion in ends], (SOLID, FREE)).mean() > 0.6
 
 
 def test_a_world_of_many_parts_has_no_more_small_cells() -> None:

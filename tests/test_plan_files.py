@@ -17,6 +17,7 @@ ENDS = ((1, 1), (9, 1))
 TURNING = ke.Problem(ke.RigidPolygon([(-0.5, -0.1), (0.5, -0.1), (0.5, 0.1), (-0.5, 0.1)]), WORLD, (1, 1, 0), (9, 1, 3))
 ARM = ke.Problem(ke.TwoLinkArm(1, 0.5, 0.1, base=(2, 5)), WORLD, (1.0, 0.5), (-2.0, 1.0))
 POINT = ke.Problem(ke.Point(), WORLD, *ENDS)
+DRIVING = ke.Problem(ke.Car(0.8, 0.4, 0.5), ke.PolygonWorld(SQUARE, [((5, 5), 1)]), (1, 1, 0), (8, 7, 1))
 PLANS = {
     "tree": lambda: ke.rrt(POINT, rng=0),
     "roadmap": lambda: ke.prm(POINT, n=60, rng=0),
@@ -26,6 +27,10 @@ PLANS = {
     "turning": lambda: ke.rrt(TURNING, rng=0),
     "arm": lambda: ke.rrt(ARM, rng=0),
     "recorded": lambda: ke.rrt(ke.Recorder(POINT), rng=0),
+    "driven tree": lambda: ke.kinodynamic_rrt(DRIVING, rng=0),
+    "driven tree that ends before": lambda: ke.kinodynamic_rrt(DRIVING, max_iterations=30, rng=0),
+    "driven roadmap": lambda: ke.kinodynamic_prm(DRIVING, rng=0),
+    "drive": lambda: ke.hybrid_astar(DRIVING),
 }
 
 
@@ -42,7 +47,7 @@ def test_a_plan_is_read_back_equal(name, tmp_path):
     plan = PLANS[name]()
     ke.write_plan(plan, tmp_path / "plan.json")
     again = ke.read_plan(tmp_path / "plan.json")
-    for member in ("path", "cost", "tree", "roadmap", "walk"):
+    for member in ("path", "cost", "tree", "roadmap", "walk", "trajectory"):
         assert equal(getattr(again, member), getattr(plan, member)), member
     assert (again.stats, again.reason, again.planner) == (plan.stats, plan.reason, plan.planner)
     assert [file.name for file in tmp_path.iterdir()] == ["plan.json"]
@@ -102,6 +107,12 @@ CHANGES = [
     (("tree", "parents"), [], "parents"),
     (("roadmap",), {"nodes": [[0, 0]], "edges": [[0, 1]]}, "roadmap.edges"),
     (("roadmap",), {"nodes": [[0, 0]], "edges": [0]}, "roadmap.edges"),
+    (("trajectory",), {"start": [0, 0], "controls": [], "durations": [], "wheelbase": 1}, "trajectory.start"),
+    (("trajectory",), {"start": [0, 0, 0], "controls": [[1, 0]], "durations": [], "wheelbase": 1}, "trajectory.durations"),
+    (("trajectory",), {"start": [0, 0, 0], "controls": [[1, 0]], "durations": [-1], "wheelbase": 1}, "trajectory.durations"),
+    (("trajectory",), {"start": [0, 0, 0], "controls": [[1]], "durations": [1], "wheelbase": 1}, "trajectory.controls"),
+    (("trajectory",), {"start": [0, 0, 0], "controls": [], "durations": [], "wheelbase": 0}, "trajectory.wheelbase"),
+    (("tree",), {"nodes": [[0, 0, 0]], "parent": [-1], "controls": [], "durations": [0]}, "tree.controls"),
     (("planner",), 3, "planner"),
     (("problem", "start", 0), 5, "start"),
     (("surplus",), 1, "surplus"),

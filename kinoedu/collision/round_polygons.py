@@ -32,7 +32,7 @@ def round_among_polygons(robot: RoundRobot, world: PolygonWorldRecord, a: Array,
 
 @is_free.register(RoundRobot, PolygonWorldRecord)
 def round_in_place(robot: RoundRobot, world: PolygonWorldRecord, q: Array, clearance: float) -> bool:
-    """A motion that stays where it is; but of a point its cell has the answer."""
+    """A motion that stays where it is; but a point is looked for in one cell of the index only."""
     x, y, radius = q[0], q[1], robot.radius + clearance
     if not is_in_box(q, world):
         return False

@@ -3,8 +3,9 @@
 A free cell also knows how far freedom reaches round it, in cells; a motion that stays within that is free without a look at any
 obstacle. What is left, near the obstacles' edges, has to be judged exactly.
 
-Source: the bucket methods of F. P. Preparata and M. I. Shamos, "Computational Geometry" (1985), section 2.2; for the reach,
-A. Rosenfeld and J. L. Pfaltz, "Sequential operations in digital picture processing" (1966).
+Sources: M. Edahiro, I. Kokubo, T. Asano, "A new point-location algorithm and its practical efficiency" (1984), for cells as
+buckets; H. Samet, "The quadtree and related hierarchical data structures" (1984), for halving them; A. Rosenfeld and J. L. Pfaltz,
+"Sequential operations in digital picture processing" (1966), for the reach.
 """
 
 from typing import NamedTuple
@@ -18,18 +19,21 @@ from ..geometry.exact import length, turn
 from ..geometry.parts import Parts
 from .parts_index import MARGIN, PartsIndex, clip
 
-SOLID, RIM, MIXED, FREE = -2, -1, 0, 1
+SOLID, RIM, MIXED, FREE = -2, -1, 0, 1  # the less, the worse; FREE is the least reach as well
 FINE, ALONG = 32, 600  # small cells along the side of a cell of the index, and along the longer side of a world, at most
-MOST = 16  # cells that are looked at for the reach: longer motions are cut into pieces
-PIECES = 4  # of a motion that are looked up one by one
-FAR, SMALL = 1e9, 1e-290  # farther out for its size, or smaller, rounding is no longer small beside a margin: nothing is known
+MOST = 16  # the greatest reach that is counted
+PIECES = 4  # of a motion, looked up one by one
+FAR, SMALL = (
+    1e9,
+    1e-290,
+)  # a world farther out than FAR times its size, or smaller than SMALL, is not cut up: a margin is lost in rounding
 
 
 class KnownCells(NamedTuple):
-    """Cell (i, j) covers (x, y) + (i, j) * side, with per_unit = 1 / side; reach[j, i] is what it wholly is.
+    """Cell (i, j) covers (x, y) + (i, j) * side, with per_unit = 1 / side; reach[j, i] says what all of it is.
 
-    SOLID, or how far it is FREE: 1 if the cell itself is and a neighbour is not, 2 if all its eight neighbours are too, and so on.
-    MIXED where neither is known, RIM if not even that the cell is inside the world's hull. No cells at all where nothing is known.
+    SOLID; or FREE, and then how far: 1 if the cell itself is, 2 if its eight neighbours are too, and so on. MIXED: inside the
+    world's hull, no more is known. RIM: not even that. Where nothing is known, there are no cells.
     """
 
     x: float
@@ -93,7 +97,7 @@ def judged_block(i: int, j: int, size: int, known: KnownCells, cell: int, hull: 
 
 
 def measure_reach(reach: NDArray[np.int8]) -> None:
-    """How far each FREE cell is so, up to MOST: how often what is free can be peeled, a layer of cells at a time, and still has it.
+    """Count for each FREE cell how many peelings it outlives, up to MOST. Each takes the outermost layer of what is free.
 
     The cells along the grid's edge are never FREE: they are not wholly inside the hull.
     """
@@ -116,7 +120,7 @@ def box_in_part(x0: float, y0: float, x1: float, y1: float, parts: Parts, i: int
 
 @compiled
 def box_in_disc(x0: float, y0: float, x1: float, y1: float, centre: Array, radius: float) -> int:
-    """Whether a box is SOLID strictly inside a disc, FREE of it, or neither; a disc too large to tell is not looked at closely."""
+    """Whether a box is SOLID strictly inside a disc, FREE of it, or neither; MIXED for one too large for a margin."""
     left, right, below, above = centre[0] - x0, x1 - centre[0], centre[1] - y0, y1 - centre[1]
     if radius > FAR * (x1 - x0):
         return MIXED
@@ -127,7 +131,7 @@ def box_in_disc(x0: float, y0: float, x1: float, y1: float, centre: Array, radiu
 
 @compiled
 def box_in_polygon(x0: float, y0: float, x1: float, y1: float, points: Array, begin: int, end: int) -> int:
-    """Whether a box is SOLID strictly inside the convex polygon points[begin:end], FREE where an edge parts them, or neither.
+    """Whether a box is SOLID strictly inside the convex polygon points[begin:end], FREE to the right of an edge, or neither.
 
     The box's corner farthest to the left of an edge and the one farthest to its right decide for all four.
     """
@@ -147,7 +151,7 @@ def box_in_polygon(x0: float, y0: float, x1: float, y1: float, points: Array, be
 
 @inlined
 def known_at(x: float, y: float, radius: float, known: KnownCells) -> int:
-    """Whether a disc in the world's bounding box is known to be FREE, or its centre SOLID; else MIXED or RIM, as its cell is."""
+    """Whether a disc with its centre in the world's bounding box is known to be FREE, or its centre SOLID; else RIM or MIXED."""
     rows, columns = known.reach.shape
     if rows == 0:
         return RIM
@@ -157,7 +161,7 @@ def known_at(x: float, y: float, radius: float, known: KnownCells) -> int:
 
 @inlined
 def known_between(ax: float, ay: float, bx: float, by: float, radius: float, known: KnownCells) -> int:
-    """The same for a disc moved along a-b: piece after piece, which is FREE where one end's reach holds the other."""
+    """The same for a disc moved along a-b. A piece of the way is FREE where the reach of one end holds the other and the disc."""
     rows, columns = known.reach.shape
     if rows == 0:
         return RIM
@@ -176,7 +180,7 @@ def known_between(ax: float, ay: float, bx: float, by: float, radius: float, kno
         if max(abs(k - i), abs(m - j)) + spare >= max(at_a, at_b):
             found = rest
         i, j, at_a = k, m, at_b
-    return found if rest != SOLID else SOLID
+    return found
 
 
 @inlined

@@ -11,6 +11,7 @@ from ..geometry.exact import turn
 from ..geometry.parts import Parts, motion_touches_part, part_boxes
 
 MARGIN = 0.01  # of a cell: boxes are grown by it, so that no rounding of a cell's number loses a part
+ROUNDING = 1e-9  # of a cell: by no more may the world stick out of its cells
 
 
 class PartsIndex(NamedTuple):
@@ -37,7 +38,7 @@ def index_parts(parts: Parts, lo: Array, hi: Array) -> PartsIndex:
     if np.abs([lo, hi]).max() > 1e9 * size:
         divisions = 1
     cell = float(size / divisions)
-    columns, rows = np.maximum(np.ceil((hi - lo) / cell - MARGIN), 1).astype(int).tolist()
+    columns, rows = np.maximum(np.ceil((hi - lo) / cell - ROUNDING), 1).astype(int).tolist()
     low = np.clip(np.floor((boxes[:, :2] - lo) / cell - MARGIN), 0, [columns - 1, rows - 1]).astype(int)
     high = np.clip(np.floor((boxes[:, 2:] - lo) / cell + MARGIN), 0, [columns - 1, rows - 1]).astype(int)
     wide, tall = (high - low + 1).T
