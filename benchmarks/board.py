@@ -3,6 +3,7 @@
 import sys
 import tempfile
 import time
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -107,13 +108,26 @@ def drag(page: Any, name: str, seconds: float, number: int = 0) -> dict[str, flo
     return {"spent": spent, "moves": moves, **seen(events, spent), "stale": float(board.get_attribute("data-stale"))}
 
 
+def warm(page: Any, name: str, seconds: float = 120.0) -> None:
+    """Drag until it is answered, or for so long: what was not compiled yet is compiled meanwhile."""
+    until = time.perf_counter() + seconds
+    while time.perf_counter() < until:
+        with suppress(Unanswered):
+            drag(page, name, 0.5)
+            return
+
+
+class Unanswered(RuntimeError):
+    """Nothing came back while a thing was dragged."""
+
+
 def seen(events: list[Any], spent: float) -> dict[str, float]:
     """Rates a second, the delay of an answer in ms, and how often an older answer was painted after a newer one."""
     asked = {seq: when for what, seq, when in events if what == "asked"}
     answered = [(seq, when) for what, seq, when in events if what == "answered" and seq in asked]
     painted = [seq for what, seq, _ in events if what == "painted"]
     if not answered:
-        raise RuntimeError("nothing was answered: was anything grabbed?")
+        raise Unanswered("nothing was answered: was anything grabbed?")
     delays = [when - asked[seq] for seq, when in answered]
     backward = sum(after < before for before, after in zip(painted, painted[1:], strict=False))
     return {
@@ -149,6 +163,7 @@ def main(seconds: float = 4.0, repeats: int = 3) -> None:
                     page.wait_for_selector(".kinoedu-board[data-answers]")
                     page.wait_for_timeout(2000)  # JupyterLab is still moving cells about
                     for what, name in things:
+                        warm(page, name)
                         told(what, [drag(page, name, seconds) for _ in range(repeats)])
 
 
