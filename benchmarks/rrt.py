@@ -48,11 +48,11 @@ def ruler() -> Contestant:
     return contestant
 
 
-def ompl() -> Contestant:
-    """Its RRT with the same step, goal bias and number of nodes."""
+def ompl(make: Callable[[int], Case] = among_polygons) -> Contestant:
+    """Its RRT with the same step, goal bias and number of nodes; its test is compiled once for each seed's case."""
     from ompl import geometric
 
-    test = lru_cache(lambda seed: compiled_test(among_polygons(seed).problem))
+    test = lru_cache(lambda seed: compiled_test(make(seed).problem))
 
     def contestant(case: Case) -> Callable[[], Any]:
         setup = Setup(case.problem, test(case.seed))
