@@ -26,9 +26,10 @@ def house(tmp_path_factory):
     shutil.copytree(HOUSE / "kinoedu", copy / "kinoedu", ignore=shutil.ignore_patterns("__pycache__"))
     for room in ("bank", "new_exercise"):
         shutil.copytree(HOUSE / "solutions" / room, copy / "solutions" / room, ignore=shutil.ignore_patterns("__pycache__"))
-    (copy / "tests").mkdir()
-    (copy / "exercises").mkdir()
-    for name in ("pyproject.toml", "tests/test_course.py", "tests/test_bank.py", "tests/test_release.py", "tests/nbval.cfg"):
+    for room in ("tests", "exercises", "docs"):
+        (copy / room).mkdir()
+    tests = [f"tests/{name}" for name in ("test_course.py", "test_bank.py", "test_release.py", "nbval.cfg")]
+    for name in ("pyproject.toml", "docs/rendering.py", *tests):
         shutil.copy(HOUSE / name, copy / name)
     return copy
 
