@@ -164,9 +164,9 @@ def numbers_of(field: Field) -> Any:
 
 
 def built_from(field: Field, kinds: tuple[Any, ...]) -> Any:
-    """A tree, a roadmap or a walk, of the kind that has the members given; the first are its nodes, and others may count them."""
+    """A tree, a roadmap or a walk, of the kind that has most of the members given; the first are its nodes, others may count them."""
     given = set(field.value) if isinstance(field.value, dict) else set()
-    kind = next((kind for kind in kinds if set(kind._fields) == given), kinds[0])
+    kind = max(kinds, key=lambda kind: len(given.intersection(kind._fields)))
     fields = field.members(kind._fields)
     first, *others = kind._fields
     nodes = numbers_of(fields[first])

@@ -90,9 +90,8 @@ def test_what_is_known_is_true_in_oblong_worlds(excess: float, upright: bool) ->
     turned = slice(None, None, -1 if upright else 1)
     for cells in range(1, 8):
         height = (cells + excess) / 8
-        boxes = [
-            (0.055 * k, height - 0.001 * k, 0.055 * k + 0.05, height - 0.0003 * k) for k in range(1, 17)
-        ]  # 16 parts make 8 cells along
+        # 16 parts make 8 cells along
+        boxes = [(0.055 * k, height - 0.001 * k, 0.055 * k + 0.05, height - 0.0003 * k) for k in range(1, 17)]
         corners = [np.array([(a, b), (c, b), (c, d), (a, d)])[:, turned] for a, b, c, d in boxes]
         world = PolygonWorld(np.array([(0, 0), (1, 0), (1, height), (0, height)])[:, turned], corners)
         judged = world._replace(known=nothing_known())
@@ -131,7 +130,7 @@ def test_most_answers_are_known() -> None:
 
 
 def test_a_world_of_many_parts_has_no_more_small_cells() -> None:
-    """A city's cells of the index are not cut up at all."""
+    """The more cells the index of a city has, the fewer pieces each is cut into."""
     x, y = np.meshgrid(np.arange(-23.0, 23.0), np.arange(-23.0, 23.0))
     parts = [[(x, y), (x + 0.5, y), (x, y + 0.5)] for x, y in zip(x.flat, y.flat, strict=True)]
     world = PolygonWorld(BOX, parts)

@@ -113,6 +113,7 @@ CHANGES = [
     (("trajectory",), {"start": [0, 0, 0], "controls": [[1]], "durations": [1], "wheelbase": 1}, "trajectory.controls"),
     (("trajectory",), {"start": [0, 0, 0], "controls": [], "durations": [], "wheelbase": 0}, "trajectory.wheelbase"),
     (("tree",), {"nodes": [[0, 0, 0]], "parent": [-1], "controls": [], "durations": [0]}, "tree.controls"),
+    (("tree",), {"nodes": [[0, 0, 0]], "parent": [-1], "controls": [[0, 0]], "duration": [0]}, "mean 'durations'"),
     (("planner",), 3, "planner"),
     (("problem", "start", 0), 5, "start"),
     (("surplus",), 1, "surplus"),

@@ -1,6 +1,7 @@
 """The course as a site: built from what is stored, without a warning; every link leads somewhere; nothing is fetched."""
 
 import json
+import re
 import subprocess
 import sys
 from html.parser import HTMLParser
@@ -107,8 +108,12 @@ def test_pictures_stand_for_boards(site, pages, notebook):
     pictures, text = pages[file].pictures, file.read_text(encoding="utf-8")
     assert len(pictures) == sum("image/png" in output for output in outputs)
     assert all(picture["alt"] and not picture["alt"].endswith(".png") for picture in pictures)
-    figures = [picture["alt"] for picture in pictures if picture["alt"].endswith(say("site.figure", section=""))]
-    assert not {say("site.figure", section="")}.intersection(figures)  # each names the section that it stands in
+    named = [picture["alt"].removesuffix(say("site.figure", section="")) for picture in pictures]
+    sections = [name for name, picture in zip(named, pictures, strict=True) if name != picture["alt"]]
+    assert len(sections) == sum("".join(output.get("text/plain", "")).startswith("<Figure") for output in outputs)
+    words = "\n".join("".join(cell["source"]) for cell in cells if cell["cell_type"] == "markdown")
+    titles = re.findall(r"(?m)^#+ (.+)", words)
+    assert {re.sub(r"\W", "", name) for name in sections} <= {re.sub(r"\W", "", title) for title in titles}
     assert text.count('class="still"') == sum(BOARD in output for output in outputs)
     assert BOARD not in text and "<script src=" in text
 

@@ -23,10 +23,8 @@ SOLID, RIM, MIXED, FREE = -2, -1, 0, 1  # the less, the worse; FREE is the least
 FINE, ALONG = 32, 600  # small cells along the side of a cell of the index, and along the longer side of a world, at most
 MOST = 16  # the greatest reach that is counted
 PIECES = 4  # of a motion, looked up one by one
-FAR, SMALL = (
-    1e9,
-    1e-290,
-)  # a world farther out than FAR times its size, or smaller than SMALL, is not cut up: a margin is lost in rounding
+# a world farther out than FAR times its size, or smaller than SMALL, is not cut up: a margin would be lost in rounding
+FAR, SMALL = 1e9, 1e-290
 
 
 class KnownCells(NamedTuple):
@@ -75,9 +73,8 @@ def fill_known_cells(known: KnownCells, fine: int, hull: Array, parts: Parts, ce
         for j in range(0, known.reach.shape[0], size):
             for i in range(0, known.reach.shape[1], size):
                 if known.reach[j, i] == MIXED or known.reach[j, i] == RIM:
-                    known.reach[j : j + size, i : i + size] = judged_block(
-                        i, j, size, known, j // fine * cells.columns + i // fine, hull, parts, cells
-                    )
+                    cell = j // fine * cells.columns + i // fine
+                    known.reach[j : j + size, i : i + size] = judged_block(i, j, size, known, cell, hull, parts, cells)
         size //= 2
 
 
@@ -86,6 +83,7 @@ def judged_block(i: int, j: int, size: int, known: KnownCells, cell: int, hull: 
     """What size * size small cells wholly are, with the margin of one: by the hull, and by the parts in their cell of the index."""
     x0, x1 = known.x + (i - MARGIN) * known.side, known.x + (i + size + MARGIN) * known.side
     y0, y1 = known.y + (j - MARGIN) * known.side, known.y + (j + size + MARGIN) * known.side
+    # what the block was a quarter of is MIXED if it is inside the hull
     inside = known.reach[j, i] == MIXED or box_in_polygon(x0, y0, x1, y1, hull, 0, len(hull)) == SOLID
     found = FREE if inside else RIM
     for entry in range(cells.first[cell], cells.first[cell + 1]):
