@@ -164,7 +164,7 @@ def numbers_of(field: Field) -> Any:
 
 
 def built_from(field: Field, kinds: tuple[Any, ...]) -> Any:
-    """A tree, a roadmap or a walk, of the kind that has most of the members given; the first are its nodes, others may count them."""
+    """A tree, a roadmap or a walk, of the kind that shares most members; the first are its nodes, others may count them."""
     given = set(field.value) if isinstance(field.value, dict) else set()
     kind = max(kinds, key=lambda kind: len(given.intersection(kind._fields)))
     fields = field.members(kind._fields)
