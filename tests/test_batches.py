@@ -64,6 +64,16 @@ def test_points_are_located_at_any_scale(size: float, shift: float) -> None:
     assert (world.known.reach.size > 0) == (size > 1e-290 and shift == 0.0)
 
 
+def test_points_are_located_between_the_smallest_numbers() -> None:
+    """Among more obstacles than the world is numbers wide: it is not cut up."""
+    u, places = 5e-324, range(1, 7)
+    obstacles = [[(x * u, y * u), ((x + 1) * u, y * u), (x * u, (y + 1) * u)] for x in places for y in places]
+    halves = [[(9 * u - x, 9 * u - y) for x, y in triangle] for triangle in obstacles]
+    world = PolygonWorld([(0, 0), (10 * u, 0), (10 * u, 10 * u), (0, 10 * u)], obstacles + halves)
+    qs = [(u, u), (8 * u, 8 * u), (9 * u, 9 * u), (8 * u, u), (10 * u, u)]
+    assert free_configurations(Point(), world, qs).tolist() == [False, False, True, True, False]
+
+
 def test_what_is_known_of_a_cell_is_true_of_its_points() -> None:
     """Many points of each kind of cell; most cells are known."""
     rng = np.random.default_rng(2)

@@ -17,14 +17,12 @@ from ..compiled import body, compiled, inlined
 from ..geometry.checks import Array
 from ..geometry.exact import length, turn
 from ..geometry.parts import Parts
-from .parts_index import MARGIN, PartsIndex, clip
+from .parts_index import FAR, MARGIN, PartsIndex, clip, has_margins
 
 SOLID, RIM, MIXED, FREE = -2, -1, 0, 1  # the less, the worse; FREE is the least reach as well
 FINE, ALONG = 32, 600  # small cells along the side of a cell of the index, and along the longer side of a world, at most
 MOST = 16  # the greatest reach that is counted
 PIECES = 4  # of a motion, looked up one by one
-# a world farther out than FAR times its size, or smaller than SMALL, is not cut up: a margin would be lost in rounding
-FAR, SMALL = 1e9, 1e-290
 
 
 class KnownCells(NamedTuple):
@@ -45,10 +43,9 @@ def known_cells(hull: Array, parts: Parts, cells: PartsIndex, lo: Array, hi: Arr
     """The small cells of a world: the cells of the index, halved and halved again as long as they are not too many.
 
     A cell counts with a margin round it, so that rounding cannot carry a point to a cell which it does not belong to. No cells for
-    worlds too far out or too small to be cut up so.
+    worlds that have no room for margins.
     """
-    size = (hi - lo).max()
-    if size < SMALL or np.abs([lo, hi]).max() > FAR * size:
+    if not has_margins(lo, hi):
         return nothing_known()
     fine = FINE
     while fine > 1 and fine * max(cells.rows, cells.columns) > ALONG:

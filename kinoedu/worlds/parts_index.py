@@ -12,6 +12,7 @@ from ..geometry.parts import Parts, motion_touches_part, part_boxes
 
 MARGIN = 0.01  # of a cell: boxes are grown by it, so that no rounding of a cell's number loses a part
 ROUNDING = 1e-9  # of a cell: by no more may the world stick out of its cells
+FAR, SMALL = 1e9, 1e-290  # farther out than FAR times its size, or smaller than SMALL, a margin would be lost in rounding
 
 
 class PartsIndex(NamedTuple):
@@ -30,14 +31,17 @@ class PartsIndex(NamedTuple):
     boxes: Array
 
 
-def index_parts(parts: Parts, lo: Array, hi: Array) -> PartsIndex:
-    """About four cells for each part over the box lo..hi. A world far from the origin for its size gets one cell."""
-    boxes = part_boxes(parts)
+def has_margins(lo: Array, hi: Array) -> bool:
+    """Whether the box lo..hi can be cut into cells whose margins are more than rounding."""
     size = (hi - lo).max()
-    divisions = int(np.ceil(2.0 * np.sqrt(len(boxes)))) or 1
-    if np.abs([lo, hi]).max() > 1e9 * size:
-        divisions = 1
-    cell = float(size / divisions)
+    return bool(size >= SMALL and np.abs([lo, hi]).max() <= FAR * size)
+
+
+def index_parts(parts: Parts, lo: Array, hi: Array) -> PartsIndex:
+    """About four cells for each part over the box lo..hi; one where a margin would be lost."""
+    boxes = part_boxes(parts)
+    divisions = max(1, int(np.ceil(2.0 * np.sqrt(len(boxes))))) if has_margins(lo, hi) else 1
+    cell = float((hi - lo).max() / divisions)
     columns, rows = np.maximum(np.ceil((hi - lo) / cell - ROUNDING), 1).astype(int).tolist()
     low = np.clip(np.floor((boxes[:, :2] - lo) / cell - MARGIN), 0, [columns - 1, rows - 1]).astype(int)
     high = np.clip(np.floor((boxes[:, 2:] - lo) / cell + MARGIN), 0, [columns - 1, rows - 1]).astype(int)
