@@ -1,6 +1,7 @@
 """The bank of wrong answers: each is rejected, for its own reason, as a grader hears of it: cases and outcomes travel as JSON."""
 
 import json
+from functools import lru_cache
 from pathlib import Path
 
 import numpy as np
@@ -10,17 +11,25 @@ from kinoedu import words
 from kinoedu.course import EXERCISES
 from kinoedu.course.bank import read_bank
 from kinoedu.course.feedback import Feedback, picture_of, rule_words
-from kinoedu.course.judging import attempt, report_on
+from kinoedu.course.judging import attempted, report_on
 from kinoedu.course.outcomes import decode_outcome, encode_outcome
+from kinoedu.time_limit import within
 
 HOUSE = Path(__file__).resolve().parent.parent
 BANK = [item for file in sorted((HOUSE / "solutions" / "bank").glob("*.py")) for item in read_bank(file)]
 
 
-def travelled(exercise, function, case):
+@lru_cache(maxsize=1)
+def cases_of(exercise):
+    """An exercise's cases, and what each gives as JSON. What a program may call is compiled before its time runs."""
+    cases = list(exercise.cases(np.random.default_rng(0)))
+    exercise.wanted(cases[0])
+    return cases, [json.dumps(exercise.given.encode(case.given), allow_nan=False) for case in cases]
+
+
+def travelled(exercise, function, sent):
     """The outcome of a call, when case and outcome were sent as JSON."""
-    sent = json.loads(json.dumps(exercise.given.encode(case.given), allow_nan=False))
-    outcome = attempt(exercise, function, case._replace(given=exercise.given.decode(sent)))
+    outcome = attempted(exercise, function, json.loads(sent), within)
     return decode_outcome(json.loads(json.dumps(encode_outcome(outcome, exercise.answer), allow_nan=False)), exercise.answer)
 
 
@@ -28,10 +37,9 @@ def travelled(exercise, function, case):
 def test_a_wrong_answer_is_rejected_with_its_reason(item, monkeypatch):
     """Every program of the bank fails, the misconception is recognised where it has a name, and its case is drawn."""
     exercise = EXERCISES[item.exercise]
-    cases = list(exercise.cases(np.random.default_rng(0)))
-    exercise.wanted(cases[0])  # what it may call is compiled before its time runs
+    cases, given = cases_of(exercise)
     monkeypatch.setattr(type(exercise), "seconds", 4.0)
-    report = report_on(exercise, cases, (travelled(exercise, item.function, case) for case in cases))
+    report = report_on(exercise, cases, (travelled(exercise, item.function, sent) for sent in given))
     assert not report.is_right
     assert report.score < 1.0
     assert report.failure.slip == item.slip

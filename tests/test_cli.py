@@ -6,6 +6,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from children import started
 from PIL import Image
 
 import kinoedu as ke
@@ -199,12 +200,12 @@ def test_ctrl_c_is_heard_while_planning(tmp_path):
     world = ke.PolygonWorld([(0, 0), (9, 0), (9, 9), (0, 9)], [(ring, [[(4, 4), (5, 4), (5, 5), (4, 5)]])])
     ke.write_scene(ke.Problem(ke.Point(), world, (1, 1), (4.5, 4.5)), tmp_path / "room.json")
     command = [sys.executable, "-m", "kinoedu", "plan", str(tmp_path / "room.json"), "--nodes", "10000000"]
-    run = subprocess.Popen(command, stderr=subprocess.PIPE, text=True)
-    heard = ""
-    while "planning" not in heard:
-        heard += run.stderr.readline()
-    run.send_signal(signal.SIGINT)
-    rest = run.communicate(timeout=120)[1]
+    with started(command, stderr=subprocess.PIPE) as run:
+        heard = ""
+        while "planning" not in heard:
+            heard += run.stderr.readline()
+        run.send_signal(signal.SIGINT)
+        rest = run.communicate(timeout=120)[1]
     assert run.returncode == 130
     assert "Traceback" not in rest
 

@@ -12,6 +12,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from children import started
 
 import kinoedu as ke
 from kinoedu.cli import main
@@ -192,11 +193,11 @@ def test_what_was_stopped_goes_on(how, tmp_path):
     file, out = tmp_path / "small.toml", tmp_path / "out"
     file.write_text(FILE)
     command = [sys.executable, "-m", "kinoedu", "experiment", str(file), "--out", str(out), "--workers", "1"]
-    stopped = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
-    while len(list(out.glob("runs/*.json"))) < 5 and stopped.poll() is None:
-        time.sleep(0.002)
-    stopped.send_signal(how)
-    said = stopped.communicate(timeout=60)[1]
+    with started(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE) as stopped:
+        while len(list(out.glob("runs/*.json"))) < 5 and stopped.poll() is None:
+            time.sleep(0.002)
+        stopped.send_signal(how)
+        said = stopped.communicate(timeout=60)[1]
     assert stopped.returncode == (130 if how == signal.SIGINT else -how)
     assert "Traceback" not in said
     before = {kept.name: kept.stat().st_mtime_ns for kept in out.glob("runs/*.json")}
