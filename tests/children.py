@@ -8,16 +8,20 @@ from typing import Any
 
 
 @contextmanager
-def started(command: list[str], **options: Any) -> Iterator["subprocess.Popen[str]"]:
-    """A program that hears Ctrl-C, though the tests may not: jobs in a shell's background are deaf to it, and so their children.
-
-    It ends with the block at the latest.
-    """
+def ctrl_c_is_heard() -> Iterator[None]:
+    """By programs begun meanwhile, though the tests be deaf: jobs in a shell's background are, and so would be their children."""
     before = signal.signal(signal.SIGINT, signal.default_int_handler)
     try:
-        program = subprocess.Popen(command, text=True, **options)
+        yield
     finally:
         signal.signal(signal.SIGINT, before)
+
+
+@contextmanager
+def started(command: list[str], **options: Any) -> Iterator["subprocess.Popen[str]"]:
+    """A program that hears Ctrl-C, and ends with the block at the latest."""
+    with ctrl_c_is_heard():
+        program = subprocess.Popen(command, text=True, **options)
     with program:
         try:
             yield program

@@ -11,6 +11,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from children import started
 from PIL import Image
 
 from kinoedu.bench import Ratio, append_ratios, install_peer, named_peers, read_ratios, read_rows
@@ -184,13 +185,13 @@ import kinoedu.cli.bench as bench
 from kinoedu.cli import main
 bench.BENCHMARKS = Path({str(folder)!r})
 raise SystemExit(main(["bench", "holds", "waits"]))"""
-    running = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-    deadline = time.monotonic() + 60
-    while not (folder / "waits.began").exists():
-        assert time.monotonic() < deadline and running.poll() is None
-        time.sleep(0.05)
-    running.send_signal(signal.SIGINT)
-    running.communicate(timeout=60)
+    with started([sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE) as running:
+        deadline = time.monotonic() + 60
+        while not (folder / "waits.began").exists():
+            assert time.monotonic() < deadline and running.poll() is None
+            time.sleep(0.05)
+        running.send_signal(signal.SIGINT)
+        running.communicate(timeout=60)
     assert running.returncode == 130
     assert (folder / "waits.cleared").exists()
     assert (folder / "results" / "ratios.png").exists() and "holds" in (folder / "results" / "ratios.md").read_text()

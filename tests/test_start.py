@@ -17,6 +17,7 @@ import tomllib
 from pathlib import Path
 
 import pytest
+from children import ctrl_c_is_heard
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
@@ -78,15 +79,16 @@ class Course:
     def begin(self, *arguments: str, uv: str = "install", cwd: Path | None = None, **variables: str) -> subprocess.Popen:
         kept = {name: value for name, value in os.environ.items() if not name.startswith(("PIP_", "UV_"))}
         kept |= {"PATH": f"{self.bin}{os.pathsep}{os.defpath}", "FAKE_UV": uv, "PYTHONUTF8": "1"} | variables
-        return subprocess.Popen(
-            [sys.executable, str(self.home / "start.py"), *arguments],
-            env=kept,
-            text=True,
-            cwd=cwd,
-            encoding="utf-8",
-            stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE,
-        )
+        with ctrl_c_is_heard():
+            return subprocess.Popen(
+                [sys.executable, str(self.home / "start.py"), *arguments],
+                env=kept,
+                text=True,
+                cwd=cwd,
+                encoding="utf-8",
+                stdout=subprocess.PIPE,
+                stderr=subprocess.PIPE,
+            )
 
     def run(self, *arguments: str, **how: object) -> "Ended":
         return Ended(self.begin(*arguments, **how))  # type: ignore[arg-type]  # passed on as it came
