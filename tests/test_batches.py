@@ -16,7 +16,7 @@ from kinoedu import Disk, Point, PolygonWorld, Terrain
 from kinoedu.collision import coordinates, free_configurations, free_motions, is_free, is_free_path
 from kinoedu.collision.batches import judge_motions
 from kinoedu.errors import InvalidParameter, InvalidPoint, InvalidPolygon
-from kinoedu.geometry import convex_hull, convex_pairs_intersect, convex_polygons_intersect
+from kinoedu.geometry import ConvexPolygons, convex_hull, convex_pairs_intersect, convex_polygons_intersect
 from kinoedu.geometry.convex_pairs import convex_turn
 from kinoedu.worlds.known_cells import ALONG, FINE, FREE, MIXED, MOST, RIM, SOLID, known_at, known_between, nothing_known
 
@@ -179,7 +179,7 @@ def test_no_questions_have_no_answers() -> None:
     """Empty arrays and lists."""
     assert free_configurations(Point(), WORLD, []).shape == free_configurations(Point(), WORLD, NONE).shape == (0,)
     assert free_motions(Point(), WORLD, [], NONE).shape == (0,)
-    assert convex_pairs_intersect(np.empty((0, 3, 2)), np.empty((0, 4, 2))).shape == (0,)
+    assert convex_pairs_intersect(np.empty((0, 3, 2)), ConvexPolygons(np.empty((0, 4, 2)))).shape == (0,)
 
 
 @pytest.mark.parametrize("bad", [(1, 2), [(1, 2, 3)], [[1]], [[(1, 2)]], [(1, math.nan)], [(1, math.inf)], [(1, 2), (3,)], "ab"])
@@ -232,6 +232,8 @@ def test_convex_pairs_are_exact(P: Any, Q: Any, shift: Any, first: int, reverse:
     truth = meet_exactly(P, Q)
     assert convex_pairs_intersect([P, P], [turned, turned]).tolist() == [truth, truth]
     assert convex_pairs_intersect([turned], [P]).tolist() == [truth]
+    assert convex_pairs_intersect(ConvexPolygons([turned]), [P]).tolist() == [truth]
+    assert convex_pairs_intersect(ConvexPolygons([P]), ConvexPolygons([turned])).tolist() == [truth]
 
 
 def test_pairs_answer_as_the_single_question_does() -> None:
@@ -260,6 +262,19 @@ def test_rings_are_refused_as_single_polygons_are(ring: Any) -> None:
         assert str(caught.value) == refused
     else:
         assert convex_pairs_intersect([ring], [ring]).tolist() == [True]
+
+
+def test_polygons_are_checked_once() -> None:
+    """They turn counter-clockwise then, are a copy, and are not checked when they are asked about."""
+    mine = np.array([TRIANGLE, TRIANGLE[::-1]], float)
+    checked = ConvexPolygons(mine)
+    mine[:] = np.nan
+    assert [convex_turn(ring) for ring in checked.rings] == [1, 1]
+    assert {(*box,) for box in checked.boxes.tolist()} == {(*np.min(TRIANGLE, axis=0), *np.max(TRIANGLE, axis=0))}
+    with pytest.raises(InvalidPolygon, match=r"^vertices\[1\] "):
+        ConvexPolygons([SQUARE, [(0, 0), (1, 1), (1, 0), (0, 1)]])
+    with pytest.raises(InvalidPolygon, match="equally many polygons, got 2 and 1"):
+        convex_pairs_intersect(checked, [SQUARE])
 
 
 def test_a_pentagram_is_no_convex_polygon() -> None:

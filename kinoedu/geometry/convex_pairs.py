@@ -1,5 +1,7 @@
 """Many pairs of convex polygons at once: which of them meet."""
 
+from typing import NamedTuple
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -11,26 +13,50 @@ from .exact import turn
 from .rings import as_convex_ring
 
 
-def convex_pairs_intersect(P: ArrayLike, Q: ArrayLike) -> NDArray[np.bool_]:
+class ConvexPolygonsRecord(NamedTuple):
+    """What `ConvexPolygons` makes; nothing writes it.
+
+    rings : (m, n, 2), counter-clockwise. boxes : (m, 4), round each: least x, least y, greatest x, greatest y.
+    """
+
+    rings: Array
+    boxes: Array
+
+
+def ConvexPolygons(vertices: ArrayLike) -> ConvexPolygonsRecord:
+    """Convex polygons of n vertices each, shape (m, n, 2), checked once to be asked about many times.
+
+    Exact, O(n) for each. Raises InvalidPolygon, which names the polygon by its number, where one is not convex; InvalidPoint.
+
+    >>> ConvexPolygons([[(0, 0), (2, 0), (0, 2)]]).boxes
+    array([[0., 0., 2., 2.]])
+    """
+    return as_convex_polygons(vertices, "vertices")
+
+
+def convex_pairs_intersect(P: ArrayLike | ConvexPolygonsRecord, Q: ArrayLike | ConvexPolygonsRecord) -> NDArray[np.bool_]:
     """Whether P[i] and Q[i], convex polygons, share a point, for every i; touching counts, and so does one inside the other.
 
-    P has shape (m, n, 2) and Q (m, k, 2): m pairs, the answer has shape (m,). Exact, and the same as `convex_polygons_intersect`
-    of each pair. O(n + k) for pairs whose boxes are apart, O(n k) at worst for others, with the check that all are convex.
-    Raises InvalidPolygon, which names the polygon by its number, where one is not convex or the shapes do not match; InvalidPoint.
+    P has shape (m, n, 2) and Q (m, k, 2), or they are `ConvexPolygons`, which are not checked again: m pairs, the answer has shape
+    (m,). Exact, and the same as `convex_polygons_intersect` of each pair. O(1) for pairs whose boxes are apart, O(n k) at worst for
+    others. Raises InvalidPolygon, which names the polygon by its number, where one is not convex or the shapes do not match;
+    InvalidPoint.
 
     >>> triangle, square = [(0, 0), (2, 0), (0, 2)], [(1, 1), (2, 1), (2, 2), (1, 2)]
     >>> convex_pairs_intersect([triangle, triangle], [square, [(3, 3), (4, 3), (4, 4), (3, 4)]])
     array([ True, False])
     """
-    first, second = as_convex_rings(P, "P"), as_convex_rings(Q, "Q")
-    if len(first) != len(second):
-        raise InvalidPolygon(f"P and Q must hold equally many polygons, got {len(first)} and {len(second)}")
+    first, second = as_convex_polygons(P, "P"), as_convex_polygons(Q, "Q")
+    if len(first.rings) != len(second.rings):
+        raise InvalidPolygon(f"P and Q must hold equally many polygons, got {len(first.rings)} and {len(second.rings)}")
     return pairs_intersect(first, second)
 
 
-def as_convex_rings(vertices: ArrayLike, name: str) -> Array:
-    """Convex polygons of n vertices each, shape (m, n, 2), as counter-clockwise rings; each is checked as by `as_convex_ring`."""
-    rings = as_array(vertices, name)
+def as_convex_polygons(polygons: ArrayLike | ConvexPolygonsRecord, name: str) -> ConvexPolygonsRecord:
+    """Polygons of shape (m, n, 2), each checked as by `as_convex_ring`; what has been checked stays as it is."""
+    if isinstance(polygons, ConvexPolygonsRecord):
+        return polygons
+    rings = as_array(polygons, name)
     if rings.ndim != 3 or rings.shape[1] < 3 or rings.shape[2] != 2:
         raise InvalidPolygon(f"{name} must be polygons of shape (m, n, 2), each of n >= 3 vertices, got shape {rings.shape}")
     turns = convex_turns(rings)
@@ -38,7 +64,7 @@ def as_convex_rings(vertices: ArrayLike, name: str) -> Array:
         as_convex_ring(rings[i], f"{name}[{i}]")  # says what is wrong with it
     clockwise = turns < 0
     rings[clockwise] = rings[clockwise, ::-1]
-    return rings
+    return ConvexPolygonsRecord(rings, boxes_round(rings))
 
 
 @body
@@ -74,21 +100,29 @@ def convex_turn(ring: Array) -> int:
 
 
 @body
-def pairs_intersect(P: Array, Q: Array) -> NDArray[np.bool_]:
+def boxes_round(rings: Array) -> Array:
+    """The bounding box of each ring, shape (m, 4)."""
+    boxes = np.empty((len(rings), 4))
+    for i in range(len(rings)):
+        boxes[i, 0], boxes[i, 2] = span(rings[i], 0)
+        boxes[i, 1], boxes[i, 3] = span(rings[i], 1)
+    return boxes
+
+
+@body
+def pairs_intersect(P: ConvexPolygonsRecord, Q: ConvexPolygonsRecord) -> NDArray[np.bool_]:
     """Whether the convex rings P[i] and Q[i] share a point, shape (m,)."""
-    meet = np.empty(len(P), np.bool_)
-    for i in range(len(P)):
-        p, q = P[i], Q[i]
-        meet[i] = spans_meet(p, q, 0) and spans_meet(p, q, 1) and not (has_separating_edge(p, q) or has_separating_edge(q, p))
+    meet = np.empty(len(P.rings), np.bool_)
+    for i in range(len(P.rings)):
+        p, q = P.rings[i], Q.rings[i]
+        meet[i] = boxes_meet(P.boxes[i], Q.boxes[i]) and not (has_separating_edge(p, q) or has_separating_edge(q, p))
     return meet
 
 
 @inlined
-def spans_meet(P: Array, Q: Array, axis: int) -> bool:
-    """Whether what two sets of points span along an axis has a number in common."""
-    low, high = span(P, axis)
-    lowest, highest = span(Q, axis)
-    return low <= highest and lowest <= high
+def boxes_meet(a: Array, b: Array) -> bool:
+    """Whether two boxes, each least x, least y, greatest x, greatest y, share a point."""
+    return a[0] <= b[2] and b[0] <= a[2] and a[1] <= b[3] and b[1] <= a[3]
 
 
 @inlined
