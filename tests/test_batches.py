@@ -17,7 +17,7 @@ from kinoedu.collision import coordinates, free_configurations, free_motions, is
 from kinoedu.collision.batches import judge_motions
 from kinoedu.errors import InvalidParameter, InvalidPoint, InvalidPolygon
 from kinoedu.geometry import ConvexPolygons, convex_hull, convex_pairs_intersect, convex_polygons_intersect
-from kinoedu.geometry.convex_pairs import convex_turn
+from kinoedu.geometry.convex_pairs import as_convex_polygons, convex_turn
 from kinoedu.worlds.known_cells import ALONG, FINE, FREE, MIXED, MOST, RIM, SOLID, known_at, known_between, nothing_known
 
 TRIANGLE, SQUARE = [(0, 0), (2, 0), (0, 2)], [(1, 1), (2, 1), (2, 2), (1, 2)]
@@ -269,6 +269,7 @@ def test_polygons_are_checked_once() -> None:
     mine = np.array([TRIANGLE, TRIANGLE[::-1]], float)
     checked = ConvexPolygons(mine)
     mine[:] = np.nan
+    assert as_convex_polygons(checked, "P") is checked
     assert [convex_turn(ring) for ring in checked.rings] == [1, 1]
     assert {(*box,) for box in checked.boxes.tolist()} == {(*np.min(TRIANGLE, axis=0), *np.max(TRIANGLE, axis=0))}
     with pytest.raises(InvalidPolygon, match=r"^vertices\[1\] "):
