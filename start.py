@@ -3,6 +3,7 @@
 This file must parse on any Python, so that one which is too old says so in a line: no f-strings, no annotations.
 """
 # ruff: noqa: UP031, RUF005 (newer ways to format and join would not parse there)
+import errno
 import hashlib
 import json
 import os
@@ -27,6 +28,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 VENV = os.path.join(HERE, ".venv")
 LOG = os.path.join(VENV, "install.log")
 STAMP = os.path.join(VENV, "installed.json")
+LOCK = os.path.realpath(VENV) + ".lock"  # one for all copies of the course that share a .venv
 PYTHON = os.path.join(VENV, *(["Scripts", "python.exe"] if os.name == "nt" else ["bin", "python"]))
 COURSE, TEACHING, TESTS = "environment.txt", "solutions/environment.txt", "tests/environment.txt"
 SITE = "docs/environment.txt"
@@ -95,8 +97,6 @@ def start(arguments):
         os.chdir(HERE)
         return become(["-m", "sphinx", "-j", "auto", "-c", "docs", "-d", "build/doctrees", ".", "build/site"] + arguments[1:])
     set_up([COURSE, TEACHING] if arguments[:1] and arguments[0] in TEACHING_COMMANDS else [COURSE])
-    if not arguments:
-        subprocess.call([PYTHON, "-P", "-m", "kinoedu", "warm"], env=environment())
     return become(["-m", "kinoedu"] + (arguments or ["lab"]))
 
 
@@ -110,12 +110,13 @@ def folder_of(arguments):
 def gather(folder):
     """Download, as wheels for computers like this one, all that .venv was brought to."""
     set_up([COURSE])
-    with open(os.path.abspath(__file__), "rb") as lock:
+    with open(LOCK, "ab") as lock:
         wait_for(lock)
         open(LOG, "wb").close()
         tell = progress("downloading wheels into %s" % folder)
-        for name in sorted(set(MEGABYTES) & set(installed())):
-            if not with_pip(name, lock, tell, ["download", "--dest", folder]):
+        stamp = installed()
+        for name in sorted(name for name in MEGABYTES if stamp.get(name)):
+            if not with_pip(name, lock, tell, task=["download", "--dest", folder]):
                 raise Stop("%s (log: %s)" % (explain(read_log()), LOG))
         tell("\n")
     return 0
@@ -142,7 +143,7 @@ def set_up(pins):
     """Bring .venv to what the files pin. When it is there already nothing is written and nobody waits."""
     if not missing(pins):
         return
-    with open(os.path.abspath(__file__), "rb") as lock:
+    with open(LOCK, "ab") as lock:
         wait_for(lock)
         if os.path.exists(LOG):
             os.remove(LOG)
@@ -152,9 +153,12 @@ def set_up(pins):
 
 
 def bring(pins, tool, lock):
-    """Install what is missing, into a new .venv where the old is not to be trusted; whether all succeeded."""
+    """Install what is missing; into a new .venv where the Python of the old does not fit."""
     if not installed():
         make_venv(lock)
+    top = packages()
+    with open(os.path.join(top, "kinoedu.pth"), "w") as file:
+        file.write(os.path.relpath(HERE, top) + "\n")  # relative: it holds when the folder is moved
     return all(install(name, tool, lock) for name in missing(pins))
 
 
@@ -172,13 +176,19 @@ def digest(name):
 
 
 def installed():
-    """The stamp of .venv; empty if that was left half-way, or its Python is gone or has become another."""
+    """Read the stamp of .venv: digests, and None for what may be half-written.
+
+    It is empty if .venv must be made: it is not there, or its Python is gone or has become another.
+    """
+    python = binary_interface()
+    if python is None:
+        return {}
     try:
         with open(STAMP) as file:
             stamp = json.load(file)
-        return stamp if stamp["python"] == binary_interface() else {}
-    except (OSError, ValueError, KeyError, TypeError, subprocess.CalledProcessError):
-        return {}
+        return stamp if stamp["python"] == python else {}
+    except (OSError, ValueError, KeyError, TypeError):  # lost or damaged: who knows what is there
+        return dict(dict.fromkeys(MEGABYTES), python=python) if os.path.isdir(packages()) else {}
 
 
 def write_stamp(stamp):
@@ -189,8 +199,18 @@ def write_stamp(stamp):
 
 
 def binary_interface():
-    """What compiled packages in .venv must fit, such as .cpython-311-x86_64-linux-gnu.so."""
-    return ask("importlib.machinery.EXTENSION_SUFFIXES[0]")
+    """Ask what compiled packages must fit, such as .cpython-311-x86_64-linux-gnu.so.
+
+    It is None if no Python runs in .venv.
+    """
+    try:
+        return ask("importlib.machinery.EXTENSION_SUFFIXES[0]")
+    except (subprocess.CalledProcessError, ValueError):
+        return None
+    except OSError as error:
+        if error.errno in (errno.ENOENT, errno.ENOTDIR, errno.ENOEXEC, errno.EACCES):
+            return None
+        raise  # no memory, say: that tells nothing about .venv
 
 
 def packages():
@@ -199,8 +219,14 @@ def packages():
 
 
 def contents():
-    """What is installed, but for the installer itself."""
-    return {name for name in os.listdir(packages()) if not re.match("_?(pip|setuptools|pkg_resources|distutils)", name)}
+    """Find each installed file's size and time, but for the installer itself and bytecode."""
+    found, top = {}, packages()
+    others = re.compile("_?(pip|setuptools|pkg_resources|distutils)|.*__pycache__")
+    for folder, _, names in os.walk(top):
+        for path in [os.path.join(folder, name) for name in names]:
+            if not others.match(os.path.relpath(path, top)):
+                found[path] = (os.lstat(path).st_size, os.lstat(path).st_mtime)
+    return found
 
 
 def ask(expression):
@@ -211,45 +237,112 @@ def ask(expression):
 
 
 def make_venv(lock):
-    """An empty .venv in place of whatever was there, which imports kinoedu from this folder."""
+    """Make an empty .venv in place of whatever was there, unless programs run from that."""
+    make_way()
     if os.path.exists(STAMP):
         os.remove(STAMP)  # first, or a .venv whose deletion was interrupted would seem whole
     base = getattr(sys, "_base_executable", None) or sys.executable  # we may run on the .venv that is deleted here
-    made = subprocess.run([base, "-I", "-m", "venv", "--clear", "--without-pip", VENV], stdin=subprocess.DEVNULL,
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env=environment(), **shared(lock))
+    line = [base, "-I", "-m", "venv", "--clear", "--without-pip", os.path.realpath(VENV)]
+    made = subprocess.run(line, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, env=environment(), **shared(lock))
     if made.returncode:
         raise Stop(explain(made.stdout.decode("utf-8", "replace")))
-    with open(os.path.join(packages(), "kinoedu.pth"), "w") as file:
-        file.write(os.path.relpath(HERE, packages()) + "\n")  # relative: it holds when the folder is moved
     write_stamp({"python": binary_interface()})
 
 
+def make_way():
+    """Refuse while programs run from the old .venv. Where nothing lists them, move it away."""
+    old = os.path.realpath(VENV)
+    if not os.path.isdir(old):
+        users = []
+    elif sys.platform.startswith("linux"):
+        numbers = [name for name in os.listdir("/proc") if name.isdigit()]
+        users = ["process " + pid for pid in numbers if runs_from(old, pid)]
+    else:
+        users = [] if move_away(old) else ["programs"]
+    if users:
+        raise Stop("the Python of %s is gone or has become another, but that folder is in use by "
+                   "%s; close what runs from it, and run this again" % (old, ", ".join(users)))
+
+
+def move_away(folder):
+    """Rename and delete a folder. Tell success: Windows refuses while programs run from it."""
+    shutil.rmtree(folder + ".old", ignore_errors=True)  # of a run that was killed
+    try:
+        os.rename(folder, folder + ".old")
+    except OSError:
+        return False
+    shutil.rmtree(folder + ".old", ignore_errors=True)
+    return True
+
+
+def runs_from(folder, pid):
+    """Whether another process was called by a path in the folder, or has loaded a file of it."""
+    def read(name):
+        try:
+            with open("/proc/%s/%s" % (pid, name), "rb") as file:
+                return os.fsdecode(file.read())
+        except OSError:
+            return ""  # it has ended, or is of a user whose affairs are hidden from us
+
+    called = read("cmdline").partition("\0")[0]
+    if os.sep not in called:  # a shell found it
+        path = re.search("(?:^|\0)PATH=([^\0]*)", read("environ"))
+        places = path.group(1).split(os.pathsep) if path else []
+        places = [os.path.join(place, called) for place in places]
+        called = next((place for place in places if os.path.lexists(place)), os.sep)
+    home = os.path.realpath(os.path.join("/proc/%s/cwd" % pid, os.path.dirname(called)))
+    loaded = " %s%s" % (folder, os.sep) in read("maps")
+    return int(pid) != os.getpid() and (loaded or (home + os.sep).startswith(folder + os.sep))
+
+
 def install(name, tool, lock):
-    """Install what a file pins. Meanwhile .venv has no stamp, so that it is made anew after a kill or a failure."""
-    stamp, before = installed(), contents()
+    """Install what a file pins; again, where that may be half-written.
+
+    Meanwhile the stamp has None for all that may be so after a kill or a failure.
+    """
+    stamp = installed()
     if name not in stamp and shutil.disk_usage(VENV).free < MEGABYTES[name] * 10**6:
         raise Stop("%d MB of disk are needed in %s; make room and run this again" % (MEGABYTES[name], HERE))
     how = tool.__name__.replace("_", " ")
     tell = progress("installing %s %s (%d MB, once, a few minutes)" % (name, how, MEGABYTES[name]))
-    os.remove(STAMP)
+    again = name in stamp and stamp[name] is None
+    if again:
+        forget_the_half_written()
+    before = contents()
+    touched = set(stamp) - {"python"} if again else {name}  # again: what other files pin too
+    write_stamp(dict(stamp, **dict.fromkeys(touched)))
+    done = False
     try:
-        done = tool(name, lock, tell)
-        if done:
-            write_stamp(dict(stamp, **{name: digest(name)}))
+        done = tool(name, lock, tell, ["--force-reinstall"] if again else [])
         return done
     finally:
         tell("\n")
-        if not os.path.exists(STAMP) and contents() == before:
+        if done:
+            write_stamp(dict(stamp, **{name: digest(name)}))
+        elif contents() == before:
             write_stamp(stamp)  # stopped while downloading: what was whole still is
 
 
-def with_uv(name, lock, tell):
-    return finish([shutil.which("uv"), "pip", "install", "--python", PYTHON] + source() + PIP_OPTIONS + [name], lock, tell)
+def forget_the_half_written():
+    """Delete descriptions of packages that are not whole: pip would refuse to replace those."""
+    top = packages()
+    for name in os.listdir(top):
+        folder = os.path.join(top, name)
+        if name.endswith(".dist-info") and not {"METADATA", "RECORD"} <= set(os.listdir(folder)):
+            shutil.rmtree(folder)
 
 
-def with_pip(name, lock, tell, task=("install", "--no-compile")):
+def with_uv(name, lock, tell, again=()):
+    """Install what a file pins with the uv that the user has."""
+    line = [shutil.which("uv"), "pip", "install", "--python", PYTHON] + list(again)
+    return finish(line + source() + PIP_OPTIONS + [name], lock, tell)
+
+
+def with_pip(name, lock, tell, again=(), task=("install", "--no-compile")):
     """Compiling bytecode is left to the first import, as most modules are never imported."""
-    pip = [PYTHON, "-I", "-m", "pip"] + list(task) + ["--no-input", "--disable-pip-version-check", "--retries", "2"]
+    pip = [PYTHON, "-I", "-m", "pip"] + list(task) + list(again)
+    pip += ["--no-input", "--disable-pip-version-check", "--retries", "2"]
     return (finish([PYTHON, "-I", "-m", "ensurepip"], lock, tell)
             and finish(pip + source() + PIP_OPTIONS + [name], lock, tell))
 
@@ -313,7 +406,7 @@ def say(line):
 
 
 def wait_for(lock):
-    """Take the lock on this file; the system frees it when its last holder has died."""
+    """Take the lock on .venv; the system frees it when its last holder has died."""
     if not taken(lock):
         say("another start.py is setting up; waiting")
         while not taken(lock):

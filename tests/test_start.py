@@ -24,6 +24,8 @@ from packaging.utils import canonicalize_name
 ROOT = Path(__file__).resolve().parent.parent
 WINDOWS = os.name == "nt"
 needs_signals = pytest.mark.skipif(WINDOWS, reason="the signals of POSIX")
+needs_symlinks = pytest.mark.skipif(WINDOWS, reason="links need rights on Windows")
+needs_proc = pytest.mark.skipif(sys.platform != "linux", reason="only Linux lists who runs from a folder")
 
 STUB = """
 import json, os, random, sys
@@ -38,12 +40,12 @@ FAKE_UV = """
 import os, pathlib, sys, time
 here, python, role = pathlib.Path(__file__).parent, pathlib.Path(sys.argv[4]), os.environ.get("FAKE_UV", "install")
 with open(here / "calls", "a") as calls:
-    calls.write(sys.argv[-1] + "\\n")
+    calls.write(sys.argv[-1] + " again" * ("--force-reinstall" in sys.argv) + "\\n")
 limit = time.monotonic() + 60
 while role == "wait" and not (here / "go").exists() and time.monotonic() < limit:
     time.sleep(0.02)
 if role in ("half", "kill"):
-    next(python.parent.parent.glob("[Ll]ib/**/site-packages")).joinpath("half").mkdir()
+    next(python.parent.parent.glob("[Ll]ib/**/site-packages")).joinpath("half").touch()
 if role == "kill":
     os.kill(os.getppid(), 9)
 sys.exit(role in ("half", "refuse"))
@@ -54,6 +56,7 @@ class Course:
     """A kinoedu of three files in a folder with a difficult name, beside a pretended uv."""
 
     def __init__(self, folder: Path) -> None:
+        folder.mkdir(exist_ok=True)
         self.home, self.bin = folder / "my cöurse [1]", folder / "bin"
         self.venv = self.home / ".venv"
         for name, text in {
@@ -94,8 +97,19 @@ class Course:
         return Ended(self.begin(*arguments, **how))  # type: ignore[arg-type]  # passed on as it came
 
     def calls(self) -> list[str]:
-        """What uv was asked to install, in order."""
+        """What uv was asked to install, or to install again, in order."""
         return (self.bin / "calls").read_text().splitlines() if (self.bin / "calls").exists() else []
+
+    def package(self) -> Path:
+        """A file among the installed packages; it is gone when the environment is cleared."""
+        file = next(self.venv.glob("[Ll]ib/**/site-packages")) / "package.py"
+        file.touch()
+        return file
+
+    def change_python(self) -> None:
+        """Let the packages be of another Python, as after an upgrade of the system under the same path."""
+        stamp = self.venv / "installed.json"
+        stamp.write_text(json.dumps(json.loads(stamp.read_text()) | {"python": ".cpython-310.so"}))
 
     def await_uv(self) -> None:
         """Return when a waiting uv has begun."""
@@ -172,8 +186,9 @@ def test_arguments_folder_and_status_pass_through(course, tmp_path):
     assert WINDOWS or ended.seen[0]["pid"] == ended.pid, "signals sent to start.py reach the command"
 
 
-def test_alone_it_warms_and_opens_the_course(course):
-    assert [told["arguments"] for told in course.run().seen] == [["warm"], ["lab"]]
+def test_alone_it_opens_the_course_at_once(course):
+    """Nothing is compiled before: the lab has that done beside it."""
+    assert [told["arguments"] for told in course.run().seen] == [["lab"]]
 
 
 def test_what_is_installed_is_not_installed_again(course):
@@ -231,13 +246,33 @@ def test_the_callers_environment_does_not_leak_in(course, tmp_path):
 
 
 @needs_signals
-def test_a_kill_while_installing_is_healed(course):
-    """A half-written package may look installed: nothing of it is kept."""
+def test_a_kill_while_installing_is_repaired(course):
+    """A half-written package may look installed, so all are installed again; nothing is cleared."""
     assert course.run("plan", uv="kill").status == -signal.SIGKILL
-    assert list(course.venv.glob("lib/*/site-packages/half"))
-    assert course.run("plan").status == 0
-    assert not list(course.venv.glob("lib/*/site-packages/half"))
-    assert course.calls() == ["environment.txt"] * 2
+    package = course.package()
+    assert course.run("plan").status == course.run("plan").status == 0
+    assert package.exists() and course.calls() == ["environment.txt", "environment.txt again"]
+
+
+@needs_signals
+def test_a_kill_while_adding_tools_leaves_the_course_whole(course):
+    """What the course needs is not installed again; what was interrupted is, when it is asked for."""
+    course.run("plan")
+    course.run("test", uv="kill")
+    assert course.run("plan").status == course.run("release").status == 0
+    tools = "solutions/environment.txt"
+    assert course.calls() == ["environment.txt", tools, f"{tools} again"]
+
+
+def test_a_repair_that_fails_at_once_costs_nothing(course):
+    """Without network the tools stay in doubt, and the course whole."""
+    course.run("plan")
+    stamp = course.venv / "installed.json"
+    doubtful = json.loads(stamp.read_text()) | {"solutions/environment.txt": None}
+    stamp.write_text(json.dumps(doubtful))
+    (course.home / "solutions" / "environment.txt").write_text("nothing-of-this-name==1.0\n")
+    assert course.run("release", uv="refuse", PIP_NO_INDEX="1").status == 2
+    assert json.loads(stamp.read_text()) == doubtful
 
 
 def test_a_kill_while_making_the_environment_is_healed(course):
@@ -247,20 +282,108 @@ def test_a_kill_while_making_the_environment_is_healed(course):
     assert course.run("plan").status == 0
 
 
+@pytest.mark.parametrize("left", [None, "", '{"pyth', "[1]", "{}", "\xff"])
+def test_a_stamp_that_is_lost_or_damaged_clears_nothing(course, left):
+    """The packages are installed again over what is there, and all is well after that."""
+    course.run("plan")
+    package, stamp = course.package(), course.venv / "installed.json"
+    stamp.unlink()
+    if left is not None:
+        stamp.write_bytes(left.encode("latin-1"))
+    assert course.run("plan").status == course.run("plan").status == 0
+    assert package.exists() and course.calls() == ["environment.txt", "environment.txt again"]
+
+
+def test_an_environment_that_somebody_made_is_used(course):
+    """python -m venv .venv, and nothing more."""
+    subprocess.run([sys.executable, "-m", "venv", "--without-pip", course.venv], check=True)
+    package = course.package()
+    ended = course.run("plan")
+    assert ended.status == 0 and package.exists()
+    assert os.path.samefile(Path(ended.seen[0]["file"]).parent, course.home / "kinoedu")
+
+
 def test_a_python_that_is_gone_is_replaced(course):
     course.run("plan")
+    package = course.package()
     Path(load(course.home / "start.py").PYTHON).unlink()
-    assert course.run("plan").status == 0
+    assert course.run("plan").status == 0 and not package.exists()
     assert course.calls() == ["environment.txt"] * 2
 
 
 def test_packages_of_another_python_are_replaced(course):
-    """As after an upgrade of the system under the same path."""
     course.run("plan")
-    stamp = course.venv / "installed.json"
-    stamp.write_text(json.dumps(json.loads(stamp.read_text()) | {"python": ".cpython-310.so"}))
-    assert course.run("plan").status == 0
+    package = course.package()
+    course.change_python()
+    assert course.run("plan").status == 0 and not package.exists()
     assert course.calls() == ["environment.txt"] * 2
+
+
+@needs_proc
+@pytest.mark.parametrize("called", ["by its path", "from its folder", "from an activated shell", "and its Python is gone"])
+def test_an_environment_in_use_is_not_cleared(course, called):
+    """It is refused in a line that names the process; when that has ended, all goes on."""
+    course.run("plan")
+    package, python = course.package(), Path(load(course.home / "start.py").PYTHON)
+    words = {"from its folder": os.path.relpath(python, course.home), "from an activated shell": "python"}
+    path = {"PATH": f"{python.parent}{os.pathsep}{os.defpath}"}
+    shell = ["/bin/sh", "-c", 'exec "$0" -c "print(1, flush=True); input()"', str(words.get(called, python))]
+    pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE}
+    with subprocess.Popen(shell, cwd=course.home, env=path, **pipes) as user:
+        assert user.stdout.readline() == b"1\n"
+        if called == "and its Python is gone":
+            python.unlink()
+        else:
+            course.change_python()
+        assert f"in use by process {user.pid};" in complaint(course.run("plan"))
+        assert package.exists() and course.calls() == ["environment.txt"]
+        user.communicate(b"\n")
+    assert course.run("plan").status == 0 and not package.exists()
+
+
+@needs_proc
+def test_who_has_loaded_a_file_of_the_environment_runs_from_it(course):
+    """Whatever it was called by."""
+    course.run("plan")
+    course.package().write_bytes(b"loaded")
+    start, ours = load(course.home / "start.py"), str(os.getpid())
+    code = "import mmap, sys; file = open(sys.argv[1]); print(1, flush=True); input()"
+    code = code.replace("print", "held = mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ); print")
+    line = [sys.executable, "-c", code, str(next(course.venv.rglob("package.py")))]
+    with subprocess.Popen(line, stdin=subprocess.PIPE, stdout=subprocess.PIPE) as user:
+        user.stdout.readline()
+        assert start.runs_from(str(course.venv), str(user.pid))
+        user.communicate(b"\n")
+    assert not start.runs_from(str(course.venv), ours) and not start.runs_from(str(course.venv), str(user.pid))
+
+
+def test_where_nobody_lists_who_runs_a_folder_in_use_cannot_be_moved(course, monkeypatch, capsys):
+    """As on Windows. Where it can be, it is deleted, with what a killed run left of another."""
+    course.run("plan")
+    package, start = course.package(), load(course.home / "start.py")
+    (course.home / ".venv.old" / "left").mkdir(parents=True)
+    monkeypatch.setattr(sys, "platform", "darwin")
+    with monkeypatch.context() as inside:
+        inside.setattr(start, "binary_interface", lambda: None)
+        inside.setattr(os, "rename", lambda *_: (_ for _ in ()).throw(PermissionError("Access is denied")))
+        assert start.main(["plan"]) == 2
+    told = capsys.readouterr().err
+    assert told.count("\n") == 1 and "in use by programs; close" in told and package.exists()
+    start.make_way()
+    assert not list(course.home.glob(".venv*/"))
+
+
+def test_a_python_that_cannot_be_asked_now_clears_nothing(course, monkeypatch, capsys):
+    """No memory, say: that is told, and tells nothing about the environment."""
+    course.run("plan")
+    package, start = course.package(), load(course.home / "start.py")
+
+    def ask(_):
+        raise OSError(12, "Cannot allocate memory")
+
+    monkeypatch.setattr(start, "ask", ask)
+    assert start.main(["plan"]) == 2 and package.exists()
+    assert "Cannot allocate memory" in capsys.readouterr().err
 
 
 def test_a_moved_folder_works_without_installing(course):
@@ -294,9 +417,44 @@ def test_two_at_once_install_once(course):
     assert course.calls() == ["environment.txt"]
 
 
+@needs_symlinks
+def test_two_copies_that_share_an_environment_set_it_up_one_after_the_other(tmp_path):
+    """It is the environment that is guarded; each copy runs its own kinoedu."""
+    copies = [Course(tmp_path / name) for name in ("one", "two")]
+    for copy in copies:
+        copy.venv.symlink_to(tmp_path / "shared")
+    first = copies[0].begin("plan", uv="wait")
+    copies[0].await_uv()
+    second = copies[1].begin("plan")
+    assert "waiting" in second.stderr.readline()
+    (copies[0].bin / "go").touch()
+    for copy, ended in zip(copies, (Ended(first), Ended(second))):
+        assert ended.status == 0
+        assert os.path.samefile(Path(ended.seen[0]["file"]).parent, copy.home / "kinoedu")
+    assert copies[0].calls() == ["environment.txt"] and copies[1].calls() == []
+
+
+def test_two_copies_with_their_own_environments_do_not_wait(tmp_path):
+    copies = [Course(tmp_path / name) for name in ("one", "two")]
+    first = copies[0].begin("plan", uv="wait")
+    copies[0].await_uv()
+    assert copies[1].run("plan").status == 0 and first.poll() is None
+    (copies[0].bin / "go").touch()
+    assert Ended(first).status == 0
+
+
+def test_where_nothing_is_missing_nothing_is_written(course):
+    """Not even a lock: the folder may be one that is only read."""
+    course.run("plan")
+    (course.home / ".venv.lock").unlink()
+    before = {file: file.stat().st_mtime_ns for file in course.home.rglob("*")}
+    assert course.run("plan", PYTHONDONTWRITEBYTECODE="1").status == 0
+    assert {file: file.stat().st_mtime_ns for file in course.home.rglob("*")} == before
+
+
 @needs_signals
 def test_an_installer_that_outlives_a_killed_start_is_waited_for(course):
-    """Else the next run would rebuild the folder that the orphan still writes to."""
+    """Else the next run would write to the folder that the orphan still writes to."""
     first = course.begin("plan", uv="wait")
     course.await_uv()
     first.kill()
@@ -305,7 +463,7 @@ def test_an_installer_that_outlives_a_killed_start_is_waited_for(course):
     (course.bin / "go").touch()
     assert Ended(second).status == 0 and first.wait() == -signal.SIGKILL
     first.communicate()
-    assert course.calls() == ["environment.txt"] * 2
+    assert course.calls() == ["environment.txt", "environment.txt again"]
 
 
 # --- failures -------------------------------------------------------------------------------------------------------
@@ -329,19 +487,19 @@ def test_without_network_one_line_and_pip_takes_over_when_uv_fails(course):
 
 
 def test_what_a_failing_uv_left_is_not_trusted(course, monkeypatch):
-    """pip would take a half-copied package for an installed one, so it starts from an empty environment."""
+    """pip would take a half-copied package for an installed one, so it is told to install all again."""
     start = load(course.home / "start.py")
     monkeypatch.setenv("PATH", f"{course.bin}{os.pathsep}{os.defpath}")
     monkeypatch.setenv("FAKE_UV", "half")
-    found = []
+    asked = []
 
-    def with_pip(*_):
-        found.extend(start.contents())
+    def with_pip(*given):
+        asked.append(given[-1])
         return True
 
     monkeypatch.setattr(start, "with_pip", with_pip)
     start.set_up([start.COURSE])
-    assert found == ["kinoedu.pth"]
+    assert asked == [["--force-reinstall"]]
 
 
 def test_a_full_disk_is_told_before_installing(course, monkeypatch, capsys):
