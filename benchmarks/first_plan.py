@@ -1,5 +1,7 @@
-"""New processes with a warm cache: the first plan against the first call of one bare compiled function, and the imports alone."""
+"""New processes: the import beside numpy's, and the README's first plan with an empty cache beside the same with a warm one."""
 
+import itertools
+import os
 import subprocess
 import sys
 import tempfile
@@ -9,54 +11,51 @@ from typing import Any
 
 from timing import Contestant, Goal, measure, report, run
 
-SECONDS = 60
-IMPORTS = "import numpy, numba"
-BARE = """
-import numba, numpy as np
+from kinoedu.compiled import WHEN_IT_PAYS
 
-@numba.njit(cache=True)
-def total(values):
-    result = 0.0
-    for value in values:
-        result += value
-    return result
-
-print(total(np.ones(3)))
-"""
-FIRST_PLAN = """
-import kinoedu as ke
-
-world = ke.PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
-print(ke.rrt(ke.Problem(ke.Point(), world, start=(1, 1), goal=(9, 1)), rng=0).path is not None)
-"""
+SECONDS = 300
+COURSE = Path(__file__).resolve().parent.parent
+TOWN = ["plan", "notebooks/maps/Paris_1_256.map", "--query", "324", "--planner", "prm"]
+USED = "import kinoedu as ke; ke.rrt, ke.Problem, ke.PolygonWorld"
 
 
-def process(folder: Path, name: str, source: str) -> Contestant:
-    """A whole process that runs a file; a file, because numba caches nothing for code that has none."""
-    script = folder / f"{name}.py"
-    script.write_text(source)
+def process(*arguments: str, caches: Callable[[], Path]) -> Contestant:
+    """A whole process of Python, which finds its cache in the next of some folders; what it prints, without the time it took."""
 
     def contestant(_case: Any) -> Callable[[], str]:
-        return lambda: subprocess.run([sys.executable, script], check=True, capture_output=True, text=True).stdout.strip()
+        def plan() -> str:
+            variables = {"KINOEDU_CACHE": str(caches()), "KINOEDU_MACHINE_CODE": WHEN_IT_PAYS}
+            line = [sys.executable, *arguments]
+            done = subprocess.run(line, cwd=COURSE, env=os.environ | variables, check=True, capture_output=True, text=True)
+            return done.stdout.partition(";")[0]
+
+        return plan
 
     return contestant
 
 
 def judge(_case: Any, answers: dict[str, str]) -> None:
-    """Every process did its work."""
-    assert all(answer in ("", "3.0", "True") for answer in answers.values()), answers
+    """Every process found the same."""
+    assert len(set(answers.values())) == 1, answers
 
 
 def main(repeats: int = 11) -> None:
     """Eleven rounds; the first of each, which may fill the caches, does not count."""
     with tempfile.TemporaryDirectory() as place:
-        folder = Path(place)
-        imports = {"kinoedu": process(folder, "ours", "import kinoedu"), "numpy and numba": process(folder, "bare", IMPORTS)}
-        seconds = measure(imports, [None], judge, repeats=repeats)
-        report("A new process that imports", seconds, {"numpy and numba": Goal(at_most=1.3)})
-        calls = {"kinoedu": process(folder, "first_plan", FIRST_PLAN), "bare function": process(folder, "first_call", BARE)}
-        seconds = measure(calls, [None], judge, repeats=repeats)
-        report("A new process up to its first answer, warm cache", seconds, {"bare function": Goal(at_most=2)})
+        warm, numbers = Path(place) / "warm", itertools.count()
+        once, anew = (lambda: warm), (lambda: Path(place) / f"empty{next(numbers)}")
+        imports = {
+            "kinoedu": process("-c", "import kinoedu", caches=once),
+            "kinoedu, a planner and a world": process("-c", USED, caches=once),
+            "numpy": process("-c", "import numpy", caches=once),
+        }
+        report("A new process that imports", measure(imports, [None], judge, repeats=repeats), {"numpy": Goal(at_most=1.3)})
+        plan = ("-m", "kinoedu", *TOWN)
+        variables = {"KINOEDU_CACHE": str(warm), "KINOEDU_MACHINE_CODE": "first"}
+        subprocess.run([sys.executable, *plan], cwd=COURSE, env=os.environ | variables, check=True, capture_output=True)
+        plans = {"kinoedu": process(*plan, caches=anew), "with a warm cache": process(*plan, caches=once)}
+        seconds = measure(plans, [None], judge, repeats=repeats)
+        report("The first plan, empty cache", seconds, {"with a warm cache": Goal(at_most=1.5)})
 
 
 if __name__ == "__main__":

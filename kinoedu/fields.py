@@ -8,7 +8,6 @@ from typing import Any, NamedTuple, TypeVar
 
 from .errors import KinoeduError, UnreadableScene
 from .geometry.checks import shortened
-from .worlds.reading import read_text
 
 Built = TypeVar("Built")
 
@@ -83,6 +82,8 @@ class Field(NamedTuple):
 
 def read_json(file: Path, name: str, build: Callable[[Field], Built]) -> Built:
     """What is built of the whole of a file. Its own errors, and UnreadableScene, name the file and the field at fault."""
+    from .worlds.reading import read_text  # imported here, as the readers of worlds use this file
+
     try:
         return build(Field(name, parsed(read_text(file)), file.parent))
     except KinoeduError as error:

@@ -15,13 +15,17 @@ TOUR = "notebooks/00_tour.ipynb"
 
 
 def open_lab(*, browser: bool = True) -> int:
-    """Run JupyterLab at the tour until it is stopped; returns its exit status. Without a display the address is printed only."""
+    """Run JupyterLab at the tour until it is stopped; returns its exit status.
+
+    What the lessons need is compiled meanwhile, the first lessons' first. Without a display the
+    address is printed only.
+    """
     if not (COURSE / TOUR).is_file():
         raise UnreadableScene(f"{COURSE / TOUR} is missing: start the course from its own folder, with python start.py")
     server = subprocess.Popen(lab_command(browser=browser and has_display()), cwd=lessons())
     silent = subprocess.DEVNULL
-    rest = [sys.executable, "-m", "kinoedu", "warm", "--rest"]
-    warming = subprocess.Popen(rest, cwd=COURSE, stdin=silent, stdout=silent, stderr=silent)
+    warm = [sys.executable, "-m", "kinoedu", "warm", "--behind"]
+    warming = subprocess.Popen(warm, cwd=COURSE, stdin=silent, stdout=silent, stderr=silent)
     try:
         address = address_of(server)
         if address:

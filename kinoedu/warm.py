@@ -1,14 +1,14 @@
-"""Compile ahead what the course uses, so that no lesson waits for it: at once what the first lessons need, the rest while they are
-read.
-"""
+"""Compile ahead what the course uses, in processes of their own, while the first lessons are read."""
 
 import os
 from collections.abc import Iterator
 from functools import partial
-from pathlib import Path
+from itertools import chain
 from typing import Any
 
-from .compiled import CACHE
+from .compiled import HAS_COMPILER, requests
+from .compiled.store import folder
+from .compiled.tiers import called
 from .curves import dubins_path, reeds_shepp_path
 from .graphs import Graph, bfs, dfs, dijkstra
 from .planners import (
@@ -29,7 +29,7 @@ from .planners import (
     sst,
 )
 from .problems import Problem, ProblemRecord
-from .progress import stage
+from .progress import counted
 from .robots import Car, Disk, Point, RigidPolygon, TranslatingPolygon, TwoLinkArm
 from .worlds import PolygonWorld, Terrain
 
@@ -44,24 +44,29 @@ def warm_up() -> None:
 
     What is compiled already is left; without a cache nothing is gained.
     """
-    compile_all("warm", first_jobs())
+    compile_all(first_jobs(), workers=os.cpu_count() or 1)
 
 
-def warm_the_rest() -> None:
-    """What later lessons need: other planners, and bodies that turn, bend and drive. Gives way to whatever else is running."""
-    if hasattr(os, "nice"):
-        os.nice(19)
-    compile_all("warm all", later_jobs())
+def warm_all() -> None:
+    """What all lessons need."""
+    compile_all(chain(first_jobs(), later_jobs()), workers=os.cpu_count() or 1)
 
 
-def compile_all(note: str, jobs: Iterator[Job]) -> None:
-    """Do all jobs, unless a note in the cache says that they are done."""
-    if CACHE is None or (CACHE / note).exists():
+def warm_behind() -> None:
+    """The same, the first lessons first; gives way to whatever else is running."""
+    for jobs in (first_jobs(), later_jobs()):
+        compile_all(jobs, workers=max(1, (os.cpu_count() or 1) - 1), gives_way=True)
+
+
+def compile_all(jobs: Iterator[Job], *, workers: int, gives_way: bool = False) -> None:
+    """Do all jobs, interpreted, to see which algorithms they call for which kinds; and have those compiled."""
+    place = folder()
+    if place is None or not HAS_COMPILER:
         return
-    for name, job, *given in jobs:
-        with stage(f"compiling once: {name}"):
-            job(*given)
-    Path(CACHE / note).touch()
+    for _, job, *given in jobs:
+        job(*given)
+    with counted("compiling once") as tell:
+        requests.compile_all(place, called(), workers=workers, gives_way=gives_way, tell=tell)
 
 
 def first_jobs() -> Iterator[Job]:

@@ -310,7 +310,7 @@ def test_what_a_readers_planner_did_is_said(planner, words):
 def test_a_hanging_planner_is_stopped():
     """Its time is bounded, what it asked is kept in bounds, and the picture shows it."""
     tried = attempt(forever, walled(), 0, seconds=0.3)
-    assert tried.fault.startswith("your planner took longer than 0.3 seconds and was stopped")
+    assert tried.fault.startswith("no answer after") and "It was stopped" in tried.fault
     assert 0 < len(tried.asked) <= 20_000 and not tried.still_running
 
 
@@ -372,18 +372,3 @@ def test_distance_board_tells_distance_nearest_point_and_inside():
     assert page.moves(("handle", 0, [7, 9]))["text"] == "distance 1.414; nearest: vertex 2"
     assert page.moves(("handle", 0, [5, 4]))["text"] == "q is in the polygon: distance 0"
     assert "crosses" in page.moves(("polygon", 0, [[[4, 0], [6, 8], [6, 0], [4, 8]]]))["warning"]
-
-
-def test_a_page_hears_that_something_is_compiled(monkeypatch):
-    """A remark of the compiler reaches the page at once, before the answer."""
-    import logging
-
-    def answer(scene):
-        logging.getLogger("kinoedu").info("compiling grow once")
-        return Drawing(text="done")
-
-    canvas = Canvas(make_scene((0, 0), (1, 1)), answer)
-    page = Page(canvas)
-    canvas.refresh()
-    assert [content["kind"] for content, _ in page.sent] == ["note", "drawing"]
-    assert logging.getLogger("kinoedu").handlers == []

@@ -565,18 +565,18 @@ def test_astar_on_an_embedded_graph_expands_less():
     assert guided.steps.nodes < blind.steps.nodes and path is not None
 
 
-def test_a_search_compiles_after_its_steps_were_kept_on_disk(tmp_path):
-    """numba cannot call a compiled generator that it loads from disk, so none is kept there."""
+def test_a_search_is_stepped_interpreted_and_drained_as_machine_code(tmp_path):
+    """numba cannot load compiled generators from the disk: Python steps them, and machine code has its own inside."""
     import os
     import subprocess
     import sys
 
     make = "import numpy as np; from kinoedu.graphs import Graph, bfs; from kinoedu.graphs.bfs import breadth_first; "
-    step = "print(list(breadth_first(Graph(1).flat(), 0, -1, np.zeros(1), np.zeros(1, int), np.zeros(1, int))))"
-    for code in (step, "print(bfs(Graph(1), 0).expanded)"):
+    steps = "breadth_first(Graph(1).flat(), 0, -1, np.zeros(1), np.zeros(1, int), np.zeros(1, int))"
+    for code in (f"print([int(u) for u in {steps}])", "print(bfs(Graph(1), 0).expanded)"):
         run = subprocess.run(
             [sys.executable, "-c", make + code],
-            env={**os.environ, "KINOEDU_CACHE": str(tmp_path)},
+            env={**os.environ, "KINOEDU_CACHE": str(tmp_path), "KINOEDU_MACHINE_CODE": "first"},
             capture_output=True, text=True, timeout=300,
         )  # fmt: skip
         assert (run.returncode, run.stdout) == (0, "[0]\n"), run.stderr

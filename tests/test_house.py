@@ -44,9 +44,9 @@ def test_every_file_and_public_function_says_what_it_is(source):
 
 @pytest.mark.parametrize("source", SOURCES, ids=lambda p: p.relative_to(HOUSE).as_posix())
 def test_rooms_are_small(source):
-    """A file has one purpose: at most 250 lines, and no function over 60."""
+    """A file has one purpose: at most 400 lines, and no function over 60."""
     text = source.read_text(encoding="utf-8")
-    assert len(text.splitlines()) <= 250
+    assert len(text.splitlines()) <= 400
     functions = [node for node in ast.walk(ast.parse(text)) if isinstance(node, ast.FunctionDef)]
     assert [f.name for f in functions if f.end_lineno - f.lineno >= 60] == []
 

@@ -146,4 +146,4 @@ def test_what_is_compiled_meanwhile_ends_with_the_lab(monkeypatch):
     monkeypatch.setattr(kinoedu.lab, "lab_command", lambda browser: [sys.executable, "-c", "raise SystemExit(3)"])
     assert kinoedu.lab.open_lab(browser=False) == 3
     assert [process.poll() is None for process in started] == [False, False]
-    assert started[1].args[1:] == ["-m", "kinoedu", "warm", "--rest"]
+    assert started[1].args[1:] == ["-m", "kinoedu", "warm", "--behind"]

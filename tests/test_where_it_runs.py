@@ -13,7 +13,7 @@ import pytest
 from PIL import Image
 from test_start import Course
 
-from kinoedu.cache import user_cache
+from kinoedu.compiled.store import user_cache
 
 HOUSE = Path(__file__).resolve().parent.parent
 DOCS = HOUSE / "docs"
@@ -94,8 +94,9 @@ def test_a_folder_of_wheels_is_named_and_is_there(course, tmp_path):
         assert "nowhere" in last or arguments[0] in last
 
 
-def test_wheels_in_a_folder_are_enough(course, tmp_path):
-    """A package that no index has is installed, by pip, from the folder."""
+@pytest.fixture
+def wheels(tmp_path):
+    """A folder with one package, which no index has."""
     import zipfile
 
     (tmp_path / "wheels").mkdir()
@@ -104,10 +105,31 @@ def test_wheels_in_a_folder_are_enough(course, tmp_path):
         wheel.writestr("only_here-1.0.dist-info/METADATA", "Metadata-Version: 2.1\nName: only-here\nVersion: 1.0\n")
         wheel.writestr("only_here-1.0.dist-info/WHEEL", "Wheel-Version: 1.0\nRoot-Is-Purelib: true\nTag: py3-none-any\n")
         wheel.writestr("only_here-1.0.dist-info/RECORD", "")
+    return tmp_path / "wheels"
+
+
+def test_wheels_in_a_folder_are_enough(course, tmp_path, wheels):
+    """A package that no index has is installed, by pip, from the folder."""
     (course.home / "environment.txt").write_text("only-here==1.0\n")
     ended = course.run("--wheels", "wheels", "plan", cwd=tmp_path, uv="refuse")
     assert ended.status == 0, ended.complaints
     assert [path.read_text() for path in course.venv.glob("[Ll]ib/**/only_here.py")] == ["told = 42\n"]
+
+
+@pytest.mark.parametrize("lost", ["METADATA", "RECORD", None])
+def test_pip_makes_a_half_written_package_whole(course, wheels, lost):
+    """Whichever of its files is not there."""
+    (course.home / "environment.txt").write_text("only-here==1.0\n")
+    how = {"uv": "refuse", "KINOEDU_WHEELS": str(wheels)}
+    course.run("plan", **how)
+    (package,) = course.venv.glob("[Ll]ib/**/only_here.py")
+    package.write_text("to")
+    if lost:
+        (package.parent / "only_here-1.0.dist-info" / lost).unlink()
+    (course.venv / "installed.json").unlink()
+    ended = course.run("plan", **how)
+    assert ended.status == 0, ended.complaints
+    assert package.read_text() == "told = 42\n"
 
 
 # --- a course that nobody writes to ---------------------------------------------------------------------------------
@@ -119,7 +141,7 @@ def test_where_only_the_home_can_be_written_the_course_plans(tmp_path):
     if shutil.which("bwrap") is None or subprocess.run([*shut_in, "true"], capture_output=True).returncode:
         pytest.skip("bubblewrap cannot be used here")
     kept = {name: value for name, value in os.environ.items() if not name.startswith(("XDG_", "KINOEDU_", "MPL"))}
-    home = {"HOME": str(tmp_path), "TMPDIR": str(tmp_path), "KINOEDU_WARMED": str(user_cache())}
+    home = {"HOME": str(tmp_path), "TMPDIR": str(tmp_path), "KINOEDU_WARMED": str(user_cache()), "KINOEDU_MACHINE_CODE": "first"}
     town = ["notebooks/maps/Paris_1_256.map", "--query", "324", "--planner", "rrt", "--out", str(tmp_path / "plan.png")]
     command = [*shut_in, sys.executable, "-m", "kinoedu", "plan", *town]
     run = subprocess.run(command, cwd=HOUSE, env=kept | home, capture_output=True, text=True, timeout=300)
@@ -151,7 +173,7 @@ def test_the_image_installs_what_start_installs_and_nothing_else():
     start = load(HOUSE / "start.py")
     assert start.COURSE == "environment.txt" and "release" in start.TEACHING_COMMANDS
     assert [re.findall(r"start\.py ([^&]+?) *(?:&|$)", run) for run in runs if "start.py" in run] == [
-        ["warm", "warm --rest"],
+        ["warm --all"],
         ["release --help"],
     ]
     (pip,) = [run for run in runs if "pip" in run]
@@ -210,10 +232,10 @@ def test_a_lesson_shows_the_same_in_a_browsers_python(lesson):
 
 def test_work_is_done_where_there_are_no_threads():
     """A student's function, and what it raises: in a browser nothing bounds its time."""
-    code = "import like_pyodide as p; from kinoedu.time_limit import within; p.refuse_processes_and_threads(); "
-    code += "print(within(1.0, lambda: 42))"
+    code = "import like_pyodide as p; from kinoedu.time_limit import within, within_processor_time; "
+    code += "p.refuse_processes_and_threads(); print(within(1.0, lambda: 42), within_processor_time(1.0, lambda: 43))"
     run = subprocess.run([sys.executable, "-c", code], cwd=HOUSE / "tests", capture_output=True, text=True, timeout=100)
-    assert run.stdout == "42\n", run.stderr
+    assert run.stdout == "42 43\n", run.stderr
 
 
 def test_the_browsers_lessons_bring_what_they_need(tmp_path):

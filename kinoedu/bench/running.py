@@ -11,6 +11,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import NamedTuple
 
+from ..compiled import COMPILED_FIRST
 from .rows import Row
 
 RESULTS = "KINOEDU_RESULTS"  # tells a row the folder that its ratios go to, beside being printed
@@ -40,6 +41,7 @@ def run_row(row: Row, folder: Path, given: Mapping[str, object]) -> Outcome:
     options = [text for name, value in given.items() if name in row.options for text in (f"--{name}", str(value))]
     path = os.pathsep.join([PACKAGES, *filter(None, [os.environ.get("PYTHONPATH")])])
     variables = {**os.environ, RESULTS: str(folder.resolve()), "PYTHONPATH": path, "PYTHONUTF8": "1"}
+    variables["KINOEDU_MACHINE_CODE"] = COMPILED_FIRST  # rows time machine code
     page, began = folder / f"{row.name}.md", time.monotonic()
     with page.open("wb") as told, tempfile.TemporaryFile() as complaints:
         line = [sys.executable, str(row.file), *options]

@@ -85,7 +85,7 @@ class Board {
     this.views = new Set();
     this.id = Math.random().toString(36).slice(2);       // this page, among those that show the same widget
     this.scene = copy(model.get("scene"));
-    this.drawing = { text: "", warning: "", note: "", layers: [], total: 0, unit: "", told: [], places: [] };
+    this.drawing = { text: "", warning: "", layers: [], total: 0, unit: "", told: [], places: [] };
     Object.assign(this, { seq: 0, shown: 0, asked: 0, stale: 0, answers: 0, took: 0, bitmaps: 0, unkept: false });
     Object.assign(this, { waiting: false, pendingSince: null, step: 0, playing: null });
     Object.assign(this, { held: new Set(), ticking: 0 });
@@ -235,7 +235,6 @@ class Board {
   }
 
   receive(message, buffers) {
-    if (message.kind === "note") { this.drawing.note = message.text; this.changed(); return; }
     if (!["drawing", "skipped"].includes(message.kind) || (message.to && message.to !== this.id)) return;
     if (message.seq !== null) this.asked = Math.max(this.asked - 1, 0);
     if (message.kind === "drawing") {
@@ -264,7 +263,7 @@ class Board {
   show(message, buffers) {
     const layers = message.layers.map((layer, i) => ({ ...layer, data: floats(buffers[i]) }));
     const { seq, text, warning, total, unit, told, places, took } = message;
-    this.drawing = { text, warning, layers, total, unit, told, places, note: "" };
+    this.drawing = { text, warning, layers, total, unit, told, places };
     this.took = took;
     this.answers += 1;
     if (seq !== null) this.shown = seq;
@@ -316,8 +315,7 @@ class Board {
   }
 
   text() {
-    const { text, warning, note, total, unit, told } = this.drawing;
-    if (note) return note;
+    const { text, warning, total, unit, told } = this.drawing;
     if (this.pendingSince !== null && performance.now() - this.pendingSince > PENDING) return this.words.thinking;
     if (this.step < total && !warning) return told[this.step] ?? fill(this.words.growth, { shown: this.step, total, unit });
     return warning || text;
@@ -795,7 +793,7 @@ class View {
     const { board } = this, { drawing, words } = board, text = board.text();
     const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
     this.told.textContent = text;
-    this.told.classList.toggle("kinoedu-warning", Boolean(drawing.warning) && !drawing.note && !late);
+    this.told.classList.toggle("kinoedu-warning", Boolean(drawing.warning) && !late);
     this.growth.classList.toggle("kinoedu-nothing", drawing.total === 0);
     this.slider.max = drawing.total;
     this.slider.value = board.step;

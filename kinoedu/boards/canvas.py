@@ -20,8 +20,7 @@ import logging
 import threading
 import time
 import uuid
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from copy import deepcopy
 from pathlib import Path
 from typing import Any
@@ -166,15 +165,13 @@ class Canvas(anywidget.AnyWidget):
         """Answer the scene, or say what is wrong with it; a fault of the answer's own is told and logged, not raised at a page."""
         began = time.perf_counter()
         try:
-            with compiling_told(lambda: self.send({"kind": "note", "text": say("board.compiling")})) as remarks:
-                self._keep(self._answer(self._shown))
+            self._keep(self._answer(self._shown))
         except KinoeduError as error:
             self._keep(Drawing(warning=str(error)))
         except Exception as error:
             log.exception("a board could not answer")
             self._keep(Drawing(warning=say("board.failed", error=f"{type(error).__name__}: {error}")))
-        compiled = remarks.count > 0  # once: it says nothing about the next answer
-        self._content["took"] = 0.0 if compiled else 1e3 * (time.perf_counter() - began)
+        self._content["took"] = 1e3 * (time.perf_counter() - began)
 
     def _keep(self, drawing: Drawing) -> None:
         """Keep a drawing, and the message that carries it."""
@@ -216,31 +213,3 @@ def with_picture(bundle: Any, widget: Any, canvas: Any) -> tuple[dict[str, Any],
         return None
     picture = base64.b64encode(canvas.picture()).decode("ascii")
     return {**data, "text/plain": repr(widget), "image/png": picture}, about
-
-
-class Remarks(logging.Handler):
-    """Calls back when something is remarked, such as that a planner is compiled once."""
-
-    def __init__(self, call: Callable[[], None]) -> None:
-        super().__init__(logging.INFO)
-        self.call = call
-        self.count = 0
-
-    def emit(self, record: logging.LogRecord) -> None:
-        """Call back; louder records have other readers."""
-        if record.levelno == logging.INFO:
-            self.count += 1
-            self.call()
-
-
-@contextmanager
-def compiling_told(call: Callable[[], None]) -> Iterator[Remarks]:
-    """Call back as soon as compiling begins; yields how often it did."""
-    remarks, level = Remarks(call), log.level
-    log.addHandler(remarks)
-    log.setLevel(logging.INFO)
-    try:
-        yield remarks
-    finally:
-        log.setLevel(level)
-        log.removeHandler(remarks)

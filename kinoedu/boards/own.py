@@ -17,7 +17,7 @@ from ..errors import KinoeduError
 from ..geometry.checks import Array, as_array, shortened
 from ..planners.asking import world_size
 from ..problems import Plan, ProblemRecord, Question, Recorder
-from ..time_limit import TimeUp, within
+from ..time_limit import TimeUp, within_processor_time
 from ..words import say
 from .drawing import Drawing, Layer, dots, edges, labels, path
 
@@ -70,14 +70,20 @@ def attempt(planner: Callable[..., Any], problem: ProblemRecord, seed: int, *, s
             return None, error
 
     try:
-        answer, error = within(seconds, work)
+        answer, error = within_processor_time(seconds, work)
     except TimeUp as over:
-        words = "left_running" if over.left_running else "time_up"
-        fault = say(f"board.own.{words}", seconds=f"{seconds:g}")
-        return Attempt(log[:], log.motions, fault=fault, still_running=over.left_running)
+        return Attempt(log[:], log.motions, fault=time_up(over), still_running=over.left_running)
     if error is not None:
         return Attempt(log[:], log.motions, fault=raised(error))
     return judged(answer, problem, log)
+
+
+def time_up(over: TimeUp) -> str:
+    """Why a planner was stopped: how long it computed, and for how long it was allowed to."""
+    why = "time_up" if over.used > over.allowed else "waited"
+    seconds = {"used": over.used, "allowed": over.allowed, "passed": over.passed}
+    words = say(f"board.own.{why}", **{name: f"{value:.1f}" for name, value in seconds.items()})
+    return f"{words} {say('board.own.left_running' if over.left_running else 'board.own.stopped')}"
 
 
 def called(planner: Callable[..., Any], problem: Any, seed: int) -> Any:

@@ -61,7 +61,9 @@ def parser() -> argparse.ArgumentParser:
     lab.add_argument("--no-browser", action="store_true", help="print the address instead of opening a browser")
     lab.set_defaults(run=run_lab)
     warm = commands.add_parser("warm", help="compile what the course uses, once", description="Compile what the course uses, once.")
-    warm.add_argument("--rest", action="store_true", help="what later lessons use; the lab does this while the first are read")
+    how = warm.add_mutually_exclusive_group()
+    how.add_argument("--all", action="store_true", help="what all lessons use, not only the first")
+    how.add_argument("--behind", action="store_true", help="the same, giving way to whatever else runs; the lab does so")
     warm.set_defaults(run=run_warm)
     add_release(commands)
     add_grade(commands)
@@ -83,7 +85,7 @@ def run_lab(arguments: argparse.Namespace) -> int:
 
 def run_warm(arguments: argparse.Namespace) -> int:
     """Compile ahead."""
-    from ..warm import warm_the_rest, warm_up
+    from ..warm import warm_all, warm_behind, warm_up
 
-    (warm_the_rest if arguments.rest else warm_up)()
+    (warm_behind if arguments.behind else warm_all if arguments.all else warm_up)()
     return 0

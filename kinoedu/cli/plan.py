@@ -132,7 +132,7 @@ def run_plan(arguments: argparse.Namespace) -> int:
             query=arguments.query,
             clearance=arguments.clearance,
         )
-    with stage(f"planning with {arguments.planner}") as notes:
+    with stage(f"planning with {arguments.planner}"):
         started = time.perf_counter()
         plan = interruptible(lambda: planned(problem, arguments))
         seconds = time.perf_counter() - started
@@ -148,9 +148,8 @@ def run_plan(arguments: argparse.Namespace) -> int:
             write_plan(plan, arguments.save)
     counts = ", ".join(f"{count:,} {name}" for name, count in plan.stats.items())
     answer = f"found: length {plan.cost:.8g}" if plan.path is not None else f"no path: {plan.reason}"
-    compiling = " with compiling, once" if notes.last else ""
     files = "".join(f"; {done} in {file}" for done, file in (("drawn", arguments.out), ("saved", arguments.save)) if file)
-    print(f"{answer}; {seconds:.3f} s{compiling}, {counts}{files}")
+    print(f"{answer}; {seconds:.3f} s, {counts}{files}")
     return 0 if plan.path is not None else 1
 
 

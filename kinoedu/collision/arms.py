@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..compiled import body, compiled, inlined
+from ..compiled import algorithm, compiled, inlined
 from ..errors import InvalidParameter, InvalidPoint, InvalidRobot
 from ..geometry.checks import Array, as_array, shortened
 from ..geometry.parts import Parts
@@ -75,7 +75,7 @@ def paint_configuration_space(arm: ArmRobot, world: Any, n: int = 360) -> NDArra
     return painted(arm, world, np.zeros((int(n), int(n)), np.int8), contact_size(world.lo, world.hi))
 
 
-@body
+@algorithm
 def painted(arm: ArmRobot, world: Any, image: NDArray[np.int8], contact: float) -> NDArray[np.int8]:
     """`paint_configuration_space` on an image of zeros."""
     n, ring = len(image), rim_parts(rim(world))

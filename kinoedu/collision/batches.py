@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..compiled import body
+from ..compiled import algorithm
 from ..errors import InvalidPoint
 from ..geometry.checks import Array, as_array, none_or_more
 from ..robots.arm import ArmRobot
@@ -26,8 +26,7 @@ def free_configurations(robot: Any, world: Any, qs: ArrayLike, *, clearance: flo
     >>> free_configurations(Point(), world, [(1, 1), (5, 5), (6, 5), (11, 5)])
     array([ True, False, False, False])
     """
-    run = judge_configurations if are_records(robot, world) else judge_configurations.py_func
-    return run(robot, world, as_configurations(qs, robot, "qs"), none_or_more(clearance, "clearance"))
+    return judge_configurations(robot, world, as_configurations(qs, robot, "qs"), none_or_more(clearance, "clearance"))
 
 
 def free_motions(robot: Any, world: Any, a: ArrayLike, b: ArrayLike, *, clearance: float = 0.0) -> NDArray[np.bool_]:
@@ -43,8 +42,7 @@ def free_motions(robot: Any, world: Any, a: ArrayLike, b: ArrayLike, *, clearanc
     starts, ends = as_configurations(a, robot, "a"), as_configurations(b, robot, "b")
     if len(starts) != len(ends):
         raise InvalidPoint(f"a and b must hold equally many configurations, got {len(starts)} and {len(ends)}")
-    run = judge_motions if are_records(robot, world) else judge_motions.py_func
-    return run(robot, world, starts, ends, none_or_more(clearance, "clearance"))
+    return judge_motions(robot, world, starts, ends, none_or_more(clearance, "clearance"))
 
 
 @coordinates.register(RoundRobot)
@@ -67,7 +65,7 @@ def joint_angles(robot: ArmRobot) -> int:
     return len(robot.lengths)
 
 
-@body
+@algorithm
 def judge_configurations(robot: Any, world: Any, qs: Array, clearance: float) -> NDArray[np.bool_]:
     """The answer to `is_free` for each row of qs, shape (n,)."""
     free = np.empty(len(qs), np.bool_)
@@ -76,18 +74,13 @@ def judge_configurations(robot: Any, world: Any, qs: Array, clearance: float) ->
     return free
 
 
-@body
+@algorithm
 def judge_motions(robot: Any, world: Any, a: Array, b: Array, clearance: float) -> NDArray[np.bool_]:
     """The answer to `is_free_path` for each pair of rows, shape (n,)."""
     free = np.empty(len(a), np.bool_)
     for i in range(len(a)):
         free[i] = is_free_path(robot, world, a[i], b[i], clearance)
     return free
-
-
-def are_records(robot: Any, world: Any) -> bool:
-    """Whether both can be handed to compiled code; a reader's own kinds are asked by the interpreter."""
-    return isinstance(robot, tuple) and isinstance(world, tuple)
 
 
 def as_configurations(value: ArrayLike, robot: Any, name: str) -> Array:

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..compiled import body, compiled
+from ..compiled import algorithm, compiled
 from ..geometry.checks import Array
 from ..geometry.grown import grown, summed
 from ..geometry.parts import Parts, make_parts
@@ -162,7 +162,7 @@ def between_meetings(met: Array, horizon: float) -> Array:
     return free[:size].copy()
 
 
-@body
+@algorithm
 def all_safe_intervals(
     hulls: Parts, knots: NDArray[np.int64], times: Array, places: Array, horizon: float, nodes: Array
 ) -> tuple[Array, NDArray[np.int64]]:

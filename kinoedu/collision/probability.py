@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..chances import wilson
-from ..compiled import body
+from ..compiled import algorithm
 from ..errors import InvalidParameter, InvalidPoint
 from ..geometry.checks import Array, as_array, shortened
 from ..geometry.exact import length
@@ -94,7 +94,7 @@ def collision_bound(robot: Any, world: UncertainWorldRecord, path: ArrayLike) ->
     return float(min(chances.sum(), 1.0))
 
 
-@body
+@algorithm
 def part_gaps(robot: Any, parts: Parts, path: Array) -> Array:
     """How near the path comes to each part, shape (k,); negative where it is inside what is round."""
     least = np.full(len(parts.radius), np.inf)
@@ -104,7 +104,7 @@ def part_gaps(robot: Any, parts: Parts, path: Array) -> Array:
     return least
 
 
-@body
+@algorithm
 def hit_scenarios(
     robot: Any, parts: Parts, owner: NDArray[np.int64], gaps: Array, path: Array, offsets: Array
 ) -> NDArray[np.bool_]:

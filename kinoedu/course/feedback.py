@@ -10,7 +10,7 @@ from ..words import say
 from .advice import advice_on
 from .exercise import Exercise
 from .judging import Judged, Report
-from .outcomes import Answer, Changed, Misshapen, Raised
+from .outcomes import Answer, Changed, Late, Misshapen, Outcome, Raised
 
 RULE, CASE, PICTURE, ALL = 1, 2, 3, 4  # the stages: each shows what those before it show, and more
 LONG, SHOWN = 400, 60  # letters: of a line that is longer than that so many are shown at first
@@ -100,7 +100,7 @@ def told_case(exercise: Exercise, failure: Judged, printed: str) -> list[tuple[s
     if printed:
         lines.append((say("check.printed"), printed))
     lines.append((say("check.wanted"), failure.verdict.wanted))
-    if isinstance(failure.outcome, Raised) and failure.outcome.lines:
+    if isinstance(failure.outcome, Raised | Late) and failure.outcome.lines:
         lines.append((say("check.where"), "\n".join(failure.outcome.lines)))
     return lines
 
@@ -116,7 +116,15 @@ def outcome_words(exercise: Exercise, failure: Judged) -> str:
         return say("check.changed", names=", ".join(outcome.names))
     if isinstance(outcome, Raised):
         return say("check.raised", kind=outcome.kinds[0] if outcome.kinds else "", message=outcome.message)
-    return say("check.still_running" if outcome.left_running else "check.late", seconds=exercise.seconds)
+    return late_words(outcome)
+
+
+def late_words(late: Late) -> str:
+    """Why a program has no answer: how long it computed, and for how long it was allowed to."""
+    key = "late" if late.used > late.allowed else "late_waiting" if late.allowed else "late_unknown"
+    seconds = {"used": late.used, "allowed": late.allowed, "passed": late.passed}
+    words = say(f"check.{key}", **{name: f"{value:.1f}" for name, value in seconds.items()})
+    return f"{words} {say('check.still_running' if late.left_running else 'check.stopped')}"
 
 
 def as_code(value: Any) -> str:
@@ -154,7 +162,14 @@ def hint_words(exercise: Exercise, failure: Judged) -> str:
     key = f"slips.{failure.slip}" if failure.slip else f"hints.{failure.verdict.rule}"
     if not exercise.table_with(key):
         key = f"hints.{failure.case.kind}"
+    if is_slow(failure.outcome) and exercise.table_with(key) == exercise.shared[-1]:
+        return say("advice.slow")
     return exercise.words(key)
+
+
+def is_slow(outcome: Outcome) -> bool:
+    """Whether a program was late, and nothing is known of where it spent its time."""
+    return isinstance(outcome, Late) and not outcome.lines
 
 
 def stage_of(report: Report) -> int:
@@ -162,7 +177,9 @@ def stage_of(report: Report) -> int:
     if report.failure is None:
         return ALL
     tries = TRIES.setdefault(report.exercise.name, [])
-    failure = hash((repr(report.failure.outcome), report.failed, repr(report.failure.case)))
+    outcome = report.failure.outcome
+    came = "Late" if isinstance(outcome, Late) else repr(outcome)  # its seconds are never the same
+    failure = hash((came, report.failed, repr(report.failure.case)))
     if failure not in tries:
         tries.append(failure)
     return min(len(tries), ALL)

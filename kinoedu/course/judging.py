@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from ..time_limit import Bounded, within
+from ..time_limit import Bounded, within_processor_time
 from .exercise import CONTRACT, Case, Exercise, ValueExercise, Verdict
 from .outcomes import Answer, Changed, Late, Outcome, Raised, outcome_of
 from .plain import WrongShape
@@ -58,7 +58,12 @@ class Report:
         return 1.0 - len(self.failed) / len(self.exercise.kinds)
 
 
-def attempt(exercise: Exercise, function: Callable[..., Any], case: Case, bounded: Bounded = within) -> Outcome:
+def attempt(
+    exercise: Exercise,
+    function: Callable[..., Any],
+    case: Case,
+    bounded: Bounded = within_processor_time,
+) -> Outcome:
     """Call a student's function on a copy of a case."""
     return attempted(exercise, function, exercise.given.encode(case.given), bounded)
 

@@ -6,13 +6,14 @@ student code runs.
 
 import linecache
 import traceback
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from types import FrameType, TracebackType
 from typing import Any, NamedTuple
 
-from ..time_limit import Bounded, TimeUp, within
-from .plain import WrongShape, class_name
+from ..time_limit import Bounded, Seen, TimeUp, within_processor_time
+from ..words import say
+from .plain import WrongShape, class_name, wrong
 from .shapes import Listed, Record, Shape, Text, Truth
 
 HERE = str(Path(__file__).resolve().parent.parent)
@@ -53,22 +54,62 @@ class Raised(NamedTuple):
 
 
 class Late(NamedTuple):
-    """It did not end within its time; `left_running` if it could not even be stopped."""
+    """It did not end within its time; `left_running` if it could not even be stopped.
+
+    used, allowed : seconds of computing; how many were allowed on that computer, 0 where it is not
+    known. passed : seconds on the wall. lines : a few lines of the student's, if it was seen in them
+    alone for a long time.
+    """
 
     left_running: bool
+    used: float = 0.0
+    allowed: float = 0.0
+    passed: float = 0.0
+    lines: Sequence[str] = ()
+
+
+class Seconds(NamedTuple):
+    """A stretch of time, as a float: neither negative nor longer than two weeks."""
+
+    @property
+    def words(self) -> str:
+        """In words."""
+        return say("shape.seconds")
+
+    def encode(self, value: Any) -> float:
+        """The float."""
+        return self.decode(value)
+
+    def decode(self, data: Any) -> float:
+        """The same."""
+        if type(data) is not float or not 0.0 <= data <= MOST_SECONDS:
+            raise wrong(self.words, data)
+        return data
 
 
 MOST = 32  # classes above an exception's
+MOST_SECONDS = 1e6
 Outcome = Answer | Misshapen | Changed | Raised | Late
 SHAPES: dict[type, Record] = {
     Misshapen: Record(message=Text()),
     Changed: Record(names=Listed(Text(), MOST)),
     Raised: Record(kinds=Listed(Text(), MOST), message=Text(), lines=Listed(Text(), 5), function=Text()),
-    Late: Record(left_running=Truth()),
+    Late: Record(
+        left_running=Truth(),
+        used=Seconds(),
+        allowed=Seconds(),
+        passed=Seconds(),
+        lines=Listed(Text(), 6),
+    ),
 }
 
 
-def outcome_of(call: Callable[[], Any], shape: Shape, seconds: float, bounded: Bounded = within) -> Outcome:
+def outcome_of(
+    call: Callable[[], Any],
+    shape: Shape,
+    seconds: float,
+    bounded: Bounded = within_processor_time,
+) -> Outcome:
     """Run it for at most so long, and copy what comes out into plain data of its shape."""
 
     def answered() -> Outcome:
@@ -84,7 +125,23 @@ def outcome_of(call: Callable[[], Any], shape: Shape, seconds: float, bounded: B
     try:
         return bounded(seconds, answered)
     except TimeUp as over:
-        return Late(over.left_running)
+        return late(over)
+
+
+def late(over: TimeUp) -> Late:
+    """A time-out as plain data."""
+    used, allowed, passed = (float(min(seconds, MOST_SECONDS)) for seconds in (over.used, over.allowed, over.passed))
+    lines = [] if over.seen is None else seen_lines(over.seen)
+    return Late(over.left_running, used, allowed, passed, lines)
+
+
+def seen_lines(seen: Seen) -> list[str]:
+    """The student's lines in which a program was seen all the time, as "line 3: while True:"."""
+    if not is_students(seen.file):
+        return []
+    numbers = range(seen.first, seen.last + 1)
+    lines = [(number, linecache.getline(seen.file, number).strip()) for number in numbers]
+    return [f"line {number}: {line}" for number, line in lines if line][:6]
 
 
 def raised(error: BaseException) -> Raised:

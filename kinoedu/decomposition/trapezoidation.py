@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..compiled import body, compiled
+from ..compiled import algorithm, compiled
 from ..errors import InvalidWorld
 from ..geometry.checks import Array, as_point
 from ..graphs.flat import counting_sort
@@ -164,7 +164,7 @@ def swept(world: Any) -> tuple[Sweep, Array]:
     raise InvalidWorld("these obstacles overlap in a way that could not be united; move them a little, or join them yourself")
 
 
-@body
+@algorithm
 def drain(state: Sweep) -> bool:
     """Sweep to the end; False where edges cross."""
     for met in events(state):

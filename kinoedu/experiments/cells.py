@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from ..compiled import COMPILED_FIRST, running
 from ..errors import InvalidParameter
 from ..geometry.checks import shortened
 from ..problems import MOTIONS, PLACES, Plan
@@ -49,6 +50,7 @@ class Outcome(NamedTuple):
     path: str = ""
 
 
+@running(COMPILED_FIRST)
 def run_cell(cell: Cell) -> Outcome:
     """Plan as often as the cell says; what came out, with the median of the times. An error of the planner is an outcome."""
     random, seconds = {} if cell.seed is None else {"rng": cell.seed}, []

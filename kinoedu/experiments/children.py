@@ -21,11 +21,8 @@ from .digests import version
 
 START = "import sys; sys.path[:] = {path!r}; from kinoedu.experiments.children import serve; serve()"
 LENGTH = struct.Struct("<Q")
-LOADING, COMPILING, IDLE = (
-    10.0,
-    300.0,
-    60.0,
-)  # seconds that the first run may take longer, a compiled one, and that one waits for work
+LOADING, COMPILING = 10.0, 300.0  # seconds that the first run may take longer, and a compiled one
+IDLE = 60.0  # seconds that a process waits for work
 STOPPED = b"Timeout ("  # the watchdog's last word
 
 

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from ..cache import source_digest
+from ..compiled.store import source_digest
 from ..errors import InvalidParameter
 from ..geometry.checks import shortened
 

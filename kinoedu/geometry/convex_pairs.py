@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..compiled import body, inlined
+from ..compiled import algorithm, inlined
 from ..errors import InvalidPolygon
 from .checks import Array, as_array
 from .convex import has_separating_edge
@@ -67,7 +67,7 @@ def as_convex_polygons(polygons: ArrayLike | ConvexPolygonsRecord, name: str) ->
     return ConvexPolygonsRecord(rings, boxes_round(rings))
 
 
-@body
+@algorithm
 def convex_turns(rings: Array) -> NDArray[np.int64]:
     """For each ring 1 where it is convex and counter-clockwise, -1 where convex and clockwise, else 0; shape (m,)."""
     turns = np.empty(len(rings), np.int64)
@@ -99,7 +99,7 @@ def convex_turn(ring: Array) -> int:
     return direction if reversals == 2 else 0
 
 
-@body
+@algorithm
 def boxes_round(rings: Array) -> Array:
     """The bounding box of each ring, shape (m, 4)."""
     boxes = np.empty((len(rings), 4))
@@ -109,7 +109,7 @@ def boxes_round(rings: Array) -> Array:
     return boxes
 
 
-@body
+@algorithm
 def pairs_intersect(P: ConvexPolygonsRecord, Q: ConvexPolygonsRecord) -> NDArray[np.bool_]:
     """Whether the convex rings P[i] and Q[i] share a point, shape (m,)."""
     meet = np.empty(len(P.rings), np.bool_)

@@ -78,10 +78,10 @@ def scaled_sum_of_products(x: np.ndarray, y: np.ndarray) -> tuple[float, int]:
         size = 0
         for i in range(len(m)):
             if m[i] != 0.0 and e[i] > top - WINDOW:
-                size = add_exactly(expansion, size, math.ldexp(m[i], e[i] - top))
+                size = add_exactly(expansion, size, math.ldexp(m[i], int(e[i] - top)))
                 m[i] = 0.0
         result, rest = total(expansion, size), largest_exponent(m, e)
-        if rest == NOTHING or abs(result) > math.ldexp(1.0, rest - top + 64):
+        if rest == NOTHING or abs(result) > math.ldexp(1.0, int(rest - top + 64)):
             return result, top
         free = 0
         for i in range(size):
@@ -186,7 +186,7 @@ def height(ax: float, ay: float, bx: float, by: float, px: float, py: float) -> 
     if abs(det) > 1e-3 * (abs(left) + abs(right)) and abs(det) > SAFE:
         return det / base
     m, e = exact_cross(ax, ay, bx, by, px, py)
-    return math.ldexp(m / base, e)
+    return math.ldexp(m / base, int(e))
 
 
 @compiled

@@ -35,7 +35,7 @@ def line_through_points(p1: ArrayLike, p2: ArrayLike) -> tuple[float, float, flo
     dx, dy = p2 - p1
     size = length(dx, dy)
     m, e = sum_of_products(np.array([p1[0], -p2[0]]), np.array([p2[1], p1[1]]))
-    return float(-dy / size) + 0.0, float(dx / size), math.ldexp(m / size, e) + 0.0
+    return float(-dy / size) + 0.0, float(dx / size), math.ldexp(m / size, int(e)) + 0.0
 
 
 def point_line_distance(q: ArrayLike, p1: ArrayLike, p2: ArrayLike) -> float:

@@ -15,6 +15,7 @@ from ..course.outcomes import Late, Misshapen, Outcome, Raised, decode_outcome
 from ..course.plain import WrongShape
 from ..course.shapes import Maybe, Shape, Truth
 from ..errors import InvalidParameter
+from ..time_limit import WAITING, speed
 from ..words import say
 from .sandbox import Reply, Sandbox
 from .talk import LONGEST
@@ -66,8 +67,10 @@ def answers(
     """Run the cells and ask the questions, as many times as it takes. Raises NoSandbox.
 
     lent : what the assignment takes from the exercises' own modules, as "module:name". patience : how many times its usual
-    time everything is given. What is not asked when all that time is over, however often it broke off, counts as late.
+    time everything is given; a slow computer gives more. What is not asked when all that time is over, however often it broke
+    off, counts as late.
     """
+    patience *= speed()
     found = Answers({}, {})
     cells, questions = list(cells), list(questions)
     until = time.monotonic() + LONGEST * patience
@@ -79,7 +82,7 @@ def answers(
         drawn = any(own_call(question.exercise) for question in questions)
         request = request_for(cells, questions, patience)
         request[CELLS]["lent"] = lent
-        reply = sandbox.ask(request, longest + GRACE, DRAWING if drawn else ())
+        reply = sandbox.ask(request, WAITING * longest + GRACE, DRAWING if drawn else ())
         take(reply, questions, found)
         if reply.end == "done":
             break

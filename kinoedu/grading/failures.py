@@ -6,7 +6,7 @@ import json
 from pathlib import Path
 from typing import Any
 
-from ..cache import source_digest
+from ..compiled.store import source_digest
 from ..course.exercise import Case, Exercise
 from ..course.exercises import find
 from ..course.feedback import picture_of, told_case

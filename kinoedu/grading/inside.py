@@ -23,11 +23,14 @@ import os
 import signal
 import socket
 import sys
+import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any, NamedTuple
 
 PRACTICE = 50
+ALARMS = (signal.ITIMER_PROF, signal.ITIMER_REAL)
+AGAIN = 0.05  # seconds after which an alarm rings again
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parent.parent)]
 sys.path += map(str, HERE.parent.parent.glob("site-packages-*"))
@@ -184,22 +187,28 @@ def silent(*_: Any, **__: Any) -> None:
 
 
 def by_alarm(seconds: float, work: Callable[[], Any]) -> Any:
-    """What work() returns or raises; TimeUp where that takes longer. No thread may be started here, so an alarm rings, again and
-    again until Python code stops; what does not hear it is ended from outside.
+    """What work() returns or raises; TimeUp where it computes for longer than `seconds` of processor
+    time, or WAITING times that pass on the wall. No thread may be started here, so alarms ring,
+    again and again until Python code stops; what does not hear them is ended from outside.
     """
-    from kinoedu.time_limit import TimeUp
+    from kinoedu.time_limit import WAITING, TimeUp
+
+    wall, processor = time.monotonic(), time.process_time()
 
     def ring(*_: Any) -> None:
-        raise TimeUp
+        raise TimeUp(time.process_time() - processor, seconds, time.monotonic() - wall)
 
+    signal.signal(signal.SIGPROF, ring)
     signal.signal(signal.SIGALRM, ring)
     try:
-        signal.setitimer(signal.ITIMER_REAL, seconds, 0.05)
+        signal.setitimer(signal.ITIMER_PROF, seconds, AGAIN)
+        signal.setitimer(signal.ITIMER_REAL, seconds * WAITING, AGAIN)
         return work()
     finally:
-        while signal.getitimer(signal.ITIMER_REAL)[1]:
+        while any(signal.getitimer(which)[1] for which in ALARMS):
             try:
-                signal.setitimer(signal.ITIMER_REAL, 0.0)
+                for which in ALARMS:
+                    signal.setitimer(which, 0.0)
             except TimeUp:  # it rang just now
                 continue
 

@@ -19,7 +19,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from ..arrivals import Arrivals
-from ..cache import source_digest
+from ..compiled.store import source_digest
 from ..course.release import HOUSE, solution
 from ..whole_file import written_whole
 from .contracts import with_variants

@@ -10,6 +10,7 @@ MOST_OUTPUT = 32 * 2**20  # bytes
 MOST_PARTS = 2**21  # commas and brackets, each of which may be a value, and takes far more memory than a byte
 MOST_LINE = 2**20
 LONGEST = 300.0  # seconds for everything, however much is said
+USUAL = 42.0  # seconds of patience on a usual computer
 START = 60.0  # seconds until the first line, on a slow machine
 
 
@@ -23,7 +24,7 @@ class Talk:
         self.heard: deque[bytes] = deque()
         self.total = self.parts = 0
         self.last = time.monotonic() + START
-        self.very_last = self.last + LONGEST * max(1.0, patience / 10.0)
+        self.very_last = self.last + LONGEST * max(1.0, patience / USUAL)
         self.ready = selectors.DefaultSelector()
         self.ready.register(answering, selectors.EVENT_READ)
         os.set_blocking(asking, False)

@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..compiled import body
+from ..compiled import algorithm
 from ..errors import InvalidGraph, InvalidPoint
 from ..geometry.checks import Array, as_array, shortened
 from ..spaces import RealSpace, distance
@@ -110,17 +110,15 @@ def everywhere(d: int) -> RealSpace:
 
 def distances_from(space: Any, nodes: Array, q: Array) -> Array:
     """The distance from each node (n, d) to q by the space's metric, shape (n,)."""
-    run = ask_distances if isinstance(space, tuple) else ask_distances.py_func  # only records can be compiled
-    return run(space, nodes, q)
+    return ask_distances(space, nodes, q)
 
 
 def edge_lengths(space: Any, nodes: Array, edges: NDArray[np.int64]) -> Array:
     """The distance between the ends of each edge (m, 2), shape (m,)."""
-    run = ask_lengths if isinstance(space, tuple) else ask_lengths.py_func
-    return run(space, nodes, edges)
+    return ask_lengths(space, nodes, edges)
 
 
-@body
+@algorithm
 def ask_lengths(space: Any, nodes: Array, edges: NDArray[np.int64]) -> Array:
     """One after another."""
     lengths = np.empty(len(edges))
@@ -129,7 +127,7 @@ def ask_lengths(space: Any, nodes: Array, edges: NDArray[np.int64]) -> Array:
     return lengths
 
 
-@body
+@algorithm
 def ask_distances(space: Any, nodes: Array, q: Array) -> Array:
     """One after another."""
     apart = np.empty(len(nodes))

@@ -5,11 +5,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..compiled import body
+from ..compiled import algorithm
 from .bfs import breadth_first
 
 
-@body
+@algorithm
 def component_labels(graph: Any, size: int) -> NDArray[np.int64]:
     """A number for each node, shape (n,), the same for nodes of one component: counted from 0 by least node. O(n + m).
 

@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..compiled import body, compiled
+from ..compiled import algorithm, compiled
 from ..geometry.checks import Array
 from .flat import degree, edge
 from .paths import Expansion, Search, Steps, ends, moments, path_found
@@ -62,7 +62,7 @@ def depth_first(
             height += 1
 
 
-@body
+@algorithm
 def search_depth_first(graph: Any, size: int, start: int, goal: int) -> tuple[Array, NDArray[np.int64], NDArray[np.int64], int]:
     """Run it to its end: cost, parent, the nodes in the order they were entered, and how many edges were looked at."""
     cost, parent = np.full(size, np.inf), np.full(size, -1, np.int64)

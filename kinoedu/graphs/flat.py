@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..compiled import body, compiled, generic, record
+from ..compiled import algorithm, compiled, generic, record
 from ..errors import InvalidGraph
 from ..geometry.checks import Array, shortened
 
@@ -64,7 +64,7 @@ def flat_graph(size: int, edges: NDArray[np.int64], weights: Array, *, directed:
     return GraphRecord(size, edges, weights, *compressed_rows(size, edges, weights, 1 if directed else 2))
 
 
-@body
+@algorithm
 def compressed_rows(
     size: int, edges: NDArray[np.int64], weights: Array, ways: int
 ) -> tuple[NDArray[np.int64], NDArray[np.int64], Array]:

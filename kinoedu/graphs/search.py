@@ -24,7 +24,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..compiled import body, callable_from_compiled, compiled
+from ..compiled import algorithm, callable_from_compiled, inlined
 from ..errors import InvalidGraph
 from ..geometry.checks import Array, shortened
 from .flat import degree, edge
@@ -42,7 +42,7 @@ class Known(NamedTuple):
     settled: NDArray[np.bool_]
 
 
-@compiled
+@inlined
 def expand(
     graph: Any, goal: int, estimate: Array, known: Known, queue: RadixHeap, expanded: NDArray[np.int64], n: int
 ) -> tuple[int, bool]:
@@ -94,7 +94,7 @@ def begun(size: int, start: int, estimate: Array) -> tuple[Known, RadixHeap]:
     return known, queue
 
 
-@body
+@algorithm
 def search(graph: Any, start: int, goal: int, estimate: Array) -> tuple[Array, NDArray[np.int64], NDArray[np.int64], int]:
     """The whole search: costs, parents, expanded nodes, how many edges were looked at. goal = -1 expands all that are reached."""
     known, queue = begun(len(estimate), start, estimate)

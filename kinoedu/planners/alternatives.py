@@ -14,7 +14,7 @@ from ..graphs import astar, flat_graph
 from ..problems import Plan, Roadmap
 from ..robots.trajectory import DrivenRoadmap, TrajectoryRecord
 from .answers import plan_along
-from .asking import askable, body_for
+from .asking import askable
 from .multi_query import costs_of
 from .tuning import positive, whole
 
@@ -83,7 +83,7 @@ def lengths_and_goals(plan: Plan) -> tuple[Array, NDArray[np.int64]]:
     if isinstance(roadmap, DrivenRoadmap):
         return np.abs(roadmap.controls[:, 0] * roadmap.durations), roadmap.goals
     asked = askable(plan.problem)
-    return body_for(asked, costs_of)(asked, roadmap.nodes, roadmap.edges), np.array([1])
+    return costs_of(asked, roadmap.nodes, roadmap.edges), np.array([1])
 
 
 def along(plan: Plan, numbers: NDArray[np.int64]) -> Plan:

@@ -5,16 +5,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..compiled import body
+from ..compiled import algorithm
 from ..errors import InvalidPoint
 from ..geometry.checks import Array, as_array
 from ..graphs import extract_path
 from ..problems import Plan, Tree
 from ..spaces.buckets import GrowingTree
-from .asking import askable, body_for
+from .asking import askable
 
 
-@body
+@algorithm
 def cost_along(problem: Any, path: Array) -> float:
     """What a path costs: the sum of what its motions cost."""
     cost = 0.0
@@ -36,7 +36,7 @@ def path_cost(problem: Any, path: ArrayLike) -> float:
     asked, places = askable(problem), as_array(path, "path")
     if places.ndim != 2 or places.shape[1:] != asked.start.shape:
         raise InvalidPoint(f"a path must have shape (n, {len(asked.start)}), got {places.shape}")
-    return float(body_for(asked, cost_along)(asked, places))
+    return float(cost_along(asked, places))
 
 
 def plan_along(problem: Any, nodes: Array, numbers: NDArray[np.int64] | None, reason: str, **built: Any) -> Plan:
@@ -44,7 +44,7 @@ def plan_along(problem: Any, nodes: Array, numbers: NDArray[np.int64] | None, re
     if numbers is None:
         return Plan(None, np.inf, reason=reason, problem=problem, **built)
     path = nodes[numbers]
-    return Plan(path, float(body_for(problem, cost_along)(problem, path)), problem=problem, **built)
+    return Plan(path, float(cost_along(problem, path)), problem=problem, **built)
 
 
 def plan_from_tree(planner: str, problem: Any, tree: GrowingTree, at_goal: int, reason: str, **stats: int) -> Plan:

@@ -1,11 +1,9 @@
 """Who a planner asks: a problem of this package, a recorder of one, or a reader's own object, all through the same names."""
 
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 
-from ..compiled import Compiled
 from ..errors import InvalidParameter, InvalidPoint
 from ..geometry.checks import Array, as_array
 from ..problems import MOTIONS, ProblemRecord, Recorder
@@ -81,11 +79,6 @@ def askable(problem: Any) -> Any:
     """The problem itself where it is this package's, or a recorder of one; otherwise a reader's object, checked and made whole."""
     inner = problem.problem if isinstance(problem, Recorder) else problem
     return problem if isinstance(inner, ProblemRecord) else OwnProblem(problem)
-
-
-def body_for(problem: Any, body: Compiled) -> Callable[..., Any]:
-    """The compiled body for a problem that is a record; the interpreted one, the same lines, for anything else."""
-    return body if isinstance(problem, ProblemRecord) else body.py_func
 
 
 def world_size(problem: Any) -> float:

@@ -10,13 +10,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..compiled import body
+from ..compiled import algorithm
 from ..decomposition import decomposition_roadmap, trapezoidation
 from ..geometry.checks import Array
 from ..graphs import Graph, astar, dijkstra
 from ..problems import MOTIONS, Plan, Roadmap
 from .answers import plan_along
-from .asking import body_for, check_exact
+from .asking import check_exact
 
 
 def plan_by_decomposition(problem: Any) -> Plan:
@@ -41,7 +41,7 @@ def plan_by_decomposition(problem: Any) -> Plan:
     roadmap = with_ends(decomposition_roadmap(cut), problem, at_start, at_goal)
     n, start, goal = len(cut.trapezoids), len(roadmap.nodes) - 2, len(roadmap.nodes) - 1
     before = problem.asked[MOTIONS]
-    free, lengths = body_for(problem, judge)(problem, *roadmap)
+    free, lengths = judge(problem, *roadmap)
     graph = Graph(len(roadmap.nodes), roadmap.edges[free], lengths[free])
     numbers, _ = astar(graph, start, goal, np.sqrt(((roadmap.nodes - problem.goal) ** 2).sum(axis=1)))
     reason = why_apart(roadmap, free, n) if numbers is None else ""
@@ -60,7 +60,7 @@ def with_ends(roadmap: Roadmap, problem: Any, at_start: NDArray[np.int64], at_go
     return Roadmap(np.concatenate([roadmap.nodes, [problem.start, problem.goal]]), edges)
 
 
-@body
+@algorithm
 def judge(problem: Any, nodes: Array, edges: NDArray[np.int64]) -> tuple[NDArray[np.bool_], Array]:
     """Whether each edge (m, 2) is free, and its length, (m,)."""
     free, lengths = np.empty(len(edges), np.bool_), np.empty(len(edges))

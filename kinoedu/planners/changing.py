@@ -9,13 +9,12 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..compiled import body
+from ..compiled import algorithm
 from ..errors import InvalidParameter
 from ..geometry.checks import Array, as_generator, as_point, shortened
 from ..problems import ProblemRecord, Roadmap
 from ..robots.round import RoundRobot
 from ..worlds.terrain import TerrainRecord
-from .asking import body_for
 from .neighbours import k_closest
 from .tuning import whole
 
@@ -35,7 +34,7 @@ class ChangingRoadmap(NamedTuple):
         return Roadmap(self.nodes, self.pairs[self.is_open])
 
 
-@body
+@algorithm
 def free_pairs(problem: Any, nodes: Array, pairs: NDArray[np.int64]) -> NDArray[np.bool_]:
     """Whether the motion of each pair (m, 2) is free, (m,)."""
     free = np.empty(len(pairs), np.bool_)
@@ -65,7 +64,7 @@ def changing_roadmap(problem: Any, *, n: int = 500, k: int = 10, rng: int | np.r
     near = k_closest(problem, nodes, whole(k, "k", least=1))
     both = np.sort(np.column_stack([np.repeat(np.arange(many), near.shape[1]), near.ravel()]), axis=1)
     pairs = np.unique(both, axis=0).astype(np.int64)
-    return ChangingRoadmap(nodes, pairs, body_for(problem, free_pairs)(problem, nodes, pairs), len(pairs))
+    return ChangingRoadmap(nodes, pairs, free_pairs(problem, nodes, pairs), len(pairs))
 
 
 def after_change(problem: Any, roadmap: ChangingRoadmap, lo: ArrayLike, hi: ArrayLike) -> ChangingRoadmap:
@@ -81,7 +80,7 @@ def after_change(problem: Any, roadmap: ChangingRoadmap, lo: ArrayLike, hi: Arra
     a, b = roadmap.nodes[roadmap.pairs[:, 0]], roadmap.nodes[roadmap.pairs[:, 1]]
     near = ((np.minimum(a, b) <= high) & (np.maximum(a, b) >= low)).all(axis=1)
     is_open = roadmap.is_open.copy()
-    is_open[near] = body_for(problem, free_pairs)(problem, roadmap.nodes, roadmap.pairs[near])
+    is_open[near] = free_pairs(problem, roadmap.nodes, roadmap.pairs[near])
     return roadmap._replace(is_open=is_open, judged=int(near.sum()))
 
 

@@ -11,11 +11,11 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..compiled import body, compiled
+from ..compiled import algorithm, compiled
 from ..errors import InvalidParameter
 from ..geometry.checks import Array, shortened
 from ..spaces.closest import fill
-from .asking import body_for, new_tree
+from .asking import new_tree
 from .near import near_nodes
 from .neighbours import k_closest
 from .tuning import positive, whole
@@ -77,25 +77,25 @@ def _(rule: ClosestRule, problem: Any, nodes: Array) -> tuple[Numbers, Array]:
         raise InvalidParameter(f"n * k must not exceed 100,000,000, got {n:,} * {k:,}; sample fewer nodes or join fewer")
     if k == 0:
         return np.empty((0, 2), np.int64), np.empty(0)
-    return body_for(problem, join)(problem, nodes, k * np.arange(n + 1), k_closest(problem, nodes, k).ravel())
+    return join(problem, nodes, k * np.arange(n + 1), k_closest(problem, nodes, k).ravel())
 
 
 @joined.register
 def _(rule: RadiusRule, problem: Any, nodes: Array) -> tuple[Numbers, Array]:
     tree = new_tree(problem, max(len(nodes), 1))
     fill(tree, nodes)
-    first, to = body_for(problem, within)(problem, tree, rule.r, MOST_PAIRS)
+    first, to = within(problem, tree, rule.r, MOST_PAIRS)
     if len(to) > MOST_PAIRS:
         raise InvalidParameter(f"more than 100,000,000 pairs lie within {rule.r:g}; sample fewer nodes, or choose a smaller radius")
-    return body_for(problem, join)(problem, nodes, first, to)
+    return join(problem, nodes, first, to)
 
 
 @joined.register
 def _(rule: ComponentRule, problem: Any, nodes: Array) -> tuple[Numbers, Array]:
-    return body_for(problem, join_components)(problem, nodes, rule.k)
+    return join_components(problem, nodes, rule.k)
 
 
-@body
+@algorithm
 def join(problem: Any, nodes: Array, first: Numbers, to: Numbers) -> tuple[Numbers, Array]:
     """The edges (m, 2) from each node i to its neighbours to[first[i]:first[i + 1]] whose motion is free, each pair asked once, and
     what they cost (m,).
@@ -111,7 +111,7 @@ def join(problem: Any, nodes: Array, first: Numbers, to: Numbers) -> tuple[Numbe
     return edges[:size].copy(), costs[:size].copy()
 
 
-@body
+@algorithm
 def within(problem: Any, tree: Any, radius: float, most: int) -> tuple[Numbers, Numbers]:
     """For each node of a tree those within a radius, itself left out, in the order of their numbers; given up past `most`."""
     first, to, size = np.zeros(tree.size[0] + 1, np.int64), np.empty(16, np.int64), 0
@@ -126,7 +126,7 @@ def within(problem: Any, tree: Any, radius: float, most: int) -> tuple[Numbers, 
     return first, to[:size].copy()
 
 
-@body
+@algorithm
 def join_components(problem: Any, nodes: Array, k: int) -> tuple[Numbers, Array]:
     """The edges (m, 2) that join each node to the components of those before it, and their costs (m,). O(n^2) where few tries
     are in vain, O(n^2 log n) at most.

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..compiled import compiled
+from ..compiled import inlined
 from ..geometry.checks import Array
 from ..spaces.buckets import GrowingTree, add
 
@@ -35,7 +35,7 @@ def empty_costs(tree: GrowingTree, rows: int = 0) -> CostTree:
     return CostTree(tree, cost, length, child, sibling, np.empty((rows, 2), np.int64), np.zeros(1, np.int64))
 
 
-@compiled
+@inlined
 def join(costs: CostTree, q: Array, parent: int, length: float) -> int:
     """Append a node below its parent; returns its number."""
     node = add(costs.tree, q, parent)
@@ -46,7 +46,7 @@ def join(costs: CostTree, q: Array, parent: int, length: float) -> int:
     return node
 
 
-@compiled
+@inlined
 def hang(costs: CostTree, node: int, parent: int, length: float) -> None:
     """Make a node the first child of a parent, and write it down where there is room."""
     costs.tree.parent[node], costs.length[node] = parent, length
@@ -56,7 +56,7 @@ def hang(costs: CostTree, node: int, parent: int, length: float) -> None:
     costs.hung[0] += 1
 
 
-@compiled
+@inlined
 def rewire(costs: CostTree, node: int, parent: int, length: float) -> None:
     """Hang a node, with all that hangs on it, below another parent."""
     above = costs.tree.parent[node]
@@ -71,7 +71,7 @@ def rewire(costs: CostTree, node: int, parent: int, length: float) -> None:
     pass_on(costs, node)
 
 
-@compiled
+@inlined
 def pass_on(costs: CostTree, root: int) -> None:
     """Reckon anew the cost of a node and of all below it, parents before children, by walking round that part of the tree."""
     node = root

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..compiled import body, generic, inlined
+from ..compiled import algorithm, generic, inlined
 from ..errors import InvalidParameter
 from ..geometry.checks import Array
 from ..graphs import astar
@@ -205,7 +205,7 @@ def centres(grid: Grid, nodes: NDArray[np.int64]) -> Array:
     return centres_of(grid.x, grid.y, grid.side, grid.columns, nodes)
 
 
-@body
+@algorithm
 def centres_of(x: float, y: float, side: float, columns: int, nodes: NDArray[np.int64]) -> Array:
     """The same from plain numbers: one piece of code serves all kinds of grid."""
     places = np.empty((len(nodes), 2))
@@ -216,7 +216,7 @@ def centres_of(x: float, y: float, side: float, columns: int, nodes: NDArray[np.
     return places
 
 
-@body
+@algorithm
 def found_from(expanded: NDArray[np.int64], parent: NDArray[np.int64]) -> NDArray[np.int64]:
     """For each expanded node, (k,), where in that order its parent (n,) stands; -1 for the start."""
     order = np.full(len(parent), -1)

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from ..errors import InvalidParameter
 from ..geometry.checks import Array
 from ..problems import ProblemRecord, Recorder, Roadmap
-from .asking import body_for, both_ways
+from .asking import both_ways
 from .by_decomposition import judge
 from .prm import free_among
 from .tuning import positive, whole
@@ -52,10 +52,10 @@ def grid_roadmap(problem: Any, *, spacing: float | None = None, neighbours: int 
     counts = np.maximum(np.rint(extent / side), 1).astype(np.int64)
     cells = np.indices(counts).reshape(len(lo), -1).T
     nodes = lo + (cells + 0.5) * (extent / counts)
-    free = body_for(problem, free_among)(problem, nodes)
+    free = free_among(problem, nodes)
     pairs = neighbouring(cells, counts, steps, getattr(inner.space, "wraps", np.zeros(len(lo), np.bool_)))
     pairs = (np.cumsum(free) - 1)[pairs[free[pairs].all(axis=1)]]
-    is_open, _ = body_for(problem, judge)(problem, nodes[free], pairs)
+    is_open, _ = judge(problem, nodes[free], pairs)
     return Roadmap(nodes[free], pairs[is_open])
 
 

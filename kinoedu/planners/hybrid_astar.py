@@ -20,14 +20,13 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..compiled import body, compiled
+from ..compiled import algorithm, compiled
 from ..errors import InvalidParameter
 from ..geometry.checks import Array, shortened
 from ..graphs import extract_path
 from ..problems import MOTIONS, Plan, ProblemRecord, Recorder
 from ..robots.car import CarRobot
 from ..robots.trajectory import TrajectoryRecord
-from .asking import body_for
 from .driving import DrivenGrowth, add_drive, grown_tree, new_growth
 from .trajectories import told_along
 from .tuning import positive, whole
@@ -54,7 +53,7 @@ def cell_of(lattice: Lattice, q: Array) -> int:
     return int((j * lattice.columns + i) * lattice.headings + heading)
 
 
-@body
+@algorithm
 def drive_by_cells(problem: Any, growth: DrivenGrowth, lattice: Lattice) -> tuple[int, int]:
     """Drive from pose to pose until a curve to the goal is free, no pose is left, or the tree is full: the node where that curve
     begins, or -1, and how many were driven on from.
@@ -116,7 +115,7 @@ def hybrid_astar(
     lattice = lattice_for(inner, side, 1.5 * side if step is None else positive(step, "step"), whole(angles, "angles", least=2))
     growth = new_growth(inner, whole(max_nodes, "max_nodes", least=1) + len(lattice.moves))
     before = int(inner.asked[MOTIONS])
-    last, expanded = body_for(problem, drive_by_cells)(problem, growth, lattice)
+    last, expanded = drive_by_cells(problem, growth, lattice)
     tree = grown_tree(growth)
     built = {"tree": tree, "problem": problem, "planner": "hybrid A*"}
     stats = {"nodes": len(tree.nodes), "expanded": int(expanded), "checks": int(inner.asked[MOTIONS]) - before}

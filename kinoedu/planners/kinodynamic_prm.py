@@ -11,12 +11,11 @@ from typing import Any
 
 import numpy as np
 
-from ..compiled import body
+from ..compiled import algorithm
 from ..geometry.checks import as_generator
 from ..graphs import astar, flat_graph
 from ..problems import MOTIONS, Plan
 from ..robots.trajectory import DrivenRoadmap, DrivenTree
-from .asking import body_for
 from .driving import (
     Bias,
     DrivenGrowth,
@@ -39,7 +38,7 @@ from .prm import distances_to
 from .tuning import whole
 
 
-@body
+@algorithm
 def drive_from_nearest(
     problem: Any, growth: DrivenGrowth, k: int, bias: Bias, drives: Drives, iterations: int, rng: np.random.Generator
 ) -> None:
@@ -96,7 +95,7 @@ def kinodynamic_prm(
     drives, near = drives_of(asked, trials, duration, step, batches), near_of(asked, tolerance, turn_tolerance)
     turns = whole(iterations, "iterations", least=0)
     growth, before = new_growth(asked, turns * nearest + 1), int(asked.asked[MOTIONS])
-    body_for(asked, drive_from_nearest)(asked, growth, nearest, bias, drives, turns, as_generator(rng))
+    drive_from_nearest(asked, growth, nearest, bias, drives, turns, as_generator(rng))
     tree = grown_tree(growth)
     stats = {"nodes": len(tree.nodes), "iterations": turns, "checks": int(asked.asked[MOTIONS]) - before}
     return replace(searched(asked, tree, near, stats), problem=problem)
@@ -107,7 +106,7 @@ def searched(problem: Any, tree: DrivenTree, near: Near, stats: dict[str, int]) 
     edges = np.stack([tree.parent, np.arange(len(tree.nodes))], axis=1)[1:]
     goals = np.flatnonzero([is_near(q, problem.goal, near) for q in tree.nodes])
     roadmap = DrivenRoadmap(tree.nodes, edges, tree.controls[1:], tree.durations[1:], goals)
-    apart = body_for(problem, distances_to)(problem, tree.nodes, problem.goal)
+    apart = distances_to(problem, tree.nodes, problem.goal)
     ends = goals if len(goals) else np.array([apart.argmin()])
     lengths = np.abs(roadmap.controls[:, 0] * roadmap.durations)
     at_goal = len(tree.nodes)  # one more node, to which every end leads at no cost

@@ -7,11 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from ..compiled import body
+from ..compiled import algorithm
 from ..geometry.checks import as_generator
 from ..graphs import extract_path
 from ..problems import MOTIONS, Plan
-from .asking import body_for
 from .driving import (
     Bias,
     DrivenGrowth,
@@ -33,7 +32,7 @@ from .driving import (
 from .tuning import whole
 
 
-@body
+@algorithm
 def grow_by_driving(
     problem: Any, growth: DrivenGrowth, bias: Bias, drives: Drives, near: Near, max_iterations: int, rng: np.random.Generator
 ) -> tuple[int, int]:
@@ -102,7 +101,7 @@ def kinodynamic_rrt(
     drives, near = drives_of(asked, trials, duration, step, batches), near_of(asked, tolerance, turn_tolerance)
     limit = whole(max_iterations, "max_iterations", least=0)
     growth, before = new_growth(asked, limit + 1), int(asked.asked[MOTIONS])
-    at_goal, iterations = body_for(asked, grow_by_driving)(asked, growth, bias, drives, near, limit, as_generator(rng))
+    at_goal, iterations = grow_by_driving(asked, growth, bias, drives, near, limit, as_generator(rng))
     tree = grown_tree(growth)
     last = at_goal if at_goal >= 0 else int(asked.nearest(growth.tree, asked.goal))
     trajectory = trajectory_to(asked, tree, extract_path(tree.parent, last))

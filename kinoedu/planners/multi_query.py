@@ -8,17 +8,17 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..compiled import body
+from ..compiled import algorithm
 from ..errors import InvalidGoal, InvalidParameter, InvalidStart
 from ..geometry.checks import Array, as_array, shortened
 from ..problems import MOTIONS, Plan, Problem, ProblemRecord, Recorder, Roadmap
-from .asking import body_for, both_ways
+from .asking import both_ways
 from .connecting import KClosest, joined
 from .prm import Sampler, free_configurations, searched
 from .tuning import whole
 
 
-@body
+@algorithm
 def join_ends(problem: Any, nodes: Array, k: int) -> tuple[NDArray[np.int64], Array]:
     """Edges from nodes 0 and 1 to the k closest others that a free motion leads to, (m, 2), and their costs (m,)."""
     edges, costs, size = np.empty((2 * k, 2), np.int64), np.empty(2 * k), 0
@@ -34,7 +34,7 @@ def join_ends(problem: Any, nodes: Array, k: int) -> tuple[NDArray[np.int64], Ar
     return edges[:size].copy(), costs[:size].copy()
 
 
-@body
+@algorithm
 def costs_of(problem: Any, nodes: Array, edges: NDArray[np.int64]) -> Array:
     """What each edge (m, 2) costs, shape (m,)."""
     costs = np.empty(len(edges))
@@ -84,8 +84,8 @@ def query(problem: Any, roadmap: Roadmap, start: ArrayLike | None = None, goal: 
     q_start, q_goal = as_free(asked, start, "start"), as_free(asked, goal, "goal")
     before = asked.asked[MOTIONS]
     nodes = np.concatenate([[q_start, q_goal], roadmap.nodes.reshape(-1, len(q_start))])
-    to_ends, ways = body_for(asked, join_ends)(asked, nodes, min(closest, len(nodes)))
-    costs = body_for(asked, costs_of)(asked, roadmap.nodes, roadmap.edges)
+    to_ends, ways = join_ends(asked, nodes, min(closest, len(nodes)))
+    costs = costs_of(asked, roadmap.nodes, roadmap.edges)
     edges = np.concatenate([to_ends, roadmap.edges + 2])
     return searched("roadmap query", asked, nodes, edges, np.concatenate([ways, costs]), before)
 

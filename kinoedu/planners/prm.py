@@ -9,20 +9,20 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..compiled import body
+from ..compiled import algorithm
 from ..errors import InvalidParameter
 from ..geometry.checks import Array, as_array, as_generator
 from ..graphs import GraphRecord, astar, flat_graph
 from ..problems import MOTIONS, Plan, Roadmap
 from .answers import plan_along
-from .asking import askable, body_for, both_ways
+from .asking import askable, both_ways
 from .connecting import KClosest, joined
 from .tuning import whole
 
 Sampler = Callable[[int, int], ArrayLike]
 
 
-@body
+@algorithm
 def sample_free(problem: Any, n: int, tries: int, rng: np.random.Generator) -> Array:
     """Up to n free configurations found in so many tries; shape (m, d)."""
     nodes, size = np.empty((n, len(problem.start))), 0
@@ -36,7 +36,7 @@ def sample_free(problem: Any, n: int, tries: int, rng: np.random.Generator) -> A
     return nodes[:size].copy()
 
 
-@body
+@algorithm
 def free_among(problem: Any, places: Array) -> NDArray[np.bool_]:
     """Whether each configuration (n, d) is free, (n,)."""
     free = np.empty(len(places), np.bool_)
@@ -45,7 +45,7 @@ def free_among(problem: Any, places: Array) -> NDArray[np.bool_]:
     return free
 
 
-@body
+@algorithm
 def distances_to(problem: Any, nodes: Array, q: Array) -> Array:
     """The distance from each node to q, shape (n,): what is left to go at the least."""
     left = np.empty(len(nodes))
@@ -112,7 +112,7 @@ def free_configurations(problem: Any, n: int, sampler: Sampler | None, rng: int 
     """What is free of n points that a sampler lays over the space, or n free configurations at random; (m, d). InvalidParameter."""
     samples = whole(n, "n", least=0)
     if sampler is None:
-        return body_for(problem, sample_free)(problem, samples, 100 * samples, as_generator(rng))  # type: ignore[arg-type]
+        return sample_free(problem, samples, 100 * samples, as_generator(rng))  # type: ignore[arg-type]
     space, d = getattr(problem, "space", None), len(problem.start)
     if space is None:
         raise InvalidParameter("a sampler needs a Problem, whose space it covers; for an object of yours its own `sample` is asked")
@@ -120,13 +120,13 @@ def free_configurations(problem: Any, n: int, sampler: Sampler | None, rng: int 
     if points.ndim != 2 or points.shape[1] != d or not ((points >= 0.0) & (points <= 1.0)).all():
         raise InvalidParameter(f"the sampler must give points of the unit cube, shape (n, {d}), got shape {points.shape}")
     places = space.lo + points * (space.hi - space.lo)
-    return places[body_for(problem, free_among)(problem, places)]
+    return places[free_among(problem, places)]
 
 
 def searched(planner: str, problem: Any, nodes: Array, edges: NDArray[np.int64], costs: Array, before: int) -> Plan:
     """The plan along a roadmap whose nodes 0 and 1 are start and goal; `before`, how many motions had been judged when it began."""
     graph = flat_graph(len(nodes), edges, costs)
-    numbers, _ = astar(graph, 0, 1, body_for(problem, distances_to)(problem, nodes, nodes[1]))
+    numbers, _ = astar(graph, 0, 1, distances_to(problem, nodes, nodes[1]))
     stats = {"nodes": len(nodes), "edges": len(edges), "checks": int(problem.asked[MOTIONS] - before)}
     return plan_along(problem, nodes, numbers, why_apart(graph), planner=planner, roadmap=Roadmap(nodes, edges), stats=stats)
 

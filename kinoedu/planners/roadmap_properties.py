@@ -6,14 +6,14 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..compiled import body
+from ..compiled import algorithm
 from ..errors import InvalidParameter
 from ..geometry.checks import Array, as_generator, shortened
 from ..graphs import GraphRecord, Search, dijkstra, extract_path, flat_graph
 from ..graphs.components import component_labels
 from ..problems import ProblemRecord, Recorder, Roadmap
 from ..robots.round import RoundRobot
-from .asking import askable, body_for
+from .asking import askable
 from .multi_query import costs_of
 from .prm import sample_free
 from .tuning import whole
@@ -61,7 +61,7 @@ class RoadmapSurvey(NamedTuple):
         return RoadmapProperties(accessible, departable, connected, self.efficiency)
 
 
-@body
+@algorithm
 def in_reach(problem: Any, nodes: Array, places: Array) -> NDArray[np.bool_]:
     """For each place (n, d) whether a free motion leads from it to some node, and from some node to it, (n, 2)."""
     reached = np.zeros((len(places), 2), np.bool_)
@@ -72,7 +72,7 @@ def in_reach(problem: Any, nodes: Array, places: Array) -> NDArray[np.bool_]:
     return reached
 
 
-@body
+@algorithm
 def in_sliding_reach(problem: Any, nodes: Array, places: Array) -> NDArray[np.bool_]:
     """The same by semi-free motions: the nodes of a visibility roadmap are in contact."""
     reached = np.zeros((len(places), 2), np.bool_)
@@ -136,9 +136,9 @@ def survey_roadmap(
     asked, draws, generator = askable(problem), whole(n, "n", least=1), as_generator(rng)
     inner = problem.problem if isinstance(problem, Recorder) else problem
     slides = isinstance(inner, ProblemRecord) and isinstance(inner.robot, RoundRobot)
-    places = body_for(asked, sample_free)(asked, draws, 100 * draws, generator)
-    reached = body_for(asked, in_sliding_reach if slides else in_reach)(asked, roadmap.nodes, places)
-    graph = flat_graph(len(roadmap.nodes), roadmap.edges, body_for(asked, costs_of)(asked, *roadmap))
+    places = sample_free(asked, draws, 100 * draws, generator)
+    reached = (in_sliding_reach if slides else in_reach)(asked, roadmap.nodes, places)
+    graph = flat_graph(len(roadmap.nodes), roadmap.edges, costs_of(asked, *roadmap))
     worst, way, delta = worst_pair(roadmap.nodes, graph, asked.distance, shortest or asked.distance, draws, generator)
     return RoadmapSurvey(places, reached, components_of(graph), worst, way, delta)
 

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from ..graphs import Graph, astar
 from ..problems import MOTIONS, Plan
 from .answers import plan_along
-from .asking import askable, body_for
+from .asking import askable
 from .multi_query import costs_of
 from .prm import why_apart
 
@@ -45,7 +45,7 @@ def plan_on_roadmap(problem: Any, roadmap: Any, search: Search = dijkstra_path) 
     """
     asked = askable(problem)
     before = asked.asked[MOTIONS]
-    graph = Graph(len(roadmap.nodes), roadmap.edges, body_for(asked, costs_of)(asked, roadmap.nodes, roadmap.edges))
+    graph = Graph(len(roadmap.nodes), roadmap.edges, costs_of(asked, roadmap.nodes, roadmap.edges))
     numbers = search(graph, 0, 1)
     stats = {"nodes": len(roadmap.nodes), "edges": len(roadmap.edges), "checks": int(asked.asked[MOTIONS] - before)}
     name = getattr(search, "__name__", "search").replace("_", " ")

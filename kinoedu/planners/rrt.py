@@ -6,17 +6,17 @@ from typing import Any
 
 import numpy as np
 
-from ..compiled import body, callable_from_compiled
+from ..compiled import algorithm, callable_from_compiled
 from ..errors import InvalidParameter
 from ..geometry.checks import Array, as_generator
 from ..problems import MOTIONS, Plan
 from ..spaces.buckets import GrowingTree, add
 from .answers import plan_from_tree
-from .asking import askable, body_for, new_tree, world_size
+from .asking import askable, new_tree, world_size
 from .tuning import none_or_more, positive, share, whole
 
 
-@body
+@algorithm
 def grow(
     problem: Any,
     tree: GrowingTree,
@@ -102,7 +102,7 @@ def rrt(
     in_a_row = limit if max_failures is None else whole(max_failures, "max_failures", least=1)
     tree = new_tree(asked, most + 1)
     before = asked.asked[MOTIONS]
-    at_goal, iterations = body_for(asked, grow)(asked, tree, delta, bias, apart, limit, in_a_row, as_generator(rng))
+    at_goal, iterations = grow(asked, tree, delta, bias, apart, limit, in_a_row, as_generator(rng))
     reason = f"after {iterations:,} iterations none of {tree.size[0]:,} nodes reaches the goal; allow more nodes, or another step"
     checks = int(asked.asked[MOTIONS] - before)
     return plan_from_tree("RRT", asked, tree, at_goal, reason, iterations=int(iterations), checks=checks)

@@ -7,13 +7,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..compiled import body, callable_from_compiled, compiled
+from ..compiled import algorithm, callable_from_compiled, compiled
 from ..geometry.checks import Array, as_generator
 from ..graphs import extract_path
 from ..problems import MOTIONS, Plan, Tree
 from ..spaces.buckets import GrowingTree, add
 from .answers import plan_along
-from .asking import body_for, both_ways, new_tree, world_size
+from .asking import both_ways, new_tree, world_size
 from .tuning import positive, whole
 
 Numbers = NDArray[np.int64]
@@ -21,7 +21,7 @@ TRAPPED = -1
 USUAL = 500  # nodes of a tree when it meets the other
 
 
-@body
+@algorithm
 def grow_both(
     problem: Any,
     from_start: GrowingTree,
@@ -113,7 +113,7 @@ def rrt_connect(
     limit = 10 * most if max_iterations is None else whole(max_iterations, "max_iterations", least=0)
     trees, owner = (roomy_tree(asked, most), roomy_tree(asked, most)), np.empty(most, np.int64)
     before = asked.asked[MOTIONS]
-    at_start, at_goal, iterations = body_for(asked, grow_both)(asked, *trees, owner, epsilon, limit, as_generator(rng))
+    at_start, at_goal, iterations = grow_both(asked, *trees, owner, epsilon, limit, as_generator(rng))
     grown = int(trees[0].size[0] + trees[1].size[0])
     nodes, parent, number = as_one((trees[0].nodes, trees[1].nodes), (trees[0].parent, trees[1].parent), owner[:grown])
     tree = Tree(nodes, parent)

@@ -8,11 +8,11 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..compiled import body, callable_from_compiled
+from ..compiled import algorithm, callable_from_compiled
 from ..geometry.checks import Array, as_generator
 from ..problems import MOTIONS, Plan
 from .answers import plan_from_tree
-from .asking import body_for, both_ways, new_tree, world_size
+from .asking import both_ways, new_tree, world_size
 from .cost_tree import CostTree, empty_costs, join, rewire
 from .informed import Everywhere, Informed, draw
 from .near import near_nodes
@@ -30,7 +30,7 @@ class Growth(NamedTuple):
     checks: int
 
 
-@body
+@algorithm
 def grow_shortest(
     problem: Any, costs: CostTree, sampler: Any, step: float, radii: Array, max_iterations: int, rng: np.random.Generator
 ) -> tuple[int, int]:
@@ -157,7 +157,7 @@ def grown(
     radii[2:] = np.minimum(widest * (np.log(n[2:]) / n[2:]) ** (1.0 / len(asked.start)), eta)
     costs = empty_costs(new_tree(asked, most + 1), rows)
     before = asked.asked[MOTIONS]
-    at_goal, iterations = body_for(asked, grow_shortest)(asked, costs, sampler, eta, radii, limit, as_generator(rng))
+    at_goal, iterations = grow_shortest(asked, costs, sampler, eta, radii, limit, as_generator(rng))
     return Growth(asked, costs, radii, int(at_goal), int(iterations), int(asked.asked[MOTIONS] - before))
 
 

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..collision.departures import all_safe_intervals, first_departure, met_departures, seen_from_movers
-from ..compiled import body, inlined
+from ..compiled import algorithm, inlined
 from ..errors import InvalidParameter
 from ..geometry.checks import Array, as_point, shortened
 from ..geometry.exact import length
@@ -23,7 +23,7 @@ from .prm import free_configurations
 from .tuning import whole
 
 
-@body
+@algorithm
 def search_intervals(
     problem: Any, graph: GraphRecord, nodes: Array, safe: Array, first: NDArray[np.int64], hulls: Parts, knots: NDArray[np.int64]
 ) -> tuple[Array, Array, NDArray[np.int64], int]:

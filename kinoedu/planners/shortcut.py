@@ -8,16 +8,16 @@ from typing import Any
 
 import numpy as np
 
-from ..compiled import body, callable_from_compiled
+from ..compiled import algorithm, callable_from_compiled
 from ..errors import InvalidParameter
 from ..geometry.checks import Array, as_generator, shortened
 from ..problems import MOTIONS, Plan
 from .answers import cost_along
-from .asking import askable, body_for
+from .asking import askable
 from .tuning import whole
 
 
-@body
+@algorithm
 def cut_corners(problem: Any, path: Array, tries: int, rng: np.random.Generator) -> Array:
     """Try so many times to go straight between two random places of a path (n, d); the path that is left, (m, d)."""
     kept, size = np.empty((len(path) + tries, path.shape[1])), len(path)
@@ -77,8 +77,8 @@ def shortcut(plan: Plan, *, tries: int = 200, rng: int | np.random.Generator) ->
         return plan
     asked = askable(plan.problem)
     before = asked.asked[MOTIONS]
-    path = body_for(asked, cut_corners)(asked, plan.path, attempts, generator)
-    cost = float(body_for(asked, cost_along)(asked, path))
+    path = cut_corners(asked, plan.path, attempts, generator)
+    cost = float(cost_along(asked, path))
     if cost >= plan.cost:
         return plan
     stats = {**plan.stats, "checks": plan.stats.get("checks", 0) + int(asked.asked[MOTIONS] - before)}

@@ -8,11 +8,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..compiled import body, callable_from_compiled
+from ..compiled import algorithm, callable_from_compiled
 from ..geometry.checks import Array, as_generator
 from ..graphs import extract_path
 from ..problems import MOTIONS, Plan
-from .asking import body_for
 from .driving import (
     Bias,
     DrivenGrowth,
@@ -44,7 +43,7 @@ class Sparse(NamedTuple):
     reach: float
 
 
-@body
+@algorithm
 def grow_sparsely(
     problem: Any,
     growth: DrivenGrowth,
@@ -161,7 +160,7 @@ def sst(
         0.8 * base if reach is None else positive(reach, "reach"),
     )
     growth, before = new_growth(asked, limit + 1), int(asked.asked[MOTIONS])
-    at_goal = body_for(asked, grow_sparsely)(asked, growth, sparse, bias, longest, near, limit, as_generator(rng))
+    at_goal = grow_sparsely(asked, growth, sparse, bias, longest, near, limit, as_generator(rng))
     tree = grown_tree(growth)
     last = at_goal if at_goal >= 0 else int(asked.nearest(growth.tree, asked.goal))
     stats = {"nodes": len(tree.nodes), "spots": int(sparse.size[0]), "iterations": limit}

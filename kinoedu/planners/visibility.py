@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..compiled import body
+from ..compiled import algorithm
 from ..geometry.checks import Array
 from ..graphs import astar, flat_graph
 from ..problems import Plan, Roadmap
@@ -20,7 +20,7 @@ from .corners import Corners, corners_of
 from .rotating_sweep import visible_from
 
 
-@body
+@algorithm
 def pairs_in_sight(corners: Any) -> NDArray[np.int64]:
     """The pairs of nodes, (m, 2) numbers of points, that see each other: a sweep round each node. O(n^2 log n)."""
     status = np.zeros((len(corners.points) + 1, 6), np.int64)

@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..compiled import body
+from ..compiled import algorithm
 from ..geometry.checks import Array
 from .buckets import GrowingTree, add
 from .rings import offer_bucket, search_near, squared_distance, squared_reach
@@ -43,14 +43,14 @@ def to_the_last(search: Closest) -> float:
     return search.squared[len(search.squared) - 1]
 
 
-@body
+@algorithm
 def fill(tree: GrowingTree, nodes: Array) -> None:
     """Put nodes (n, d) into the tree's buckets; none has a parent."""
     for node in nodes:
         add(tree, node, -1)
 
 
-@body
+@algorithm
 def k_closest_in_buckets(space: Any, tree: GrowingTree, k: int) -> NDArray[np.int64]:
     """The k nodes closest to each node, nearest first and the first among equals, itself left out; shape (n, k), k < n."""
     found, apart = np.zeros((tree.size[0], k), np.int64), np.empty(k)

@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..compiled import body, compiled, inlined
+from ..compiled import algorithm, compiled, inlined
 from ..geometry.checks import Array
 from ..geometry.exact import length, turn
 from ..geometry.parts import Parts
@@ -62,7 +62,7 @@ def nothing_known() -> KnownCells:
     return KnownCells(0.0, 0.0, 1.0, 1.0, np.zeros((0, 0), np.int8))
 
 
-@body
+@algorithm
 def fill_known_cells(known: KnownCells, fine: int, hull: Array, parts: Parts, cells: PartsIndex) -> None:
     """Judge cells of the index, then their quarters where that does not tell, and so on down to the small cells."""
     size = fine

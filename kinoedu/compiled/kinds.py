@@ -1,0 +1,90 @@
+"""The kinds of a call's arguments. Machine code is made for kinds: it serves all calls of the same.
+
+A kind says of a value what numba's type of it says, and is found without numba: "f8" for a float,
+(dtype, dimensions, layout, writable) for an array, (class, kinds) for a tuple or a record.
+"""
+
+from typing import Any
+
+import numpy as np
+
+Kind = Any  # hashable, and made of what can be pickled
+SCALARS: dict[type, str] = {bool: "b1", float: "f8", np.float64: "f8", np.int64: "i8"}
+SMALLEST, LARGEST = -(2**63), 2**63 - 1
+RNG, NOTHING = "rng", "none"
+
+
+class NoKind(TypeError):
+    """No machine code can be made for such a value."""
+
+
+def kinds_of(values: tuple[Any, ...]) -> tuple[Kind, ...] | None:
+    """The kinds of some values; None where one has none.
+
+    >>> kinds_of((1.5, 2, True))
+    ('f8', 'i8', 'b1')
+    >>> kinds_of((object(),)) is None
+    True
+    """
+    try:
+        return tuple([kind_of(value) for value in values])
+    except NoKind:
+        return None
+
+
+def kind_of(value: Any) -> Kind:
+    """The kind of a value. Raises NoKind."""
+    cls = type(value)
+    if cls is np.ndarray:
+        return kind_of_array(value)
+    if cls in SCALARS:
+        return SCALARS[cls]
+    if cls is int:
+        if SMALLEST <= value <= LARGEST:
+            return "i8"
+    elif isinstance(value, tuple) and (cls is tuple or hasattr(cls, "_fields")):
+        return cls, tuple([kind_of(field) for field in value])
+    elif isinstance(value, np.random.Generator):
+        return RNG
+    elif isinstance(value, np.generic) and value.dtype.kind in "biuf":
+        return value.dtype.str[1:]
+    elif value is None:
+        return NOTHING
+    raise NoKind(cls.__name__)
+
+
+def kind_of_array(array: "np.ndarray[Any, Any]") -> Kind:
+    """Element, number of dimensions, layout (C, Fortran or any) and whether it can be written."""
+    flags, dtype = array.flags, array.dtype
+    if dtype.kind not in "biuf" or not dtype.isnative:
+        raise NoKind(str(dtype))
+    layout = "C" if flags.c_contiguous else "F" if flags.f_contiguous else "A"
+    return dtype.str[1:], array.ndim, layout, flags.writeable
+
+
+def classes_in(kind: Kind) -> set[type]:
+    """The classes of records that a kind is made of."""
+    if not is_tuple_kind(kind):
+        return set()
+    inner = set[type]().union(*map(classes_in, kind[1]))
+    return inner if kind[0] is tuple else inner | {kind[0]}
+
+
+def is_tuple_kind(kind: Kind) -> bool:
+    """Whether it is the kind of a tuple or a record."""
+    return isinstance(kind, tuple) and isinstance(kind[0], type)
+
+
+def spelled(kind: Kind) -> str:
+    """A kind as text, the same in every process.
+
+    >>> spelled(kind_of((1.0, np.zeros((2, 2)))))
+    'tuple(f8, f8:2:C:w)'
+    """
+    if is_tuple_kind(kind):
+        name = "tuple" if kind[0] is tuple else f"{kind[0].__module__}.{kind[0].__qualname__}"
+        return f"{name}({', '.join(map(spelled, kind[1]))})"
+    if isinstance(kind, tuple):
+        dtype, dimensions, layout, writable = kind
+        return f"{dtype}:{dimensions}:{layout}:{'w' if writable else 'r'}"
+    return str(kind)

@@ -1,0 +1,15 @@
+"""A run of all tests begins with compiling what the lessons use, on all cores; a run of some does not."""
+
+import subprocess
+import sys
+
+import pytest
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_sessionstart(session: pytest.Session) -> None:
+    """Before the first test, and before the processes that share them are started."""
+    config = session.config
+    runs_all = config.args == config.getini("testpaths") and not config.option.collectonly
+    if runs_all and not hasattr(config, "workerinput"):
+        subprocess.run([sys.executable, "-P", "-m", "kinoedu", "warm", "--all"], check=True)

@@ -1,0 +1,203 @@
+"""Clocks that are fair: a student's program is timed alone, and on a slow computer it gets more."""
+
+import subprocess
+import sys
+import threading
+import time
+
+import pytest
+
+from kinoedu import time_limit
+from kinoedu.course import EXERCISES, check
+from kinoedu.course.feedback import late_words
+from kinoedu.course.outcomes import Late, outcome_of
+from kinoedu.course.shapes import Number
+from kinoedu.time_limit import TimeUp, within, within_processor_time
+
+has_clocks = pytest.mark.skipif(not hasattr(time, "pthread_getcpuclockid"), reason="no thread's processor time is told here")
+
+
+@pytest.fixture(autouse=True)
+def usual_speed(monkeypatch):
+    """A computer as fast as a typical one, whatever it is."""
+    monkeypatch.setattr(time_limit, "speed", lambda: 1.0)
+
+
+def compute(seconds):
+    """Compute for so long in this thread."""
+    until = time.thread_time() + seconds
+    while time.thread_time() < until:
+        pass
+    return seconds
+
+
+def endless():
+    """Never end."""
+    while True:
+        pass
+
+
+def stopped(seconds, work):
+    """How a program was stopped."""
+    with pytest.raises(TimeUp) as over:
+        within_processor_time(seconds, work)
+    return over.value
+
+
+def test_an_answer_and_an_error_come_through():
+    """What work returns, and what it raises."""
+    assert within_processor_time(5.0, lambda: 42) == within(5.0, lambda: 42) == 42
+    with pytest.raises(ZeroDivisionError):
+        within_processor_time(5.0, lambda: 1 / 0)
+
+
+def test_an_endless_loop_is_stopped_and_the_next_program_runs():
+    """Both numbers are told, and where it was all the time."""
+    over = stopped(0.3, endless)
+    assert over.used > over.allowed == 0.3 and not over.left_running
+    assert over.seen is not None and over.seen.function == "endless"
+    assert within_processor_time(5.0, lambda: compute(0.01)) == 0.01
+
+
+@has_clocks
+@pytest.mark.parametrize("wait", [lambda: time.sleep(100), lambda: threading.Event().wait(100)])
+def test_a_program_that_waits_is_ended(wait):
+    """It computes next to nothing; the time on the wall ends it."""
+    over = stopped(0.05, wait)
+    assert over.used < over.allowed == 0.05 < over.passed and over.seen is None
+
+
+@has_clocks
+def test_a_program_may_wait_for_a_while():
+    """What passes while others have the processor is not on its time."""
+    assert within_processor_time(0.2, lambda: time.sleep(0.4)) is None
+
+
+def test_what_the_library_takes_is_not_counted(monkeypatch):
+    """All the time goes to interpreted functions of the library: the program is not refused."""
+    monkeypatch.setattr(time_limit, "library_seconds", lambda thread: time.perf_counter())
+    assert within_processor_time(0.1, lambda: compute(0.5)) == 0.5
+    assert stopped(0.02, endless).passed > 20 * 0.02  # but nothing runs for ever
+
+
+def test_a_slow_computer_gets_more_time(monkeypatch):
+    """Its limit is as many times longer as it is slower, and the message says so."""
+    monkeypatch.setattr(time_limit, "speed", lambda: 10.0)
+    assert within_processor_time(0.05, lambda: compute(0.2)) == 0.2
+    assert stopped(0.03, endless).allowed == pytest.approx(0.3)
+
+
+def test_the_speed_of_a_computer_is_kept_in_bounds(monkeypatch):
+    """A fast one is typical, a very slow one as slow as any."""
+    for seconds, factor in ((1e-9, 1.0), (2 * time_limit.REFERENCE, 2.0), (1e9, 20.0)):
+        monkeypatch.setattr(time_limit, "practice", lambda seconds=seconds: seconds)
+        assert measured() == factor
+
+
+measured = time_limit.speed.__wrapped__
+
+
+def test_where_no_thread_tells_its_time_the_wall_counts(monkeypatch):
+    """A sleeping program ends there too."""
+    monkeypatch.setattr(time_limit, "clock_of_this_thread", lambda: None)
+    over = stopped(0.1, lambda: time.sleep(100))
+    assert over.used > over.allowed == 0.1
+    assert within_processor_time(5.0, lambda: 42) == 42
+
+
+def test_to_load_a_module_is_not_on_the_programs_time():
+    """What is imported is told by the calls that are running."""
+
+    def calls(module):
+        names = {}
+        exec(compile("import sys\ndef f():\n    return sys._getframe()", module, "exec"), names)
+        return names["f"]()
+
+    assert time_limit.loads_a_module(calls("<frozen importlib._bootstrap>"))
+    assert not time_limit.loads_a_module(calls("student.py"))
+    assert time_limit.waits_for_machine_code(calls(time_limit.keeper.__file__))
+    assert not time_limit.waits_for_machine_code(calls("student.py"))
+
+
+def test_places_are_told_where_they_are_few():
+    """Of a program that was everywhere nothing is said."""
+    places = time_limit.Places()
+
+    def look():
+        places.add(sys._getframe())
+
+    for _ in range(10):
+        look()
+    seen = places.seen()
+    assert seen is not None and seen.function == "test_places_are_told_where_they_are_few"
+    assert seen.first == seen.last
+    places = time_limit.Places()
+    places.add(sys._getframe())
+    assert places.seen() is None
+
+
+def test_the_message_has_both_numbers():
+    """What was used and what is allowed here; a word of loops only where one was seen."""
+    late = late_words(Late(False, 7.61, 7.5, 8.0, []))
+    assert "7.6 s" in late and "7.5 s" in late and "this computer" in late
+    waited = late_words(Late(True, 0.01, 5.0, 20.0, []))
+    assert "20.0 s" in waited and "0.0 s" in waited and "restart the kernel" in waited
+    assert "time that is allowed" in late_words(Late(False))
+
+
+def test_loops_are_spoken_of_where_one_was_seen(monkeypatch):
+    """The line is shown; a program that waits hears nothing of loops."""
+    monkeypatch.setattr(type(EXERCISES["polygon_tangent"]), "seconds", 0.3)
+
+    def polygon_tangent(q, polygon):
+        while True:
+            pass
+
+    looping = repr(check(polygon_tangent))
+    assert "in a loop?" in looping and ("while True:" in looping or "pass" in looping)
+    outcome = outcome_of(lambda: time.sleep(100), Number(), 0.05)
+    assert isinstance(outcome, Late) and not outcome.lines
+
+    def polygon_tangent(q, polygon):
+        time.sleep(100)
+
+    monkeypatch.setattr(type(EXERCISES["polygon_tangent"]), "seconds", 0.05)
+    assert "loop" not in repr(check(polygon_tangent))
+
+
+def test_the_same_time_out_earns_no_further_hint(monkeypatch):
+    """Its seconds differ each time; it is the same failure."""
+    from kinoedu.course import feedback
+
+    monkeypatch.setattr(feedback, "TRIES", {})
+    monkeypatch.setattr(type(EXERCISES["point_line_distance"]), "seconds", 0.05)
+
+    def point_line_distance(q, p1, p2):
+        return endless()
+
+    for _ in range(2):
+        assert "smallest case" not in repr(check(point_line_distance, staged=True))
+
+
+def test_alarms_count_processor_time_where_there_are_no_threads():
+    """In the sandbox: a program that computes and one that waits are ended, a short wait is not."""
+    code = """
+import sys, time
+sys.argv = ["inside.py"]
+from kinoedu.grading import inside
+from kinoedu.time_limit import TimeUp
+
+def told(work):
+    try:
+        return inside.by_alarm(0.1, work)
+    except TimeUp as over:
+        return over.used >= 0.09, over.allowed, over.passed >= 0.39
+
+def endless():
+    while True:
+        pass
+
+print(told(endless)[:2], told(lambda: time.sleep(100)), told(lambda: time.sleep(0.2)))
+"""
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=100)
+    assert run.stdout.strip() == "(True, 0.1) (False, 0.1, True) None", run.stderr
