@@ -6,22 +6,27 @@ from functools import partial
 from itertools import chain
 from typing import Any
 
+from .collision import free_configurations, free_motions
 from .compiled import HAS_COMPILER, requests
 from .compiled.store import folder
 from .compiled.tiers import called
 from .curves import dubins_path, reeds_shepp_path
 from .graphs import Graph, bfs, dfs, dijkstra
 from .planners import (
+    Radius,
     bug2,
+    cells_with_headings,
     hybrid_astar,
     informed_rrt_star,
     kinodynamic_prm,
     kinodynamic_rrt,
     plan_by_decomposition,
     plan_by_visibility,
+    plan_in_time,
     plan_on_grid,
     prm,
     receding_horizon,
+    roadmap_properties,
     rrt,
     rrt_connect,
     rrt_star,
@@ -31,7 +36,9 @@ from .planners import (
 from .problems import Problem, ProblemRecord
 from .progress import counted
 from .robots import Car, Disk, Point, RigidPolygon, TranslatingPolygon, TwoLinkArm
-from .worlds import PolygonWorld, Terrain
+from .timed_problems import TimedProblem
+from .worlds import Moving, MovingWorld, PolygonWorld, Terrain
+from .worlds.terrain import TerrainRecord
 
 Job = tuple[Any, ...]  # its name, a function, and what that is given
 
@@ -74,6 +81,7 @@ def first_jobs() -> Iterator[Job]:
     round_and_not = PolygonWorld([*ROOM[:3], (5, 8), ROOM[3]], [[(4, 0), (5, 0), (5, 5)], ((7, 5), 1.0)])
     for kind, world in {"polygons": round_and_not, "a terrain": Terrain([[1] * 9] * 9)}.items():
         yield f"rrt, prm and A* on {kind}", plan_first, Problem(Point(), world, (1, 1), (8, 8))
+    yield "A* of a disk on a terrain", plan_on_grid, Problem(Disk(0.4), Terrain([[1] * 9] * 9), (1, 1), (8, 8))
     yield "cells", plan_by_decomposition, room(Point(), (1, 1), (8, 8))
     yield "bugs", bug2, (1, 1), (8, 8), [[(4, 2), (5, 2), (5, 6)], [(1, 8), (2, 8), (2, 9)]], 1.0
     yield "searches on graphs", search_a_graph
@@ -112,6 +120,12 @@ def later_jobs() -> Iterator[Job]:
     }
     for name, task in bodies.items():
         yield f"rrt, rrt-connect and prm of {name}", plan_by_samples, task
+    for name in ("a point", "a translating polygon", "a turning polygon"):
+        yield f"many configurations and motions of {name}", judge_many, bodies[name]
+    yield "a terrain with costs", plan_on_priced_terrain, Terrain([[1] * 9] * 9, cost=[[2.0] * 9] * 9)
+    yield "how well a roadmap serves", survey, problem
+    yield "cells with headings", partial(cells_with_headings, neighbours=Radius(7.0)), bodies["a turning polygon"]
+    yield "obstacles that move", plan_among_movers
     yield "kinodynamic_rrt", partial(kinodynamic_rrt, max_iterations=50, rng=0), car
     yield "kinodynamic_prm", partial(kinodynamic_prm, iterations=20, rng=0), car
     yield "hybrid_astar", hybrid_astar, car
@@ -124,6 +138,32 @@ def plan_by_rewiring(problem: ProblemRecord) -> None:
     """RRT* and its informed kin."""
     rrt_star(problem, max_nodes=200, rng=0)
     informed_rrt_star(problem, max_nodes=200, rng=0)
+
+
+def judge_many(problem: ProblemRecord) -> None:
+    """Two configurations and a motion."""
+    free_configurations(problem.robot, problem.world, [problem.start, problem.goal])
+    free_motions(problem.robot, problem.world, [problem.start], [problem.goal])
+
+
+def plan_on_priced_terrain(terrain: TerrainRecord) -> None:
+    """The planners that see what ground costs."""
+    problem = Problem(Point(), terrain, (1, 1), (8, 8))
+    plan_on_grid(problem)
+    prm(problem, n=20, rng=0)
+    rrt_star(problem, max_nodes=200, rng=0)
+
+
+def survey(problem: ProblemRecord) -> None:
+    """A roadmap's four properties."""
+    roadmap_properties(problem, prm(problem, n=20, rng=0).roadmap, rng=0)
+
+
+def plan_among_movers() -> None:
+    """A disk, and another that crosses its way."""
+    world = MovingWorld(PolygonWorld(ROOM), [Moving(0.5, times=[0, 10], places=[(5, 1), (5, 8)])])
+    problem = TimedProblem(Disk(0.4), world, (1, 1), (8, 8), speed=1.0)
+    plan_in_time(problem, n=20, rng=0)
 
 
 def plan_by_samples(problem: ProblemRecord) -> None:

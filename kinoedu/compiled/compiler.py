@@ -4,6 +4,7 @@ Only that piece is called from Python. What it calls is neither given an entry f
 turned into machine code of its own, which saves most of the time that numba would take.
 """
 
+import functools
 import inspect
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -14,6 +15,7 @@ from numba import _dynfunc, types
 from numba.core import cgutils, cpu
 from numba.core.codegen import JITCodeLibrary
 from numba.core.compiler import CompilerBase, CompileResult, DefaultPassBuilder
+from numba.core.lowering import Lower
 from numba.extending import (
     intrinsic,
     overload,
@@ -21,13 +23,13 @@ from numba.extending import (
     register_jitable,
     typeof_impl,
 )
+from numba.np.arrayobj import raise_with_shape_context
 
 from . import choices
 from .kinds import Kind
 from .machine import OPTIONS, numba_type
 from .tiers import Tiered
 
-WITHOUT_ENTRY = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
 INLINED = {"forceinline": True, "error_model": "numpy"}
 registered = {"generics": 0, "callable": 0}
 methods_known: set[str] = set()
@@ -39,8 +41,9 @@ def compile_entry(function: Tiered, kinds: tuple[Kind, ...]) -> CompileResult:
     Raises numba's error where it cannot be compiled.
     """
     register_choices()
+    shorten_message_about_shapes()
     entry = borrowing(function.py_func) if function.is_algorithm else function.py_func
-    dispatcher = numba.njit(**OPTIONS, no_cfunc_wrapper=True, pipeline_class=EntryCompiler)(entry)
+    dispatcher = numba.njit(**OPTIONS, pipeline_class=EntryCompiler)(entry)
     signature = tuple(map(numba_type, kinds))
     with lean_libraries():
         dispatcher.compile(signature)
@@ -68,8 +71,7 @@ def register_choices() -> None:
 def type_of_tiered(function: Tiered, context: Any) -> Any:
     """A function of ours that compiled code calls."""
     if function.inner is None:
-        options = {**OPTIONS, **WITHOUT_ENTRY, **function.options}
-        function.inner = numba.njit(**options)(function.py_func)
+        function.inner = numba.njit(**{**OPTIONS, **function.options})(function.py_func)
     return types.Dispatcher(function.inner)
 
 
@@ -81,10 +83,13 @@ class LeanLibrary(JITCodeLibrary):
     code as a part of those that call it."""
 
     is_entry = False
+    has_one_caller = False  # optimized there, and not before
 
     def _optimize_final_module(self) -> None:
         if self.is_entry:
             super()._optimize_final_module()
+            return
+        if self.has_one_caller:
             return
         passes, builder = self._codegen._module_pass_manager()  # numba runs a cheaper one before
         passes.run(self._final_module, builder)
@@ -108,21 +113,64 @@ def executable(self: Any, library: Any, description: Any, environment: Any) -> A
     return _dynfunc.make_function(description.lookup_module(), name, name, 0, environment, (library,))
 
 
+def entry_from_python(self: Any, release_gil: bool) -> None:
+    """numba's create_cpython_wrapper, for what Python enters."""
+    if not isinstance(self.library, LeanLibrary) or self.library.is_entry:
+        entry_from_python_of_numba(self, release_gil)
+
+
+def entry_from_c(self: Any) -> None:
+    """In place of numba's create_cfunc_wrapper: nothing is entered from C."""
+
+
 executable_of_numba = cpu.CPUContext.get_executable
+entry_from_python_of_numba = Lower.create_cpython_wrapper
 
 
 @contextmanager
 def lean_libraries() -> Iterator[None]:
     """While the block runs, new libraries are lean."""
     codegen = numba.core.registry.cpu_target.target_context.codegen()
-    usual = codegen._library_class
-    codegen._library_class = LeanLibrary
-    cpu.CPUContext.get_executable = executable
+    with (
+        replaced(codegen, "_library_class", LeanLibrary),
+        replaced(cpu.CPUContext, "get_executable", executable),
+        replaced(Lower, "create_cpython_wrapper", entry_from_python),
+        replaced(Lower, "create_cfunc_wrapper", entry_from_c),
+    ):
+        yield
+
+
+@contextmanager
+def replaced(owner: Any, name: str, value: Any) -> Iterator[None]:
+    """While the block runs, an attribute has another value."""
+    usual = getattr(owner, name)
+    setattr(owner, name, value)
     try:
         yield
     finally:
-        codegen._library_class = usual
-        cpu.CPUContext.get_executable = executable_of_numba
+        setattr(owner, name, usual)
+
+
+@functools.cache
+def shorten_message_about_shapes() -> None:
+    """Let an assignment to a row of another length fail in few words.
+
+    numba's message tells both shapes. Making the text of it took a third of the time and of the code
+    of whatever assigns a row.
+    """
+    numba.core.registry.cpu_target.typing_context.refresh()
+    kind = numba.core.registry.cpu_target.typing_context.resolve_value_type(raise_with_shape_context)
+    for template in kind.templates:
+        template._overload_func = staticmethod(fail_by_shape)
+
+
+def fail_by_shape(source: Any, rows: Any) -> Callable[..., None]:
+    """What compiled code does when an array does not fit."""
+
+    def fail(source: Any, rows: Any) -> None:
+        raise ValueError("an array of another shape cannot be assigned")
+
+    return fail
 
 
 # ---- what Python enters -------------------------------------------------------------------------
@@ -131,12 +179,20 @@ def lean_libraries() -> Iterator[None]:
 class EntryCompiler(CompilerBase):
     """numba's usual passes, for a function that Python enters."""
 
+    mark = "is_entry"
+
     def define_pipelines(self) -> list[Any]:
         name = self.state.func_id.func_qualname
         library = self.state.library = self.state.targetctx.codegen().create_library(name)
         library.enable_object_caching()
-        library.is_entry = True
+        setattr(library, self.mark, True)
         return [DefaultPassBuilder.define_nopython_pipeline(self.state)]
+
+
+class InnerCompiler(EntryCompiler):
+    """The same, for a function that only an entry calls."""
+
+    mark = "has_one_caller"
 
 
 def borrowing(function: Callable[..., Any]) -> Callable[..., Any]:
@@ -145,7 +201,8 @@ def borrowing(function: Callable[..., Any]) -> Callable[..., Any]:
     Nothing counts references to them while it runs, which makes planners two and a half times as
     fast. It may write into them, but must return only numbers and arrays of its own.
     """
-    whole = numba.njit(**{**OPTIONS, **WITHOUT_ENTRY, "forceinline": True})(function)
+    options = {**OPTIONS, "forceinline": True}
+    whole = numba.njit(**options, pipeline_class=InnerCompiler)(function)
     # written out with a name for each argument: numba takes 0.2 ms to look at an *args tuple that
     # holds a Generator
     names = ", ".join(inspect.signature(function).parameters)

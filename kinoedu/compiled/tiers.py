@@ -34,6 +34,8 @@ BUDGET = 2.0  # seconds that interpreting one kind of call may cost before it is
 IMPORTING = 1.0  # seconds of interpreting, in all, before numba is imported: about what that takes
 LOOK_AGAIN = 0.5  # seconds after which it is looked again whether machine code has come
 
+BEGUN, DONE = "compiling %s once", "compiled %s"  # what is logged when a call waits for it
+
 log = logging.getLogger(__name__.partition(".")[0])
 
 F = TypeVar("F", bound=Callable[..., Any])
@@ -207,12 +209,16 @@ class Specialization:
         self.is_tried = True
         if self.is_generator or self.is_loaded:
             return
-        log.info("compiling %s once", self.function.__name__)
+        if self.file is not None and self.file.exists():
+            self.load()
+            return
+        log.info(BEGUN, self.function.__name__)
         place = store.folder()
         if self.is_never_stored or place is None:
             KEEPER.do(self.compile_here)
-        elif (self.file is not None and self.file.exists()) or wait_for(place, self.wanted):
+        elif wait_for(place, self.wanted):
             self.load()
+        log.info(DONE, self.function.__name__)
 
     def compile_here(self) -> None:
         """Compile it in this process."""

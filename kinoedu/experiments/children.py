@@ -16,6 +16,7 @@ import tempfile
 import threading
 from typing import Any, BinaryIO
 
+from ..compiled.tiers import BEGUN, DONE
 from .cells import NOT_RUN, Cell, Outcome, out_of_time, run_cell
 from .digests import version
 
@@ -197,5 +198,7 @@ class Watch(logging.Handler):
         self.log.removeHandler(self)
 
     def emit(self, record: logging.LogRecord) -> None:
-        """Something is compiled: that takes its time, and is not the planner's."""
-        faulthandler.dump_traceback_later(self.seconds + COMPILING, exit=True)
+        """While something is compiled, the planner's own time does not run."""
+        patience = {BEGUN: COMPILING, DONE: 0.0}.get(record.msg)
+        if patience is not None:
+            faulthandler.dump_traceback_later(self.seconds + patience, exit=True)
