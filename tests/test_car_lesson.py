@@ -7,8 +7,8 @@ import pytest
 
 from kinoedu import Car, Trajectory, dubins_path, reeds_shepp_path
 from kinoedu.boards import curves_board
-from kinoedu.course.exercises import small_angles, tangent_curves
-from kinoedu.course.exercises.driving import moved
+from kinoedu.course.lessons.cars import csc_length, exposing_drive
+from kinoedu.course.lessons.shared.driving import moved
 from kinoedu.curves.dubins import every_word
 from kinoedu.figures import cars
 
@@ -37,7 +37,7 @@ def test_every_word_leads_there_and_the_shortest_is_dubins(seed):
 def test_the_lengths_by_circles_are_those_of_the_curves(seed):
     """Both ways of computing a word, by tangents in turning radii and by circles in the plane, agree, word by word."""
     for a, b in zip(poses(seed, 80), poses(seed + 20, 80)):
-        by_circles = {word: 1.3 * (t + v) + u for word, (t, u, v) in tangent_curves.words_to(a, b, 1.3).items()}
+        by_circles = {word: 1.3 * (t + v) + u for word, (t, u, v) in csc_length.words_to(a, b, 1.3).items()}
         curves = {curve.word: curve.length for curve in every_word(a, b, 1.3) if curve.word[1] == "S"}
         assert by_circles == pytest.approx(curves, abs=1e-7)
 
@@ -45,13 +45,13 @@ def test_the_lengths_by_circles_are_those_of_the_curves(seed):
 def test_cases_of_the_curves_are_as_stated():
     """Straight ahead with both headings 0, or clear of whole turns and of circles that touch."""
     for seed in range(4):
-        for case in tangent_curves.CscLength().cases(np.random.default_rng(seed)):
+        for case in csc_length.CscLength().cases(np.random.default_rng(seed)):
             a, b, r = case.given.values()
             if case.kind == "straight":
                 assert a[2] == b[2] == 0.0 == a[1] - b[1] and b[0] > a[0]
-                assert tangent_curves.csc(a, b, r) == pytest.approx(b[0] - a[0])
+                assert csc_length.csc(a, b, r) == pytest.approx(b[0] - a[0])
             else:
-                assert tangent_curves.kind_of(a, b, r) == case.kind
+                assert csc_length.kind_of(a, b, r) == case.kind
 
 
 @pytest.mark.parametrize("angle", [0.9, 0.3, 0.05, -0.4])
@@ -65,10 +65,10 @@ def test_four_moves_lead_exactly_sideways(angle):
 
 def test_the_program_to_break_is_right_for_no_steering_and_wrong_by_the_square_of_the_time():
     """Nothing on a line; nearly nothing for a short time; and more for a longer one, until the circle brings it back."""
-    assert small_angles.off_after(0.0, 1000.0) == 0.0
-    assert small_angles.off_after(0.1, 10.0) < 1e-3
-    assert small_angles.off_after(0.1, 20.0) == pytest.approx(4 * small_angles.off_after(0.1, 10.0), rel=0.02)
-    assert small_angles.off_after(0.1, 1000.0) > 1.0
+    assert exposing_drive.off_after(0.0, 1000.0) == 0.0
+    assert exposing_drive.off_after(0.1, 10.0) < 1e-3
+    assert exposing_drive.off_after(0.1, 20.0) == pytest.approx(4 * exposing_drive.off_after(0.1, 10.0), rel=0.02)
+    assert exposing_drive.off_after(0.1, 1000.0) > 1.0
 
 
 def test_moves_agree_with_fine_steps():

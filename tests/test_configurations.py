@@ -5,8 +5,8 @@ import pytest
 
 from kinoedu import TwoLinkArm, torus_distance
 from kinoedu.boards import reach_board, torus_board
-from kinoedu.course.exercises.freedoms import freedoms, random_joints
-from kinoedu.course.exercises.law_of_sines import inverse_by_sines
+from kinoedu.course.lessons.configurations.degrees_of_freedom import freedoms, random_joints
+from kinoedu.course.lessons.configurations.exposing_reach import inverse_by_sines
 from kinoedu.errors import InvalidRobot
 from kinoedu.figures import configurations
 from kinoedu.robots.arm import ArmChain

@@ -11,10 +11,19 @@ import shapely
 
 from kinoedu.course.drivable import REGION, DrivenTask, drivable
 from kinoedu.course.exercise import Case
-from kinoedu.course.exercises import best_controls, fastest_drives, garages, kinodynamic, pose_distances
-from kinoedu.course.exercises.driven_trees import near_ones, why_not_driven
+from kinoedu.course.lessons.kinodynamic import (
+    best_control,
+    drives,
+    fastest_drive,
+    garages,
+    heading_distance,
+    kinodynamic_prm,
+    kinodynamic_rrt,
+)
+from kinoedu.course.lessons.kinodynamic.driven_trees import near_ones, why_not_driven
 from kinoedu.curves.integrators import runge_kutta
 from kinoedu.experiments import read_experiment
+from kinoedu.robots.trajectory import DrivenTree
 from kinoedu.spaces.angles import short_way, wrapped
 
 EXPERIMENTS = Path(__file__).resolve().parent.parent / "notebooks" / "experiments"
@@ -48,43 +57,43 @@ def test_moves_agree_with_fine_steps_and_drives_are_cut_where_they_are_closest()
 
 def test_distances_of_poses_by_complex_numbers():
     """The short way is the angle of a quotient."""
-    for case in pose_distances.HeadingDistance().cases(np.random.default_rng(5)):
+    for case in heading_distance.HeadingDistance().cases(np.random.default_rng(5)):
         a, b, radian = case.given.values()
         turn = np.angle(np.exp(1j * (a[2] - b[2])))
-        assert pose_distances.pose_distance(a, b, radian) == pytest.approx(np.linalg.norm([*(a - b)[:2], radian * turn]))
+        assert heading_distance.pose_distance(a, b, radian) == pytest.approx(np.linalg.norm([*(a - b)[:2], radian * turn]))
 
 
 @pytest.mark.parametrize("seed", range(2))
 def test_cases_of_the_best_control_are_as_stated(seed):
     """By all pairs of a control and a step: the closest step of each control, then the closest control that is free."""
-    for case in best_controls.BestControl().cases(np.random.default_rng(seed)):
+    for case in best_control.BestControl().cases(np.random.default_rng(seed)):
         problem, q, target, controls, t, n = case.given.values()
         away = np.array([[problem.distance(problem.move(q, *u, k * t / n), target) for k in range(1, n + 1)] for u in controls])
         cuts = away.argmin(axis=1) + 1
         free = [problem.is_free_drive(q, *u, k * t / n) for u, k in zip(controls, cuts)]
         left = np.where(free, away.min(axis=1), np.inf)
         best = int(left.argmin())
-        assert best_controls.best_of_controls(*case.given.values()) == ((best, cuts[best]) if any(free) else None)
+        assert best_control.best_of_controls(*case.given.values()) == ((best, cuts[best]) if any(free) else None)
 
 
 def test_fastest_drives_by_relaxing_again_and_again():
     """Against Bellman's and Ford's algorithm."""
-    for case in fastest_drives.FastestDrive().cases(np.random.default_rng(3)):
+    for case in fastest_drive.FastestDrive().cases(np.random.default_rng(3)):
         n, edges, _, durations, ends = case.given.values()
         time = np.where(np.arange(n) == 0, 0.0, np.inf)
         for _ in range(n):
             for (u, v), t in zip(edges, durations):
                 time[v] = min(time[v], time[u] + t)
-        way, least = fastest_drives.fastest(*case.given.values()), time[ends].min(initial=np.inf)
+        way, least = fastest_drive.fastest(*case.given.values()), time[ends].min(initial=np.inf)
         assert (way is None) == (least == np.inf)
-        assert way is None or fastest_drives.lasts(way, edges, durations) == pytest.approx(least)
+        assert way is None or fastest_drive.lasts(way, edges, durations) == pytest.approx(least)
 
 
 def test_replayed_trees_touch_nothing():
     """Bodies along every drive of a tree among posts, by shapely."""
     problem = garages.GARAGES["thin"]
-    parent, controls, durations, path = kinodynamic.own_kinodynamic_rrt(problem, 80, 4)
-    tree = kinodynamic.DrivenTree(None, np.array(parent), np.array(controls), np.array(durations))
+    parent, controls, durations, path = kinodynamic_rrt.own_kinodynamic_rrt(problem, 80, 4)
+    tree = DrivenTree(None, np.array(parent), np.array(controls), np.array(durations))
     fault, nodes = why_not_driven(problem, tree)
     assert fault is None
     solid = shapely.union_all([shapely.Polygon(post) for post in garages.POSTS])
@@ -110,7 +119,7 @@ def test_near_enough_is_judged_across_pi():
 def test_no_wall_can_be_reached_where_every_turn_is_counted(name):
     """All turns together lead less far than the nearest wall is away."""
     problem, world = garages.GARAGES[name], garages.GARAGES[name].problem.world
-    reach = kinodynamic.TURNS[name] * problem.longest * np.abs(garages.CAR.speeds).max() + 30.0
+    reach = drives.TURNS[name] * problem.longest * np.abs(garages.CAR.speeds).max() + 30.0
     assert (world.lo + reach < problem.start[:2]).all()
     assert (problem.start[:2] < world.hi - reach).all()
 
@@ -122,10 +131,11 @@ def test_goal_and_region_may_both_have_the_turns_of_both(name, monkeypatch):
     def goal_first(problem, turn, rng):
         return problem.goal if turn % 4 == 0 else problem.near_goal(rng) if turn % 7 == 0 else problem.sample(rng)
 
-    monkeypatch.setattr(kinodynamic, "place_to_go", goal_first)
-    tree, roadmap = kinodynamic.KinodynamicRrt(), kinodynamic.KinodynamicPrm()
+    for module in (kinodynamic_prm, kinodynamic_rrt):
+        monkeypatch.setattr(module, "place_to_go", goal_first)
+    tree, roadmap = kinodynamic_rrt.KinodynamicRrt(), kinodynamic_prm.KinodynamicPrm()
     for exercise, more in ((tree, {}), (roadmap, {"k": 2})):
-        case = Case(name, {"problem": garages.GARAGES[name], **more, "iterations": kinodynamic.TURNS[name], "rng": 3})
+        case = Case(name, {"problem": garages.GARAGES[name], **more, "iterations": drives.TURNS[name], "rng": 3})
         assert exercise.fault(case, [np.array(part) for part in exercise.source(*case.given.values())]) is None
 
 

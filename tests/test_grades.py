@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from kinoedu.cli import main
-from kinoedu.course.exercises import find
+from kinoedu.course.lessons import find
 from kinoedu.errors import InvalidParameter
 from kinoedu.grading import sandbox
 from kinoedu.grading.cells_of_csv import harmless, unharmed

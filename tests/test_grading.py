@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from kinoedu.course.exercises import find
+from kinoedu.course.lessons import find
 from kinoedu.course.release import assignments
 from kinoedu.grading import sandbox
 from kinoedu.grading.grading import grade

@@ -8,8 +8,8 @@ import zipfile
 import numpy as np
 import pytest
 
-from kinoedu.course.exercises import find
 from kinoedu.course.judging import attempt, report_on
+from kinoedu.course.lessons import find
 from kinoedu.course.outcomes import Late, Misshapen, Raised
 from kinoedu.grading import asking, talk
 from kinoedu.grading.asking import Cell, Question, answers

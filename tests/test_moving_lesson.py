@@ -9,7 +9,7 @@ from kinoedu import Disk, Moving, MovingWorld, Point, PolygonWorld, TimedProblem
 from kinoedu.boards import chance_board, moving_board
 from kinoedu.boards.chances import SHOWN
 from kinoedu.boards.moving import STEPS, stands_at, waited
-from kinoedu.course.exercises import missed_moments, safe_arrival, scenario_chance, timed_contact
+from kinoedu.course.lessons.moving import collision_probability, earliest_arrival, exposing_motions, first_contact
 from kinoedu.errors import InvalidParameter
 
 HALL = PolygonWorld([(0, 0), (10, 0), (10, 6), (0, 6)], [[(4, 0), (5, 0), (5, 2), (4, 2)]])
@@ -18,13 +18,13 @@ WORLD = MovingWorld(HALL, [Moving(1.0, [0, 10], [(9, 3), (-1, 3)])])
 
 def test_the_first_contact_is_where_dense_sampling_sees_it():
     """Before it all is apart, at it they are at the radius; where there is none, all is apart."""
-    for case in timed_contact.FirstContact().cases(np.random.default_rng(1)):
+    for case in first_contact.FirstContact().cases(np.random.default_rng(1)):
         p0, p1, c0, c1, r = case.given.values()
         x, v = p0 - c0, (p1 - p0) - (c1 - c0)
         nearest = np.clip(-(x @ v) / max(v @ v, 1e-300), 0, 1)  # a contact may be too short for any grid
         s = np.sort(np.append(np.linspace(0, 1, 4001), nearest))
         gaps = np.hypot(*(x + s[:, None] * v).T) - r
-        moment = timed_contact.contact_time(*case.given.values())
+        moment = first_contact.contact_time(*case.given.values())
         touched = np.flatnonzero(gaps <= 0)
         assert (len(touched) == 0) == (moment == math.inf)
         assert moment == math.inf or abs(s[touched[0]] - moment) < 1e-3
@@ -35,9 +35,9 @@ TICKS = 16  # in a unit of time: all times in the cases are multiples of one
 
 def stepped(safe, moves, start, goal):
     """The earliest arrival, by stepping through all ticks."""
-    ways = safe_arrival.two_ways(moves)
+    ways = earliest_arrival.two_ways(moves)
     interval = [{t: k for k, (b, e) in enumerate(own) for t in range(round(TICKS * b), round(TICKS * e) + 1)} for own in safe]
-    at = [set() for _ in range(TICKS * (int(safe_arrival.END) + 5))]
+    at = [set() for _ in range(TICKS * (int(earliest_arrival.END) + 5))]
     if 0 in interval[start]:
         at[0].add(start)
     for t, here in enumerate(at):
@@ -55,17 +55,17 @@ def stepped(safe, moves, start, goal):
 @pytest.mark.parametrize("seed", range(3))
 def test_schedules_are_the_earliest(seed):
     """No later and no earlier than a search that steps through time; and every rule is kept. Kinds are as stated."""
-    for case in safe_arrival.EarliestArrival().cases(np.random.default_rng(seed)):
+    for case in earliest_arrival.EarliestArrival().cases(np.random.default_rng(seed)):
         given = [np.asarray(own).tolist() for own in case.given["safe"]], *list(case.given.values())[1:]
-        rows = safe_arrival.schedule(*given)
+        rows = earliest_arrival.schedule(*given)
         assert (rows[-1][1] if rows else math.inf) == stepped(*given)
         if rows:
-            assert safe_arrival.first_fault(*given, rows) == ""
+            assert earliest_arrival.first_fault(*given, rows) == ""
         assert (case.kind == "none") == (not rows)
         if case.kind == "aside":
             assert len({place for place, _ in rows}) < len(rows)
         if case.kind == "again":
-            assert safe_arrival.earliest_once(*given) > rows[-1][1]
+            assert earliest_arrival.earliest_once(*given) > rows[-1][1]
 
 
 def test_a_schedule_that_breaks_a_rule_is_told_which():
@@ -81,25 +81,25 @@ def test_a_schedule_that_breaks_a_rule_is_told_which():
         ("unsafe", [(0, 0), (1, 4), (2, 8)]),
         ("goal", [(0, 0), (1, 6)]),
     ):
-        assert safe_arrival.first_fault(safe, moves, 0, 2, rows) == rule
-    assert safe_arrival.first_fault([[(2, 30)], *safe[1:]], moves, 0, 2, [(0, 0), (1, 6), (2, 8)]) == "begin"
+        assert earliest_arrival.first_fault(safe, moves, 0, 2, rows) == rule
+    assert earliest_arrival.first_fault([[(2, 30)], *safe[1:]], moves, 0, 2, [(0, 0), (1, 6), (2, 8)]) == "begin"
 
 
 def test_a_rule_that_was_misread_is_named():
     """By what the search finds without it; where nothing fits, none."""
     touching = [[(0, 4), (7, 30)], [(0, 30)], [(0, 1), (10, 30)]], [(0, 1, 2), (0, 2, 1)]
-    assert safe_arrival.misread(*touching, 0, 2, [(0, 0), (1, 2), (0, 7), (2, 10)]) == "closed"
+    assert earliest_arrival.misread(*touching, 0, 2, [(0, 0), (1, 2), (0, 7), (2, 10)]) == "closed"
     short = [[(0, 30)], [(0, 3), (6, 30)]], [(0, 1, 2)]
-    assert safe_arrival.misread(*short, 0, 1, [(0, 0), (1, 6)]) == "forever"
-    assert safe_arrival.misread(*short, 0, 1, [(0, 0), (1, 7)]) == safe_arrival.misread(*short, 0, 1, []) == ""
+    assert earliest_arrival.misread(*short, 0, 1, [(0, 0), (1, 6)]) == "forever"
+    assert earliest_arrival.misread(*short, 0, 1, [(0, 0), (1, 7)]) == earliest_arrival.misread(*short, 0, 1, []) == ""
 
 
 def test_scenario_cases_are_clear_of_touching():
     """No case is decided by rounding, and the example is as stated."""
-    for case in scenario_chance.CollisionProbability().cases(np.random.default_rng(0)):
-        assert np.abs(scenario_chance.gaps(*case.given.values())).min() > scenario_chance.CLEAR
-    first = next(scenario_chance.CollisionProbability().cases(np.random.default_rng(0)))
-    assert scenario_chance.tried(*first.given.values()) == pytest.approx([0.25, 0.0456, 0.6994], abs=5e-5)
+    for case in collision_probability.CollisionProbability().cases(np.random.default_rng(0)):
+        assert np.abs(collision_probability.gaps(*case.given.values())).min() > collision_probability.CLEAR
+    first = next(collision_probability.CollisionProbability().cases(np.random.default_rng(0)))
+    assert collision_probability.tried(*first.given.values()) == pytest.approx([0.25, 0.0456, 0.6994], abs=5e-5)
 
 
 def test_the_program_to_break_is_right_for_slow_motions():
@@ -108,8 +108,8 @@ def test_the_program_to_break_is_right_for_slow_motions():
     for _ in range(100):
         p0, c0 = rng.uniform(-9, 9, (2, 2))
         p1, c1 = p0 + rng.uniform(-0.5, 0.5, 2), c0 + rng.uniform(-0.5, 0.5, 2)
-        truth = missed_moments.nearest(p0, p1, c0, c1)
-        assert missed_moments.touch_by_moments(p0, p1, c0, c1, 1.0) == (truth <= 1.0) or abs(truth - 1.0) < 0.01
+        truth = exposing_motions.nearest(p0, p1, c0, c1)
+        assert exposing_motions.touch_by_moments(p0, p1, c0, c1, 1.0) == (truth <= 1.0) or abs(truth - 1.0) < 0.01
 
 
 def test_the_board_of_time_plans_anew():

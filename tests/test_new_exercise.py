@@ -15,6 +15,7 @@ from kinoedu.errors import InvalidParameter
 
 HOUSE = Path(__file__).resolve().parent.parent
 NAME, LESSON = "halfway_there", "77_midpoints"
+ROOM = "kinoedu/course/lessons/midpoints"
 WORDS = "import test_course as t; t.test_every_word_is_there_and_used()"  # without its file's fixture, which compiles everything
 MARKS = "from kinoedu.grading.questions import assignment as a; print([one.points for one in a({!r}).questions])"
 
@@ -49,12 +50,10 @@ def sources(file: Path) -> list[str]:
 
 def test_a_new_exercise_passes_the_tests_of_the_house(house):
     """Its own, those of every exercise, of every bank and of every solution, and the tools; then it is released."""
-    before = (house / LIST).read_text(encoding="utf-8")
     made = run(house, "-m", "kinoedu", "new-exercise", NAME, "--lesson", LESSON)
     assert made.returncode == 0, made.stderr
     listed = [line.strip() for line in made.stdout.splitlines()]
-    assert {f"solutions/{LESSON}.ipynb", f"kinoedu/course/exercises/{NAME}.py", f"tests/test_{NAME}.py", LIST} <= set(listed)
-    assert len((house / LIST).read_text(encoding="utf-8").splitlines()) == len(before.splitlines()) + 2
+    assert {f"solutions/{LESSON}.ipynb", f"{ROOM}/{NAME}.py", f"tests/test_{NAME}.py", f"{ROOM}/__init__.py"} <= set(listed)
     assert "right, for all" in (house / "solutions" / f"{LESSON}.ipynb").read_text(encoding="utf-8")
     released = run(house, "-m", "kinoedu", "release", LESSON)
     assert released.returncode == 0, released.stderr
@@ -88,33 +87,35 @@ def test_a_second_exercise_goes_to_the_end_of_its_lesson(house):
         ("../x", LESSON, "named like the function"),
         ("halton", LESSON, "already"),
         ("check", LESSON, "already"),
-        ("pictures", LESSON, "already"),
+        ("pictures", "06_sampling", "already"),
+        ("planner", LESSON, "already"),
         ("halfway", "walls", "14_walls"),
         ("halfway", "../14_walls", "14_walls"),
     ],
 )
 def test_what_cannot_be_is_refused(name, lesson, words, capsys):
     """By name, and nothing is written."""
-    listed = (HOUSE / LIST).read_bytes()
+    before = sorted((HOUSE / "kinoedu" / "course").rglob("*.py"))
     assert main(["new-exercise", name, "--lesson", lesson]) == 2
     assert words in capsys.readouterr().err
-    assert (HOUSE / LIST).read_bytes() == listed
+    assert sorted((HOUSE / "kinoedu" / "course").rglob("*.py")) == before
 
 
-def test_what_fails_half_way_leaves_nothing(tmp_path):
-    """A notebook that does not run: the list is as it was, and no file is there."""
-    for folder in ("kinoedu/course/exercises", "kinoedu/words/en", "solutions/bank", "tests"):
+@pytest.mark.parametrize("lesson", [LESSON, "09_trees"])
+def test_what_fails_half_way_leaves_nothing(tmp_path, lesson):
+    """A notebook that does not run: the list of a room is as it was, a new room is gone, and no file is there."""
+    for folder in ("kinoedu/course/lessons/trees", "solutions/bank", "tests"):
         (tmp_path / folder).mkdir(parents=True)
-    shutil.copy(HOUSE / LIST, tmp_path / LIST)
+    shutil.copy(HOUSE / LIST.format(room="trees"), tmp_path / LIST.format(room="trees"))
     shutil.copytree(HOUSE / "solutions" / "new_exercise", tmp_path / "solutions" / "new_exercise")
     cells = [{"cell_type": "code", "id": "a", "metadata": {}, "outputs": [], "execution_count": None, "source": "1 / 0"}]
     kernel = {"kernelspec": {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"}}
-    book = tmp_path / "solutions" / f"{LESSON}.ipynb"
+    book = tmp_path / "solutions" / f"{lesson}.ipynb"
     book.write_text(json.dumps({"nbformat": 4, "nbformat_minor": 5, "metadata": kernel, "cells": cells}))
-    there = {file: file.read_bytes() for file in tmp_path.rglob("*") if file.is_file()}
+    there = {file: file.is_file() and file.read_bytes() for file in tmp_path.rglob("*")}
     with pytest.raises(InvalidParameter, match="ZeroDivisionError"):
-        new_exercise(NAME, LESSON, tmp_path)
-    assert {file: file.read_bytes() for file in tmp_path.rglob("*") if file.is_file()} == there
+        new_exercise(NAME, lesson, tmp_path)
+    assert {file: file.is_file() and file.read_bytes() for file in tmp_path.rglob("*")} == there
 
 
 def test_students_have_no_solutions_to_add_to(tmp_path):

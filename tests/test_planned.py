@@ -5,8 +5,7 @@ import json
 import numpy as np
 import pytest
 
-from kinoedu.course.exercises.hasty_goal import in_one_part
-from kinoedu.course.exercises.planned import (
+from kinoedu.course.lessons.shared.planned import (
     TRAPS,
     Task,
     not_along_tree,
@@ -15,6 +14,7 @@ from kinoedu.course.exercises.planned import (
     why_not_a_path,
     why_not_a_tree,
 )
+from kinoedu.course.lessons.trees.exposing_room import in_one_part
 from kinoedu.planners import rrt
 
 WAYS = [name for name in TRAPS if name != "sealed"]

@@ -6,11 +6,13 @@ import numpy as np
 import pytest
 
 from kinoedu.chances import wilson
-from kinoedu.course.exercises import find
-from kinoedu.course.exercises.connection_rules import closest_pairs, component_pairs, radius_pairs
-from kinoedu.course.exercises.grazed_corners import world_fault, wrong_views
-from kinoedu.course.exercises.hall_worlds import FULL, arm, bends, free_nodes, hall, random_obstacles
-from kinoedu.course.exercises.visible_corners import roadmap_on, seen_corners
+from kinoedu.course.lessons import find
+from kinoedu.course.lessons.roadmaps.component_k_closest import component_pairs
+from kinoedu.course.lessons.roadmaps.exposing_sight import world_fault, wrong_views
+from kinoedu.course.lessons.roadmaps.halls import FULL, arm, bends, free_nodes, hall, random_obstacles
+from kinoedu.course.lessons.roadmaps.radius_neighbours import radius_pairs
+from kinoedu.course.lessons.roadmaps.rules import closest_pairs
+from kinoedu.course.lessons.roadmaps.visibility_roadmap import roadmap_on, seen_corners
 from kinoedu.figures.torus_roadmap import unrolled
 from kinoedu.planners.connecting import ComponentKClosest, KClosest, Radius, joined
 

@@ -8,9 +8,9 @@ import pytest
 
 from kinoedu.cli import main
 from kinoedu.course import EXERCISES, check
-from kinoedu.course.exercises import find
-from kinoedu.course.exercises.graph_slips import first_in
 from kinoedu.course.judging import attempt, report_on
+from kinoedu.course.lessons import find
+from kinoedu.course.lessons.shared.graph_slips import first_in
 from kinoedu.errors import InvalidParameter
 from kinoedu.grading import sandbox
 from kinoedu.grading.contracts import choice, choices, personal, refuse_forgotten, with_variants

@@ -2,7 +2,7 @@
 
 from .checking import check
 from .exercise import Case, Exercise, Slip, ValueExercise, Verdict
-from .exercises import EXERCISES, find
+from .lessons import EXERCISES, find
 from .showing import show
 
 __all__ = ["EXERCISES", "Case", "Exercise", "Slip", "ValueExercise", "Verdict", "check", "find", "show"]

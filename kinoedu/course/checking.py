@@ -11,9 +11,9 @@ import numpy as np
 from ..errors import InvalidParameter
 from ..words import say
 from .exercise import Case, Exercise
-from .exercises import find
 from .feedback import ALL, Feedback, stage_of
 from .judging import attempt, report_on
+from .lessons import find
 from .outcomes import Outcome
 from .plain import described
 

@@ -50,7 +50,7 @@ class Slip(NamedTuple):
 
 
 class Exercise(ABC):
-    """One function to write. Subclasses declare what is below, and are listed in `kinoedu.course.exercises`.
+    """One function to write. Subclasses declare what is below, and are listed in `kinoedu.course.lessons`.
 
     name : what the function is called. lesson : the notebook that asks for it. kinds : the kinds of input, each worth the same.
     given, answer : the shapes of a case's arguments and of the answer. seconds : the time for one call.

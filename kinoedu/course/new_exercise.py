@@ -7,6 +7,7 @@ bank of wrong answers and its test. All of it passes the tests of the house; wha
 import ast
 import keyword
 import re
+import shutil
 from pathlib import Path
 from string import Template
 from typing import Any
@@ -14,17 +15,17 @@ from typing import Any
 from ..errors import InvalidParameter
 from ..whole_file import written_whole
 from ..words import catalogue
-from .exercises import EXERCISES
+from .lessons import EXERCISES
 from .release import HOUSE, run
 
 TEMPLATES = "solutions/new_exercise"  # students do not get them: they hold an answer, and wrong ones
 PLACES = {  # where each template's file goes
-    "exercise.py": "kinoedu/course/exercises/{name}.py",
-    "words.toml": "kinoedu/words/en/{name}.toml",
+    "exercise.py": "kinoedu/course/lessons/{room}/{name}.py",
+    "messages.toml": "kinoedu/course/lessons/{room}/{name}.toml",
     "bank.py": "solutions/bank/{name}.py",
     "its_test.py": "tests/test_{name}.py",
 }
-LIST = "kinoedu/course/exercises/__init__.py"
+LIST = "kinoedu/course/lessons/{room}/__init__.py"
 POINTS = 3  # one for each kind of input
 
 
@@ -33,18 +34,40 @@ def new_exercise(name: str, lesson: str, house: Path = HOUSE) -> list[str]:
     order in which to edit them. Raises InvalidParameter, and then has written nothing.
     """
     refuse(name, lesson, house)
-    made = {place.format(name=name): filled(house, template, name, lesson) for template, place in PLACES.items()}
-    before = (house / LIST).read_text(encoding="utf-8")
-    book = f"solutions/{lesson}.ipynb"
+    room = room_of(lesson)
+    made = {place.format(name=name, room=room): filled(house, template, name, lesson) for template, place in PLACES.items()}
+    book, list_of_room = f"solutions/{lesson}.ipynb", LIST.format(room=room)
+    before = (house / list_of_room).read_text(encoding="utf-8") if (house / list_of_room).exists() else None
     try:
-        write(house, made | {LIST: listed(before, name)})
+        (house / list_of_room).parent.mkdir(exist_ok=True)
+        write(house, made | {list_of_room: listed(before or empty_list(lesson), name)})
         write_notebook(with_cells(house, book, name, lesson), house / book)
     except BaseException:
-        write(house, {LIST: before})
         for place in made:
             (house / place).unlink(missing_ok=True)
+        if before is None:
+            shutil.rmtree((house / list_of_room).parent)
+        else:
+            write(house, {list_of_room: before})
         raise
-    return [book, *made, LIST]
+    return [book, *made, list_of_room]
+
+
+def room_of(lesson: str) -> str:
+    """The room of a lesson: where its exercises are, else one that is named like it.
+
+    >>> room_of("09_trees"), room_of("77_midpoints")
+    ('trees', 'midpoints')
+    """
+    rooms = {exercise.lesson: type(exercise).__module__.split(".")[-2] for exercise in EXERCISES.values()}
+    return rooms.get(lesson, lesson.partition("_")[2])
+
+
+def empty_list(lesson: str) -> str:
+    """The list of a new room."""
+    number, _, title = lesson.partition("_")
+    name = title.replace("_", " ").capitalize()
+    return f'"""Lesson {int(number)}: {name}. Its exercises, as the notebook asks for them."""\n\nEXERCISES = [\n]\n'
 
 
 def write(house: Path, files: dict[str, str]) -> None:
@@ -63,7 +86,8 @@ def refuse(name: str, lesson: str, house: Path) -> None:
         raise InvalidParameter(f"a lesson is named like 14_walls: two digits and a word or more; got {lesson!r}")
     if not (house / TEMPLATES).is_dir():
         raise InvalidParameter("this copy of the course is for students: it has no solutions, to which an exercise could be added")
-    taken = [place.format(name=name) for place in PLACES.values() if (house / place.format(name=name)).exists()]
+    places = [place.format(name=name, room=room_of(lesson)) for place in PLACES.values()]
+    taken = [place for place in places if (house / place).exists()]
     if name in EXERCISES or name in catalogue("en") or taken:
         raise InvalidParameter(f"there is a {name} already ({taken[0] if taken else 'an exercise, or words'}); choose another name")
 
@@ -84,32 +108,31 @@ def class_name(name: str) -> str:
 
 
 def listed(text: str, name: str) -> str:
-    """The list of all exercises with one more: its import in the order of the alphabet, its class at the end. Raises
+    """The list of a room with one more exercise: its import in the order of the alphabet, its class at the end. Raises
     InvalidParameter where the list has another form.
 
-    >>> text = "from .a import A\\nfrom .c import C\\n\\nX = {\\n    e.name: e()\\n    for e in (\\n        A,\\n    )\\n}\\n"
+    >>> text = "from .a import A\\nfrom .c import C\\n\\nEXERCISES = [\\n    C,\\n    A,\\n]\\n"
     >>> print(listed(text, "b"))
     from .a import A
     from .b import B
     from .c import C
     <BLANKLINE>
-    X = {
-        e.name: e()
-        for e in (
-            A,
-            B,
-        )
-    }
+    EXERCISES = [
+        C,
+        A,
+        B,
+    ]
     <BLANKLINE>
     """
     lines, cls = text.splitlines(keepends=True), class_name(name)
+    begins = [at for at, line in enumerate(lines) if line == "EXERCISES = [\n"]
+    ends = [at for at, line in enumerate(lines) if line == "]\n"]
+    if len(begins) != 1 or not ends or ends[-1] < begins[0] or re.search(rf"\b{cls}\b", text):
+        raise InvalidParameter(f"the list could not take {cls}: is it listed already, or was the file changed in its form?\n{text}")
+    lines.insert(ends[-1], f"    {cls},\n")
     imports = [at for at, line in enumerate(lines) if re.match(r"from \.\w+ import ", line)]
-    ends = [at for at, line in enumerate(lines) if line == "    )\n"]
-    if not imports or len(ends) != 1 or re.search(rf"\b{cls}\b", text):
-        raise InvalidParameter(f"{LIST} could not take {cls}: is it listed already, or was the file changed in its form?")
-    lines.insert(ends[0], f"        {cls},\n")
-    after = next((at for at in imports if lines[at].split()[1] > f".{name}"), imports[-1] + 1)
-    lines.insert(after, f"from .{name} import {cls}\n")
+    after = next((at for at in imports if lines[at].split()[1] > f".{name}"), imports[-1] + 1 if imports else begins[0])
+    lines.insert(after, f"from .{name} import {cls}\n" + ("" if imports else "\n"))
     ast.parse("".join(lines))
     return "".join(lines)
 

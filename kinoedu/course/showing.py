@@ -9,7 +9,7 @@ from typing import Any
 from ..errors import InvalidParameter
 from ..words import say
 from .checking import PASSED
-from .exercises import EXERCISES
+from .lessons import EXERCISES
 
 
 class Source:
@@ -35,7 +35,7 @@ class Source:
 def show(function: Callable[..., Any] | str) -> Source:
     """The lines of one of kinoedu's functions, as they run; also by the name of an exercise that has passed its check here.
 
-    >>> from kinoedu.course.exercises.polygons import turned
+    >>> from kinoedu.course.lessons.geometry.polygons import turned
     >>> print(show(turned).text.splitlines()[0])
     def turned(v: Array) -> Array:
     """

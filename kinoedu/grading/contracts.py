@@ -9,7 +9,7 @@ import hmac
 from collections.abc import Iterable
 
 from ..course.exercise import Exercise
-from ..course.exercises import find
+from ..course.lessons import find
 from ..errors import InvalidParameter
 from .questions import Assignment, assignment
 from .submissions import Submission

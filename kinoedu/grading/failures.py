@@ -8,9 +8,9 @@ from typing import Any
 
 from ..compiled.store import source_digest
 from ..course.exercise import Case, Exercise
-from ..course.exercises import find
 from ..course.feedback import picture_of, told_case
 from ..course.judging import Judged
+from ..course.lessons import find
 from ..course.outcomes import Answer, decode_outcome
 from ..course.plain import WrongShape
 from ..course.release import HOUSE

@@ -8,7 +8,7 @@ from datetime import datetime
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from ..course.exercises import EXERCISES
+from ..course.lessons import EXERCISES
 from ..errors import InvalidParameter
 from ..whole_file import written_whole
 from ..words import say

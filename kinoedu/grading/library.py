@@ -25,7 +25,7 @@ USUAL = (
     *("numpy", "numpy.ma", "numpy.random"),  # the last two numpy would load at their first use, in each program again
     *("kinoedu.geometry", "kinoedu.course.judging", "kinoedu.course.drawn", "kinoedu.course.whole_shapes"),
 )
-JUDGES = "kinoedu.course.exercises"
+JUDGES, LESSONS = "kinoedu.course.lessons", HERE / "course" / "lessons"
 WITHHELD: set[tuple[str, ...]] = set()  # modules and names
 
 
@@ -33,8 +33,15 @@ def open_library() -> None:
     """Make `import kinoedu` quick, and let functions be withheld. For a process that runs nothing else."""
     stand_for("kinoedu", HERE, {}, own=True)
     stand_for("kinoedu.course", HERE / "course", {"check": nothing, "show": nothing}, own=False)
-    stand_for(JUDGES, HERE / "course" / "exercises", {}, own=False)
+    stand_for(JUDGES, LESSONS, {}, own=False)
+    for room in rooms():
+        stand_for(f"{JUDGES}.{room}", LESSONS / room, {}, own=False)
     sys.meta_path.insert(0, Withholding())
+
+
+def rooms() -> list[str]:
+    """The names of the rooms of the lessons."""
+    return [place.parent.name for place in LESSONS.glob("*/__init__.py")]
 
 
 def withhold(names: Iterable[str]) -> None:
@@ -63,17 +70,17 @@ def without_judges(lent: Iterable[str]) -> list[str]:
     such as a wrong program that is to be exposed. Returns the folders of the judges, to be hidden.
     """
     things = [(home, name, getattr(importlib.import_module(home), name)) for home, name in (place.split(":") for place in lent)]
-    judges = [module for module in sys.modules if module.startswith(JUDGES + ".")]
+    judges = [module for module in sys.modules if module.startswith(JUDGES + ".") and module.count(".") > JUDGES.count(".") + 1]
     for name in judges:
-        module = sys.modules.pop(name)
-        vars(sys.modules[JUDGES]).pop(name.rpartition(".")[2], None)
+        module, (room, _, last) = sys.modules.pop(name), name.rpartition(".")
+        vars(sys.modules[room]).pop(last, None)
         for thing in [thing for thing, value in vars(module).items() if hasattr(value, "value_verdict")]:
             delattr(module, thing)
     for home, name, thing in things:
         setattr(sys.modules.setdefault(home, ModuleType(home)), name, thing)
     if judges:
         gc.collect()
-    return [str(HERE / "course" / "exercises")]
+    return [str(LESSONS)]
 
 
 def nothing(*_: Any, **__: Any) -> None:

@@ -18,12 +18,12 @@ from typing import NamedTuple
 import numpy as np
 
 from ..course.exercise import Case, Exercise
-from ..course.exercises import find
+from ..course.lessons import find
 from ..course.release import HOUSE, solution
 from ..errors import InvalidParameter
 from ..whole_file import written_whole
 
-LENT = re.compile(r"^from (kinoedu\.course\.exercises\.\w+) import (\w+(?: *, *\w+)*)$", re.MULTILINE)
+LENT = re.compile(r"^from (kinoedu\.course\.lessons\.\w+\.\w+) import (\w+(?: *, *\w+)*)$", re.MULTILINE)
 
 
 class Asked(NamedTuple):

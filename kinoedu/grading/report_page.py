@@ -6,7 +6,7 @@ from html import escape
 from itertools import groupby
 from urllib.parse import quote
 
-from ..course.exercises import find
+from ..course.lessons import find
 from ..figures import palette
 from ..words import say
 from .cells_of_csv import number

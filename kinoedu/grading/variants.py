@@ -4,7 +4,7 @@ import json
 from pathlib import Path
 from typing import Any
 
-from ..course.exercises import find
+from ..course.lessons import find
 from ..course.release import HOUSE, solution
 from ..errors import InvalidParameter
 from ..whole_file import written_whole

@@ -1,6 +1,7 @@
-"""The words that students read, in one catalogue: the files of the folder `en` beside this file, each with tables of its own.
+"""The messages that students read, in one catalogue: the files of the folder `en` beside this file, and `messages.toml` in each
+room of the lessons.
 
-A translation is another such folder. `KINOEDU_LANGUAGE=de` looks in `de` first, and in `en` for what is missing there.
+A translation is a folder beside `en`, such as `de`. `KINOEDU_LANGUAGE=de` looks there first, and in English for what is missing.
 """
 
 import os
@@ -10,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 HERE = Path(__file__).parent
+LESSONS = HERE.parent / "course" / "lessons"
 
 
 def say(key: str, /, **values: Any) -> str:
@@ -28,7 +30,7 @@ def words_for(key: str, language: str) -> str:
         words = found(catalogue(name), key)
         if words is not None:
             return words
-    raise KeyError(f"no words for {key!r} in {HERE / 'en'}")
+    raise KeyError(f"no words for {key!r} in {HERE / 'en'} and {LESSONS}")
 
 
 def has_words(key: str) -> bool:
@@ -40,6 +42,8 @@ def has_words(key: str) -> bool:
 def catalogue(language: str) -> dict[str, Any]:
     """A language's words; none where there is no folder for it."""
     files = sorted((HERE / language).glob("*.toml")) if language.isalpha() else []
+    if language == "en":
+        files += sorted(LESSONS.glob("*/*.toml"))
     return {name: table for file in files for name, table in tomllib.loads(file.read_text(encoding="utf-8")).items()}
 
 

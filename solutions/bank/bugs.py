@@ -3,7 +3,7 @@
 import numpy as np
 
 from kinoedu.course.bank import wrong
-from kinoedu.course.exercises.mended_bug import mended_bug0
+from kinoedu.course.lessons.bugs.exposing_problem import mended_bug0
 from kinoedu.geometry import point_polygon_distance, polygon_tangent
 from kinoedu.geometry.leash import at_most_apart
 from kinoedu.planners import bug0, bug1, bug2, bug2_prelim, bug_base

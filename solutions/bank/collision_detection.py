@@ -5,8 +5,8 @@ import math
 import numpy as np
 
 from kinoedu.course.bank import wrong
-from kinoedu.course.exercises.arm_contact import ends_of_links, touched_link
-from kinoedu.course.exercises.arm_pictures import bar, circle
+from kinoedu.course.lessons.collision_detection.arm_pictures import bar, circle
+from kinoedu.course.lessons.collision_detection.link_in_contact import ends_of_links, touched_link
 from kinoedu.geometry import (
     convex_hull,
     convex_polygons_intersect,

@@ -6,7 +6,7 @@ import time
 import numpy as np
 
 from kinoedu.course.bank import wrong
-from kinoedu.course.exercises.ray_counting import ray_counting_distance
+from kinoedu.course.lessons.geometry.exposing_case import ray_counting_distance
 from kinoedu.geometry import point_in_polygon, point_line_distance, point_polygon_distance, point_segment_distance
 
 

@@ -1,0 +1,55 @@
+"""The exercise `bug1`. Bullo & Smith, chapter 1."""
+
+from collections.abc import Iterator
+from itertools import product
+from typing import Any
+
+import numpy as np
+
+from ....geometry import point_polygon_distance
+from ....planners import bug1
+from ....problems import Plan
+from ...exercise import Case
+from .walking import BOX, ME145, TURNS, BugExercise, is_clear, walk_of, world
+from .walks import length_of
+
+TIED = 0.3  # two ways round a wall that differ by less are as good as equally long to a walk in steps
+
+
+class Bug1(BugExercise):
+    """All the way round, then back to where the goal was nearest."""
+
+    name = "bug1"
+    kinds = ("free", "one", "many")
+    source = staticmethod(bug1)
+    variants = TURNS
+
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """No obstacle, one, and more."""
+        for goal in ((3, 4), (-2, 0.5), (0, 1.02)):
+            yield Case("free", world((0, 0), goal, []))
+        yield Case("one", world((0, 0), (6, 0), [BOX]))
+        yield Case("many", world((0, 0), (5, 3), ME145))
+        for n in (2, 3, 2):
+            yield self.random_case(rng, "one", 1)
+            yield self.random_case(rng, "many", n)
+
+    def plans(self, given: dict[str, Any]) -> list[Plan]:
+        """Turning left or right, going back the shorter way or on in the same direction."""
+        return [bug1(*given.values(), turn=turn, way_back=back) for turn, back in product(self.turns, ("shorter", "same"))]
+
+    def leaves_no_doubt(self, given: dict[str, Any], plan: Plan) -> bool:
+        """Nor may it be in doubt which way back is the shorter."""
+        return is_clear(given, plan) and not is_tied(given, plan)
+
+
+def is_tied(given: dict[str, Any], plan: Plan) -> bool:
+    """Whether the two ways back round an obstacle are nearly equally long, so that a walk of Bug 1 in steps could take either."""
+    walk = walk_of(plan)
+    for hit, leave in zip(walk.hit, walk.leave):
+        wall = min(given["obstacles"], key=lambda obstacle: float(point_polygon_distance(walk.points[hit], obstacle)))
+        around = length_of(np.vstack([wall, wall[:1]]))
+        back = walk.travelled[leave] - walk.travelled[hit] - around
+        if abs(around - 2.0 * back) < TIED:
+            return True
+    return False

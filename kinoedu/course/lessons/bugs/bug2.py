@@ -1,0 +1,49 @@
+"""The exercise `bug2`. Bullo & Smith, chapter 1."""
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from ....geometry.checks import Array
+from ....planners import bug2
+from ....problems import Plan
+from ...exercise import Case
+from .walking import BOX, ME145, TURNS, BugExercise, world
+
+SPIRAL = np.array([(1, -3), (9, -3), (9, 3), (3, 3), (3, 2), (8, 2), (8, -2), (2, -2), (2, 3.5), (1, 3.5)], float)
+
+
+HORSESHOE = np.array([(-5, -2), (3, -2), (3, 2), (2, 2), (2, -1), (-4, -1), (-4, 2), (-5, 2)], float)  # open at the top
+
+
+class Bug2(BugExercise):
+    """Along the wall until the line from start to goal is met again, nearer to the goal."""
+
+    name = "bug2"
+    kinds = ("free", "one", "many", "spiral")
+    source = staticmethod(bug2)
+    variants = TURNS
+
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """No obstacle, one, more; and one whose wall leads back to the line farther from the goal."""
+        for goal in ((3, 4), (-2, 0.5), (0, 1.02)):
+            yield Case("free", world((0, 0), goal, []))
+        yield Case("one", world((0, 0), (6, 0), [BOX]))
+        yield Case("many", world((0, 0), (5, 3), ME145))
+        yield Case("spiral", world((7.5, 0.5), (0, 3.5), [SPIRAL]))
+        yield Case("spiral", world((7.5, -0.5), (0, -3.5), [mirrored(SPIRAL)]))
+        yield Case("spiral", world((0, 0), (6, 0), [HORSESHOE]))
+        yield Case("spiral", world((0, 0), (6, 0), [mirrored(HORSESHOE)]))
+        for n in (2, 3, 2):
+            yield self.random_case(rng, "one", 1)
+            yield self.random_case(rng, "many", n)
+
+    def plans(self, given: dict[str, Any]) -> list[Plan]:
+        """Turning left or right."""
+        return [bug2(*given.values(), turn=turn) for turn in self.turns]
+
+
+def mirrored(polygon: Array) -> Array:
+    """Upside down, counter-clockwise again."""
+    return (polygon * (1.0, -1.0))[::-1]

@@ -1,0 +1,114 @@
+"""The exercise "break it" of lesson 2: find a world in which a mended Bug 0 does not arrive, although there is a way."""
+
+from collections.abc import Iterable, Iterator
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ....errors import KinoeduError
+from ....planners import bug2
+from ....planners.bugs import BugRobot
+from ....planners.bugs.walk import plan_walk
+from ....problems import Plan
+from ....words import say
+from ...exercise import RIGHT, Case, Exercise, Verdict
+from ...outcomes import Answer, Outcome
+from ...shapes import Listed, Record, Together
+from .walks import POINT, POLYGON
+
+FEWEST, MOST = 4, 100  # vertices: a bug that meets convex obstacles only is never led back
+FAR = 1e4
+
+
+class ExposeMendedBug(Exercise):
+    """Break it: a start, a goal and obstacles with which `mended_bug0` does not arrive."""
+
+    name = "exposing_problem"
+    lesson = "02_bug_algorithms"
+    kinds = ("valid", "exposes", "smallest")
+    given = Record()
+    answer = Together((POINT, POINT, Listed(POLYGON)))
+
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """The same question three times: each asks more of the answer."""
+        return (Case(kind, {}) for kind in self.kinds)
+
+    def value_verdict(self, case: Case, value: Any) -> Verdict:
+        """A world with a way through; in which the program does not arrive; of four vertices."""
+        start, goal, obstacles = value
+        rule = world_fault(start, goal, obstacles)
+        if not rule and case.kind != "valid":
+            arrives = mended_bug0(start, goal, obstacles, FAR).path is not None
+            rule = "exposes" if arrives else "smallest" if case.kind == "smallest" and vertices(obstacles) > FEWEST else ""
+        return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
+
+    def wanted(self, case: Case) -> str:
+        """What is asked for."""
+        return say(f"exposing_problem.wanted.{case.kind}")
+
+    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+        """The world, and the walk of the program in it."""
+        from ....figures import palette, plane
+
+        fault = world_fault(*outcome.value) if isinstance(outcome, Answer) else "range"
+        if not isinstance(outcome, Answer) or fault == "range":
+            plane.frame([(0, 0), (1, 1)], ax)
+            plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
+            return
+        start, goal, obstacles = outcome.value
+        plane.frame(np.vstack([start, goal, *obstacles]), ax, margin=0.15)
+        for obstacle in filter(len, obstacles):
+            plane.polygon(obstacle, ax, numbers=False)
+        walk = None if fault == "valid" else mended_bug0(start, goal, obstacles, FAR).walk
+        if walk is not None:
+            ax.plot(*walk.points.T, "--", color=palette.GOAL, linewidth=2.5, zorder=4)
+        plane.dot(start, "start", ax, colour=palette.START)
+        plane.dot(goal, "goal", ax, colour=palette.GOAL, marker="*")
+        plane.title(self.words("picture"), ax)
+
+
+def vertices(obstacles: list[Any]) -> int:
+    """How many there are in all."""
+    return sum(map(len, obstacles))
+
+
+def world_fault(start: Any, goal: Any, obstacles: list[Any]) -> str:
+    """The rule that keeps it from being a question for a bug, or ""."""
+    if vertices(obstacles) > MOST:
+        return "range"
+    numbers = np.vstack([start, goal, *obstacles])
+    if not (np.abs(numbers) <= FAR).all():
+        return "range"
+    try:
+        mended_bug0(start, goal, obstacles, FAR)
+        return "way" if bug2(start, goal, obstacles, FAR).path is None else ""
+    except KinoeduError:
+        return "valid"
+
+
+def mended_bug0_walk(robot: BugRobot) -> str:
+    """Bug 0, mended: it leaves a wall only where the goal is nearer than it was at the start.
+
+    It is wrong somewhere. Where?
+    """
+    start, hits = robot.place, set()
+    while not robot.move_to_goal():
+        hit = robot.place
+        if hit in hits:
+            return "it walks in a circle for ever: it came upon the same wall at the same point again"
+        hits.add(hit)
+        while not (robot.can_move_to_goal() and robot.place.is_nearer_than(start)):
+            robot.follow_wall()
+            if robot.place == hit:
+                return "it went round the obstacle, and nowhere could it leave"
+    return ""
+
+
+def mended_bug0(start: ArrayLike, goal: ArrayLike, obstacles: Iterable[ArrayLike], step: float) -> Plan:
+    """The plan of that walk, turning left; arguments, answer and errors are those of `kinoedu.bug0`.
+
+    >>> mended_bug0((0, 0), (4, 0), [[(1, -1), (2, -1), (2, 2), (1, 2)]], step=9).path.tolist()
+    [[0.0, 0.0], [1.0, 0.0], [1.0, 2.0], [2.0, 2.0], [4.0, 0.0]]
+    """
+    return plan_walk("Bug 0, mended", mended_bug0_walk, start, goal, obstacles, step, "left", 0.0)

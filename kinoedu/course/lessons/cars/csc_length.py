@@ -1,0 +1,132 @@
+"""The exercise on Dubins' curves: an arc, a straight line, an arc. LaValle, section 15.3.1."""
+
+import math
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from ....curves.dubins import every_word, shortest_forward
+from ....geometry.checks import Array
+from ...exercise import Case, Slip, ValueExercise
+from ...outcomes import Answer, Outcome
+from ...shapes import Number, Record
+from ..shared.car_pictures import draw_tangents
+from ..shared.driving import POSE, a_pose
+
+FULL = 2.0 * math.pi
+CLEAR = 1e-3  # so far from nothing and from a whole turn are all turns, but for the straight cases
+WORDS = {"LSL": (1, 1), "RSR": (-1, -1), "LSR": (1, -1), "RSL": (-1, 1)}
+
+
+def words_to(a: Array, b: Array, r: float, turn: Any = lambda angle: angle % FULL, *, crossing: bool = False) -> dict[str, Any]:
+    """The turn, the straight line and the turn of each word, by its circles; `turn` measures an arc's angle."""
+    found = {}
+    for word, (first, last) in WORDS.items():
+        (x0, y0), (x1, y1) = (p[:2] + side * r * np.array([-math.sin(p[2]), math.cos(p[2])]) for p, side in ((a, first), (b, last)))
+        apart, heading = math.hypot(x1 - x0, y1 - y0), math.atan2(y1 - y0, x1 - x0)
+        straight = apart if first == last else math.sqrt(max(apart * apart - 4.0 * r * r, 0.0))
+        if first != last and apart < 2.0 * r and not crossing:
+            continue
+        heading += 0.0 if first == last else first * math.atan2(2.0 * r, straight)
+        found[word] = turn(first * (heading - a[2])), straight, turn(last * (b[2] - heading))
+    return found
+
+
+def shortest_of(words: dict[str, Any], r: float, names: tuple[str, ...] = tuple(WORDS)) -> float:
+    """The length of the shortest of some words; infinite where there is none."""
+    return min((r * (t + v) + u for word, (t, u, v) in words.items() if word in names), default=math.inf)
+
+
+def csc(a: Array, b: Array, r: float) -> float:
+    """The length of the shortest of LSL, RSR, LSR and RSL."""
+    return min(curve.length for curve in every_word(a, b, r) if curve.word[1] == "S")
+
+
+class CscLength(ValueExercise):
+    """The length of the shortest curve of an arc, a straight line and an arc, driven forward."""
+
+    name = "csc_length"
+    lesson = "12_the_car"
+    kinds = ("straight", "outer", "inner", "crossing")
+    given = Record(a=POSE, b=POSE, r=Number())
+    answer = Number()
+    source = staticmethod(csc)
+    shown = staticmethod(shortest_forward)
+    slips = (
+        Slip("lsl_only", lambda a, b, r: shortest_of(words_to(a, b, r), r, ("LSL",))),
+        Slip("outer_only", lambda a, b, r: shortest_of(words_to(a, b, r), r, ("LSL", "RSR"))),
+        Slip("inner_only", lambda a, b, r: shortest_of(words_to(a, b, r), r, ("LSR", "RSL"))),
+        Slip("sign", lambda a, b, r: shortest_of(words_to(a, b, r, abs), r)),
+        Slip("right_as_left", lambda a, b, r: shortest_of(as_left_turns(a, b, r), r)),
+        Slip("short_way", lambda a, b, r: shortest_of(words_to(a, b, r, lambda t: abs((t + math.pi) % FULL - math.pi)), r)),
+        Slip("radians", lambda a, b, r: shortest_of({w: (t / r, u, v / r) for w, (t, u, v) in words_to(a, b, r).items()}, r)),
+        Slip("no_root", lambda a, b, r: shortest_of(without_root(a, b, r), r)),
+        Slip("crossing", lambda a, b, r: shortest_of(words_to(a, b, r, crossing=True), r)),
+        Slip("beeline", lambda a, b, r: math.dist(a[:2], b[:2])),
+        Slip("longest", lambda a, b, r: max(r * (t + v) + u for t, u, v in words_to(a, b, r).values())),
+    )
+    reference = staticmethod(csc)
+
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """Straight on and half circles first; then poses of every kind, clear of whole turns."""
+        half = math.pi
+        yield pair_case("straight", (0, 0, 0), (10, 0, 0), 2)
+        yield pair_case("outer", (0, 0, 0), (1, 8, half), 2)
+        yield pair_case("outer", (0, 0, 0), (1, -8, -half), 2)
+        yield pair_case("inner", (0, 0, 0), (10, 4, 0.1), 1)
+        yield pair_case("inner", (0, 0, 0), (10, -4, -0.1), 1)
+        yield pair_case("inner", (0, 0, 0), (20, 6, 0), 2)  # the same heading, and not straight ahead
+        wanted = dict.fromkeys(("outer", "inner", "crossing"), 12)
+        while any(wanted.values()):
+            a, r = a_pose(rng), np.round(rng.uniform(0.5, 10), 1)
+            b = np.round([*(a[:2] + rng.uniform(0.5, 9) * r * direction(rng)), rng.uniform(-3.1, 3.1)], 2)
+            kind = kind_of(a, b, r)
+            if kind and wanted[kind]:
+                wanted[kind] -= 1
+                yield pair_case(kind, a, b, r)
+        for _ in range(10):
+            x, y, far = (int(number) for number in rng.integers(1, 40, 3))
+            yield pair_case("straight", (x, -y, 0), (x + far, -y, 0), int(rng.integers(1, 9)))
+
+    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+        """The shortest curve with its circles, and both lengths."""
+        draw_tangents(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
+
+
+def as_left_turns(a: Array, b: Array, r: float) -> dict[str, Any]:
+    """Right turns measured as left ones: what is left of a whole turn."""
+    right = {word: (first < 0, last < 0) for word, (first, last) in WORDS.items()}
+    words = words_to(a, b, r).items()
+    return {w: ((-t if right[w][0] else t) % FULL, u, (-v if right[w][1] else v) % FULL) for w, (t, u, v) in words}
+
+
+def without_root(a: Array, b: Array, r: float) -> dict[str, Any]:
+    """The inner tangent taken to be as long as its circles' centres are apart."""
+    words = words_to(a, b, r)
+    inner = {word: (t, math.sqrt(u * u + 4.0 * r * r), v) for word, (t, u, v) in words.items() if word in ("LSR", "RSL")}
+    return {**words, **inner}
+
+
+def kind_of(a: Array, b: Array, r: float) -> str:
+    """Which kind of case two poses are; "" where a turn is nearly none or nearly whole, or circles nearly touch."""
+    words = words_to(a, b, r)
+    turns = np.array([turn for first, _, last in words.values() for turn in (first, last)])
+    near = words_to(a, b, r * (1.0 - CLEAR)).keys() ^ words_to(a, b, r * (1.0 + CLEAR)).keys()
+    if near or (turns < CLEAR).any() or (turns > FULL - CLEAR).any():
+        return ""
+    lengths = {word: r * (t + v) + u for word, (t, u, v) in words.items()}
+    if len(words) < len(WORDS):
+        return "crossing"
+    return "outer" if min(lengths, key=lengths.__getitem__) in ("LSL", "RSR") else "inner"
+
+
+def direction(rng: np.random.Generator) -> Array:
+    """A direction in the plane."""
+    angle = rng.uniform(-math.pi, math.pi)
+    return np.array([math.cos(angle), math.sin(angle)])
+
+
+def pair_case(kind: str, a: Any, b: Any, r: float) -> Case:
+    """A case of two poses."""
+    return Case(kind, {"a": np.array(a, float), "b": np.array(b, float), "r": float(r)})

@@ -1,0 +1,110 @@
+"""The exercise `move`. LaValle, section 13.1.2."""
+
+import math
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from ....curves.arcs import driven
+from ....geometry.checks import Array
+from ...exercise import Case, Slip
+from ...outcomes import Answer, Outcome
+from ...shapes import Number, Record
+from ..shared.car_pictures import draw_moves
+from ..shared.driving import POSE, Mover, PoseExercise, a_pose, moved, with_curvature, without_turning
+
+
+def along_heading(share: float) -> Mover:
+    """A program that goes all the distance straight, by the heading after that share of the turn."""
+
+    def mistaken(pose: Array, v: float, phi: float, t: float, wheelbase: float) -> Any:
+        turn = v * t * math.tan(phi) / wheelbase
+        heading = pose[2] + share * turn
+        return pose[0] + v * t * math.cos(heading), pose[1] + v * t * math.sin(heading), pose[2] + turn
+
+    return mistaken
+
+
+def steered(pose: Array, v: float, phi: float, t: float, wheelbase: float) -> Any:
+    """A car that goes where its front wheels point: its velocity has the direction theta + phi."""
+    x, y, heading = moved(pose + np.array([0.0, 0.0, phi]), v, phi, t, wheelbase)
+    return x, y, heading - phi
+
+
+def straight_if_small(pose: Array, v: float, phi: float, t: float, wheelbase: float) -> Array:
+    """No turn at angles that make one."""
+    return moved(pose, v, 0.0 if abs(phi) < 0.03 else phi, t, wheelbase)
+
+
+def round_the_other_side(pose: Array, v: float, phi: float, t: float, wheelbase: float) -> Array:
+    """The sign of the cosines the other way, in a turn."""
+    right = moved(pose, v, phi, t, wheelbase)
+    if phi == 0.0:
+        return right
+    return np.array([right[0], 2.0 * pose[1] - right[1], right[2]])
+
+
+class Move(PoseExercise):
+    """One control, held for a time, in closed form."""
+
+    name = "move"
+    kinds = ("straight", "left", "right", "back", "long", "nearly")
+    given = Record(pose=POSE, v=Number(), phi=Number(), t=Number(), L=Number())
+    answer = POSE
+    source = staticmethod(moved)
+    shown = staticmethod(driven)
+    slips = (
+        Slip("small_angle", with_curvature(lambda phi, wheelbase: phi / wheelbase)),
+        Slip("no_wheelbase", with_curvature(lambda phi, wheelbase: math.tan(phi))),
+        Slip("sine", with_curvature(lambda phi, wheelbase: math.sin(phi) / wheelbase)),
+        Slip("degrees", with_curvature(lambda phi, wheelbase: math.tan(math.radians(phi)) / wheelbase)),
+        Slip("clockwise", with_curvature(lambda phi, wheelbase: -math.tan(phi) / wheelbase)),
+        Slip("one_step", along_heading(0.0)),
+        Slip("new_heading", along_heading(1.0)),
+        Slip("arc_for_chord", along_heading(0.5)),
+        Slip("no_turn", without_turning),
+        Slip("steered", steered),
+        Slip("straight_if_small", straight_if_small),
+        Slip("other_side", round_the_other_side),
+        Slip("forward", lambda pose, v, phi, t, wheelbase: moved(pose, abs(v), phi, t, wheelbase)),
+    )
+    reference = staticmethod(moved)
+
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """Whole numbers and quarters of circles first."""
+        eighth, quarter = math.pi / 4, math.pi / 2
+        for kind, first_pose, v, phi, t, size in (
+            ("straight", (1, 2, 0), 1, 0, 5, 20),
+            ("straight", (0, 0, quarter), 2, 0, 3, 1),
+            ("left", (0, 0, 0), 1, eighth, 20 * quarter, 20),
+            ("right", (0, 0, 0), 1, -eighth, 20 * quarter, 20),
+            ("back", (0, 0, 0), -1, eighth, 20 * quarter, 20),
+            ("back", (3, 4, 1), -2, 0, 5, 20),
+            ("long", (0, 0, 0), 1, eighth, 50 * quarter, 10),
+            ("nearly", (0, 0, 1), 1, 1e-12, 10, 20),
+            ("left", (0, 0, 0), 1, 0.01, 30, 20),
+            ("right", (0, 0, 0), 1, -0.01, 30, 20),
+            ("back", (0, 0, 0), -1, 0.02, 30, 20),
+        ):
+            yield drive_case(kind, first_pose, v, phi, t, size)
+        for _ in range(12):
+            pose, size = a_pose(rng), np.round(rng.uniform(2, 30), 1)
+            phi, t = np.round(rng.uniform(0.05, 0.78), 2), np.round(rng.uniform(0.3, 1.5) * size, 1)
+            v, side = rng.choice([0.5, 1, 2]), rng.choice([-1, 1])
+            yield drive_case("straight", pose, v, 0, t, size)
+            yield drive_case("left", pose, v, phi, t, size)
+            yield drive_case("right", pose, v, -phi, t, size)
+            yield drive_case("back", pose, -v, side * phi, t, size)
+            yield drive_case("long", pose, v, side * max(phi, 0.3), np.round(rng.uniform(25, 60) * size, 1), size)
+            yield drive_case("nearly", pose, 1, side * 10.0 ** -int(rng.integers(11, 15)), np.round(rng.uniform(5, 30), 1), size)
+
+    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+        """The way that is driven, and where the student's program ends."""
+        draw_moves(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
+
+
+def drive_case(kind: str, pose: Any, v: float, phi: float, t: float, wheelbase: float) -> Case:
+    """A case of one control."""
+    numbers = {"v": float(v), "phi": float(phi), "t": float(t), "L": float(wheelbase)}
+    return Case(kind, {"pose": np.array(pose, float), **numbers})

@@ -1,0 +1,123 @@
+"""The exercise on C-obstacles: where may a robot's reference point not be? Bullo & Smith, chapter 4."""
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from ....geometry import convex_hull, minkowski_difference, minkowski_sum
+from ....geometry.checks import Array
+from ....geometry.minkowski import corner_pairs
+from ...exercise import RIGHT, Case, Slip, ValueExercise, Verdict
+from ...outcomes import Answer, Outcome
+from ...shapes import Record
+from ..shared.random_shapes import convex_polygon, sizes
+from .convex import RING, heights
+from .pictures import draw_grown_obstacle
+
+BOX = np.array([(0.0, 0.0), (2.0, 0.0), (2.0, 1.0), (0.0, 1.0)])
+WEDGE = np.array([(0.0, 0.0), (2.0, 0.0), (0.0, 1.0)])
+
+
+def difference_of(robot: Array, obstacle: Array) -> Array:
+    """The C-obstacle of a convex robot and a convex obstacle, (k, 2)."""
+    return minkowski_difference(obstacle, robot)
+
+
+class CObstacle(ValueExercise):
+    """The vertices of the C-obstacle of a convex robot that moves without turning, in order."""
+
+    name = "c_obstacle"
+    lesson = "07_collision_detection"
+    kinds = ("boxes", "parallel", "general", "off")
+    given = Record(robot=RING, obstacle=RING)
+    answer = RING
+    source = staticmethod(difference_of)
+    shown = staticmethod(corner_pairs)
+    slips = (
+        Slip("sum", lambda robot, obstacle: minkowski_sum(obstacle, robot)),
+        Slip("swapped", lambda robot, obstacle: minkowski_difference(robot, obstacle)),
+        Slip("unchanged", lambda robot, obstacle: obstacle),
+        Slip("centred", lambda robot, obstacle: minkowski_difference(obstacle, robot - robot.mean(axis=0))),
+        Slip("first_vertex", lambda robot, obstacle: minkowski_difference(obstacle, robot - robot[0])),
+        Slip("box", lambda robot, obstacle: minkowski_difference(box_round(obstacle), box_round(robot))),
+        Slip("all", lambda robot, obstacle: (obstacle[:, None] - robot).reshape(-1, 2)),
+    )
+    reference = staticmethod(difference_of)
+
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """Boxes that can be done on squared paper first."""
+        for kind, robot, obstacle in (
+            ("boxes", BOX, [(4, 3), (8, 3), (8, 5), (4, 5)]),
+            ("boxes", BOX - 1, [(4, 3), (6, 3), (6, 4), (4, 4)]),
+            ("general", WEDGE, [(4, 2), (6, 3), (3, 5)]),
+            ("parallel", WEDGE, [(4, 3), (7, 3), (7, 5), (4, 5)]),
+            ("off", WEDGE + 1, [(6, 2), (8, 3), (5, 5)]),
+        ):
+            yield Case(kind, {"robot": np.array(robot, float), "obstacle": np.array(obstacle, float)})
+        for number, size in enumerate(sizes(3)):
+            for kind in self.kinds:
+                mover, solid = shapes_of(rng, 3 + number // 3, size, kind)
+                yield Case(kind, {"robot": mover, "obstacle": solid})
+
+    def value_verdict(self, case: Case, value: Any) -> Verdict:
+        """The same polygon; where the answer is no convex polygon at all, that is what is wrong."""
+        if self.same(value, self.truth(case)):
+            return RIGHT
+        return Verdict(0.0, case.kind if is_convex(value) else "order", self.wanted(case))
+
+    def same(self, value: Any, truth: Any) -> bool:
+        """The same polygon: it may begin anywhere, go either way round, and have vertices inside its edges."""
+        answer = np.asarray(value, float)
+        if not is_convex(answer):
+            return super().same(value, truth)
+        slack = self.tolerance * (1.0 + float(np.abs(truth).max()))
+        return all(outside(points, ring) <= slack for points, ring in ((answer, truth), (truth, forwards(answer))))
+
+    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+        """The obstacle, the robot, the C-obstacle and the student's."""
+        draw_grown_obstacle(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
+
+
+def is_convex(ring: Array) -> bool:
+    """Whether points are the vertices of a convex polygon in order, either way round, but for rounding."""
+    points = np.asarray(ring, float)
+    if len(points) < 3 or not np.isfinite(points).all():
+        return False
+    extent = float(np.ptp(points, axis=0).max())
+    points = points[np.abs(points - np.roll(points, 1, axis=0)).max(axis=1) > 1e-9 * extent]  # a vertex listed twice is one
+    if len(points) < 3:
+        return False
+    before, after = points - np.roll(points, 1, axis=0), np.roll(points, -1, axis=0) - points
+    turns = np.arctan2(before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0], (before * after).sum(axis=1))
+    turns = np.where(np.abs(turns) < 1e-7, 0.0, turns)
+    return bool(((turns >= 0).all() or (turns <= 0).all()) and abs(abs(turns.sum()) - 2.0 * np.pi) < 1e-3)
+
+
+def forwards(ring: Array) -> Array:
+    """A convex polygon's corners, counter-clockwise."""
+    return convex_hull(ring)
+
+
+def outside(points: Array, ring: Array) -> float:
+    """How far the farthest of some points is outside of a convex ring, at most; 0 where all are in it."""
+    sides = np.linalg.norm(np.roll(ring, -1, axis=0) - ring, axis=1)
+    return float(max((-(heights(q, ring) / sides).min() for q in points), default=0.0))
+
+
+def box_round(ring: Array) -> Array:
+    """The smallest box round a polygon."""
+    (x0, y0), (x1, y1) = ring.min(axis=0), ring.max(axis=0)
+    return np.array([(x0, y0), (x1, y0), (x1, y1), (x0, y1)])
+
+
+def shapes_of(rng: np.random.Generator, n: int, size: float, kind: str) -> tuple[Array, Array]:
+    """A robot whose reference point is inside, or off it, and an obstacle somewhere; boxes, with parallel edges, or neither."""
+    robot, obstacle = convex_polygon(rng, n, size), convex_polygon(rng, n + 1, size)
+    if kind == "boxes":
+        robot, obstacle = box_round(robot), box_round(obstacle)
+    if kind == "parallel":
+        obstacle = convex_hull(np.vstack([robot, robot + rng.integers(1, 2 + int(size), 2)]))
+    shift = 3.0 * size if kind == "off" else 0.0
+    robot = robot - np.round(robot.mean(axis=0)) + np.round(shift * rng.choice([-1.0, 1.0], 2))
+    return robot + 0.0, obstacle + np.round(rng.uniform(2.0, 4.0, 2) * size) + 0.0

@@ -1,0 +1,37 @@
+"""What exercises that ask for a drawing have in common."""
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from ...drawn import Drawn
+from ...exercise import ValueExercise
+
+FULL = 2.0 * np.pi
+NEAR = 1e-5  # dots nearer than that are one
+
+
+class DrawnExercise(ValueExercise):
+    """An exercise whose function draws into axes that it is given last; what they hold then is judged."""
+
+    answer = Drawn()
+
+    def call(self, function: Callable[..., Any], given: dict[str, Any]) -> Any:
+        """Hand over new axes, and look at what they hold afterwards."""
+        from ....figures.plane import plane_figure
+
+        _, ax = plane_figure()
+        function(*given.values(), ax)
+        return ax
+
+
+def same_dots(found: Any, wanted: Any, *, modulo: bool = False) -> bool:
+    """Whether rows are the same but for rounding, in any order; the first two columns modulo 2 pi or not."""
+    ours, theirs = np.asarray(found, float), np.asarray(wanted, float)
+    if ours.shape != theirs.shape or not np.isfinite(ours).all():
+        return False
+    apart = np.abs(ours[:, None] - theirs[None])
+    if modulo:
+        apart[..., :2] = np.minimum(apart[..., :2] % FULL, FULL - apart[..., :2] % FULL)
+    return bool(((apart <= NEAR).all(axis=2).sum(axis=0) == 1).all())

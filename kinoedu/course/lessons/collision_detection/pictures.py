@@ -1,0 +1,114 @@
+"""Pictures of failing cases of lesson 7. What is true is solid and green, what the student's program says dashed and orange."""
+
+from typing import Any
+
+import numpy as np
+
+from ....geometry.checks import Array
+from ....words import say
+from ...exercise import Case, ValueExercise
+
+# figures are imported inside the functions: matplotlib is not needed until something is wrong
+
+
+def draw_membership(exercise: ValueExercise, case: Case, value: Any, ax: Any) -> None:
+    """The polygon, q, and dashed the lines of the edges that have q on their right."""
+    from ....figures import palette, plane
+
+    q, P = case.given["q"], case.given["P"]
+    plane.frame(np.vstack([P, q]), ax, margin=0.25)
+    plane.polygon(P, ax)
+    for a, b in zip(P, np.roll(P, -1, axis=0)):
+        (x, y), (u, v) = b - a, q - a
+        if x * v - y * u < 0:
+            plane.endless((-y, x, y * a[0] - x * a[1]), "", ax, colour=palette.START, style=":")
+            plane.stretch(a, b, "", ax, colour=palette.START, width=4.0)
+    plane.dot(q, "q", ax)
+    finish(exercise, case, value, ax)
+
+
+def draw_segments(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
+    """Both segments; the points they share, and the student's."""
+    from ....figures import palette, plane
+
+    p1, p2, p3, p4 = case.given.values()
+    plane.frame([p1, p2, p3, p4], ax, margin=0.25)
+    plane.stretch(p1, p2, "", ax, colour=palette.OBSTACLE, width=5.0)
+    plane.stretch(p3, p4, "", ax, colour=palette.TREE, width=2.5)
+    for name, end, lift in (("p1", p1, 9), ("p2", p2, 9), ("p3", p3, -19), ("p4", p4, -19)):
+        plane.label(end, name, ax, colour=palette.OBSTACLE if lift > 0 else palette.TREE, offset=(5, lift))
+    for point in exercise.truth(case):
+        plane.dot(point, "", ax, colour=palette.START)
+    shown: Any = [] if value is None else value[np.isfinite(value).all(axis=1)][:20]
+    for point in shown:
+        plane.dot(point, "", ax, colour=palette.GOAL, marker="X")
+    words = (
+        say("picture.no_answer")
+        if value is None
+        else say("collision_picture.points", yours=len(value), true=len(exercise.truth(case)))
+    )
+    plane.corner_note(words, ax, colour=palette.GOAL)
+    plane.title(exercise.words(f"pictures.{case.kind}"), ax)
+
+
+def draw_pair(exercise: ValueExercise, case: Case, value: Any, ax: Any) -> None:
+    """Both polygons; an edge that has the other polygon on its right, with its line, where there is one."""
+    pair(case.given["P1"], case.given["P2"], ax)
+    finish(exercise, case, value, ax)
+
+
+def pair(P: Array, Q: Array, ax: Any) -> None:
+    """Two polygons, and a line between them where there is one."""
+    from ....figures import palette, plane
+
+    plane.frame(np.vstack([P, Q]), ax, margin=0.2)
+    for ring, name, colour in ((P, "P1", palette.OBSTACLE), (Q, "P2", palette.TREE)):
+        ax.fill(*ring.T, facecolor=colour, edgecolor=colour, alpha=0.4, linewidth=2.0, zorder=2)
+        plane.label(ring[0], name, ax, colour=colour, offset=(5, 5))
+    for ring, other in ((P, Q), (Q, P)):
+        for a, b in zip(ring, np.roll(ring, -1, axis=0)):
+            (x, y), way = b - a, other - a
+            if (x * way[:, 1] - y * way[:, 0] < 0).all():
+                plane.endless((-y, x, y * a[0] - x * a[1]), "", ax, colour=palette.START, style=":")
+                plane.stretch(a, b, "", ax, colour=palette.START, width=4.0)
+                return
+
+
+def draw_grown_obstacle(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
+    """The obstacle, the robot at its reference point, the C-obstacle, and the student's."""
+    from ....figures import palette, plane
+
+    robot, obstacle, truth = case.given["robot"], case.given["obstacle"], exercise.truth(case)
+    shown = np.empty((0, 2)) if value is None else value[np.isfinite(value).all(axis=1)][:60]
+    ground = np.vstack([robot, obstacle, truth, [(0.0, 0.0)]])
+    near = shown[np.abs(shown - truth.mean(axis=0)).max(axis=1) <= 2.0 * np.ptp(ground, axis=0).max()]
+    plane.frame(np.vstack([ground, near]), ax, margin=0.15)
+    ax.fill(*obstacle.T, facecolor=palette.OBSTACLE, zorder=3)
+    ax.fill(*robot.T, facecolor=palette.ROBOT, alpha=0.6, zorder=3)
+    ax.fill(*truth.T, facecolor="none", edgecolor=palette.START, linewidth=2.5, zorder=4)
+    plane.dot((0, 0), say("collision_picture.reference"), ax)
+    if len(shown):
+        ax.plot(*np.vstack([shown, shown[:1]]).T, "--o", color=palette.GOAL, linewidth=2.2, zorder=5, scalex=False, scaley=False)
+    if value is None:
+        plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
+    plane.title(exercise.words(f"pictures.{case.kind}"), ax)
+
+
+def draw_gap(exercise: Any, value: tuple[Array, Array] | None, ax: Any) -> None:
+    """Two polygons that a student gave."""
+    from ....figures import palette, plane
+
+    if value is None:
+        plane.frame([(0, 0), (1, 1)], ax)
+        plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
+    else:
+        pair(value[0], value[1], ax)
+    plane.title(exercise.words("picture"), ax)
+
+
+def finish(exercise: ValueExercise, case: Case, value: Any, ax: Any) -> None:
+    """What was answered, and what to see."""
+    from ....figures import palette, plane
+
+    plane.corner_note(say("picture.no_answer") if value is None else say("picture.yours", value=value), ax, colour=palette.GOAL)
+    plane.title(exercise.words(f"pictures.{case.kind}"), ax)

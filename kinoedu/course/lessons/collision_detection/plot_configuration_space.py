@@ -1,0 +1,138 @@
+"""The exercise that asks for a drawing of samples of an arm's configuration space. Bullo & Smith, chapter 4."""
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from ....geometry.checks import Array
+from ....sampling import halton, sukharev_grid, uniform_random
+from ....words import say
+from ...exercise import RIGHT, Case, Slip, Verdict
+from ...outcomes import Answer, Outcome
+from ...shapes import Number, Numbers, Record
+from ..geometry.lines import POINT
+from .arm_pictures import draw_samples
+from .drawn_exercise import FULL, DrawnExercise, same_dots
+from .link_in_contact import DISCS, gaps, random_case, touched_link
+
+OTHER = 9  # stands for a colour that is none of the three
+
+
+class PlotConfigurationSpace(DrawnExercise):
+    """Samples of the configuration space as dots: black where link 1 touches a disc, red where link 2 does, blue where free."""
+
+    name = "plot_configuration_space"
+    lesson = "07_collision_detection"
+    kinds = ("grid", "random", "halton")
+    given = Record(samples=Numbers(("n", 2)), lengths=POINT, width=Number(), discs=DISCS)
+    slips = (
+        Slip("unscaled", lambda samples, *arm: coloured(samples, samples, *arm)),
+        Slip("unscaled_dots", lambda samples, *arm: coloured(samples, FULL * samples, *arm)),
+        Slip("unscaled_links", lambda samples, *arm: coloured(FULL * samples, samples, *arm)),
+        Slip("root", lambda samples, *arm: rightly(samples[: int(np.sqrt(len(samples)))], *arm)),
+        Slip("degrees", lambda samples, *arm: coloured(360 * samples, FULL * samples, *arm)),
+        Slip("transposed", lambda samples, *arm: coloured(FULL * samples[:, ::-1], FULL * samples, *arm)),
+        Slip("only_free", lambda samples, *arm: np.array([dot for dot in rightly(samples, *arm) if dot[2] == 0])),
+        Slip("one_red", lambda samples, *arm: recoloured(rightly(samples, *arm), (0, 2, 2))),
+        Slip("swapped", lambda samples, *arm: recoloured(rightly(samples, *arm), (0, 2, 1))),
+    )
+
+    @staticmethod
+    def reference(*given: Any) -> Any:
+        """Rows of both angles and the link."""
+        return rightly(*given)
+
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """Few samples first, each sampler in turn; no sample is so near to a change that rounding would count."""
+        for number in range(10):
+            for kind in self.kinds:
+                yield Case(kind, sampled_arm(rng, kind, 2 + number))
+
+    def same(self, value: Any, truth: Any) -> bool:
+        """The same dots of the same shades, in any order, angles modulo 2 pi."""
+        return same_dots(dots_of(value), truth, modulo=True)
+
+    def value_verdict(self, case: Case, value: Any) -> Verdict:
+        """First the number of dots, then where they are, then their colours: one of the three, and the right one."""
+        truth, found = self.truth(case), dots_of(value)
+        if same_dots(found, truth, modulo=True):
+            return RIGHT
+        if len(found) != len(truth):
+            return Verdict(0.0, "count", self.wanted(case))
+        in_place = same_dots(found[:, :2], truth[:, :2], modulo=True)
+        if not in_place:
+            return Verdict(0.0, "places", self.wanted(case))
+        return Verdict(0.0, "shades" if (found[:, 2] == OTHER).any() else "colours", self.wanted(case))
+
+    def answer_words(self, case: Case, value: Any) -> str:
+        """How many dots of each colour."""
+        return counted(dots_of(value))
+
+    def wanted(self, case: Case) -> str:
+        """How many dots of each colour."""
+        return counted(self.truth(case))
+
+    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+        """The right dots as rings, the student's in them."""
+        draw_samples(self, case, self.truth(case), dots_of(outcome.value) if isinstance(outcome, Answer) else None, ax)
+
+
+def dots_of(plot: Any) -> Array:
+    """The dots of a plot as rows of both angles and the link that their colour stands for, or OTHER."""
+    rows = [(*point, shade(one["colour"])) for one in plot["dots"] for point in one["points"]]
+    return np.array(rows, float).reshape(-1, 3)
+
+
+def shade(colour: str) -> int:
+    """0 for any blue, 1 for any black, 2 for any red, OTHER for another colour."""
+    if colour == "none":
+        return OTHER
+    red, green, blue = (int(colour[i : i + 2], 16) for i in (1, 3, 5))
+    if max(red, green, blue) < 70:
+        return 1
+    if red > 100 and red > 1.5 * max(green, blue):
+        return 2
+    return 0 if blue > 100 and blue > 1.2 * max(red, green) else OTHER
+
+
+def recoloured(dots: Array, links: tuple[int, int, int]) -> Array:
+    """Dots in the colours of other links."""
+    return np.column_stack([dots[:, :2], np.array(links)[dots[:, 2].astype(int)]])
+
+
+def coloured(places: Array, samples: Array, lengths: Array, width: float, discs: Array) -> Array:
+    """Dots at places in the colours of samples, rows of two angles and a link."""
+    return np.column_stack([places, [touched_link(q, lengths, width, discs) for q in samples]])
+
+
+def rightly(samples: Array, *arm: Any) -> Array:
+    """Dots as they should be, for samples in the unit square."""
+    return coloured(FULL * samples, FULL * samples, *arm)
+
+
+def counted(dots: Array) -> str:
+    """How many dots there are of each colour."""
+    blue, black, red = (int((dots[:, 2] == link).sum()) for link in range(3))
+    counts = {"all": len(dots), "blue": blue, "black": black, "red": red}
+    others = len(dots) - blue - black - red
+    if others:
+        return say("plot_configuration_space.counted_others", **counts, others=others)
+    return say("plot_configuration_space.counted", **counts)
+
+
+def sampled_arm(rng: np.random.Generator, kind: str, k: int) -> dict[str, Any]:
+    """An arm, discs and k * k samples of a kind, of all three colours if there are many."""
+    while True:
+        arm = random_case(rng, "both", 1 + k // 5).given
+        given = {"samples": unit_samples(rng, kind, k), **{name: arm[name] for name in ("lengths", "width", "discs")}}
+        margin = min(np.abs(gaps(FULL * q, *list(given.values())[1:])).min() for q in given["samples"])
+        if margin > 1e-6 and len(np.unique(rightly(*given.values())[:, 2])) >= (3 if k > 4 else 2):
+            return given
+
+
+def unit_samples(rng: np.random.Generator, kind: str, k: int) -> Array:
+    """k * k samples of the unit square: cell centres of a grid, random ones, or Halton's from a random start."""
+    if kind == "grid":
+        return sukharev_grid(k * k)
+    return uniform_random(k * k, rng=rng) if kind == "random" else halton(k * k, start=int(rng.integers(1, 50)))

@@ -1,0 +1,161 @@
+"""The exercise on two segments: what do they share? Bullo & Smith, chapter 4."""
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from ....geometry import segment_intersection
+from ....geometry.checks import Array
+from ....geometry.segments import shared_points
+from ...exercise import Case, Slip, ValueExercise
+from ...outcomes import Answer, Outcome
+from ...shapes import Numbers, Record
+from ..geometry.lines import POINT
+from ..geometry.point_line_distance import cross
+from ..shared.random_shapes import points, sizes
+from .pictures import draw_segments
+
+NOTHING = np.empty((0, 2))
+
+
+class SegmentIntersection(ValueExercise):
+    """The points that two segments share: none, one, or the two ends of a stretch."""
+
+    name = "segment_intersection"
+    lesson = "07_collision_detection"
+    kinds = ("crossing", "touching", "apart", "upright", "parallel", "overlap", "end_to_end")
+    given = Record(p1=POINT, p2=POINT, p3=POINT, p4=POINT)
+    answer = Numbers(("k", 2))
+    source = staticmethod(segment_intersection)
+    shown = staticmethod(shared_points)
+    slips = (
+        Slip("lines", lambda *ends: by_shares(ends, lambda t, s: True)),
+        Slip("one_sided", lambda *ends: by_shares(ends, lambda t, s: 0 <= t <= 1)),
+        Slip("one_sided", lambda *ends: by_shares(ends, lambda t, s: 0 <= s <= 1)),
+        Slip("parallel", lambda *ends: by_shares(ends, lambda t, s: 0 <= t <= 1 and 0 <= s <= 1)),
+        Slip("open", lambda *ends: by_shares(ends, lambda t, s: 0 < t < 1 and 0 < s < 1)),
+        Slip("upright", lambda *ends: NOTHING if ends[2][0] == ends[3][0] else segment_intersection(*ends)),
+        Slip("one_point", lambda *ends: segment_intersection(*ends)[:1]),
+        Slip("one_point", lambda *ends: segment_intersection(*ends)[-1:]),
+        Slip(
+            "one_point",
+            lambda *ends: segment_intersection(*ends).mean(axis=0)[None] if len(segment_intersection(*ends)) else NOTHING,
+        ),
+        Slip("twice", lambda *ends: twice(segment_intersection(*ends), ends)),
+    )
+    reference = staticmethod(segment_intersection)
+
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """The book's three pairs first, then small whole numbers; what lies on one line stays on squared paper."""
+        for kind, *ends in (
+            ("crossing", (1, 1), (3, 3), (1, 3), (3, 1)),
+            ("touching", (0, 0), (2, 3), (4, 1), (0, 5)),
+            ("apart", (0, 0), (3, 0), (3, 1), (5, 5)),
+            ("upright", (0, 1), (4, 1), (2, 0), (2, 5)),
+            ("upright", (2, 0), (2, 5), (0, 1), (4, 3)),
+            ("parallel", (0, 0), (4, 0), (1, 1), (5, 1)),
+            ("parallel", (0, 0), (2, 0), (3, 0), (5, 0)),
+            ("overlap", (0, 0), (4, 0), (1, 0), (9, 0)),
+            ("overlap", (0, 0), (6, 3), (4, 2), (2, 1)),
+            ("end_to_end", (0, 0), (2, 0), (5, 0), (2, 0)),
+            ("touching", (0, 0), (4, 0), (4, 0), (6, 3)),
+        ):
+            yield case_of(kind, ends)
+        for size in sizes(4):
+            for kind in self.kinds:
+                yield case_of(kind, on_one_line(rng, size, kind) if kind in ("overlap", "end_to_end") else ends_of(rng, size, kind))
+
+    def same(self, value: Any, truth: Any) -> bool:
+        """The same points, in either order."""
+        return super().same(value, truth) or super().same(np.asarray(value)[::-1], truth)
+
+    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+        """Both segments, what they share, and the student's points."""
+        draw_segments(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
+
+
+def case_of(kind: str, ends: Any) -> Case:
+    """A case of four ends."""
+    return Case(kind, dict(zip(("p1", "p2", "p3", "p4"), np.array(ends, float) + 0.0)))
+
+
+def ends_of(rng: np.random.Generator, size: float, kind: str) -> Array:
+    """Four random ends of segments that stand to each other in a way that is none of one line; shape (4, 2)."""
+    while True:
+        ends = np.round(points(rng, 4, size)) if kind == "touching" else points(rng, 4, size)
+        if kind == "upright":
+            first = 2 * int(rng.integers(2))
+            ends[first + 1, 0] = ends[first, 0]
+        elif kind == "touching":
+            along = ends[1] - ends[0]
+            ends[1] = ends[0] + 2 * along
+            ends[2] = ends[0] + rng.integers(3) * along
+            ends = np.roll(ends, 2 * int(rng.integers(2)), axis=0)
+        elif kind == "parallel":
+            ends[:3] = np.round(ends[:3])
+            ends[3] = ends[2] + rng.choice([-2, -1, 1, 2]) * (ends[1] - ends[0])
+            if rng.random() < 0.3:
+                return on_one_line(rng, size, kind)
+        if kind_of(ends) == kind:
+            return ends
+
+
+def kind_of(ends: Array) -> str:
+    """How two segments stand to each other, "" where a small change would change that and they are not on squared paper."""
+    u, v = ends[1] - ends[0], ends[3] - ends[2]
+    if not (u.any() and v.any()):
+        return ""
+    if cross(u, v) == 0.0:
+        return "parallel" if len(segment_intersection(*ends)) == 0 else ""
+    if abs(cross(u, v)) < 0.05 * np.linalg.norm(u) * np.linalg.norm(v):
+        return ""
+    t, s = shares(ends)
+    if min(abs(t), abs(t - 1), abs(s), abs(s - 1)) < 1e-12:
+        return "touching" if 0 <= t <= 1 and 0 <= s <= 1 else ""
+    if min(abs(t), abs(t - 1), abs(s), abs(s - 1)) < 0.02:
+        return ""
+    if 0 < t < 1 and 0 < s < 1:
+        return "upright" if u[0] == 0.0 or v[0] == 0.0 else "crossing"
+    return "apart"
+
+
+def on_one_line(rng: np.random.Generator, size: float, kind: str) -> Array:
+    """Two segments of one line on squared paper: they overlap, have one end in common, or are apart; shape (4, 2)."""
+    start = np.round(points(rng, 1, size)[0])
+    step = rng.integers(-4, 5, 2)
+    while not step.any():
+        step = rng.integers(-4, 5, 2)
+    a, b, c, d = sorted(rng.choice(9, 4, replace=False))
+    numbers = {"overlap": [(a, c, b, d), (a, d, b, c), (b, c, a, d), (a, b, a, c), (a, b, a, b)], "end_to_end": [(a, b, b, c)]}
+    places = np.array(numbers.get(kind, [(a, b, c, d)])[int(rng.integers(len(numbers.get(kind, [0]))))])
+    pairs = places.reshape(2, 2)
+    for pair in pairs:
+        pair[:] = rng.permutation(pair)
+    return start + rng.permutation(pairs).ravel()[:, None] * step
+
+
+def shares(ends: Any) -> tuple[float, float]:
+    """How far along either segment its line meets the other's, as shares of the way."""
+    p1, p2, p3, p4 = ends
+    whole = cross(p2 - p1, p4 - p3)
+    return cross(p3 - p1, p4 - p3) / whole, cross(p3 - p1, p2 - p1) / whole
+
+
+def by_shares(ends: Any, accepts: Any) -> Array:
+    """Where two lines meet, if their shares are accepted; nothing where they are parallel."""
+    if cross(ends[1] - ends[0], ends[3] - ends[2]) == 0.0:
+        return NOTHING
+    t, s = shares(ends)
+    return (ends[0] + t * (ends[1] - ends[0]))[None] if accepts(t, s) else NOTHING
+
+
+def middle_of(found: Array) -> Array:
+    """The middle of what two segments share, if there is any."""
+    return found.mean(axis=0)[None] if len(found) else found
+
+
+def twice(found: Array, ends: Any) -> Array:
+    """What is right, but for parallel segments with one common point: that point twice."""
+    is_parallel = cross(ends[1] - ends[0], ends[3] - ends[2]) == 0.0
+    return np.vstack([found, found]) if is_parallel and len(found) == 1 else found

@@ -1,0 +1,77 @@
+"""The exercise "break it" of lesson 5: an arm and a target for which inverse kinematics by the law of sines is wrong."""
+
+from collections.abc import Iterator
+from math import acos, asin, atan2, hypot, sin
+from typing import Any
+
+import numpy as np
+
+from ....geometry.checks import Array
+from ....robots import TwoLinkArm
+from ....words import say
+from ...exercise import RIGHT, Case, Exercise, Verdict
+from ...outcomes import Answer, Outcome
+from ...shapes import Number, Numbers, Record, Together
+from .pictures import draw_missed
+
+NEARLY = 1.1  # so much longer may link 2 be for the last point
+
+
+class ExposeReach(Exercise):
+    """Break it: an arm and a place in its reach to which `inverse_by_sines` does not lead."""
+
+    name = "exposing_reach"
+    lesson = "05_configuration_spaces"
+    kinds = ("valid", "exposes", "narrow")
+    given = Record()
+    answer = Together((Number(), Number(), Numbers((2,))))
+
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """The same question three times: each asks more of the answer."""
+        return (Case(kind, {}) for kind in self.kinds)
+
+    def value_verdict(self, case: Case, value: Any) -> Verdict:
+        """An arm and a place in its reach; where the program is wrong; with links that are nearly equal."""
+        l1, l2, p = value
+        rule = arm_fault(l1, l2, p)
+        if not rule and case.kind != "valid":
+            rule = "exposes" if missed_by(l1, l2, p) <= 1e-6 * (l1 + l2) else ""
+            rule = rule or ("narrow" if case.kind == "narrow" and l2 > NEARLY * l1 else "")
+        return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
+
+    def wanted(self, case: Case) -> str:
+        """What is asked for."""
+        return say(f"exposing_reach.wanted.{case.kind}")
+
+    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+        """What the tip reaches, the target, and where the program's angles lead."""
+        value = outcome.value if isinstance(outcome, Answer) and not arm_fault(*outcome.value) else None
+        draw_missed(value, [] if value is None else inverse_by_sines(*value), ax)
+
+
+def arm_fault(l1: float, l2: float, p: Array) -> str:
+    """The rule that keeps it from being an arm and a place that its tip reaches, or ""."""
+    far = hypot(*p)
+    if not (0.1 <= l1 <= 100.0 and 0.1 <= l2 <= 100.0):
+        return "lengths"
+    if not 0.01 <= far <= 200.0:
+        return "valid"
+    margin = 1e-3 * (l1 + l2)
+    return "" if abs(l1 - l2) + margin <= far <= l1 + l2 - margin else "valid"
+
+
+def missed_by(l1: float, l2: float, p: Array) -> float:
+    """How far off the target the tip is, at the worse of the program's two answers."""
+    arm = TwoLinkArm(l1, l2, 0.0)
+    return max(float(np.hypot(*(arm.joints(q)[1] - p))) for q in inverse_by_sines(l1, l2, p))
+
+
+def inverse_by_sines(l1: float, l2: float, p: Array) -> list[tuple[float, float]]:
+    """Both configurations that put the tip of an arm at p: the bend by the law of cosines, the angle at the base by that of sines.
+
+    It is wrong somewhere. Where?
+    """
+    far, heading = hypot(p[0], p[1]), atan2(p[1], p[0])
+    bend = acos((far * far - l1 * l1 - l2 * l2) / (2 * l1 * l2))
+    lead = asin(min(1.0, l2 * sin(bend) / far))
+    return [(heading - lead, bend), (heading + lead, -bend)]

@@ -1,0 +1,71 @@
+"""The exercise `forward_kinematics`. Bullo & Smith, chapter 3."""
+
+from collections.abc import Iterator
+from math import pi
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ....geometry.checks import Array
+from ....robots import TwoLinkArm
+from ....robots.arm import joints_at
+from ...exercise import Case, Slip, ValueExercise
+from ...outcomes import Answer, Outcome
+from ...shapes import Number, Numbers, Record
+from .arm_cases import PAIR, arm_case
+from .pictures import draw_joints
+
+
+def arm_joints(l1: float, l2: float, q: ArrayLike) -> Array:
+    """Elbow and tip of an arm at the origin, shape (2, 2)."""
+    return np.array(TwoLinkArm(l1, l2, 0.0).joints(q))
+
+
+class ForwardKinematics(ValueExercise):
+    """Two angles to the elbow and the tip."""
+
+    name = "forward_kinematics"
+    lesson = "05_configuration_spaces"
+    kinds = ("stretched", "bent", "folded", "turns")
+    given = Record(l1=Number(), l2=Number(), q=PAIR)
+    answer = Numbers((2, 2))
+    source = staticmethod(arm_joints)
+    shown = staticmethod(joints_at)
+    slips = (
+        Slip("absolute", lambda l1, l2, q: arm_joints(l1, l2, (q[0], q[1] - q[0]))),
+        Slip("swapped", lambda l1, l2, q: arm_joints(l1, l2, q)[::-1]),
+        Slip("from_elbow", lambda l1, l2, q: np.array([arm_joints(l1, l2, q)[0], np.diff(arm_joints(l1, l2, q), axis=0)[0]])),
+        Slip("same_array", lambda l1, l2, q: arm_joints(l1, l2, q)[[1, 1]]),
+        Slip("difference", lambda l1, l2, q: arm_joints(l1, l2, (q[0], -q[1]))),
+        Slip("axes", lambda l1, l2, q: arm_joints(l1, l2, q)[:, ::-1]),
+        Slip("one_length", lambda l1, l2, q: arm_joints(l1, l1, q)),
+        Slip("columns", lambda l1, l2, q: arm_joints(l1, l2, q).T),
+        Slip("degrees", lambda l1, l2, q: arm_joints(l1, l2, np.radians(q))),
+    )
+    reference = staticmethod(arm_joints)
+
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """Quarters first."""
+        for kind, l1, l2, q in (
+            ("stretched", 2, 1, (0, 0)),
+            ("stretched", 2, 1, (pi / 2, 0)),
+            ("bent", 2, 1, (0, pi / 2)),
+            ("bent", 2, 1, (pi / 2, pi / 2)),
+            ("folded", 2, 1, (0, pi)),
+            ("bent", 1, 2, (1, -0.5)),
+            ("turns", 2, 1, (7, -8)),
+        ):
+            yield arm_case(kind, l1, l2, q=q)
+        for size in (1.0, 3.0, 3.0, 10.0, 100.0):
+            for _ in range(3):
+                l1, l2 = np.round(rng.uniform(0.2, 1.0, 2) * size, 2)
+                first, second = np.round(rng.uniform(-3.1, 3.1, 2), 2)
+                yield arm_case("stretched", l1, l2, q=(first, 0.0))
+                yield arm_case("bent", l1, l2, q=(first, second))
+                yield arm_case("folded", l1, l2, q=(first, rng.choice([-pi, pi])))
+                yield arm_case("turns", l1, l2, q=np.round(rng.uniform(4.0, 30.0, 2) * rng.choice([-1, 1], 2), 2))
+
+    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+        """The arm, and the student's."""
+        draw_joints(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)

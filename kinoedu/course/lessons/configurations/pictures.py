@@ -1,0 +1,183 @@
+"""Pictures of failing cases of lesson 5. What is true is solid and green, what the student's program says dashed and orange."""
+
+from typing import Any
+
+import numpy as np
+
+from ....geometry.checks import Array
+from ....robots import TwoLinkArm
+from ....spaces.angles import short_way, wrapped
+from ....words import say
+from ...exercise import Case, ValueExercise
+
+# figures are imported inside the functions: matplotlib is not needed until something is wrong
+
+FLAG = np.array([(0, 0), (2, 0), (2, 0.6), (0.6, 0.6), (0.6, 1.2), (0, 1.2)])
+APART = 3.4  # between the middles of two circles
+
+
+def note_both(truth: Any, value: Any, ax: Any) -> None:
+    """Both numbers, in the lower left corner."""
+    from ....figures import palette, plane
+
+    yours = say("configuration_picture.none") if value is None else f"{value:.4g}"
+    plane.corner_note(say("configuration_picture.both", true=f"{float(truth):.4g}", yours=yours), ax, colour=palette.GOAL)
+
+
+def draw_short_ways(exercise: ValueExercise, case: Case, value: float | None, ax: Any) -> None:
+    """A circle for each angle, from a the short way to b; where there is one, how far the student's program goes."""
+    from ....figures import configurations, palette, plane
+
+    a, b = np.atleast_1d(case.given["a"]), np.atleast_1d(case.given["b"])
+    middles = APART * np.arange(len(a))
+    plane.frame([(-1.5, -1.9), (middles[-1] + 1.5, 1.5)], ax, margin=0.05)
+    ax.set_axis_off()
+    for x, p, q in zip(middles, a, b):
+        turn = short_way(wrapped(p), wrapped(q))
+        plane.ring((x, 0.0), 1.0, "", ax, colour=palette.OUTSIDE)
+        configurations.draw_turn((x, 0), p, turn, 1.0, "", ax, colour=palette.START)
+        plane.label((x, 0.0), f"{abs(turn):.4g}", ax, colour=palette.START, offset=(0, -5), ha="center")
+        if value is not None and len(a) == 1 and 0.0 < abs(value) < 20.0:
+            sense = float(np.sign(turn) or 1.0)
+            configurations.draw_turn((x, 0), p, sense * value, 0.8, "", ax, colour=palette.GOAL, style="--")
+        for angle, name, far in ((p, "a", 16), (q, "b", 30)):  # b a little farther out, for it may be where a is
+            u, v = np.cos(angle), np.sin(angle)
+            plane.dot((x + u, v), "", ax)
+            plane.label((x + u, v), name, ax, offset=(far * u, far * v - 5), ha="center")
+    note_both(exercise.truth(case), value, ax)
+    plane.title(exercise.words(f"pictures.{case.kind}"), ax)
+
+
+def draw_moved(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
+    """A flag before, after, and as the student's matrix moves it."""
+    from ....figures import palette, plane
+
+    truth = exercise.truth(case)
+    size = max(1.0, 0.3 * float(np.abs(truth).max())) if len(truth) == 3 else 1.0
+    flag = size * FLAG
+    right = taken(truth, flag)
+    yours = None if value is None or not np.isfinite(value).all() else taken(value, flag)
+    reach = 3.0 * size + float(np.abs(right).max())
+    seen = yours if yours is not None and np.abs(yours).max() <= 2.0 * reach else None
+    plane.frame(np.vstack([flag, right, right if seen is None else seen]), ax, margin=0.15)
+    outline(flag, say("configuration_picture.before"), ax, colour=palette.OUTSIDE, style="-")
+    outline(right, say("picture.true"), ax, colour=palette.START, style="-")
+    if seen is not None:
+        outline(seen, say("picture.yours_short"), ax, colour=palette.GOAL, style="--")
+    else:
+        words = say("picture.no_answer") if yours is None else say("picture.outside", what=say("picture.yours_short"))
+        plane.corner_note(words, ax, colour=palette.GOAL)
+    plane.dot((0, 0), "", ax)
+    ax.legend(fontsize=palette.TEXT_SIZE, loc="best")
+    plane.title(exercise.words(f"pictures.{case.kind}"), ax)
+
+
+def outline(ring: Any, words: str, ax: Any, *, colour: str, style: str) -> None:
+    """A closed outline, in the legend under its words."""
+    points = np.vstack([ring, ring[:1]])
+    ax.plot(*points.T, style, color=colour, linewidth=2.6, label=words, zorder=4)
+
+
+def taken(matrix: Array, points: Array) -> Array:
+    """Where a matrix (2, 2) or (3, 3) takes points (n, 2)."""
+    moved = points @ matrix[:2, :2].T
+    return moved + matrix[:2, 2] if len(matrix) == 3 else moved
+
+
+def draw_joints(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
+    """The arm, and the student's: base, elbow, tip."""
+    from ....figures import configurations, palette, plane
+
+    l1, l2 = case.given["l1"], case.given["l2"]
+    frame_arm(l1 + l2, ax)
+    truth = np.vstack([(0.0, 0.0), exercise.truth(case)])
+    configurations.draw_links(truth, "", ax, colour=palette.START)
+    if value is not None and np.isfinite(value).all() and np.abs(value).max() < 2.0 * (l1 + l2):
+        configurations.draw_links(np.vstack([(0.0, 0.0), value]), "", ax, colour=palette.GOAL, style="--")
+        plane.label(value[1], say("configuration_picture.your_tip"), ax, colour=palette.GOAL, offset=(9, -18))
+    else:
+        plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
+    plane.label(truth[2], say("configuration_picture.tip"), ax, colour=palette.START)
+    plane.title(exercise.words(f"pictures.{case.kind}"), ax)
+
+
+def draw_solutions(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
+    """What the tip reaches, the target, every arm that leads there, and the student's."""
+    from ....figures import configurations, palette, plane
+
+    l1, l2, p = case.given.values()
+    truth = exercise.truth(case)
+    reach_of(l1, l2, p, ax)
+    for q in [] if isinstance(truth, ValueError) else truth:
+        configurations.draw_links(places(l1, l2, q), "", ax, colour=palette.START)
+    draw_students(l1, l2, [] if value is None else [q for q in value[:6] if np.isfinite(q).all()], ax)
+    if value is None or len(value) == 0:
+        words = say("picture.no_answer") if value is None else say("configuration_picture.no_solution")
+        plane.corner_note(words, ax, colour=palette.GOAL)
+    plane.dot(p, "p", ax, marker="*")
+    plane.title(exercise.words(f"pictures.{case.kind}"), ax)
+
+
+def draw_missed(value: tuple[float, float, Array] | None, answers: Any, ax: Any) -> None:
+    """An arm's reach, the target, and where the program's angles lead."""
+    from ....figures import palette, plane
+
+    if value is None:
+        plane.frame([(0, 0), (1, 1)], ax)
+        plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
+        return
+    l1, l2, p = value
+    reach_of(l1, l2, p, ax)
+    draw_students(l1, l2, answers, ax)
+    plane.dot(p, "p", ax, marker="*")
+    plane.title(say("exposing_reach.picture"), ax)
+
+
+def draw_students(l1: float, l2: float, answers: Any, ax: Any) -> None:
+    """Arms at the configurations of an answer."""
+    from ....figures import configurations, palette
+
+    for q in answers:
+        configurations.draw_links(places(l1, l2, q), "", ax, colour=palette.GOAL, style="--")
+
+
+def reach_of(l1: float, l2: float, p: Array, ax: Any) -> None:
+    """The ring that an arm's tip reaches, in axes that show the target too."""
+    from ....figures import configurations
+
+    frame_arm(max(l1 + l2, 1.05 * float(np.hypot(*p))), ax)
+    configurations.draw_reach(TwoLinkArm(l1, l2, 0.0), ax)
+
+
+def frame_arm(reach: float, ax: Any) -> None:
+    """Axes that show all that an arm at the origin reaches."""
+    from ....figures import plane
+
+    plane.frame([(-reach, -reach), (reach, reach)], ax, margin=0.12)
+
+
+def places(l1: float, l2: float, q: Array) -> Array:
+    """Base, elbow and tip, shape (3, 2)."""
+    return np.vstack([(0.0, 0.0), *TwoLinkArm(l1, l2, 0.0).joints(q)])
+
+
+def draw_mechanism(exercise: ValueExercise, case: Case, value: float | None, ax: Any) -> None:
+    """Bodies in a ring, each pin joined to the bodies that it holds, the ground a square; and both numbers."""
+    from ....figures import palette, plane
+
+    bodies, joints = case.given["bodies"], case.given["joints"]
+    angles = np.pi * (-0.5 - 2.0 * np.arange(bodies + 1) / (bodies + 1))
+    at = np.column_stack([np.cos(angles), np.sin(angles)])
+    plane.frame([(-1.3, -1.5), (1.3, 1.3)], ax, margin=0.02)
+    ax.set_axis_off()
+    for number, held in enumerate(joints):
+        pin = 0.82 * at[held].mean(axis=0) + 0.02 * number
+        for body in held:
+            plane.stretch(pin, at[body], "", ax, colour=palette.OBSTACLE, width=3.0)
+        ax.plot(*pin, "o", color="white", markeredgecolor=palette.INK, markersize=13, markeredgewidth=2.0, zorder=7)
+    for body, place in enumerate(at):
+        marker, colour = ("s", palette.INK) if body == 0 else ("o", palette.TREE)
+        ax.plot(*place, marker, color=colour, markersize=26, zorder=7)
+        ax.text(*place, str(body), color="white", fontsize=palette.TEXT_SIZE, ha="center", va="center", zorder=8)
+    note_both(exercise.truth(case), value, ax)
+    plane.title(exercise.words(f"pictures.{case.kind}"), ax)

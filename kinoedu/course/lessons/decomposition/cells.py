@@ -1,0 +1,13 @@
+"""Shared by the exercises on cells: the trapezoids of a world, and who is whose neighbour. Bullo & Smith, chapter 2."""
+
+from ....decomposition import trapezoidation
+from ....geometry.checks import Array
+from ....worlds import PolygonWorld
+from ...shapes import Numbers
+
+CELLS = Numbers(("n", 6))
+
+
+def cells_of(boundary: Array, obstacles: list[Array]) -> Array:
+    """The trapezoids of a world, (n, 6)."""
+    return trapezoidation(PolygonWorld(boundary, obstacles)).trapezoids

@@ -1,0 +1,81 @@
+"""The exercise `crossings`. Bullo & Smith, chapter 2."""
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ....geometry.checks import Array
+from ...exercise import Case, Slip, ValueExercise
+from ...outcomes import Answer, Outcome
+from ...shapes import Number, Numbers, Record
+from ...whole_shapes import WholeNumbers
+from ..shared.random_shapes import sizes
+from ..shared.random_worlds import between_vertices, edges_round, general_world
+from .pictures import draw_crossed, titled
+from .sweep_line import crossed_edges, heights
+
+
+class Crossings(ValueExercise):
+    """The status of the sweep line: the edges that it crosses, in order."""
+
+    name = "crossings"
+    lesson = "03_decomposition"
+    kinds = ("two", "slanted", "many", "none")
+    given = Record(x=Number(), edges=Numbers(("n", 4)))
+    answer = WholeNumbers(("k",))
+    source = staticmethod(crossed_edges)
+    slips = (
+        Slip("unsorted", lambda x, edges: np.sort(crossed_edges(x, edges))),
+        Slip("top_down", lambda x, edges: crossed_edges(x, edges)[::-1]),
+        Slip("rightward", lambda x, edges: by(heights(x, edges), (edges[:, 0] < x) & (x < edges[:, 2]))),
+        Slip("middles", lambda x, edges: by((edges[:, 1] + edges[:, 3]) / 2, (edges[:, 0] < x) != (edges[:, 2] < x))),
+        Slip("first_ends", lambda x, edges: by(edges[:, 1], (edges[:, 0] < x) != (edges[:, 2] < x))),
+        Slip("lines", lambda x, edges: np.argsort(heights(x, edges))),
+        Slip("renumbered", lambda x, edges: np.argsort(np.argsort(crossed_edges(x, edges)))),
+    )
+    reference = staticmethod(crossed_edges)
+
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """Edges that can be drawn on squared paper first; then those of whole worlds, shuffled."""
+        pair = np.array([(0, 0, 4, 0), (4, 3, 0, 1)], float)
+        yield Case("two", {"x": 2.0, "edges": pair})
+        yield Case("two", {"x": 2.0, "edges": pair[::-1]})
+        yield Case("slanted", {"x": 1.0, "edges": np.array([(0, 0, 8, 8), (0, 4, 2, 2), (3, 0, 6, 1)], float)})
+        yield Case("slanted", {"x": 7.0, "edges": np.array([(0, 0, 8, 8), (10, 2, 5, 3), (0, 1, 6, 9)], float)})
+        yield Case("none", {"x": 5.0, "edges": pair})
+        yield Case("many", {"x": 2.0, "edges": np.vstack([[(5, 1, 8, 1), (0, 4, 4, 4)], pair])})
+        for size in sizes(6):
+            world = general_world(rng, int(rng.integers(1, 4)), size)
+            edges = rng.permutation(edges_round(**world))
+            x = between_vertices(rng, edges)
+            found = crossed_edges(x, edges)
+            yield Case("many" if len(found) > 2 else "two", {"x": x, "edges": edges})
+            yield Case("two", {"x": x, "edges": edges[rng.permutation(found[:2])]})
+            yield Case("slanted", {"x": x, "edges": through(rng, x, size)})
+            yield Case("none", {"x": float(edges[:, 0].max() + 1.0), "edges": edges})
+            yield Case("many", {"x": x, "edges": np.vstack([edges, edges + np.array([0, 3, 0, 3]) * size])})
+
+    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+        """The line and the edges, those crossed with their places in both orders."""
+        draw_crossed(case, self.truth(case), outcome.value if isinstance(outcome, Answer) else None, ax)
+        titled(self, case, ax)
+
+
+def by(key: Array, chosen: NDArray[np.bool_]) -> NDArray[np.int64]:
+    """The numbers of the chosen edges by a key."""
+    hit = np.flatnonzero(chosen)
+    return hit[np.argsort(key[hit], kind="stable")]
+
+
+def through(rng: np.random.Generator, x: float, size: float) -> Array:
+    """Steep edges of many lengths that do not cross each other, one above the other at x, in no order."""
+    rows = []
+    for level in range(3):
+        slope = rng.choice([-3.0, -2.0, 2.0, 3.0]) if level else 2.5
+        left, right = rng.uniform(0.05, 0.3 if level else 0.9, 2) * size
+        y = level * 2.5 * size
+        row = [x - left, y - slope * left, x + right, y + slope * right]
+        rows.append(row if rng.random() < 0.5 else row[2:] + row[:2])
+    return np.round(rng.permutation(np.array(rows)), 3)

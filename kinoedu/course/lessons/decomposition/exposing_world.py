@@ -1,0 +1,90 @@
+"""The exercise "break it" of lesson 3: find a world in which a rule for the wall between two cells is wrong."""
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ....decomposition import trapezoidation
+from ....errors import InvalidPoint, InvalidPolygon, InvalidWorld
+from ....geometry.checks import Array
+from ....words import say
+from ....worlds import PolygonWorld
+from ...exercise import RIGHT, Case, Exercise, Verdict
+from ...outcomes import Answer, Outcome
+from ...shapes import Record
+from .free_intervals import RING
+from .pictures import draw_middles, draw_outline
+from .plan_by_decomposition import shared_wall
+
+FEWEST = 6
+REFUSALS = (InvalidPoint, InvalidPolygon, InvalidWorld)
+
+
+class ExposeShorterWalls(Exercise):
+    """Break it: a world in which `middle_of_shorter_wall` is not on the wall that two neighbours share."""
+
+    name = "exposing_world"
+    lesson = "03_decomposition"
+    kinds = ("valid", "exposes", "smallest")
+    given = Record()
+    answer = RING
+
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """The same question three times: each asks more of the answer."""
+        return (Case(kind, {}) for kind in self.kinds)
+
+    def value_verdict(self, case: Case, value: Any) -> Verdict:
+        """A simple polygon; in which a middle lies off its wall; with six vertices."""
+        if not np.isfinite(value).all() or np.abs(value).max(initial=0.0) > 1e4:
+            return Verdict(0.0, "range", self.wanted(case))
+        try:
+            wrong = misplaced(value).any()
+        except REFUSALS:
+            return Verdict(0.0, "valid", self.wanted(case))
+        if case.kind != "valid" and not wrong:
+            return Verdict(0.0, "exposes", self.wanted(case))
+        if case.kind == "smallest" and len(value) > FEWEST:
+            return Verdict(0.0, "smallest", self.wanted(case))
+        return RIGHT
+
+    def wanted(self, case: Case) -> str:
+        """What is asked for."""
+        return say(f"exposing_world.wanted.{case.kind}")
+
+    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+        """The cells, the walls that they share, and the middles that are off them."""
+        from ....figures import plane
+
+        boundary = outcome.value if isinstance(outcome, Answer) else np.empty((0, 2))
+        try:
+            draw_middles(*cells_in(boundary), shared_wall, middle_of_shorter_wall, ax)
+        except REFUSALS:
+            draw_outline(boundary, ax)
+        plane.title(self.words("picture"), ax)
+
+
+def cells_in(boundary: Array) -> tuple[Array, NDArray[np.int64]]:
+    """The cells of a world without obstacles, (n, 6), and the pairs of neighbours, (m, 2)."""
+    cut = trapezoidation(PolygonWorld(boundary, []))
+    return cut.trapezoids, cut.adjacency
+
+
+def misplaced(boundary: Array) -> NDArray[np.bool_]:
+    """For each pair of neighbours whether `middle_of_shorter_wall` lies off their wall by more than 0.000001, (m,)."""
+    cells, pairs = cells_in(boundary)
+    walls = np.array([shared_wall(cells[i], cells[j]) for i, j in pairs]).reshape(-1, 3)
+    y = np.array([middle_of_shorter_wall(cells[i], cells[j])[1] for i, j in pairs])
+    off: NDArray[np.bool_] = (y < walls[:, 1] - 1e-6) | (y > walls[:, 2] + 1e-6)
+    return off
+
+
+def middle_of_shorter_wall(a: Array, b: Array) -> Array:
+    """The middle of the wall between two neighbours: of the left one's right wall and the right one's left wall the shorter.
+
+    It is wrong somewhere. Where?
+    """
+    left, right = (a, b) if a[1] == b[0] else (b, a)
+    low, high = min(left[4:6], right[2:4], key=lambda wall: wall[1] - wall[0])
+    return np.array([left[1], (low + high) / 2])

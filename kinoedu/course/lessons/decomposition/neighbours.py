@@ -1,0 +1,112 @@
+"""The exercise `neighbours`. Bullo & Smith, chapter 2."""
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ....decomposition.cells import share_walls
+from ....geometry.checks import Array
+from ...exercise import RIGHT, Case, Slip, ValueExercise, Verdict
+from ...outcomes import Answer, Outcome
+from ...shapes import Record
+from ...whole_shapes import WholeNumbers
+from ..shared.random_shapes import sizes
+from ..shared.random_worlds import has_room
+from .cells import CELLS, cells_of
+from .pictures import draw_pairs, titled
+from .slips import (
+    left_first,
+    nearly,
+    nested_walls,
+    only_later,
+    touching,
+    whole_walls,
+)
+
+THIN_PLATE = np.array(  # it hangs from the ceiling
+    [(0, 1000, 0, 900, 0, 900), (1000, 1000.005, 0, 300, 0, 300), (1000.005, 2000, 0, 900, 0, 900)]
+)
+
+
+def neighbouring(trapezoids: Array) -> NDArray[np.int64]:
+    """The pairs (i, j), i < j, of trapezoids that share a wall of positive length, (m, 2)."""
+    return touching(trapezoids)
+
+
+class Neighbours(ValueExercise):
+    """The pairs of trapezoids that share a wall of positive length."""
+
+    name = "neighbours"
+    lesson = "03_decomposition"
+    kinds = ("side", "apart", "point", "world")
+    given = Record(trapezoids=CELLS)
+    answer = WholeNumbers(("m", 2))
+    source = staticmethod(neighbouring)
+    shown = staticmethod(share_walls)
+    slips = (
+        Slip("point", lambda trapezoids: touching(trapezoids, point=True)),
+        Slip("same_x", lambda trapezoids: np.sort(np.argwhere(trapezoids[:, None, 1] == trapezoids[:, 0]), axis=1)),
+        Slip("same_x", lambda trapezoids: np.argwhere(trapezoids[:, None, 1] == trapezoids[:, 0])),
+        Slip("left_wall", lambda trapezoids: touching(trapezoids, low=2, high=3)),
+        Slip("reversed", lambda trapezoids: touching(trapezoids)[:, ::-1]),
+        Slip("twice", lambda trapezoids: np.vstack([touching(trapezoids), touching(trapezoids)[:, ::-1]])),
+        Slip("left_first", left_first),
+        Slip("only_later", only_later),
+        Slip("nearly", nearly),
+        Slip("in_a_row", lambda trapezoids: np.column_stack([np.arange(len(trapezoids) - 1), np.arange(1, len(trapezoids))])),
+        Slip("whole_wall", whole_walls),
+        Slip("nested", nested_walls),
+    )
+    reference = staticmethod(neighbouring)
+
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """Two or three trapezoids first; then all of a world, in an order by chance."""
+        one, next_to = [0, 2, 0, 4, 0, 4], [2, 5, 1, 3, 0, 4]
+        yield Case("side", {"trapezoids": np.array([one, next_to], float)})
+        yield Case("side", {"trapezoids": np.array([next_to, one], float)})
+        yield Case("side", {"trapezoids": np.array([one, [2, 5, 3, 7, 3, 7]], float)})
+        yield Case("apart", {"trapezoids": np.array([one, [2, 5, 6, 8, 6, 7]], float)})
+        yield Case("apart", {"trapezoids": np.array([[0, 2, 0, 4, 0, 2], [2, 5, 3, 6, 3, 6], [2, 4, 0, 2, 1, 2]], float)})
+        yield Case("point", {"trapezoids": np.array([one, [2, 5, 4, 7, 3, 7]], float)})
+        yield Case("point", {"trapezoids": np.array([one, [2, 5, 4, 7, 3, 7], next_to], float)})
+        yield Case("world", {"trapezoids": THIN_PLATE})
+        for size in sizes(4):
+            low, high, far = np.sort(rng.choice(np.arange(1, 60), 3, replace=False)) * size / 100
+            left = np.array([[-size, 0, -low, high / 3, low, high]])
+            for kind, floor, ceiling in (("side", (low + high) / 2, far), ("apart", high + 1, far + 2), ("point", high, far)):
+                right = np.array([[0, size, floor, ceiling, floor, floor + 1]])
+                yield Case(kind, {"trapezoids": rng.permutation(np.round(np.vstack([left, right]), 3))})
+            yield Case("world", {"trapezoids": rng.permutation(box_world(rng, size))})
+
+    def same(self, value: Any, truth: Any) -> bool:
+        """Whether the same pairs are there, each once, in any order."""
+        found, wanted = (sorted(map(tuple, np.asarray(array, float).reshape(-1, 2).tolist())) for array in (value, truth))
+        return found == wanted
+
+    def value_verdict(self, case: Case, value: Any) -> Verdict:
+        """First whether they are pairs i < j, each once; then whether they are the right ones."""
+        if self.same(value, self.truth(case)):
+            return RIGHT
+        pairs, n = np.asarray(value), len(case.given["trapezoids"])
+        proper = (
+            np.isin(pairs, np.arange(n)).all() and (pairs[:, 0] < pairs[:, 1]).all() and len(np.unique(pairs, axis=0)) == len(pairs)
+        )
+        return Verdict(0.0, case.kind if proper else "pairs", self.wanted(case))
+
+    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+        """The trapezoids with their numbers, the walls that are shared, and the pairs that the student joined."""
+        draw_pairs(case.given["trapezoids"], self.truth(case), outcome.value if isinstance(outcome, Answer) else None, ax)
+        titled(self, case, ax)
+
+
+def box_world(rng: np.random.Generator, size: float) -> Array:
+    """The cells of a hall with triangles and boxes on a lattice: many share an x."""
+    unit, holes = size / 8, list[Array]()
+    hall = np.array([(0, 0), (16, 0), (16, 10), (0, 10)], float)
+    while len(holes) < 4:
+        at, wide, high = rng.integers(1, 12, 2), int(rng.integers(1, 4)), int(rng.integers(1, 4))
+        hole = np.array([(0, 0), (wide, 0), (wide, high), (0, high)], float)[: int(rng.integers(3, 5))] + at.astype(float)
+        holes += [hole] if has_room(hole, hall, holes) else []
+    return cells_of(unit * hall, [unit * hole for hole in holes])

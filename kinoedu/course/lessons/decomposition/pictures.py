@@ -1,0 +1,169 @@
+"""Pictures of failing cases of lesson 3. What is true is solid, what the student's program says dashed and orange."""
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ....decomposition.trapezoidation import corners_of
+from ....geometry.checks import Array
+from ....words import say
+from ...exercise import Case, Exercise
+
+# figures are imported inside the functions: matplotlib is not needed until something is wrong
+
+
+def draw_crossed(case: Case, truth: NDArray[np.int64], value: NDArray[np.int64] | None, ax: Any) -> None:
+    """The edges with their numbers; where the line crosses one, its place in the order, and the student's."""
+    from ....figures import palette, plane
+
+    x, edges = case.given["x"], case.given["edges"]
+    plane.frame(np.vstack([edges[:, :2], edges[:, 2:], [(x, edges[0, 1])]]), ax, margin=0.15)
+    for number, (ax_, ay, bx, by) in enumerate(edges):
+        plane.stretch((ax_, ay), (bx, by), "", ax, colour=palette.OBSTACLE)
+        if len(edges) <= 12:
+            plane.label(((ax_ + bx) / 2, (ay + by) / 2), f"edge {number}", ax, colour=palette.OBSTACLE, offset=(6, -16))
+    upright(x, ax)
+    said = [] if value is None else value.tolist()
+    for place, edge in enumerate(truth.tolist()):
+        ax_, ay, bx, by = edges[edge]
+        yours = ", ".join(str(k) for k, other in enumerate(said) if other == edge) or "-"
+        height = ay + (x - ax_) / (bx - ax_) * (by - ay)
+        plane.dot((x, height), say("picture.place", true=place, yours=yours) if len(truth) <= 8 else "", ax, colour=palette.GOAL)
+    if value is None:
+        plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
+
+
+def draw_intervals(case: Case, truth: Array, value: Array | None, ax: Any) -> None:
+    """The world and the line; its free stretches on it, the student's beside it."""
+    from ....figures import palette, plane
+
+    x = case.given["x"]
+    draw_ground(case.given, ax)
+    upright(x, ax)
+    for low, high in truth:
+        plane.stretch((x, low), (x, high), "", ax, colour=palette.START, width=6.0)
+    aside = x + 0.03 * float(np.ptp(ax.get_xlim()))
+    for low, high in [] if value is None else value[np.isfinite(value).all(axis=1)][:50]:
+        plane.stretch((aside, low), (aside, high), "", ax, colour=palette.GOAL, style="--", width=4.0)
+        ax.plot([aside, aside], [low, high], "_", color=palette.GOAL, markersize=12, markeredgewidth=3, zorder=5)
+    note = say("picture.no_answer") if value is None else say("picture.stretches", true=len(truth), yours=len(value))
+    plane.corner_note(note, ax, colour=palette.GOAL)
+
+
+def draw_cells(world: dict[str, Any], truth: Array, value: Array | None, ax: Any) -> None:
+    """The world, the true cells pale, the student's dashed; full orange those of the student's that are none."""
+    from ....figures import palette, plane
+
+    draw_ground(world, ax)
+    for outline in corners_of(truth):
+        ax.fill(*outline.T, facecolor=palette.CELL, edgecolor=palette.TREE, linewidth=2.0, zorder=3)
+    if value is None:
+        plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
+        return
+    shown = value[np.isfinite(value).all(axis=1)][:300]
+    right = np.array([np.abs(truth - row).max(axis=1).min(initial=np.inf) <= 1e-6 * (1 + np.abs(row).max()) for row in shown], bool)
+    for outline, good in zip(corners_of(shown), right):
+        if good:
+            closed = np.vstack([outline, outline[:1]])
+            ax.plot(*closed.T, "--", color=palette.GOAL, linewidth=2.0, zorder=4, scalex=False, scaley=False)
+        else:
+            face = (*bytes.fromhex(palette.GOAL[1:]), 40)
+            ax.fill(*outline.T, facecolor=[c / 255 for c in face], edgecolor=palette.GOAL, linewidth=3, linestyle="--", zorder=5)
+    plane.frame(world["boundary"], ax, margin=0.2)
+    plane.corner_note(say("picture.cells", true=len(truth), yours=len(value), good=int(right.sum())), ax, colour=palette.GOAL)
+
+
+def draw_pairs(cells: Array, truth: NDArray[np.int64], value: NDArray[np.int64] | None, ax: Any) -> None:
+    """The cells with their numbers, true pairs joined by a solid line, the student's by a dashed one."""
+    from ....figures import palette, plane
+
+    centres = number_cells(cells, ax)
+    for i, j in truth:
+        plane.stretch(centres[i], centres[j], "", ax, colour=palette.START, width=4.0)
+    for i, j in [] if value is None else value[(np.isin(value, np.arange(len(cells)))).all(axis=1)]:
+        plane.stretch(centres[i], centres[j], "", ax, colour=palette.GOAL, style="--")
+    note = say("picture.no_answer") if value is None else say("picture.pairs", true=len(truth), yours=len(value))
+    plane.corner_note(note, ax, colour=palette.GOAL)
+
+
+def draw_cell_path(given: dict[str, Any], truth: Array | None, value: Array | None, ax: Any, is_free: Callable[..., bool]) -> None:
+    """The cells, a right path, the student's dashed, and over it its first motion that is not free."""
+    from ....figures import palette, plane
+
+    number_cells(given["trapezoids"], ax)
+    if truth is not None:
+        ax.plot(*truth.T, "-", color=palette.START, linewidth=3, zorder=5)
+    if value is None:
+        plane.corner_note(say("picture.yours", value="None"), ax, colour=palette.GOAL)
+    elif len(value) and np.isfinite(value).all():
+        ax.plot(*value.T, "o--", color=palette.GOAL, linewidth=2.5, markersize=5, zorder=6, scalex=False, scaley=False)
+        hit = next((i for i in range(len(value) - 1) if not is_free(value[i], value[i + 1], given["trapezoids"])), None)
+        if hit is not None:
+            plane.stretch(value[hit], value[hit + 1], say("picture.contact"), ax, colour=palette.CONTACT)
+    plane.dot(given["start"], "start", ax, colour=palette.START, marker="s")
+    plane.dot(given["goal"], "goal", ax, colour=palette.GOAL, marker="*")
+
+
+def draw_middles(cells: Array, pairs: Any, shared: Callable[..., Any], found: Callable[..., Array], ax: Any) -> None:
+    """The cells, solid the walls that neighbours share, and the middles found for them: crosses where they lie off."""
+    from ....figures import palette, plane
+
+    number_cells(cells, ax)
+    for i, j in pairs:
+        x, low, high = shared(cells[i], cells[j])
+        y = found(cells[i], cells[j])[1]
+        plane.stretch((x, low), (x, high), "", ax, colour=palette.START, width=6.0)
+        plane.dot((x, y), "", ax, colour=palette.INK if low < y < high else palette.GOAL, marker="o" if low < y < high else "X")
+
+
+def draw_outline(boundary: Array, ax: Any) -> None:
+    """What is no world: its vertices in their order, as far as there are some."""
+    from ....figures import palette, plane
+
+    shown = boundary[np.isfinite(boundary).all(axis=1)]
+    plane.frame(np.vstack([shown, np.zeros((1 - min(len(shown), 1), 2))]), ax, margin=0.15)
+    ax.plot(*np.vstack([shown, shown[:1]]).T, "o--", color=palette.GOAL, linewidth=2.5)
+    if len(shown) == 0:
+        plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
+
+
+def titled(exercise: Exercise, case: Case, ax: Any) -> None:
+    """What to see in the picture of this kind of input."""
+    from ....figures import plane
+
+    plane.title(exercise.words(f"pictures.{case.kind}"), ax)
+
+
+def draw_ground(world: dict[str, Any], ax: Any) -> None:
+    """The outside grey, the inside white, obstacles solid."""
+    from ....figures import palette, plane
+
+    plane.frame(world["boundary"], ax, margin=0.2)
+    ax.set_facecolor("#E5E7EB")
+    ax.fill(*np.asarray(world["boundary"]).T, facecolor=palette.FREE, edgecolor=palette.OBSTACLE, linewidth=2, zorder=1)
+    for obstacle in world["obstacles"]:
+        plane.polygon(obstacle, ax, numbers=False)
+
+
+def number_cells(cells: Array, ax: Any) -> Array:
+    """Draw cells with their numbers on solid ground; returns their centres, (n, 2)."""
+    from ....figures import palette, plane
+
+    outlines = corners_of(cells)
+    centres = np.column_stack([cells[:, :2].mean(axis=1), cells[:, 2:].mean(axis=1)])
+    plane.frame(outlines.reshape(-1, 2), ax, margin=0.15)
+    ax.set_facecolor("#E5E7EB")
+    for number, outline in enumerate(outlines):
+        ax.fill(*outline.T, facecolor=palette.CELL, edgecolor=palette.TREE, linewidth=1.5, zorder=1)
+        if len(cells) <= 25:
+            plane.label(centres[number], str(number), ax, colour=palette.OBSTACLE, offset=(5, 5))
+    return centres
+
+
+def upright(x: float, ax: Any) -> None:
+    """The sweep line."""
+    from ....figures import palette
+
+    ax.axvline(x, color=palette.INK, linewidth=1.8, zorder=3)

@@ -1,0 +1,88 @@
+"""What programs answer that have a known misconception about cells and their neighbours."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ....geometry.checks import Array
+from ..shared.random_worlds import edges_round
+from .sweep_line import crossed_edges, heights
+
+Pairs = NDArray[np.int64]
+
+
+def slabs(boundary: Array, obstacles: list[Array]) -> Array:
+    """Cells cut at every event, also where no wall stands."""
+    edges = edges_round(boundary, obstacles)
+    x = np.sort(edges[:, 0])
+    rows = []
+    for left, right in zip(x, x[1:]):
+        status = edges[crossed_edges((left + right) / 2, edges)]
+        low, high = heights(left, status), heights(right, status)
+        rows += [(left, right, low[k], low[k + 1], high[k], high[k + 1]) for k in range(0, len(status), 2)]
+    return np.array(rows)
+
+
+def merged(boundary: Array, obstacles: list[Array], *, hollow: bool) -> Array:
+    """Slabs merged where floor and ceiling stay the same; if hollow, the inside of obstacles and bays counts as well."""
+    edges = edges_round(boundary, obstacles)
+    x = np.sort(edges[:, 0])
+    rows, before = [], dict[tuple[int, int], float]()
+    for i, left in enumerate(x):
+        status = crossed_edges((left + x[i + 1]) / 2, edges).tolist() if i + 1 < len(x) else []
+        now = {pair: before.get(pair, left) for pair in zip(status, status[1:])}
+        now = {pair: begun for k, (pair, begun) in enumerate(now.items()) if hollow or k % 2 == 0}
+        for pair, begun in before.items():
+            if pair not in now:
+                sides = edges[list(pair)]
+                rows.append((begun, left, *heights(begun, sides), *heights(left, sides)))
+        before = now
+    return np.array(rows)
+
+
+def without_last(cells: Array) -> Array:
+    """The cells but for those that end at the last event."""
+    return cells[cells[:, 1] < cells[:, 1].max()]
+
+
+def without_triangles(cells: Array) -> Array:
+    """The cells with four corners."""
+    return cells[~np.isclose(cells[:, 2], cells[:, 3]) & ~np.isclose(cells[:, 4], cells[:, 5])]
+
+
+def touching(cells: Array, *, point: bool = False, low: int = 4, high: int = 5) -> Pairs:
+    """Pairs that share a wall; those that touch in a point as well; the left one's heights from other columns."""
+    lo, hi = np.maximum(cells[:, None, low], cells[:, 2]), np.minimum(cells[:, None, high], cells[:, 3])
+    pairs = np.argwhere((cells[:, None, 1] == cells[:, 0]) & ((lo <= hi) if point else (lo < hi)))
+    return np.unique(np.sort(pairs, axis=1), axis=0)
+
+
+def left_first(cells: Array) -> Pairs:
+    """Pairs with the left one first, whatever its number."""
+    lo, hi = np.maximum(cells[:, None, 4], cells[:, 2]), np.minimum(cells[:, None, 5], cells[:, 3])
+    return np.argwhere((cells[:, None, 1] == cells[:, 0]) & (lo < hi))
+
+
+def only_later(cells: Array) -> Pairs:
+    """Pairs in which the left one has the smaller number."""
+    pairs = left_first(cells)
+    return pairs[pairs[:, 0] < pairs[:, 1]]
+
+
+def nearly(cells: Array) -> Pairs:
+    """Pairs whose walls are near to each other, whatever lies between."""
+    lo, hi = np.maximum(cells[:, None, 4], cells[:, 2]), np.minimum(cells[:, None, 5], cells[:, 3])
+    pairs = np.argwhere(np.isclose(cells[:, None, 1], cells[:, 0]) & (lo < hi))
+    return np.unique(np.sort(pairs[pairs[:, 0] != pairs[:, 1]], axis=1), axis=0)
+
+
+def whole_walls(cells: Array) -> Pairs:
+    """Pairs whose walls are the same from end to end."""
+    equal = (cells[:, None, 1] == cells[:, 0]) & (cells[:, None, 4] == cells[:, 2]) & (cells[:, None, 5] == cells[:, 3])
+    return np.sort(np.argwhere(equal), axis=1)
+
+
+def nested_walls(cells: Array) -> Pairs:
+    """Pairs of which one has a wall that holds all of the other's."""
+    low, high = cells[:, None, 4] - cells[:, 2], cells[:, None, 5] - cells[:, 3]
+    pairs = left_first(cells)
+    return np.sort(pairs[low[*pairs.T] * high[*pairs.T] <= 0], axis=1)

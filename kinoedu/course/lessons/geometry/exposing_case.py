@@ -1,0 +1,66 @@
+"""The exercise "break it" of lesson 1: find an input on which a program that looks right is wrong."""
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from ....errors import InvalidPoint, InvalidPolygon
+from ....geometry import point_polygon_distance, point_segment_distance
+from ....geometry.checks import Array
+from ....words import say
+from ...exercise import RIGHT, Case, Exercise, Verdict
+from ...outcomes import Answer, Outcome
+from ...shapes import Numbers, Record, Together
+from ..shared.pictures import draw_crossings
+
+
+class ExposeRayCounting(Exercise):
+    """Break it: a point and a polygon on which `ray_counting_distance` is wrong."""
+
+    name = "exposing_case"
+    lesson = "01_geometry"
+    kinds = ("valid", "exposes", "smallest")
+    given = Record()
+    answer = Together((Numbers((2,)), Numbers(("n", 2))))
+
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """The same question three times: each asks more of the answer."""
+        return (Case(kind, {}) for kind in self.kinds)
+
+    def value_verdict(self, case: Case, value: Any) -> Verdict:
+        """A simple polygon; on which the program is wrong; with three vertices."""
+        q, polygon = value
+        if not np.isfinite(q).all() or not np.isfinite(polygon).all() or max(np.abs(q).max(), np.abs(polygon).max(initial=0)) > 1e4:
+            return Verdict(0.0, "range", self.wanted(case))
+        try:
+            wrong = abs(ray_counting_distance(q, polygon) - point_polygon_distance(q, polygon)) > 1e-6
+        except (InvalidPolygon, InvalidPoint):
+            return Verdict(0.0, "valid", self.wanted(case))
+        if case.kind != "valid" and not wrong:
+            return Verdict(0.0, "exposes", self.wanted(case))
+        if case.kind == "smallest" and len(polygon) > 3:
+            return Verdict(0.0, "smallest", self.wanted(case))
+        return RIGHT
+
+    def wanted(self, case: Case) -> str:
+        """What is asked for."""
+        return say(f"exposing_case.wanted.{case.kind}")
+
+    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+        """The polygon, the point and what its ray crosses."""
+        draw_crossings(outcome.value if isinstance(outcome, Answer) else None, ax)
+
+
+def ray_counting_distance(q: Array, polygon: Array) -> float:
+    """The distance from q to a polygon, 0 inside: a ray from the inside to the right crosses the boundary an odd number of times.
+
+    It is wrong somewhere. Where?
+    """
+    crossings, distance = 0, np.inf
+    for a, b in zip(polygon, np.roll(polygon, -1, axis=0)):
+        distance = min(distance, point_segment_distance(q, a, b))
+        if a[1] != b[1] and min(a[1], b[1]) <= q[1] <= max(a[1], b[1]):
+            x = a[0] + (q[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0])
+            crossings += x > q[0]
+    return 0.0 if crossings % 2 == 1 else distance

@@ -1,0 +1,75 @@
+"""The exercise `line_through_points`. Bullo & Smith, chapter 1."""
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from ....geometry import line_through_points
+from ....geometry.checks import Array
+from ...exercise import RIGHT, Case, Slip, ValueExercise, Verdict
+from ...outcomes import Answer, Outcome
+from ...shapes import Numbers, Record
+from ..shared.pictures import draw_line
+from ..shared.random_shapes import points, sizes
+from .lines import LEVEL, POINT, UPRIGHT
+
+
+class LineThroughPoints(ValueExercise):
+    """Two points to the line a x + b y + c = 0 with a^2 + b^2 = 1; either sign."""
+
+    name = "line_through_points"
+    lesson = "01_geometry"
+    kinds = ("slanted", "level", "upright", "coincident")
+    given = Record(p1=POINT, p2=POINT)
+    answer = Numbers((3,))
+    source = staticmethod(line_through_points)
+    slips = (
+        Slip("unscaled", lambda p1, p2: (p1[1] - p2[1], p2[0] - p1[0], p1[0] * p2[1] - p2[0] * p1[1])),
+        Slip("direction", lambda p1, p2: direction_as_normal(p1, p2)),
+        Slip("c_unscaled", lambda p1, p2: np.array(line_through_points(p1, p2)) * (1, 1, np.linalg.norm(p2 - p1))),
+        Slip("sign_of_c", lambda p1, p2: np.array(line_through_points(p1, p2)) * (1, 1, -1)),
+    )
+    reference = staticmethod(line_through_points)
+
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """Small whole numbers first."""
+        for kind, p1, p2 in (
+            ("slanted", (0, 0), (3, 4)),
+            ("level", (0, 1), (5, 1)),
+            ("upright", (2, 0), (2, 3)),
+            ("slanted", (1, 0), (4, 4)),
+            ("slanted", (0, 5), (5, 0)),
+            ("level", (0, 0), (0.01, 0)),
+            ("coincident", (1, 2), (1, 2)),
+        ):
+            yield Case(kind, {"p1": np.array(p1, float), "p2": np.array(p2, float)})
+        for size in sizes(8):
+            p1, p2 = points(rng, 2, size)
+            yield Case("slanted" if (p1 != p2).all() else "level" if p1[1] == p2[1] else "upright", {"p1": p1, "p2": p2})
+            yield Case("level", {"p1": p1, "p2": p1 + LEVEL * rng.choice([-1.0, 1.0]) * (1 + rng.integers(9))})
+            yield Case("upright", {"p1": p1, "p2": p1 + UPRIGHT * rng.choice([-1.0, 1.0]) * (1 + rng.integers(9))})
+            yield Case("coincident", {"p1": p2, "p2": p2})
+
+    def value_verdict(self, case: Case, value: Any) -> Verdict:
+        """a^2 + b^2 = 1, and both points on the line."""
+        if self.same(value, self.truth(case)):
+            return RIGHT
+        a, b, _ = value
+        if not abs(a * a + b * b - 1.0) <= self.tolerance:
+            return Verdict(0.0, "unit", self.wanted(case))
+        return Verdict(0.0, "through", self.wanted(case))
+
+    def same(self, value: Any, truth: Any) -> bool:
+        """A line may be written with either sign."""
+        return super().same(value, truth) or super().same(np.negative(value), truth)
+
+    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+        """The points, the line through them and the student's."""
+        draw_line(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
+
+
+def direction_as_normal(p1: Array, p2: Array) -> tuple[float, float, float]:
+    """A line whose (a, b) points along it instead of across."""
+    a, b = (p2 - p1) / np.sqrt(((p2 - p1) * (p2 - p1)).sum())
+    return a, b, -(a * p1[0] + b * p1[1])

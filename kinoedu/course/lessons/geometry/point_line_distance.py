@@ -1,0 +1,91 @@
+"""The exercise `point_line_distance`. Bullo & Smith, chapter 1."""
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from ....geometry import point_line_distance, point_segment_distance
+from ....geometry.checks import Array
+from ...exercise import Case, Slip, ValueExercise
+from ...outcomes import Answer, Outcome
+from ...shapes import Number, Record
+from ..shared.pictures import draw_distance
+from ..shared.random_shapes import points, sizes
+from .lines import POINT, UPRIGHT
+
+
+class PointLineDistance(ValueExercise):
+    """The distance from a point to a line through two others."""
+
+    name = "point_line_distance"
+    lesson = "01_geometry"
+    kinds = ("beside", "beyond", "on", "upright", "coincident")
+    given = Record(q=POINT, p1=POINT, p2=POINT)
+    answer = Number()
+    source = staticmethod(point_line_distance)
+    slips = (
+        Slip("segment", point_segment_distance),
+        Slip("signed", lambda q, p1, p2: signed_distance(q, p1, p2)),
+        Slip("unscaled", lambda q, p1, p2: abs(cross(p2 - p1, q - p1))),
+        Slip("along", lambda q, p1, p2: abs(float(np.dot(q - p1, p2 - p1))) / float(np.linalg.norm(p2 - p1))),
+        Slip("square", lambda q, p1, p2: point_line_distance(q, p1, p2) ** 2),
+        Slip("half", lambda q, p1, p2: point_line_distance(q, p1, p2) / 2),
+        Slip("vertical", lambda q, p1, p2: abs(p1[1] + (p2[1] - p1[1]) * (q[0] - p1[0]) / (p2[0] - p1[0]) - q[1])),
+        Slip("rounded", lambda q, p1, p2: round(point_line_distance(q, p1, p2), 2)),
+        Slip("nearer_point", lambda q, p1, p2: min(np.linalg.norm(q - p1), np.linalg.norm(q - p2))),
+    )
+    reference = staticmethod(point_line_distance)
+
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """Small whole numbers first; both sides of the line, both ways along it."""
+        for kind, q, p1, p2 in (
+            ("beside", (2, 3), (0, 0), (4, 0)),
+            ("beside", (2, -3), (0, 0), (4, 0)),
+            ("beside", (3, 5), (1, 1), (5, 1)),
+            ("beside", (1, 7), (0, 0), (8, 6)),
+            ("beyond", (7, 4), (0, 0), (4, 0)),
+            ("upright", (3, 1), (0, 0), (0, 4)),
+            ("on", (2, 2), (0, 0), (4, 4)),
+            ("beyond", (-3, 1), (0, 0), (4, 0)),
+            ("beyond", (9000, 5), (0, 0), (4, 0)),
+            ("beside", (2, 0.0005), (0, 0), (4, 0)),
+            ("beside", (0, 3), (0, 0), (0.01, 0)),
+            ("coincident", (1, 1), (2, 2), (2, 2)),
+        ):
+            yield Case(kind, arguments(q, p1, p2))
+        for size in sizes(6):
+            p1, p2, q = points(rng, 3, size)
+            while p1[0] == p2[0]:
+                p1, p2, q = points(rng, 3, size)
+            along = float(np.dot(q - p1, p2 - p1) / np.dot(p2 - p1, p2 - p1))
+            yield Case("beside" if 0 <= along <= 1 else "beyond", arguments(q, p1, p2))
+            yield Case("beside", arguments((p1 + p2) / 2 + rng.uniform(0.2, 2) * turned(p2 - p1), p1, p2))
+            yield Case("beyond", arguments(p2 + rng.integers(1, 4) * (p2 - p1) + turned(p2 - p1), p1, p2))
+            yield Case("on", arguments(np.round(p1 + rng.integers(-3, 4) * (p2 - p1), 2), p1, p2))
+            yield Case("upright", arguments(q, p1, p1 + UPRIGHT * (1 + rng.integers(9))))
+            yield Case("coincident", arguments(q, p1, p1))
+
+    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+        """The line, the point, and a circle round it as large as each of the two distances."""
+        draw_distance(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
+
+
+def arguments(q: Any, p1: Any, p2: Any) -> dict[str, Array]:
+    """The arguments of a case."""
+    return {"q": np.array(q, float), "p1": np.array(p1, float), "p2": np.array(p2, float)}
+
+
+def turned(v: Array) -> Array:
+    """A vector turned a quarter to the left."""
+    return np.array([-v[1], v[0]])
+
+
+def cross(u: Array, v: Array) -> float:
+    """The z component of the cross product."""
+    return float(u[0] * v[1] - u[1] * v[0])
+
+
+def signed_distance(q: Array, p1: Array, p2: Array) -> float:
+    """Negative to the right of the way from p1 to p2."""
+    return cross(p2 - p1, q - p1) / float(np.linalg.norm(p2 - p1))

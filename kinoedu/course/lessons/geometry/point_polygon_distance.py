@@ -1,0 +1,79 @@
+"""The exercise `point_polygon_distance`. Bullo & Smith, chapter 1."""
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from ....geometry import point_polygon_distance
+from ....geometry.checks import Array
+from ....geometry.polygons import distances_to_ring, place
+from ...exercise import Case, Slip, ValueExercise
+from ...outcomes import Answer, Outcome
+from ...shapes import Number, Record
+from ..shared.pictures import draw_distance
+from ..shared.random_shapes import sizes
+from .lines import POINT
+from .polygons import CORNER, POLYGON, SQUARE, kind_of, nearest_on_edges, star_and_queries
+
+ROUND_SQUARE = ((2, -1), (7, 8), (-3, 2), (1, 1), (4, 2), (9000, 3), (-1, 4), (-2, 0))
+
+
+ROUND_CORNER = ((4, 3), (8, -2), (-1, 5), (1, 5), (5, 1), (2, 2), (1, 2), (4, 2.0005), (2, 3))
+
+
+class PointPolygonDistance(ValueExercise):
+    """The distance from a point to a polygon, 0 inside."""
+
+    name = "point_polygon_distance"
+    lesson = "01_geometry"
+    kinds = ("edge", "vertex", "closing", "inside", "boundary")
+    given = Record(q=POINT, polygon=POLYGON)
+    answer = Number()
+    source = staticmethod(point_polygon_distance)
+    shown = staticmethod(distances_to_ring)
+    slips = (
+        Slip("vertices", lambda q, polygon: min(np.linalg.norm(polygon - q, axis=1))),
+        Slip("open", lambda q, polygon: min(edge_distances(q, polygon)[:-1]) if place(*q, polygon) < 0 else 0.0),
+        Slip("open", lambda q, polygon: min(edge_distances(q, polygon)[:-1])),
+        Slip("rim", lambda q, polygon: min(edge_distances(q, polygon))),
+        Slip("lines", lambda q, polygon: min(line_distances(q, polygon)) if place(*q, polygon) < 0 else 0.0),
+        Slip("lines", lambda q, polygon: min(line_distances(q, polygon))),
+        Slip("first_edge", lambda q, polygon: edge_distances(q, polygon)[-1] if place(*q, polygon) < 0 else 0.0),
+        Slip("first_edge", lambda q, polygon: edge_distances(q, polygon)[0] if place(*q, polygon) < 0 else 0.0),
+        Slip("farthest", lambda q, polygon: max(edge_distances(q, polygon)) if place(*q, polygon) < 0 else 0.0),
+        Slip("centre", lambda q, polygon: float(np.linalg.norm(q - polygon.mean(axis=0)))),
+        Slip("signed", lambda q, polygon: -min(edge_distances(q, polygon)) if place(*q, polygon) < 0 else np.nan),
+        Slip("rim", lambda q, polygon: -min(edge_distances(q, polygon)) if place(*q, polygon) > 0 else np.nan),
+        Slip("rounded", lambda q, polygon: round(float(point_polygon_distance(q, polygon)), 2)),
+    )
+    reference = staticmethod(point_polygon_distance)
+
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """A square, an L, then larger stars; q nearest to an edge, a vertex, the edge that closes; inside; on the boundary."""
+        for polygon, queries in ((SQUARE, ROUND_SQUARE), (CORNER, ROUND_CORNER)):
+            for q in queries:
+                yield self.case(np.array(q, float), polygon)
+        for number, size in enumerate(sizes(6)):
+            star, points = star_and_queries(rng, 3 + number // 3, size, self.kinds)
+            for point in points:
+                yield self.case(point, star)
+
+    def case(self, q: Array, polygon: Array) -> Case:
+        """A case of the kind that it is."""
+        return Case(kind_of(q, polygon), {"q": q, "polygon": polygon})
+
+    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+        """The polygon, the point, and a circle round it as large as each of the two distances."""
+        draw_distance(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
+
+
+def edge_distances(q: Array, polygon: Array) -> Array:
+    """The distance of q to each edge, the closing one last; shape (n,)."""
+    return np.linalg.norm(nearest_on_edges(q, polygon) - q, axis=1)
+
+
+def line_distances(q: Array, polygon: Array) -> Array:
+    """The distance of q to the line through each edge; shape (n,)."""
+    sides = np.roll(polygon, -1, axis=0) - polygon
+    return np.abs(sides[:, 0] * (q - polygon)[:, 1] - sides[:, 1] * (q - polygon)[:, 0]) / np.linalg.norm(sides, axis=1)

@@ -1,0 +1,46 @@
+"""The exercise `bfs_path`. Bullo & Smith, chapter 2; LaValle, section 2.2."""
+
+from typing import ClassVar
+
+from .... import graphs
+from ....graphs.bfs import breadth_first
+from ...exercise import Case, Slip
+from ..shared.graph_slips import first_in, followed, tree_path, undirected
+from ..shared.random_graphs import Neighbours, as_graph
+from .paths import PathExercise, as_list, deep_path
+
+
+class BfsPath(PathExercise):
+    """A path of the fewest edges, any of them."""
+
+    name = "bfs_path"
+    last_rule = "fewest"
+    shown = staticmethod(breadth_first)
+    slips: ClassVar[tuple[Slip, ...]] = (
+        Slip("stack", lambda neighbours, start, goal: tree_path(neighbours, start, goal, at=-1)),
+        Slip("deep", lambda neighbours, start, goal: deep_path(neighbours, start, goal)),
+        Slip("late", lambda neighbours, start, goal: tree_path(neighbours, start, goal, late=True)),
+        Slip("order", lambda neighbours, start, goal: visited(neighbours, start, goal)),
+        Slip("reversed", lambda neighbours, start, goal: (tree_path(neighbours, start, goal) or [])[::-1] or None),
+        Slip("undirected", lambda neighbours, start, goal: tree_path(undirected(neighbours), start, goal)),
+        Slip("from_goal", lambda neighbours, start, goal: (tree_path(neighbours, goal, start) or [])[::-1] or None),
+        Slip("goal_alone", lambda neighbours, start, goal: followed(first_in(neighbours, start)[0], goal)),
+        Slip("nowhere", lambda neighbours, start, goal: tree_path(neighbours, start, goal) if start != goal else None),
+    )
+
+    @staticmethod
+    def reference(neighbours: Neighbours, start: int, goal: int) -> list[int] | None:
+        """The library's path."""
+        return as_list(graphs.bfs_path(as_graph(neighbours), start, goal))
+
+    source = reference
+
+    def is_good(self, case: Case, path: list[int]) -> bool:
+        """Of the fewest edges."""
+        return len(path) == len(self.truth(case))
+
+
+def visited(neighbours: Neighbours, start: int, goal: int) -> list[int] | None:
+    """The order of visit of a breadth-first search up to the goal, for a path."""
+    order = first_in(neighbours, start)[1]
+    return order[: order.index(goal) + 1] if goal in order else None

@@ -1,0 +1,138 @@
+"""The exercise `bfs_tree`. Bullo & Smith, chapter 2."""
+
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import numpy as np
+
+from .... import graphs
+from ....graphs.bfs import breadth_first
+from ....words import say
+from ...exercise import CONTRACT, RIGHT, Case, Slip, Verdict, spoken
+from ...outcomes import Answer, Outcome
+from ...shapes import Listed, Record
+from ...whole_shapes import Whole
+from ..shared.graph_slips import depths, first_in, undirected
+from ..shared.random_graphs import Neighbours, as_graph, lists, random_graphs
+from .on_graphs import NODES, OnGraph
+from .pictures import draw_tree_answer
+
+NEIGHBOURS = Listed(NODES)
+
+
+LINE, RING = [(0, 1), (1, 2)], [(0, 1), (1, 2), (2, 3), (0, 3)]
+
+
+ROUND_TRIP, TRIANGLE = [(0, 1), (1, 2), (2, 0)], [(0, 1), (0, 2), (1, 2)]
+
+
+class BfsTree(OnGraph):
+    """Adjacency lists and a start to the parents in any breadth-first tree."""
+
+    name = "bfs_tree"
+    kinds = ("small", "cycle", "directed", "unreachable")
+    given = Record(neighbours=NEIGHBOURS, start=Whole())
+    answer = NODES
+    shown = staticmethod(breadth_first)
+    variants = ("smallest", "largest")
+    slips = (
+        Slip("order", lambda neighbours, start: first_in(neighbours, start)[1]),
+        Slip("stack", lambda neighbours, start: first_in(neighbours, start, at=-1)[0]),
+        Slip("late", lambda neighbours, start: first_in(neighbours, start, late=True)[0]),
+        Slip("own_parent", lambda neighbours, start: with_start(first_in(neighbours, start)[0], start, start)),
+        Slip("zeros", lambda neighbours, start: unmarked(neighbours, start)),
+        Slip("from_one", lambda neighbours, start: [p + 1 for p in first_in(neighbours, start)[0]]),
+        Slip("distances", depths),
+        Slip("undirected", lambda neighbours, start: first_in(undirected(neighbours), start)[0]),
+    )
+
+    @staticmethod
+    def reference(neighbours: Neighbours, start: int) -> list[int]:
+        """The library's tree."""
+        return [int(p) for p in graphs.bfs_tree(as_graph(neighbours), start)]
+
+    source = reference
+
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """Graphs that fit on a finger first."""
+        for kind, n, edges, start in (
+            ("small", 2, [(0, 1)], 0),
+            ("small", 3, LINE, 0),
+            ("small", 3, LINE, 1),
+            ("cycle", 3, TRIANGLE, 0),
+            ("cycle", 4, RING, 2),
+            ("directed", 3, ROUND_TRIP, 1),
+            ("directed", 3, TRIANGLE, 0),
+            ("unreachable", 3, [(0, 1)], 1),
+            ("unreachable", 1, [], 0),
+        ):
+            yield Case(kind, {"neighbours": lists(n, edges, directed=kind == "directed")[0], "start": start})
+        for shape, neighbours, _ in random_graphs(rng):
+            kind = {"tree": "small", "parts": "unreachable"}.get(shape, shape)
+            yield Case(kind, {"neighbours": neighbours, "start": int(rng.integers(len(neighbours)))})
+
+    def value_verdict(self, case: Case, value: Any) -> Verdict:
+        """Each reached node's parent has an edge to it, and is one edge nearer to the start; ties go as the contract says."""
+        rule = tree_fault(case.given["neighbours"], case.given["start"], value)
+        if not rule and self.variant and list(value) != self.truth(case):
+            rule = CONTRACT
+        return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
+
+    def truth(self, case: Case) -> Any:
+        """One such tree: the library's, or the contract's."""
+        if not self.variant:
+            return super().truth(case)
+        return tree_of_extremes(case.given["neighbours"], case.given["start"], min if self.variant == "smallest" else max)
+
+    def wanted(self, case: Case) -> str:
+        """One such tree."""
+        if self.variant:
+            return spoken(self.truth(case))
+        return say("bfs_tree.wanted", value=spoken(self.truth(case)))
+
+    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+        """The graph, how far each node is, and the student's arrows from parents to children."""
+        from ....figures import plane
+
+        far = graphs.bfs(as_graph(case.given["neighbours"]), case.given["start"]).cost
+        value, wanted = outcome.value if isinstance(outcome, Answer) else None, self.truth(case) if self.variant else None
+        draw_tree_answer(self, case, value, far, ax, wanted)
+        if self.judge(case, outcome).rule == CONTRACT:
+            plane.title(self.words("pictures.contract"), ax)
+
+
+def tree_of_extremes(neighbours: Neighbours, start: int, choose: Callable[[list[int]], int]) -> list[int]:
+    """The breadth-first tree in which each node chooses among all that could be its parent."""
+    far = graphs.bfs(as_graph(neighbours), start).cost
+    able: list[list[int]] = [[] for _ in neighbours]
+    for v, row in enumerate(neighbours):
+        for u in row:
+            if np.isfinite(far[v]) and far[v] + 1 == far[u]:
+                able[u].append(v)
+    return [choose(nodes) if nodes else -1 for nodes in able]
+
+
+def with_start(parent: list[int], start: int, value: int) -> list[int]:
+    """The parents with another one for the start."""
+    return [*parent[:start], value, *parent[start + 1 :]]
+
+
+def unmarked(neighbours: Neighbours, start: int) -> list[int]:
+    """Parents that were 0 before the search began, where -1 was meant; that of the start is right."""
+    parent, order = first_in(neighbours, start)
+    return [parent[u] if u in order else 0 for u in range(len(neighbours))]
+
+
+def tree_fault(neighbours: Neighbours, start: int, parent: list[int]) -> str:
+    """The rule that parents break, or ""."""
+    far = graphs.bfs(as_graph(neighbours), start).cost
+    if len(parent) != len(neighbours):
+        return "length"
+    if parent[start] != -1:
+        return "start"
+    reached = [u for u in range(len(parent)) if np.isfinite(far[u]) and u != start]
+    if any(parent[u] != -1 for u in range(len(parent)) if np.isinf(far[u])):
+        return "unreached"
+    if any(not 0 <= parent[u] < len(parent) or u not in neighbours[parent[u]] for u in reached):
+        return "edge"
+    return "nearer" if any(far[parent[u]] + 1 != far[u] for u in reached) else ""

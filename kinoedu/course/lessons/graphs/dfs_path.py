@@ -1,0 +1,37 @@
+"""The exercise `dfs_path`. Bullo & Smith, chapter 2; LaValle, section 2.2."""
+
+from typing import ClassVar
+
+from .... import graphs
+from ....graphs.dfs import depth_first
+from ...exercise import Case, Slip
+from ..shared.graph_slips import entered, never_back, undirected, walked
+from ..shared.random_graphs import Neighbours, as_graph
+from .paths import PathExercise, as_list, deep_path
+
+
+class DfsPath(PathExercise):
+    """Any path that meets no node twice."""
+
+    name = "dfs_path"
+    last_rule = "simple"
+    shown = staticmethod(depth_first)
+    slips: ClassVar[tuple[Slip, ...]] = (
+        Slip("order", entered),
+        Slip("walk", walked),
+        Slip("never_back", never_back),
+        Slip("reversed", lambda neighbours, start, goal: (deep_path(neighbours, start, goal) or [])[::-1] or None),
+        Slip("undirected", lambda neighbours, start, goal: deep_path(undirected(neighbours), start, goal)),
+        Slip("nowhere", lambda neighbours, start, goal: deep_path(neighbours, start, goal) if start != goal else None),
+    )
+
+    @staticmethod
+    def reference(neighbours: Neighbours, start: int, goal: int) -> list[int] | None:
+        """The library's path."""
+        return as_list(graphs.dfs_path(as_graph(neighbours), start, goal))
+
+    source = reference
+
+    def is_good(self, case: Case, path: list[int]) -> bool:
+        """No node twice."""
+        return len(set(path)) == len(path)

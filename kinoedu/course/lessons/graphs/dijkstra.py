@@ -1,0 +1,87 @@
+"""The exercise `dijkstra`. Bullo & Smith, chapter 2; LaValle, section 2.2."""
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from .... import graphs
+from ....graphs.search import expand
+from ...exercise import Case, Slip, ValueExercise
+from ...outcomes import Answer, Outcome
+from ...shapes import Numbers, Record
+from ...whole_shapes import Whole
+from ..shared.graph_slips import best_first, depths, in_turn, lightest_first
+from ..shared.random_graphs import Neighbours, Weights, as_graph, lists, random_graphs
+from .bfs_tree import NEIGHBOURS
+from .pictures import draw_costs
+from .weighted import DETOUR, LATE_GAIN, WEIGHTS, both_ways
+
+LIGHT_EDGES = [(0, 1, 3), (0, 3, 4), (1, 2, 3), (2, 3, 1), (2, 4, 1)]
+
+
+class Dijkstra(ValueExercise):
+    """Adjacency lists with weights and a start to the least cost of every node."""
+
+    name = "dijkstra"
+    lesson = "04_graph_search"
+    kinds = ("small", "detour", "directed", "unreachable", "negative")
+    given = Record(neighbours=NEIGHBOURS, weights=WEIGHTS, start=Whole())
+    answer = Numbers(("n",))
+    shown = staticmethod(expand)
+    slips = (
+        Slip("edges", lambda neighbours, weights, start: [float(d) if d >= 0 else np.inf for d in depths(neighbours, start)]),
+        Slip("first_found", lambda neighbours, weights, start: best_first(neighbours, weights, start, improves=False)[0]),
+        Slip(
+            "last_edge",
+            lambda neighbours, weights, start: best_first(neighbours, weights, start, from_node=False, reopens=False)[0],
+        ),
+        Slip("overwritten", lambda neighbours, weights, start: best_first(neighbours, weights, start, overwrites=True)[0]),
+        Slip("in_turn", in_turn),
+        Slip("lightest_first", lightest_first),
+        Slip("undirected", lambda neighbours, weights, start: best_first(*both_ways(neighbours, weights), start)[0]),
+        Slip("minus_one", lambda neighbours, weights, start: finite_or(best_first(neighbours, weights, start)[0], -1.0)),
+        Slip("zero", lambda neighbours, weights, start: finite_or(best_first(neighbours, weights, start)[0], 0.0)),
+    )
+
+    @staticmethod
+    def reference(neighbours: Neighbours, weights: Weights, start: int) -> list[float]:
+        """The library's costs; a ValueError where a weight is negative."""
+        return graphs.dijkstra(as_graph(neighbours, weights), start).cost.tolist()
+
+    source = reference
+
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """Graphs that fit on a finger first."""
+        for kind, n, rows, start in (
+            ("small", 2, [(0, 1, 3)], 0),
+            ("small", 3, [(0, 1, 2), (1, 2, 3)], 0),
+            ("detour", 3, DETOUR, 0),
+            ("detour", 4, LATE_GAIN, 0),
+            ("detour", 5, LIGHT_EDGES, 0),
+            ("directed", 3, [(0, 1, 2), (1, 2, 2), (2, 0, 1)], 0),
+            ("unreachable", 3, [(0, 1, 2)], 1),
+            ("detour", 3, [(0, 1, 0), (1, 2, 0.5), (0, 2, 1)], 2),
+            ("negative", 3, [(0, 1, 2), (1, 2, -1)], 0),
+            ("negative", 4, [(0, 1, 2), (2, 3, -1)], 0),
+            ("unreachable", 1, [], 0),
+        ):
+            directed = kind in ("directed", "negative")
+            yield Case(kind, dict(zip(self.given.fields, (*lists(n, rows, directed=directed), start))))
+        for shape, neighbours, weights in random_graphs(rng):
+            kind = {"tree": "small", "cycle": "detour", "parts": "unreachable"}.get(shape, shape)
+            start = int(rng.integers(len(neighbours)))
+            yield Case(kind, {"neighbours": neighbours, "weights": weights, "start": start})
+            if kind == "directed":
+                spoilt = [row.copy() for row in weights]
+                spoilt[int(rng.integers(len(spoilt)))][0] = -float(rng.integers(1, 4))
+                yield Case("negative", {"neighbours": neighbours, "weights": spoilt, "start": start})
+
+    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+        """The graph with its weights, and both costs of every node."""
+        draw_costs(self, case, outcome.value if isinstance(outcome, Answer) else None, self.truth(case), ax)
+
+
+def finite_or(costs: list[float], other: float) -> list[float]:
+    """The costs, with another number for infinite ones."""
+    return [cost if np.isfinite(cost) else other for cost in costs]

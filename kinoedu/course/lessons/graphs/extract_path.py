@@ -1,0 +1,82 @@
+"""The exercise `extract_path`. Bullo & Smith, chapter 2."""
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from .... import graphs
+from ....errors import InvalidGraph
+from ...exercise import Case, Slip
+from ...outcomes import Answer, Outcome
+from ...shapes import Maybe, Record
+from ...whole_shapes import Whole
+from ..shared.graph_slips import followed
+from .on_graphs import NODES, OnGraph
+from .pictures import draw_pointers
+
+
+class ExtractPath(OnGraph):
+    """Parents and a goal to the nodes from the root to it."""
+
+    name = "extract_path"
+    kinds = ("root", "tree", "forest", "circle")
+    given = Record(parent=NODES, goal=Whole())
+    answer = Maybe(NODES)
+    shown = staticmethod(graphs.extract_path)
+    slips = (
+        Slip("reversed", lambda parent, goal: (followed(parent, goal) or [])[::-1] or None),
+        Slip("no_goal", lambda parent, goal: (followed(parent, goal) or [])[:-1]),
+        Slip("no_root", lambda parent, goal: (followed(parent, goal) or [])[1:]),
+        Slip("root_none", lambda parent, goal: None if parent[goal] == -1 else followed(parent, goal)),
+        Slip("one_step", lambda parent, goal: [p for p in (parent[goal], goal) if p != -1]),
+        Slip("parents", lambda parent, goal: [parent[u] for u in followed(parent, goal) or []]),
+    )
+
+    @staticmethod
+    def reference(parent: list[int], goal: int) -> list[int] | None:
+        """The library's path; None where it says that parents lead to no root."""
+        try:
+            return [int(u) for u in graphs.extract_path(np.array(parent, np.int64), goal)]
+        except InvalidGraph:
+            return None
+
+    source = reference
+
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """A few parents by hand; then trees, forests and circles with tails."""
+        for kind, parent, goal in (
+            ("root", [-1, 0], 0),
+            ("tree", [-1, 0, 1], 2),
+            ("tree", [-1, 0, 0, 2], 3),
+            ("tree", [2, 0, -1], 1),
+            ("forest", [-1, 0, -1, 2], 3),
+            ("root", [1, -1, 1], 1),
+            ("circle", [1, 0], 0),
+            ("circle", [0], 0),
+            ("circle", [1, 2, 1, 0], 3),
+        ):
+            yield Case(kind, {"parent": parent, "goal": goal})
+        for n in (4, 5, 6, 7, 8, 10, 12, 16, 24, 40, 60):
+            for kind in self.kinds:
+                yield Case(kind, {"parent": (found := random_parents(kind, n, rng))[0], "goal": found[1]})
+
+    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+        """Each node and the arrow from its parent to it; the path, and the student's."""
+        draw_pointers(self, case, outcome.value if isinstance(outcome, Answer) else None, self.truth(case), ax)
+
+
+def random_parents(kind: str, n: int, rng: np.random.Generator) -> tuple[list[int], int]:
+    """Parents of n nodes, numbered at random, and a goal.
+
+    "root": one tree, whose root it is; "tree": low in it; "forest": low in the second of two; "circle": in a circle, or on a tail.
+    """
+    name, low = rng.permutation(n), n // 2 if kind == "forest" else 0
+    parent = [-1] * n
+    for i in range(1, n):
+        above = int(rng.integers(max(i - 3, low if i > low else 0), i))
+        if i != low:
+            parent[name[i]] = int(name[i - 1 if kind == "circle" and i < n - 1 else above])
+    if kind == "circle":
+        parent[name[0]] = int(name[n - 2])
+    return parent, int(name[0 if kind == "root" else n - 1 - int(rng.integers(2))])

@@ -1,0 +1,82 @@
+"""The exercise "break it" of lesson 4: an estimate that leads A* to a path that is not the shortest."""
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from .... import graphs
+from ....words import say
+from ...exercise import RIGHT, Case, Exercise, Verdict
+from ...outcomes import Answer, Outcome
+from ...shapes import Listed, Number, Record, Together
+from ...whole_shapes import Whole
+from ..shared.random_graphs import as_graph
+from .bfs_tree import NEIGHBOURS
+from .paths import as_list
+from .pictures import draw_misled
+from .weighted import WEIGHTS
+
+MOST_NODES = 20
+
+
+class MisleadingEstimate(Exercise):
+    """Break it: a graph and an estimate for which A* returns a path that is not the shortest."""
+
+    name = "misleading_estimate"
+    lesson = "04_graph_search"
+    kinds = ("valid", "misleads", "smallest")
+    given = Record()
+    answer = Together((NEIGHBOURS, WEIGHTS, Listed(Number()), Whole(), Whole()))
+
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """The same question three times: each asks more of the answer."""
+        return (Case(kind, {}) for kind in self.kinds)
+
+    def value_verdict(self, case: Case, value: Any) -> Verdict:
+        """A graph with an estimate; that misleads our A*; of three nodes."""
+        rule = graph_fault(*value)
+        if not rule and case.kind != "valid":
+            found, best = both_costs(*value)
+            rule = "path" if np.isinf(best) else "misleads" if found <= best + 1e-6 * (1.0 + best) else ""
+            rule = rule or ("smallest" if case.kind == "smallest" and len(value[0]) > 3 else "")
+        return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
+
+    def wanted(self, case: Case) -> str:
+        """What is asked for."""
+        return say(f"misleading_estimate.wanted.{case.kind}")
+
+    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+        """The graph, what A* returns and what is shortest."""
+        value = outcome.value if isinstance(outcome, Answer) and not graph_fault(*outcome.value) else None
+        draw_misled(self, value, (None, None) if value is None else both_paths(*value), ax)
+
+
+def graph_fault(neighbours: Any, weights: Any, estimate: Any, start: int, goal: int) -> str:
+    """The rule that keeps it from being a question for A*, or ""."""
+    n = len(neighbours)
+    if not 0 < n <= MOST_NODES or len(weights) != n or len(estimate) != n or not (0 <= start < n and 0 <= goal < n):
+        return "valid"
+    if any(len(row) != len(beside) for row, beside in zip(neighbours, weights)):
+        return "valid"
+    if any(not 0 <= v < n or v == u for u, row in enumerate(neighbours) for v in row):
+        return "valid"
+    if any(len(set(row)) < len(row) for row in neighbours):
+        return "valid"
+    numbers = [*estimate, *(w for row in weights for w in row)]
+    if not all(0.0 <= number <= 1e6 for number in numbers):
+        return "range"
+    return "at_goal" if estimate[goal] != 0.0 else ""
+
+
+def both_paths(neighbours: Any, weights: Any, estimate: Any, start: int, goal: int) -> tuple[Any, Any]:
+    """The path of our A* by that estimate, and a shortest one; None where there is none."""
+    graph = as_graph(neighbours, weights)
+    return as_list(graphs.astar(graph, start, goal, estimate)[0]), as_list(graphs.astar(graph, start, goal)[0])
+
+
+def both_costs(neighbours: Any, weights: Any, estimate: Any, start: int, goal: int) -> tuple[float, float]:
+    """The cost of the path that A* returns by this estimate, and of a cheapest one; infinite where there is none."""
+    graph = as_graph(neighbours, weights)
+    found, best = graphs.astar(graph, start, goal, estimate)[1], graphs.astar(graph, start, goal)[1]
+    return float(found.cost[goal]), float(best.cost[goal])

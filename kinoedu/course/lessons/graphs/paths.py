@@ -1,0 +1,100 @@
+"""Shared by the exercises on paths in graphs without weights. Bullo & Smith, chapter 2; LaValle, section 2.2."""
+
+from collections.abc import Iterator
+from typing import Any, ClassVar
+
+import numpy as np
+
+from .... import graphs
+from ...exercise import RIGHT, Case, Verdict, spoken
+from ...outcomes import Answer, Outcome
+from ...shapes import Maybe, Record
+from ...whole_shapes import Whole
+from ..shared.random_graphs import Neighbours, as_graph, far_pair, lists, lost_pair, random_graphs
+from .bfs_tree import LINE, NEIGHBOURS, RING, ROUND_TRIP, TRIANGLE
+from .on_graphs import NODES, OnGraph
+from .pictures import draw_path_answer
+
+FORK = [(0, 1), (1, 2), (0, 3)]
+
+
+KINDS = ("small", "cycle", "directed", "unreachable", "start_is_goal")
+
+
+class PathExercise(OnGraph):
+    """An exercise that asks for a path between two nodes, or None."""
+
+    kinds: ClassVar[tuple[str, ...]] = KINDS
+    given: ClassVar[Record] = Record(neighbours=NEIGHBOURS, start=Whole(), goal=Whole())
+    answer = Maybe(NODES)
+    last_rule: ClassVar[str] = ""
+
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """Graphs that fit on a finger first."""
+        for kind, n, edges, start, goal in (
+            ("small", 2, [(0, 1)], 0, 1),
+            ("small", 3, LINE, 0, 2),
+            ("small", 4, FORK, 0, 3),
+            ("small", 4, FORK, 3, 2),
+            ("start_is_goal", 2, [(0, 1)], 1, 1),
+            ("cycle", 3, TRIANGLE, 0, 2),
+            ("cycle", 4, RING, 0, 3),
+            ("cycle", 4, [*RING, (1, 3)], 1, 3),
+            ("cycle", 5, [*TRIANGLE, (2, 3), (3, 4)], 0, 4),
+            ("directed", 3, ROUND_TRIP, 1, 0),
+            ("directed", 4, [(0, 1), (1, 2), (2, 3), (3, 0)], 0, 3),
+            ("unreachable", 3, [(0, 1)], 0, 2),
+            ("start_is_goal", 1, [], 0, 0),
+        ):
+            yield from self.asked(kind, lists(n, edges, directed=kind == "directed")[0], start, goal)
+        yield from self.asked("unreachable", [[], [0]], 0, 1)  # against the only edge
+        for shape, neighbours, _ in random_graphs(rng):
+            kind = {"tree": "small", "parts": "unreachable"}.get(shape, shape)
+            yield from self.asked(kind, neighbours, *(lost_pair if shape == "parts" else far_pair)(neighbours, rng))
+            if shape == "cycle":
+                yield from self.asked("start_is_goal", neighbours, *(int(rng.integers(len(neighbours))),) * 2)
+
+    def asked(self, kind: str, neighbours: Neighbours, start: int, goal: int) -> Iterator[Case]:
+        """The case of a question."""
+        yield Case(kind, {"neighbours": neighbours, "start": start, "goal": goal})
+
+    def value_verdict(self, case: Case, value: Any) -> Verdict:
+        """Every edge of the path is verified; then what this exercise asks of it."""
+        rule = path_fault(case, value, self.truth(case)) or (self.last_rule if value and not self.is_good(case, value) else "")
+        return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
+
+    def is_good(self, case: Case, path: list[int]) -> bool:
+        """Whether a path from start to goal along edges is one that is asked for."""
+        raise NotImplementedError
+
+    def wanted(self, case: Case) -> str:
+        """One such path."""
+        truth = self.truth(case)
+        return spoken(truth) if truth is None or len(truth) < 2 else self.words("wanted", value=spoken(truth))
+
+    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+        """The graph, a right path and the student's."""
+        draw_path_answer(self, case, outcome.value if isinstance(outcome, Answer) else None, self.truth(case), ax)
+
+
+def path_fault(case: Case, path: list[int] | None, truth: list[int] | None) -> str:
+    """What keeps it from being a path from start to goal: the rule, or ""."""
+    neighbours, start, goal = (case.given[name] for name in ("neighbours", "start", "goal"))
+    if path is None:
+        return "" if truth is None else "missing"
+    if truth is None:
+        return "unreachable"
+    if not path or path[0] != start or path[-1] != goal:
+        return "ends"
+    n = len(neighbours)
+    return "" if all(0 <= u < n and v in neighbours[u] for u, v in zip(path[:-1], path[1:])) else "edge"
+
+
+def as_list(path: Any) -> list[int] | None:
+    """A path of the library's as plain numbers."""
+    return None if path is None else [int(u) for u in path]
+
+
+def deep_path(neighbours: Neighbours, start: int, goal: int) -> list[int] | None:
+    """The path of a depth-first search."""
+    return as_list(graphs.dfs_path(as_graph(neighbours), start, goal))

@@ -1,0 +1,169 @@
+"""Pictures of failing cases on graphs. What is true is solid and green, what the student's program says dashed and orange."""
+
+from typing import Any
+
+import numpy as np
+
+from ....words import say
+from ...exercise import Case, Exercise, spoken
+from ..shared.random_graphs import as_graph, symmetric
+
+MOST_LABELS = 30  # nodes with words beside them
+MOST_STEPS = 100  # of a path: a longer one is told in words
+# figures are imported inside the functions: matplotlib is not needed until something is wrong
+
+
+def draw_tree_answer(
+    exercise: Exercise, case: Case, value: list[int] | None, far: Any, ax: Any, wanted: list[int] | None = None
+) -> None:
+    """The graph, at each node how many edges away it is, and the student's arrows from parents to children. wanted : the one tree
+    that is right, where ties do not go either way.
+    """
+    from ....figures import palette
+
+    neighbours, start = case.given["neighbours"], case.given["start"]
+    places = draw_ground(case, ax, highlight=[start])
+    for u, d in enumerate(far):
+        words = say("graph_picture.start") if u == start else say("graph_picture.far", d=f"{d:.0f}") if d < np.inf else ""
+        beside(places, u, words or say("graph_picture.unreached"), ax, palette.START)
+    if value is not None and len(value) == len(neighbours):
+        for u, p in enumerate(value):
+            if 0 <= p < len(value) and p != u:
+                good = u in neighbours[p] and far[p] + 1 == far[u] and (wanted is None or wanted[u] == p)
+                pointer(places, p, u, ax, palette.START if good else palette.GOAL, "-" if good else "--")
+    note(value, ax)
+    finish(exercise, case, ax)
+
+
+def draw_pointers(exercise: Exercise, case: Case, value: list[int] | None, truth: list[int] | None, ax: Any) -> None:
+    """The arrow from each node's parent to it; the path from the root, and the student's."""
+    from ....figures import palette
+
+    parent = case.given["parent"]
+    places = draw_ground(case, ax, highlight=[case.given["goal"]])
+    for u, p in enumerate(parent):
+        if p >= 0 and p != u:
+            pointer(places, p, u, ax, palette.OUTSIDE, "-", width=1.8)
+        elif p == -1:
+            beside(places, u, say("graph_picture.root"), ax, palette.INK)
+    draw_ways(places, truth, value, ax)
+    finish(exercise, case, ax)
+
+
+def draw_path_answer(exercise: Exercise, case: Case, value: list[int] | None, truth: list[int] | None, ax: Any) -> None:
+    """The graph, a right path and the student's; weights and estimates where there are some."""
+    draw_question(case.given, value, truth, ax)
+    finish(exercise, case, ax)
+
+
+def draw_misled(exercise: Exercise, value: Any, paths: tuple[Any, Any], ax: Any) -> None:
+    """A graph with an estimate, what A* returns, and what is shortest."""
+    from ....figures import palette, plane
+
+    if value is None:
+        plane.frame([(0, 0), (1, 1)], ax)
+        plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
+    else:
+        draw_question(dict(zip(("neighbours", "weights", "estimate", "start", "goal"), value)), *paths, ax)
+    ax.set_axis_off()
+    plane.title(exercise.words("picture"), ax)
+
+
+def draw_question(given: dict[str, Any], value: Any, truth: Any, ax: Any) -> None:
+    """A graph with a start and a goal, and two ways."""
+    from ....figures import palette
+
+    start, goal = given["start"], given["goal"]
+    places = draw_ground(Case("", given), ax, highlight=[start, goal])
+    for u in range(len(places)):
+        words = [words for words, node in ((say("graph_picture.start"), start), (say("graph_picture.goal"), goal)) if node == u]
+        if "estimate" in given and len(places) <= 16:
+            words.append(say("graph_picture.estimate", value=f"{given['estimate'][u]:.3g}"))
+        beside(places, u, ", ".join(words), ax, palette.INK)
+    draw_ways(places, truth, value, ax)
+
+
+def draw_costs(exercise: Exercise, case: Case, value: Any, truth: Any, ax: Any) -> None:
+    """The graph with its weights, and at each node its cost; and the student's where it is another one."""
+    from ....figures import palette
+
+    places = draw_ground(case, ax, highlight=[case.given["start"]])
+    fits = value is not None and not isinstance(truth, ValueError) and len(value) == len(truth)
+    for u in range(len(places)):
+        if isinstance(truth, ValueError):
+            beside(places, u, say("graph_picture.start") if u == case.given["start"] else "", ax, palette.INK)
+        elif fits and not (value[u] == truth[u] or abs(value[u] - truth[u]) <= 1e-6 * (1.0 + abs(truth[u]))):
+            words = say("graph_picture.cost", value=spoken(truth[u]), yours=spoken(float(value[u])))
+            beside(places, u, words, ax, palette.GOAL)
+        else:
+            beside(places, u, spoken(truth[u]), ax, palette.START)
+    note(value, ax)
+    finish(exercise, case, ax)
+
+
+def draw_ground(case: Case, ax: Any, *, highlight: list[int]) -> Any:
+    """The graph in grey, on a circle, its edges as lines where all lead both ways. Returns where its nodes are, shape (n, 2)."""
+    from ....figures import graphs, palette, plane
+    from ....graphs import Graph
+
+    neighbours = case.given.get("neighbours", [[] for _ in case.given.get("parent", [])])
+    weights: Any = case.given.get("weights")
+    graph = as_graph(neighbours)
+    if symmetric(neighbours, weights):
+        once = graph.edges[:, 0] <= graph.edges[:, 1]
+        graph = Graph(graph.size, graph.edges[once])
+    places = graphs.layout(graph)
+    plane.frame(np.vstack([places, [(-1.0, -1.0), (1.0, 1.0)]]), ax, margin=0.14)
+    graphs.draw_graph(graph, ax, highlight=highlight)
+    for u, v in graph.edges.tolist() if weights is not None and graph.size <= 16 else []:
+        (x, y), aside = places[v] - places[u], graphs.bend(graph, u, v) / 2
+        weight = weights[u][neighbours[u].index(v)]  # the graph itself would refuse a negative one
+        at = (places[u] + places[v]) / 2 + aside * np.array([y, -x])
+        graphs.beside(at, f"{weight:.3g}", ax, (0, -5), palette.INK, "center")
+    return places
+
+
+def draw_ways(places: Any, truth: Any, value: Any, ax: Any) -> None:
+    """A right path, wide and green; the student's over it, dashed and orange."""
+    from ....figures import graphs, palette
+
+    for path, colour, width, style in ((truth, palette.START, 7.0, "-"), (value, palette.GOAL, 2.8, "--")):
+        nodes = [u for u in (path or [])[:MOST_STEPS] if 0 <= u < len(places)]
+        for u, v in zip(nodes[:-1], nodes[1:]):
+            for artist in graphs.link(places[u], places[v], ax, colour, arrow=True, width=width, gap=11.0):
+                artist.set(linestyle=style, zorder=4 if style == "-" else 5)
+    note(value, ax)
+
+
+def pointer(places: Any, p: int, u: int, ax: Any, colour: str, style: str, *, width: float = 2.8) -> None:
+    """An arrow from a parent to its child."""
+    from ....figures import graphs
+
+    for artist in graphs.link(places[p], places[u], ax, colour, arrow=True, width=width, gap=12.0, bend=0.12):
+        artist.set(linestyle=style, zorder=4)
+
+
+def beside(places: Any, u: int, words: str, ax: Any, colour: str) -> None:
+    """Words outside of the circle on which the nodes stand, as long as there is room for them."""
+    from ....figures import graphs
+
+    if not words or len(places) > MOST_LABELS:
+        return
+    x, y = places[u] / np.sqrt((places[u] * places[u]).sum())
+    graphs.beside(places[u], words, ax, (18 * x, 24 * y - 5), colour, "left" if x > 0.3 else "right" if x < -0.3 else "center")
+
+
+def note(value: Any, ax: Any) -> None:
+    """What the student's program answered, as far as it fits."""
+    from ....figures import palette, plane
+
+    words = say("picture.no_answer") if value is None else say("picture.yours", value=spoken(value))
+    plane.corner_note(words if len(words) <= 60 else words[:57] + "...", ax, colour=palette.GOAL)
+
+
+def finish(exercise: Exercise, case: Case, ax: Any) -> None:
+    """No scales, as places mean nothing here; and what to see."""
+    from ....figures import plane
+
+    ax.set_axis_off()
+    plane.title(exercise.words(f"pictures.{case.kind}"), ax)

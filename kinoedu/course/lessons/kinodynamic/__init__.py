@@ -1,0 +1,15 @@
+"""Lesson 13: Planning by driving, or trees of controls. Its exercises, as the notebook asks for them."""
+
+from .best_control import BestControl
+from .fastest_drive import FastestDrive
+from .heading_distance import HeadingDistance
+from .kinodynamic_prm import KinodynamicPrm
+from .kinodynamic_rrt import KinodynamicRrt
+
+EXERCISES = [
+    HeadingDistance,
+    BestControl,
+    KinodynamicRrt,
+    FastestDrive,
+    KinodynamicPrm,
+]

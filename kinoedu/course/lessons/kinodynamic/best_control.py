@@ -1,0 +1,205 @@
+"""The exercise on one step of a planner that drives: the best of some controls, cut where it is best."""
+
+import math
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import numpy as np
+
+from ....geometry.checks import Array
+from ....planners.driving import free_drive
+from ....spaces.angles import wrapped
+from ...drivable import DrivenTask, apart
+from ...exercise import Case, Slip, ValueExercise
+from ...outcomes import Answer, Outcome
+from ...shapes import Maybe, Number, Numbers, Record
+from ...whole_shapes import Whole, WholeNumbers
+from ..shared.small_problems import box
+from .garages import POSTS, in_garage
+
+POSE = Numbers((3,))
+Choice = tuple[int, int] | None
+
+
+def chosen(
+    off: Callable[..., float], is_free: Callable[..., bool], first: int = 1, cut: Callable[..., Any] = np.argmin
+) -> Callable[..., Choice]:
+    """A program that takes the control least off at its best step, counted from `first`, among those that pass for free."""
+
+    def choose(problem: Any, q: Array, target: Array, controls: Array, t: float, n: int) -> Choice:
+        best, least = None, math.inf
+        for i, (v, phi) in enumerate(controls):
+            away = [off(problem, problem.move(q, v, phi, k * t / n), target) for k in range(first, n + 1)]
+            k = int(cut(away))
+            if away[k] < least and is_free(problem, q, v, phi, (first + k) * t / n, t):
+                best, least = (i, first + k), away[k]
+        return best
+
+    return choose
+
+
+def distance(problem: Any, a: Array, b: Array) -> float:
+    """As the problem has it."""
+    return float(problem.distance(a, b))
+
+
+def up_to_cut(problem: Any, q: Array, v: float, phi: float, cut: float, _: float) -> bool:
+    """The drive as far as it is kept."""
+    return bool(problem.is_free_drive(q, v, phi, cut))
+
+
+def all_of_it(problem: Any, q: Array, v: float, phi: float, _: float, t: float) -> bool:
+    """The drive beyond its cut as well."""
+    return bool(problem.is_free_drive(q, v, phi, t))
+
+
+def its_end(problem: Any, q: Array, v: float, phi: float, cut: float, _: float) -> bool:
+    """The last pose alone."""
+    return bool(problem.problem.is_free(problem.move(q, v, phi, cut)))
+
+
+def anything(*_: Any) -> bool:
+    """No question asked."""
+    return True
+
+
+best_of_controls = chosen(distance, up_to_cut)
+
+
+def at_the_end(problem: Any, q: Array, target: Array, controls: Array, t: float, n: int) -> Choice:
+    """Nothing is cut."""
+    choice = chosen(distance, up_to_cut)(problem, q, target, controls, t, 1)
+    return choice and (choice[0], n)
+
+
+def picked_then_checked(*given: Any) -> Choice:
+    """The best of all, or none where that is not free."""
+    best = chosen(distance, anything)(*given)
+    return best if best == best_of_controls(*given) else None
+
+
+def counted_from_zero(*given: Any) -> Choice:
+    """A step too few."""
+    choice = best_of_controls(*given)
+    return choice and (choice[0], choice[1] - 1)
+
+
+def first_dip(away: list[float]) -> int:
+    """The step before the first that is farther away."""
+    return next((k for k in range(len(away) - 1) if away[k + 1] > away[k]), len(away) - 1)
+
+
+def cut_until_free(problem: Any, q: Array, target: Array, controls: Array, t: float, n: int) -> Choice:
+    """Every step is asked about: a control that touches something is cut before that."""
+    steps = [(i, k) for i in range(len(controls)) for k in range(1, n + 1)]
+    free = [(i, k) for i, k in steps if problem.is_free_drive(q, *controls[i], k * t / n)]
+    return min(free, key=lambda ik: distance(problem, problem.move(q, *controls[ik[0]], ik[1] * t / n), target), default=None)
+
+
+def only_closer(problem: Any, q: Array, target: Array, controls: Array, t: float, n: int) -> Choice:
+    """The least begins with how far q itself is away."""
+    choice = best_of_controls(problem, q, target, controls, t, n)
+    if choice is None:
+        return None
+    end = problem.move(q, *controls[choice[0]], choice[1] * t / n)
+    return choice if distance(problem, end, target) < distance(problem, q, target) else None
+
+
+def farthest(*given: Any) -> Choice:
+    """max for min."""
+    return chosen(lambda problem, a, b: -problem.distance(a, b), up_to_cut)(*given)
+
+
+MIDDLE = [post for post in POSTS if 60 <= min(post[0]) and max(post[0]) < 180]
+ROOMS = (
+    in_garage((30, 30, 0), (150, 150, 0)),
+    in_garage((30, 30, 0), (150, 150, 0), box(100, 112, 101, 125), box(118, 96, 119, 97), box(75, 75, 90, 80), *MIDDLE),
+)
+
+
+class BestControl(ValueExercise):
+    """Which of some controls to hold, and for how many steps."""
+
+    name = "best_control"
+    lesson = "13_kinodynamic_planning"
+    kinds = ("open", "cut", "blocked", "beyond", "none")
+    given = Record(problem=DrivenTask(), q=POSE, target=POSE, controls=Numbers(("m", 2)), t=Number(), n=Whole())
+    answer = Maybe(WholeNumbers((2,)))
+    source = staticmethod(best_of_controls)
+    shown = staticmethod(free_drive)
+    reference = staticmethod(best_of_controls)
+    slips = (
+        Slip("last", at_the_end),
+        Slip("unchecked", chosen(distance, anything)),
+        Slip("picked", picked_then_checked),
+        Slip("whole", chosen(distance, all_of_it)),
+        Slip("end_only", chosen(distance, its_end)),
+        Slip("place", chosen(lambda problem, a, b: math.dist(a[:2], b[:2]), up_to_cut)),
+        Slip("no_wrap", chosen(lambda problem, a, b: math.hypot(*(b - a)[:2], problem.radian * (b[2] - a[2])), up_to_cut)),
+        Slip("dip", chosen(distance, up_to_cut, cut=first_dip)),
+        Slip("shorter", cut_until_free),
+        Slip("closer", only_closer),
+        Slip("standing", chosen(distance, up_to_cut, 0)),
+        Slip("counted", counted_from_zero),
+        Slip("farthest", farthest),
+    )
+
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """A control straight on first; one that comes round again; then controls by chance, until there are enough of each kind."""
+        yield Case("open", given(ROOMS[0], (100, 100, 0), (110, 100, 0), [(2, 0), (-1, 0)], 4.0, 4))
+        yield Case("cut", given(ROOMS[0], (100, 100, 0), (104, 100, 0), [(2, 0), (-1, 0)], 4.0, 4))
+        yield Case("cut", given(ROOMS[0], (100, 100, 0), (90, 120, -2.6), [(2, 0.7), (-1, -0.2)], 60.0, 12))
+        drawn: dict[str, list[Case]] = {kind: [] for kind in self.kinds}
+        while min(map(len, drawn.values())) < 10:
+            case = self.drawn_case(rng)
+            if case is not None and len(drawn[case.kind]) < 10:
+                drawn[case.kind].append(case)
+        every = (case for cases in drawn.values() for case in cases)
+        yield from sorted(every, key=lambda case: len(case.given["controls"]) * case.given["n"])
+
+    def drawn_case(self, rng: np.random.Generator) -> Case | None:
+        """A case by chance, of the kind that it is; None where two controls are nearly as good, or nothing can be asked."""
+        room, n, m = ROOMS[int(rng.random() < 0.8)], int(rng.choice([2, 3, 5, 8, 12, 40])), int(rng.integers(2, 8))
+        q = np.round([*rng.uniform(60, 140, 2), rng.uniform(-3.1, 3.1)], 1)
+        target = np.round(q + rng.uniform((-25, -25, -1.5), (25, 25, 1.5)), 1)
+        controls = np.column_stack([rng.choice([-1.0, 2.0], m), np.round(rng.uniform(-0.78, 0.78, m), 2)])
+        if not room.problem.is_free(q):
+            return None
+        t = float(rng.integers(4, 20))
+        asked = given(room, q, np.array([*target[:2], wrapped(target[2])]), controls, t, n)
+        kind = kind_of(asked)
+        return Case(kind, asked) if kind else None
+
+    def same(self, value: Any, truth: Any) -> bool:
+        """The same control and the same step, or None for None."""
+        return value is None if truth is None else value is not None and list(value) == list(truth)
+
+    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+        """All drives; the right one, and the student's."""
+        from .pictures import draw_choice
+
+        draw_choice(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
+
+
+def given(room: Any, q: Any, target: Any, controls: Any, t: float, n: int) -> dict[str, Any]:
+    """The arguments of a case."""
+    poses = {"q": np.array(q, float), "target": np.array(target, float)}
+    return {"problem": room, **poses, "controls": np.array(controls, float), "t": t, "n": n}
+
+
+def kind_of(asked: dict[str, Any]) -> str:
+    """What a case is about; "" where two answers are nearly as good."""
+    room, q, target, controls, t, n = asked.values()
+    poses = room.poses_after(q, controls, t * np.arange(1, n + 1) / n)
+    away = np.sort(apart(poses, target, room.radian), axis=1)
+    least = np.sort(away[:, 0])
+    if np.diff(least).min() < 1e-3 or (n > 1 and (away[:, 1] - away[:, 0]).min() < 1e-3):
+        return ""
+    truth = best_of_controls(*asked.values())
+    if truth is None:
+        return "none"
+    if truth != chosen(distance, anything)(*asked.values()):
+        return "blocked"
+    if not room.is_free_drive(q, *controls[truth[0]], t):
+        return "beyond"
+    return "open" if truth[1] == n else "cut"

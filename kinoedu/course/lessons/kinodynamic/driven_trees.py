@@ -1,0 +1,152 @@
+"""The judge of what is grown by driving: every drive replayed from its control, by the course's own code, and free all the way."""
+
+import math
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ....geometry.checks import Array
+from ....problems import Tree
+from ....robots.trajectory import DrivenTree
+from ....spaces.angles import short_way, wrapped
+from ...drivable import REGION
+from ...exercise import Case
+from ...outcomes import Answer, Outcome
+from ..shared.planned import Fault, PlannerExercise
+
+GOAL_EVERY, REGION_EVERY = 4, 7
+MANY = 20  # turns from which chance can be told
+SLACK = 1e-9  # what a duration or a distance may be off, as a share of it
+NOWHERE = np.empty((0, 3))
+Path = NDArray[np.int64]
+
+
+def why_not_driven(problem: Any, tree: DrivenTree) -> tuple[Fault | None, Array]:
+    """The first thing that keeps it from being a tree of free drives from the start; and its nodes, as far as they are right."""
+    _, parent, controls, durations = tree
+    if not len(parent) or not len(parent) == len(controls) == len(durations):
+        return Fault("lengths", NOWHERE), problem.start[None]
+    if parent[0] != -1 or controls[0].any() or durations[0] != 0.0:
+        return Fault("root", problem.start[None]), problem.start[None]
+    nodes, car = [problem.start], problem.problem.robot
+    for p, (v, phi), t in zip(parent[1:], controls[1:], durations[1:]):
+        if not 0 <= p < len(nodes):
+            return Fault("parents", nodes[-1][None]), np.array(nodes)
+        if v not in car.speeds or not abs(phi) <= car.max_steering:
+            return Fault("control", nodes[p][None]), np.array(nodes)
+        if not 0.0 < t <= problem.longest * (1.0 + SLACK):
+            return Fault("duration", nodes[p][None]), np.array(nodes)
+        nodes.append(problem.move(nodes[p], v, phi, t))
+        if not problem.is_free_drive(nodes[p], v, phi, t):
+            return Fault("free", np.array([nodes[p], nodes[-1]])), np.array(nodes)
+    return None, np.array(nodes)
+
+
+def near_ones(problem: Any, nodes: Array, slack: float = 0.0) -> NDArray[np.int64]:
+    """The numbers of the nodes that are near enough to the goal."""
+    x, y, theta = problem.goal
+    off = [math.dist(q[:2], (x, y)) <= problem.tolerance * (1.0 + slack) for q in nodes]
+    askew = [abs(short_way(wrapped(q[2]), theta)) <= problem.turn_tolerance * (1.0 + slack) for q in nodes]
+    return np.flatnonzero(np.array(off) & np.array(askew))
+
+
+def distances(problem: Any, nodes: Array, q: Array) -> Array:
+    """From each node."""
+    return np.array([problem.distance(node, q) for node in nodes])
+
+
+def not_along(parent: NDArray[np.int64], path: Path, nodes: Array) -> Fault | None:
+    """A path that does not begin at node 0, or goes from a node to another than a child of it."""
+    if not len(path):
+        return Fault("nothing", NOWHERE)
+    if path[0] != 0:
+        return Fault("start", nodes[:1])
+    for a, b in zip(path[:-1], path[1:]):
+        if not 0 < b < len(parent) or parent[b] != a:
+            return Fault("along", nodes[[a]])
+    return None
+
+
+def not_nearest_to_goal(problem: Any, nodes: Array, path: Path) -> Fault | None:
+    """A path that ends elsewhere, where no node is near enough."""
+    off = distances(problem, nodes, problem.goal)
+    return None if off[path[-1]] <= off.min() * (1.0 + SLACK) else Fault("closest", nodes[[path[-1]]])
+
+
+def not_biased(problem: Any, nodes: Array, before: int, chosen: NDArray[np.int64], turn: int) -> str:
+    """Which rule a turn broke that drove from chosen nodes, when there were so many before it; "" for none.
+
+    When the goal is the target these are the nearest to it. When it is a pose of the region, each is nearly so: by the triangle
+    inequality, no farther from the goal than twice the region's reach beyond the nearest.
+    """
+    off = distances(problem, nodes[:before], problem.goal)
+    nearest = np.sort(off)[: len(chosen)]
+    if turn % REGION_EVERY == 0:
+        reach = REGION * problem.problem.robot.wheelbase
+        most = nearest[-1] + 2.0 * math.hypot(reach, problem.radian * 0.5 * math.pi)
+        return "region" if off[chosen].max() > most else ""
+    if turn % GOAL_EVERY == 0 and not np.allclose(np.sort(off[chosen]), nearest):
+        return "bias"
+    return ""
+
+
+def by_turns(problem: Any, nodes: Array, turns: list[tuple[int, NDArray[np.int64]]]) -> Fault | None:
+    """Judge the turns of a tree of which no drive can fail: for each, how many nodes there were before, and which were chosen."""
+    straight = others = 0
+    for turn, (before, chosen) in enumerate(turns, 1):
+        rule = not_biased(problem, nodes, before, chosen, turn)
+        if rule:
+            return Fault(rule, nodes[chosen])
+        if turn % GOAL_EVERY and turn % REGION_EVERY and turn > 8:
+            others += 1
+            straight += not not_biased(problem, nodes, before, chosen, GOAL_EVERY)
+    return Fault("chance", NOWHERE) if others >= MANY and straight > 0.8 * others else None
+
+
+class DrivingPlanner(PlannerExercise):
+    """A planner to write whose answer ends with the numbers of the nodes along its drive."""
+
+    lesson = "13_kinodynamic_planning"
+    shared = ("driving_planner", "planner", "exercise")
+
+    def uses_chance(self, case: Case) -> bool:
+        """Another seed drives otherwise, unless there is nothing to drive."""
+        return case.kind != "same"
+
+    def tree_of(self, case: Case, answer: Any) -> DrivenTree:
+        """The tree in an answer; its nodes are not there yet."""
+        raise NotImplementedError
+
+    def nodes_of(self, case: Case, answer: Any) -> tuple[DrivenTree, Array]:
+        """The tree as far as it is right, and the poses along the path as far as they are known."""
+        tree = self.tree_of(case, answer)
+        _, nodes = why_not_driven(case.given["problem"], tree)
+        path = answer[-1][(answer[-1] >= 0) & (answer[-1] < len(nodes))]
+        n = len(nodes)
+        return DrivenTree(nodes, tree.parent[:n], tree.controls[:n], tree.durations[:n]), nodes[path]
+
+    def drawn(self, answer: Any) -> tuple[list[Tree], Array | None]:
+        """How much there is is told by `answer_words`."""
+        return [], None
+
+    def answer_words(self, case: Case, value: Any) -> str:
+        """How much was built, where the drive ends, and where it is at fault."""
+        tree, poses = self.nodes_of(case, value[0])
+        if not len(poses):
+            return self.words("answers.nowhere", nodes=len(tree.nodes))
+        x, y, theta = poses[-1]
+        told = self.words("answers.drive", nodes=len(tree.nodes), drives=len(poses) - 1, x=x, y=y, theta=theta)
+        fault = self.fault_of_three(case, value)
+        where = np.round(fault.marked, 2).tolist() if fault is not None else []
+        return f"{told}; {self.words('answers.at', marked=where)}" if where else told
+
+    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+        """The problem, the tree, the drive, and a cross on what is at fault."""
+        from .pictures import draw_driven_answer
+
+        value = outcome.value if isinstance(outcome, Answer) else None
+        fault = None if value is None else self.fault_of_three(case, value)
+        built = None if value is None else self.nodes_of(case, value[0])
+        rule = self.judge(case, outcome).rule
+        draw_driven_answer(case.given["problem"].problem, built, fault, self.words(f"pictures.{rule}"), ax)

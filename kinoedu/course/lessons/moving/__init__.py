@@ -1,0 +1,15 @@
+"""Lesson 14: Moving and uncertain obstacles, or when to go, and how sure to be. Its exercises, as the notebook asks for them."""
+
+from .chance_margins import ChanceMargins
+from .collision_probability import CollisionProbability
+from .earliest_arrival import EarliestArrival
+from .exposing_motions import ExposeMoments
+from .first_contact import FirstContact
+
+EXERCISES = [
+    FirstContact,
+    EarliestArrival,
+    ChanceMargins,
+    CollisionProbability,
+    ExposeMoments,
+]

@@ -1,0 +1,74 @@
+"""The exercise on chance constraints: how far to stay away from each obstacle, by the union bound and the chi-square quantile."""
+
+import math
+from collections.abc import Callable, Iterator
+from statistics import NormalDist
+from typing import Any
+
+import numpy as np
+
+from ....geometry.checks import Array
+from ....worlds.uncertain import chance_margins
+from ...exercise import Case, Slip, ValueExercise
+from ...outcomes import Answer, Outcome
+from ...shapes import Number, Numbers, Record
+from .pictures import draw_margins
+
+
+def radius_of(share: float) -> float:
+    """How far an offset of standard deviation 1 lies within, but for a share of the chance."""
+    return math.sqrt(-2.0 * math.log(share))
+
+
+def scaled(factor: Callable[[int, float], float]) -> Callable[..., Array]:
+    """A program that multiplies every sigma by some factor of m and delta."""
+    return lambda sigma, delta: sigma * factor(len(sigma), delta)
+
+
+class ChanceMargins(ValueExercise):
+    """The margins that make the chance of any contact at most delta."""
+
+    name = "chance_margins"
+    lesson = "14_moving_and_uncertain"
+    kinds = ("one", "several", "unequal", "seldom")
+    given = Record(sigma=Numbers(("m",)), delta=Number())
+    answer = Numbers(("m",))
+    source = staticmethod(chance_margins)
+    slips = (
+        Slip("not_shared", scaled(lambda m, delta: radius_of(delta))),
+        Slip("one_axis", scaled(lambda m, delta: NormalDist().inv_cdf(1 - delta / m / 2))),
+        Slip("one_tail", scaled(lambda m, delta: NormalDist().inv_cdf(1 - delta / m))),
+        Slip("one_number", scaled(lambda m, delta: 1.96)),
+        Slip("variance", lambda sigma, delta: sigma**2 * radius_of(delta / len(sigma))),
+        Slip("other_tail", scaled(lambda m, delta: math.sqrt(-2 * math.log(1 - delta / m)))),
+        Slip("no_two", scaled(lambda m, delta: math.sqrt(-math.log(delta / m)))),
+        Slip("no_root", scaled(lambda m, delta: -2 * math.log(delta / m))),
+        Slip("log_ten", scaled(lambda m, delta: math.sqrt(-2 * math.log10(delta / m)))),
+        Slip("independent", scaled(lambda m, delta: radius_of(1 - (1 - delta) ** (1 / m)))),
+        Slip("largest", lambda sigma, delta: np.full(len(sigma), sigma.max() * radius_of(delta / len(sigma)))),
+        Slip("by_sigma", lambda sigma, delta: np.array([s * radius_of(delta * s / sigma.sum()) for s in sigma])),
+    )
+    reference = staticmethod(chance_margins)
+
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """One obstacle first."""
+        yield margin_case("one", [1], 0.05)
+        yield margin_case("one", [0.3], 0.5)
+        yield margin_case("several", [1, 1], 0.1)
+        yield margin_case("unequal", [1, 2], 0.1)
+        yield margin_case("seldom", [1], 1e-6)
+        for _ in range(10):
+            m, delta, s = int(rng.integers(2, 9)), round(float(rng.uniform(0.01, 0.6)), 2), np.round(rng.uniform(0.05, 2, 8), 2)
+            yield margin_case("one", s[:1], delta)
+            yield margin_case("several", np.full(m, s[0]), delta)
+            yield margin_case("unequal", s[:m], delta)
+            yield margin_case("seldom", s[:m], 10.0 ** -int(rng.integers(4, 10)))
+
+    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+        """Each margin, and the student's."""
+        draw_margins(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
+
+
+def margin_case(kind: str, sigma: Any, delta: float) -> Case:
+    """A case of some obstacles."""
+    return Case(kind, {"sigma": np.array(sigma, float), "delta": float(delta)})

@@ -1,0 +1,171 @@
+"""The exercise on the chance of a collision: a path among discs whose places are uncertain, tried in given scenarios."""
+
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ....chances import wilson
+from ....collision import probability
+from ....geometry.checks import Array
+from ....geometry.segments import point_segment_distance
+from ...exercise import Case, Slip, ValueExercise, Verdict
+from ...outcomes import Answer, Outcome
+from ...shapes import Numbers, Record
+from .pictures import draw_scenarios
+
+CLEAR = 1e-4  # in no scenario does a path come nearer than this to just touching
+Z = 1.96
+TINY = 0.01  # a disc with a smaller radius slips between the points of a path that a program looks at
+
+Hits = NDArray[np.bool_]
+
+SMALL = (  # kind, path, discs, and a list of offsets for each scenario: what can be drawn by hand
+    ("one", [(0, 0), (4, 0)], [(2, 1.5, 1)], [[(0, 0)], [(0, -1)], [(0, 1)], [(5, 0)]]),
+    ("one", [(0, 0), (4, 0)], [(6.5, 0, 1)], [[(0, 0)], [(-1, 0.2)], [(-2, 0)], [(0, -0.5)]]),
+    ("one", [(0, 0), (20, 0)], [(7, 0.0004, 0.001)], [[(0.0123, 0)], [(3.4567, 0)], [(-5.4321, 0)], [(6, 0.5)]]),
+    ("bent", [(0, 0), (4, 0), (4, 4)], [(6, 2, 1)], [[(0, 0)], [(-1.5, 0)], [(-4, 0)], [(-3.5, -1.8)]]),
+    ("several", [(0, 0), (6, 0)], [(1, 2, 1), (4, 2, 1)], [[(0, -1.5), (0, -1.5)], [(0, 0), (0, -1.5)], [(0, -1.5), (0, 1)],
+                                                           [(0, 0), (0, 0)]]),
+    ("none", [(0, 0), (4, 0)], [(2, 2, 1)], [[(0, 0)], [(1, 0)], [(0, 1)], [(0, -0.5)]]),
+    ("all", [(0, 0), (6, 0)], [(1, 2, 1), (4, 2, 1)], [[(0, -1.5), (0, 0)], [(0, 0), (0, -1.5)], [(0, 1), (0, -1.5)]]),
+)  # fmt: skip
+
+
+def gaps(path: Array, discs: Array, offsets: Array) -> Array:
+    """How near the path comes to the rim of each disc in each scenario, (n, m); negative inside."""
+    centres = discs[:, :2] + offsets
+    flat = centres.reshape(-1, 2)
+    far = np.min([point_segment_distance(flat, a, b) for a, b in zip(path, path[1:])], axis=0)
+    return np.asarray(far.reshape(centres.shape[:2]) - discs[:, 2])
+
+
+def contacts(path: Array, discs: Array, offsets: Array) -> Hits:
+    """Whether the path touches each disc in each scenario, (n, m)."""
+    return np.asarray(gaps(path, discs, offsets) <= 0.0)
+
+
+def with_interval(hits: float, n: int) -> Array:
+    """The share, and the ends of Wilson's interval."""
+    low, high = wilson(hits, n)
+    return np.array([hits / n, low, high])
+
+
+def tried(path: Array, discs: Array, offsets: Array) -> Array:
+    """The share of the scenarios in which the path is hit, and the ends of its 95 percent interval; shape (3,)."""
+    return with_interval(int(contacts(path, discs, offsets).any(axis=1).sum()), len(offsets))
+
+
+def normal_interval(path: Array, discs: Array, offsets: Array) -> Array:
+    """The interval of the textbook: the share, and 1.96 standard deviations either way."""
+    share = contacts(path, discs, offsets).any(axis=1).mean()
+    reach = Z * np.sqrt(share * (1 - share) / len(offsets))
+    return np.array([share, share - reach, share + reach])
+
+
+def counted(count: Callable[[Hits], float]) -> Callable[..., Array]:
+    """A program that counts contacts in another way."""
+
+    def mistaken(path: Array, discs: Array, offsets: Array) -> Array:
+        hits = contacts(path, discs, offsets)
+        share = min(count(hits), 1.0)
+        return with_interval(share * len(hits), len(hits))
+
+    return mistaken
+
+
+def among(change: Callable[..., tuple[Array, Array, Array]]) -> Callable[..., Array]:
+    """A program that is right about another path, other discs, or other offsets."""
+    return lambda path, discs, offsets: tried(*change(path, discs, offsets))
+
+
+def tiny_missed(path: Array, discs: Array, offsets: Array) -> Array:
+    """Discs too small to be met by any of the points that are looked at are not seen."""
+    hits = contacts(path, discs, offsets)[:, discs[:, 2] >= TINY]
+    return with_interval(int(hits.any(axis=1).sum()), len(offsets))
+
+
+def corners_only(path: Array, discs: Array, offsets: Array) -> Array:
+    """The path's points are looked at, not what lies between."""
+    points = np.repeat(path, 2, axis=0)
+    hits = np.any([contacts(points[2 * k : 2 * k + 2], discs, offsets) for k in range(len(path))], axis=0)
+    return with_interval(int(hits.any(axis=1).sum()), len(offsets))
+
+
+class CollisionProbability(ValueExercise):
+    """The share of the scenarios in which a path is hit, with its interval."""
+
+    name = "collision_probability"
+    lesson = "14_moving_and_uncertain"
+    kinds = ("one", "bent", "several", "none", "all")
+    given = Record(path=Numbers(("k", 2)), discs=Numbers(("m", 3)), offsets=Numbers(("n", "m", 2)))
+    answer = Numbers((3,))
+    tolerance = 1e-4
+    source = staticmethod(tried)
+    shown = staticmethod(probability.collision_probability)
+    slips = (
+        Slip("corners", corners_only),
+        Slip("points", tiny_missed),
+        Slip("per_disc", counted(lambda hits: float(hits.sum() / len(hits)))),
+        Slip("pairs", counted(lambda hits: float(hits.mean()))),
+        Slip("every_disc", counted(lambda hits: float(hits.all(axis=1).mean()))),
+        Slip("missed", counted(lambda hits: 1.0 - float(hits.any(axis=1).mean()))),
+        Slip("normal", normal_interval),
+        Slip("one_offset", among(lambda path, discs, offsets: (path, discs, offsets[:, :1].repeat(len(discs), axis=1)))),
+        Slip("minus", among(lambda path, discs, offsets: (path, discs, -offsets))),
+        Slip("expected", among(lambda path, discs, offsets: (path, discs, 0.0 * offsets))),
+        Slip("first_disc", among(lambda path, discs, offsets: (path, discs[:1], offsets[:, :1]))),
+        Slip("last_stretch", among(lambda path, discs, offsets: (path[: max(len(path) - 1, 2)], discs, offsets))),
+        Slip("closed", among(lambda path, discs, offsets: (np.vstack([path, path[:1]]), discs, offsets))),
+        Slip("beeline", among(lambda path, discs, offsets: (path[[0, -1]], discs, offsets))),
+    )
+    reference = staticmethod(tried)
+
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """A few scenarios that can be drawn by hand; then a hundred."""
+        for kind, *given in SMALL:
+            yield Case(kind, {name: np.array(rows, float) for name, rows in zip(("path", "discs", "offsets"), given)})
+        wanted = dict.fromkeys(self.kinds, 10)
+        while any(wanted.values()):
+            kind = next(kind for kind, left in wanted.items() if left == max(wanted.values()))
+            case = scenario_case(kind, rng)
+            if case is not None:
+                wanted[kind] -= 1
+                yield case
+
+    def value_verdict(self, case: Case, value: Any) -> Verdict:
+        """A right share with another interval has a rule of its own, but where nothing is hit or all."""
+        verdict = super().value_verdict(case, value)
+        is_share = self.near(float(value[0]), float(self.truth(case)[0])) and case.kind not in ("none", "all")
+        return verdict._replace(rule="interval") if verdict.rule and is_share else verdict
+
+    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+        """The path, the discs where they are expected and in scenarios, and both answers."""
+        draw_scenarios(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
+
+
+def scenario_case(kind: str, rng: np.random.Generator) -> Case | None:
+    """A case of a kind; None where chance has made another."""
+    n, m, k = (
+        int(rng.integers(40, 120)),
+        1 if kind == "one" else int(rng.integers(2, 5)),
+        2 if kind == "one" else int(rng.integers(3, 5)),
+    )
+    path = np.round(rng.uniform(0, 10, (k, 2)), 1)
+    sizes: Array = rng.uniform(0.3, 1.5, m)
+    discs: Array = np.column_stack([rng.uniform(0, 10, (m, 2)), sizes]).round(1)
+    offsets: Array = np.round(rng.normal(0, rng.uniform(0.3, 1.5, m)[:, None], (n, m, 2)), 3)
+    near = gaps(path, discs, offsets)
+    if np.abs(near).min() < CLEAR or (np.diff(path, axis=0) == 0.0).all(axis=1).any():
+        return None
+    hits = near <= 0.0
+    share = hits.any(axis=1).mean()
+    fits = {
+        "none": share == 0.0,
+        "all": share == 1.0 and not hits.all(axis=0).any(),
+        "one": 0.1 < share < 0.9,
+        "bent": 0.1 < share < 0.9,
+        "several": 0.1 < share < 0.9 and (hits.sum(axis=1) > 1).any(),
+    }
+    return Case(kind, {"path": path, "discs": discs, "offsets": offsets}) if fits[kind] else None

@@ -1,0 +1,213 @@
+"""The exercise on planning in time: the earliest arrival by safe intervals. Phillips & Likhachev (2011)."""
+
+import math
+from collections.abc import Iterator
+from heapq import heappop, heappush
+from typing import Any
+
+import numpy as np
+
+from ....planners.safe_intervals import search_intervals
+from ...exercise import RIGHT, Case, Exercise, Verdict, spoken
+from ...outcomes import Answer, Outcome
+from ...shapes import Listed, Numbers, Record
+from ...whole_shapes import Whole
+from .pictures import draw_schedule
+
+LATE = 1e-6  # what a time may be off
+END = 30.0
+
+Safe = list[list[tuple[float, float]]]
+Rows = list[tuple[float, float]]
+
+
+def schedule(safe: Any, moves: Any, start: int, goal: int) -> Rows:
+    """The rows (place, time of arrival) of a way that is at the goal as early as can be; none where there is no way."""
+    intervals = [[(float(b), float(e)) for b, e in own] for own in safe]
+    ways = two_ways(moves)
+    first = next((k for k, (b, e) in enumerate(intervals[start]) if b <= 0.0 <= e), None)
+    waiting: list[tuple[float, int, int, Rows]] = [] if first is None else [(0.0, start, first, [(start, 0.0)])]
+    done: set[tuple[int, int]] = set()
+    while waiting:
+        arrived, u, k, rows = heappop(waiting)
+        if u == goal:
+            return rows
+        if (u, k) in done:
+            continue
+        done.add((u, k))
+        for v, duration in ways.get(u, []):
+            for j, (begin, end) in enumerate(intervals[v]):
+                there = max(arrived + duration, begin)
+                if there <= end and there - duration <= intervals[u][k][1] and (v, j) not in done:
+                    heappush(waiting, (there, v, j, [*rows, (v, there)]))
+    return []
+
+
+def two_ways(moves: Any) -> dict[int, list[tuple[int, float]]]:
+    """The places that can be reached from each, and how long that takes."""
+    ways: dict[int, list[tuple[int, float]]] = {}
+    for u, v, duration in moves:
+        ways.setdefault(int(u), []).append((int(v), float(duration)))
+        ways.setdefault(int(v), []).append((int(u), float(duration)))
+    return ways
+
+
+def first_fault(safe: Any, moves: Any, start: int, goal: int, rows: Any) -> str:
+    """The first rule that a schedule breaks, or ""; whether it is the earliest is not asked."""
+    if not np.isfinite(rows).all() or rows[0][0] != start or abs(rows[0][1]) > LATE:
+        return "start"
+    if not any(b <= 0.0 <= e for b, e in safe[start]):
+        return "begin"
+    ways = two_ways(moves)
+    for (u, arrived), (v, there) in zip(rows, rows[1:]):
+        if u == v:
+            return "own_row"
+        durations = [duration for w, duration in ways.get(u, []) if w == v]
+        if not durations:
+            return "move"
+        left = there - min(durations)
+        if left < arrived - LATE:
+            return "too_fast"
+        if not any(b - LATE <= arrived and left <= e + LATE for b, e in safe[int(u)] if arrived <= e + LATE):
+            return "wait"
+        if not any(b - LATE <= there <= e + LATE for b, e in safe[int(v)]):
+            return "unsafe"
+    return "" if rows[-1][0] == goal else "goal"
+
+
+class EarliestArrival(Exercise):
+    """The way in time that is at the goal first, with waits where something passes."""
+
+    name = "earliest_arrival"
+    lesson = "14_moving_and_uncertain"
+    kinds = ("go", "wait", "aside", "again", "none")
+    given = Record(safe=Listed(Numbers(("k", 2))), moves=Numbers(("m", 3)), start=Whole(), goal=Whole())
+    answer = Numbers(("n", 2))
+    source = staticmethod(schedule)
+    shown = staticmethod(search_intervals)
+
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """Two places, then three, then more by chance."""
+        whole = [(0, END)]
+        yield roadmap_case("go", [whole, whole], [(0, 1, 4)], 0, 1)
+        yield roadmap_case("go", [whole, whole], [(1, 0, 3)], 0, 1)
+        yield roadmap_case("go", [whole, [(0, 3), (6, END)]], [(0, 1, 2)], 0, 1)
+        yield roadmap_case("go", [whole, whole, whole], [(0, 1, 2), (1, 2, 3), (0, 2, 7)], 0, 2)
+        yield roadmap_case("go", [[(0, 4), (7, END)], whole, [(0, 1), (10, END)]], [(0, 1, 2), (0, 2, 1)], 0, 2)
+        yield roadmap_case("go", [whole], np.empty((0, 3)), 0, 0)
+        yield roadmap_case("wait", [whole, [(0, 3), (6, END)]], [(0, 1, 4)], 0, 1)
+        yield roadmap_case("wait", [whole, [(0, 2), (5, 9), (11, END)], whole], [(0, 1, 3), (1, 2, 1)], 0, 2)
+        yield roadmap_case("aside", [[(0, 4), (7, END)], whole, [(10, END)]], [(0, 1, 2), (0, 2, 1)], 0, 2)
+        yield roadmap_case("again", [whole, [(0, 3), (6, END)], [(0, 1), (7, END)]], [(0, 1, 2), (1, 2, 2)], 0, 2)
+        yield roadmap_case("none", [[(0, 5)], [(8, END)]], [(0, 1, 2)], 0, 1)
+        yield roadmap_case("none", [whole, whole, whole], [(0, 1, 2)], 0, 2)
+        yield roadmap_case("none", [[(2, END)], whole], [(0, 1, 2)], 0, 1)
+        yield roadmap_case("none", [[(2, END)]], np.empty((0, 3)), 0, 0)
+        wanted = dict.fromkeys(self.kinds, 8)
+        for _ in range(4000):
+            if not any(wanted.values()):
+                return
+            safe, moves, start, goal = random_roadmap(rng)
+            kind = kind_of(safe, moves, start, goal)
+            if kind and wanted[kind]:
+                wanted[kind] -= 1
+                yield roadmap_case(kind, safe, moves, start, goal)
+
+    def value_verdict(self, case: Case, value: Any) -> Verdict:
+        """A way that keeps every rule, and is there as early as ours."""
+        safe, moves, start, goal = case.given.values()
+        best, rows = schedule(safe, moves, start, goal), np.asarray(value).tolist()
+        if not rows or not best:
+            rule = "" if not rows and not best else "found" if best else first_fault(safe, moves, start, goal, rows)
+        else:
+            rule = first_fault(safe, moves, start, goal, rows) or ("later" if rows[-1][1] > best[-1][1] + LATE else "")
+        if rule in ("later", "found"):
+            rule = misread(safe, moves, start, goal, rows) or rule
+        return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
+
+    def wanted(self, case: Case) -> str:
+        """One right answer, in words."""
+        best = schedule(*case.given.values())
+        return (
+            self.words("wanted", time=spoken(best[-1][1]), rows=spoken([tuple(row) for row in best]))
+            if best
+            else self.words("no_way")
+        )
+
+    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+        """A line for each place with its safe intervals; a right way, and the student's."""
+        value = outcome.value if isinstance(outcome, Answer) else None
+        draw_schedule(self, case, schedule(*case.given.values()), value, ax)
+
+
+def misread(safe: Any, moves: Any, start: int, goal: int, rows: Rows) -> str:
+    """The rule that was probably misread: read so, the earliest arrival is that of these rows; "" where none fits."""
+    open_ends = [[(b, e - LATE) for b, e in own] for own in safe]
+    last_only = [own[-1:] if place == goal else own for place, own in enumerate(safe)]
+    for rule, other in (("closed", open_ends), ("forever", last_only)):
+        ours, theirs = arrival_of(schedule(other, moves, start, goal)), arrival_of(rows)
+        if ours == theirs or abs(ours - theirs) < 2.0 * LATE:
+            return rule
+    return ""
+
+
+def arrival_of(rows: Rows) -> float:
+    """When a way is at its last place; infinite where there is none."""
+    return rows[-1][1] if rows else math.inf
+
+
+def kind_of(safe: Safe, moves: Any, start: int, goal: int) -> str:
+    """Which kind of case it is, by what a right way does; "" where it is dull."""
+    best = schedule(safe, moves, start, goal)
+    if not best:
+        return "none"
+    places = [place for place, _ in best]
+    if len(set(places)) < len(places):
+        return "aside"
+    once = earliest_once(safe, moves, start, goal)
+    if once > best[-1][1] + LATE:
+        return "again"
+    durations = {(u, v): d for u, own in two_ways(moves).items() for v, d in own}
+    waits = sum(b - a - durations[int(u), int(v)] > LATE for (u, a), (v, b) in zip(best, best[1:]))
+    return "wait" if waits else "go" if len(best) > 2 else ""
+
+
+def earliest_once(safe: Safe, moves: Any, start: int, goal: int) -> float:
+    """The arrival by a search that keeps for each place its earliest arrival alone."""
+    ways, done, waiting = two_ways(moves), set[int](), [(0.0, start)]
+    while waiting:
+        arrived, u = heappop(waiting)
+        if u == goal:
+            return arrived
+        if u in done:
+            continue
+        done.add(u)
+        last = max((e for b, e in safe[u] if b <= arrived <= e), default=-1.0)
+        for v, duration in ways.get(u, []):
+            times = [max(arrived + duration, b) for b, e in safe[v] if max(arrived + duration, b) <= min(e, last + duration)]
+            if times:
+                heappush(waiting, (min(times), v))
+    return math.inf
+
+
+def random_roadmap(rng: np.random.Generator) -> tuple[Safe, Any, int, int]:
+    """Some places in a row or a ring, met now and then; times in halves, or in sixteenths, which no clock of a program ticks."""
+    n, parts = int(rng.integers(3, 8)), int(rng.choice((2, 16)))
+    safe: Safe = []
+    for place in range(n):
+        ends = np.unique(rng.integers(1, parts * (int(END) - 10), 2 * int(rng.integers(0, 4)))) / parts
+        ends = ends[: len(ends) // 2 * 2]
+        marks = [0.0, *ends.tolist(), END]
+        safe.append([(a, b) for a, b in zip(marks[::2], marks[1::2])])
+        if place and rng.random() < 0.1:
+            safe[-1] = safe[-1][1:]
+    pairs = [(k, k + 1) for k in range(n - 1)]
+    pairs += [(int(u), int(v)) for u, v in rng.integers(0, n, (int(rng.integers(0, 3)), 2)) if abs(u - v) > 1]
+    moves = [(u, v, float(rng.integers(1, 4 * parts + 1)) / parts) for u, v in dict.fromkeys(tuple(sorted(pair)) for pair in pairs)]
+    return safe, moves, 0, n - 1
+
+
+def roadmap_case(kind: str, safe: Any, moves: Any, start: int, goal: int) -> Case:
+    """A case of a roadmap."""
+    rows = [np.reshape(np.array(own, float), (-1, 2)) for own in safe]
+    return Case(kind, {"safe": rows, "moves": np.reshape(np.array(moves, float), (-1, 3)), "start": start, "goal": goal})

@@ -1,0 +1,180 @@
+"""The exercise on contact in time: when does a moving point first touch a moving disc? By the motion of one seen from the other."""
+
+import math
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import numpy as np
+
+from ....geometry.checks import Array
+from ...exercise import RIGHT, Case, Slip, ValueExercise, Verdict
+from ...outcomes import Answer, Outcome
+from ...shapes import Number, Numbers, Record
+from .pictures import draw_contact
+
+PLACE = Numbers((2,))
+CLEAR = 0.01  # no case grazes the disc, begins or ends on its rim by less than this
+BRIEF = 0.002  # contacts that are over sooner are seen by no program that looks now and then; by chance none of ours is so short
+
+
+def roots(x: Array, v: Array, r: float) -> tuple[float, float] | None:
+    """The two moments at which x + s v is at the distance r from the origin; None where there are none, or all are alike."""
+    a, b, c = float(v @ v), float(x @ v), float(x @ x) - r * r
+    square = b * b - a * c
+    if a == 0.0 or square < 0.0:
+        return None
+    return (-b - math.sqrt(square)) / a, (-b + math.sqrt(square)) / a
+
+
+def contact_time(p0: Array, p1: Array, c0: Array, c1: Array, r: float) -> float:
+    """The share of the time, 0 to 1, after which the point is first within r of the centre; infinite where it never is."""
+    return seen_from_disc(p0 - c0, (p1 - p0) - (c1 - c0), r)
+
+
+def seen_from_disc(x: Array, v: Array, r: float) -> float:
+    """The same, for a disc that stands round the origin."""
+    if x @ x <= r * r:
+        return 0.0
+    found = roots(x, v, r)
+    return found[0] if found is not None and 0.0 <= found[0] <= 1.0 else math.inf
+
+
+def by(motion: Callable[..., tuple[Array, Array]], choose: Callable[..., float] = seen_from_disc) -> Callable[..., float]:
+    """A program that has the motion seen from the disc, or what it makes of that, wrong."""
+    return lambda p0, p1, c0, c1, r: choose(*motion(p0, p1, c0, c1), r)
+
+
+def relative(p0: Array, p1: Array, c0: Array, c1: Array) -> tuple[Array, Array]:
+    """Where the point begins, and how it moves, seen from the disc."""
+    return p0 - c0, (p1 - p0) - (c1 - c0)
+
+
+def at_the_ends(x: Array, v: Array, r: float) -> float:
+    """Only the first moment and the last are looked at."""
+    return 0.0 if x @ x <= r * r else 1.0 if (x + v) @ (x + v) <= r * r else math.inf
+
+
+def leaving(x: Array, v: Array, r: float) -> float:
+    """The later of the two moments."""
+    found = roots(x, v, r)
+    return 0.0 if x @ x <= r * r else found[1] if found is not None and 0.0 <= found[1] <= 1.0 else math.inf
+
+
+def at_any_time(x: Array, v: Array, r: float) -> float:
+    """The moment may lie before the beginning or after the end."""
+    found = roots(x, v, r)
+    return math.inf if found is None else found[0]
+
+
+def nearest_moment(x: Array, v: Array, r: float) -> float:
+    """The moment at which they are nearest, where that is contact."""
+    s = 0.0 if v @ v == 0.0 else min(max(-float(x @ v) / float(v @ v), 0.0), 1.0)
+    return s if (x + s * v) @ (x + s * v) <= r * r else math.inf
+
+
+def brief_missed(x: Array, v: Array, r: float) -> float:
+    """A contact that is over soon is not seen."""
+    found = roots(x, v, r)
+    return math.inf if x @ x > r * r and found is not None and found[1] - found[0] < BRIEF else seen_from_disc(x, v, r)
+
+
+def nearly_alike(x: Array, v: Array, r: float) -> float:
+    """Two that move nearly alike are taken for two that move alike."""
+    return (0.0 if x @ x <= r * r else math.inf) if np.abs(v).max() < CLEAR else seen_from_disc(x, v, r)
+
+
+def never_at_once(x: Array, v: Array, r: float) -> float:
+    """Whoever touches already is not seen."""
+    found = roots(x, v, r)
+    return found[0] if found is not None and 0.0 <= found[0] <= 1.0 else math.inf
+
+
+class FirstContact(ValueExercise):
+    """The share of the time after which a point and a disc, both moving straight, first touch."""
+
+    name = "first_contact"
+    lesson = "14_moving_and_uncertain"
+    kinds = ("meets", "crosses", "outside", "touching", "together")
+    given = Record(p0=PLACE, p1=PLACE, c0=PLACE, c1=PLACE, r=Number())
+    answer = Number()
+    source = staticmethod(contact_time)
+    shown = staticmethod(contact_time)
+    slips = (
+        Slip("standing", by(lambda p0, p1, c0, c1: (p0 - c0, p1 - p0))),
+        Slip("added", by(lambda p0, p1, c0, c1: (p0 - c0, (p1 - p0) + (c1 - c0)))),
+        Slip("backwards", by(lambda p0, p1, c0, c1: (p0 - c0, (c1 - c0) - (p1 - p0)))),
+        Slip("ends_only", by(relative, at_the_ends)),
+        Slip("leaving", by(relative, leaving)),
+        Slip("any_time", by(relative, at_any_time)),
+        Slip("nearest", by(relative, nearest_moment)),
+        Slip("not_at_once", by(relative, never_at_once)),
+        Slip("alike", by(relative, nearly_alike)),
+        Slip("moments", by(relative, brief_missed)),
+        Slip("length", lambda p0, p1, c0, c1, r: contact_time(p0, p1, c0, c1, r) * math.dist(p0, p1)),
+        Slip("diameter", lambda p0, p1, c0, c1, r: contact_time(p0, p1, c0, c1, r / 2)),
+    )
+    reference = staticmethod(contact_time)
+
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """Small whole numbers first."""
+        yield contact_case("meets", (0, 0), (10, 0), (10, 0), (0, 0), 2)
+        yield contact_case("meets", (0, 0), (8, 0), (6, 0), (6, 0), 2)
+        yield contact_case("meets", (0, 0), (30, 0), (23, 0), (-30, 0), 0.001)
+        yield contact_case("meets", (0, 0), (5, 0), (2.001, 0), (6.999, 0), 2)
+        yield contact_case("crosses", (0, 0), (10, 0), (5, -1.5), (5, 18.5), 1)
+        yield contact_case("outside", (0, 0), (4, 0), (9, 0), (9, 0), 1)
+        yield contact_case("outside", (5, 0), (9, 0), (0, 0), (0, 0), 1)
+        yield contact_case("touching", (0, 0), (5, 0), (1, 0), (9, 0), 2)
+        yield contact_case("together", (0, 0), (5, 5), (3, 0), (8, 5), 1)
+        yield contact_case("together", (0, 0), (0, 0), (1, 0), (1, 0), 2)
+        wanted = dict.fromkeys(self.kinds, 12)
+        while any(wanted.values()):
+            p0, p1, c0, c1 = np.round(rng.uniform(-10, 10, (4, 2)), 1)
+            r, which = float(np.round(rng.uniform(0.5, 4), 1)), rng.random()
+            c1 = c0 + (p1 - p0) if which < 0.2 else c1
+            c0 = np.round(p0 + rng.uniform(-0.6, 0.6, 2) * r, 1) if 0.2 < which < 0.4 else c0
+            kind = kind_of(p0, p1, c0, c1, r)
+            if kind and wanted[kind]:
+                wanted[kind] -= 1
+                yield contact_case(kind, p0, p1, c0, c1, r)
+
+    def value_verdict(self, case: Case, value: Any) -> Verdict:
+        """What is no moment from 0 to 1 has a rule of its own, where the two never touch."""
+        if self.same(value, self.truth(case)):
+            return RIGHT
+        never = math.isinf(self.truth(case)) and not 0.0 <= value <= 1.0
+        return Verdict(0.0, "outside" if never else case.kind, self.wanted(case))
+
+    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+        """Both ways, and where point and disc are at the true moment and at the student's."""
+        draw_contact(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
+
+
+def kind_of(p0: Array, p1: Array, c0: Array, c1: Array, r: float) -> str:
+    """Which kind of case it is; "" where a program's rounding might decide it, or where it is dull."""
+    x, v = relative(p0, p1, c0, c1)
+    if abs(math.sqrt(x @ x) - r) < CLEAR or abs(math.sqrt((x + v) @ (x + v)) - r) < CLEAR:
+        return ""
+    if x @ x < r * r:
+        return "touching" if v @ v > 1.0 else ""
+    if np.abs(v).max() < 1e-9:
+        return "together"
+    found, grazed = roots(x, v, r), (roots(x, v, r - CLEAR) is None) != (roots(x, v, r + CLEAR) is None)
+    if grazed or v @ v < 1.0:
+        return ""
+    if found is None:
+        return "crosses" if ways_cross(p0, p1, c0, c1, r) else ""
+    return "meets" if 0.0 < found[0] < 1.0 else "outside"
+
+
+def ways_cross(p0: Array, p1: Array, c0: Array, c1: Array, r: float) -> bool:
+    """Whether the point's way passes where the disc is at some other time."""
+    from ....geometry import segments_intersect
+
+    return bool(segments_intersect(p0, p1, c0, c1))
+
+
+def contact_case(kind: str, p0: Any, p1: Any, c0: Any, c1: Any, r: float) -> Case:
+    """A case of two motions."""
+    places = {name: np.array(place, float) for name, place in (("p0", p0), ("p1", p1), ("c0", c0), ("c1", c1))}
+    return Case(kind, {**places, "r": float(r)})

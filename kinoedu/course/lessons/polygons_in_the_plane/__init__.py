@@ -1,0 +1,17 @@
+"""Lesson 11: Polygons in the plane, or one task in three ways. Its exercises, as the notebook asks for them."""
+
+from .adjacency_matrix import AdjacencyMatrix
+from .bfs_on_matrix import BfsOnMatrix
+from .dfs_on_matrix import DfsOnMatrix
+from .exposing_obstacle import ExposeFourChords
+from .free_heading import FreeHeading
+from .rrt_for_polygon import RrtForPolygon
+
+EXERCISES = [
+    RrtForPolygon,
+    FreeHeading,
+    AdjacencyMatrix,
+    BfsOnMatrix,
+    DfsOnMatrix,
+    ExposeFourChords,
+]

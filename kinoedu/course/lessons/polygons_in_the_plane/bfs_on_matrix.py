@@ -1,0 +1,13 @@
+"""The exercise `bfs_on_matrix`. Bullo & Smith, chapters 2 and 5."""
+
+from ...exercise import Slip
+from ..graphs.bfs_path import BfsPath
+from .matrices import OnMatrix, on_matrix
+
+
+class BfsOnMatrix(OnMatrix, BfsPath):
+    """A path of the fewest edges."""
+
+    name = "bfs_on_matrix"
+    slips = tuple(Slip(slip.key, on_matrix(slip.answer)) for slip in BfsPath.slips if slip.key in ("deep", "order", "reversed"))
+    source = staticmethod(on_matrix(BfsPath.reference))

@@ -1,0 +1,15 @@
+"""The exercise `dfs_on_matrix`. Bullo & Smith, chapters 2 and 5."""
+
+from ...exercise import Slip
+from ..graphs.dfs_path import DfsPath
+from .matrices import OnMatrix, on_matrix
+
+
+class DfsOnMatrix(OnMatrix, DfsPath):
+    """Any path that meets no node twice."""
+
+    name = "dfs_on_matrix"
+    slips = tuple(
+        Slip(slip.key, on_matrix(slip.answer)) for slip in DfsPath.slips if slip.key in ("order", "never_back", "reversed")
+    )
+    source = staticmethod(on_matrix(DfsPath.reference))

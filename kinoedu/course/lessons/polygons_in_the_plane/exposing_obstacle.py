@@ -1,0 +1,99 @@
+"""The exercise "break it" of lesson 11: a swept disk for which four chords of it, and its middle, are to stand."""
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from ....collision import free_motions
+from ....errors import InvalidPoint, InvalidPolygon
+from ....geometry import segments_intersect
+from ....geometry.checks import Array
+from ....geometry.polygons import point_in_polygon
+from ....geometry.rings import as_ring
+from ....robots import Disk
+from ....words import say
+from ....worlds import PolygonWorld
+from ...exercise import RIGHT, Case, Exercise, Verdict
+from ...outcomes import Answer, Outcome
+from ...shapes import Numbers, Record, Together
+from ..geometry.lines import POINT
+from .pictures import draw_swept
+
+THICK = 0.45  # the radius of the largest disk in the obstacle that is asked for: half the room between two chords is 0.5
+
+
+class ExposeFourChords(Exercise):
+    """Break it: a motion of a disk of radius 1, and a triangle that it hits and the chords miss."""
+
+    name = "exposing_obstacle"
+    lesson = "11_polygons_in_the_plane"
+    kinds = ("valid", "exposes", "thickest")
+    given = Record()
+    answer = Together((POINT, POINT, Numbers((3, 2))))
+
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """The same question three times: each asks more of the answer."""
+        return (Case(kind, {}) for kind in self.kinds)
+
+    def value_verdict(self, case: Case, value: Any) -> Verdict:
+        """A motion and a triangle; the program is wrong; the triangle is thick."""
+        rule = fault_of_triangle(*value)
+        if not rule and case.kind != "valid":
+            rule = "hits" if not swept_disk_hits(*value) else "exposes" if chords_hit(*value) else ""
+        if not rule and case.kind == "thickest" and inner_radius(value[2]) < THICK:
+            rule = "thickest"
+        return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
+
+    def wanted(self, case: Case) -> str:
+        """What is asked for."""
+        return say(f"exposing_obstacle.wanted.{case.kind}")
+
+    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+        """What the disk sweeps, the chords, and the triangle."""
+        value = outcome.value if isinstance(outcome, Answer) and not fault_of_triangle(*outcome.value) else None
+        draw_swept(value, chords(*value[:2]) if value else [], self.words("picture"), ax)
+
+
+def chords_hit(a: Array, b: Array, obstacle: Array) -> bool:
+    """Whether a disk of radius 1 that moves straight from a to b touches an obstacle.
+
+    It is wrong somewhere. Where?
+    """
+    for p, q in chords(a, b):  # of the middle, and of four points of the rim
+        if point_in_polygon(p, obstacle):
+            return True
+        for c, d in zip(obstacle, np.roll(obstacle, -1, axis=0)):
+            if segments_intersect(p, q, c, d):
+                return True
+    return False
+
+
+def chords(a: Array, b: Array) -> list[tuple[Array, Array]]:
+    """The ways of the middle of a disk of radius 1, and of the four points of its rim to the right, above, to the left, below."""
+    return [(a + off, b + off) for off in np.array([(0, 0), (1, 0), (0, 1), (-1, 0), (0, -1)], float)]
+
+
+def swept_disk_hits(a: Array, b: Array, obstacle: Array) -> bool:
+    """The truth: by the course's own test of motions, in a room that has room for all."""
+    room = PolygonWorld(2e4 * np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)]), [obstacle])
+    return not bool(free_motions(Disk(1.0), room, a[None], b[None])[0])
+
+
+def fault_of_triangle(a: Array, b: Array, obstacle: Array) -> str:
+    """The rule that keeps it from being a motion and a triangle, or ""."""
+    numbers = np.vstack([a, b, obstacle])
+    if not np.isfinite(numbers).all() or np.abs(numbers).max() > 1e4:
+        return "range"
+    try:
+        as_ring(obstacle)
+    except (InvalidPolygon, InvalidPoint):
+        return "valid"
+    return ""
+
+
+def inner_radius(triangle: Array) -> float:
+    """The radius of the largest disk in a triangle: twice its area over its perimeter."""
+    u, v = triangle[1] - triangle[0], triangle[2] - triangle[0]
+    sides = triangle - np.roll(triangle, -1, axis=0)
+    return float(abs(u[0] * v[1] - u[1] * v[0]) / np.hypot(*sides.T).sum())

@@ -1,0 +1,65 @@
+"""Pictures of failing cases of lesson 11. What is true is green and solid, what the student's program says orange and dashed."""
+
+from typing import Any
+
+import numpy as np
+
+from ....geometry.checks import Array
+from ....words import say
+
+# figures are imported inside the functions: matplotlib is not needed until something is wrong
+
+
+def draw_heading(problem: Any, place: Any, value: float | None, right: float | None, words: str, ax: Any) -> None:
+    """The world, the robot as it could stand, and as the student turned it."""
+    from ....figures import palette, plane
+    from ....figures.drawing import draw_robot, draw_world
+
+    draw_world(problem.world, ax)
+    if right is not None:
+        draw_robot(problem.robot, np.array([*place, right]), ax, palette.START)
+    if value is None:
+        plane.corner_note(say("picture.yours", value="None"), ax, colour=palette.GOAL)
+    elif np.isfinite(value):
+        (body,) = draw_robot(problem.robot, np.array([*place, value]), ax, palette.GOAL)
+        body.set(linestyle="--")
+        plane.corner_note(say("picture.yours", value=f"{value:.4g}"), ax, colour=palette.GOAL)
+    plane.dot(place, "", ax)
+    plane.title(words, ax)
+
+
+def draw_matrix(problem: Any, nodes: Array, truth: Any, value: Any, words: str, ax: Any) -> None:
+    """The configurations with their numbers; free motions; those that the student has and should not, or lacks."""
+    from ....figures import palette, plane
+    from ....figures.drawing import draw_robot, draw_world
+
+    draw_world(problem.world, ax)
+    fits = value is not None and value.shape == truth.shape
+    for i, j in np.argwhere(np.triu(truth, 1)):
+        plane.stretch(nodes[i, :2], nodes[j, :2], "", ax, colour=palette.START)
+    for i, j in np.argwhere((value != truth) & (value != 0)) if fits else []:
+        plane.stretch(nodes[i, :2], nodes[j, :2], "", ax, colour=palette.GOAL, style="--", width=4.0)
+    for number, q in enumerate(nodes):
+        draw_robot(problem.robot, q, ax)
+        plane.label(q[:2], str(number), ax, offset=(3, 3))
+    if not fits:
+        plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
+    plane.title(words, ax)
+
+
+def draw_swept(value: Any, chords: Any, words: str, ax: Any) -> None:
+    """What a disk of radius 1 sweeps from a to b, the chords that stand for it, and an obstacle: value is (a, b, obstacle)."""
+    from ....figures import palette, plane
+    from ....figures.bars import draw_bar
+
+    if value is None:
+        plane.frame([(-1.0, -1.0), (5.0, 1.5)], ax)
+        plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
+    else:
+        a, b, obstacle = value
+        plane.frame(np.vstack([a - 1.0, a + 1.0, b - 1.0, b + 1.0, obstacle]), ax)
+        draw_bar(a, b, 1.0, ax, palette.ROBOT, alpha=0.3, zorder=2)
+        for p, q in chords:
+            plane.stretch(p, q, "", ax, colour=palette.TREE)
+        plane.polygon(obstacle, ax, numbers=False)
+    plane.title(words, ax)

@@ -1,0 +1,115 @@
+"""The exercise "break it" of lesson 8: obstacles through which a program sees."""
+
+from collections.abc import Iterator
+from itertools import combinations
+from typing import Any
+
+import numpy as np
+
+from ....collision import is_semi_free_path
+from ....errors import InvalidPoint, InvalidPolygon, InvalidWorld
+from ....geometry.checks import Array
+from ....geometry.exact import turn
+from ....geometry.polygons import place
+from ....robots import Point
+from ....words import say
+from ....worlds import PolygonWorld
+from ...exercise import RIGHT, Case, Exercise, Verdict
+from ...outcomes import Answer, Outcome
+from ...shapes import Listed, Record
+from ..decomposition.free_intervals import RING
+from ..shared.random_worlds import edges_round
+from .halls import bends
+
+FEWEST, MOST = 5, 40  # vertices
+LARGEST = 100.0  # whole numbers so small that the middle of two of them is exact
+REFUSALS = (InvalidPoint, InvalidPolygon, InvalidWorld)
+
+
+class ExposeSight(Exercise):
+    """Break it: obstacles of which `sees` says that two corners see each other, and they do not."""
+
+    name = "exposing_sight"
+    lesson = "08_roadmaps"
+    kinds = ("valid", "exposes", "smallest")
+    given = Record()
+    answer = Listed(RING)
+
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """The same question three times: each asks more of the answer."""
+        return (Case(kind, {}) for kind in self.kinds)
+
+    def value_verdict(self, case: Case, value: Any) -> Verdict:
+        """Simple polygons apart; through which the program sees; with five vertices in all."""
+        rule = world_fault(value)
+        if not rule and case.kind != "valid":
+            rule = "" if wrong_views(value) else "exposes"
+            rule = rule or ("smallest" if case.kind == "smallest" and sum(map(len, value)) > FEWEST else "")
+        return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
+
+    def wanted(self, case: Case) -> str:
+        """What is asked for."""
+        return say(f"exposing_sight.wanted.{case.kind}")
+
+    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+        """The obstacles, and the views on which the program is wrong."""
+        from ....figures import palette, plane
+
+        rings = outcome.value if isinstance(outcome, Answer) else []
+        shown = [ring for ring in rings if len(ring) > 1 and np.isfinite(ring).all()]
+        plane.frame(np.vstack([*shown, [(0, 0), (1, 1)]]) if not shown else np.vstack(shown), ax)
+        for ring in shown:
+            plane.polygon(ring, ax, numbers=len(shown) == 1)
+        for a, b in [] if world_fault(rings) else wrong_views(rings):
+            plane.stretch(a, b, "", ax, colour=palette.GOAL, style="--")
+        if not shown:
+            plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
+        plane.title(self.words("picture"), ax)
+
+
+def world_fault(obstacles: Any) -> str:
+    """The rule that keeps them from being obstacles of a world, or ""."""
+    rings = list(obstacles)
+    if not rings or sum(map(len, rings)) > MOST:
+        return "valid"
+    if any(not np.isfinite(ring).all() or (np.abs(ring) > LARGEST).any() or (ring != np.rint(ring)).any() for ring in rings):
+        return "range"
+    import shapely
+
+    try:
+        PolygonWorld(room_round(rings), rings)
+    except REFUSALS:
+        return "valid"
+    solids = [shapely.Polygon(ring) for ring in rings]
+    apart = all(a.distance(b) > 0.0 for a, b in combinations(solids, 2))
+    return "" if apart and all(shapely.LinearRing(ring).is_ccw for ring in rings) else "valid"
+
+
+def room_round(rings: Any) -> Array:
+    """A room that holds all of the obstacles."""
+    (x0, y0), (x1, y1) = np.vstack(rings).min(axis=0) - 1.0, np.vstack(rings).max(axis=0) + 1.0
+    return np.array([(x0, y0), (x1, y0), (x1, y1), (x0, y1)])
+
+
+def wrong_views(obstacles: Any) -> list[tuple[Array, Array]]:
+    """The pairs of convex corners of which `sees` says something else than the course's own collision code."""
+    world = PolygonWorld(room_round(obstacles), obstacles)
+    corners = np.vstack([ring[bends(ring) > 0.0] for ring in obstacles])
+    return [
+        (a, b)
+        for a, b in combinations(corners, 2)
+        if bool(sees(a, b, obstacles)) != bool(is_semi_free_path(Point(), world, a, b, 0.0))
+    ]
+
+
+def sees(a: Array, b: Array, obstacles: list[Array]) -> bool:
+    """Whether two corners see each other: the way crosses no edge, and half of it is not inside an obstacle.
+
+    It is wrong somewhere. Where?
+    """
+    for cx, cy, dx, dy in edges_round(obstacles[0], obstacles[1:]):
+        across = turn(*a, *b, cx, cy) * turn(*a, *b, dx, dy) < 0  # the edge's ends are on both sides of the way,
+        if across and turn(cx, cy, dx, dy, *a) * turn(cx, cy, dx, dy, *b) < 0:  # and a and b on both sides of the edge
+            return False
+    x, y = (a + b) / 2
+    return not any(place(x, y, ring) > 0 for ring in obstacles)  # 1 is inside, 0 on the boundary

@@ -1,0 +1,87 @@
+"""How nodes are joined by a rule, and what programs answer that misunderstand it."""
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ....geometry.checks import Array
+from .halls import distances, is_arm
+
+Pairs = NDArray[np.int64]
+SAMPLES = 50  # places along a motion that a hasty program asks about
+
+
+def allowed(problem: Any, nodes: Array, pairs: Pairs) -> Pairs:
+    """The pairs whose motion is free, (m, 2)."""
+    return pairs[[bool(problem.is_free_path(nodes[i], nodes[j])) for i, j in pairs]].reshape(-1, 2)
+
+
+def unique(rows: Pairs) -> Pairs:
+    """Each pair once, the smaller number first."""
+    return np.unique(np.sort(rows, axis=1), axis=0).reshape(-1, 2)
+
+
+def are_pairs(pairs: Pairs, n: int) -> bool:
+    """Whether rows are pairs (i, j) of numbers of n things, i < j, each once."""
+    return bool(((pairs >= 0) & (pairs < n)).all() and (pairs[:, 0] < pairs[:, 1]).all() and len(unique(pairs)) == len(pairs))
+
+
+def closest_rows(
+    problem: Any, nodes: Array, k: int, *, farthest: bool = False, only_free: bool = False, only_later: bool = False
+) -> Pairs:
+    """Rows (i, j) where j is among the k closest of i, of equally far ones the lower numbers; or among other k of its choice."""
+    apart, rows = distances(problem, nodes), []
+    for i in range(len(nodes)):
+        order = np.argsort(-apart[i] if farthest else apart[i], kind="stable").tolist()
+        others = [j for j in order if j != i and (j > i or not only_later)]
+        if only_free:
+            others = [j for j in others if problem.is_free_path(nodes[i], nodes[j])]
+        rows += [(i, j) for j in others[: max(k, 0)]]
+    return np.array(rows, np.int64).reshape(-1, 2)
+
+
+def in_components(problem: Any, nodes: Array, k: int, *, blind: bool = False, goes_on: bool = False, one: bool = False) -> Pairs:
+    """Each node joined to every component before it, by the first free motion to one of its k closest.
+
+    blind : motions are not asked. goes_on : all free ones of the k are joined. one : only the first component that can be joined.
+    """
+    apart, part, pairs = distances(problem, nodes), list(range(len(nodes))), []
+    for i in range(1, len(nodes)):
+        order = np.argsort(apart[i, :i], kind="stable").tolist()
+        joined: list[int] = []
+        for component in dict.fromkeys(part[j] for j in order):
+            closest = [j for j in order if part[j] == component][:k]
+            free = [j for j in closest if blind or problem.is_free_path(nodes[j], nodes[i])]
+            joined += free if goes_on else free[:1]
+            if one and joined:
+                break
+        pairs += [(j, i) for j in joined]
+        merged = {part[j] for j in joined}
+        part = [i if name in merged else name for name in part]
+    return np.array(pairs, np.int64).reshape(-1, 2)
+
+
+class Mistaken(NamedTuple):
+    """A problem as a program asks it that takes something else for a distance, or for a free motion."""
+
+    distance: Callable[[Array, Array], float]
+    is_free_path: Callable[[Array, Array], bool]
+
+
+def without_wrap(problem: Any) -> Any:
+    """The arm's problem with distances on the page, not on the torus; another problem as it is."""
+    return Mistaken(lambda a, b: float(np.hypot(*(a - b))), problem.is_free_path) if is_arm(problem) else problem
+
+
+def with_contact(problem: Any) -> Mistaken:
+    """A problem in which motions may touch obstacles."""
+    return Mistaken(problem.distance, problem.is_semi_free_path)
+
+
+def by_samples(problem: Any) -> Mistaken:
+    """A problem in which a motion is judged by places along it."""
+    is_free = problem.problem.is_free
+    shares = np.linspace(0.0, 1.0, SAMPLES)
+    return Mistaken(problem.distance, lambda a, b: all(is_free(a + share * (b - a)) for share in shares))

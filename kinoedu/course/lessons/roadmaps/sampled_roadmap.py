@@ -1,0 +1,132 @@
+"""The exercise on the whole of PRM. Bullo & Smith, chapter 5; LaValle, section 5.6."""
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from ....geometry.checks import Array
+from ....words import say
+from ...exercise import Case
+from ...outcomes import Answer, Outcome
+from ...shapes import Numbers, Record, Together
+from ...whole_shapes import Whole, WholeNumbers
+from ..shared.planned import Fault, PlannerExercise, Task, three_times
+from .halls import ASTRIDE, GRAZING, HALL, SHEET, WALL, hall, random_obstacles
+from .joining import allowed, are_pairs
+from .rules import Pairs, closest_pairs
+
+BUILT = Together((Numbers(("n", "d")), WholeNumbers(("m", 2))))
+MANY, SIDE = 160, 4  # nodes from which on boxes are counted, four along each side of the hall
+EVEN, UNEVEN = 0.5, 90.0  # of 16 boxes' squared deviations over what is expected; outside once in 10^8 for random points
+
+
+def sampled(problem: Any, n: int, k: int, rng: int) -> tuple[Array, Pairs]:
+    """Start, goal and n free samples, joined by the K-closest rule."""
+    chance, nodes = np.random.default_rng(rng), [problem.start, problem.goal]
+    while len(nodes) < n + 2:
+        q = problem.sample(chance)
+        if problem.is_free(q):
+            nodes.append(q)
+    return np.array(nodes), closest_pairs(problem, np.array(nodes), k)
+
+
+class SampledRoadmap(PlannerExercise):
+    """A probabilistic roadmap: nodes and edges."""
+
+    name = "sampled_roadmap"
+    lesson = "08_roadmaps"
+    kinds = ("none", "room", "wall", "several", "many")
+    given = Record(problem=Task(), n=Whole(), k=Whole(), rng=Whole())
+    result = BUILT
+    answer = three_times(BUILT)
+    source = staticmethod(sampled)
+
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """No samples, an empty room, a wall, more; and so many nodes that one can count how they are spread."""
+
+        def case(kind: str, problem: Any, n: int, k: int) -> Case:
+            return Case(kind, {"problem": problem, "n": n, "k": k, "rng": int(rng.integers(1000))})
+
+        yield case("none", hall(), 0, 3)
+        yield case("none", hall(WALL), 0, 3)
+        yield case("none", hall(WALL, start=GRAZING[0], goal=GRAZING[1]), 0, 3)
+        yield case("none", hall(SHEET, start=ASTRIDE[0], goal=ASTRIDE[1]), 0, 3)
+        yield case("room", hall(), 3, 2)
+        yield case("wall", hall(WALL), 6, 2)
+        for i in range(4):
+            yield case("room", hall(), 4 + 4 * i, 3)
+            yield case("wall", hall(WALL), 10 + 6 * i, 3)
+            yield case("several", hall(*random_obstacles(rng, 2 + i // 2)), 20 + 5 * i, 4)
+        for room in (HALL, 2 * HALL):
+            yield case("many", hall(room=room), MANY, 2)
+
+    def uses_chance(self, case: Case) -> bool:
+        """Where there is a sample."""
+        return bool(case.given["n"] > 0)
+
+    def fault(self, case: Case, answer: Any) -> Fault | None:
+        """Start and goal, then n free places, spread as chance spreads them; joined by the rule."""
+        (nodes, pairs), (problem, n, k, _) = answer, case.given.values()
+        nowhere = np.empty((0, 2))
+        if len(nodes) != n + 2 or nodes.shape[1] != 2 or not np.isfinite(nodes).all():
+            return Fault("count", nowhere)
+        if not np.array_equal(nodes[:2], [problem.start, problem.goal]):
+            return Fault("ends", nodes[:2])
+        for q in nodes:
+            if not problem.problem.is_free(q):
+                return Fault("samples", q[None])
+        if len(np.unique(nodes, axis=0)) < len(nodes) or (
+            n >= MANY and not EVEN < unevenness(nodes[2:], problem.world.hi) < UNEVEN
+        ):
+            return Fault("spread", nowhere)
+        if not are_pairs(pairs, len(nodes)):
+            return Fault("pairs", nowhere)
+        return self.fault_of_edges(problem, nodes, pairs, k)
+
+    def fault_of_edges(self, problem: Any, nodes: Array, pairs: Pairs, k: int) -> Fault | None:
+        """An edge that is not free, that the rule does not join, or that is missing."""
+        free = set(map(tuple, allowed(problem.problem, nodes, pairs).tolist()))
+        found, right = (set(map(tuple, rows.tolist())) for rows in (pairs, closest_pairs(problem.problem, nodes, k)))
+        for rule, wrong in (("free", found - free), ("extra", found - right), ("missing", right - found)):
+            if wrong:
+                return Fault(rule, nodes[list(min(wrong))])
+        return None
+
+    def drawn(self, answer: Any) -> tuple[list[Any], Array | None]:
+        """Neither trees nor a path."""
+        return [], None
+
+    def wanted(self, case: Case) -> str:
+        """What is asked for."""
+        _, n, k, _ = case.given.values()
+        return say(f"{self.name}.wanted", n=n, nodes=n + 2, k=k)
+
+    def answer_words(self, case: Case, value: Any) -> str:
+        """How many, and where it is at fault."""
+        nodes, pairs = value[0]
+        fault = self.fault_of_three(case, value)
+        marked = [] if fault is None else np.round(fault.marked, 3).tolist()
+        return say(f"{self.name}.yours", nodes=len(nodes), edges=len(pairs), marked=f": {marked}" if marked else "")
+
+    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+        """The student's roadmap, and a cross on what is at fault."""
+        from ....figures import palette, plane
+        from .pictures import draw_roadmap_answer
+
+        value = outcome.value if isinstance(outcome, Answer) else None
+        good = value is not None and value[0][0].ndim == 2 and value[0][0].shape[1:] == (2,)
+        draw_roadmap_answer(case.given["problem"], None, value[0] if value is not None and good else None, ax)
+        fault = self.fault_of_three(case, value) if value is not None else None
+        if fault is not None and len(fault.marked) and good:
+            ax.plot(*fault.marked.T, "X", color=palette.GOAL, markersize=14, markeredgecolor="white", zorder=9)
+        rule = self.judge(case, outcome).rule
+        plane.title(self.words(f"pictures.{rule}"), ax)
+
+
+def unevenness(points: Array, size: Array) -> float:
+    """Of 16 equal boxes of a hall of a size, the sum of (count - expected)^2 / expected: about 15 for random points."""
+    places = np.clip(np.floor(SIDE * points / size), 0, SIDE - 1).astype(np.int64)
+    counts = np.bincount(SIDE * places[:, 0] + places[:, 1], minlength=SIDE * SIDE)
+    expected = len(points) / (SIDE * SIDE)
+    return float(((counts - expected) ** 2).sum() / expected)

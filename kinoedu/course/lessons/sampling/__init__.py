@@ -1,0 +1,19 @@
+"""Lesson 6: Sampling, or a hundred probes and where to put them. Its exercises, as the notebook asks for them."""
+
+from .corner_grid import CornerGrid
+from .dispersion_bounds import DispersionBounds
+from .exposing_corridor import ExposeGrids
+from .halton import Halton
+from .radical_inverse import RadicalInverse
+from .sukharev_grid import SukharevGrid
+from .uniform_random import UniformRandom
+
+EXERCISES = [
+    CornerGrid,
+    SukharevGrid,
+    UniformRandom,
+    RadicalInverse,
+    Halton,
+    DispersionBounds,
+    ExposeGrids,
+]

@@ -1,0 +1,101 @@
+"""The exercise on dispersion: two bounds, from a lattice of probes. Bullo & Smith, chapter 4; LaValle, section 5.2.3."""
+
+import math
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from ....geometry.checks import Array
+from ....sampling import dispersion, halton, largest_empty_ball, sukharev_grid, uniform_random
+from ....sampling.dispersion import largest_empty_disc
+from ...exercise import RIGHT, Case, Exercise, Verdict
+from ...outcomes import Answer, Outcome
+from ...shapes import Numbers, Record
+from .pictures import draw_holes
+
+APART = 0.02  # how far the bounds may be apart
+SLACK = 1e-9
+
+
+class DispersionBounds(Exercise):
+    """Two numbers between which the Euclidean dispersion of points in the unit square lies."""
+
+    name = "dispersion_bounds"
+    lesson = "06_sampling"
+    kinds = ("one", "inside", "wall", "corner")
+    given = Record(points=Numbers(("n", 2)))
+    answer = Numbers((2,))
+    source = staticmethod(dispersion)
+    shown = staticmethod(largest_empty_disc)
+
+    def right_answer(self, *given: Any) -> Any:
+        """The library knows it exactly."""
+        return (dispersion(*given),) * 2
+
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """Points that can be drawn by hand, the hundred of the book, then others of every kind."""
+        for points in (
+            [(0.5, 0.5)],
+            [(0, 0), (1, 0), (1, 1), (0, 1)],
+            [(0, 0), (0, 0.5), (0, 1), (1, 0), (1, 0.5), (1, 1)],
+            [(0.2, 0.2), (0.8, 0.2), (0.2, 0.8)],
+            [(0, 0)],
+            [(0.5, 0.1), (0.5, 0.9)],
+            [(0.3, 0.3), (0.4, 0.3), (0.3, 0.4), (0.4, 0.4)],
+            [(0.1, 0.5), (0.9, 0.5), (0.5, 0.5)],
+        ):
+            yield hole_case(np.array(points, float))
+        yield hole_case(halton(100))
+        yield from self.chosen(rng)
+
+    def chosen(self, rng: np.random.Generator) -> Iterator[Case]:
+        """Eight of each kind, by chance."""
+        for _ in range(8):
+            yield hole_case(np.round(rng.uniform(0, 1, (1, 2)), 2))
+            for kind in self.kinds[1:]:
+                case = hole_case(cloud(rng))
+                while case.kind != kind:
+                    case = hole_case(cloud(rng))
+                yield case
+
+    def value_verdict(self, case: Case, value: Any) -> Verdict:
+        """Bounds: neither on the wrong side, and not far apart."""
+        (low, high), points = value, case.given["points"]
+        truth, sup = dispersion(points), dispersion(points, math.inf)
+        rule = ""
+        if not np.isfinite([low, high]).all() or low > high:
+            rule = "bounds"
+        elif low > truth + SLACK:
+            rule = "low"
+        elif high < truth - SLACK:
+            rule = "sup" if low <= sup <= high else "high"
+        elif high - low > APART + SLACK:
+            rule = "apart"
+        return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
+
+    def wanted(self, case: Case) -> str:
+        """What is asked for."""
+        return self.words("wanted", truth=f"{dispersion(case.given['points']):.6f}", apart=APART)
+
+    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+        """The points, the largest hole, and both bounds round its centre."""
+        draw_holes(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
+
+
+def hole_case(points: Array) -> Case:
+    """A case of the kind that it is: one point, or where the centre of the largest hole lies."""
+    centre = largest_empty_ball(points).centre
+    walls = int(((centre < SLACK) | (centre > 1.0 - SLACK)).sum())
+    return Case("one" if len(points) == 1 else ("inside", "wall", "corner")[walls], {"points": points})
+
+
+def cloud(rng: np.random.Generator) -> Array:
+    """Points of the unit square, 2 to 60 of them: random ones, Halton's, or a grid moved a little."""
+    n = int(rng.integers(2, 40))
+    if rng.random() < 0.4:
+        return np.round(uniform_random(n, rng=rng), 2)
+    if rng.random() < 0.5:
+        return halton(n, start=int(rng.integers(1, 50)))
+    grid = sukharev_grid(int(rng.integers(2, 7)) ** 2)
+    return np.clip(grid + rng.uniform(-0.08, 0.08, grid.shape), 0.0, 1.0).round(3)

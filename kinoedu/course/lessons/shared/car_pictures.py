@@ -1,0 +1,137 @@
+"""Pictures of failing cases of lesson 12. What is true is solid and green, what the student's program says dashed and orange."""
+
+import math
+from typing import Any
+
+import numpy as np
+
+from ....curves import dubins
+from ....curves.arcs import driven
+from ....geometry.checks import Array
+from ....words import say
+from ...exercise import Case, ValueExercise
+
+# figures are imported inside the functions: matplotlib is not needed until something is wrong
+
+
+def arc(pose: Array, distance: float, curvature: float) -> Array:
+    """Poses along an arc, shape (k, 3)."""
+    k = 2 + int(min(40.0 * abs(distance * curvature), 2000.0))
+    return np.array([driven(*pose, share * distance, curvature) for share in np.linspace(0.0, 1.0, k)])
+
+
+def frame_both(truth: Array, value: Array | None, words: str, ax: Any) -> tuple[float, Array | None]:
+    """Axes round the true poses, and the student's where they are in reach; how long an arrow is, and those that are shown."""
+    from ....figures import palette, plane
+
+    size = max(float(np.ptp(truth[:, :2], axis=0).max()), 1.0)
+    shown = None if value is None or not len(value) or not np.isfinite(value).all() else value
+    if shown is not None and np.abs(shown[:, :2] - truth[0, :2]).max() > 4.0 * size:
+        plane.corner_note(say("picture.outside", what=say("picture.yours_short")), ax, colour=palette.GOAL)
+        shown = None
+    elif shown is None:
+        plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
+    plane.frame((truth if shown is None else np.vstack([truth, shown]))[:, :2], ax, margin=0.2)
+    plane.title(words, ax)
+    return 0.18 * size, shown
+
+
+def draw_moves(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
+    """The arc that is driven, the poses at its ends, and the student's."""
+    from ....figures import cars, palette
+
+    pose, v, phi, t, wheelbase = case.given.values()
+    way = arc(pose, v * t, math.tan(phi) / wheelbase)
+    size, shown = frame_both(way, None if value is None else value[None], exercise.words(f"pictures.{case.kind}"), ax)
+    ax.plot(*way[:, :2].T, "-", color=palette.START, linewidth=2.6, zorder=3)
+    cars.draw_pose(pose, size, say("car_picture.start"), ax, colour=palette.INK, below=True)
+    cars.draw_pose(way[-1], size, say("picture.true"), ax, colour=palette.START)
+    if shown is not None:
+        cars.draw_pose(shown[0], size, say("picture.yours_short"), ax, colour=palette.GOAL, below=True)
+
+
+def draw_drives(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
+    """The way by all controls, the poses between them, and the student's poses."""
+    from ....figures import cars, palette
+
+    start, controls, durations, wheelbase = case.given.values()
+    truth, ways = exercise.truth(case), [start[None]]
+    for pose, (v, phi), t in zip(truth, controls, durations):
+        ways.append(arc(pose, v * t, math.tan(phi) / wheelbase))
+    size, shown = frame_both(np.vstack(ways), value, exercise.words(f"pictures.{case.kind}"), ax)
+    ax.plot(*np.vstack(ways)[:, :2].T, "-", color=palette.START, linewidth=2.6, zorder=3)
+    for number, pose in enumerate(truth):
+        cars.draw_pose(pose, 0.7 * size, str(number), ax, colour=palette.START)
+    for pose in [] if shown is None else shown:
+        cars.draw_pose(pose, 0.7 * size, "", ax, colour=palette.GOAL)
+
+
+def draw_steps(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
+    """The arc, Euler's steps, and the student's."""
+    from ....figures import cars, palette
+
+    pose, v, phi, t, wheelbase, _ = case.given.values()
+    truth = exercise.truth(case)
+    size, shown = frame_both(truth, value, exercise.words(f"pictures.{case.kind}"), ax)
+    ax.plot(*arc(pose, v * t, math.tan(phi) / wheelbase)[:, :2].T, ":", color=palette.INK, linewidth=2.0, zorder=2)
+    ax.plot(*truth[:, :2].T, "-o", color=palette.START, linewidth=2.6, markersize=6, zorder=4, label=say("picture.true"))
+    if shown is not None:
+        words = say("picture.yours_short")
+        ax.plot(*shown[:, :2].T, "--s", color=palette.GOAL, linewidth=2.2, markersize=6, zorder=5, label=words)
+    cars.draw_pose(pose, size, "", ax, colour=palette.INK)
+    ax.legend(fontsize=palette.TEXT_SIZE, loc="best")
+
+
+def draw_orders(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
+    """The errors against the step on scales of powers; at each slope what it is, and what the student says."""
+    from ....figures import palette, plane
+
+    h, errors = case.given.values()
+    ax.loglog(h, errors, "-o", color=palette.TREE, linewidth=2.6, markersize=8)
+    truth = exercise.truth(case)
+    for k, order in enumerate(truth):
+        yours = f"{value[k]:.3g}" if value is not None and k < len(value) else say("car_picture.none")
+        at = math.sqrt(h[k] * h[k + 1]), math.sqrt(errors[k] * errors[k + 1])
+        plane.label(at, say("car_picture.order", true=f"{order:.3g}", yours=yours), ax, colour=palette.GOAL, offset=(9, -16))
+    ax.margins(x=0.35, y=0.2)
+    ax.set_xlabel(say("car_picture.step"), fontsize=palette.TEXT_SIZE)
+    ax.set_ylabel(say("car_picture.error"), fontsize=palette.TEXT_SIZE)
+    ax.tick_params(labelsize=palette.TEXT_SIZE - 1, which="both")
+    plane.title(exercise.words(f"pictures.{case.kind}"), ax)
+
+
+def draw_tangents(exercise: ValueExercise, case: Case, value: float | None, ax: Any) -> None:
+    """The shortest of the four curves, the circles that it runs on, and both lengths."""
+    from ....figures import cars, palette, plane
+
+    a, b, r = case.given.values()
+    curve = min((one for one in dubins.every_word(a, b, r) if one.word[1] == "S"), key=lambda one: one.length)
+    centres = [p[:2] + side * r * np.array([-math.sin(p[2]), math.cos(p[2])]) for p in (a, b) for side in (1, -1)]
+    plane.frame(np.vstack([curve.at(np.linspace(0.0, curve.length, 60))[:, :2], np.array(centres)]), ax, margin=0.3)
+    for centre in centres:
+        plane.ring(centre, r, "", ax, colour=palette.OUTSIDE, style=":")
+    cars.draw_curve(curve, ax, colour=palette.START)
+    cars.draw_pose(a, r, "a", ax, colour=palette.INK, below=True)
+    cars.draw_pose(b, r, "b", ax, colour=palette.INK, below=True)
+    yours = say("car_picture.none") if value is None else f"{value:.4g}"
+    words = say("car_picture.lengths", word=curve.word, true=f"{curve.length:.4g}", yours=yours)
+    plane.corner_note(words, ax, colour=palette.GOAL)
+    plane.title(exercise.words(f"pictures.{case.kind}"), ax)
+
+
+def draw_lost(value: tuple[float, float] | None, wheelbase: float, ax: Any) -> None:
+    """The way that the car drives, and that by phi for tan(phi)."""
+    from ....figures import cars, palette, plane
+
+    if value is None:
+        plane.frame([(0, 0), (1, 1)], ax)
+        plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
+        return
+    (phi, t), start = value, np.zeros(3)
+    true, believed = arc(start, t, math.tan(phi) / wheelbase), arc(start, t, phi / wheelbase)
+    plane.frame(np.vstack([true, believed])[:, :2], ax, margin=0.2)
+    size = 0.15 * max(float(np.ptp(true[:, :2], axis=0).max()), 1.0)
+    for way, colour, style, words in ((true, palette.START, "-", "car"), (believed, palette.GOAL, "--", "program")):
+        ax.plot(*way[:, :2].T, style, color=colour, linewidth=2.4, zorder=3)
+        cars.draw_pose(way[-1], size, say(f"car_picture.{words}"), ax, colour=colour, below=colour == palette.GOAL)
+    plane.title(say("exposing_drive.picture"), ax)

@@ -1,0 +1,190 @@
+"""What programs answer that have a known misconception about searches on graphs."""
+
+from collections.abc import Callable
+from math import inf
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ....graphs import Graph
+from .random_graphs import Neighbours, Weights
+
+Answer = Callable[..., Any]
+
+
+def first_in(neighbours: Neighbours, start: int, *, at: int = 0, late: bool = False) -> tuple[list[int], list[int]]:
+    """Parents, and the order of visit, of a search that takes out the oldest of those that wait (at = 0) or the newest (-1).
+
+    late : nodes are marked when they are taken out, not when they are put in.
+    """
+    parent, order, waiting, seen = [-1] * len(neighbours), [], [start], {start}
+    while waiting:
+        u = waiting.pop(at)
+        if u in order:
+            continue
+        order.append(u)
+        for v in neighbours[u]:
+            if v not in (order if late else seen):
+                seen.add(v)
+                parent[v] = u
+                waiting.append(v)
+    return parent, order
+
+
+def undirected(neighbours: Neighbours) -> Neighbours:
+    """The same edges, both ways."""
+    n = len(neighbours)
+    return [[v for v in range(n) if v in neighbours[u] or u in neighbours[v]] for u in range(n)]
+
+
+def undirected_weights(neighbours: Neighbours, weights: Weights) -> Weights:
+    """The weights beside `undirected`: of edges each way that of the lesser one."""
+    leads = [dict(zip(row, beside)) for row, beside in zip(neighbours, weights)]
+    both = undirected(neighbours)
+    return [[min(leads[u].get(v, inf), leads[v].get(u, inf)) for v in row] for u, row in enumerate(both)]
+
+
+def followed(parent: list[int], goal: int) -> list[int] | None:
+    """From the root to the goal, or None where parents lead in a circle."""
+    path = [goal]
+    while parent[path[-1]] != -1:
+        path.append(parent[path[-1]])
+        if len(path) > len(parent):
+            return None
+    return path[::-1]
+
+
+def tree_path(neighbours: Neighbours, start: int, goal: int, **how: Any) -> list[int] | None:
+    """The path of `first_in`, or None where it does not begin at the start."""
+    path = followed(first_in(neighbours, start, **how)[0], goal)
+    return path if path and path[0] == start else None
+
+
+def depths(neighbours: Neighbours, start: int) -> list[int]:
+    """How many edges away each node is, -1 where it is out of reach."""
+    parent, order = first_in(neighbours, start)
+    return [len(followed(parent, u) or []) - 1 if u in order else -1 for u in range(len(neighbours))]
+
+
+def entered(neighbours: Neighbours, start: int, goal: int) -> list[int]:
+    """The nodes in the order in which a depth-first search enters them, up to the goal: dead ends and all."""
+    order: list[int] = []
+
+    def visit(u: int) -> bool:
+        order.append(u)
+        return u == goal or any(visit(v) for v in neighbours[u] if v not in order)
+
+    visit(start)
+    return order
+
+
+def walked(neighbours: Neighbours, start: int, goal: int) -> list[int] | None:
+    """The walk of a depth-first search, back out of dead ends step by step."""
+    walk, seen = [], set()
+
+    def visit(u: int) -> bool:
+        seen.add(u)
+        walk.append(u)
+        if u == goal:
+            return True
+        for v in neighbours[u]:
+            if v not in seen:
+                if visit(v):
+                    return True
+                walk.append(u)
+        return False
+
+    return walk if visit(start) else None
+
+
+def never_back(neighbours: Neighbours, start: int, goal: int) -> list[int] | None:
+    """On to the first new neighbour, until there is none."""
+    path = [start]
+    while path[-1] != goal:
+        new = [v for v in neighbours[path[-1]] if v not in path]
+        if not new:
+            return None
+        path.append(new[0])
+    return path
+
+
+def best_first(
+    neighbours: Neighbours,
+    weights: Weights,
+    start: int,
+    goal: int = -1,
+    *,
+    estimate: list[float] | None = None,
+    cost_counts: float = 1.0,
+    improves: bool = True,
+    reopens: bool = True,
+    overwrites: bool = False,
+    at_sight: bool = False,
+    from_node: bool = True,
+) -> tuple[list[float], list[int]]:
+    """Costs and parents of Dijkstra's algorithm or A*, with a mistake built in.
+
+    cost_counts = 0 : by the estimate alone. improves, reopens = False : a cost once found stays, or that of a node once taken out.
+    overwrites : a cost is replaced also by a greater one. at_sight : stops when the goal is first seen. from_node = False : the
+    last edge alone counts.
+    """
+    cost, parent = [inf] * len(neighbours), [-1] * len(neighbours)
+    left, waiting, done = estimate or [0.0] * len(neighbours), [start], set()
+    cost[start] = 0.0
+    while waiting:
+        u = min(waiting, key=lambda v: (cost_counts * cost[v] + left[v], v))
+        waiting.remove(u)
+        done.add(u)
+        if u == goal:
+            break
+        for v, weight in zip(neighbours[u], weights[u]):
+            through = (cost[u] if from_node else 0.0) + weight
+            fixed = (v in done and not reopens) or (cost[v] < inf and not improves)
+            if fixed or not (through < cost[v] or (overwrites and v not in done)):
+                continue
+            cost[v], parent[v] = through, u
+            if at_sight and v == goal:
+                return cost, parent
+            if v not in waiting:
+                waiting.append(v)
+    return cost, parent
+
+
+def best_path(neighbours: Neighbours, weights: Weights, estimate: list[float], start: int, goal: int, **how: Any) -> Any:
+    """The path of `best_first`, or None."""
+    parent = best_first(neighbours, weights, start, goal, estimate=estimate, **how)[1]
+    path = followed(parent, goal)
+    return path if path and path[0] == start else None
+
+
+def fewest_edges(graph: Graph, start: int, goal: int) -> NDArray[np.int64] | None:
+    """A path of the fewest edges; of several that which a heap of costs and nodes leads to, where the lesser number goes first."""
+    neighbours = [graph.neighbours(u).tolist() for u in range(graph.size)]
+    path = best_path(neighbours, [[1] * len(row) for row in neighbours], [0.0] * graph.size, start, goal)
+    return None if path is None else np.array(path, np.int64)
+
+
+def lightest_first(neighbours: Neighbours, weights: Weights, start: int) -> list[float]:
+    """Costs when the edge of least weight comes first, whatever was paid before it; each node is expanded once."""
+    cost, waiting, done = [inf] * len(neighbours), [(0.0, start)], set()
+    cost[start] = 0.0
+    while waiting:
+        least, u = min(waiting)
+        waiting.remove((least, u))
+        for v, weight in zip(neighbours[u], weights[u]) if u not in done else ():
+            if cost[u] + weight < cost[v]:
+                cost[v] = cost[u] + weight
+                waiting.append((weight, v))
+        done.add(u)
+    return cost
+
+
+def in_turn(neighbours: Neighbours, weights: Weights, start: int) -> list[float]:
+    """Costs when nodes leave a queue in the order they came, each once."""
+    cost, order = [inf] * len(neighbours), first_in(neighbours, start)[1]
+    cost[start] = 0.0
+    for u in order:
+        for v, weight in zip(neighbours[u], weights[u]):
+            cost[v] = min(cost[v], cost[u] + weight)
+    return cost

@@ -1,0 +1,140 @@
+"""Pictures of failing cases in the plane. What is true is solid and green, what the student's program says dashed and orange."""
+
+from typing import Any
+
+import numpy as np
+
+from ....geometry import closest_point_on_segment, line_through_points
+from ....geometry.checks import Array
+from ....geometry.polygons import nearest_on_ring
+from ....words import say
+from ...exercise import Case, ValueExercise
+from ...outcomes import Answer
+
+# figures are imported inside the functions: matplotlib is not needed until something is wrong
+
+
+def draw_line(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
+    """Two points, the line through them, and the student's."""
+    from ....figures import palette, plane
+
+    p1, p2 = case.given["p1"], case.given["p2"]
+    plane.frame([p1, p2], ax, margin=0.6)
+    if (p1 != p2).any():
+        plane.endless(line_through_points(p1, p2), say("picture.true"), ax, colour=palette.START)
+    if value is not None:
+        numbers = ", ".join(f"{number if abs(number) > 1e-12 else 0.0:.3g}" for number in value)
+        plane.endless(value, say("picture.yours", value=numbers), ax, colour=palette.GOAL, style="--")
+    if ax.lines:
+        ax.legend(fontsize=palette.TEXT_SIZE, loc="best")
+    plane.dot(p1, "p1" if (p1 != p2).any() else "p1 = p2", ax)
+    plane.dot(p2, "p2" if (p1 != p2).any() else "", ax)
+    if value is None:
+        plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
+    plane.title(title_words(exercise, case, value), ax)
+
+
+def title_words(exercise: ValueExercise, case: Case, value: Array | None) -> str:
+    """What to see: the length, where that is what is wrong, else what this kind of input is about."""
+    wrong_length = value is not None and exercise.judge(case, Answer(value)).rule == "unit"
+    return exercise.words(f"pictures.{'unit' if wrong_length else case.kind}")
+
+
+def draw_distance(exercise: ValueExercise, case: Case, value: float | None, ax: Any) -> None:
+    """q, what it is measured to, and round q a circle as large as each of the two distances."""
+    from ....figures import palette, plane
+
+    q, truth = case.given["q"], exercise.truth(case)
+    target = case.given["polygon"] if "polygon" in case.given else np.array([case.given["p1"], case.given["p2"]])
+    nearest = None if isinstance(truth, ValueError) else nearest_point(exercise, case)
+    plane.frame(np.vstack([q, target] + ([] if nearest is None else [nearest])), ax, margin=0.35)
+    draw_target(exercise, target, ax)
+    if nearest is not None:
+        plane.ring(q, truth, "", ax, colour=palette.START)
+        words = say("picture.should_be", value=f"{truth:.4g}")
+        if truth > 0:
+            plane.stretch(q, nearest, words, ax, colour=palette.START)
+    if value is not None and np.isfinite(value) and value > 0:
+        plane.ring(q, value, say("picture.yours", value=f"{value:.4g}"), ax, colour=palette.GOAL, style="--")
+    else:
+        words = say("picture.no_answer") if value is None else say("picture.yours", value=f"{value:.4g}")
+        plane.corner_note(words, ax, colour=palette.GOAL)
+    plane.dot(q, "q", ax)
+    plane.title(exercise.words(f"pictures.{case.kind}"), ax)
+
+
+def draw_target(exercise: ValueExercise, target: Array, ax: Any) -> None:
+    """The line, the segment or the polygon that the distance is measured to."""
+    from ....figures import palette, plane
+
+    if exercise.name == "point_polygon_distance":
+        plane.polygon(target, ax)
+        return
+    p1, p2 = target
+    if exercise.name == "point_line_distance" and (p1 != p2).any():
+        plane.endless(line_through_points(p1, p2), "", ax, colour=palette.OBSTACLE)
+    plane.stretch(p1, p2, "", ax, colour=palette.OBSTACLE, width=4.0)
+    plane.dot(p1, "p1" if (p1 != p2).any() else "p1 = p2", ax, colour=palette.OBSTACLE)
+    plane.dot(p2, "p2" if (p1 != p2).any() else "", ax, colour=palette.OBSTACLE)
+
+
+def nearest_point(exercise: ValueExercise, case: Case) -> Array:
+    """The point that is really nearest to q."""
+    q = case.given["q"]
+    if "polygon" in case.given:
+        return np.array(nearest_on_ring(q[0], q[1], case.given["polygon"])[1:3])
+    p1, p2 = case.given["p1"], case.given["p2"]
+    if exercise.name == "point_segment_distance":
+        return closest_point_on_segment(q, p1, p2)[0]
+    a, b, c = line_through_points(p1, p2)
+    return q - (a * q[0] + b * q[1] + c) * np.array([a, b])
+
+
+def draw_tangent(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
+    """The polygon, q, its nearest point, and both vectors, drawn at a length that can be seen."""
+    from ....figures import palette, plane
+
+    q, polygon = case.given["q"], case.given["polygon"]
+    _, x, y, region = nearest_on_ring(q[0], q[1], polygon)
+    reach = 0.25 * float(np.ptp(np.vstack([polygon, q]), axis=0).max())
+    truth = exercise.truth(case)
+    size = 0.0 if value is None else float(np.linalg.norm(value))
+    seen = value if value is None or size <= 4.0 else 4.0 * value / size  # a longer arrow is drawn as long as fits
+    ends = [q + reach * truth] + ([q + reach * seen] if seen is not None and np.isfinite(seen).all() else [])
+    plane.frame(np.vstack([q, polygon, *ends]), ax, margin=0.15)
+    plane.polygon(polygon, ax)
+    plane.stretch(q, (x, y), "", ax, style=":")
+    if region != 0:
+        plane.ring((x, y), float(np.hypot(*(q - (x, y)))), "", ax, colour=palette.OUTSIDE, style=":")
+    plane.arrow(q, reach * truth, say("picture.true"), ax, colour=palette.START)
+    if seen is not None and np.isfinite(seen).all() and seen.any():
+        words = say("picture.yours_short") if abs(size - 1.0) < 1e-6 else say("picture.yours_long", length=f"{size:.3g}")
+        plane.arrow(q, reach * seen, words, ax, colour=palette.GOAL, style="--")
+    plane.dot(q, "q", ax)
+    plane.title(title_words(exercise, case, value), ax)
+
+
+def draw_crossings(value: tuple[Array, Array] | None, ax: Any) -> None:
+    """A polygon, q, and the ray from q to the right; a cross wherever it meets an edge."""
+    from ....figures import palette, plane
+
+    q, polygon = value if value is not None else (np.zeros(2), np.empty((0, 2)))
+    if value is None or not np.isfinite(np.vstack([q, polygon])).all():
+        plane.frame([(0, 0), (1, 1)], ax)
+        plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
+        return
+    plane.frame(np.vstack([q, polygon]), ax, margin=0.3)
+    if len(polygon) > 1:
+        plane.polygon(polygon, ax)
+    far = max(ax.get_xlim()[1], q[0])
+    plane.stretch(q, (far, q[1]), "", ax, colour=palette.GOAL, style="--")
+    crossed: dict[float, int] = {}
+    for a, b in zip(polygon, np.roll(polygon, -1, axis=0)):
+        if a[1] != b[1] and min(a[1], b[1]) <= q[1] <= max(a[1], b[1]):
+            x = a[0] + (q[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0])
+            if x > q[0]:
+                crossed[float(x)] = crossed.get(float(x), 0) + 1
+    for x, times in crossed.items():
+        plane.dot((x, q[1]), f"{times}x" if times > 1 else "", ax, colour=palette.GOAL, marker="X")
+    plane.dot(q, "q", ax)
+    plane.title(say("exposing_case.picture"), ax)

@@ -1,0 +1,219 @@
+"""What all exercises share that ask for a planner: the problem it is given, the judge of its paths and trees, and the traps.
+
+A planner exercise is a `PlannerExercise`: its `given` begins with `problem=Task()` and ends with `rng=Whole()`, a seed; `result` is
+the shape of one answer. The planner is called three times, twice with the seed and once with another, each time with a new problem
+that writes down what it is asked. `fault` says what is wrong with one answer, by `why_not_a_path` and `why_not_a_tree`, which go
+along every motion again with the course's own collision code; whether chance comes from `rng` alone is judged here.
+
+Rules that planners share have their words in planner.toml; an exercise's own words come first.
+"""
+
+import random
+from abc import abstractmethod
+from collections.abc import Callable
+from typing import Any, ClassVar, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ....geometry.checks import Array
+from ....problems import Tree
+from ...exercise import RIGHT, Case, Exercise, Verdict, spoken
+from ...outcomes import Answer, Outcome
+from ...shapes import Numbers, Shape, Together, Truth
+from ...tasks import Asked, Task, problem_of
+from .small_problems import TRAPS
+
+__all__ = [
+    "NODES",
+    "PATH",
+    "TRAPS",
+    "Asked",
+    "Fault",
+    "PlannerExercise",
+    "Task",
+    "empty_boxes",
+    "first_not_free",
+    "not_along_tree",
+    "not_to_nearest",
+    "problem_of",
+    "same",
+    "three_times",
+    "why_not_a_path",
+    "why_not_a_tree",
+]
+
+NODES, PATH = Numbers(("n", "d")), Numbers(("k", "d"))
+ROUNDING = 1e-9  # what a length or an end may be off, beside the world's size
+
+
+class Fault(NamedTuple):
+    """A rule that an answer breaks, and the configurations where it does: two for a motion; shape (k, d), also none."""
+
+    rule: str
+    marked: Array
+
+
+def why_not_a_path(problem: Any, path: Array) -> Fault | None:
+    """The first thing that keeps it from being a free path from start to goal; None where nothing does."""
+    fault = not_configurations(problem, path)
+    if fault is not None or len(path) == 0:
+        return fault or Fault("start", np.empty((0, len(problem.start))))
+    for rule, row, end in (("start", path[0], problem.start), ("goal", path[-1], problem.goal)):
+        if not same(problem, row, end):
+            return Fault(rule, row[None])
+    return first_not_free(problem, path[:-1], path[1:])
+
+
+def why_not_a_tree(problem: Any, nodes: Array, parent: NDArray[np.int64], step: float, root: Array | None = None) -> Fault | None:
+    """The first thing that keeps it from being a tree that grew from its root by free steps: by default from the start."""
+    fault = not_configurations(problem, nodes)
+    if fault is not None:
+        return fault
+    if len(nodes) == 0 or len(parent) != len(nodes):
+        return Fault("parents", nodes[:0])
+    if parent[0] != -1 or not same(problem, nodes[0], problem.start if root is None else root):
+        return Fault("root", nodes[:1])
+    for i in range(1, len(nodes)):
+        if not 0 <= parent[i] < i:
+            return Fault("parents", nodes[i : i + 1])
+    before, after = nodes[parent[1:]], nodes[1:]
+    for a, b in zip(before, after):
+        if problem.distance(a, b) > step * (1.0 + ROUNDING):
+            return Fault("step", np.array([a, b]))
+    return first_not_free(problem, before, after)
+
+
+def not_to_nearest(problem: Any, nodes: Array, parent: NDArray[np.int64]) -> Fault | None:
+    """A node that hangs on another than the nearest of those before it, the goal excepted.
+
+    Steered straight from its nearest node towards a sample, a new node is nearer to none of the others: the triangle inequality.
+    """
+    for i in range(1, len(nodes)):
+        if same(problem, nodes[i], problem.goal):
+            continue
+        apart = problem.distance(nodes[parent[i]], nodes[i])
+        if min(problem.distance(node, nodes[i]) for node in nodes[:i]) < apart - 1e-7 * (1.0 + apart):
+            return Fault("nearest", nodes[[parent[i], i]])
+    return None
+
+
+def not_along_tree(path: Array, nodes: Array, parent: NDArray[np.int64]) -> Fault | None:
+    """A stretch of a path that does not lead from a node of the tree to a child of it."""
+    edges = {(*nodes[p].tolist(), *q.tolist()) for p, q in zip(parent[1:], nodes[1:])}
+    for a, b in zip(path[:-1], path[1:]):
+        if (*a.tolist(), *b.tolist()) not in edges and not np.array_equal(a, b):
+            return Fault("along", np.array([a, b]))
+    return None
+
+
+def not_configurations(problem: Any, q: Array) -> Fault | None:
+    """Rows that are no configurations of the problem: too short, too long, or not finite."""
+    if len(q) and (q.shape[1] != len(problem.start) or not np.isfinite(q).all()):
+        return Fault("numbers", np.empty((0, len(problem.start))))
+    return None
+
+
+def same(problem: Any, a: Array, b: Array) -> bool:
+    """Whether two configurations are the same but for rounding."""
+    return bool(problem.distance(a, b) <= ROUNDING * (1.0 + np.abs(b).max()))
+
+
+def first_not_free(problem: Any, a: Array, b: Array) -> Fault | None:
+    """The first of the motions from a[i] to b[i] that touches something, judged along all of it."""
+    record = getattr(problem, "problem", problem)
+    for p, q in zip(a, b):
+        if not record.is_free_path(p, q):
+            return Fault("free", np.array([p, q]))
+    return None
+
+
+def empty_boxes(nodes: Array, lo: Array, hi: Array, k: int) -> int:
+    """Of k x k equal boxes between two corners, how many hold no node: what a sampler of all of them leaves out."""
+    places = np.clip(np.floor(k * (nodes[:, :2] - lo[:2]) / (hi[:2] - lo[:2])), 0, k - 1)
+    return k * k - len(np.unique(places, axis=0))
+
+
+class PlannerExercise(Exercise):
+    """A planner to write, called three times. Subclasses declare `result`, and `answer = three_times(result)`."""
+
+    result: ClassVar[Shape]
+    shared: ClassVar[tuple[str, ...]] = ("planner", "exercise")
+    seconds = 20.0
+
+    @abstractmethod
+    def fault(self, case: Case, answer: Any) -> Fault | None:
+        """What is wrong with one answer."""
+
+    @abstractmethod
+    def drawn(self, answer: Any) -> tuple[list[Tree], Array | None]:
+        """The trees and the path in one answer, as the picture shows them."""
+
+    def uses_chance(self, case: Case) -> bool:
+        """Whether another seed must lead to another answer."""
+        return case.kind not in ("same", "trivial")
+
+    def call(self, function: Callable[..., Any], given: dict[str, Any]) -> Any:
+        """Three answers, for rng, rng and rng + 1, and whether Python's and numpy's own chance were left alone."""
+        kept = random.getstate(), np.random.get_state()
+        answers = []
+        for rng in (given["rng"], given["rng"], given["rng"] + 1):
+            answers.append(function(*{**given, "problem": given["problem"].anew(), "rng": rng}.values()))
+        now = random.getstate(), np.random.get_state()
+        random.setstate(kept[0])
+        np.random.set_state(kept[1])
+        return *answers, repr(kept) == repr(now)
+
+    def right_answer(self, *given: Any) -> Any:
+        """The library's own, asked as a student's."""
+        assert self.source is not None
+        return self.source(*given)
+
+    def fault_of_three(self, case: Case, value: Any) -> Fault | None:
+        """What is wrong with the first answer, or with its chance."""
+        first, again, other, alone = value
+        fault = self.fault(case, first)
+        if fault is not None:
+            return fault
+        nowhere = np.empty((0, len(case.given["problem"].start)))
+        if not alone:
+            return Fault("global", nowhere)
+        if self.result.encode(first) != self.result.encode(again):
+            return Fault("again", nowhere)
+        if self.uses_chance(case) and self.result.encode(first) == self.result.encode(other):
+            return Fault("another", nowhere)
+        return self.fault(case, other)
+
+    def value_verdict(self, case: Case, value: Any) -> Verdict:
+        """Right where nothing is wrong with any of the three."""
+        fault = self.fault_of_three(case, value)
+        return RIGHT if fault is None else Verdict(0.0, fault.rule, self.wanted(case))
+
+    def wanted(self, case: Case) -> str:
+        """What is asked for."""
+        return self.words(f"wanted.{case.kind}")
+
+    def answer_words(self, case: Case, value: Any) -> str:
+        """How much was built, and where it is at fault."""
+        trees, path = self.drawn(value[0])
+        told = [self.words("answers.tree", nodes=len(tree.nodes)) for tree in trees]
+        told.append(self.words("answers.no_path") if path is None else self.words("answers.path", rows=len(path)))
+        fault = self.fault_of_three(case, value)
+        if fault is not None and len(fault.marked):
+            told.append(self.words("answers.at", marked=spoken(np.round(fault.marked, 3))))
+        return "; ".join(told)
+
+    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+        """The problem, what was built, and a cross on what is at fault."""
+        from .planned_pictures import draw_answer
+
+        value = outcome.value if isinstance(outcome, Answer) else None
+        fault = None if value is None else self.fault_of_three(case, value)
+        trees, path = ([], None) if value is None else self.drawn(value[0])
+        rule = self.judge(case, outcome).rule
+        draw_answer(case.given["problem"].problem, trees, path, fault, self.words(f"pictures.{rule}"), ax)
+
+
+def three_times(result: Shape) -> Together:
+    """The shape of what `PlannerExercise.call` returns."""
+    return Together((result, result, result, Truth()))

@@ -1,0 +1,45 @@
+"""Pictures of what a student's planner built, with a cross on what is at fault."""
+
+from typing import Any
+
+import numpy as np
+
+from ....geometry.checks import Array
+from ....problems import ProblemRecord, Tree
+from ....words import say
+
+# figures are imported inside the functions: matplotlib is not needed until something is wrong
+
+
+def draw_answer(problem: ProblemRecord, trees: list[Tree], path: Array | None, fault: Any, words: str, ax: Any) -> None:
+    """The problem; the trees, in blue; the path, in yellow; and the motion or configuration that is at fault, in orange."""
+    from ....figures import palette, plane
+    from ....figures.drawing import draw_path, draw_problem, draw_tree
+    from ....figures.robots import place_of, track_of
+
+    draw_problem(problem, ax)
+    for tree in map(drawable, trees):
+        draw_tree(tree, ax, robot=problem.robot)
+        dots = np.array([place_of(problem.robot, q) for q in tree.nodes])
+        ax.plot(*dots.T, ".", color=palette.TREE, markersize=6, zorder=3.5)
+    if path is not None and path.ndim == 2 and path.shape[1] == len(problem.start) and len(path):
+        draw_path(track_of(problem.robot, path[np.isfinite(path).all(axis=1)]), ax)
+    if fault is not None and len(fault.marked):
+        marks = np.array([place_of(problem.robot, q) for q in fault.marked])
+        ax.plot(*marks.T, "--", color=palette.GOAL, linewidth=3.5, zorder=8, scalex=False, scaley=False)
+        ax.plot(*marks[-1], "X", color=palette.GOAL, markersize=13, markeredgecolor="white", zorder=9)
+    if not trees and path is None:
+        plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
+    plane.title(words, ax)
+
+
+def drawable(tree: Tree) -> Tree:
+    """What of a tree can be drawn: its finite nodes, and edges to parents that there are."""
+    nodes = tree.nodes if len(tree.nodes) else np.zeros((0, 2))
+    parent = np.full(len(nodes), -1)
+    known = min(len(nodes), len(tree.parent))
+    parent[:known] = tree.parent[:known]
+    finite: Any = np.isfinite(nodes).all(axis=1)
+    parent[(parent >= len(nodes)) | ~finite] = -1
+    parent[~finite[parent]] = -1
+    return Tree(np.where(finite[:, None], nodes, 0.0), parent)

@@ -1,0 +1,122 @@
+"""The exercise that compares planners: many seeds, medians with quartiles, and failures that are counted."""
+
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import numpy as np
+
+from ....geometry.checks import Array
+from ...exercise import Case, Slip, ValueExercise
+from ...outcomes import Answer, Outcome
+from ...shapes import Listed, Numbers, Record, Text
+from ...whole_shapes import Whole
+
+QUARTERS = (0.25, 0.5, 0.75)
+
+
+class ComparePlanners(ValueExercise):
+    """A row for each planner: the share of seeds with a path, and the quartiles and median of the lengths of those."""
+
+    name = "compare_planners"
+    lesson = "10_terrains"
+    kinds = ("all_found", "other_seeds", "some_fail", "none_found", "outlier")
+    given = Record(lengths=Numbers(("planners", "seeds")), planners=Listed(Text(40)), seeds=Listed(Whole()))
+    answer = Numbers(("n", 4))
+    slips = (
+        Slip("mean", lambda lengths, *_: table_of(lengths, middle=np.mean)),
+        Slip("with_failures", lambda lengths, *_: table_of(lengths, found=np.ones_like)),
+        Slip("failures_are_zero", lambda lengths, *_: table_of(np.where(np.isfinite(lengths), lengths, 0.0), share_of=lengths)),
+        Slip("percent", lambda lengths, *_: table_of(lengths) * (100.0, 1.0, 1.0, 1.0)),
+        Slip("whole_spread", lambda lengths, *_: table_of(lengths, quarters=(0.0, 0.5, 1.0))),
+        Slip("not_between", lambda lengths, *_: table_of(lengths, method="nearest")),
+        Slip("not_between", lambda lengths, *_: table_of(lengths, method="lower")),
+        Slip("not_between", lambda lengths, *_: table_of(lengths, method="higher")),
+        Slip("deviation", lambda lengths, *_: deviations(lengths)),
+        Slip("one_seed", lambda lengths, *_: table_of(lengths[:, :1])),
+        Slip("counts", lambda lengths, *_: table_of(lengths) * (lengths.shape[1], 1.0, 1.0, 1.0)),
+    )
+
+    @staticmethod
+    def reference(lengths: Array, planners: list[str], seeds: list[int]) -> Array:
+        """Rows of share, lower quartile, median, upper quartile."""
+        return table_of(lengths)
+
+    source = reference
+
+    def call(self, function: Callable[..., Any], given: dict[str, Any]) -> Any:
+        """Hand over a runner that answers for those planners with those seeds, and for no others."""
+        lengths, planners, seeds = given.values()
+
+        def run(planner: str, seed: int) -> float:
+            """The length of the path that a planner finds with a seed, infinite where it finds none."""
+            if planner not in planners or int(seed) not in seeds:
+                raise ValueError(f"run was asked for {planner!r} with seed {seed!r}; known are {planners} and {seeds}")
+            return float(lengths[planners.index(planner), seeds.index(int(seed))])
+
+        return function(run, list(planners), list(seeds))
+
+    def right_answer(self, run: Any, planners: list[str], seeds: list[int]) -> Array:
+        """By asking the runner."""
+        return table_of(np.array([[run(planner, seed) for seed in seeds] for planner in planners]))
+
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """Four runs that can be reckoned by hand; then more, with planners that fail and runs that go far astray."""
+        inf = float("inf")
+        for kind, rows, numbers in (
+            ("all_found", [[4.0, 2.0, 6.0, 8.0, 10.0]], [0, 1, 2, 3, 4]),
+            ("other_seeds", [[4.0, 2.0, 6.0, 8.0, 10.0]], [7, 3, 11, 2, 5]),
+            ("some_fail", [[4.0, inf, 6.0, inf]], [0, 1, 2, 3]),
+            ("none_found", [[inf, inf], [1.0, 2.0]], [0, 1]),
+            ("outlier", [[2.0, 2.0, 3.0, 100.0]], [0, 1, 2, 3]),
+        ):
+            yield self.asked(kind, np.array(rows), numbers)
+        for _ in range(11):
+            for kind in self.kinds:
+                n, m = int(rng.integers(1, 4)), int(rng.integers(5, 40))
+                lengths = np.round(rng.gamma(4.0, 60.0, (n, m)) + 334.0, 3)
+                if kind == "some_fail":
+                    lengths[rng.random((n, m)) < 0.3] = inf
+                    lengths[:, 0], lengths[:, 1] = 400.0, inf
+                elif kind == "none_found":
+                    lengths[-1] = inf
+                elif kind == "outlier":
+                    lengths[:, m // 2] *= 30.0
+                seeds = rng.permutation(100)[:m].tolist() if kind == "other_seeds" else list(range(m))
+                yield self.asked(kind, lengths, seeds)
+
+    def asked(self, kind: str, lengths: Array, seeds: list[int]) -> Case:
+        """A case with as many names as there are rows."""
+        names = ["RRT", "PRM", "A*"][: len(lengths)]
+        return Case(kind, {"lengths": lengths, "planners": names, "seeds": seeds})
+
+    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+        """Every run as a dot, the right quartiles and median, and the student's."""
+        from .pictures import draw_runs
+
+        draw_runs(self, case, outcome.value if isinstance(outcome, Answer) else None, self.truth(case), ax)
+
+
+def table_of(
+    lengths: Array,
+    *,
+    found: Callable[[Array], Any] = np.isfinite,
+    middle: Callable[[Array], Any] | None = None,
+    quarters: tuple[float, float, float] = QUARTERS,
+    method: Any = "linear",
+    share_of: Array | None = None,
+) -> Array:
+    """A row for each row of lengths; the other arguments are what may be got wrong."""
+    rows = []
+    for runs, shown in zip(lengths, lengths if share_of is None else share_of):
+        kept = runs[np.asarray(found(runs), bool)]
+        low, half, high = np.quantile(kept, quarters, method=method) if len(kept) else (np.nan,) * 3
+        rows.append((np.isfinite(shown).mean(), low, middle(kept) if middle and len(kept) else half, high))
+    return np.array(rows)
+
+
+def deviations(lengths: Array) -> Array:
+    """The mean, and a standard deviation to both sides."""
+    table = table_of(lengths, middle=np.mean)
+    sigma = np.array([np.std(runs[np.isfinite(runs)]) if np.isfinite(runs).any() else np.nan for runs in lengths])
+    table[:, 1], table[:, 3] = table[:, 2] - sigma, table[:, 2] + sigma
+    return table

@@ -1,0 +1,144 @@
+"""The exercise on what a motion costs on a terrain: an integral, from cell to cell."""
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from ....collision.costs import cost_on_terrain, integral
+from ....geometry.checks import Array
+from ....words import say
+from ...exercise import Case, Slip, ValueExercise
+from ...outcomes import Answer, Outcome
+from ...shapes import Number, Numbers, Record
+from ..geometry.lines import POINT
+
+
+class CostAlong(ValueExercise):
+    """The integral of the cells' costs along a segment."""
+
+    name = "cost_along"
+    lesson = "10_terrains"
+    kinds = ("one_cell", "row", "column", "slanted", "backwards", "corners", "nowhere")
+    given = Record(cost=Numbers(("rows", "columns")), a=POINT, b=POINT)
+    answer = Number()
+    shown = staticmethod(cost_on_terrain)
+    slips = (
+        Slip("ends", lambda cost, a, b: length(a, b) * (at(cost, a) + at(cost, b)) / 2),
+        Slip("middle", lambda cost, a, b: length(a, b) * at(cost, (a + b) / 2)),
+        Slip("start", lambda cost, a, b: length(a, b) * at(cost, a)),
+        Slip("sampled", lambda cost, a, b: sampled(cost, a, b, 0.5)),
+        Slip("whole_x_only", lambda cost, a, b: summed(cost, a, b, cuts(a[:1], b[:1]), 0.5)),
+        Slip("first_end", lambda cost, a, b: summed(cost, a, b, cuts(a, b), 0.0)),
+        Slip("transposed", lambda cost, a, b: transposed(cost, a, b)),
+        Slip("upside_down", lambda cost, a, b: exact(cost[::-1], a, b)),
+        Slip("length", lambda cost, a, b: length(a, b)),
+        Slip("share", lambda cost, a, b: exact(cost, a, b) / length(a, b)),
+        Slip("cells", lambda cost, a, b: sum(cost[j, i] for i, j in crossed(cost, a, b))),
+    )
+
+    @staticmethod
+    def reference(cost: Array, a: Array, b: Array) -> float:
+        """The library's."""
+        return exact(cost, a, b)
+
+    source = reference
+
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """Two cells first; no motion runs along a side."""
+        two = np.array([[1.0, 3.0]])
+        square = np.array([[1.0, 2.0], [4.0, 8.0]])
+        for kind, cost, a, b in (
+            ("one_cell", two, (0.25, 0.5), (0.75, 0.5)),
+            ("row", two, (0.5, 0.5), (1.5, 0.5)),
+            ("column", two.T, (0.5, 0.5), (0.5, 1.5)),
+            ("nowhere", two, (0.5, 0.5), (0.5, 0.5)),
+            ("slanted", square, (0.5, 0.25), (1.75, 1.5)),
+            ("backwards", two, (1.75, 0.5), (0.5, 0.5)),
+            ("corners", square, (0.5, 0.5), (1.5, 1.5)),
+        ):
+            yield Case(kind, {"cost": cost, "a": np.array(a), "b": np.array(b)})
+        for number in range(10):
+            for kind in self.kinds:
+                yield Case(kind, case_by_chance(kind, 2 + number // 2, rng))
+
+    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+        """The cells with their costs, and the motion cut where it enters another."""
+        from .pictures import draw_costs
+
+        found = outcome.value if isinstance(outcome, Answer) else None
+        draw_costs(self, case, found, say("picture.should_be", value=self.wanted(case)), ax)
+
+
+def case_by_chance(kind: str, n: int, rng: np.random.Generator) -> dict[str, Any]:
+    """A motion over cells of whole costs, in rows and columns of different number."""
+    cost = rng.integers(1, 10, (n, n + 1)).astype(float)
+    a, b = np.round(rng.uniform((0, 0), (n + 1, n), (2, 2)), 2) * 0.98 + 0.013
+    if kind == "row":
+        b[1] = a[1]
+    elif kind == "column":
+        b[0] = a[0]
+    elif kind == "nowhere":
+        b = a.copy()
+    elif kind == "one_cell":
+        b = np.floor(a) + rng.uniform(0.05, 0.95, 2).round(2)
+    elif kind == "corners":
+        i, k = int(rng.integers(0, 2)), int(rng.integers(1, n))
+        a, b = np.array([i + 0.5, 0.5]), np.array([i + k + 0.5, k + 0.5])
+        b = b if i + k < n + 1 else a + (b - a) / k * (n - i)
+    if kind == "backwards" and b[0] > a[0]:
+        a, b = b, a
+    return {"cost": cost, "a": a, "b": b}
+
+
+def exact(cost: Array, a: Array, b: Array) -> float:
+    """The library's integral over cells of side 1; none outside."""
+    value = float(integral(np.ascontiguousarray(cost), a[0], a[1], b[0], b[1]))
+    if value == np.inf:
+        raise ValueError("outside")
+    return value
+
+
+def length(a: Array, b: Array) -> float:
+    """|b - a|."""
+    return float(np.sqrt(((b - a) ** 2).sum()))
+
+
+def transposed(cost: Array, a: Array, b: Array) -> float:
+    """The sum with cost[column, row], where there is one."""
+    stretches = np.diff(cuts(a, b)) * length(a, b)
+    inside = [(s, i, j) for s, (i, j) in zip(stretches, crossed(cost, a, b)) if i < len(cost) and j < len(cost[0])]
+    return float(sum(cost[i, j] * s for s, i, j in inside))
+
+
+def summed(cost: Array, a: Array, b: Array, shares: Array, look: float) -> float:
+    """The sum over the pieces between shares of a motion, each looked up at one of its places: 0 is its first end, 1 its last."""
+    looked = shares[:-1] + look * np.diff(shares)
+    return float(sum(at(cost, a + (b - a) * t) * s for t, s in zip(looked, np.diff(shares) * length(a, b))))
+
+
+def at(cost: Array, q: Array) -> float:
+    """The cost of the cell that holds a place."""
+    return float(cost[int(q[1]), int(q[0])])
+
+
+def sampled(cost: Array, a: Array, b: Array, step: float) -> float:
+    """A sum over samples, each worth a step."""
+    whole = length(a, b)
+    return sum(at(cost, a + (b - a) * (s / whole)) * step for s in np.arange(0.0, whole, step)) if whole else 0.0
+
+
+def cuts(a: Array, b: Array) -> Array:
+    """The shares of a motion after which it enters another cell, with 0 and 1, in order."""
+    shares = [0.0, 1.0]
+    for p, q in zip(a, b):
+        lines = np.arange(np.ceil(min(p, q)), np.floor(max(p, q)) + 1.0)
+        shares += ((lines - p) / (q - p)).tolist() if p != q else []
+    return np.unique(np.clip(shares, 0.0, 1.0))
+
+
+def crossed(cost: Array, a: Array, b: Array) -> list[tuple[int, int]]:
+    """The cells (i, j) that a motion passes through, in order; the one that holds it where it stays."""
+    shares = cuts(a, b)
+    middles = [a + (b - a) * t for t in (shares[1:] + shares[:-1]) / 2]
+    return [(int(x), int(y)) for x, y in middles]

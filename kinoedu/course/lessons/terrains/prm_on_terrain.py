@@ -1,0 +1,111 @@
+"""The exercise that asks for the document's second planner: PRM on a bitmap, with every free pair joined."""
+
+from typing import Any
+
+import numpy as np
+
+from ....geometry.checks import Array
+from ....graphs import Graph, astar
+from ....planners.prm import prm
+from ....problems import Tree
+from ...exercise import Case
+from ...shapes import Maybe, Record, Together
+from ...whole_shapes import Whole, WholeNumbers
+from ..shared.planned import NODES, PATH, Asked, Fault, Task, empty_boxes, three_times
+from .rrt_on_terrain import TerrainPlanner
+
+
+def bounds(problem: Any) -> tuple[Array, Array]:
+    """The corners of a problem's world."""
+    return problem.world.lo, problem.world.hi
+
+
+def own_prm(problem: Any, n: int, rng: int) -> Any:
+    """PRM as the exercise asks for it."""
+    chance, nodes = np.random.default_rng(rng), [problem.start, problem.goal]
+    while len(nodes) < n + 2:
+        q = problem.sample(chance)
+        if problem.is_free(q):
+            nodes.append(q)
+    edges = [(i, j) for i in range(n + 2) for j in range(i + 1, n + 2) if problem.is_free_path(nodes[i], nodes[j])]
+    numbers = shortest(problem, np.array(nodes), np.array(edges))
+    return nodes, edges, None if numbers is None else np.array(nodes)[numbers]
+
+
+def shortest(problem: Any, nodes: Array, edges: Array) -> Any:
+    """The numbers of the nodes on a shortest path from node 0 to node 1, or None."""
+    lengths = [problem.distance(nodes[i], nodes[j]) for i, j in edges]
+    return astar(Graph(len(nodes), np.reshape(edges, (-1, 2)), np.array(lengths)), 0, 1, np.zeros(len(nodes)))[0]
+
+
+class PrmOnTerrain(TerrainPlanner):
+    """A roadmap of so many free samples, every free pair joined, and a shortest path on it."""
+
+    name = "prm_on_terrain"
+    given = Record(problem=Task(), n=Whole(), rng=Whole())
+    result = Together((NODES, WholeNumbers(("m", 2)), Maybe(PATH)))
+    answer = three_times(result)
+    source = staticmethod(own_prm)
+    shown = staticmethod(prm)
+
+    def asked(self, kind: str, problem: Asked, rng: int) -> Case:
+        """Enough samples for every trap."""
+        return Case(kind, {"problem": problem, "n": 8 if kind == "same" else 40, "rng": rng})
+
+    def uses_chance(self, case: Case) -> bool:
+        """Nodes are drawn in every case."""
+        return True
+
+    def fault(self, case: Case, answer: Any) -> Fault | None:
+        """The nodes; the edges, each free pair once; the path, along them, and as short as they allow."""
+        nodes, edges, path = answer
+        problem, n = case.given["problem"], case.given["n"]
+        fault = fault_of_nodes(problem, nodes, n) or fault_of_edges(problem, nodes, edges)
+        if fault is not None or path is None:
+            known = fault is not None or shortest(problem, nodes, edges) is None
+            return fault if known else Fault("missed", nodes[:0])
+        return self.fault_of_end(case, path) or fault_of_way(problem, nodes, edges, path)
+
+    def drawn(self, answer: Any) -> tuple[list[Tree], Array | None]:
+        """The nodes, as trees of one node each, and the path."""
+        nodes, _, path = answer
+        return [Tree(nodes, np.full(len(nodes), -1))], path
+
+
+def fault_of_nodes(problem: Any, nodes: Array, n: int) -> Fault | None:
+    """Start, goal and n free samples from everywhere."""
+    if len(nodes) != n + 2:
+        return Fault("count", nodes[:0])
+    if not (np.array_equal(nodes[0], problem.start) and np.array_equal(nodes[1], problem.goal)):
+        return Fault("ends_first", nodes[:2])
+    for q in nodes:
+        if not problem.problem.is_free(q):
+            return Fault("free_node", q[None])
+    return Fault("corner", nodes[:0]) if n >= 40 and empty_boxes(nodes, *bounds(problem), 2) else None
+
+
+def fault_of_edges(problem: Any, nodes: Array, edges: Array) -> Fault | None:
+    """Every free pair, each once and no other."""
+    if len(edges) and (edges.min() < 0 or edges.max() >= len(nodes)):
+        return Fault("numbers_of_nodes", nodes[:0])
+    pairs = {(min(i, j), max(i, j)) for i, j in edges.tolist()}
+    if len(pairs) < len(edges) or any(i == j for i, j in pairs):
+        return Fault("once", nodes[:0])
+    for i in range(len(nodes)):
+        for j in range(i + 1, len(nodes)):
+            if ((i, j) in pairs) != bool(problem.problem.is_free_path(nodes[i], nodes[j])):
+                return Fault("free" if (i, j) in pairs else "all_pairs", nodes[[i, j]])
+    return None
+
+
+def fault_of_way(problem: Any, nodes: Array, edges: Array, path: Array) -> Fault | None:
+    """A path along the edges, no longer than the shortest."""
+    at = [int(np.argmin(((nodes - q) ** 2).sum(axis=1))) for q in path]
+    pairs = {(i, j) for i, j in edges.tolist()} | {(j, i) for i, j in edges.tolist()}
+    for a, b, i, j in zip(path[:-1], path[1:], at[:-1], at[1:]):
+        on_nodes = np.allclose(nodes[[i, j]], [a, b], rtol=0.0, atol=1e-9)
+        if not on_nodes or ((i, j) not in pairs and i != j):
+            return Fault("along_edges", np.array([a, b]))
+    best = nodes[shortest(problem, nodes, edges)]
+    found, least = (sum(problem.distance(a, b) for a, b in zip(way[:-1], way[1:])) for way in (path, best))
+    return Fault("shortest", nodes[:0]) if found > least + 1e-6 * (1.0 + least) else None

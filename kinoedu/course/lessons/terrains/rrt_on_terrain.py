@@ -1,0 +1,177 @@
+"""What the exercises share that ask for the two planners of the document, and the one on RRT on a bitmap, with its parameters."""
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from ....geometry.checks import Array
+from ....graphs import extract_path
+from ....planners.rrt import grow
+from ....problems import Problem, Tree
+from ....robots import Point
+from ....worlds import Terrain
+from ...exercise import Case
+from ...shapes import Maybe, Number, Record, Together
+from ...whole_shapes import Whole, WholeNumbers
+from ..shared.planned import (
+    NODES,
+    PATH,
+    Asked,
+    Fault,
+    PlannerExercise,
+    Task,
+    not_along_tree,
+    not_to_nearest,
+    three_times,
+    why_not_a_path,
+    why_not_a_tree,
+)
+
+STEP, SPACING, FAILURES = 6.0, 3.0, 400
+KINDS = ("same", "open", "thin", "bag", "sealed")
+SMALL = 40  # cells either way
+
+
+def on_terrain(blocked: Any, start: Any, goal: Any) -> Asked:
+    """A point on a terrain of 40 x 40 cells; blocked boxes (x0, y0, x1, y1)."""
+    free = np.ones((SMALL, SMALL), np.bool_)
+    for x0, y0, x1, y1 in blocked:
+        free[y0:y1, x0:x1] = False
+    return Asked(Problem(Point(), Terrain(free), start, goal))
+
+
+TERRAINS = {
+    "same": on_terrain([], (20.5, 20.5), (20.5, 20.5)),
+    "open": on_terrain([(17, 12, 20, 16)], (5.5, 5.5), (34.5, 33.5)),
+    "thin": on_terrain([(33, 14, 34, 26)], (6.5, 20.5), (35.5, 20.5)),  # one cell thick, less than a step before the goal
+    "bag": on_terrain([(26, 10, 28, 30), (14, 10, 28, 12), (14, 28, 28, 30)], (22.5, 20.5), (34.5, 20.5)),
+    "sealed": on_terrain([(28, 28, 40, 30), (28, 28, 30, 40)], (5.5, 5.5), (35.5, 35.5)),
+}
+EMPTY = on_terrain([], (5.5, 5.5), (34.5, 33.5))
+
+
+class TerrainPlanner(PlannerExercise):
+    """A planner on small terrains that are traps."""
+
+    lesson = "10_terrains"
+    kinds = KINDS
+
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """Each terrain twice, and rocks by chance."""
+        for _ in range(2):
+            for kind, problem in TERRAINS.items():
+                yield self.asked(kind, problem, int(rng.integers(1000)))
+        for _ in range(2):
+            corners = rng.integers(8, 28, (5, 2))
+            rocks = [(x, y, x + 4, y + 4) for x, y in corners.tolist()]
+            yield self.asked("open", on_terrain(rocks, (3.5, 3.5), (36.5, 36.5)), int(rng.integers(1000)))
+
+    def asked(self, kind: str, problem: Asked, rng: int) -> Case:
+        """The case of a problem, with a seed."""
+        raise NotImplementedError
+
+    def fault_of_end(self, case: Case, path: Array | None) -> Fault | None:
+        """What is wrong with a path, or with there being none where there is a way."""
+        if path is None:
+            return None if case.kind == "sealed" else Fault("missed", np.empty((0, 2)))
+        return why_not_a_path(case.given["problem"], path)
+
+
+def own_rrt(problem: Any, step: float, spacing: float, goal_bias: float, failures: int, rng: int) -> Any:
+    """RRT as the exercise asks for it."""
+    chance, nodes, parent, in_a_row = np.random.default_rng(rng), [problem.start], [-1], 0
+
+    def reached(q: Array) -> bool:
+        return problem.distance(q, problem.goal) <= step and problem.is_free_path(q, problem.goal)
+
+    while in_a_row < failures and not reached(nodes[-1]):
+        q_rand = problem.goal if chance.random() < goal_bias else problem.sample(chance)
+        near = int(np.argmin([problem.distance(q, q_rand) for q in nodes]))
+        q_new = problem.steer(nodes[near], q_rand, step)
+        in_a_row += 1
+        apart = min(problem.distance(q, q_new) for q in nodes) >= spacing
+        if apart and problem.is_free_path(nodes[near], q_new):
+            nodes.append(q_new)
+            parent.append(near)
+            in_a_row = 0
+    if in_a_row == failures:
+        return nodes, parent, None
+    nodes.append(problem.goal)
+    parent.append(len(nodes) - 2)
+    return nodes, parent, np.array(nodes)[extract_path(np.array(parent), len(nodes) - 1)]
+
+
+class RrtOnTerrain(TerrainPlanner):
+    """One tree, half of whose samples are the goal, given up after so many failures in a row."""
+
+    name = "rrt_on_terrain"
+    given = Record(problem=Task(), step=Number(), spacing=Number(), goal_bias=Number(), failures=Whole(), rng=Whole())
+    result = Together((NODES, WholeNumbers(("n",)), Maybe(PATH)))
+    answer = three_times(result)
+    source = staticmethod(own_rrt)
+    shown = staticmethod(grow)
+
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """As for both planners; then empty ground, where every sample is the goal."""
+        yield from super().cases(rng)
+        always = self.asked("open", EMPTY, int(rng.integers(1000)))
+        yield Case("open", {**always.given, "goal_bias": 1.0})
+
+    def asked(self, kind: str, problem: Asked, rng: int) -> Case:
+        """Fewer failures where there is no way: a tree that nothing stops grows for ever."""
+        failures = 80 if kind == "sealed" else FAILURES
+        tuning = {"step": STEP, "spacing": SPACING, "goal_bias": 0.5, "failures": failures}
+        return Case(kind, {"problem": problem, **tuning, "rng": rng})
+
+    def uses_chance(self, case: Case) -> bool:
+        """Not where every sample is the goal."""
+        return super().uses_chance(case) and case.given["goal_bias"] < 1.0
+
+    def fault(self, case: Case, answer: Any) -> Fault | None:
+        """The path; the tree and its rule; whether the one belongs to the other; where it gave up."""
+        nodes, parent, path = answer
+        problem = case.given["problem"]
+        fault = None if path is None else self.fault_of_end(case, path)
+        fault = fault or why_not_a_tree(problem, nodes, parent, case.given["step"]) or not_to_nearest(problem, nodes, parent)
+        fault = fault or too_near(problem, nodes, case.given["spacing"]) or went_past(problem, nodes, path, case.given["step"])
+        fault = fault or (not_at_the_goal(problem, nodes) if case.given["goal_bias"] == 1.0 else None)
+        if fault is None and path is not None:
+            fault = not_along_tree(path, nodes, parent)
+        if fault is None and case.kind == "sealed" and len(nodes) < LEAST:
+            fault = Fault("gave_up", nodes[:0])
+        return fault or self.fault_of_end(case, path)
+
+    def drawn(self, answer: Any) -> tuple[list[Tree], Array | None]:
+        """The tree and the path."""
+        nodes, parent, path = answer
+        return [Tree(nodes, parent)], path
+
+
+LEAST = 45  # nodes of a tree that has filled what is not sealed: it has 60 and more
+
+
+def too_near(problem: Any, nodes: Array, spacing: float) -> Fault | None:
+    """A node that is nearer than the spacing to an earlier one, the goal excepted."""
+    for i in range(1, len(nodes)):
+        apart = [problem.distance(q, nodes[i]) for q in nodes[:i]]
+        if min(apart) < spacing * (1.0 - 1e-9) and not np.array_equal(nodes[i], problem.goal):
+            return Fault("too_near", nodes[[int(np.argmin(apart)), i]])
+    return None
+
+
+def went_past(problem: Any, nodes: Array, path: Array | None, step: float) -> Fault | None:
+    """A node in free reach of the goal, after which the tree went on: with a path, any but the goal and the one it hangs on."""
+    for q in nodes[: len(nodes) - (0 if path is None else 2)]:
+        if problem.distance(q, problem.goal) <= step * (1.0 - 1e-9) and problem.problem.is_free_path(q, problem.goal):
+            return Fault("went_past", np.array([q, problem.goal]))
+    return None
+
+
+def not_at_the_goal(problem: Any, nodes: Array) -> Fault | None:
+    """A node off the straight way from start to goal, where every sample is the goal."""
+    whole = problem.distance(problem.start, problem.goal)
+    for q in nodes:
+        if problem.distance(problem.start, q) + problem.distance(q, problem.goal) > whole + 1e-6 * (1.0 + whole):
+            return Fault("always_the_goal", q[None])
+    return None

@@ -1,0 +1,96 @@
+"""The exercise "break it" of lesson 9: a room in which an RRT claims a path that is none."""
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from ....errors import KinoeduError
+from ....geometry.checks import Array
+from ....words import say
+from ...exercise import RIGHT, Case, Exercise, Verdict
+from ...outcomes import Answer, Outcome
+from ...shapes import Numbers, Record, Together
+from ...tasks import Asked
+from ..shared.planned import why_not_a_path
+from ..shared.planned_pictures import draw_answer
+from ..shared.small_problems import SQUARE, in_room
+
+POINT = Numbers((2,))
+
+
+class ExposeHastyGoal(Exercise):
+    """Break it: start, goal and one triangle in a room of 10 x 10, with which `hasty_rrt` goes through a wall."""
+
+    name = "exposing_room"
+    lesson = "09_trees"
+    kinds = ("valid", "exposes", "no_way")
+    given = Record()
+    answer = Together((POINT, POINT, Numbers((3, 2))))
+
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """The same question three times: each asks more of the answer."""
+        return (Case(kind, {}) for kind in self.kinds)
+
+    def value_verdict(self, case: Case, value: Any) -> Verdict:
+        """A problem; with a path that is not free; although there is no way at all."""
+        problem = problem_with(*value)
+        rule = "valid" if problem is None else ""
+        if problem is not None and case.kind != "valid":
+            path = hasty_rrt(problem, 1.0, 0.05, 500, 0)
+            rule = "none" if path is None else "exposes" if why_not_a_path(problem, path) is None else ""
+            if not rule and case.kind == "no_way" and in_one_part(*value):
+                rule = "no_way"
+        return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
+
+    def wanted(self, case: Case) -> str:
+        """What is asked for."""
+        return say(f"exposing_room.wanted.{case.kind}")
+
+    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+        """The room, and the path that the program claims."""
+        problem = problem_with(*outcome.value) if isinstance(outcome, Answer) else None
+        path = None if problem is None else hasty_rrt(problem, 1.0, 0.05, 500, 0)
+        shown = (problem or in_room((1, 1), (9, 9))).problem
+        fault = None if problem is None or path is None else why_not_a_path(problem, path)
+        draw_answer(shown, [], path, fault, say("exposing_room.picture"), ax)
+
+
+def problem_with(start: Array, goal: Array, triangle: Array) -> Asked | None:
+    """The problem, or None where it is none."""
+    if not all((np.abs(points) <= 100.0).all() for points in (start, goal, triangle)):
+        return None
+    try:
+        return in_room(start, goal, triangle)
+    except KinoeduError:
+        return None
+
+
+def in_one_part(start: Array, goal: Array, triangle: Array) -> bool:
+    """Whether a way leads from start to goal, both free: whether they lie in one part of what the triangle leaves of the room."""
+    import shapely
+
+    parts = shapely.get_parts(shapely.Polygon(SQUARE) - shapely.Polygon(triangle))
+    return any(part.intersects(shapely.Point(start)) and part.intersects(shapely.Point(goal)) for part in parts)
+
+
+def hasty_rrt(problem: Any, step: float, goal_bias: float, iterations: int, rng: int) -> Array | None:
+    """A path from start to goal by a rapidly-exploring random tree, or None.
+
+    It is wrong somewhere. Where?
+    """
+    chance, nodes, parent = np.random.default_rng(rng), [problem.start], [-1]
+    for _ in range(iterations):
+        if problem.distance(nodes[-1], problem.goal) <= step:
+            path, node = [problem.goal], len(nodes) - 1
+            while node >= 0:
+                path.append(nodes[node])
+                node = parent[node]
+            return np.array(path[::-1])
+        q_rand = problem.goal if chance.random() < goal_bias else problem.sample(chance)
+        near = int(np.argmin([problem.distance(q, q_rand) for q in nodes]))
+        q_new = problem.steer(nodes[near], q_rand, step)
+        if problem.is_free_path(nodes[near], q_new):
+            nodes.append(q_new)
+            parent.append(near)
+    return None

@@ -1,0 +1,143 @@
+"""The exercise on planning with a receding horizon: how far a plan is followed. Bullo & Smith, chapter 5."""
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from ....geometry.checks import Array
+from ....planners import receding_horizon
+from ...exercise import Case, Slip, ValueExercise
+from ...outcomes import Answer, Outcome
+from ...shapes import Number, Record
+from ...tasks import Asked
+from ..shared.planned import PATH, Fault, Task
+from ..shared.planned_pictures import draw_answer
+from ..shared.small_problems import box, in_room
+
+
+def followed(problem: Any, path: Array, horizon: float) -> Array:
+    """The first part of a path, as long as the horizon, up to the first motion that is not free."""
+    gone, left = [path[0]], horizon
+    for a, b in zip(path, path[1:]):
+        q = problem.steer(a, b, left)
+        if left <= 0.0 or not problem.is_free_path(a, q):
+            break
+        gone.append(q)
+        left -= problem.distance(a, b)
+    return np.array(gone)
+
+
+def to_the_corner(problem: Any, path: Array, horizon: float) -> Array:
+    """Goes on to the end of the motion on which the horizon ends."""
+    gone, left = [path[0]], horizon
+    for a, b in zip(path, path[1:]):
+        if left <= 0.0 or not problem.is_free_path(a, b):
+            break
+        gone.append(b)
+        left -= problem.distance(a, b)
+    return np.array(gone)
+
+
+def before_the_corner(problem: Any, path: Array, horizon: float) -> Array:
+    """Stops at the last corner before the horizon."""
+    whole = followed(problem, path, horizon)
+    return whole if len(whole) < 2 or np.array_equal(whole[-1], path[len(whole) - 1]) else whole[:-1]
+
+
+def trusting(problem: Any, path: Array, horizon: float) -> Array:
+    """Asks nothing of the motions."""
+    gone, left = [path[0]], horizon
+    for a, b in zip(path, path[1:]):
+        if left > 0.0:
+            gone.append(problem.steer(a, b, left))
+        left -= problem.distance(a, b)
+    return np.array(gone)
+
+
+def each_within(problem: Any, path: Array, horizon: float) -> Array:
+    """Measures every motion anew."""
+    gone = [path[0]]
+    for a, b in zip(path, path[1:]):
+        q = problem.steer(a, b, horizon)
+        if not problem.is_free_path(a, q):
+            break
+        gone.append(q)
+        if problem.distance(a, b) > horizon:
+            break
+    return np.array(gone)
+
+
+def asking_beyond(problem: Any, path: Array, horizon: float) -> Array:
+    """Asks about motions as the plan has them, beyond the horizon too."""
+    whole = followed(problem, path, horizon)
+    for i, (a, b) in enumerate(zip(path[: len(whole) - 1], path[1:])):
+        if not problem.is_free_path(a, b):
+            return whole[: i + 1]
+    return whole
+
+
+class Follow(ValueExercise):
+    """The stretch of a plan that a robot follows before it looks again."""
+
+    name = "follow"
+    lesson = "09_trees"
+    kinds = ("straight", "corners", "whole", "blocked")
+    given = Record(problem=Task(), path=PATH, horizon=Number())
+    answer = PATH
+    source = staticmethod(followed)
+    shown = staticmethod(receding_horizon)
+    slips = (
+        Slip("to_the_corner", to_the_corner),
+        Slip("before_the_corner", before_the_corner),
+        Slip("trusting", trusting),
+        Slip("each_within", each_within),
+        Slip("asking_beyond", asking_beyond),
+    )
+
+    @staticmethod
+    def reference(*given: Any) -> Any:
+        """The stretch."""
+        return followed(*given)
+
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """One motion; round corners; a horizon beyond the goal; a wall that the plan did not know."""
+        free = in_room((1, 1), (9, 5))
+        yield case("straight", free, [(1, 1), (9, 1)], 3.0)
+        yield case("corners", free, [(1, 1), (4, 1), (4, 9)], 5.0)
+        yield case("corners", free, [(1, 1), (4, 1), (4, 9)], 3.0)
+        yield case("whole", free, [(1, 1), (4, 1)], 5.0)
+        yield case("blocked", in_room((1, 1), (9, 5), box(6, 0, 7, 3)), [(1, 1), (4, 1), (9, 1), (9, 5)], 7.0)
+        yield case("blocked", in_room((1, 1), (9, 5), box(2, 0, 3, 3)), [(1, 1), (9, 1), (9, 5)], 2.0)
+        yield case("blocked", in_room((1, 1), (9, 5), box(5, 0, 6, 3)), [(1, 1), (9, 1), (9, 5)], 2.0)
+        for _ in range(14):
+            path = np.round(rng.uniform(0.5, 9.5, (int(rng.integers(4, 8)), 2)), 1)
+            motions = np.linalg.norm(np.diff(path, axis=0), axis=1)
+            yield case("straight", free, path[:2], round(float(rng.uniform(0.2, 0.9) * motions[0]), 2))
+            yield case("corners", free, path, round(float(motions[:2].sum() + rng.uniform(0.2, 0.8) * motions[2]), 2))
+            yield case("whole", free, path, round(float(motions.sum() + rng.uniform(0.5, 5.0)), 2))
+            i = int(rng.integers(1, len(path) - 1))
+            x, y = np.round(0.5 * (path[i] + path[i + 1]), 2)
+            wall = in_room((0.1, 0.1), (9.9, 9.9), box(x - 0.2, y - 0.2, x + 0.2, y + 0.2))
+            yield case("blocked", wall, path, round(float(motions[:i].sum() + rng.uniform(0.1, 1.5) * motions[i]), 2))
+
+    def same(self, value: Any, truth: Any) -> bool:
+        """Row for row."""
+        return np.shape(value) == np.shape(truth) and super().same(value, truth)
+
+    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+        """The plan, the stretch that should be followed, and the student's end of it."""
+        from ....figures import palette
+
+        problem, path = case.given["problem"], case.given["path"]
+        fault = None
+        value = outcome.value if isinstance(outcome, Answer) else np.empty((0, 2))
+        if len(value) and value.shape[1] == 2 and np.isfinite(value).all():
+            fault = Fault("", value)
+        draw_answer(problem.problem, [], self.truth(case), fault, self.words(f"pictures.{case.kind}"), ax)
+        ax.plot(*path.T, ":o", color=palette.INK, linewidth=1.5, markersize=4, zorder=3)
+
+
+def case(kind: str, problem: Asked, path: Any, horizon: float) -> Case:
+    """A case."""
+    return Case(kind, {"problem": problem, "path": np.array(path, float), "horizon": horizon})

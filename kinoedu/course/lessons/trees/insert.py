@@ -1,0 +1,191 @@
+"""The exercise on one insertion of RRT*. Karaman, Frazzoli, "Sampling-based algorithms for optimal motion planning" (2011)."""
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ....geometry.checks import Array
+from ....planners.rrt_star import grow_shortest
+from ....problems import Tree
+from ...exercise import Case, Slip, ValueExercise
+from ...outcomes import Answer, Outcome
+from ...shapes import Number, Numbers, Record, Together
+from ...tasks import Asked
+from ...whole_shapes import WholeNumbers
+from ..shared.planned import NODES, Fault, Task
+from ..shared.planned_pictures import draw_answer
+from ..shared.small_problems import box, in_room
+from .rrt import own_rrt
+
+LISTS = WholeNumbers(("n",)), Numbers(("n",))
+OPEN = in_room((1, 1), (9, 9))
+WALL = in_room((1, 1), (9, 9), box(4, 3, 4.6, 8))
+
+
+def inserted(
+    problem: Any,
+    nodes: Array,
+    parent: NDArray[np.int64],
+    cost: Array,
+    q_new: Array,
+    radius: float,
+    *,
+    chooses: bool = True,
+    rewires: bool = True,
+    passes_on: bool = True,
+    checks: bool = True,
+) -> tuple[list[int], list[float]]:
+    """Parents and costs after one insertion; without one of its parts, what those get who forget it."""
+    apart = [problem.distance(q, q_new) for q in nodes]
+    near = [i for i in range(len(nodes)) if apart[i] <= radius and (not checks or problem.is_free_path(nodes[i], q_new))]
+    best = min(near, key=lambda i: cost[i] + apart[i] if chooses else apart[i])
+    parents, costs = [*parent.tolist(), best], [*cost.tolist(), cost[best] + apart[best]]
+    for i in near if rewires else []:
+        gain = costs[i] - (costs[-1] + apart[i])
+        if gain > 0.0:
+            parents[i] = len(nodes)
+            for below in [j for j in range(len(nodes)) if i in upwards(j, parents)] if passes_on else [i]:
+                costs[below] -= gain
+    return parents, costs
+
+
+def upwards(node: int, parent: list[int]) -> list[int]:
+    """A node, its parent, its parent's parent, and so on."""
+    way = []
+    while node >= 0:
+        way.append(node)
+        node = parent[node]
+    return way
+
+
+class Insert(ValueExercise):
+    """Hang a new node where it costs least, and its neighbours below it where that costs less."""
+
+    name = "insert"
+    lesson = "09_trees"
+    kinds = ("parent", "rewire", "below", "blocked", "grown")
+    given = Record(problem=Task(), nodes=NODES, parent=LISTS[0], cost=LISTS[1], q_new=Numbers(("d",)), radius=Number())
+    answer = Together(LISTS)
+    source = staticmethod(inserted)
+    shown = staticmethod(grow_shortest)
+    slips = (
+        Slip("nearest", lambda *given: inserted(*given, chooses=False)),
+        Slip("no_rewiring", lambda *given: inserted(*given, rewires=False)),
+        Slip("not_below", lambda *given: inserted(*given, passes_on=False)),
+        Slip("unchecked", lambda *given: inserted(*given, checks=False)),
+    )
+
+    @staticmethod
+    def reference(*given: Any) -> Any:
+        """The parents and the costs."""
+        return inserted(*given)
+
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """On paper; then by chance, each of the kind that it is."""
+        yield by_hand("parent", OPEN, [(1, 1), (4, 1), (4, 4)], [-1, 0, 1], (3, 3), 3.0)
+        yield by_hand("parent", OPEN, [(1, 1), (1, 5), (5, 5)], [-1, 0, 0], (7, 8), 7.0)
+        yield by_hand("parent", OPEN, [(1, 1), (1, 5), (6, 5)], [-1, 0, 0], (4, 5), 5.0)  # the root is as far away as the radius
+        yield by_hand("rewire", OPEN, [(1, 1), (1, 5), (5, 5)], [-1, 0, 1], (3, 3), 3.0)
+        yield by_hand("rewire", OPEN, [(1, 1), (1, 4), (4, 6.5), (6.5, 4)], [-1, 0, 1, 2], (4, 4), 4.5)
+        yield by_hand("below", OPEN, [(1, 1), (1, 5), (5, 5), (9, 5)], [-1, 0, 1, 2], (3, 3), 3.0)
+        yield by_hand("below", OPEN, [(1, 1), (9, 9), (9, 5), (5, 5), (1, 5)], [-1, 2, 3, 4, 0], (3, 3), 3.0)
+        yield by_hand("below", OPEN, [(1, 1), (1, 5), (5, 5), (9, 5), (9, 9)], [-1, 0, 1, 2, 3], (3, 3), 3.0)
+        yield by_hand("blocked", WALL, [(1, 1), (2, 2), (5, 2), (6, 5)], [-1, 0, 0, 2], (3.5, 4), 3.0)
+        left = dict.fromkeys(self.kinds, 12)
+        while any(left.values()):
+            blocked = bool(rng.random() < 0.5)
+            case = by_chance(rng, WALL if blocked else OPEN, int(rng.integers(3, 8)))
+            if case is not None and left[case.kind]:
+                left[case.kind] -= 1
+                yield case
+            if left["grown"]:
+                left["grown"] -= 1
+                yield grown_case(rng, WALL)
+
+    def same(self, value: Any, truth: Any) -> bool:
+        """The same parents, and costs that are equal but for rounding."""
+        return len(value[0]) == len(truth[0]) and (np.array(value[0]) == truth[0]).all() and super().same(value[1], truth[1])
+
+    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+        """The tree that should be, and a cross on the first node that has another parent or cost."""
+        from ....figures import palette, plane
+
+        problem, nodes = case.given["problem"], np.vstack([case.given["nodes"], case.given["q_new"]])
+        parent, cost = self.truth(case)
+        trees, fault = [Tree(nodes, np.array(parent))], None
+        if isinstance(outcome, Answer):
+            fault = next((Fault("", nodes[i : i + 1]) for i in range(len(nodes)) if differs(outcome.value, parent, cost, i)), None)
+        draw_answer(problem.problem, trees, None, fault, self.words(f"pictures.{case.kind}"), ax)
+        plane.ring(case.given["q_new"], case.given["radius"], "", ax, colour=palette.OUTSIDE, style=":")
+        if len(nodes) <= 9:
+            for number, (q, c) in enumerate(zip(nodes, cost)):
+                plane.label(q, f"{number}: {c:.3g}", ax, colour=palette.INK, offset=(8, -16 if number % 2 else 8))
+
+
+def differs(value: Any, parent: list[int], cost: list[float], i: int) -> bool:
+    """Whether an answer is another for node i."""
+    parents, costs = value
+    return i >= min(len(parents), len(costs)) or parents[i] != parent[i] or not abs(costs[i] - cost[i]) < 1e-6
+
+
+def by_hand(kind: str, problem: Asked, nodes: Any, parent: Any, q_new: Any, radius: float) -> Case:
+    """A case with the costs that belong to its tree."""
+    places, above = np.array(nodes, float), np.array(parent)
+    cost = np.zeros(len(places))
+    for i in range(len(places)):
+        way = upwards(i, parent)
+        cost[i] = sum(problem.distance(places[a], places[b]) for a, b in zip(way, way[1:]))
+    tree = {"problem": problem, "nodes": places, "parent": above, "cost": cost}
+    return Case(kind, {**tree, "q_new": np.array(q_new, float), "radius": radius})
+
+
+def by_chance(rng: np.random.Generator, problem: Asked, n: int) -> Case | None:
+    """A small free tree and a new node, of the kind that it is; None where two answers would be nearly as good."""
+    nodes = np.round(rng.uniform(0.5, 9.5, (n, 2)), 1)
+    nodes[0] = problem.start
+    parent = [-1, *(int(rng.integers(i)) * int(rng.integers(2)) for i in range(1, n))]
+    q_new = np.round(rng.uniform(1.0, 9.0, 2), 1)
+    case = by_hand("", problem, nodes, parent, q_new, round(float(rng.uniform(3.0, 6.0)), 1))
+    return case._replace(kind=kind_of(case.given)) if is_fair(case.given) else None
+
+
+def grown_case(rng: np.random.Generator, problem: Asked) -> Case:
+    """A tree that an RRT grew, in which two nodes were put in already, and a new node within a step of it."""
+    nodes, parent, _ = own_rrt(problem, 1.0, 0.0, int(rng.integers(20, 80)), int(rng.integers(10**6)))
+    for left in (2, 1, 0):
+        while True:
+            q_new = nodes[int(rng.integers(len(nodes)))] + np.round(rng.uniform(-0.6, 0.6, 2), 2)
+            case = by_hand("grown", problem, nodes, parent, q_new, 1.5)
+            if is_fair(case.given):
+                break
+        if left:
+            nodes, parent = [*nodes, q_new], inserted(*case.given.values())[0]
+    return case
+
+
+def is_fair(given: dict[str, Any]) -> bool:
+    """Whether the tree is free, the new node has a free neighbour, and no two costs that are compared are nearly equal."""
+    problem, nodes, parent, cost, q_new, radius = given.values()
+    if not all(problem.is_free(q) for q in (*nodes, q_new)) or problem.distance(problem.start, q_new) == 0.0:
+        return False
+    if not all(problem.is_free_path(nodes[p], q) for p, q in zip(parent[1:], nodes[1:])):
+        return False
+    apart = np.array([problem.distance(q, q_new) for q in nodes])
+    near = [i for i in range(len(nodes)) if apart[i] <= radius and problem.is_free_path(nodes[i], q_new)]
+    if not near or (np.abs(apart - radius) < 1e-6).any() or (apart < 1e-3).any():
+        return False
+    through = np.sort(cost[near] + apart[near])
+    gains = cost[near] - through[0] - apart[near]
+    return bool((np.diff(through) > 1e-3).all() and (np.abs(gains) > 1e-3).all())
+
+
+def kind_of(given: dict[str, Any]) -> str:
+    """What the case asks for beyond what the simpler kinds do."""
+    truth = inserted(*given.values())
+    if inserted(*given.values(), checks=False) != truth:
+        return "blocked"
+    if inserted(*given.values(), passes_on=False) != truth:
+        return "below"
+    return "rewire" if truth[0][:-1] != given["parent"].tolist() else "parent"

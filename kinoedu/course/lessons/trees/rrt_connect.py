@@ -1,0 +1,94 @@
+"""The exercise `rrt_connect`. LaValle, section 5.5; Bullo & Smith, chapter 5."""
+
+from typing import Any
+
+import numpy as np
+
+from ....geometry.checks import Array
+from ....graphs import extract_path
+from ....planners.rrt_connect import grow_both
+from ....problems import Tree
+from ...exercise import Case
+from ...shapes import Maybe, Number, Record, Together
+from ...whole_shapes import Whole
+from ..shared.planned import NODES, PATH, Asked, Fault, Task, not_along_tree, not_to_nearest, three_times, why_not_a_tree
+from ..shared.tree_exercise import ENOUGH, PARENTS, STEP, TreeExercise
+
+
+def own_rrt_connect(problem: Any, step: float, iterations: int, rng: int) -> Any:
+    """RRT-Connect as the exercise asks for it."""
+    chance, trees = np.random.default_rng(rng), [([problem.start], [-1]), ([problem.goal], [-1])]
+
+    def extend(tree: Any, q: Array) -> Any:
+        nodes, parent = tree
+        near = int(np.argmin([problem.distance(node, q) for node in nodes]))
+        q_new = problem.steer(nodes[near], q, step)
+        if not problem.is_free_path(nodes[near], q_new):
+            return None
+        nodes.append(q_new)
+        parent.append(near)
+        return q_new
+
+    def way(tree: Any) -> list[Array]:
+        return [tree[0][i] for i in extract_path(np.array(tree[1]), len(tree[0]) - 1)]
+
+    for turn in range(iterations):
+        here, there = trees[turn % 2], trees[1 - turn % 2]
+        q_new = extend(here, problem.sample(chance))
+        while q_new is not None:
+            q = extend(there, q_new)
+            if q is None:
+                break
+            if problem.distance(q, q_new) == 0.0:
+                path = np.array([*way(trees[0]), *way(trees[1])[-2::-1]])
+                return *trees[0], *trees[1], path
+    return *trees[0], *trees[1], None
+
+
+class RrtConnect(TreeExercise):
+    """Two trees."""
+
+    name = "rrt_connect"
+    given = Record(problem=Task(), step=Number(), iterations=Whole(), rng=Whole())
+    result = Together((NODES, PARENTS, NODES, PARENTS, Maybe(PATH)))
+    answer = three_times(result)
+    source = staticmethod(own_rrt_connect)
+    shown = staticmethod(grow_both)
+
+    def asked(self, kind: str, problem: Asked, rng: np.random.Generator) -> Case:
+        """As many iterations as the trap needs, and more."""
+        return Case(kind, {"problem": problem, "step": STEP, "iterations": ENOUGH[kind], "rng": int(rng.integers(1000))})
+
+    def fault(self, case: Case, answer: Any) -> Fault | None:
+        """The path; both trees and their rule; whether it belongs to them; whether one tree runs all the way to the other."""
+        *both, path = answer
+        problem, step = case.given["problem"], case.given["step"]
+        fault = None if path is None else self.fault_of_end(case, path)
+        for nodes, parent, root in ((*both[:2], problem.start), (*both[2:], problem.goal)):
+            fault = fault or why_not_a_tree(problem, nodes, parent, step, root) or not_to_nearest(problem, nodes, parent)
+        if fault is None and path is not None:
+            fault = not_along_trees(path, *both)
+        if fault is None and case.kind == "room" and not ran_straight(problem, both[0], both[2], step):
+            fault = Fault("greedy", both[0][:0])
+        return fault or self.fault_of_end(case, path)
+
+    def drawn(self, answer: Any) -> tuple[list[Tree], Array | None]:
+        """Both trees and the path."""
+        return [Tree(*answer[:2]), Tree(*answer[2:4])], answer[4]
+
+
+def ran_straight(problem: Any, nodes: Array, goal_nodes: Array, step: float) -> bool:
+    """Whether one tree took a step, and the other ran to its end in as few steps as there can be."""
+    for tree in (nodes, goal_nodes):
+        if len(tree) > 1 + np.ceil(problem.distance(tree[0], tree[-1]) / step + 1e-6):
+            return False
+    return min(len(nodes), len(goal_nodes)) <= 2
+
+
+def not_along_trees(path: Array, nodes: Array, parent: Any, goal_nodes: Array, goal_parent: Any) -> Fault | None:
+    """A stretch of a path that is an edge of neither tree: down the start's, then up the goal's."""
+    for a, b in zip(path[:-1], path[1:]):
+        down = not_along_tree(np.array([a, b]), nodes, parent)
+        if down is not None and not_along_tree(np.array([b, a]), goal_nodes, goal_parent) is not None:
+            return down
+    return None
