@@ -20,7 +20,7 @@ from kinoedu.collision import free_motions
 from kinoedu.grading.grading import grade
 from kinoedu.grading.questions import assignment
 from kinoedu.grading.sandbox import Sandbox, why_not
-from kinoedu.planners.neighbours import k_closest
+from kinoedu.planners.roadmaps.neighbours import k_closest
 
 K, STEP, PAIRS, PROVED = 10, 5.0, 3000, 2**18
 

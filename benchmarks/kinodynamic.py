@@ -12,7 +12,7 @@ from timing import Contestant, Goal, Judge, available, measure, report, run
 import kinoedu as ke
 from kinoedu.collision import is_free
 from kinoedu.collision.turning import contact_size
-from kinoedu.planners.driving import bias_of, driven, drives_of, new_growth
+from kinoedu.planners.driving.common import bias_of, driven, drives_of, new_growth
 from kinoedu.problems import ProblemRecord
 
 SECONDS = 90

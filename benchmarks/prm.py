@@ -12,7 +12,7 @@ from timing import Contestant, Goal, available, measure, report, run
 from worlds import SIDE, Case, among_boxes
 
 import kinoedu as ke
-from kinoedu.planners.neighbours import k_closest
+from kinoedu.planners.roadmaps.neighbours import k_closest
 
 SECONDS = 60
 K = 10

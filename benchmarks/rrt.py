@@ -15,7 +15,7 @@ from timing import Contestant, Goal, Missing, available, measure, report, run
 from worlds import SIDE, WALLED_IN, Case, among_polygons
 
 import kinoedu as ke
-from kinoedu.planners.asking import new_tree
+from kinoedu.planners.problem_input import new_tree
 
 SECONDS = 60
 NODES, STEP, BIAS = 5000, 5.0, 0.05

@@ -66,11 +66,10 @@ if TYPE_CHECKING:  # what a type checker sees of the table below
         tree_roadmap,
         visibility_roadmap,
     )
-    from .problems import Plan, Problem, Recorder
+    from .problems import Plan, Problem, Recorder, TimedProblem
     from .robots import Car, Disk, Point, RigidPolygon, Trajectory, TranslatingPolygon, TwoLinkArm
     from .scenes import read_problem, read_scene, write_scene
     from .spaces import circle_distance, torus_distance
-    from .timed_problems import TimedProblem
     from .worlds import Moving, MovingWorld, PolygonWorld, Terrain, UncertainWorld, read_world, scan
 
 __version__ = "0.1.0"
@@ -93,12 +92,11 @@ ROOMS = {
         "rrt_connect rrt_expansion rrt_star shortcut sst trajectory_along tree_roadmap "
         "visibility_roadmap"
     ),
-    "problems": "Plan Problem Recorder",
+    "problems": "Plan Problem Recorder TimedProblem",
     "robots": "Car Disk Point RigidPolygon Trajectory TranslatingPolygon TwoLinkArm",
     "sampling": "corner_grid dispersion halton sukharev_grid uniform_random",
     "scenes": "read_problem read_scene write_scene",
     "spaces": "circle_distance torus_distance",
-    "timed_problems": "TimedProblem",
     "worlds": "Moving MovingWorld PolygonWorld Terrain UncertainWorld read_world scan",
 }
 MODULES = (

@@ -27,7 +27,7 @@ from .problems import Plan, ProblemRecord, Recorder, Roadmap, Tree, Walk
 from .robots.trajectory import DrivenRoadmap, DrivenTree, TrajectoryRecord
 from .scenes import problem_from, scene_of
 from .spaces import RealSpace, WrappingSpace
-from .whole_file import written_whole
+from .support.whole_files import written_whole
 
 VERSION = 1
 KINDS: dict[str, tuple[Any, ...]] = {"tree": (Tree, DrivenTree), "roadmap": (Roadmap, DrivenRoadmap), "walk": (Walk,)}

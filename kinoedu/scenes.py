@@ -37,7 +37,7 @@ from .geometry.checks import Array
 from .problems import Problem, ProblemRecord
 from .robots import Point
 from .scene_robots import MESH_OPTIONS, ROBOTS, described, mesh_options
-from .whole_file import written_whole
+from .support.whole_files import written_whole
 from .worlds import PolygonWorld, Terrain, read_world
 from .worlds.benchmr import is_polygon_map, read_benchmr
 from .worlds.meshes import mesh_world

@@ -34,9 +34,9 @@ from .planners import (
     sst,
 )
 from .problems import Problem, ProblemRecord
-from .progress import counted
+from .problems.in_time import TimedProblem
 from .robots import Car, Disk, Point, RigidPolygon, TranslatingPolygon, TwoLinkArm
-from .timed_problems import TimedProblem
+from .support.progress import counted
 from .worlds import Moving, MovingWorld, PolygonWorld, Terrain
 from .worlds.terrain import TerrainRecord
 

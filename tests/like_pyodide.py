@@ -41,9 +41,9 @@ def refuse_processes_and_threads() -> None:
     subprocess.Popen.__init__ = no_process  # type: ignore[assignment]
     os.fork = no_process  # type: ignore[assignment]
     threading.Thread.start = no_thread  # type: ignore[method-assign]
-    import kinoedu.time_limit
+    import kinoedu.support.time_limit
 
-    kinoedu.time_limit.IN_BROWSER = True
+    kinoedu.support.time_limit.IN_BROWSER = True
 
 
 def shown(notebook: Path) -> list[str]:

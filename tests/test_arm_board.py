@@ -9,11 +9,11 @@ from test_board import Page
 
 import kinoedu as ke
 from kinoedu.boards import arm_board, slide_board
-from kinoedu.boards.arm_drawn import links_in_contact
-from kinoedu.boards.drawing import Drawing, bodies, encoded
-from kinoedu.boards.glued import split
-from kinoedu.boards.pulling import nearest_reached, pulled
-from kinoedu.boards.slide import share_at
+from kinoedu.boards.arm.arm_drawn import links_in_contact
+from kinoedu.boards.arm.glued import split
+from kinoedu.boards.arm.pulling import nearest_reached, pulled
+from kinoedu.boards.core.drawing import Drawing, bodies, encoded
+from kinoedu.boards.geometry.slide import share_at
 from kinoedu.c_space import slide
 from kinoedu.collision import paint_configuration_space
 from kinoedu.errors import InvalidParameter, InvalidPoint, InvalidPolygon, InvalidRobot

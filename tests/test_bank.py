@@ -13,7 +13,7 @@ from kinoedu.course.bank import read_bank
 from kinoedu.course.feedback import Feedback, picture_of, rule_words
 from kinoedu.course.judging import attempted, report_on
 from kinoedu.course.outcomes import decode_outcome, encode_outcome
-from kinoedu.time_limit import within_processor_time
+from kinoedu.support.time_limit import within_processor_time
 
 HOUSE = Path(__file__).resolve().parent.parent
 BANK = [item for file in sorted((HOUSE / "solutions" / "bank").glob("*.py")) for item in read_bank(file)]

@@ -13,10 +13,10 @@ from PIL import Image
 
 import kinoedu as ke
 from kinoedu.boards import Canvas, Drawing, board, distance_board
-from kinoedu.boards.drawing import edges, encoded, path
-from kinoedu.boards.own import attempt, questions
-from kinoedu.boards.plans import problem_in, scene_of
-from kinoedu.boards.scene import make_scene, moved
+from kinoedu.boards.core.drawing import edges, encoded, path
+from kinoedu.boards.core.scene import make_scene, moved
+from kinoedu.boards.planning.own import attempt, questions
+from kinoedu.boards.planning.plans import problem_in, scene_of
 from kinoedu.errors import InvalidParameter, KinoeduError
 
 SQUARE = [(0, 0), (10, 0), (10, 10), (0, 10)]
@@ -322,7 +322,7 @@ def test_a_planner_that_cannot_be_stopped_is_not_started_again(monkeypatch):
         started.append(1)
         released.wait()
 
-    module = sys.modules["kinoedu.boards.board"]  # the package's attribute of that name is the function
+    module = sys.modules["kinoedu.boards.planning.board"]  # the package's attribute of that name is the function
     monkeypatch.setattr(module, "attempt", lambda *given: attempt(*given, seconds=0.1))
     made = board(walled(), planner=waits)
     assert "could not be stopped" in repr(made)

@@ -15,12 +15,12 @@ from hypothesis import strategies as st
 
 import kinoedu as ke
 from kinoedu.errors import InvalidGoal, InvalidParameter, InvalidPoint, InvalidPolygon, InvalidStart
-from kinoedu.planners.bug0 import bug0_walk
-from kinoedu.planners.bug1 import bug1_walk
-from kinoedu.planners.bug2 import bug2_walk
-from kinoedu.planners.bug2_prelim import bug2_prelim_walk
-from kinoedu.planners.bug_base import bug_base_walk
 from kinoedu.planners.bugs import BugRobot
+from kinoedu.planners.bugs.bug0 import bug0_walk
+from kinoedu.planners.bugs.bug1 import bug1_walk
+from kinoedu.planners.bugs.bug2 import bug2_walk
+from kinoedu.planners.bugs.bug2_prelim import bug2_prelim_walk
+from kinoedu.planners.bugs.bug_base import bug_base_walk
 from kinoedu.planners.bugs.walls import as_rings, contact, make_walls
 
 matplotlib.use("Agg")

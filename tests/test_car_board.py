@@ -11,9 +11,9 @@ from test_planning_boards import layers_of, shown
 
 import kinoedu as ke
 from kinoedu.boards import car_board
-from kinoedu.boards.car_drawn import STEPS, posed, ride_along
-from kinoedu.boards.car_poses import tip_of
-from kinoedu.boards.driving import MOMENT, NOTCHES, driven_on, standing_at
+from kinoedu.boards.car.car_drawn import STEPS, posed, ride_along
+from kinoedu.boards.car.car_poses import tip_of
+from kinoedu.boards.car.driving import MOMENT, NOTCHES, driven_on, standing_at
 from kinoedu.collision import is_free_drive, is_free_trajectory
 from kinoedu.errors import InvalidParameter
 from kinoedu.figures.ackermann import steered_wheels

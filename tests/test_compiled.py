@@ -33,7 +33,7 @@ from kinoedu.compiled.kinds import kind_of, kinds_of, spelled
 from kinoedu.compiled.store import UPPER_ROOMS, Wanted, is_digested, source_digest
 from kinoedu.course.exercise import Exercise
 from kinoedu.errors import DuplicateKind, InvalidParameter
-from kinoedu.planners.rrt import grow
+from kinoedu.planners.trees.rrt import grow
 from kinoedu.robots.round import RoundRobot
 from kinoedu.worlds.polygon_world import PolygonWorldRecord
 
@@ -581,7 +581,7 @@ OWN_ROBOT = """
 from typing import NamedTuple
 import numpy as np
 from kinoedu.collision import is_free_path
-from kinoedu.configurations import space_of
+from kinoedu.problems.configurations import space_of
 from kinoedu.spaces import RealSpace
 from kinoedu.worlds.terrain import TerrainRecord
 
@@ -600,7 +600,7 @@ OWN_PLAN = """
 import json, mine, numpy as np
 from kinoedu import Problem, Recorder, Terrain, rrt
 from kinoedu.compiled import COMPILED_FIRST, INTERPRETED, running
-from kinoedu.planners.rrt import grow
+from kinoedu.planners.trees.rrt import grow
 problem = Problem(mine.Ghost(1.0), Terrain(np.ones((10, 10))), START, GOAL)
 plans = [rrt(problem, rng=0, max_nodes=100), rrt(Recorder(problem), rng=0, max_nodes=100)]
 (call,) = grow.specializations.values()

@@ -331,7 +331,7 @@ def test_steps_count_nodes_and_edges():
 
 def test_searches_run_on_grids():
     """Any kind that answers degree and edge: breadth-first search finds the Manhattan distance where no move is diagonal."""
-    from kinoedu.planners.grid import Cells, Grid
+    from kinoedu.planners.grids.grid import Cells, Grid
 
     free = np.zeros((5, 5), bool)
     free[1:-1, 1:-1] = [[1, 1, 1], [1, 0, 1], [1, 1, 1]]

@@ -15,7 +15,7 @@ import kinoedu as ke
 from kinoedu.collision import is_free_trajectory
 from kinoedu.curves import integrators
 from kinoedu.errors import InvalidParameter, InvalidPoint
-from kinoedu.planners.driving import closest_step, driven, drives_of
+from kinoedu.planners.driving.common import closest_step, driven, drives_of
 from kinoedu.spaces.angles import short_way
 
 INSIDE = [(10, 10), (290, 10), (290, 290), (10, 290)]  # the map's walls are 10 thick

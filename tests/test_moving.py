@@ -7,7 +7,7 @@ import shapely
 from kinoedu import Disk, Moving, MovingWorld, Point, PolygonWorld, RigidPolygon, TimedProblem, TranslatingPolygon, plan_in_time
 from kinoedu.collision import departures
 from kinoedu.errors import InvalidGoal, InvalidParameter, InvalidPoint, InvalidPolygon, InvalidStart, InvalidWorld
-from kinoedu.planners.safe_intervals import safe_intervals, search_intervals
+from kinoedu.planners.moving.safe_intervals import safe_intervals, search_intervals
 from kinoedu.worlds import movers_at
 
 HALL = PolygonWorld([(0, 0), (12, 0), (12, 8), (0, 8)], [[(5, 0), (7, 0), (7, 3), (5, 3)]])

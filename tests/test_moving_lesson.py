@@ -7,8 +7,8 @@ import pytest
 
 from kinoedu import Disk, Moving, MovingWorld, Point, PolygonWorld, TimedProblem, UncertainWorld
 from kinoedu.boards import chance_board, moving_board
-from kinoedu.boards.chances import SHOWN
-from kinoedu.boards.moving import STEPS, stands_at, waited
+from kinoedu.boards.moving.chances import SHOWN
+from kinoedu.boards.moving.moving import STEPS, stands_at, waited
 from kinoedu.course.lessons.moving import collision_probability, earliest_arrival, exposing_motions, first_contact
 from kinoedu.errors import InvalidParameter
 

@@ -8,7 +8,7 @@ import pytest
 
 import kinoedu as ke
 from kinoedu.errors import InvalidParameter
-from kinoedu.planners.grid import plan_on_grid
+from kinoedu.planners.grids.grid import plan_on_grid
 from kinoedu.worlds.movingai import read_scenario
 
 GRID = Path(__file__).parent / "data" / "grid"

@@ -9,12 +9,12 @@ from test_board import Page
 
 import kinoedu as ke
 from kinoedu.boards import bug_board, samples_board, search_board, sweep_board
-from kinoedu.boards.bugs import BUGS
-from kinoedu.boards.drawing import Drawing, cells, dots, encoded, labels
-from kinoedu.boards.expanding import spells
-from kinoedu.boards.scene import moved
-from kinoedu.boards.search import estimate_of
-from kinoedu.boards.sweep import height_at, open_cells
+from kinoedu.boards.bugs.bugs import BUGS
+from kinoedu.boards.core.drawing import Drawing, cells, dots, encoded, labels
+from kinoedu.boards.core.scene import moved
+from kinoedu.boards.geometry.sweep import height_at, open_cells
+from kinoedu.boards.search.expanding import spells
+from kinoedu.boards.search.search import estimate_of
 from kinoedu.decomposition import sweep, trapezoidation
 from kinoedu.errors import InvalidGraph, InvalidParameter, InvalidPolygon, InvalidWorld
 from kinoedu.geometry import point_polygon_distance

@@ -10,14 +10,14 @@ from test_planning_boards import layers_of, shown
 
 import kinoedu as ke
 from kinoedu.boards import exploring_board, properties_board, race_board, rewiring_board, roadmap_board
-from kinoedu.boards.drawing import Drawing, cells, encoded
-from kinoedu.boards.rewired import costs_at, near_pairs, ways_to_goal
+from kinoedu.boards.core.drawing import Drawing, cells, encoded
+from kinoedu.boards.trees.rewired import costs_at, near_pairs, ways_to_goal
 from kinoedu.errors import InvalidParameter
 from kinoedu.graphs import dijkstra
-from kinoedu.planners.prm import sample_free
-from kinoedu.planners.receding_horizon import plan_of_looks, receding_horizon_looks
-from kinoedu.planners.rewiring import rrt_star_rewirings
-from kinoedu.planners.roadmap_properties import survey_roadmap
+from kinoedu.planners.exploring.receding_horizon import plan_of_looks, receding_horizon_looks
+from kinoedu.planners.roadmaps.prm import sample_free
+from kinoedu.planners.roadmaps.properties import survey_roadmap
+from kinoedu.planners.trees.rewiring import rrt_star_rewirings
 from kinoedu.problems import Roadmap
 from kinoedu.worlds.polygon_world import world_of_triangles
 
@@ -229,7 +229,7 @@ def test_the_log_of_an_rrt_star_ends_with_its_tree():
 
 def test_a_log_without_room_is_kept_once_more():
     """More hangings than the first log has rows: the same, whole."""
-    from kinoedu.planners import rewiring
+    from kinoedu.planners.trees import rewiring
 
     _, whole = rrt_star_rewirings(problem_of(), max_nodes=200, rng=1)
     usual, rewiring.USUAL = rewiring.USUAL, 1

@@ -14,7 +14,7 @@ from kinoedu.course.lessons.roadmaps.radius_neighbours import radius_pairs
 from kinoedu.course.lessons.roadmaps.rules import closest_pairs
 from kinoedu.course.lessons.roadmaps.visibility_roadmap import roadmap_on, seen_corners
 from kinoedu.figures.torus_roadmap import unrolled
-from kinoedu.planners.connecting import ComponentKClosest, KClosest, Radius, joined
+from kinoedu.planners.roadmaps.connecting import ComponentKClosest, KClosest, Radius, joined
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,7 @@ from PIL import Image
 
 from kinoedu import PolygonWorld
 from kinoedu.boards import solid_board, turning_board
-from kinoedu.boards.solid import shape
+from kinoedu.boards.geometry.solid import shape
 from kinoedu.c_space import turned, turning_obstacle
 from kinoedu.errors import InvalidParameter, InvalidPoint
 from kinoedu.figures import draw_c_obstacle, draw_grown, draw_mesh, draw_turning_obstacle, torus_mesh

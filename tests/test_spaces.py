@@ -14,8 +14,8 @@ from kinoedu.collision import is_free, is_free_path
 from kinoedu.errors import InvalidParameter, InvalidPoint
 from kinoedu.geometry import configuration, displaced, displacement, inverse, rotation
 from kinoedu.geometry.checks import as_generator
-from kinoedu.planners.asking import new_tree, world_size
-from kinoedu.planners.neighbours import k_closest
+from kinoedu.planners.problem_input import new_tree, world_size
+from kinoedu.planners.roadmaps.neighbours import k_closest
 from kinoedu.problems import ProblemRecord
 from kinoedu.robots.round import RoundRobot
 from kinoedu.spaces import (

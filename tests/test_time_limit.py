@@ -7,12 +7,12 @@ import time
 
 import pytest
 
-from kinoedu import time_limit
 from kinoedu.course import EXERCISES, check
 from kinoedu.course.feedback import late_words
 from kinoedu.course.outcomes import Late, outcome_of
 from kinoedu.course.shapes import Number
-from kinoedu.time_limit import TimeUp, within, within_processor_time
+from kinoedu.support import time_limit
+from kinoedu.support.time_limit import TimeUp, within, within_processor_time
 
 has_clocks = pytest.mark.skipif(not hasattr(time, "pthread_getcpuclockid"), reason="no thread's processor time is told here")
 
@@ -185,7 +185,7 @@ def test_alarms_count_processor_time_where_there_are_no_threads():
 import sys, time
 sys.argv = ["inside.py"]
 from kinoedu.grading import inside
-from kinoedu.time_limit import TimeUp
+from kinoedu.support.time_limit import TimeUp
 
 def told(work):
     try:

@@ -8,7 +8,7 @@ import shapely
 
 import kinoedu as ke
 from kinoedu.errors import InvalidParameter
-from kinoedu.planners.near import near_nodes
+from kinoedu.planners.trees.near import near_nodes
 from kinoedu.spaces.buckets import add, empty_tree
 
 SQUARE = [(0, 0), (10, 0), (10, 10), (0, 10)]
@@ -117,9 +117,9 @@ def test_rrt_star_comes_near_the_shortest_path():
 
 def test_costs_of_the_whole_tree_are_those_of_its_ways():
     """After any number of rewirings the kept costs equal the sums along the tree, node by node."""
-    from kinoedu.planners.cost_tree import empty_costs
-    from kinoedu.planners.informed import Everywhere
-    from kinoedu.planners.rrt_star import grow_shortest
+    from kinoedu.planners.trees.cost_tree import empty_costs
+    from kinoedu.planners.trees.informed import Everywhere
+    from kinoedu.planners.trees.rrt_star import grow_shortest
 
     problem = problem_of()
     tree = empty_tree(801, problem.space.lo, problem.space.hi)

@@ -10,8 +10,8 @@ import shapely
 import kinoedu as ke
 from kinoedu.errors import InvalidParameter, InvalidPolygon, InvalidStart, InvalidWorld, KinoeduError
 from kinoedu.geometry.rings import as_ring
-from kinoedu.planners.corners import corners_of
-from kinoedu.planners.visibility import pairs_in_sight
+from kinoedu.planners.exact.corners import corners_of
+from kinoedu.planners.exact.visibility import pairs_in_sight
 
 SQUARE = [(0, 0), (10, 0), (10, 10), (0, 10)]
 NOTCHED = [(0, 0), (10, 0), (10, 10), (6, 10), (5, 5), (4, 10), (0, 10)]

@@ -232,7 +232,7 @@ def test_a_lesson_shows_the_same_in_a_browsers_python(lesson):
 
 def test_work_is_done_where_there_are_no_threads():
     """A student's function, and what it raises: in a browser nothing bounds its time."""
-    code = "import like_pyodide as p; from kinoedu.time_limit import within, within_processor_time; "
+    code = "import like_pyodide as p; from kinoedu.support.time_limit import within, within_processor_time; "
     code += "p.refuse_processes_and_threads(); print(within(1.0, lambda: 42), within_processor_time(1.0, lambda: 43))"
     run = subprocess.run([sys.executable, "-c", code], cwd=HOUSE / "tests", capture_output=True, text=True, timeout=100)
     assert run.stdout == "42 43\n", run.stderr

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Sequence
 from itertools import groupby
 
-from ..progress import duration
+from ..support.progress import duration
 from .ratios import HELD, MISSED, Ratio
 from .running import Outcome
 

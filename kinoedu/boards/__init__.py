@@ -1,26 +1,26 @@
 """Boards: problems to play with in a notebook. `board` for planners; `Canvas`, `Drawing` and its layers for a lesson's own."""
 
-from .arm import ArmBoard, arm_board
-from .board import Board, board
-from .bugs import BugBoard, bug_board
-from .canvas import Canvas
-from .car import CarBoard, car_board
-from .chances import ChanceBoard, chance_board
-from .curves import curves_board
-from .drawing import Drawing, Layer
-from .exploring import ExploringBoard, exploring_board
-from .geometry import distance_board
-from .moving import MovingBoard, moving_board
-from .properties import PropertiesBoard, properties_board
-from .race import RaceBoard, race_board
-from .reach import reach_board, torus_board
-from .rewiring import RewiringBoard, rewiring_board
-from .roadmaps import RoadmapBoard, roadmap_board
-from .samples import SamplesBoard, samples_board
-from .search import SearchBoard, search_board
-from .slide import SlideBoard, slide_board
-from .solid import SolidBoard, solid_board, turning_board
-from .sweep import SweepBoard, sweep_board
+from .arm.arm import ArmBoard, arm_board
+from .arm.reach import reach_board, torus_board
+from .bugs.bugs import BugBoard, bug_board
+from .car.car import CarBoard, car_board
+from .car.curves import curves_board
+from .core.canvas import Canvas
+from .core.drawing import Drawing, Layer
+from .exploring.exploring import ExploringBoard, exploring_board
+from .geometry.geometry import distance_board
+from .geometry.samples import SamplesBoard, samples_board
+from .geometry.slide import SlideBoard, slide_board
+from .geometry.solid import SolidBoard, solid_board, turning_board
+from .geometry.sweep import SweepBoard, sweep_board
+from .moving.chances import ChanceBoard, chance_board
+from .moving.moving import MovingBoard, moving_board
+from .planning.board import Board, board
+from .planning.race import RaceBoard, race_board
+from .roadmaps.properties import PropertiesBoard, properties_board
+from .roadmaps.roadmaps import RoadmapBoard, roadmap_board
+from .search.search import SearchBoard, search_board
+from .trees.rewiring import RewiringBoard, rewiring_board
 
 __all__ = [
     "ArmBoard",

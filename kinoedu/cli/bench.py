@@ -25,7 +25,7 @@ from ..bench import (
     totals,
 )
 from ..errors import InvalidParameter
-from ..progress import duration, stage
+from ..support.progress import duration, stage
 
 BENCH_HELP = """\
 Time kinoedu beside other libraries and beside C, row by row, each in a process of its own.

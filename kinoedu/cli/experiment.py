@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from ..errors import InvalidParameter
-from ..progress import counted, stage
+from ..support.progress import counted, stage
 
 EXPERIMENT_HELP = """\
 Run every planner on every problem with every seed, and sum up what came out.
@@ -51,7 +51,7 @@ def run_experiment(arguments: argparse.Namespace) -> int:
     if arguments.file.suffix.lower() != ".toml":
         raise InvalidParameter(f"{arguments.file}: an experiment ends in .toml")
     from ..experiments import as_text, read_experiment, run, summary  # imported here so that --help is quick
-    from ..whole_file import written_whole
+    from ..support.whole_files import written_whole
 
     with stage(f"reading {arguments.file.name}"):
         experiment = read_experiment(arguments.file)

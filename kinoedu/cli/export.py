@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from ..errors import InvalidParameter
-from ..progress import stage
+from ..support.progress import stage
 
 EXPORT_HELP = """\
 Write the grades as other programs read them.

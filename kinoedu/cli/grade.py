@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from ..errors import InvalidParameter
-from ..progress import counted
+from ..support.progress import counted
 
 GRADE_HELP = """\
 Grade a folder of submissions, as nbgrader, Canvas, Moodle or Gradescope lay them out, or a zip of it. Into GRADES go

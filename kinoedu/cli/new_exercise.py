@@ -3,7 +3,7 @@
 import argparse
 from typing import Any
 
-from ..progress import stage
+from ..support.progress import stage
 
 NEW_EXERCISE_HELP = """\
 Begin an exercise of your own: a tiny one, the middle of two points, under your name and in your lesson, with its cells in the

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from ..errors import InvalidParameter
-from ..progress import stage
+from ..support.progress import stage
 
 
 class Choice(NamedTuple):

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from ..errors import InvalidParameter
-from ..progress import stage
+from ..support.progress import stage
 
 RELEASE_HELP = """\
 Make the exercises from the solutions: answers are taken out, every cell is run, and what a student sees is stored.

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from ..errors import InvalidParameter
-from ..progress import stage
+from ..support.progress import stage
 
 SIMILAR_HELP = """\
 Rank submissions by what they have in common with each other, and with the course's own solution, wrong answers and library. Names,

@@ -24,7 +24,7 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import IO, Any, NamedTuple
 
-from ..whole_file import written_whole
+from ..support.whole_files import written_whole
 from .kinds import Kind, classes_in, spelled
 
 PACKAGE = Path(__file__).resolve().parent.parent

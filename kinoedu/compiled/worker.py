@@ -15,7 +15,7 @@ import sys
 import time
 from pathlib import Path
 
-from ..whole_file import written_whole
+from ..support.whole_files import written_whole
 from . import store
 from .store import (
     PACKAGE,

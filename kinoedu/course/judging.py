@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from ..time_limit import Bounded, within_processor_time
+from ..support.time_limit import Bounded, within_processor_time
 from .exercise import CONTRACT, Case, Exercise, ValueExercise, Verdict
 from .outcomes import Answer, Changed, Late, Outcome, Raised, outcome_of
 from .plain import WrongShape

@@ -13,7 +13,7 @@ from string import Template
 from typing import Any
 
 from ..errors import InvalidParameter
-from ..whole_file import written_whole
+from ..support.whole_files import written_whole
 from ..words import catalogue
 from .lessons import EXERCISES
 from .release import HOUSE, run

@@ -11,7 +11,7 @@ from pathlib import Path
 from types import FrameType, TracebackType
 from typing import Any, NamedTuple
 
-from ..time_limit import Bounded, Seen, TimeUp, within_processor_time
+from ..support.time_limit import Bounded, Seen, TimeUp, within_processor_time
 from ..words import say
 from .plain import WrongShape, class_name, wrong
 from .shapes import Listed, Record, Shape, Text, Truth

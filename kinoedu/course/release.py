@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from ..errors import InvalidParameter
-from ..whole_file import written_whole
+from ..support.whole_files import written_whole
 
 HOUSE = Path(__file__).resolve().parent.parent.parent
 FOR_STUDENTS = ("README.md", "LICENSE", "CHANGELOG.md", "start.py", "pyproject.toml", "environment.txt")

@@ -9,7 +9,7 @@ from typing import Any
 
 from ..errors import InvalidParameter
 from ..geometry.checks import shortened, whole
-from ..time_limit import TimeUp, within
+from ..support.time_limit import TimeUp, within
 from .cells import Cell, Outcome, out_of_time, run_cell
 from .children import Children, in_child
 

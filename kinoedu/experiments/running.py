@@ -5,9 +5,9 @@ from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
-from ..arrivals import Arrivals
 from ..errors import InvalidParameter
 from ..geometry.checks import shortened
+from ..support.completed_futures import Arrivals
 from .cells import FOUND, NOT_RUN, Cell, Outcome
 from .experiment import ExperimentRecord, cells_of
 from .places import HandOver, check_portable, place

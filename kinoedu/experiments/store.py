@@ -5,7 +5,7 @@ import os
 import tempfile
 from pathlib import Path
 
-from ..whole_file import written_whole
+from ..support.whole_files import written_whole
 from .cells import NOT_RUN, OUT_OF_TIME, Cell, Outcome
 
 

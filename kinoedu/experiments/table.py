@@ -11,7 +11,7 @@ import numpy as np
 
 from ..errors import InvalidParameter, UnknownFormat
 from ..geometry.checks import Array, shortened
-from ..whole_file import written_whole
+from ..support.whole_files import written_whole
 from .cells import FOUND, NOT_RUN, OUT_OF_TIME
 
 

@@ -14,7 +14,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import NullLocator
 
 from ..geometry.checks import Array
-from ..whole_file import written_whole
+from ..support.whole_files import written_whole
 from . import palette
 
 PANEL, COLUMNS = (4.0, 3.5), 4  # inches

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 
 from ..collision.departures import all_safe_intervals, seen_from_movers
 from ..geometry.checks import Array
-from ..timed_problems import TimedProblemRecord
+from ..problems.in_time import TimedProblemRecord
 from ..worlds.moving import MovingWorldRecord, movers_at
 from . import palette
 from .drawing import axes_for, draw_path, draw_robot, draw_world, label_beside
@@ -46,7 +46,7 @@ def draw_moment(problem: TimedProblemRecord, t: float, ax: Axes | None = None, *
     """The world at a time: what stands, what moves, start and goal; and on a path (m, 3) the robot, with the way behind it.
 
     >>> from kinoedu import Disk, PolygonWorld
-    >>> from kinoedu.timed_problems import TimedProblem
+    >>> from kinoedu.problems.in_time import TimedProblem
     >>> from kinoedu.worlds import Moving, MovingWorld
     >>> from matplotlib import pyplot as plt
     >>> hall = PolygonWorld([(0, 0), (10, 0), (10, 6), (0, 6)])

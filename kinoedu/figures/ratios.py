@@ -14,7 +14,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from ..whole_file import written_whole
+from ..support.whole_files import written_whole
 from . import palette
 
 LINE, WIDTH, TITLE = 0.34, 14.0, 38  # inches from a line to the next, inches, letters

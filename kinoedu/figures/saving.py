@@ -11,7 +11,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from ..problems import Plan
-from ..whole_file import written_whole
+from ..support.whole_files import written_whole
 from . import palette
 from .drawing import axes_for, draw_plan, figure_size
 

@@ -15,7 +15,7 @@ from ..course.outcomes import Late, Misshapen, Outcome, Raised, decode_outcome
 from ..course.plain import WrongShape
 from ..course.shapes import Maybe, Shape, Truth
 from ..errors import InvalidParameter
-from ..time_limit import WAITING, speed
+from ..support.time_limit import WAITING, speed
 from ..words import say
 from .sandbox import Reply, Sandbox
 from .talk import LONGEST

@@ -14,7 +14,7 @@ from typing import Any
 
 from ..course.feedback import laid_out
 from ..errors import InvalidParameter
-from ..whole_file import written_whole
+from ..support.whole_files import written_whole
 from ..words import say
 from .exports import gradescope_results
 from .failures import told_of

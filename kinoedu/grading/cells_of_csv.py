@@ -5,7 +5,7 @@ import io
 from collections.abc import Iterable
 from pathlib import Path
 
-from ..whole_file import written_whole
+from ..support.whole_files import written_whole
 
 FORMULA = (
     "=",

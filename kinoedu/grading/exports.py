@@ -9,7 +9,7 @@ from itertools import groupby
 from pathlib import Path
 
 from ..errors import InvalidParameter
-from ..whole_file import written_whole
+from ..support.whole_files import written_whole
 from .cells_of_csv import harmless, number, write_rows
 from .feedback_page import file_name
 from .rows import Row, Total, totals

@@ -15,8 +15,8 @@ from ..course.outcomes import Answer, decode_outcome
 from ..course.plain import WrongShape
 from ..course.release import HOUSE
 from ..errors import KinoeduError
-from ..time_limit import TimeUp, within
-from ..whole_file import written_whole
+from ..support.time_limit import TimeUp, within
+from ..support.whole_files import written_whole
 from ..words import say
 from .grading import Grade
 

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 from ..course.lessons import EXERCISES
 from ..errors import InvalidParameter
-from ..whole_file import written_whole
+from ..support.whole_files import written_whole
 from ..words import say
 from .notebook import cells_in, joined, notebook_in, read_bytes
 

@@ -191,7 +191,7 @@ def by_alarm(seconds: float, work: Callable[[], Any]) -> Any:
     time, or WAITING times that pass on the wall. No thread may be started here, so alarms ring,
     again and again until Python code stops; what does not hear them is ended from outside.
     """
-    from kinoedu.time_limit import WAITING, TimeUp
+    from kinoedu.support.time_limit import WAITING, TimeUp
 
     wall, processor = time.monotonic(), time.process_time()
 

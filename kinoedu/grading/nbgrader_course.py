@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from ..course.release import solution
-from ..whole_file import written_whole
+from ..support.whole_files import written_whole
 from .cells_of_csv import harmless, number, write_rows
 from .class_list import Class, Entry, digest_of
 from .decisions import BY_HAND, COLUMNS

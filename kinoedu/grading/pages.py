@@ -6,7 +6,7 @@ from html import escape
 from pathlib import Path
 
 from ..figures import palette
-from ..whole_file import written_whole
+from ..support.whole_files import written_whole
 from ..words import say
 
 STYLE = f"""

@@ -21,7 +21,7 @@ from ..course.exercise import Case, Exercise
 from ..course.lessons import find
 from ..course.release import HOUSE, solution
 from ..errors import InvalidParameter
-from ..whole_file import written_whole
+from ..support.whole_files import written_whole
 
 LENT = re.compile(r"^from (kinoedu\.course\.lessons\.\w+\.\w+) import (\w+(?: *, *\w+)*)$", re.MULTILINE)
 

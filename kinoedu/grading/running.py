@@ -18,10 +18,10 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from ..arrivals import Arrivals
 from ..compiled.store import source_digest
 from ..course.release import HOUSE, solution
-from ..whole_file import written_whole
+from ..support.completed_futures import Arrivals
+from ..support.whole_files import written_whole
 from .contracts import with_variants
 from .grading import Grade, grade, is_late
 from .questions import assignment

@@ -7,7 +7,7 @@ from typing import Any
 from ..course.lessons import find
 from ..course.release import HOUSE, solution
 from ..errors import InvalidParameter
-from ..whole_file import written_whole
+from ..support.whole_files import written_whole
 from ..words import say
 from .cells_of_csv import harmless, write_rows
 from .contracts import Choices, choices

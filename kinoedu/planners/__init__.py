@@ -1,37 +1,37 @@
 """Planners: each takes a problem and returns a plan; the Bug family takes what a bug is given."""
 
 from ..decomposition import decomposition_roadmap, sweep, trapezoidation, triangulation
-from .alternatives import alternative_routes
 from .answers import path_cost
 from .best_within import best_within
-from .bug0 import bug0
-from .bug1 import bug1
-from .bug2 import bug2
-from .bug2_prelim import bug2_prelim
-from .bug_base import bug_base
-from .by_decomposition import plan_by_decomposition
-from .cells_with_headings import cells_with_headings, plan_by_cells_with_headings
-from .changing import after_change, changed_box, changing_roadmap
-from .connecting import ComponentKClosest, KClosest, Radius
-from .grid import plan_on_grid
-from .grid_roadmap import grid_roadmap
-from .hybrid_astar import hybrid_astar
-from .kinodynamic_prm import kinodynamic_prm
-from .kinodynamic_rrt import kinodynamic_rrt
-from .multi_query import build_roadmap, query
-from .prm import prm, prm_star
-from .receding_horizon import receding_horizon
-from .roadmap_properties import roadmap_properties
-from .roadmap_search import dijkstra_path, plan_on_roadmap
-from .rrt import rrt
-from .rrt_connect import rrt_connect
-from .rrt_star import informed_rrt_star, rrt_star
-from .safe_intervals import plan_in_time, safe_intervals
+from .bugs.bug0 import bug0
+from .bugs.bug1 import bug1
+from .bugs.bug2 import bug2
+from .bugs.bug2_prelim import bug2_prelim
+from .bugs.bug_base import bug_base
+from .driving.hybrid_astar import hybrid_astar
+from .driving.kinodynamic_prm import kinodynamic_prm
+from .driving.kinodynamic_rrt import kinodynamic_rrt
+from .driving.sst import sst
+from .driving.trajectories import trajectory_along
+from .exact.by_decomposition import plan_by_decomposition
+from .exact.cells_with_headings import cells_with_headings, plan_by_cells_with_headings
+from .exact.visibility import plan_by_visibility, visibility_roadmap
+from .exploring.receding_horizon import receding_horizon
+from .grids.grid import plan_on_grid
+from .moving.safe_intervals import plan_in_time, safe_intervals
+from .roadmaps.alternatives import alternative_routes
+from .roadmaps.changing import after_change, changed_box, changing_roadmap
+from .roadmaps.connecting import ComponentKClosest, KClosest, Radius
+from .roadmaps.grid_roadmap import grid_roadmap
+from .roadmaps.multi_query import build_roadmap, query
+from .roadmaps.prm import prm, prm_star
+from .roadmaps.properties import roadmap_properties
+from .roadmaps.search import dijkstra_path, plan_on_roadmap
 from .shortcut import shortcut
-from .sst import sst
-from .trajectories import trajectory_along
-from .tree_roadmap import rrt_expansion, tree_roadmap
-from .visibility import plan_by_visibility, visibility_roadmap
+from .trees.rrt import rrt
+from .trees.rrt_connect import rrt_connect
+from .trees.rrt_star import informed_rrt_star, rrt_star
+from .trees.tree_roadmap import rrt_expansion, tree_roadmap
 
 __all__ = [
     "ComponentKClosest",

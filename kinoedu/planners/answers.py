@@ -11,7 +11,7 @@ from ..geometry.checks import Array, as_array
 from ..graphs import extract_path
 from ..problems import Plan, Tree
 from ..spaces.buckets import GrowingTree
-from .asking import askable
+from .problem_input import askable
 
 
 @algorithm

@@ -13,7 +13,7 @@ from ..errors import InvalidParameter
 from ..geometry.checks import Array, as_generator, shortened
 from ..problems import MOTIONS, Plan
 from .answers import cost_along
-from .asking import askable
+from .problem_input import askable
 from .tuning import whole
 
 

@@ -6,7 +6,7 @@ from kinoedu.course.bank import wrong
 from kinoedu.course.lessons.bugs.exposing_problem import mended_bug0
 from kinoedu.geometry import point_polygon_distance, polygon_tangent
 from kinoedu.geometry.leash import at_most_apart
-from kinoedu.planners import bug0, bug1, bug2, bug2_prelim, bug_base
+from kinoedu.planners.bugs import bug0, bug1, bug2, bug2_prelim, bug_base
 
 # BugBase
 

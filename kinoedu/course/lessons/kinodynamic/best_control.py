@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from ....geometry.checks import Array
-from ....planners.driving import free_drive
+from ....planners.driving.common import free_drive
 from ....spaces.angles import wrapped
 from ...drivable import DrivenTask, apart
 from ...exercise import Case, Slip, ValueExercise

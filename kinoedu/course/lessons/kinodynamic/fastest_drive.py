@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 from .... import graphs
 from ....geometry.checks import Array
 from ....planners import dijkstra_path
-from ....planners.kinodynamic_prm import searched
-from ....planners.roadmap_search import Search
+from ....planners.driving.kinodynamic_prm import searched
+from ....planners.roadmaps.search import Search
 from ...exercise import RIGHT, Case, Slip, ValueExercise, Verdict, spoken
 from ...outcomes import Answer, Outcome
 from ...shapes import Maybe, Numbers, Record

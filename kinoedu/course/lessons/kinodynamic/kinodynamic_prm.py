@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from ....geometry.checks import Array
 from ....graphs import extract_path
-from ....planners.kinodynamic_prm import drive_from_nearest
+from ....planners.driving.kinodynamic_prm import drive_from_nearest
 from ....robots.trajectory import DrivenTree
 from ...drivable import DrivenTask
 from ...exercise import Case

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from ....geometry.checks import Array
 from ....graphs import extract_path
-from ....planners.kinodynamic_rrt import grow_by_driving
+from ....planners.driving.kinodynamic_rrt import grow_by_driving
 from ....robots.trajectory import DrivenTree
 from ...drivable import DrivenTask
 from ...exercise import Case

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from ....planners.safe_intervals import search_intervals
+from ....planners.moving.safe_intervals import search_intervals
 from ...exercise import RIGHT, Case, Exercise, Verdict, spoken
 from ...outcomes import Answer, Outcome
 from ...shapes import Listed, Numbers, Record

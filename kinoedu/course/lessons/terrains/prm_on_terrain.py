@@ -6,7 +6,7 @@ import numpy as np
 
 from ....geometry.checks import Array
 from ....graphs import Graph, astar
-from ....planners.prm import prm
+from ....planners.roadmaps.prm import prm
 from ....problems import Tree
 from ...exercise import Case
 from ...shapes import Maybe, Record, Together

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ....geometry.checks import Array
-from ....planners.rrt_star import grow_shortest
+from ....planners.trees.rrt_star import grow_shortest
 from ....problems import Tree
 from ...exercise import Case, Slip, ValueExercise
 from ...outcomes import Answer, Outcome

@@ -7,7 +7,7 @@ import numpy as np
 
 from ....geometry.checks import Array
 from ....graphs import extract_path
-from ....planners.rrt import grow
+from ....planners.trees.rrt import grow
 from ....problems import Tree
 from ...exercise import Case
 from ...shapes import Maybe, Number, Record, Together

@@ -6,7 +6,7 @@ import numpy as np
 
 from ....geometry.checks import Array
 from ....graphs import extract_path
-from ....planners.rrt_connect import grow_both
+from ....planners.trees.rrt_connect import grow_both
 from ....problems import Tree
 from ...exercise import Case
 from ...shapes import Maybe, Number, Record, Together

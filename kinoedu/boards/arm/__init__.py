@@ -1,0 +1,1 @@
+"""Boards of the two-link arm and of its angles."""

@@ -1,0 +1,61 @@
+"""An arm on a board: its links and joints, and what touches something."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from ...collision import link_in_contact
+from ...figures.bars import bar_outline
+from ...geometry.checks import Array
+from ...robots import ArmChain
+from ...robots.arm import ArmRobot
+from ...words import say
+from ..core.drawing import Layer, bodies, dots, labels
+
+ASIDE = 0.15  # of a link's length: how far its name is from it
+HITS = ("ink", "hit")  # the colours of links 1 and 2 in contact, as in the square
+
+
+def links_in_contact(arm: ArmRobot, q: Array, world: Any) -> list[int]:
+    """Every link of two that touches something, from 1: behind the first that does, `link_in_contact` does not look."""
+    first = link_in_contact(arm, q, world)
+    if first != 1:
+        return [first] if first else []
+    second = ArmChain(arm.lengths[1:], 2.0 * arm.shape.radius[1], base=arm.joints(q)[0])
+    return [1, 2] if link_in_contact(second, [q.sum()], world) else [1]
+
+
+def contact_said(hits: Sequence[int]) -> str:
+    """Which links touch something, in words."""
+    if len(hits) == 2:
+        return say("arm_board.both")
+    return say("figure.link_in_contact", link=hits[0]) if hits else say("figure.no_link_in_contact")
+
+
+def outlines(arm: ArmRobot, q: Array) -> Array:
+    """The outlines of the links at q, shape (2, 50, 2)."""
+    joints = [arm.base, *arm.joints(q)]
+    return np.array([bar_outline(a, b, r) for a, b, r in zip(joints, joints[1:], arm.shape.radius, strict=False)])
+
+
+def arm_drawn(arm: ArmRobot, q: Array, hits: Sequence[int]) -> list[Layer]:
+    """The arm at q: a link that touches something has the colour that it has in the square, and stripes."""
+    joints = np.array([arm.base, *arm.joints(q)])
+    looks = [(HITS[i], True) if i + 1 in hits else ("free_link", False) for i in range(2)]
+    links = [bodies([outline], colour, hatched=hit) for outline, (colour, hit) in zip(outlines(arm, q), looks, strict=True)]
+    return [
+        *links,
+        dots(joints[:1], "ink", radius=8.0),
+        dots(joints[1:], "ink", radius=7.0),
+        dots(joints[1:], "free", radius=4.5),
+        names_beside(joints, q),
+    ]
+
+
+def names_beside(joints: Array, q: Array) -> Layer:
+    """The links' names beside their middles, on the side from which the arm bends away."""
+    along = np.diff(joints, axis=0)
+    aside = np.column_stack([along[:, 1], -along[:, 0]]) * (ASIDE if q[1] >= 0.0 else -ASIDE)
+    names = [say("arm_board.link", number=i + 1) for i in range(2)]
+    return labels(joints[:-1] + 0.5 * along + aside, names, "ink")

@@ -1,0 +1,1 @@
+"""The board of bugs and their walks."""

@@ -1,0 +1,1 @@
+"""Boards of the car and of its curves."""

@@ -1,0 +1,120 @@
+"""A car on a board: its body and its steered wheels, the way that it drives, and the ride along it."""
+
+import math
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ...figures.ackermann import steered_wheels
+from ...figures.drawing import line_width
+from ...figures.robots import driven_tracks, outline_at, tracks
+from ...geometry.checks import Array
+from ...problems import Plan
+from ...robots.car import CarRobot
+from ...robots.trajectory import TrajectoryRecord
+from ...words import say
+from ..arm.reach import segments
+from ..core.drawing import Layer, arrows, bodies, edges, eye, labels
+from .car_poses import middles, tip_of
+
+STEPS = 200  # of a ride
+GROWTH = 100  # steps at most in which a tree grows: the ride is as long as twice that
+EYE = 7.0  # wheelbases that are seen when the car is followed
+
+
+class Ride(NamedTuple):
+    """A trajectory at even times: times (k,), poses (k, 3), and the controls there (k, 2)."""
+
+    times: Array
+    poses: Array
+    controls: Array
+
+
+def ride_along(trajectory: TrajectoryRecord) -> Ride:
+    """The ride along a trajectory, its ends included; one moment where nothing is driven."""
+    n = len(trajectory.durations)
+    times = np.linspace(0.0, trajectory.duration, STEPS + 1 if n else 1)
+    which = np.minimum(np.searchsorted(np.cumsum(trajectory.durations), times), max(n - 1, 0))
+    return Ride(times, trajectory.at(times), trajectory.controls[which] if n else np.zeros((1, 2)))
+
+
+def ride_drawn(car: CarRobot, ride: Ride, begin: int, *, hit: bool = False) -> list[Layer]:
+    """The car at the first moment until step `begin`, and then at one moment after another; at the last, perhaps in contact."""
+    n = len(ride.times)
+    when = np.append(0, begin + 1 + np.arange(n - 1)) if n > 1 else np.array([0])
+    until = np.append(when[1:], begin + n)
+    outlines = np.array([outline_at(car, q) for q in ride.poses])
+    rolling = dict.fromkeys(ride.controls[:, 1].tolist())
+    straight = {phi: np.array(steered_wheels(car, np.zeros(3), phi)) for phi in rolling}
+    wheels = posed(np.array([straight[phi] for phi in ride.controls[:, 1].tolist()]), ride.poses)
+    good = n - 1 if hit else n
+    body = [bodies(outlines[:good], "robot", when=when[:good], until=until[:good])]
+    body += [bodies(outlines[good:], "hit", hatched=True, when=when[good:], until=until[good:])] if hit else []
+    return [*body, bodies(wheels.reshape(-1, 4, 2), "ink", when=np.repeat(when, 4), until=np.repeat(until, 4))]
+
+
+def posed(shapes: Array, poses: Array) -> Array:
+    """Shapes (m, k, c, 2) in the car's own frame, where it stands at each pose (m, 3)."""
+    cos, sin = np.cos(poses[:, 2]), np.sin(poses[:, 2])
+    turns = np.stack([cos, sin, -sin, cos], axis=1).reshape(-1, 1, 2, 2)
+    return shapes @ turns + poses[:, None, None, :2]
+
+
+def way_drawn(ride: Ride, begin: int) -> list[Layer]:
+    """The way of the rear axle's middle, there when everything has grown; what is driven back is dashed."""
+    pieces = segments(ride.poses[:, :2])
+    back = ride.controls[1:, 0] < 0.0
+    some = pieces[~back | (np.arange(len(pieces)) % 2 == 0)]
+    return [edges(some, colour, width=width, when=np.full(len(some), begin)) for colour, width in (("ink", 5.0), ("path", 3.0))]
+
+
+def growth_drawn(car: CarRobot, plan: Plan) -> tuple[list[Layer], int]:
+    """The tree or the roadmap of a plan as it grew, and in how many steps."""
+    if plan.roadmap is not None:
+        begins, colour, grown = plan.roadmap.nodes[plan.roadmap.edges[:, 0]], "roadmap", plan.roadmap
+        lines = driven_tracks(car, begins, grown.controls, grown.durations)
+    else:
+        tree: Any = plan.tree
+        begins, colour = tree.nodes[tree.parent[1:]], "tree"
+        if hasattr(tree, "controls"):
+            lines = driven_tracks(car, begins, tree.controls[1:], tree.durations[1:])
+        else:
+            lines = tracks(car, begins, tree.nodes[1:])
+    n, kept = len(lines), lines[:, :: max(1, (lines.shape[1] - 1) // 4)]
+    total = min(n, GROWTH)
+    when = np.ceil((np.arange(n) + 1) * total / max(n, 1))
+    pieces = np.stack([kept[:, :-1], kept[:, 1:]], axis=2)
+    return [edges(pieces, colour, width=line_width(n), when=np.repeat(when, pieces.shape[1]))], total
+
+
+def ends_drawn(car: CarRobot, ends: Sequence[Array]) -> list[Layer]:
+    """Where the car starts and where it is to go: bodies, tips and names."""
+    drawn: list[Layer] = []
+    for name, pose in zip(("start", "goal"), ends, strict=True):
+        outline, wheels = outline_at(car, pose), np.array(steered_wheels(car, pose, 0.0))
+        beside = outline[:, 0].max(), outline[:, 1].min() - 0.5 * np.ptp(car.outline[:, 1])
+        drawn += [bodies([outline], name), bodies(wheels, name), labels([beside], [say(f"car_board.{name}")], name)]
+        drawn += [arrows([pose[:2]], [tip_of(car, pose) - pose[:2]], name)]
+    return drawn
+
+
+def refused_drawn(car: CarRobot, poses: Sequence[Array]) -> list[Layer]:
+    """The car where it cannot be."""
+    return [bodies([outline_at(car, pose)], "hit", hatched=True) for pose in poses]
+
+
+def followed(car: CarRobot, ride: Ride, begin: int) -> Layer:
+    """An eye that goes with the car."""
+    when = np.append(0, begin + 1 + np.arange(len(ride.times) - 1))
+    return eye(middles(car, ride.poses), EYE * car.wheelbase, when=when)
+
+
+def told_on(ride: Ride) -> list[str]:
+    """What is so at each moment of a ride."""
+    return [moment_told(t, v, phi) for t, (v, phi) in zip(ride.times, ride.controls)]
+
+
+def moment_told(t: float, v: float, phi: float) -> str:
+    """A moment of a ride in words."""
+    return say("car_board.moment", t=f"{t:.1f}", v=f"{v:.3g}", phi=round(math.degrees(phi)))

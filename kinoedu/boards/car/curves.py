@@ -1,0 +1,66 @@
+"""A board about cars: two poses to drag, and the shortest ways between them, forward only and both ways."""
+
+import math
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ...curves import Curve, dubins_path, reeds_shepp_path
+from ...curves.curve import as_pose, as_radius
+from ...geometry.checks import Array
+from ...words import say
+from ..arm.reach import segments
+from ..core.canvas import Canvas
+from ..core.drawing import Drawing, Layer, arrows, edges
+from ..core.scene import Scene, handle, make_scene, place_of
+
+NOSE = 1.5  # turning radii from a pose to what it points at
+PIECES = 40  # of an arc, to draw it
+
+
+def curves_board(a: ArrayLike, b: ArrayLike, radius: float) -> Canvas:
+    """Drag two poses, and the points that they look at: Dubins' way from the first to the second, and Reeds' and Shepp's.
+
+    a, b : (x, y, theta), where they begin. Raises InvalidPoint, InvalidParameter.
+
+    >>> curves_board((0, 0, 0), (0, 4, 0), 2.0)
+    Canvas(forward only LSL, 16.6 long; both ways RLRL, 7.29 long)
+    """
+    poses, r = {"a": as_pose(a, "a"), "b": as_pose(b, "b")}, as_radius(radius)
+    places = np.array([pose[:2] for pose in poses.values()])
+    middle, reach = places.mean(axis=0), float(np.ptp(places, axis=0).max()) + 5.0 * r
+    handles = []
+    for (name, pose), colour, marker in zip(poses.items(), ("start", "goal"), ("dot", "star")):
+        handles.append(handle(name, pose[:2], colour=colour, marker=marker))
+        handles.append(handle(say(f"curves_board.{name}_looks"), nose(pose, r), colour=colour))
+    return Canvas(make_scene(middle - 0.55 * reach, middle + 0.55 * reach, handles=handles), lambda now: curves_drawn(now, r))
+
+
+def nose(pose: Array, radius: float) -> Array:
+    """The point that a pose looks at."""
+    return pose[:2] + NOSE * radius * np.array([math.cos(pose[2]), math.sin(pose[2])])
+
+
+def pose_in(scene: Scene, name: str) -> Array:
+    """A pose, by its two handles."""
+    place, ahead = place_of(scene, name), place_of(scene, say(f"curves_board.{name}_looks"))
+    return np.array([*place, math.atan2(ahead[1] - place[1], ahead[0] - place[0])])
+
+
+def curves_drawn(scene: Scene, radius: float) -> Drawing:
+    """Both curves, what is driven back dashed; and what the poses look at, moved to its distance."""
+    a, b = pose_in(scene, "a"), pose_in(scene, "b")
+    forward, both = dubins_path(a, b, radius), reeds_shepp_path(a, b, radius)
+    layers = [*curve_layers(forward, "tree", 2.0), *curve_layers(both, "path", 4.0)]
+    for pose, colour in ((a, "start"), (b, "goal")):
+        layers.append(arrows([pose[:2]], [nose(pose, radius) - pose[:2]], colour))
+    words = {"forward": forward.word, "first": f"{forward.length:.3g}", "both": both.word or "-", "second": f"{both.length:.3g}"}
+    places = [("handle", number, nose(pose, radius).tolist()) for number, pose in ((1, a), (3, b))]
+    return Drawing(layers, text=say("curves_board.text", **words), places=places)
+
+
+def curve_layers(curve: Curve, colour: str, width: float) -> list[Layer]:
+    """A curve's pieces."""
+    ends = np.concatenate([[0.0], np.cumsum(np.abs(curve.lengths))])
+    pieces = [segments(curve.at(np.linspace(begin, end, PIECES))[:, :2]) for begin, end in zip(ends, ends[1:])]
+    return [edges(piece, colour, width=width, dash=(7, 5) if length < 0.0 else ()) for piece, length in zip(pieces, curve.lengths)]

@@ -1,0 +1,1 @@
+"""Boards of the geometry of the plane: nearest points, samples, sweep lines, slides and solids."""

@@ -1,0 +1,59 @@
+"""Boards about the geometry of the plane."""
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ...geometry import point_polygon_distance, polygon_tangent
+from ...geometry.checks import as_point
+from ...geometry.polygons import nearest_on_ring
+from ...geometry.rings import as_ring
+from ...words import say
+from ..core.canvas import Canvas
+from ..core.drawing import Drawing, arrows, dots, edges, labels
+from ..core.scene import Scene, handle, make_scene, place_of, polygon
+
+
+def distance_board(vertices: ArrayLike, q: ArrayLike) -> Canvas:
+    """Drag q round a polygon, the polygon, or its vertices: the nearest point, the distance to it, and the tangent there.
+
+    Parameters
+    ----------
+    vertices : (n, 2), a simple polygon; q : (2,), where q begins. The arrow is `polygon_tangent`, one unit long.
+
+    Raises InvalidPolygon, InvalidPoint.
+
+    >>> distance_board([(0, 0), (4, 0), (4, 4), (0, 4)], q=(7, 8))
+    Canvas(distance 5; nearest: vertex 2)
+    """
+    ring, name = as_ring(vertices), say("board.distance.q")
+    here = as_point(q, name)
+    lo, hi = np.minimum(ring.min(axis=0), here), np.maximum(ring.max(axis=0), here)
+    margin = 0.25 * (hi - lo).max()
+    scene = make_scene(
+        lo - margin,
+        hi + margin,
+        handles=[handle(name, here, colour="start")],
+        polygons=[polygon(say("board.distance.polygon"), [ring])],
+    )
+    return Canvas(scene, nearest_drawn)
+
+
+def nearest_drawn(scene: Scene) -> Drawing:
+    """The polygon's point that is nearest to q, in a drawing."""
+    ring, q = as_ring(scene["polygons"][0]["rings"][0]), place_of(scene, scene["handles"][0]["name"])
+    tangent = arrows([q], [polygon_tangent(q, ring)], "path")
+    numbers = labels(ring, [str(i) for i in range(len(ring))], "obstacle")
+    distance = point_polygon_distance(q, ring)
+    if distance == 0.0:
+        return Drawing([numbers, tangent], text=say("board.distance.inside"))
+    edge, x, y, region = nearest_on_ring(q[0], q[1], ring)
+    near, size = np.array([x, y]), f"{distance:.4g}"
+    text = (
+        say("board.distance.edge", distance=size, number=edge)
+        if region == 0
+        else say("board.distance.vertex", distance=size, number=edge if region == 1 else (edge + 1) % len(ring))
+    )
+    line = edges([[q, near]], "tree", width=2.5, dash=(6, 4))
+    return Drawing(
+        [numbers, line, dots([near], "tree", radius=6.0), labels([(q + near) / 2.0], [size], "tree"), tangent], text=text
+    )

@@ -1,0 +1,194 @@
+"""The board of solids: a mesh to turn and to cut, and beside it what the cut means in the plane.
+
+The browser turns the mesh, moves the plane and drags the point; Python answers what the plane shows, through the trait `section`:
+{theta, place, text, shapes}, each shape a list of points with colours. One question is under way at a time.
+"""
+
+import io
+import logging
+from collections.abc import Callable
+from pathlib import Path
+from textwrap import fill
+from typing import TYPE_CHECKING, Any
+
+import anywidget
+import numpy as np
+import traitlets
+from numpy.typing import ArrayLike
+
+from ...c_space import translating_obstacles, turned, turning_obstacle
+from ...errors import InvalidParameter, KinoeduError
+from ...figures import palette
+from ...figures.solid import draw_mesh, section_of, shaded
+from ...geometry import convex_polygons_intersect
+from ...geometry.checks import Array, as_array, as_point, shortened
+from ...geometry.convex import convex_parts
+from ...geometry.rings import as_ring
+from ...words import say
+from ..core.canvas import with_picture
+
+if TYPE_CHECKING:
+    from trimesh import Trimesh
+
+log = logging.getLogger("kinoedu")
+
+MOST = 40_000  # triangles that a browser can paint as they are turned
+FRONT = {"theta": (), "hint": (), "solid": ("azimuth", "height", "theta"), "slice": ("theta",)}
+Section = Callable[[float, Array], dict[str, Any]]
+
+
+def shape(points: ArrayLike, fill: str = "", line: str = "", *, alpha: float = 1.0, closed: bool = True) -> dict[str, Any]:
+    """A polygon or a line of a section, (n, 2), with the names of its colours in the palette; "" for none."""
+    return {"points": np.asarray(points, float).tolist(), "fill": fill, "line": line, "alpha": alpha, "closed": closed}
+
+
+def solid_board(
+    mesh: "Trimesh", *, section: Section | None = None, theta: float = 0.0, place: ArrayLike | None = None
+) -> "SolidBoard":
+    """A mesh in (x, y, theta) to turn by dragging, wheel or keys, and a plane through it whose cut is shown beside it.
+
+    Parameters
+    ----------
+    mesh : a trimesh.Trimesh of at most 40,000 triangles, drawn in its own face colours where it has any.
+    section : what the plane shows, a function f(theta, place) -> {"text": words, "shapes": [shape(...), ...]}; left out, the cut.
+    theta, place : where the plane is, and the point that can be dragged in it, (2,); without a place there is no point.
+
+    Raises InvalidParameter, InvalidPoint.
+    """
+    return SolidBoard(mesh, section, theta, place)
+
+
+def turning_board(
+    robot_vertices: ArrayLike, obstacle: ArrayLike, *, theta: float = 0.0, place: ArrayLike | None = None
+) -> "SolidBoard":
+    """The C-obstacle of a polygon that turns: the solid, and at the plane's heading the workspace, the robot there to be dragged.
+
+    robot_vertices : (n, 2), its reference point at the origin; obstacle : (m, 2). Raises InvalidPolygon, InvalidPoint.
+
+    >>> turning_board([(0, 0), (2, 0), (0, 1)], [(3, 3), (6, 3), (6, 5), (3, 5)], place=(4, 4))
+    SolidBoard(θ = 0°: the robot touches the obstacle with its reference point at (4, 4))
+    """
+    robot, solid = as_ring(robot_vertices, "robot"), as_ring(obstacle, "obstacle")
+    mesh = turning_obstacle(robot, solid)
+    here = mesh.bounds[0, :2] if place is None else place
+    return SolidBoard(mesh, lambda theta, place: workspace_section(robot, solid, theta, place), theta, here)
+
+
+def workspace_section(robot: Array, obstacle: Array, theta: float, place: Array) -> dict[str, Any]:
+    """The workspace at one heading: the slice of the C-obstacle, the obstacle, the robot; and whether it touches, exactly."""
+    body = turned(robot, theta)
+    touches = any(convex_polygons_intersect(p + place, q) for p in convex_parts(body) for q in convex_parts(obstacle))
+    grown = [shape(part, "outside", "", alpha=0.4) for part in translating_obstacles(body, [obstacle])]
+    state, degrees = say("c_space.touches" if touches else "c_space.clear"), f"{np.degrees(theta):.0f}"
+    return {
+        "text": say("c_space.section", theta=degrees, state=state, x=f"{place[0]:.3g}", y=f"{place[1]:.3g}"),
+        "shapes": [*grown, shape(obstacle, "obstacle", ""), shape(body + place, "robot", "robot", alpha=0.5)],
+    }
+
+
+class SolidBoard(anywidget.AnyWidget):
+    """What `solid_board` makes. `theta` and `place` say where the plane and the point are; set them to move both."""
+
+    _esm = Path(__file__).with_name("solid.js")
+    _css = Path(__file__).with_name("solid.css")
+    vertices = traitlets.Bytes().tag(sync=True)
+    faces = traitlets.Bytes().tag(sync=True)
+    colours = traitlets.Bytes().tag(sync=True)
+    theta = traitlets.Float().tag(sync=True)
+    place: Any = traitlets.List(allow_none=True, default_value=None).tag(sync=True)
+    section = traitlets.Dict().tag(sync=True)
+    cut: Any = traitlets.List().tag(sync=True)
+    box: Any = traitlets.List().tag(sync=True)
+    palette = traitlets.Dict().tag(sync=True)
+    words = traitlets.Dict().tag(sync=True)
+
+    def __init__(self, mesh: "Trimesh", section: Section | None, theta: float, place: ArrayLike | None) -> None:
+        if not hasattr(mesh, "triangles") or not 0 < len(mesh.faces) <= MOST:
+            raise InvalidParameter(f"a board needs a mesh of 1 to {MOST:,} triangles, got {shortened(mesh)}")
+        self._mesh, self._section = mesh, section or self._outline
+        here = None if place is None else as_point(place, "place").tolist()
+        angle = as_array(theta, "theta")
+        if angle.ndim:
+            raise InvalidParameter(f"theta must be one angle, got {theta!r}")
+        super().__init__(
+            vertices=np.asarray(mesh.vertices, np.float32).tobytes(),
+            faces=np.asarray(mesh.faces, np.uint32).tobytes(),
+            colours=(255.0 * np.broadcast_to(shaded(mesh), (len(mesh.faces), 3))).astype(np.uint8).tobytes(),
+            box=mesh.bounds.tolist(),
+            theta=float(angle),
+            place=here,
+            palette=palette.NAMED,
+            words={name: say(f"c_space.front.{name}", **{v: f"{{{v}}}" for v in values}) for name, values in FRONT.items()},
+        )
+        self.observe(lambda _: self._answer(), ["theta", "place"])
+        self._answer()
+
+    def set_state(self, sync_data: dict[str, Any]) -> None:
+        """What a page may change: where the plane and the point are. What makes no sense is left out."""
+        kept: dict[str, Any] = {}
+        try:
+            if "theta" in sync_data:
+                kept["theta"] = self._nearest(as_array([sync_data["theta"]], "theta").item())
+            if "place" in sync_data and self.place is not None:
+                kept["place"] = as_point(sync_data["place"], "place").tolist()
+        except (KinoeduError, ValueError) as error:
+            log.warning("a board was sent a place that it cannot show: %s", error)
+        super().set_state(kept)
+
+    def _nearest(self, theta: float) -> float:
+        """The height of the solid that is nearest to an angle."""
+        return float(np.clip(theta, *self._mesh.bounds[:, 2]))
+
+    @traitlets.validate("theta")
+    def _within(self, proposal: Any) -> float:
+        return self._nearest(as_array(proposal["value"], "theta").item())
+
+    @traitlets.validate("place")
+    def _point(self, proposal: Any) -> list[float] | None:
+        value = proposal["value"]
+        return value if value is None else as_point(value, "place").tolist()
+
+    def _answer(self) -> None:
+        """What the plane shows now."""
+        shown = self._section(self.theta, np.array(self.place if self.place is not None else (0.0, 0.0)))
+        with self.hold_sync():
+            self.cut = section_of(self._mesh, self.theta)[:, :, :2].tolist()
+            self.section = {**shown, "theta": self.theta, "place": self.place}
+
+    def _outline(self, theta: float, _: Array) -> dict[str, Any]:
+        """The cut itself."""
+        lines = [shape(line[:, :2], line="goal", closed=False) for line in section_of(self._mesh, theta)]
+        return {"text": say("c_space.nothing", theta=f"{np.degrees(theta):.0f}"), "shapes": lines}
+
+    def picture(self) -> bytes:
+        """The board as it is now, as a PNG."""
+        from matplotlib.backends.backend_agg import FigureCanvasAgg
+        from matplotlib.figure import Figure
+        from matplotlib.patches import Polygon
+
+        figure = Figure(figsize=(11.0, 5.0), dpi=60)  # no layout of its own: what it takes for the solid's box is too large
+        FigureCanvasAgg(figure)
+        draw_mesh(self._mesh, figure.add_axes((0.0, 0.02, 0.5, 0.96), projection="3d"), theta=self.theta)
+        ax = figure.add_axes((0.54, 0.08, 0.44, 0.76), aspect="equal")
+        named = {"": "none", **palette.NAMED}
+        for part in self.section["shapes"]:
+            style = {
+                "closed": part["closed"],
+                "facecolor": named[part["fill"]] if part["closed"] else "none",
+                "alpha": part["alpha"],
+            }
+            ax.add_patch(Polygon(part["points"], edgecolor=named[part["line"]], **style))
+        for line in self.cut:
+            ax.plot(*np.transpose(line), color=palette.GOAL, linewidth=2.0)
+        ax.autoscale_view()
+        ax.tick_params(labelsize=palette.TEXT_SIZE - 1)
+        ax.set_title(fill(self.section["text"], 44), fontsize=palette.TEXT_SIZE)
+        stream = io.BytesIO()
+        figure.savefig(stream, format="png")
+        return stream.getvalue()
+
+    def __repr__(self) -> str:
+        return f"SolidBoard({self.section['text']})"
+
+    def _repr_mimebundle_(self, **kwargs: Any) -> Any:
+        return with_picture(super()._repr_mimebundle_(**kwargs), self, self)

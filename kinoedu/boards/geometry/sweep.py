@@ -1,0 +1,178 @@
+"""The sweep line's board: a line that is dragged by hand across polygons, its status beside it, and the cells that it leaves."""
+
+from collections.abc import Sequence
+from itertools import pairwise
+from typing import Any
+
+import ipywidgets as widgets
+import numpy as np
+
+from ...decomposition import Step, sweep
+from ...decomposition.trapezoidation import corners_of
+from ...geometry.checks import Array
+from ...words import say
+from ...worlds.polygon_world import rings_of
+from ..core.canvas import Canvas, with_picture
+from ..core.drawing import Drawing, Layer, cells, dots, edges, labels
+from ..core.scene import Scene, handle, make_scene, place_of, polygon
+from ..planning.plans import world_in
+
+FLOOR, CEILING = "start", "goal"  # colours of the status, as in the figures
+
+
+def sweep_board(world: Any, *, x: float | None = None) -> "SweepBoard":
+    """Drag the sweep line across a world by its handle, and the obstacles or their vertices: the cells closed and open, the status.
+
+    Parameters
+    ----------
+    world : a PolygonWorld without discs. x : where the line begins; half way across by default.
+
+    `board.steps` are the events met so far. Raises InvalidWorld.
+
+    >>> from kinoedu.worlds import PolygonWorld
+    >>> sweep_board(PolygonWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [[(3, 3), (6, 2), (5, 4)]]), x=5.5)
+    SweepBoard(at x = 5: a bend; cells closed 2, open 2
+    status: edge 0, edge 2, edge 4, edge 1)
+    """
+    return SweepBoard(world, x=x)
+
+
+class SweepBoard(widgets.HBox):
+    """What `sweep_board` makes: the world in `canvas`, and the list of the edges on the line in `status`."""
+
+    def __init__(self, world: Any, *, x: float | None) -> None:
+        sweep(world)  # refuses what it cannot cut
+        self.steps: list[Step] = []
+        self.status = widgets.HTML(layout=widgets.Layout(flex="1 1 11em"))
+        self.canvas = Canvas(scene_of(world, x), self.answer)
+        self.canvas.layout = widgets.Layout(flex="4 1 22em", max_width="650px", min_width="0")
+        super().__init__([self.canvas, self.status], layout=widgets.Layout(flex_flow="row wrap", grid_gap="8px"))
+
+    def answer(self, scene: Scene) -> Drawing:
+        """Sweep a scene up to the line."""
+        self.steps, rows = [], np.empty((0, 4))
+        try:
+            everything = list(sweep(world_in(scene)))
+            x = float(place_of(scene, say("sweep_board.line"))[0])
+            self.steps = [step for step in everything if step.x <= x]
+            names = numbered(everything)
+            if not self.steps:
+                return Drawing([line_at(x, scene)], text=say("sweep_board.before", x=f"{x:.4g}"))
+            rows = self.steps[-1].status
+            return drawn(self.steps, x, names, scene)
+        finally:
+            self.status.value = listed(rows, names if len(rows) else {})
+
+    def picture(self) -> bytes:
+        """The board as it is now, as a PNG."""
+        return self.canvas.picture()
+
+    def __repr__(self) -> str:
+        return f"SweepBoard({self.canvas.drawing.says})"
+
+    def _repr_mimebundle_(self, **kwargs: Any) -> Any:
+        return with_picture(super()._repr_mimebundle_(**kwargs), self, self)
+
+
+def scene_of(world: Any, x: float | None) -> Scene:
+    """A world with a handle below it for the sweep line."""
+    (outline,), *solids = rings_of(world)
+    margin = 0.06 * (world.hi - world.lo).max()
+    at = (world.lo[0] + world.hi[0]) / 2.0 if x is None else x
+    polygons = [polygon(say("sweep_board.obstacle", number=k), rings) for k, rings in enumerate(solids)]
+    handles = [handle(say("sweep_board.line"), (at, world.lo[1] - margin), colour="ink")]
+    lo, hi = world.lo - [margin, 1.5 * margin], world.hi + margin
+    return make_scene(lo, hi, boundary=outline[::-1], handles=handles, polygons=polygons)
+
+
+def numbered(steps: Sequence[Step]) -> dict[tuple[float, ...], int]:
+    """Every edge that the line crosses somewhere, with its number: by its left end, from left to right, the lower first."""
+    rows = np.unique(np.concatenate([step.status for step in steps]), axis=0)
+    slopes = (rows[:, 3] - rows[:, 1]) / (rows[:, 2] - rows[:, 0])
+    ordered = rows[np.lexsort((slopes, rows[:, 1], rows[:, 0]))]
+    return {tuple(row): number for number, row in enumerate(ordered.tolist())}
+
+
+def drawn(steps: Sequence[Step], x: float, names: dict[tuple[float, ...], int], scene: Scene) -> Drawing:
+    """What the line has left, and what it crosses at x."""
+    now, done = steps[-1], np.concatenate([step.closed for step in steps])
+    begun = open_cells(steps, x)
+    corners, size = corners_of(done), float(np.subtract(scene["hi"], scene["lo"]).max())
+    layers = [
+        cells(corners, "cell"),
+        outlines(corners, "tree", 1.5),
+        outlines(begun, "tree", 1.8, (6.0, 5.0)),
+        labels(corners.mean(axis=1) - 0.015 * size, [str(k) for k in range(1, len(done) + 1)], "tree"),
+        line_at(x, scene),
+    ]
+    layers += [edges(now.status[k::2], colour, width=4.0) for k, colour in enumerate((FLOOR, CEILING))]
+    heights = height_at(now.status, x)
+    layers += [
+        dots(np.concatenate([step.vertices for step in steps]), "ink", radius=3.5),
+        dots(now.vertices, "path", radius=6.0),
+        dots(np.column_stack([np.full(len(heights), x), heights]), "ink", radius=3.0),
+    ]
+    places = np.column_stack([np.full(len(heights), x), apart(heights, 0.045 * size)])
+    texts = [str(names[tuple(row)]) for row in now.status.tolist()]
+    layers += [labels(places[k::2], texts[k::2], colour) for k, colour in enumerate((FLOOR, CEILING))]
+    said = {"x": f"{now.x:.4g}", "event": now.kind, "closed": len(done)}
+    if not len(now.status):
+        return Drawing(layers, text=say("sweep_board.ended", **said))
+    status = ", ".join(say("sweep_board.edge", number=text) for text in texts)
+    return Drawing(layers, text=say("sweep_board.now", **said, open=len(begun), status=status))
+
+
+def line_at(x: float, scene: Scene) -> Layer:
+    """The sweep line."""
+    return edges([[(x, scene["lo"][1]), (x, scene["hi"][1])]], "ink", width=2.0)
+
+
+def outlines(corners: Array, colour: str, width: float, dash: Sequence[float] = ()) -> Layer:
+    """The sides of quadrangles (n, 4, 2)."""
+    return edges(np.stack([corners, np.roll(corners, -1, axis=1)], axis=2), colour, width=width, dash=dash)
+
+
+def open_cells(steps: Sequence[Step], x: float) -> Array:
+    """The cells that the line at x is crossing, as far as they have come, (n, 4, 2).
+
+    What is known of each is its left wall; its floor and ceiling are the neighbours in the status that pass the wall's ends.
+    """
+    walls: list[tuple[float, ...]] = []
+    for step in steps:
+        ended = {tuple(row) for row in step.closed[:, [0, 2, 3]].tolist()}
+        walls = [wall for wall in walls if wall not in ended] + [tuple(row) for row in step.opened.tolist()]
+    pairs, found = steps[-1].status.reshape(-1, 2, 4), []
+    for floor, ceiling in pairs:
+        left = max(floor[0], ceiling[0])
+        misses = [
+            np.abs(height_at(np.array([floor, ceiling]), begin) - [low, high]).sum() if begin >= left else np.inf
+            for begin, low, high in walls
+        ]
+        begin, low, high = walls.pop(int(np.argmin(misses)))
+        bottom, top = height_at(np.array([floor, ceiling]), x)
+        found.append([(begin, low), (x, bottom), (x, top), (begin, high)])
+    return np.array(found).reshape(-1, 4, 2)
+
+
+def height_at(rows: Array, x: float) -> Array:
+    """The height of edges (n, 4) at x, (n,)."""
+    x0, y0, x1, y1 = rows.T
+    return y0 + (x - x0) / (x1 - x0) * (y1 - y0)
+
+
+def apart(heights: Array, gap: float) -> Array:
+    """Heights in increasing order, pushed up where they are closer than a gap."""
+    places = heights.copy()
+    for below, above in pairwise(range(len(places))):
+        places[above] = max(places[above], places[below] + gap)
+    return places
+
+
+def listed(rows: Array, names: dict[tuple[float, ...], int]) -> str:
+    """The status as a list, the top of the line first."""
+    lines = [
+        say("sweep_board.ceiling" if k % 2 else "sweep_board.floor", number=names[tuple(row)])
+        for k, row in enumerate(rows.tolist())
+    ]
+    title, rest = say("sweep_board.status"), lines[::-1] or [say("sweep_board.empty")]
+    return f"<b>{title}</b><ul>{''.join(f'<li>{line}</li>' for line in rest)}</ul>"

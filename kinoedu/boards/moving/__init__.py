@@ -1,0 +1,1 @@
+"""Boards of obstacles that move, and of those whose places are uncertain."""

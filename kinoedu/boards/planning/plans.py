@@ -1,0 +1,115 @@
+"""Planners on a board: the scene of a problem, the problem of a scene, the drawing of a plan."""
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ...errors import InvalidParameter
+from ...figures.drawing import dot_size, growth_of, line_width, summary
+from ...geometry.checks import shortened
+from ...planners import plan_on_grid, prm, rrt
+from ...problems import Plan, Problem, ProblemRecord
+from ...worlds import PolygonWorld
+from ...worlds.polygon_world import PolygonWorldRecord, discs_of, rings_of
+from ...worlds.terrain import TerrainRecord
+from ..core.canvas import Canvas
+from ..core.drawing import Drawing, Layer, dots, edges, path
+from ..core.scene import Scene, disc, handle, make_scene, place_of, polygon
+
+START, GOAL = "start", "goal"
+
+
+class Settings(NamedTuple):
+    """What a board's controls say."""
+
+    seed: int
+    step: float
+    samples: int
+
+
+class Choice(NamedTuple):
+    """A planner of this package: its public function, how it is called, which settings it takes. In words it is `board.<key>`."""
+
+    function: Any
+    plan: Callable[[ProblemRecord, Settings], Plan]
+    takes: tuple[str, ...]
+
+
+PLANNERS = {
+    "rrt": Choice(rrt, lambda problem, given: rrt(problem, step=given.step, rng=given.seed), ("seed", "step")),
+    "prm": Choice(prm, lambda problem, given: prm(problem, n=given.samples, rng=given.seed), ("seed", "samples")),
+    "astar": Choice(plan_on_grid, lambda problem, given: plan_on_grid(problem), ()),
+}
+
+
+def in_plane(problem: Any) -> ProblemRecord:
+    """A problem whose configurations are points of the plane, or InvalidParameter."""
+    if not isinstance(problem, ProblemRecord) or problem.start.shape != (2,):
+        raise InvalidParameter(f"a board needs a Problem whose configurations are points of the plane, got {shortened(problem)}")
+    return problem
+
+
+def canvas_for(problem: ProblemRecord, answer: Callable[[Scene], Drawing]) -> Canvas:
+    """A canvas on which a problem's parts can be dragged."""
+    return canvas_of(problem.world, scene_of(problem), answer)
+
+
+def canvas_of(
+    world: Any, scene: Scene, answer: Callable[[Scene], Drawing], drive: Callable[[set[str]], None] | None = None
+) -> Canvas:
+    """A canvas of a scene in a world, with the world's bitmap where it is one; drive : what arrow keys do, as `Canvas` takes it."""
+    return Canvas(scene, answer, free=world.free if isinstance(world, TerrainRecord) else None, drive=drive)
+
+
+def scene_of(problem: ProblemRecord) -> Scene:
+    """What stands in a problem's world; start and goal can be dragged, and among polygons every obstacle and its vertices."""
+    radius = getattr(problem.robot, "radius", 0.0)
+    handles = [
+        handle(START, problem.start[:2], colour="start", radius=radius),
+        handle(GOAL, problem.goal[:2], colour="goal", marker="star", radius=radius),
+    ]
+    return scene_with(problem.world, handles)
+
+
+def scene_with(world: Any, handles: list[dict[str, Any]]) -> Scene:
+    """What stands in a world, and handles; among polygons every obstacle and its vertices can be dragged."""
+    if not isinstance(world, PolygonWorldRecord):
+        return make_scene(world.lo, world.hi, handles=handles)
+    (outline,), *solids = rings_of(world)
+    names = [f"obstacle {k}" for k in range(len(solids) + len(discs_of(world)))]
+    polygons = [polygon(name, rings) for name, rings in zip(names, solids, strict=False)]
+    discs = [disc(name, row[:2], row[2]) for name, row in zip(names[len(solids) :], discs_of(world), strict=True)]
+    return make_scene(world.lo, world.hi, boundary=outline[::-1], handles=handles, polygons=polygons, discs=discs)
+
+
+def problem_in(scene: Scene, problem: ProblemRecord) -> ProblemRecord:
+    """The same problem with everything where the scene has it. Raises InvalidPolygon, InvalidStart, InvalidGoal."""
+    world = problem.world
+    if isinstance(world, PolygonWorldRecord):
+        world = world_in(scene)
+    return Problem(problem.robot, world, place_of(scene, START), place_of(scene, GOAL), clearance=problem.clearance)
+
+
+def world_in(scene: Scene) -> PolygonWorldRecord:
+    """The obstacles of a scene within its boundary. Raises InvalidPolygon."""
+    solids: list[Any] = [(rings[0], rings[1:]) if rings[1:] else rings[0] for rings in (p["rings"] for p in scene["polygons"])]
+    return PolygonWorld(scene["boundary"], solids + [(d["at"], d["radius"]) for d in scene["discs"]])
+
+
+def drawing_of(plan: Plan) -> Drawing:
+    """A plan as it grew, and its path."""
+    layers: list[Layer] = []
+    total, unit = growth_of(plan)
+    if plan.tree is not None:
+        nodes, parent = plan.tree.nodes[:, :2], plan.tree.parent
+        grown = np.flatnonzero(parent >= 0)
+        segments = np.stack([nodes[parent[grown]], nodes[grown]], axis=1)
+        layers.append(edges(segments, "tree", width=line_width(total), when=grown + 1))
+    if plan.roadmap is not None:
+        nodes, pairs = plan.roadmap.nodes[:, :2], plan.roadmap.edges
+        layers.append(edges(nodes[pairs], "roadmap", width=0.8, when=np.arange(1, total + 1)))
+        layers.append(dots(nodes, "tree", radius=dot_size(len(nodes)) / 2.0))
+    if plan.path is not None:
+        layers.append(path(plan.path[:, :2], "path"))
+    return Drawing(layers, text=summary(plan, total), total=total, unit=unit)

@@ -1,0 +1,115 @@
+"""The race: planners side by side in one scene with one seed, on one clock."""
+
+from collections.abc import Callable, Sequence
+from functools import partial
+from typing import Any
+
+from ...errors import InvalidParameter, KinoeduError
+from ...geometry.checks import shortened
+from ...planners import rrt, rrt_connect, rrt_star
+from ...planners.problem_input import world_size
+from ...planners.tuning import whole
+from ...problems import Plan, ProblemRecord
+from ...words import say
+from ..core.canvas import Canvas
+from ..core.drawing import Drawing
+from ..core.framed import Framed, counter
+from ..core.scene import Scene
+from .board import length_slider
+from .own import Attempt
+from .plans import Settings, canvas_for, in_plane, problem_in
+from .racing import Runner, on_clock, run
+
+MOST = 4  # planners beside each other
+
+
+def race_board(
+    problem: ProblemRecord,
+    planners: Sequence[Callable[..., Any]] | None = None,
+    *,
+    nodes: int = 1000,
+    step: float | None = None,
+    rng: int = 0,
+) -> "RaceBoard":
+    """Planners beside each other: what is dragged in one moves in all, and one slider scrubs through all, a node at a step.
+
+    Parameters
+    ----------
+    problem : a Problem in the plane.
+    planners : one to four functions; by default rrt, rrt_connect and rrt_star. A function of yours, `f(problem)` or
+        `f(problem, rng)`, is recorded and stopped as on `board`; its steps are the questions it asked.
+    nodes, step, rng : where the controls begin: the most nodes of a tree, its longest edge, the seed.
+
+    `board.plans` are on show. Raises InvalidParameter.
+
+    >>> from kinoedu import Point, PolygonWorld, Problem
+    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
+    >>> for plan in race_board(Problem(Point(), world, start=(1, 1), goal=(9, 1))).plans:
+    ...     print(plan.planner, len(plan.tree.nodes), f"{plan.cost:.2f}")
+    RRT 116 21.92
+    RRT-Connect 73 28.70
+    RRT* 1001 18.18
+    """
+    return RaceBoard(problem, planners, nodes, step, rng)
+
+
+class RaceBoard(Framed):
+    """What `race_board` makes: the controls, and a canvas for each planner in `canvases`."""
+
+    def __init__(
+        self, problem: ProblemRecord, planners: Sequence[Callable[..., Any]] | None, nodes: int, step: float | None, rng: int
+    ) -> None:
+        self._given, self._planners = in_plane(problem), checked(planners)
+        self.nodes = counter("rewiring_board.n", whole(nodes, "nodes", least=2), 50, 3000)
+        self.step = length_slider("board.step", world_size(problem), step)
+        self.seed = counter("board.seed", whole(rng, "rng", least=0), 0, 99)
+        self._scene: Scene = {}
+        self._runners: list[Runner] = []
+        self._fault: KinoeduError | None = None
+        self.canvases: list[Canvas] = []
+        canvases = [canvas_for(problem, partial(self.answer, number)) for number in range(len(self._planners))]
+        for canvas in canvases[1:]:
+            canvas.add_class("kinoedu-led")
+        super().__init__([self.nodes, self.step, self.seed], canvases)
+
+    @property
+    def plans(self) -> list[Plan | Attempt]:
+        """What came of each planner; nothing where the scene allows no plan."""
+        return [runner.plan for runner in self._runners]
+
+    def answer(self, number: int, scene: Scene) -> Drawing:
+        """Let all run in a scene, unless they have, show that to the others, and draw what came of one."""
+        if scene != self._scene:
+            self._run(scene)
+            for other, canvas in enumerate(self.canvases):
+                if other != number:
+                    canvas.arrange(scene)
+        if self._fault is not None:
+            raise self._fault
+        drawings = [runner.drawing for runner in self._runners]
+        return on_clock(drawings[number], max(drawing.total for drawing in drawings))
+
+    def _run(self, scene: Scene) -> None:
+        """Let all run; one of a reader's that could not be stopped is not started again."""
+        self._scene, self._fault, before, self._runners = scene, None, self._runners, []
+        try:
+            problem = problem_in(scene, self._given)
+        except KinoeduError as error:
+            self._fault = error
+            return
+        given = Settings(self.seed.value, self.step.value, self.nodes.value)
+        stuck = [getattr(runner.plan, "still_running", False) for runner in before] or [False] * len(self._planners)
+        for number, planner in enumerate(self._planners):
+            self._runners.append(before[number] if stuck[number] else run(planner, problem, given))
+
+    def _changed(self, _: Any) -> None:
+        self._scene = {}
+        self.canvas.refresh()
+
+
+def checked(planners: Sequence[Callable[..., Any]] | None) -> list[Callable[..., Any]]:
+    """The planners of a race, or InvalidParameter."""
+    chosen = [rrt, rrt_connect, rrt_star] if planners is None else planners
+    if not isinstance(chosen, Sequence) or not 1 <= len(chosen) <= MOST or not all(map(callable, chosen)):
+        raise InvalidParameter(say("race_board.too_many", most=MOST, given=shortened(planners)))
+    return list(chosen)

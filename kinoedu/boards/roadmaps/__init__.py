@@ -1,0 +1,1 @@
+"""Boards of roadmaps: how they grow, and how well they serve."""

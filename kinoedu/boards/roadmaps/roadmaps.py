@@ -1,0 +1,142 @@
+"""The roadmaps' board: a PRM that grows, with its rule, its samples and their number to choose."""
+
+import math
+from typing import Any
+
+import numpy as np
+
+from ...figures.drawing import dot_size
+from ...planners import ComponentKClosest, KClosest, Radius, prm
+from ...planners.problem_input import world_size
+from ...planners.roadmaps.connecting import components_as_joined
+from ...planners.roadmaps.prm import Sampler
+from ...planners.tuning import one_of, whole
+from ...problems import Plan, ProblemRecord, Roadmap
+from ...sampling import halton, sukharev_grid
+from ...words import say
+from ..core.drawing import Drawing, Layer, dots, edges, path
+from ..core.framed import Framed, counter, menu
+from ..core.scene import Scene
+from ..planning.board import length_slider
+from ..planning.plans import canvas_for, in_plane, problem_in
+
+RULES = ("closest", "radius", "component")
+SAMPLERS: dict[str, Sampler | None] = {
+    "random": None,
+    "halton": lambda n, d: halton(n),
+    "grid": lambda n, d: sukharev_grid(math.isqrt(n) ** 2, d),
+}
+
+
+class RoadmapControls:
+    """The controls of a roadmap: its rule with its number, its samples with theirs; `given` is what they say, as `prm` takes it."""
+
+    def __init__(self, problem: ProblemRecord, n: int, rule: str, sampler: str, rng: int) -> None:
+        rules = [(say(f"roadmap_board.{name}"), name) for name in RULES]
+        samplers = [(say(f"roadmap_board.{name}"), name) for name in SAMPLERS]
+        self.rule = menu("roadmap_board.rule", rules, one_of(rule, "rule", RULES))
+        self.k = counter("roadmap_board.k", 10, 1, 30)
+        self.r = length_slider("roadmap_board.r", world_size(problem), world_size(problem) / 10.0)
+        self.sampler = menu("roadmap_board.sampler", samplers, one_of(sampler, "sampler", tuple(SAMPLERS)))
+        self.n = counter("roadmap_board.n", whole(n, "n", least=1), 1, 1000)
+        self.seed = counter("roadmap_board.seed", whole(rng, "rng", least=0), 0, 99)
+        self.all = (self.rule, self.k, self.r, self.sampler, self.n, self.seed)
+        self.dress()
+
+    def dress(self) -> None:
+        """Show the number that the rule takes, and the seed where there is chance."""
+        shown = {
+            self.k: self.rule.value != "radius",
+            self.r: self.rule.value == "radius",
+            self.seed: self.sampler.value == "random",
+        }
+        for control, there in shown.items():
+            control.layout.display = None if there else "none"
+
+    @property
+    def given(self) -> dict[str, Any]:
+        """The arguments of `prm` and `build_roadmap`."""
+        k = self.k.value
+        rule = {"closest": KClosest(k), "radius": Radius(self.r.value), "component": ComponentKClosest(k)}[self.rule.value]
+        return {"n": self.n.value, "neighbours": rule, "sampler": SAMPLERS[self.sampler.value], "rng": self.seed.value}
+
+
+def roadmap_board(
+    problem: ProblemRecord, n: int = 300, *, rule: str = "closest", sampler: str = "random", rng: int = 0
+) -> "RoadmapBoard":
+    """Choose which nodes are tried with which, and how they are sampled; drag start, goal and obstacles; scrub through its growth.
+
+    Parameters
+    ----------
+    problem : a Problem in the plane.
+    n : how many samples; of a grid, the points of the largest one with no more. Those that are free are nodes.
+    rule : "closest", "radius" or "component": KClosest, Radius or ComponentKClosest. sampler : "random", "halton" or "grid".
+    rng : a seed.
+
+    A step is a node, and once all are there the edges that a node gets when it is tried with its neighbours. `board.plan` is on
+    show. Raises InvalidParameter.
+
+    >>> from kinoedu import Point, PolygonWorld, Problem
+    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
+    >>> roadmap_board(Problem(Point(), world, start=(1, 1), goal=(9, 1)), n=100, sampler="halton")
+    RoadmapBoard(path of length 19.12; nodes 86, edges 490, components 1)
+    """
+    return RoadmapBoard(problem, n, rule, sampler, rng)
+
+
+class RoadmapBoard(Framed):
+    """What `roadmap_board` makes: the controls, and the roadmap in `canvas`."""
+
+    def __init__(self, problem: ProblemRecord, n: int, rule: str, sampler: str, rng: int) -> None:
+        self._given = in_plane(problem)
+        self.controls = RoadmapControls(problem, n, rule, sampler, rng)
+        self.plan: Plan | None = None
+        super().__init__(self.controls.all, [canvas_for(problem, self.answer)])
+
+    def answer(self, scene: Scene) -> Drawing:
+        """Plan in a scene as the controls say, and draw the roadmap."""
+        self.plan = prm(problem_in(scene, self._given), **self.controls.given)
+        return roadmap_drawn(self.plan)
+
+    def _changed(self, change: Any) -> None:
+        self.controls.dress()
+        super()._changed(change)
+
+
+def roadmap_drawn(plan: Plan) -> Drawing:
+    """A roadmap that grows: its nodes one by one, then the edges of one after another; and the path."""
+    roadmap = plan.roadmap
+    n = len(roadmap.nodes)
+    layers = roadmap_layers(roadmap)
+    told = told_of(roadmap)
+    if plan.path is None:
+        text = say("roadmap_board.failed", reason=plan.reason, counts=told.pop())
+    else:
+        layers.append(path(plan.path, "path"))
+        text = say("roadmap_board.found", length=f"{plan.cost:.4g}", counts=told.pop())
+    return Drawing(layers, text=text, total=2 * n, unit=say("roadmap_board.unit"), told=told)
+
+
+def roadmap_layers(roadmap: Roadmap) -> list[Layer]:
+    """Edges at the steps at which the first of their nodes is tried, and nodes at those before."""
+    n = len(roadmap.nodes)
+    return [
+        edges(roadmap.nodes[roadmap.edges], "roadmap", width=0.8, when=n + 1 + roadmap.edges[:, 0]),
+        dots(roadmap.nodes, "tree", radius=max(dot_size(n) / 2.0, 1.5), when=np.arange(1, n + 1)),
+    ]
+
+
+def told_of(roadmap: Roadmap) -> list[str]:
+    """What is there at each step, in words; at the last one the counts."""
+    n = len(roadmap.nodes)
+    sampled = say("roadmap_board.sampled", nodes="{nodes}", n=f"{n:,}")
+    joined = say("roadmap_board.joined", joined="{joined}", edges="{edges}", components="{components}", n=f"{n:,}")
+    so_far = np.searchsorted(roadmap.edges[:, 0], np.arange(n), side="right")
+    components = components_as_joined(n, roadmap.edges)[so_far]
+    told = [sampled.format(nodes=f"{k:,}") for k in range(n + 1)]
+    told += [
+        joined.format(joined=f"{k:,}", edges=f"{m:,}", components=f"{c:,}")
+        for k, (m, c) in enumerate(zip(so_far.tolist(), components.tolist(), strict=True), start=1)
+    ]
+    told[-1] = say("roadmap_board.counts", n=f"{n:,}", edges=f"{len(roadmap.edges):,}", components=f"{components[-1]:,}")
+    return told

@@ -1,0 +1,1 @@
+"""The board of searches on graphs and grids."""

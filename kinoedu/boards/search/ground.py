@@ -1,0 +1,120 @@
+"""What a searches' board searches: the graph of what it was given, and the scene in which it stands."""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...errors import InvalidGraph, InvalidParameter
+from ...geometry.checks import Array, as_point, shortened
+from ...graphs import Graph
+from ...graphs.checks import edge_lengths
+from ...planners import prm
+from ...problems import ProblemRecord
+from ...words import say
+from ...worlds.polygon_world import PolygonWorldRecord
+from ...worlds.terrain import TerrainRecord
+from ..core.scene import Scene, handle, make_scene, stop
+from ..planning.plans import scene_of
+from .expanding import MOST_NUMBERED
+
+MOST = 900  # nodes: so many expansions are drawn while something is dragged
+SAMPLES, NEIGHBOURS = 40, 5  # of the roadmap that a problem among polygons gets
+ENDS = 2  # the handles before those of the nodes: start and goal
+
+
+class Ground(NamedTuple):
+    """What is searched: a graph, the scene it stands in, and for a grid its free cells and the side of one."""
+
+    graph: Graph
+    scene: Scene
+    free: NDArray[np.bool_] | None
+    side: float
+
+
+def ground_of(given: Any, start: int | None, goal: int | None) -> Ground:
+    """The graph of what was given, with its scene. Raises InvalidParameter, InvalidGraph."""
+    if isinstance(given, Graph):
+        if given.space is None or given.nodes.shape[1] != 2 or len(given) == 0:
+            raise InvalidGraph(say("search_board.needs", given=shortened(given)))
+        ground = checked(given, ends_in(given, start, goal), None, 0.0)
+        return with_stops(ground) if len(given) <= MOST_NUMBERED else ground
+    if isinstance(given, ProblemRecord) and given.start.shape == (2,):
+        world = given.world
+        if isinstance(world, TerrainRecord):
+            graph = grid_graph(world.free, world.lo, world.resolution)
+            return checked(graph, np.array([given.start, given.goal]), world.free, world.resolution, (world.lo, world.hi))
+        if isinstance(world, PolygonWorldRecord):
+            roadmap = prm(given, n=SAMPLES, k=NEIGHBOURS, rng=0).roadmap
+            ground = checked(Graph(nodes=roadmap.nodes, edges=roadmap.edges), np.array([given.start, given.goal]), None, 0.0)
+            return ground._replace(scene=standing(scene_of(given), ground.scene))
+    free: Any = np.asarray(given) if isinstance(given, np.ndarray | list | tuple) else np.empty(0)
+    if free.ndim != 2 or free.dtype != np.bool_ or not free.any():
+        raise InvalidParameter(say("search_board.needs", given=shortened(given)))
+    graph = grid_graph(free, np.zeros(2), 1.0)
+    return checked(graph, ends_in(graph, start, goal), free, 1.0, (np.zeros(2), np.array(free.shape[::-1], float)))
+
+
+def ends_in(graph: Graph, start: int | None, goal: int | None) -> Array:
+    """The places of the nodes where start and goal begin, (2, 2)."""
+    nodes = list(graph)
+    ends = [nodes[0] if start is None else start, nodes[-1] if goal is None else goal]
+    for node in ends:
+        if node not in graph:
+            raise InvalidGraph(f"start and goal must be nodes of the graph, got {shortened(node)}")
+    return graph.nodes[ends]
+
+
+def checked(
+    graph: Graph, ends: Array, free: NDArray[np.bool_] | None, side: float, box: tuple[Array, Array] | None = None
+) -> Ground:
+    """The ground of a graph that is small enough, in a box or round its nodes."""
+    if len(graph) > MOST:
+        raise InvalidParameter(say("search_board.too_many", most=MOST, nodes=len(graph)))
+    places = graph.nodes[list(graph)]
+    lo, hi = box or (places.min(axis=0), places.max(axis=0))
+    margin = 0.0 if box else 0.12 * float((hi - lo).max()) or 1.0
+    handles = [
+        handle(say("search_board.start"), as_point(ends[0], "start"), colour="start"),
+        handle(say("search_board.goal"), as_point(ends[1], "goal"), colour="goal", marker="star"),
+    ]
+    return Ground(graph, make_scene(lo - margin, hi + margin, handles=handles), free, side)
+
+
+def with_stops(ground: Ground) -> Ground:
+    """The ground with a stop on each node: it can be dragged, and start and goal can be called to it."""
+    graph = ground.graph
+    stops = [stop(say("search_board.node", number=u), graph.nodes[u]) for u in graph]
+    return ground._replace(scene={**ground.scene, "handles": ground.scene["handles"] + stops})
+
+
+def graph_in(scene: Scene, graph: Graph) -> Graph:
+    """The graph with its nodes where the stops of a scene are; weights that were lengths are the new lengths, others stay."""
+    stops = scene["handles"][ENDS:]
+    if not stops:
+        return graph
+    nodes, edges, weights = graph.nodes, graph.edges, graph.weights
+    were_lengths = np.isclose(weights, edge_lengths(graph.space, nodes, edges), rtol=1e-9, atol=0.0)
+    nodes[list(graph)] = [item["at"] for item in stops]
+    weights = np.where(were_lengths, edge_lengths(graph.space, nodes, edges), weights)
+    moved = Graph(edges=edges, weights=weights, nodes=nodes, space=graph.space, directed=graph.directed)
+    for u in set(range(graph.size)) - set(graph):
+        moved.delete_node(u)
+    return moved
+
+
+def standing(scene: Scene, searched: Scene) -> Scene:
+    """A problem's scene in which nothing but start and goal moves."""
+    polygons = [{**item, "movable": False, "vertices": False} for item in scene["polygons"]]
+    discs = [{**item, "movable": False} for item in scene["discs"]]
+    return {**scene, "handles": searched["handles"], "polygons": polygons, "discs": discs}
+
+
+def grid_graph(free: NDArray[np.bool_], corner: Array, side: float) -> Graph:
+    """A node in the middle of each free cell, row by row, joined to those at its four sides."""
+    number = np.full(free.shape, -1)
+    number[free] = np.arange(np.count_nonzero(free))
+    across = np.stack([number[:, :-1], number[:, 1:]], axis=-1)[free[:, :-1] & free[:, 1:]]
+    up = np.stack([number[:-1], number[1:]], axis=-1)[free[:-1] & free[1:]]
+    rows, columns = np.nonzero(free)
+    return Graph(nodes=corner + side * (np.column_stack([columns, rows]) + 0.5), edges=np.concatenate([across, up]))

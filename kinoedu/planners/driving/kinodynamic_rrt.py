@@ -1,0 +1,109 @@
+"""Rapidly-exploring random trees whose motions a car can drive. S. M. LaValle, J. J. Kuffner, "Randomized kinodynamic planning"
+(2001); LaValle, Planning Algorithms, section 14.4.3.
+"""
+
+import math
+from typing import Any
+
+import numpy as np
+
+from ...compiled import algorithm
+from ...geometry.checks import as_generator
+from ...graphs import extract_path
+from ...problems import MOTIONS, Plan
+from ..tuning import whole
+from .common import (
+    Bias,
+    DrivenGrowth,
+    Drives,
+    Near,
+    add_drive,
+    bias_of,
+    driven,
+    drives_of,
+    free_drive,
+    grown_tree,
+    is_near,
+    near_of,
+    new_growth,
+    next_place,
+    plan_driven,
+    trajectory_to,
+)
+
+
+@algorithm
+def grow_by_driving(
+    problem: Any, growth: DrivenGrowth, bias: Bias, drives: Drives, near: Near, max_iterations: int, rng: np.random.Generator
+) -> tuple[int, int]:
+    """Grow the tree until it is near the goal or has had its iterations; returns the node there, or -1, and how many."""
+    tree, iteration = growth.tree, 0
+    at_goal = 0 if is_near(problem.start, problem.goal, near) else -1
+    while at_goal < 0 and iteration < max_iterations:
+        iteration += 1
+        q_rand = next_place(problem, bias, iteration, rng)
+        q_near = problem.nearest(tree, q_rand)
+        v, phi, t = free_drive(problem, tree.nodes[q_near], q_rand, drives, rng)
+        if t > 0.0:
+            q_new = add_drive(problem, growth, q_near, v, phi, t)
+            if is_near(tree.nodes[q_new], problem.goal, near):
+                at_goal = q_new
+    return at_goal, iteration
+
+
+def kinodynamic_rrt(
+    problem: Any,
+    *,
+    goal_every: int = 4,
+    region_every: int = 7,
+    region: float | None = None,
+    region_turn: float = math.radians(90.0),
+    trials: int = 20,
+    duration: float | None = None,
+    step: float | None = None,
+    batches: int = 4,
+    turn_weight: float | None = None,
+    tolerance: float | None = None,
+    turn_tolerance: float = math.radians(15.0),
+    max_iterations: int = 1000,
+    rng: int | np.random.Generator,
+) -> Plan:
+    """Grow a tree of drives from the start: each time the nearest node tries random controls towards a place, and keeps the best.
+
+    Parameters
+    ----------
+    problem : a Problem of a Car, or a Recorder of one.
+    goal_every, region_every : every so many turns the place is the goal, or drawn from a region round it; 0 for never.
+    region, region_turn : the radius of that region, by default 2.5 wheelbases, and how far its headings are from the goal's, in
+        radians.
+    trials : M, how many controls are tried, each a speed of the car and a steering angle.
+    duration, step : delta t, for how long each is simulated, and in what steps; the best is kept up to the step at which it is
+        closest to the place. By default the fastest drives 0.75 wheelbases, in 150 steps.
+    batches : how often M controls are drawn anew when the best drive is not free.
+    turn_weight : how many units of length a radian counts for in what is nearest and closest; by default a quarter of
+        the wheelbase.
+    tolerance, turn_tolerance : how near to the goal is there; by default a quarter of a wheelbase, and 15 degrees in radians.
+    max_iterations : where to give up.
+    rng : a seed or a numpy Generator.
+
+    Returns a Plan with its `tree` and its `trajectory`, whose controls replayed give the path: it ends near the goal, not at it.
+    Without a path the trajectory leads to the nearest node. Every drive is free as a whole. O(n) iterations of M drives each.
+    Raises InvalidParameter.
+
+    >>> from kinoedu import Car, PolygonWorld, Problem
+    >>> world = PolygonWorld([(0, 0), (20, 0), (20, 20), (0, 20)], [[(9, 0), (11, 0), (11, 10), (9, 10)]])
+    >>> plan = kinodynamic_rrt(Problem(Car(3, 1, 2), world, (4, 4, 0), (16, 4, 0)), max_iterations=5000, rng=0)
+    >>> bool(np.array_equal(plan.path, plan.trajectory.poses)), bool(plan.cost > 20)
+    (True, True)
+    """
+    asked = driven(problem, "kinodynamic_rrt", turn_weight)
+    bias = bias_of(asked, goal_every, region_every, region, region_turn)
+    drives, near = drives_of(asked, trials, duration, step, batches), near_of(asked, tolerance, turn_tolerance)
+    limit = whole(max_iterations, "max_iterations", least=0)
+    growth, before = new_growth(asked, limit + 1), int(asked.asked[MOTIONS])
+    at_goal, iterations = grow_by_driving(asked, growth, bias, drives, near, limit, as_generator(rng))
+    tree = grown_tree(growth)
+    last = at_goal if at_goal >= 0 else int(asked.nearest(growth.tree, asked.goal))
+    trajectory = trajectory_to(asked, tree, extract_path(tree.parent, last))
+    stats = {"nodes": len(tree.nodes), "iterations": int(iterations), "checks": int(asked.asked[MOTIONS]) - before}
+    return plan_driven(problem, trajectory, at_goal >= 0, planner="kinodynamic RRT", tree=tree, stats=stats)

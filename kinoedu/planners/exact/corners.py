@@ -1,0 +1,186 @@
+"""The corners of a polygonal world, tied into chains on which solids turn: what a rotating sweep needs to know.
+
+Obstacles may touch and overlap. Every edge is cut at the corners that lie on it, so that rings meet in corners or cross; and rings
+that meet or cross are put into different *families*. Within a family nothing meets but neighbouring edges, so its edges have an
+order along every ray, which a sweep can keep (rotating_sweep.py). Everything is decided exactly, and no new point is made.
+"""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...compiled import compiled
+from ...decomposition.free_space import as_polygons
+from ...geometry.checks import Array
+from ...geometry.exact import turn
+from ...geometry.polygons import places
+from ...geometry.segments import between, segments_meet
+from ...worlds.polygon_world import rings_of
+
+
+class Corners(NamedTuple):
+    """points (n, 2), each corner once, and after them the places that were asked for; nodes (m,), those round which paths turn.
+
+    before and after (k, n): the neighbours of a point on the ring of family k that passes through it, what is solid to the left of
+    before-point-after; -1 where none does.
+    """
+
+    points: Array
+    nodes: NDArray[np.int64]
+    before: NDArray[np.int64]
+    after: NDArray[np.int64]
+
+
+def corners_of(world: Any, *places_asked: Array) -> tuple[Corners, list[int]]:
+    """The corners of a PolygonWorld, with the numbers of the places asked for, which are nodes too. InvalidWorld for round
+    obstacles. O(n^2) for n corners.
+    """
+    solids = rings_of(as_polygons(world))
+    numbers: dict[tuple[float, float], int] = {}
+    rings = [
+        [numbers.setdefault(corner, len(numbers)) for corner in map(tuple, ring.tolist())] for solid in solids for ring in solid
+    ]
+    corners = len(numbers)
+    asked = [numbers.setdefault(tuple(place.tolist()), len(numbers)) for place in places_asked]
+    points = np.array(list(numbers))
+    rings = cut_at_corners(rings, points[:corners])
+    before, after = tied(rings, families_of(rings, points), len(points))
+    nodes = turning_points(points[:corners], before, after) & ~swallowed(points[:corners], solids)
+    return Corners(points, np.append(np.flatnonzero(nodes), sorted(set(asked))).astype(np.int64), before, after), asked
+
+
+def cut_at_corners(rings: list[list[int]], points: Array) -> list[list[int]]:
+    """The rings with every corner that lies on one of their edges among theirs."""
+    ends = np.array([(p, q) for ring in rings for p, q in zip(ring, ring[1:] + ring[:1], strict=True)])
+    on_edge: dict[int, list[int]] = {}
+    for edge, point in points_on_edges(points, ends).reshape(-1, 2).tolist():
+        on_edge.setdefault(edge, []).append(point)
+    cut, edge = [], 0
+    for ring in rings:
+        whole: list[int] = []
+        for p in ring:
+            begin, end = points[ends[edge]]
+            ahead = np.where(end >= begin, 1.0, -1.0)
+            inner = sorted(on_edge.get(edge, ()), key=lambda i: tuple((points[i] * ahead).tolist()))
+            whole += [p, *inner]
+            edge += 1
+        cut.append(whole)
+    return cut
+
+
+@compiled
+def points_on_edges(points: Array, ends: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Pairs of an edge and a point strictly inside it, one after another."""
+    found = [0 for _ in range(0)]
+    for edge in range(len(ends)):
+        a, b = points[ends[edge, 0]], points[ends[edge, 1]]
+        for i in range(len(points)):
+            if i == ends[edge, 0] or i == ends[edge, 1] or not between(a[0], a[1], b[0], b[1], points[i, 0], points[i, 1]):
+                continue
+            if turn(a[0], a[1], b[0], b[1], points[i, 0], points[i, 1]) == 0:
+                found.append(edge)
+                found.append(i)
+    return np.array(found, dtype=np.int64)
+
+
+def families_of(rings: list[list[int]], points: Array) -> list[int]:
+    """A family for each ring, as few as come from taking always the first one in which it meets nothing."""
+    ends = np.array([(p, q, i) for i, ring in enumerate(rings) for p, q in zip(ring, ring[1:] + ring[:1], strict=True)])
+    meeting = rings_that_meet(points, ends, len(rings))
+    families: list[int] = []
+    for i in range(len(rings)):
+        taken = {families[j] for j in range(i) if meeting[i, j]}
+        families.append(next(family for family in range(i + 1) if family not in taken))
+    return families
+
+
+@compiled
+def rings_that_meet(points: Array, ends: NDArray[np.int64], rings: int) -> NDArray[np.bool_]:
+    """Whether ring i and ring j share a point, (rings, rings); rows of ends are an edge's two points and its ring."""
+    meet = np.zeros((rings, rings), np.bool_)
+    for i in range(len(ends)):
+        a, b = points[ends[i, 0]], points[ends[i, 1]]
+        for j in range(i):
+            if ends[i, 2] == ends[j, 2] or meet[ends[i, 2], ends[j, 2]]:
+                continue
+            c, d = points[ends[j, 0]], points[ends[j, 1]]
+            if segments_meet(a[0], a[1], b[0], b[1], c[0], c[1], d[0], d[1]):
+                meet[ends[i, 2], ends[j, 2]] = meet[ends[j, 2], ends[i, 2]] = True
+    return meet
+
+
+def tied(rings: list[list[int]], families: list[int], size: int) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """What comes before and after each point on the rings of each family, both (k, n)."""
+    before, after = (np.full((max(families) + 1, size), -1) for _ in range(2))
+    for ring, family in zip(rings, families, strict=True):
+        after[family, ring] = np.roll(ring, -1)
+        before[family, ring] = np.roll(ring, 1)
+    return before, after
+
+
+def swallowed(points: Array, solids: list[list[Array]]) -> NDArray[np.bool_]:
+    """Whether each point (n, 2) lies strictly inside some solid."""
+    inside = np.zeros(len(points), np.bool_)
+    for number, (outer, *rooms) in enumerate(solids):
+        within = places(points, outer) == (1 if number > 0 else -1)  # the first ring is the boundary, with the solid outside
+        for room in rooms:
+            within &= places(points, room) < 0
+        inside |= within
+    return inside
+
+
+@compiled
+def turning_points(points: Array, before: NDArray[np.int64], after: NDArray[np.int64]) -> NDArray[np.bool_]:
+    """Whether what is free round each corner takes more than half a turn, or is in pieces that meet only there, (n,)."""
+    turning = np.zeros(len(points), np.bool_)
+    for v in range(len(points)):
+        gaps, wide = 0, False
+        for i in range(len(before)):
+            if before[i, v] >= 0 and begins_gap(points, before, after, v, i):
+                gaps += 1
+                wide = wide or opens_wide(points, before[i, v], after, v)
+        turning[v] = wide or gaps > 1
+    return turning
+
+
+@compiled
+def begins_gap(points: Array, before: NDArray[np.int64], after: NDArray[np.int64], v: int, i: int) -> bool:
+    """Whether it is free where family i's solid ends, counter-clockwise round v; counted once where several end there."""
+    end = before[i, v]
+    for j in range(len(before)):
+        if j == i or before[j, v] < 0:
+            continue
+        if same_way(points, v, after[j, v], end) or enters(points, before[j, v], v, after[j, v], end):
+            return False
+        if j < i and same_way(points, v, before[j, v], end):
+            return False
+    return True
+
+
+@compiled
+def opens_wide(points: Array, end: int, after: NDArray[np.int64], v: int) -> bool:
+    """Whether no solid begins at v within half a turn counter-clockwise of where one has ended."""
+    x, y, ex, ey = points[v, 0], points[v, 1], points[end, 0], points[end, 1]
+    for begin in after[:, v]:
+        if begin >= 0 and turn(x, y, ex, ey, points[begin, 0], points[begin, 1]) >= 0:
+            return False
+    return True
+
+
+@compiled
+def same_way(points: Array, v: int, a: int, b: int) -> bool:
+    """Whether a and b lie in the same direction from v."""
+    x, y, ax, ay, bx, by = points[v, 0], points[v, 1], points[a, 0], points[a, 1], points[b, 0], points[b, 1]
+    return turn(x, y, ax, ay, bx, by) == 0 and (ax > x) == (bx > x) and (ay > y) == (by > y) and (ax < x) == (bx < x)
+
+
+@compiled
+def enters(points: Array, before: int, v: int, after: int, ahead: int) -> bool:
+    """Whether a motion that leaves v towards a point ahead runs into what is solid to the left of before-v-after."""
+    b, x, a, q = points[before], points[v], points[after], points[ahead]
+    left_of_first = turn(b[0], b[1], x[0], x[1], q[0], q[1]) > 0
+    left_of_second = turn(x[0], x[1], a[0], a[1], q[0], q[1]) > 0
+    if turn(b[0], b[1], x[0], x[1], a[0], a[1]) > 0:
+        return left_of_first and left_of_second
+    return left_of_first or left_of_second

@@ -1,0 +1,1 @@
+"""Planners for a robot that sees no farther than its sensor."""

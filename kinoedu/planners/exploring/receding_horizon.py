@@ -1,0 +1,205 @@
+"""Sensor-based planning with a receding horizon: look, plan in what is known, go a little way, and look again.
+
+    RECEDING-HORIZON(start, goal)
+     1  q := start; the map is empty
+     2  while q is not the goal:
+     3      add to the map what the range sensor sees from q
+     4      plan a path from q to the goal in the map, where what was never seen counts as free
+     5      if there is none: return failure
+     6      follow the path for the length of the horizon, or until a motion is not free
+     7  return the path that was followed
+
+Bullo & Smith, chapter 5.
+"""
+
+from collections.abc import Callable, Iterator
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ...errors import InvalidGoal, InvalidParameter, InvalidStart
+from ...geometry.checks import Array, as_generator
+from ...geometry.exact import turn
+from ...problems import MOTIONS, Plan, Problem, ProblemRecord, Recorder, Tree
+from ...robots.round import RoundRobot
+from ...worlds.polygon_world import PolygonWorldRecord, world_of_triangles
+from ...worlds.range_sensor import Scan, scan
+from ..answers import plan_along
+from ..problem_input import world_size
+from ..shortcut import shortcut
+from ..trees.rrt_connect import rrt_connect
+from ..tuning import positive, whole
+
+JOINED = 6.0  # times how far apart the hits of two rays are on a wall that faces them
+THICKNESS = 0.1  # of a wall's length
+
+Local = Callable[[ProblemRecord, np.random.Generator], Plan]
+
+
+class SeenMap(NamedTuple):
+    """The walls seen so far: thin triangles between the hits of neighbouring rays, which lie behind the wall as the sensor sees it.
+
+    One is kept for each size (by powers of two) and each little square of that size.
+    """
+
+    walls: dict[tuple[int, ...], Array]
+
+    def add(self, seen: Scan) -> None:
+        """Take in what a scan hit. Hits that are far apart for their rays are not joined: there may be a way between."""
+        first, second = seen.points, np.roll(seen.points, -1, axis=0)
+        apart = np.sqrt(((second - first) ** 2).sum(axis=1))
+        wide = JOINED * np.maximum(seen.distances, np.roll(seen.distances, -1)) * (2.0 * np.pi / len(seen.angles))
+        joined = seen.hit & np.roll(seen.hit, -1) & (apart <= wide) & (apart > 0.0)
+        first, second, apart = first[joined], second[joined], apart[joined, None]
+        middle = 0.5 * (first + second)
+        away = middle - seen.origin
+        beyond = middle + THICKNESS * apart * away / np.sqrt((away**2).sum(axis=1, keepdims=True))
+        size = np.frexp(apart)[1]
+        squares = np.hstack([size, np.floor(middle / 2.0**size).astype(int)]).tolist()
+        for square, wall in zip(map(tuple, squares), np.stack([second, first, beyond], axis=1), strict=True):
+            if square not in self.walls and turn(*wall.ravel().tolist()) > 0:
+                self.walls[square] = wall
+
+    def known(self) -> Array:
+        """The walls seen so far, each counter-clockwise, shape (k, 3, 2)."""
+        return np.array(list(self.walls.values())).reshape(-1, 3, 2)
+
+
+class Look(NamedTuple):
+    """One turn of the loop: what the sensor sees, the walls known with it (k, 3, 2), the plan in that map, the points of it
+    that are followed (j, d), none where there is no plan or the moves have run out, and how many motions were judged.
+    """
+
+    seen: Scan
+    walls: Array
+    plan: Plan
+    followed: Array
+    checks: int
+
+
+def receding_horizon(
+    problem: Any,
+    *,
+    reach: float | None = None,
+    horizon: float | None = None,
+    rays: int = 180,
+    planner: Local | None = None,
+    max_moves: int = 200,
+    rng: int | np.random.Generator,
+) -> Plan:
+    """Go to the goal through a world that is only seen by a range sensor.
+
+    Parameters
+    ----------
+    problem : a Problem of a Point or Disk in a PolygonWorld, or a Recorder of one. Only its bounding box is known beforehand.
+    reach : the sensor's range; by default a quarter of the world's diagonal.
+    horizon : how far a plan is followed before the robot looks again; by default half the reach.
+    rays : how many directions the sensor looks in.
+    planner : a function of a problem and a generator that plans in the map; by default rrt_connect and shortcut.
+    max_moves : where to give up.
+    rng : a seed or a numpy Generator.
+
+    Returns a Plan: its path is what was followed, its `tree` the places where the robot looked, one after another. Not complete:
+    `plan.reason` says whether the map shows no way, or the moves ran out. Raises InvalidParameter.
+
+    >>> from kinoedu import Point, PolygonWorld, Problem
+    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
+    >>> plan = receding_horizon(Problem(Point(), world, start=(1, 1), goal=(9, 1)), rng=0)
+    >>> bool(17.2 < plan.cost < 40)
+    True
+    """
+    given: Any = {"reach": reach, "horizon": horizon, "rays": rays, "planner": planner, "max_moves": max_moves, "rng": rng}
+    return plan_of_looks(problem, list(receding_horizon_looks(problem, **given)))
+
+
+def receding_horizon_looks(
+    problem: Any,
+    *,
+    reach: float | None = None,
+    horizon: float | None = None,
+    rays: int = 180,
+    planner: Local | None = None,
+    max_moves: int = 200,
+    rng: int | np.random.Generator,
+) -> Iterator[Look]:
+    """`receding_horizon`, whose arguments these are, look by look.
+
+    >>> from kinoedu import Point, PolygonWorld, Problem
+    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
+    >>> looks = list(receding_horizon_looks(Problem(Point(), world, start=(1, 1), goal=(9, 1)), rng=0))
+    >>> looks[0].seen.origin, looks[-1].followed[-1]
+    (array([1., 1.]), array([9., 1.]))
+    """
+    inner = problem.problem if isinstance(problem, Recorder) else problem
+    if not (
+        isinstance(inner, ProblemRecord) and isinstance(inner.robot, RoundRobot) and isinstance(inner.world, PolygonWorldRecord)
+    ):
+        raise InvalidParameter("receding_horizon needs a Problem of a Point or a Disk in a PolygonWorld")
+    sight = positive(world_size(inner) / 4.0 if reach is None else reach, "reach")
+    ahead = positive(sight / 2.0 if horizon is None else horizon, "horizon")
+    most, generator = whole(max_moves, "max_moves", least=0), as_generator(rng)
+    local = connect_and_shorten if planner is None else planner
+    seen, margin = SeenMap({}), sight * np.pi / whole(rays, "rays", least=3)
+    q, moves = problem.start, 0
+    while not np.array_equal(q, problem.goal) and moves <= most:
+        around = scan(inner.world, q, rays=rays, reach=sight)
+        seen.add(around)
+        room = 0.5 * (float(around.distances.min()) - inner.robot.radius - inner.clearance)
+        plan = plan_in_map(seen, inner, q, min(margin, room), local, generator)
+        before, walls = problem.asked[MOTIONS], seen.known()
+        gone = [] if plan.path is None or moves == most else follow(problem, plan.path, ahead)
+        yield Look(around, walls, plan, np.array(gone).reshape(-1, len(q)), int(problem.asked[MOTIONS] - before))
+        if plan.path is None:
+            return
+        q, moves = gone[-1] if gone else q, moves + 1
+
+
+def plan_of_looks(problem: Any, looks: list[Look]) -> Plan:
+    """What became of looking and following: the way that was gone, or why it does not end at the goal."""
+    path = np.concatenate([[problem.start], *(look.followed for look in looks)])
+    reason = ""
+    if looks and looks[-1].plan.path is None:
+        reason = f"after {len(looks):,} looks the map shows no way to the goal: {looks[-1].plan.reason}"
+    elif not np.array_equal(path[-1], problem.goal):
+        reason = f"{len(looks) - 1:,} moves did not lead to the goal; allow more, or a longer reach"
+    places = np.array([look.seen.origin for look in looks] + ([] if reason else [path[-1]]))
+    walls = len(looks[-1].walls) if looks else 0
+    stats = {"looks": len(places), "walls": walls, "checks": sum(look.checks for look in looks)}
+    tree, numbers = Tree(places, np.arange(len(places)) - 1), None if reason else np.arange(len(path))
+    return plan_along(problem, path, numbers, reason, planner="receding horizon", tree=tree, stats=stats)
+
+
+def connect_and_shorten(problem: ProblemRecord, rng: np.random.Generator) -> Plan:
+    """RRT-Connect, and its path made shorter."""
+    return shortcut(rrt_connect(problem, max_nodes=4000, max_iterations=8000, rng=rng), rng=rng)
+
+
+def plan_in_map(seen: SeenMap, asked: ProblemRecord, q: Array, margin: float, planner: Local, rng: np.random.Generator) -> Plan:
+    """A plan from q in what was seen, with a margin to the walls while there is one: corners between two rays were not seen."""
+    world = world_of_triangles(asked.world.lo, asked.world.hi, seen.known())
+    plan = Plan(None, np.inf, reason="the walls seen leave no room at the start or the goal")
+    for share in (1.0, 0.25, 0.0625, 0.015625):
+        try:
+            plan = planner(Problem(asked.robot, world, q, asked.goal, clearance=asked.clearance + share * margin), rng)
+        except (InvalidStart, InvalidGoal):
+            continue
+        if plan.path is not None:
+            break
+    return plan
+
+
+def follow(problem: Any, path: Array, ahead: float) -> list[Array]:
+    """The points of a path as far as the horizon, or up to the first motion that is not free; that one halved, to come nearer."""
+    gone, left = [], ahead
+    for a, b in zip(path[:-1], path[1:], strict=True):
+        apart = problem.distance(a, b)
+        q = b if apart <= left else problem.steer(a, b, left)
+        for _ in range(5):
+            if problem.is_free_path(a, q):
+                gone.append(q)
+                break
+            q = problem.steer(a, q, 0.5 * problem.distance(a, q))
+        if not gone or not np.array_equal(gone[-1], b):
+            break
+        left -= apart
+    return gone

@@ -1,0 +1,1 @@
+"""Planners on grids laid over the plane."""

@@ -1,0 +1,249 @@
+"""Shortest paths on a grid laid over the plane, by A*: from each node to its eight neighbours, where the motion is free.
+
+LaValle, section 5.4.2. On a terrain's own cells these are the moves of N. R. Sturtevant, "Benchmarks for grid-based pathfinding"
+(2012): diagonally only past two free cells, since touching is contact.
+"""
+
+from itertools import product
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...compiled import algorithm, generic, inlined
+from ...errors import InvalidParameter
+from ...geometry.checks import Array
+from ...graphs import astar
+from ...graphs.flat import degree, edge
+from ...problems import MOTIONS, Plan, ProblemRecord, Tree
+from ...robots.round import RoundRobot
+from ...spaces import RealSpace
+from ...worlds.terrain import TerrainRecord
+from ..answers import plan_along
+from ..problem_input import world_size
+from ..tuning import positive
+
+SQRT2 = float(np.sqrt(2.0))
+
+
+class Grid(NamedTuple):
+    """Configurations row by row: node j * columns + i is (x, y) + (i - 1/2, j - 1/2) * side.
+
+    moves tells what each of the eight moves costs. The outermost rows and columns are a border that no move enters.
+    """
+
+    moves: Any
+    x: float
+    y: float
+    side: float
+    columns: int
+    rows: int
+
+    @property
+    def size(self) -> int:
+        """How many nodes there are."""
+        return self.columns * self.rows
+
+
+class Motions(NamedTuple):
+    """Any problem in the plane: a move costs its length where the problem says that its motion is free."""
+
+    problem: Any
+
+
+class CostedMotions(NamedTuple):
+    """The same on a terrain with costs: a move costs what its motion does."""
+
+    problem: Any
+
+
+class Cells(NamedTuple):
+    """A point on a terrain, node by cell: a move costs its length where the cells that it touches are free, (nodes,)."""
+
+    free: NDArray[np.bool_]
+
+
+COLUMN_STEP = (-1, 1, 0, 0, -1, 1, -1, 1)  # the straight moves first
+ROW_STEP = (0, 0, -1, 1, -1, -1, 1, 1)
+STRAIGHT, REFUSED = 4, np.inf
+
+
+@degree.register(Grid)
+def grid_degree(grid: Grid, u: int) -> int:
+    """Eight moves."""
+    return 8
+
+
+@edge.register(Grid)
+def grid_edge(grid: Grid, u: int, k: int) -> tuple[int, float]:
+    """Move k, where it is not refused."""
+    cost = move_cost(grid.moves, grid, u, k)
+    return u + ROW_STEP[k] * grid.columns + COLUMN_STEP[k] if cost < REFUSED else -1, cost
+
+
+@generic(1)
+def move_cost(moves: object, grid: Grid, u: int, k: int) -> float:
+    """What move k from node u costs; infinite where it is refused."""
+    raise TypeError("this grid does not know what a move costs")
+
+
+@move_cost.register(Cells)
+def cost_by_cells(moves: Cells, grid: Grid, u: int, k: int) -> float:
+    """By the cell that it leads to and, for a diagonal move, the two beside it. Cells of the border are not free."""
+    across, up = COLUMN_STEP[k], ROW_STEP[k] * grid.columns
+    if not moves.free[u + across + up]:
+        return REFUSED
+    if k < STRAIGHT:
+        return grid.side
+    return SQRT2 * grid.side if moves.free[u + across] and moves.free[u + up] else REFUSED
+
+
+@move_cost.register(Motions)
+def cost_by_motions(moves: Motions, grid: Grid, u: int, k: int) -> float:
+    """By the problem."""
+    if not is_free_move(moves.problem, grid, u, k):
+        return REFUSED
+    return grid.side if k < STRAIGHT else SQRT2 * grid.side
+
+
+@move_cost.register(CostedMotions)
+def cost_by_costed_motions(moves: CostedMotions, grid: Grid, u: int, k: int) -> float:
+    """By the problem and its costs."""
+    if not is_free_move(moves.problem, grid, u, k):
+        return REFUSED
+    return moves.problem.motion_cost(*ends_of_move(grid, u, k))
+
+
+@inlined
+def is_free_move(problem: Any, grid: Grid, u: int, k: int) -> bool:
+    """Whether move k from node u stays off the border and its motion is free."""
+    i, j = u % grid.columns + COLUMN_STEP[k], u // grid.columns + ROW_STEP[k]
+    inside = 0 < i < grid.columns - 1 and 0 < j < grid.rows - 1
+    return inside and problem.is_free_path(*ends_of_move(grid, u, k))
+
+
+@inlined
+def ends_of_move(grid: Grid, u: int, k: int) -> tuple[Array, Array]:
+    """Where move k from node u begins and ends, each of shape (2,)."""
+    i, j = u % grid.columns, u // grid.columns
+    return centre(grid, i, j), centre(grid, i + COLUMN_STEP[k], j + ROW_STEP[k])
+
+
+@inlined
+def centre(grid: Grid, i: int, j: int) -> Array:
+    """The node in column i and row j, shape (2,)."""
+    return np.array([grid.x + (i - 0.5) * grid.side, grid.y + (j - 0.5) * grid.side])
+
+
+def plan_on_grid(problem: ProblemRecord, *, spacing: float | None = None) -> Plan:
+    """The cheapest path of grid moves between the nodes that start and goal are joined to; A* with the octile distance.
+
+    Parameters
+    ----------
+    problem : a Problem in the plane.
+    spacing : the side of the grid's cells. By default a terrain's own cells, or a hundredth of a polygon world's diagonal.
+
+    The path goes from the start to the nearest grid node that it reaches freely, from node to node, and on to the goal. Returns a
+    Plan; its `tree` has the nodes in the order A* settled them. Complete for the grid only: where nothing is found, a finer grid
+    may have a path. Raises InvalidParameter.
+
+    >>> from kinoedu import Point, Problem, Terrain
+    >>> plan = plan_on_grid(Problem(Point(), Terrain([[1, 1, 1], [1, 0, 1], [1, 1, 1]]), start=(0.5, 0.5), goal=(2.5, 2.5)))
+    >>> plan.cost
+    4.0
+    """
+    if not isinstance(problem, ProblemRecord) or not isinstance(problem.space, RealSpace) or problem.start.shape != (2,):
+        raise InvalidParameter("a grid needs a Problem whose configurations are points of the plane")
+    before = problem.asked[MOTIONS]
+    grid = grid_for(problem, None if spacing is None else positive(spacing, "spacing"))
+    first, last = (joined_node(problem, grid, q) for q in (problem.start, problem.goal))
+    if first < 0 or last < 0:
+        name = "start" if first < 0 else "goal"
+        return Plan(
+            None, np.inf, reason=f"no grid node is in free reach of the {name}; try a finer spacing", problem=problem, planner="A*"
+        )
+    numbers, found = astar(grid, first, last, octile(grid, last))
+    tree = Tree(centres(grid, found.expanded), found_from(found.expanded, found.parent))
+    looked_at = 8 * len(found.expanded) if isinstance(grid.moves, Cells) else 0  # moves judged by cells, without asking the problem
+    stats = {"expanded": len(found.expanded), "checks": int(problem.asked[MOTIONS] - before) + looked_at}
+    reason = f"the goal cannot be reached on a grid of spacing {grid.side:g}; a finer one may have a path"
+    if numbers is None:
+        return plan_along(problem, tree.nodes, None, reason, planner="A*", tree=tree, stats=stats)
+    nodes = centres(grid, numbers)
+    if first == last and problem.is_free_path(problem.start, problem.goal):
+        nodes = nodes[:0]  # both in one cell: no way round by its centre
+    path = np.concatenate([[problem.start], nodes, [problem.goal]])
+    path = path[np.append(True, (path[1:] != path[:-1]).any(axis=1))]
+    return plan_along(problem, path, np.arange(len(path)), reason, planner="A*", tree=tree, stats=stats)
+
+
+def grid_for(problem: ProblemRecord, spacing: float | None) -> Grid:
+    """The grid that serves a problem: a point on a terrain's own cells is judged by the cells alone."""
+    robot, world = problem.robot, problem.world
+    on_terrain = isinstance(world, TerrainRecord)
+    has_costs = on_terrain and world.cost.size > 0
+    moves: Any = CostedMotions(problem) if has_costs else Motions(problem)
+    x, y = problem.space.lo.tolist()
+    if on_terrain and spacing in (None, world.resolution):
+        rows, columns = world.free.shape
+        if isinstance(robot, RoundRobot) and robot.radius + problem.clearance == 0.0 and not has_costs:
+            moves = Cells(np.pad(world.free, 1).ravel())
+        return Grid(moves, x, y, world.resolution, columns + 2, rows + 2)
+    side = world_size(problem) / 100.0 if spacing is None else spacing
+    extent = problem.space.hi - problem.space.lo
+    width, height = extent.tolist()
+    if side > max(width, height) or max(width / side, 1.0) * max(height / side, 1.0) > 50e6:
+        raise InvalidParameter(
+            f"spacing {side:g} must be within the world's size {extent.max():g} and make at most 50 million nodes"
+        )
+    columns, rows = np.maximum(np.floor(extent / side + 1e-9), 1).astype(int).tolist()
+    return Grid(moves, x, y, side, columns + 2, rows + 2)
+
+
+def centres(grid: Grid, nodes: NDArray[np.int64]) -> Array:
+    """Where grid nodes (k,) are in the world, shape (k, 2)."""
+    return centres_of(grid.x, grid.y, grid.side, grid.columns, nodes)
+
+
+@algorithm
+def centres_of(x: float, y: float, side: float, columns: int, nodes: NDArray[np.int64]) -> Array:
+    """The same from plain numbers: one piece of code serves all kinds of grid."""
+    places = np.empty((len(nodes), 2))
+    for n in range(len(nodes)):
+        row = nodes[n] // columns
+        places[n, 0] = x + (nodes[n] - row * columns - 0.5) * side
+        places[n, 1] = y + (row - 0.5) * side
+    return places
+
+
+@algorithm
+def found_from(expanded: NDArray[np.int64], parent: NDArray[np.int64]) -> NDArray[np.int64]:
+    """For each expanded node, (k,), where in that order its parent (n,) stands; -1 for the start."""
+    order = np.full(len(parent), -1)
+    for i in range(len(expanded)):
+        order[expanded[i]] = i
+    above = np.empty(len(expanded), np.int64)
+    for i in range(len(expanded)):
+        before = parent[expanded[i]]
+        above[i] = order[before] if before >= 0 else -1
+    return above
+
+
+def joined_node(problem: ProblemRecord, grid: Grid, q: Array) -> int:
+    """The nearest of the nine grid nodes round q that a free motion joins it to, or -1."""
+    last = np.array([grid.columns, grid.rows]) - 2
+    cell = np.clip(np.floor((q - [grid.x, grid.y]) / grid.side).astype(int) + 1, 1, last)
+    around = [cell + np.array(step) for step in product((-1, 0, 1), repeat=2)]
+    nodes = np.array([j * grid.columns + i for i, j in around if 1 <= i <= last[0] and 1 <= j <= last[1]])
+    places = centres(grid, nodes)
+    for i in np.argsort(((places - q) ** 2).sum(axis=1), kind="stable"):
+        if problem.is_free_path(q, places[i]):
+            return int(nodes[i])
+    return -1
+
+
+def octile(grid: Grid, goal: int) -> Array:
+    """The length of grid moves from each node to the goal if nothing were in the way, shape (n,)."""
+    across = np.abs(np.arange(grid.columns) - goal % grid.columns).astype(np.float64)
+    up = np.abs(np.arange(grid.rows) - goal // grid.columns).astype(np.float64)[:, None]
+    return (grid.side * (np.maximum(across, up) + (SQRT2 - 1.0) * np.minimum(across, up))).ravel()

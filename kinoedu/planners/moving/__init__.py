@@ -1,0 +1,1 @@
+"""Planners among obstacles that move."""

@@ -1,0 +1,167 @@
+"""Planning among obstacles that move: the earliest arrival on a roadmap, by safe intervals.
+
+M. Phillips, M. Likhachev, "SIPP: Safe interval path planning for dynamic environments" (2011); LaValle, section 7.1.
+"""
+
+from heapq import heappop, heappush
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ...collision.departures import all_safe_intervals, first_departure, met_departures, seen_from_movers
+from ...compiled import algorithm, inlined
+from ...errors import InvalidParameter
+from ...geometry.checks import Array, as_point, shortened
+from ...geometry.exact import length
+from ...geometry.parts import Parts
+from ...graphs import GraphRecord, flat_graph
+from ...problems import Plan, Problem, Roadmap
+from ...problems.in_time import TimedProblemRecord
+from ..roadmaps.connecting import KClosest, joined
+from ..roadmaps.prm import free_configurations
+from ..tuning import whole
+
+
+@algorithm
+def search_intervals(
+    problem: Any, graph: GraphRecord, nodes: Array, safe: Array, first: NDArray[np.int64], hulls: Parts, knots: NDArray[np.int64]
+) -> tuple[Array, Array, NDArray[np.int64], int]:
+    """Dijkstra's search over the safe intervals of all nodes, from the first of node 0. For each when the robot is there at the
+    earliest, when it left the interval before, and which that was; and the interval of the goal, node 1, reached first, or -1.
+    """
+    arrival, departure, parent = np.full(len(safe), np.inf), np.zeros(len(safe)), np.full(len(safe), -1)
+    owner = np.empty(len(safe), np.int64)
+    times, places = problem.world.times, problem.world.places
+    for u in range(len(nodes)):
+        owner[first[u] : first[u + 1]] = u
+    arrival[0] = 0.0
+    frontier = [(0.0, 0)]
+    while len(frontier) > 0:
+        when, here = heappop(frontier)
+        u = owner[here]
+        if when > arrival[here]:  # it has been reached earlier, and was gone on from then
+            continue
+        if u == 1:
+            return arrival, departure, parent, here
+        for k in range(graph.first[u], graph.first[u + 1]):
+            v, duration = graph.to[k], graph.weight[k] / problem.speed
+            if not may_gain(arrival, safe, here, first[v], first[v + 1], duration):
+                continue
+            vx, vy = (nodes[v, 0] - nodes[u, 0]) / duration, (nodes[v, 1] - nodes[u, 1]) / duration
+            met = met_departures(hulls, knots, times, places, problem.horizon, nodes[u], vx, vy, duration)
+            for there in range(first[v], first[v + 1]):
+                t = first_departure(met, max(arrival[here], safe[there, 0] - duration))
+                arrives = t + duration
+                on_time = t <= safe[here, 1] and safe[there, 0] <= arrives <= safe[there, 1]
+                if on_time and arrives < arrival[there] and is_free_ride(problem, nodes[u], nodes[v], arrival[here], t, arrives):
+                    arrival[there], departure[there], parent[there] = arrives, t, here
+                    heappush(frontier, (arrives, there))
+    return arrival, departure, parent, -1
+
+
+@inlined
+def may_gain(arrival: Array, safe: Array, here: int, begin: int, end: int, duration: float) -> bool:
+    """Whether some interval of those from begin to end might be reached earlier from here, if nothing moved on the way."""
+    for there in range(begin, end):
+        t = max(arrival[here], safe[there, 0] - duration)
+        if t <= safe[here, 1] and t + duration <= safe[there, 1] and t + duration < arrival[there]:
+            return True
+    return False
+
+
+@inlined
+def is_free_ride(problem: Any, a: Array, b: Array, arrived: float, left: float, arrives: float) -> bool:
+    """Whether waiting at a, and then going to b, touches nothing."""
+    came, leaves = np.array([a[0], a[1], arrived]), np.array([a[0], a[1], left])
+    return problem.is_free_path(came, leaves) and problem.is_free_path(leaves, np.array([b[0], b[1], arrives]))
+
+
+def safe_intervals(problem: TimedProblemRecord, q: ArrayLike) -> Array:
+    """When the robot may stand at a place: intervals (begin, end) of [0, horizon] in which nothing touches it, in order, (k, 2).
+
+    What is round counts half a percent larger than it is. Where something that stands still is in the way, there is none.
+    Raises InvalidPoint, InvalidParameter.
+
+    >>> from kinoedu import Point, PolygonWorld
+    >>> from kinoedu.problems.in_time import TimedProblem
+    >>> from kinoedu.worlds import Moving, MovingWorld
+    >>> hall = PolygonWorld([(0, 0), (10, 0), (10, 6), (0, 6)])
+    >>> box = Moving([(-1, -1), (1, -1), (1, 1), (-1, 1)], [0, 10], [(9, 3), (-1, 3)])
+    >>> problem = TimedProblem(Point(), MovingWorld(hall, [box]), start=(1, 1), goal=(9, 3), horizon=20)
+    >>> safe_intervals(problem, (5, 3)).round(3)
+    array([[ 0.,  3.],
+           [ 5., 20.]])
+    """
+    task, place = as_timed(problem), as_point(q, "q")
+    still = Problem(task.robot, task.world.still, task.goal, task.goal, clearance=task.clearance)
+    if not still.is_free(place):
+        return np.empty((0, 2))
+    hulls, knots = seen_from_movers(task.robot, task.world, task.clearance)
+    return all_safe_intervals(hulls, knots, task.world.times, task.world.places, task.horizon, place[None])[0]
+
+
+def plan_in_time(problem: TimedProblemRecord, *, n: int = 300, k: int = 10, rng: int | np.random.Generator) -> Plan:
+    """The earliest arrival at the goal on a roadmap of what stands still, waiting at its nodes where that helps.
+
+    Parameters
+    ----------
+    problem : a TimedProblem.
+    n, k : how many nodes are sampled, and with how many closest ones each is joined, as in `prm`.
+    rng : a seed or a numpy Generator.
+
+    The robot goes along edges at its greatest speed. Of all ways to be at a node in one of its safe intervals the earliest is as
+    good as any, for it may wait there: so each interval is reached once, and the answer is the earliest on this roadmap.
+    Returns a Plan whose path (m, 3) has rows (x, y, t), and whose cost is the time of arrival. Every motion and every wait is free,
+    judged whole. Only the moment of arrival is asked of the goal. Without a path the reason says so; another roadmap may have one.
+    Raises InvalidParameter.
+
+    >>> from kinoedu import Disk, PolygonWorld
+    >>> from kinoedu.problems.in_time import TimedProblem
+    >>> from kinoedu.worlds import Moving, MovingWorld
+    >>> hall = PolygonWorld([(0, 0), (10, 0), (10, 6), (0, 6)])
+    >>> world = MovingWorld(hall, [Moving(1.0, [0, 10], [(9, 3), (-1, 3)])])
+    >>> plan = plan_in_time(TimedProblem(Disk(0.5), world, start=(1, 3), goal=(9, 3)), rng=0)
+    >>> bool(8 < plan.cost < 10), plan.path[-1, 2] == plan.cost
+    (True, np.True_)
+    """
+    task = as_timed(problem)
+    still = Problem(task.robot, task.world.still, task.start, task.goal, clearance=task.clearance)
+    sampled = free_configurations(still, whole(n, "n", least=0), None, rng)
+    nodes = np.concatenate([[still.start, still.goal], sampled])
+    edges, costs = joined(KClosest(k), still, nodes)
+    apart = costs > 0.0
+    graph = flat_graph(len(nodes), edges[apart], costs[apart])
+    hulls, knots = seen_from_movers(task.robot, task.world, task.clearance)
+    safe, first = all_safe_intervals(hulls, knots, task.world.times, task.world.places, task.horizon, nodes)
+    stats = {"nodes": len(nodes), "edges": len(graph.edges), "intervals": len(safe)}
+    built: dict[str, Any] = {"roadmap": Roadmap(nodes, graph.edges), "stats": stats, "problem": task, "planner": "safe intervals"}
+    if length(*(still.goal - still.start)) == 0.0:
+        return Plan(np.append(task.start, 0.0)[None], 0.0, **built)
+    if first[1] == 0 or safe[0, 0] > 0.0:
+        return Plan(None, np.inf, reason="something is about to touch the robot at the start; let it start elsewhere", **built)
+    arrival, departure, parent, at_goal = search_intervals(task, graph, nodes, safe, first, hulls, knots)
+    if at_goal < 0:
+        reason = f"on a roadmap of {len(nodes):,} nodes no way reaches the goal by the time {task.horizon:g}; sample more nodes"
+        return Plan(None, np.inf, reason=reason, **built)
+    owner = np.repeat(np.arange(len(nodes)), np.diff(first))
+    return Plan(timed_path(nodes[owner], arrival, departure, parent, at_goal), float(arrival[at_goal]), **built)
+
+
+def timed_path(places: Array, arrival: Array, departure: Array, parent: NDArray[np.int64], last: int) -> Array:
+    """The rows (x, y, t) of the way to an interval: each arrival, and where the robot waits the departure as well."""
+    rows = [(*places[last], arrival[last])]
+    while parent[last] >= 0:
+        before = parent[last]
+        rows.append((*places[before], departure[last]))
+        if departure[last] > arrival[before]:
+            rows.append((*places[before], arrival[before]))
+        last = before
+    return np.array(rows[::-1])
+
+
+def as_timed(problem: Any) -> TimedProblemRecord:
+    """A timed problem, or InvalidParameter."""
+    if not isinstance(problem, TimedProblemRecord):
+        raise InvalidParameter(f"expected a TimedProblem(robot, MovingWorld(...), start, goal), got {shortened(problem)}")
+    return problem

@@ -1,0 +1,107 @@
+"""A roadmap in a world that changes between queries: only the motions near a change are judged anew.
+
+Every motion that was tried is kept, free or not, so that a way that was shut can open again. After P. Leven, S. Hutchinson, "A
+framework for real-time path planning in changing environments" (2002).
+"""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ...compiled import algorithm
+from ...errors import InvalidParameter
+from ...geometry.checks import Array, as_generator, as_point, shortened
+from ...problems import ProblemRecord, Roadmap
+from ...robots.round import RoundRobot
+from ...worlds.terrain import TerrainRecord
+from ..tuning import whole
+from .neighbours import k_closest
+
+
+class ChangingRoadmap(NamedTuple):
+    """Nodes (n, 2), free or not; pairs of them (m, 2); for each pair whether its motion is free, (m,); and how many motions were
+    judged for the last change.
+    """
+
+    nodes: Array
+    pairs: NDArray[np.int64]
+    is_open: NDArray[np.bool_]
+    judged: int
+
+    def roadmap(self) -> Roadmap:
+        """What is open now, for `query`."""
+        return Roadmap(self.nodes, self.pairs[self.is_open])
+
+
+@algorithm
+def free_pairs(problem: Any, nodes: Array, pairs: NDArray[np.int64]) -> NDArray[np.bool_]:
+    """Whether the motion of each pair (m, 2) is free, (m,)."""
+    free = np.empty(len(pairs), np.bool_)
+    for i in range(len(pairs)):
+        free[i] = problem.is_free_path(nodes[pairs[i, 0]], nodes[pairs[i, 1]])
+    return free
+
+
+def changing_roadmap(problem: Any, *, n: int = 500, k: int = 10, rng: int | np.random.Generator) -> ChangingRoadmap:
+    """A probabilistic roadmap whose world may change: n configurations, free or not, each paired with its k closest.
+
+    problem : a Problem for Point() or Disk(r). Raises InvalidParameter.
+
+    >>> import kinoedu as ke
+    >>> free = np.ones((9, 9), bool)
+    >>> problem = ke.Problem(ke.Point(), ke.Terrain(free), (1, 1), (8, 8))
+    >>> roadmap = changing_roadmap(problem, n=50, rng=0)
+    >>> free[3, 4] = False  # a rock rolls into the way
+    >>> after = ke.Problem(ke.Point(), ke.Terrain(free), (1, 1), (8, 8))
+    >>> roadmap_after = after_change(after, roadmap, *changed_box(problem.world, after.world))
+    >>> roadmap_after.judged < roadmap.judged, bool(ke.query(after, roadmap_after.roadmap()).cost >= 9.8)
+    (True, True)
+    """
+    check_round(problem)
+    chance, many = as_generator(rng), whole(n, "n", least=2)
+    nodes = np.array([problem.sample(chance) for _ in range(many)])
+    near = k_closest(problem, nodes, whole(k, "k", least=1))
+    both = np.sort(np.column_stack([np.repeat(np.arange(many), near.shape[1]), near.ravel()]), axis=1)
+    pairs = np.unique(both, axis=0).astype(np.int64)
+    return ChangingRoadmap(nodes, pairs, free_pairs(problem, nodes, pairs), len(pairs))
+
+
+def after_change(problem: Any, roadmap: ChangingRoadmap, lo: ArrayLike, hi: ArrayLike) -> ChangingRoadmap:
+    """The roadmap after the world has changed inside the box from lo to hi, and nowhere else.
+
+    problem : the Problem as it is now, with the same robot. Only pairs whose own box, as wide as the robot and its clearance reach,
+    meets that of the change are judged; the others keep what is known of them. Raises InvalidParameter, InvalidPoint.
+    """
+    if not isinstance(roadmap, ChangingRoadmap):
+        raise InvalidParameter(f"expected the roadmap that changing_roadmap made, got {shortened(roadmap)}")
+    reach = check_round(problem) * (1.0 + 1e-9)
+    low, high = as_point(lo, "lo") - reach, as_point(hi, "hi") + reach
+    a, b = roadmap.nodes[roadmap.pairs[:, 0]], roadmap.nodes[roadmap.pairs[:, 1]]
+    near = ((np.minimum(a, b) <= high) & (np.maximum(a, b) >= low)).all(axis=1)
+    is_open = roadmap.is_open.copy()
+    is_open[near] = free_pairs(problem, roadmap.nodes, roadmap.pairs[near])
+    return roadmap._replace(is_open=is_open, judged=int(near.sum()))
+
+
+def changed_box(before: TerrainRecord, after: TerrainRecord) -> tuple[Array, Array]:
+    """The corners of the least box that holds every cell in which two terrains differ; an empty box at the origin where none does.
+
+    Raises InvalidParameter where they are not laid over the same place.
+    """
+    same = before.free.shape == after.free.shape and before.resolution == after.resolution
+    if not same or not np.array_equal(before.origin, after.origin):
+        raise InvalidParameter("both terrains must have the same cells at the same place")
+    rows, columns = np.nonzero(before.free != after.free)
+    if not len(rows):
+        return after.origin.copy(), after.origin.copy()
+    corners = np.array([(columns.min(), rows.min()), (columns.max() + 1, rows.max() + 1)])
+    low, high = after.origin + after.resolution * corners
+    return low, high
+
+
+def check_round(problem: Any) -> float:
+    """How far a round robot with its clearance reaches from its centre. Raises InvalidParameter for another."""
+    if not isinstance(problem, ProblemRecord) or not isinstance(problem.robot, RoundRobot):
+        raise InvalidParameter("a changing roadmap needs a Problem for Point() or Disk(r)")
+    return float(problem.robot.radius + problem.clearance)

@@ -1,0 +1,102 @@
+"""One roadmap for many queries: a roadmap is built once, and each pair of start and goal is only joined to it.
+
+Bullo & Smith, chapter 5: the preprocessing phase and the query phase.
+"""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ...compiled import algorithm
+from ...errors import InvalidGoal, InvalidParameter, InvalidStart
+from ...geometry.checks import Array, as_array, shortened
+from ...problems import MOTIONS, Plan, Problem, ProblemRecord, Recorder, Roadmap
+from ..problem_input import both_ways
+from ..tuning import whole
+from .connecting import KClosest, joined
+from .prm import Sampler, free_configurations, searched
+
+
+@algorithm
+def join_ends(problem: Any, nodes: Array, k: int) -> tuple[NDArray[np.int64], Array]:
+    """Edges from nodes 0 and 1 to the k closest others that a free motion leads to, (m, 2), and their costs (m,)."""
+    edges, costs, size = np.empty((2 * k, 2), np.int64), np.empty(2 * k), 0
+    for end in range(2):
+        apart, joined_to = np.empty(len(nodes)), 0
+        for j in range(len(nodes)):
+            apart[j] = problem.distance(nodes[end], nodes[j])
+        for j in np.argsort(apart, kind="mergesort"):
+            asked_before = end == 1 and j == 0
+            if joined_to < k and j != end and not asked_before and problem.is_free_path(nodes[end], nodes[j]):
+                edges[size, 0], edges[size, 1], costs[size] = end, j, problem.motion_cost(nodes[end], nodes[j])
+                size, joined_to = size + 1, joined_to + 1
+    return edges[:size].copy(), costs[:size].copy()
+
+
+@algorithm
+def costs_of(problem: Any, nodes: Array, edges: NDArray[np.int64]) -> Array:
+    """What each edge (m, 2) costs, shape (m,)."""
+    costs = np.empty(len(edges))
+    for i in range(len(edges)):
+        costs[i] = problem.motion_cost(nodes[edges[i, 0]], nodes[edges[i, 1]])
+    return costs
+
+
+def build_roadmap(
+    problem: Any,
+    *,
+    n: int = 1000,
+    k: int = 10,
+    neighbours: Any = None,
+    sampler: Sampler | None = None,
+    rng: int | np.random.Generator | None = None,
+) -> Roadmap:
+    """A probabilistic roadmap without start and goal, for `query`. The arguments are those of `prm`. Raises InvalidParameter.
+
+    >>> from kinoedu import Point, PolygonWorld, Problem
+    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
+    >>> problem = Problem(Point(), world, start=(1, 1), goal=(9, 1))
+    >>> roadmap = build_roadmap(problem, n=200, rng=0)
+    >>> [query(problem, roadmap, (1, 1), goal).path is not None for goal in ((9, 1), (5, 9), (1, 9))]
+    [True, True, True]
+    """
+    asked, rule = both_ways(problem, "a roadmap"), KClosest(k) if neighbours is None else neighbours
+    nodes = free_configurations(asked, n, sampler, rng)
+    edges, _ = joined(rule, asked, nodes)
+    return Roadmap(nodes, edges)
+
+
+def query(problem: Any, roadmap: Roadmap, start: ArrayLike | None = None, goal: ArrayLike | None = None, *, k: int = 10) -> Plan:
+    """The cheapest way along a roadmap: start and goal are joined to the k closest nodes in free reach, and A* searches.
+
+    problem : whose roadmap it is; start, goal : shape (d,), by default the problem's own; both must be free.
+
+    Returns a Plan whose roadmap has start and goal as nodes 0 and 1 before all others. Raises InvalidStart, InvalidGoal,
+    InvalidPoint, InvalidParameter.
+    """
+    if not isinstance(roadmap, Roadmap):
+        raise InvalidParameter(f"expected the roadmap that build_roadmap or grid_roadmap made, got {shortened(roadmap)}")
+    asked, closest = both_ways(problem, "a roadmap"), whole(k, "k", least=1)
+    if isinstance(asked, ProblemRecord) and (start is not None or goal is not None):
+        ends = [own if given is None else given for own, given in ((asked.start, start), (asked.goal, goal))]
+        asked = Problem(asked.robot, asked.world, *ends, clearance=asked.clearance)
+    q_start, q_goal = as_free(asked, start, "start"), as_free(asked, goal, "goal")
+    before = asked.asked[MOTIONS]
+    nodes = np.concatenate([[q_start, q_goal], roadmap.nodes.reshape(-1, len(q_start))])
+    to_ends, ways = join_ends(asked, nodes, min(closest, len(nodes)))
+    costs = costs_of(asked, roadmap.nodes, roadmap.edges)
+    edges = np.concatenate([to_ends, roadmap.edges + 2])
+    return searched("roadmap query", asked, nodes, edges, np.concatenate([ways, costs]), before)
+
+
+def as_free(problem: Any, value: ArrayLike | None, name: str) -> Array:
+    """A free configuration, shape (d,), the problem's own where none is given. InvalidStart or InvalidGoal."""
+    q = getattr(problem, name) if value is None else np.atleast_1d(as_array(value, name))
+    error = InvalidStart if name == "start" else InvalidGoal
+    if q.shape != problem.start.shape:
+        raise error(f"the {name} must have shape {problem.start.shape}, got {q.shape}")
+    inner = problem.problem if isinstance(problem, Recorder) else problem
+    if not inner.is_free(q):
+        raise error(f"the {name} {tuple(q.tolist())} is not free; move it into the open")
+    return q

@@ -1,0 +1,36 @@
+"""The nodes near each node of a roadmap, by one question."""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...geometry.checks import Array
+from ...spaces import RealSpace, WrappingSpace
+from ...spaces.buckets import empty_tree
+from ...spaces.closest import fill, k_closest_in_buckets
+
+
+def k_closest(problem: Any, nodes: Array, k: int) -> NDArray[np.int64]:
+    """The k nodes closest to each of the nodes (n, d), nearest first, itself left out; shape (n, min(k, n - 1)).
+
+    On the line, in the plane and where angles wrap by buckets, O(n) in the plane for nodes spread evenly; in R^n of more dimensions
+    by a k-d tree, O(n log n); in a space that only knows distances by asking for all of them, O(n^2).
+    """
+    k = min(k, len(nodes) - 1)
+    space = getattr(problem, "space", None)
+    if not isinstance(space, RealSpace | WrappingSpace):
+        apart = np.array([[problem.distance(a, b) for b in nodes] for a in nodes])
+        np.fill_diagonal(apart, np.inf)
+        return np.argsort(apart, axis=1, kind="stable")[:, :k]
+    if nodes.shape[1] <= 2 or isinstance(space, WrappingSpace):
+        tree = empty_tree(len(nodes), nodes.min(axis=0), nodes.max(axis=0))
+        fill(tree, nodes)
+        return k_closest_in_buckets(space, tree, k)
+    from scipy.spatial import cKDTree
+
+    _, found = cKDTree(nodes).query(nodes, k=k + 1)
+    found = np.asarray(found, np.int64).reshape(len(nodes), k + 1)
+    others = found != np.arange(len(nodes))[:, None]
+    others[others.all(axis=1), -1] = False  # among many nodes at one place a node may not find itself
+    return found[others].reshape(len(nodes), k)

@@ -1,0 +1,141 @@
+"""Probabilistic roadmaps. L. E. Kavraki, P. Svestka, J.-C. Latombe, M. H. Overmars, "Probabilistic roadmaps for path planning in
+high-dimensional configuration spaces" (1996); Bullo & Smith, chapter 5; LaValle, section 5.6.
+"""
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ...compiled import algorithm
+from ...errors import InvalidParameter
+from ...geometry.checks import Array, as_array, as_generator
+from ...graphs import GraphRecord, astar, flat_graph
+from ...problems import MOTIONS, Plan, Roadmap
+from ..answers import plan_along
+from ..problem_input import askable, both_ways
+from ..tuning import whole
+from .connecting import KClosest, joined
+
+Sampler = Callable[[int, int], ArrayLike]
+
+
+@algorithm
+def sample_free(problem: Any, n: int, tries: int, rng: np.random.Generator) -> Array:
+    """Up to n free configurations found in so many tries; shape (m, d)."""
+    nodes, size = np.empty((n, len(problem.start))), 0
+    for _ in range(tries):
+        if size == n:
+            break
+        q = problem.sample(rng)
+        if problem.is_free(q):
+            nodes[size] = q
+            size += 1
+    return nodes[:size].copy()
+
+
+@algorithm
+def free_among(problem: Any, places: Array) -> NDArray[np.bool_]:
+    """Whether each configuration (n, d) is free, (n,)."""
+    free = np.empty(len(places), np.bool_)
+    for i in range(len(places)):
+        free[i] = problem.is_free(places[i])
+    return free
+
+
+@algorithm
+def distances_to(problem: Any, nodes: Array, q: Array) -> Array:
+    """The distance from each node to q, shape (n,): what is left to go at the least."""
+    left = np.empty(len(nodes))
+    for i in range(len(nodes)):
+        left[i] = problem.distance(nodes[i], q)
+    return left
+
+
+def prm(
+    problem: Any,
+    *,
+    n: int = 1000,
+    k: int = 10,
+    neighbours: Any = None,
+    sampler: Sampler | None = None,
+    rng: int | np.random.Generator | None = None,
+) -> Plan:
+    """Sample free configurations, join each to its neighbours by free motions, and search the roadmap with A*.
+
+    Parameters
+    ----------
+    problem : a Problem, a Recorder, or an object of yours that answers the same questions and `is_free`.
+    n : how many free configurations are sampled.
+    k : K, how many closest neighbours each is tried with, where no other rule is given.
+    neighbours : a rule, which takes the place of k: KClosest(k), Radius(r) or ComponentKClosest(k).
+    sampler : a function of n and d that gives n points of the unit cube, shape (n, d), such as `lambda n, d: halton(n)`; those that
+        are free in the problem's space are the nodes. Without it they are drawn at random until there are n.
+    rng : a seed or a numpy Generator; not needed with a sampler.
+
+    Returns a Plan with its `roadmap`: start and goal are its nodes 0 and 1. Without a path `plan.reason` tells which of the two is
+    cut off. Probabilistically complete where k grows with n like log n (`prm_star`); a fixed small k may leave the roadmap in
+    pieces however many nodes it has. Raises InvalidParameter.
+
+    >>> from kinoedu import Point, PolygonWorld, Problem
+    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
+    >>> plan = prm(Problem(Point(), world, start=(1, 1), goal=(9, 1)), n=200, rng=0)
+    >>> bool(15.2 < plan.cost < 20)
+    True
+    """
+    asked, rule = both_ways(problem, "PRM"), KClosest(k) if neighbours is None else neighbours
+    before = asked.asked[MOTIONS]
+    sampled = free_configurations(asked, n, sampler, rng)
+    nodes = np.concatenate([[asked.start, asked.goal], sampled])
+    edges, costs = joined(rule, asked, nodes)
+    return searched("PRM", asked, nodes, edges, costs, before)
+
+
+def prm_star(problem: Any, *, n: int = 1000, sampler: Sampler | None = None, rng: int | np.random.Generator | None = None) -> Plan:
+    """A PRM whose K grows with n as e (1 + 1/d) log n: its paths converge to the shortest. See `prm`, whose arguments these are.
+
+    S. Karaman, E. Frazzoli, "Sampling-based algorithms for optimal motion planning" (2011), section 3.3. Raises InvalidParameter.
+
+    >>> from kinoedu import Point, PolygonWorld, Problem
+    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
+    >>> bool(17.2 < prm_star(Problem(Point(), world, start=(1, 1), goal=(9, 1)), n=1000, rng=0).cost < 18)
+    True
+    """
+    samples, d = whole(n, "n", least=0), len(askable(problem).start)
+    k = math.ceil(math.e * (1.0 + 1.0 / d) * math.log(samples + 2))
+    return prm(problem, n=samples, neighbours=KClosest(k), sampler=sampler, rng=rng)
+
+
+def free_configurations(problem: Any, n: int, sampler: Sampler | None, rng: int | np.random.Generator | None) -> Array:
+    """What is free of n points that a sampler lays over the space, or n free configurations at random; (m, d). InvalidParameter."""
+    samples = whole(n, "n", least=0)
+    if sampler is None:
+        return sample_free(problem, samples, 100 * samples, as_generator(rng))  # type: ignore[arg-type]
+    space, d = getattr(problem, "space", None), len(problem.start)
+    if space is None:
+        raise InvalidParameter("a sampler needs a Problem, whose space it covers; for an object of yours its own `sample` is asked")
+    points = as_array(sampler(samples, d), "the sampler's points")
+    if points.ndim != 2 or points.shape[1] != d or not ((points >= 0.0) & (points <= 1.0)).all():
+        raise InvalidParameter(f"the sampler must give points of the unit cube, shape (n, {d}), got shape {points.shape}")
+    places = space.lo + points * (space.hi - space.lo)
+    return places[free_among(problem, places)]
+
+
+def searched(planner: str, problem: Any, nodes: Array, edges: NDArray[np.int64], costs: Array, before: int) -> Plan:
+    """The plan along a roadmap whose nodes 0 and 1 are start and goal; `before`, how many motions had been judged when it began."""
+    graph = flat_graph(len(nodes), edges, costs)
+    numbers, _ = astar(graph, 0, 1, distances_to(problem, nodes, nodes[1]))
+    stats = {"nodes": len(nodes), "edges": len(edges), "checks": int(problem.asked[MOTIONS] - before)}
+    return plan_along(problem, nodes, numbers, why_apart(graph), planner=planner, roadmap=Roadmap(nodes, edges), stats=stats)
+
+
+def why_apart(graph: GraphRecord) -> str:
+    """Why a roadmap does not join nodes 0 and 1."""
+    for node, name in ((0, "start"), (1, "goal")):
+        if graph.degree(node) == 0:
+            return f"no node of {graph.size:,} can be reached from the {name}; sample more nodes"
+    return (
+        f"start and goal lie in different parts of the roadmap of {graph.size:,} nodes; sample more nodes, or join more neighbours"
+    )

@@ -1,0 +1,176 @@
+"""Four properties of a roadmap, measured: accessible, departable, connected, efficient. Bullo & Smith, chapter 5."""
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...compiled import algorithm
+from ...errors import InvalidParameter
+from ...geometry.checks import Array, as_generator, shortened
+from ...graphs import GraphRecord, Search, dijkstra, extract_path, flat_graph
+from ...graphs.components import component_labels
+from ...problems import ProblemRecord, Recorder, Roadmap
+from ...robots.round import RoundRobot
+from ..problem_input import askable
+from ..tuning import whole
+from .multi_query import costs_of
+from .prm import sample_free
+
+Length = Callable[[Array, Array], float]
+
+
+class RoadmapProperties(NamedTuple):
+    """What `roadmap_properties` measured.
+
+    accessible, departable : the share of free configurations from which a motion leads to some node, and to which one leads.
+    connected : whether a path along the roadmap leads from every node to every other.
+    efficiency : delta, the greatest ratio of a path along the roadmap to the shortest path, over the pairs drawn; infinite where
+        one pair is not joined, and not a number where there was no pair.
+    """
+
+    accessible: float
+    departable: float
+    connected: bool
+    efficiency: float
+
+
+class RoadmapSurvey(NamedTuple):
+    """What `survey_roadmap` saw.
+
+    places, reached : the free configurations drawn (n, d), and whether a motion leads from each to some node and from some node to
+        it, (n, 2).
+    component : (m,), for each node the number of its component, the largest first.
+    worst, way : of the pairs of nodes drawn the one served worst, and the nodes along the roadmap between them; none where there
+        was no pair, or no way. efficiency : how many times as long that way is as the shortest.
+    """
+
+    places: Array
+    reached: NDArray[np.bool_]
+    component: NDArray[np.int64]
+    worst: tuple[int, ...]
+    way: NDArray[np.int64]
+    efficiency: float
+
+    @property
+    def properties(self) -> RoadmapProperties:
+        """The four properties, as far as the draws tell."""
+        accessible, departable = self.reached.mean(axis=0).tolist() if len(self.places) else (np.nan, np.nan)
+        connected = len(self.component) > 0 and not self.component.any()
+        return RoadmapProperties(accessible, departable, connected, self.efficiency)
+
+
+@algorithm
+def in_reach(problem: Any, nodes: Array, places: Array) -> NDArray[np.bool_]:
+    """For each place (n, d) whether a free motion leads from it to some node, and from some node to it, (n, 2)."""
+    reached = np.zeros((len(places), 2), np.bool_)
+    for i in range(len(places)):
+        for j in range(len(nodes)):
+            reached[i, 0] = reached[i, 0] or problem.is_free_path(places[i], nodes[j])
+            reached[i, 1] = reached[i, 1] or problem.is_free_path(nodes[j], places[i])
+    return reached
+
+
+@algorithm
+def in_sliding_reach(problem: Any, nodes: Array, places: Array) -> NDArray[np.bool_]:
+    """The same by semi-free motions: the nodes of a visibility roadmap are in contact."""
+    reached = np.zeros((len(places), 2), np.bool_)
+    for i in range(len(places)):
+        for j in range(len(nodes)):
+            reached[i, 0] = reached[i, 0] or problem.is_semi_free_path(places[i], nodes[j])
+            reached[i, 1] = reached[i, 1] or problem.is_semi_free_path(nodes[j], places[i])
+    return reached
+
+
+def roadmap_properties(
+    problem: Any,
+    roadmap: Roadmap,
+    *,
+    n: int = 200,
+    shortest: Length | None = None,
+    rng: int | np.random.Generator,
+) -> RoadmapProperties:
+    """Measure how well a roadmap serves its free space.
+
+    Parameters
+    ----------
+    problem : whose roadmap it is.
+    roadmap : what build_roadmap, grid_roadmap or visibility_roadmap made; the roadmap of a plan.
+    n : how many free configurations are drawn, and how many pairs of nodes.
+    shortest : a function of two nodes' configurations that gives the length of the shortest path between them. Without it their
+        distance is taken, which no path undercuts: then the efficiency is at most what is measured.
+    rng : a seed or a numpy Generator.
+
+    Shares are those of the draws: all of them reached proves nothing, one missed disproves. Points and disks may slide along
+    obstacles. O(n m) motions for m nodes. Raises InvalidParameter.
+
+    >>> from kinoedu import Point, PolygonWorld, Problem, visibility_roadmap
+    >>> world = PolygonWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [[(3, 2), (6, 2), (6, 4), (3, 4)]])
+    >>> problem = Problem(Point(), world, start=(1, 1), goal=(8, 1))
+    >>> roadmap_properties(problem, visibility_roadmap(world), n=50, rng=0)[:3]
+    (1.0, 1.0, True)
+    """
+    return survey_roadmap(problem, roadmap, n=n, shortest=shortest, rng=rng).properties
+
+
+def survey_roadmap(
+    problem: Any,
+    roadmap: Roadmap,
+    *,
+    n: int = 200,
+    shortest: Length | None = None,
+    rng: int | np.random.Generator,
+) -> RoadmapSurvey:
+    """What `roadmap_properties`, whose arguments these are, is reckoned from: the places, pieces and pairs themselves.
+
+    >>> from kinoedu import Point, PolygonWorld, Problem
+    >>> world = PolygonWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [[(3, 0), (6, 0), (6, 6), (3, 6)]])
+    >>> roadmap = Roadmap(np.array([(1.0, 1.0), (2.0, 5.0), (8.0, 1.0)]), np.array([(0, 1)]))
+    >>> survey = survey_roadmap(Problem(Point(), world, start=(1, 1), goal=(8, 1)), roadmap, n=9, rng=0)
+    >>> survey.component, survey.reached.all(), survey.efficiency
+    (array([0, 0, 1]), np.True_, inf)
+    """
+    if not isinstance(roadmap, Roadmap):
+        raise InvalidParameter(f"expected a roadmap, such as build_roadmap makes, got {shortened(roadmap)}")
+    asked, draws, generator = askable(problem), whole(n, "n", least=1), as_generator(rng)
+    inner = problem.problem if isinstance(problem, Recorder) else problem
+    slides = isinstance(inner, ProblemRecord) and isinstance(inner.robot, RoundRobot)
+    places = sample_free(asked, draws, 100 * draws, generator)
+    reached = (in_sliding_reach if slides else in_reach)(asked, roadmap.nodes, places)
+    graph = flat_graph(len(roadmap.nodes), roadmap.edges, costs_of(asked, *roadmap))
+    worst, way, delta = worst_pair(roadmap.nodes, graph, asked.distance, shortest or asked.distance, draws, generator)
+    return RoadmapSurvey(places, reached, components_of(graph), worst, way, delta)
+
+
+def components_of(graph: GraphRecord) -> NDArray[np.int64]:
+    """The number of each node's component, (m,): 0 the largest, the first among equals, and so on."""
+    labels = component_labels(graph, graph.size)
+    order = np.argsort(-np.bincount(labels), kind="stable")
+    return np.argsort(order)[labels]
+
+
+def worst_pair(
+    nodes: Array, graph: GraphRecord, distance: Length, shortest: Length, pairs: int, rng: np.random.Generator
+) -> tuple[tuple[int, ...], NDArray[np.int64], float]:
+    """Of random pairs of nodes at different places the one whose way along the graph is the longest beside the shortest one, that
+    way, and the ratio. No pair can be worse than by its distance: from the worst of those down until none can be worse.
+    """
+    worst: tuple[int, ...] = ()
+    way, delta = np.empty(0, np.int64), np.nan
+    searches: dict[int, Search] = {}
+    candidates = []
+    for u in rng.integers(len(nodes), size=pairs).tolist() if len(nodes) else []:
+        v, search = int(rng.integers(len(nodes))), searches.get(u) or searches.setdefault(u, dijkstra(graph, u))
+        apart = float(distance(nodes[u], nodes[v])) if u != v else 0.0
+        if apart > 0.0:
+            candidates.append((search.cost[v] / apart, u, v))
+    for bound, u, v in sorted(candidates, key=lambda candidate: -candidate[0]):
+        if bound <= delta:
+            break
+        least = float(shortest(nodes[u], nodes[v]))
+        ratio = searches[u].cost[v] / least if 0.0 < least < np.inf else np.nan
+        if not ratio <= delta and not np.isnan(ratio):
+            worst, delta = (u, v), float(ratio)
+            way = extract_path(searches[u].parent, v) if ratio < np.inf else way[:0]
+    return worst, way, delta

@@ -1,0 +1,1 @@
+"""Planners that grow trees: RRT, two trees that meet, and trees whose paths become shortest."""

@@ -1,0 +1,53 @@
+"""Where a tree that improves its path draws its samples: everywhere, or only where a shorter path can pass.
+
+J. D. Gammell, S. S. Srinivasa, T. D. Barfoot, "Informed RRT*: optimal sampling-based path planning focused via direct sampling of
+an admissible ellipsoidal heuristic" (2014).
+"""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ...compiled import generic
+from ...geometry.checks import Array
+
+TRIES = 1000  # draws until one falls where it may help; the last is taken as it is
+
+
+class Everywhere(NamedTuple):
+    """The whole space; until there is a path, the goal itself with probability goal_bias."""
+
+    goal_bias: float
+
+
+class Informed(NamedTuple):
+    """The same, and with a path only those configurations through which a shorter one could pass."""
+
+    goal_bias: float
+
+
+@generic(1)
+def draw(sampler: Any, problem: Any, shortest: float, rng: np.random.Generator) -> Array:
+    """A configuration to grow towards, when the shortest path so far has that length, infinite without one."""
+    raise TypeError("this is no way to draw samples")
+
+
+@draw.register(Everywhere)
+def draw_everywhere(sampler: Everywhere, problem: Any, shortest: float, rng: np.random.Generator) -> Array:
+    """Uniform."""
+    if shortest == np.inf and rng.random() < sampler.goal_bias:
+        return problem.goal
+    return problem.sample(rng)
+
+
+@draw.register(Informed)
+def draw_informed(sampler: Informed, problem: Any, shortest: float, rng: np.random.Generator) -> Array:
+    """Uniform among those q with |start - q| + |q - goal| < shortest: in the plane an ellipse. By rejection, for any distance."""
+    if shortest == np.inf and rng.random() < sampler.goal_bias:
+        return problem.goal
+    q = problem.sample(rng)
+    for _ in range(TRIES):
+        if problem.distance(problem.start, q) + problem.distance(q, problem.goal) < shortest:
+            break
+        q = problem.sample(rng)
+    return q

@@ -1,0 +1,178 @@
+"""Trees whose paths become shortest. S. Karaman, E. Frazzoli, "Sampling-based algorithms for optimal motion planning" (2011),
+algorithm 6.
+"""
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...compiled import algorithm, callable_from_compiled
+from ...geometry.checks import Array, as_generator
+from ...problems import MOTIONS, Plan
+from ..answers import plan_from_tree
+from ..problem_input import both_ways, new_tree, world_size
+from ..tuning import positive, share, whole
+from .cost_tree import CostTree, empty_costs, join, rewire
+from .informed import Everywhere, Informed, draw
+from .near import near_nodes
+
+
+class Growth(NamedTuple):
+    """A tree that has grown: of what problem, how far a tree of each size looked, the goal's node or -1, iterations and checks."""
+
+    problem: Any
+    costs: CostTree
+    radii: Array
+    at_goal: int
+    iterations: int
+    checks: int
+
+
+@algorithm
+def grow_shortest(
+    problem: Any, costs: CostTree, sampler: Any, step: float, radii: Array, max_iterations: int, rng: np.random.Generator
+) -> tuple[int, int]:
+    """Grow the tree until it is full or has had its iterations, rewiring it on the way; radii[n] is how far a tree of n nodes looks
+    for neighbours. Returns the goal's node, or -1, and how many iterations.
+    """
+    tree = costs.tree
+    join(costs, problem.start, -1, 0.0)
+    at_goal = reach_goal(problem, costs, 0, step)
+    least, iteration, room = problem.distance(problem.start, problem.goal), 0, len(tree.nodes) - 1  # one more is kept for the goal
+    while iteration < max_iterations and tree.size[0] < room + int(at_goal >= 0):
+        shortest = np.inf if at_goal < 0 else costs.cost[at_goal]
+        if shortest <= least:
+            break
+        iteration += 1
+        q_rand = draw(sampler, problem, shortest, rng)
+        nearest = problem.nearest(tree, q_rand)
+        q_new = problem.steer(tree.nodes[nearest], q_rand, step)
+        if not problem.is_free_path(tree.nodes[nearest], q_new):
+            continue
+        near = near_nodes(problem, tree, q_new, radii[tree.size[0]])
+        parent, length = cheapest_parent(problem, costs, near, nearest, q_new)
+        new = join(costs, q_new, parent, length)
+        for node in near:
+            length = problem.motion_cost(q_new, tree.nodes[node])
+            if costs.cost[new] + length < costs.cost[node] and problem.is_free_path(q_new, tree.nodes[node]):
+                rewire(costs, node, new, length)
+        if at_goal < 0:
+            at_goal = reach_goal(problem, costs, new, step)
+    return at_goal, iteration
+
+
+@callable_from_compiled
+def cheapest_parent(problem: Any, costs: CostTree, near: NDArray[np.int64], nearest: int, q: Array) -> tuple[int, float]:
+    """The node through which q costs least, of the nearest one, from which it is free, and those near; and the motion's cost."""
+    parent, length = nearest, problem.motion_cost(costs.tree.nodes[nearest], q)
+    for node in near:
+        apart = problem.motion_cost(costs.tree.nodes[node], q)
+        cheaper = costs.cost[node] + apart < costs.cost[parent] + length
+        if cheaper and problem.is_free_path(costs.tree.nodes[node], q):
+            parent, length = node, apart
+    return parent, length
+
+
+@callable_from_compiled
+def reach_goal(problem: Any, costs: CostTree, node: int, step: float) -> int:
+    """Append the goal to a node within one free step of it; returns the goal's node, or -1."""
+    q = costs.tree.nodes[node]
+    if problem.distance(q, problem.goal) > step or not problem.is_free_path(q, problem.goal):
+        return -1
+    return join(costs, problem.goal, node, problem.motion_cost(q, problem.goal))
+
+
+def rrt_star(
+    problem: Any,
+    *,
+    step: float | None = None,
+    goal_bias: float = 0.05,
+    gamma: float | None = None,
+    max_nodes: int = 5_000,
+    max_iterations: int | None = None,
+    rng: int | np.random.Generator,
+) -> Plan:
+    """Grow a tree as RRT does, hang each new node where it costs least, and its neighbours below it where that costs less.
+
+    Parameters
+    ----------
+    problem : a Problem, a Recorder, or an object of yours that answers the same questions.
+    step : eta, the longest motion towards a sample; by default a twentieth of the world's diagonal.
+    goal_bias : the share of samples that are the goal itself, until it is reached.
+    gamma : a tree of n nodes looks for neighbours within gamma (log n / n)^(1/d), at most a step. By default what makes paths
+        converge to the shortest in the problem's space; for an object of yours a step throughout.
+    max_nodes, max_iterations : where to stop; it does not stop at the first path. By default ten iterations for each node.
+    rng : a seed or a numpy Generator.
+
+    Returns a Plan with its `tree`: nodes in the order they came, with the parents they have in the end. Asymptotically optimal: the
+    cost tends to the least there is as max_nodes grows. For that a path must cost no less than it is long, and no more than a
+    multiple of it, as on a terrain with costs. O(n log n) motions for n nodes. Raises InvalidParameter.
+
+    >>> from kinoedu import Point, PolygonWorld, Problem
+    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
+    >>> plan = rrt_star(Problem(Point(), world, start=(1, 1), goal=(9, 1)), max_nodes=2000, rng=0)
+    >>> bool(17.2 < plan.cost < 17.7)
+    True
+    """
+    sampler = Everywhere(share(goal_bias, "goal_bias"))
+    return plan_of("RRT*", grown("RRT*", problem, sampler, step, gamma, max_nodes, max_iterations, rng))
+
+
+def informed_rrt_star(
+    problem: Any,
+    *,
+    step: float | None = None,
+    goal_bias: float = 0.05,
+    gamma: float | None = None,
+    max_nodes: int = 5_000,
+    max_iterations: int | None = None,
+    rng: int | np.random.Generator,
+) -> Plan:
+    """RRT* that, once it has a path, samples only where a shorter one could pass: see `rrt_star`, whose arguments these are."""
+    sampler = Informed(share(goal_bias, "goal_bias"))
+    return plan_of("informed RRT*", grown("informed RRT*", problem, sampler, step, gamma, max_nodes, max_iterations, rng))
+
+
+def grown(
+    planner: str,
+    problem: Any,
+    sampler: Everywhere | Informed,
+    step: float | None,
+    gamma: float | None,
+    max_nodes: int,
+    max_iterations: int | None,
+    rng: int | np.random.Generator,
+    rows: int = 0,
+) -> Growth:
+    """Check the arguments and grow the tree, with a log of so many rows."""
+    asked = both_ways(problem, planner)
+    eta = positive(world_size(asked) / 20.0 if step is None else step, "step")
+    most = whole(max_nodes, "max_nodes", least=1)
+    limit = 10 * most if max_iterations is None else whole(max_iterations, "max_iterations", least=0)
+    widest = enough(asked) if gamma is None else positive(gamma, "gamma")
+    n = np.arange(most + 2, dtype=np.float64)
+    radii = np.full(most + 2, eta)
+    radii[2:] = np.minimum(widest * (np.log(n[2:]) / n[2:]) ** (1.0 / len(asked.start)), eta)
+    costs = empty_costs(new_tree(asked, most + 1), rows)
+    before = asked.asked[MOTIONS]
+    at_goal, iterations = grow_shortest(asked, costs, sampler, eta, radii, limit, as_generator(rng))
+    return Growth(asked, costs, radii, int(at_goal), int(iterations), int(asked.asked[MOTIONS] - before))
+
+
+def plan_of(planner: str, growth: Growth) -> Plan:
+    """The plan along a tree that has grown."""
+    tree, iterations = growth.costs.tree, growth.iterations
+    reason = f"after {iterations:,} iterations none of {tree.size[0]:,} nodes reaches the goal; allow more nodes, or another step"
+    return plan_from_tree(planner, growth.problem, tree, growth.at_goal, reason, iterations=iterations, checks=growth.checks)
+
+
+def enough(problem: Any) -> float:
+    """2 (1 + 1/d)^(1/d) (volume / ball)^(1/d), a gamma that is large enough, by the whole space's volume for the free one's."""
+    space, d = getattr(problem, "space", None), len(problem.start)
+    if space is None:
+        return np.inf
+    volume = float(np.prod((space.hi - space.lo) * getattr(space, "weight", 1.0)))
+    ball = math.pi ** (d / 2.0) / math.gamma(d / 2.0 + 1.0)
+    return float(2.0 * (1.0 + 1.0 / d) ** (1.0 / d) * (volume / ball) ** (1.0 / d))

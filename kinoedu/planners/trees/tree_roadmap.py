@@ -1,0 +1,104 @@
+"""The incremental tree roadmap, whose expansion is yours to choose. Bullo & Smith, chapter 5.
+
+     1  T := the start, without edges
+     2  while T has fewer than N nodes:
+     3      select a node of T for expansion, and a configuration q_nearby near it
+     4      if the motion from the node to q_nearby is free:
+     5          add q_nearby and the motion to T
+     6  return T
+
+Here it also stops when it has reached the goal.
+"""
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from ...errors import InvalidParameter
+from ...geometry.checks import Array, as_array, as_generator, shortened
+from ...problems import MOTIONS, Plan
+from ...spaces.buckets import GrowingTree, add
+from ..answers import plan_from_tree
+from ..problem_input import askable, new_tree, world_size
+from ..tuning import positive, share, whole
+from .rrt import join_goal
+
+Expansion = Callable[[Any, GrowingTree, np.random.Generator], tuple[int, Array]]
+
+
+def tree_roadmap(
+    problem: Any,
+    expand: Expansion | None = None,
+    *,
+    reach: float | None = None,
+    max_nodes: int = 1_000,
+    max_iterations: int | None = None,
+    rng: int | np.random.Generator,
+) -> Plan:
+    """Grow a tree from the start by an expansion of your own until it reaches the goal.
+
+    Parameters
+    ----------
+    problem : a Problem, a Recorder, or an object of yours that answers the same questions.
+    expand : a function `expand(problem, tree, rng)` that returns the number of the node to expand and the configuration near it,
+        shape (d,). `tree.nodes[: tree.size[0]]` are the nodes so far, and `problem.nearest(tree, q)` is the one nearest to q. By
+        default `rrt_expansion()`, which makes this an RRT.
+    reach : the goal is joined to a new node within so much of it; by default a twentieth of the world's diagonal.
+    max_nodes, max_iterations : where to give up; by default ten iterations for each node.
+    rng : a seed or a numpy Generator.
+
+    Returns a Plan with its `tree`; without a path `plan.reason` says what ran out. Runs interpreted, as the expansion does.
+    Raises InvalidParameter where the expansion's answer is no node with a configuration.
+
+    >>> from kinoedu import Point, PolygonWorld, Problem
+    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)])
+    >>> def wander(problem, tree, rng):
+    ...     node = int(rng.integers(tree.size[0]))
+    ...     return node, tree.nodes[node] + rng.uniform(-1, 1, 2)
+    >>> tree_roadmap(Problem(Point(), world, start=(4, 4), goal=(6, 6)), wander, rng=0).path is not None
+    True
+    """
+    asked = askable(problem)
+    near_goal = positive(world_size(asked) / 20.0 if reach is None else reach, "reach")
+    most = whole(max_nodes, "max_nodes", least=1)
+    limit = 10 * most if max_iterations is None else whole(max_iterations, "max_iterations", least=0)
+    expansion = rrt_expansion() if expand is None else expand
+    if not callable(expansion):
+        raise InvalidParameter(f"expand must be a function of a problem, a tree and a generator, got {shortened(expand)}")
+    tree, generator, before, iteration = new_tree(asked, most + 1), as_generator(rng), asked.asked[MOTIONS], 0
+    at_goal = join_goal(asked, tree, add(tree, asked.start, -1), near_goal)
+    while at_goal < 0 and iteration < limit and tree.size[0] < most:
+        iteration += 1
+        node, q_nearby = as_expansion(expansion(asked, tree, generator), tree)
+        if asked.is_free_path(tree.nodes[node], q_nearby):
+            at_goal = join_goal(asked, tree, add(tree, q_nearby, node), near_goal)
+    reason = (
+        f"after {iteration:,} iterations none of {tree.size[0]:,} nodes reaches the goal; allow more nodes, or expand otherwise"
+    )
+    checks = int(asked.asked[MOTIONS] - before)
+    return plan_from_tree("tree roadmap", asked, tree, at_goal, reason, iterations=iteration, checks=checks)
+
+
+def rrt_expansion(step: float | None = None, goal_bias: float = 0.05) -> Expansion:
+    """The expansion that makes an RRT: the node nearest to a sample, and one step from it towards the sample. InvalidParameter."""
+    bias, delta = share(goal_bias, "goal_bias"), None if step is None else positive(step, "step")
+
+    def expand(problem: Any, tree: GrowingTree, rng: np.random.Generator) -> tuple[int, Array]:
+        q_rand = problem.goal if rng.random() < bias else problem.sample(rng)
+        node = problem.nearest(tree, q_rand)
+        return node, problem.steer(tree.nodes[node], q_rand, world_size(problem) / 20.0 if delta is None else delta)
+
+    return expand
+
+
+def as_expansion(answer: Any, tree: GrowingTree) -> tuple[int, Array]:
+    """An expansion's answer as a node's number and a configuration, or InvalidParameter."""
+    if not isinstance(answer, tuple | list) or len(answer) != 2:
+        raise InvalidParameter(f"an expansion must return a node's number and a configuration near it, got {shortened(answer)}")
+    node, q = answer[0], as_array(answer[1], "the expansion's configuration")
+    if isinstance(node, bool) or not isinstance(node, int | np.integer) or not 0 <= node < tree.size[0]:
+        raise InvalidParameter(f"an expansion must choose a node from 0 to {tree.size[0] - 1}, got {shortened(node)}")
+    if q.shape != tree.nodes[0].shape:
+        raise InvalidParameter(f"an expansion's configuration must have shape {tree.nodes[0].shape}, got {q.shape}")
+    return int(node), q

@@ -1,0 +1,93 @@
+"""What a robot's configurations are in a world: their space, how one enters, and what is wrong with one that is not free."""
+
+from functools import singledispatch
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ..collision import link_in_contact
+from ..curves.curve import as_pose
+from ..curves.space import CurveSpace
+from ..errors import InvalidParameter, InvalidPoint
+from ..geometry.checks import Array, as_array, shortened
+from ..geometry.polygons import point_polygon_distance
+from ..robots.arm import ArmRobot
+from ..robots.car import CarRobot
+from ..robots.polygon import RigidPolygonRobot, TranslatingPolygonRobot
+from ..robots.round import RoundRobot
+from ..spaces import RealSpace, WrappingSpace
+from ..spaces.wrapping import wrapped_configuration
+
+
+@singledispatch
+def space_of(robot: Any, world: Any) -> Any:
+    """The configuration space of a robot in a world; each kind of robot has its own."""
+    raise InvalidParameter(f"expected a robot such as Point() or Disk(1), got {shortened(robot)}")
+
+
+@space_of.register
+def _(robot: RoundRobot, world: Any) -> RealSpace:
+    return RealSpace(world.lo, world.hi)
+
+
+@space_of.register
+def _(robot: TranslatingPolygonRobot, world: Any) -> RealSpace:
+    lo, hi = robot.outline.min(axis=0), robot.outline.max(axis=0)
+    return RealSpace(
+        world.lo - np.maximum(lo, 0.0), world.hi - np.minimum(hi, 0.0)
+    )  # a reference point off the body may lie outside
+
+
+@space_of.register
+def _(robot: RigidPolygonRobot, world: Any) -> WrappingSpace:
+    off = point_polygon_distance((0.0, 0.0), robot.outline)
+    lo, hi, weight = np.append(world.lo - off, -np.pi), np.append(world.hi + off, np.pi), np.array([1.0, 1.0, robot.turn_weight])
+    return WrappingSpace(lo, hi, np.array([False, False, True]), weight)
+
+
+@space_of.register
+def _(robot: CarRobot, world: Any) -> CurveSpace:
+    return CurveSpace(np.append(world.lo, -np.pi), np.append(world.hi, np.pi), robot.radius, robot.both_ways)
+
+
+@space_of.register
+def _(robot: ArmRobot, world: Any) -> WrappingSpace:
+    n = len(robot.lengths)
+    return WrappingSpace(np.full(n, -np.pi), np.full(n, np.pi), np.full(n, True), np.ones(n))
+
+
+def as_configuration(value: ArrayLike, space: Any, name: str) -> Array:
+    """A configuration of a space, shape (d,), its angles in [-pi, pi), or InvalidPoint."""
+    q = as_array(value, name)
+    if q.shape != space.lo.shape:
+        raise InvalidPoint(f"{name} must be {len(space.lo)} numbers, got {shortened(value)}")
+    if isinstance(space, CurveSpace):
+        return as_pose(q, name)
+    return wrapped_configuration(space, q) if isinstance(space, WrappingSpace) else q
+
+
+@singledispatch
+def why_not_free(robot: Any, world: Any, q: Array, clearance: float) -> str:
+    """What is wrong with a configuration that is not free, and what to do, in words."""
+    return f"the robot{margin_text(clearance)} is outside, inside an obstacle or touching one there; move it into the open"
+
+
+@why_not_free.register
+def _(robot: RoundRobot, world: Any, q: Array, clearance: float) -> str:
+    if (q <= world.lo).any() or (q >= world.hi).any():
+        return f"it must lie inside the world, between {tuple(world.lo.tolist())} and {tuple(world.hi.tolist())}, not on its rim"
+    return why_not_free.dispatch(object)(robot, world, q, clearance)
+
+
+@why_not_free.register
+def _(robot: ArmRobot, world: Any, q: Array, clearance: float) -> str:
+    link = link_in_contact(robot, q, world)
+    if not link:
+        return f"the arm{margin_text(clearance)} comes too near to an obstacle or the rim of the world there; bend it away"
+    return f"link {link} touches or enters an obstacle or the rim of the world there; bend it away"
+
+
+def margin_text(clearance: float) -> str:
+    """The clearance in words, where there is one."""
+    return f" with a clearance of {clearance:g}" if clearance else ""
