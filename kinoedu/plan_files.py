@@ -28,6 +28,7 @@ from .robots.trajectory import DrivenRoadmap, DrivenTree, TrajectoryRecord
 from .scenes import problem_from, scene_of
 from .spaces import RealSpace, WrappingSpace
 from .support.whole_files import written_whole
+from .worlds.reading import as_path
 
 VERSION = 1
 KINDS: dict[str, tuple[Any, ...]] = {"tree": (Tree, DrivenTree), "roadmap": (Roadmap, DrivenRoadmap), "walk": (Walk,)}
@@ -117,7 +118,7 @@ def read_plan(path: str | os.PathLike[str]) -> Plan:
     What the file says is not judged again: whether its path is free is for `plan.problem.is_free_path` to say. Raises
     UnreadableScene with the field at fault, UnknownFormat for another ending.
     """
-    file = Path(path)
+    file = as_path(path)
     if file.suffix.lower() != ".json":
         raise UnknownFormat(f"{file}: a plan that can be read ends in .json, got {file.suffix or 'no ending'}")
     return read_json(file, "plan", plan_from)

@@ -33,7 +33,7 @@ from numpy.typing import ArrayLike
 
 from .errors import InvalidParameter, UnknownFormat, UnreadableScene
 from .fields import Field, read_json
-from .geometry.checks import Array
+from .geometry.checks import Array, shortened
 from .problems import Problem, ProblemRecord
 from .robots import Point
 from .scene_robots import MESH_OPTIONS, ROBOTS, described, mesh_options
@@ -43,6 +43,7 @@ from .worlds.benchmr import is_polygon_map, read_benchmr
 from .worlds.meshes import mesh_world
 from .worlds.movingai import read_scenario, scenario_beside
 from .worlds.polygon_world import PolygonWorldRecord, discs_of, rings_of
+from .worlds.reading import as_path
 from .worlds.terrain import TerrainRecord
 
 VERSION = 1
@@ -54,7 +55,7 @@ def read_scene(path: str | os.PathLike[str]) -> ProblemRecord:
 
     Wrong polygons, a start that is not free and so on raise their own errors (InvalidPolygon, InvalidStart), with the file's name.
     """
-    file = Path(path)
+    file = as_path(path)
     if file.suffix.lower() != ".json":
         raise UnknownFormat(f"{file}: a scene ends in .json; maps, pictures and meshes are read by read_world")
     return read_json(file, "scene", problem_from)
@@ -140,7 +141,9 @@ def write_scene(problem: ProblemRecord, path: str | os.PathLike[str]) -> None:
 
 
 def scene_of(problem: ProblemRecord) -> dict[str, Any]:
-    """A problem as a scene's object. Raises UnreadableScene for a robot that scenes cannot hold."""
+    """A problem as a scene's object. Raises UnreadableScene for a robot that scenes cannot hold, InvalidParameter."""
+    if not isinstance(problem, ProblemRecord):
+        raise InvalidParameter(f"a scene holds a Problem, got {shortened(problem)}")
     return {
         "version": VERSION,
         "robot": described(problem.robot),
@@ -184,7 +187,7 @@ def read_problem(
 
     Raises UnreadableScene or UnknownFormat, InvalidParameter where something is missing or given twice, InvalidStart, InvalidGoal.
     """
-    file = Path(path)
+    file = as_path(path)
     if file.suffix.lower() == ".json" and is_polygon_map(file):
         world, own_start, own_goal = read_benchmr(file)
         start, goal = own_start if start is None else start, own_goal if goal is None else goal

@@ -14,6 +14,7 @@ from ..geometry.separation import line_towards, nearest_corner
 from ..robots.arm import ArmRobot
 from ..robots.moving import X, Y, place
 from ..spaces.angles import FULL_TURN, wrapped
+from ..worlds.checks import check_world
 from ..worlds.nearby import obstacles_near, rim
 from .turning import contact_size, first_in_contact, meets_part, piece_in_contact
 
@@ -33,6 +34,7 @@ def link_in_contact(arm: ArmRobot, q: ArrayLike, world: Any) -> int:
     [0, 2, 2]
     """
     check_arm(arm)
+    check_world(world)
     angles = as_array(q, "q")
     if angles.shape != arm.lengths.shape:
         raise InvalidPoint(f"q must be {len(arm.lengths)} angles, one for each link, got {shortened(q)}")

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..errors import InvalidParameter, InvalidPoint
+from ..errors import InvalidParameter, InvalidPoint, InvalidWorld
 
 Array = NDArray[np.float64]
 LIMIT = 1e150  # squares of larger coordinates overflow
@@ -56,6 +56,14 @@ def as_points(value: ArrayLike, name: str = "points") -> Array:
     if points.ndim != 2 or points.shape[1] != 2:
         raise InvalidPoint(f"{name} must have shape (2,) or (m, 2), got {points.shape}")
     return points
+
+
+def as_things(value: Any, name: str) -> list[Any]:
+    """Several things in a list. Raises InvalidWorld for what holds none."""
+    try:
+        return list(value)
+    except TypeError:
+        raise InvalidWorld(f"{name} must be a list, got {shortened(value)}") from None
 
 
 def one_or_many(value: ArrayLike, answers: NDArray[Any]) -> Any:

@@ -17,6 +17,7 @@ from ..errors import InvalidGoal, InvalidStart
 from ..geometry.checks import Array, none_or_more
 from ..robots.controls import control, curvature, drive
 from ..spaces import distance, interpolate, nearest, sample
+from ..worlds.checks import check_world
 from .configurations import as_configuration, space_of, why_not_free
 
 MOTIONS, PLACES = 0, 1  # what ProblemRecord.asked counts: is_free_path or is_semi_free_path, and is_free
@@ -108,6 +109,7 @@ def Problem(robot: Any, world: Any, start: ArrayLike, goal: ArrayLike, *, cleara
     (False, 8.0)
     """
     margin = none_or_more(clearance, "clearance")
+    check_world(world)
     space = space_of(robot, world)
     check_cost(robot, world)
     q_start, q_goal = as_configuration(start, space, "start"), as_configuration(goal, space, "goal")

@@ -82,6 +82,8 @@ def TwoLinkArm(l1: float, l2: float, width: float, *, base: ArrayLike = (0.0, 0.
     >>> TwoLinkArm(1.5, 1.2, 0.2).shape.radius
     array([0.1, 0.1])
     """
+    if any(isinstance(size, bool | np.bool_) for size in (l1, l2, width)):
+        raise InvalidRobot(f"an arm's sizes must be numbers, got {l1!r}, {l2!r} and {width!r}")
     return ArmChain([l1, l2], width, base=base)
 
 

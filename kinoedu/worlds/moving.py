@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..compiled import compiled
 from ..errors import InvalidWorld
-from ..geometry.checks import Array, as_array, shortened
+from ..geometry.checks import Array, as_array, as_things, shortened
 from ..geometry.convex import convex_parts
 from ..geometry.parts import Parts, make_parts
 from ..geometry.rings import as_ring
@@ -85,7 +85,7 @@ def MovingWorld(still: PolygonWorldRecord, movers: Iterable[Any]) -> MovingWorld
     """
     if not isinstance(still, PolygonWorldRecord):
         raise InvalidWorld(f"what stands still must be a PolygonWorld, got {shortened(still)}")
-    known = tuple(movers)
+    known = as_things(movers, "movers")
     for mover in known:
         if not isinstance(mover, Mover):
             raise InvalidWorld(f"what moves must be made by Moving(shape, times, places), got {shortened(mover)}")

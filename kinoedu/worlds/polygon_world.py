@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..errors import InvalidPolygon, InvalidWorld
-from ..geometry.checks import Array, as_array, as_point
+from ..geometry.checks import Array, as_array, as_point, as_things
 from ..geometry.convex import convex_hull, convex_parts
 from ..geometry.parts import Parts, make_parts
 from ..geometry.polygons import places
@@ -56,7 +56,7 @@ def PolygonWorld(boundary: ArrayLike, obstacles: Iterable[Any] = ()) -> PolygonW
     outline = as_ring(boundary, "boundary")
     hull = convex_hull(outline)
     solids, pieces, discs = [[outline[::-1]]], pockets(outline, hull), []
-    for number, obstacle in enumerate(obstacles):
+    for number, obstacle in enumerate(as_things(obstacles, "obstacles")):
         name = f"obstacle {number}"
         if is_pair_with_radius(obstacle):
             discs.append(as_disc(obstacle[0], obstacle[1], name))
@@ -132,7 +132,8 @@ def as_polygon_with_rooms(obstacle: Any, name: str) -> tuple[Array, list[Array]]
         has_rooms = False
     if not has_rooms:
         return as_ring(obstacle, name), []
-    return as_ring(polygon, name), [as_ring(room, f"{name}, room {i}") for i, room in enumerate(rooms)]
+    found = enumerate(as_things(rooms, f"{name}: its rooms"))
+    return as_ring(polygon, name), [as_ring(room, f"{name}, room {i}") for i, room in found]
 
 
 def pockets(outline: Array, hull: Array) -> list[Array]:

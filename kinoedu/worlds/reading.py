@@ -7,6 +7,7 @@ from stat import S_ISDIR, S_ISREG
 from typing import TYPE_CHECKING
 
 from ..errors import SceneTooLarge, UnknownFormat, UnreadableScene
+from ..geometry.checks import shortened
 
 if TYPE_CHECKING:
     from .polygon_world import PolygonWorldRecord
@@ -55,9 +56,10 @@ def read_world(path: str | os.PathLike[str]) -> "TerrainRecord | PolygonWorldRec
         ".bmp": read_image, ".dae": mesh_world, ".glb": mesh_world, ".json": read_polygons, ".map": read_map, ".obj": mesh_world,
         ".pgm": read_image, ".png": read_image, ".stl": mesh_world, ".yaml": read_ros_map, ".yml": read_ros_map,
     }  # fmt: skip
-    ending = Path(path).suffix.lower()
+    file = as_path(path)
+    ending = file.suffix.lower()
     if ending not in readers:
-        raise _unknown_format(Path(path), ending, sorted(readers))
+        raise _unknown_format(file, ending, sorted(readers))
     return readers[ending](path)
 
 
@@ -69,6 +71,14 @@ def _unknown_format(path: Path, ending: str, known: list[str]) -> UnknownFormat:
     return UnknownFormat(f"{path}: expected {', '.join(known[:-1])} or {known[-1]}, got {got}; {advice}")
 
 
+def as_path(path: str | os.PathLike[str]) -> Path:
+    """The path of a file. Raises UnreadableScene for what is none."""
+    try:
+        return Path(path)
+    except TypeError:
+        raise UnreadableScene(f"expected the path of a file, got {shortened(path)}") from None
+
+
 def regular_file(path: str | os.PathLike[str]) -> Path:
     """`path` again, once it is known to lead to a regular file.
 
@@ -78,7 +88,7 @@ def regular_file(path: str | os.PathLike[str]) -> Path:
         Nothing is there, the links run in a circle, or it is a folder, a pipe (opening it would wait for
         ever) or a device (reading it might never end).
     """
-    path = Path(path)
+    path = as_path(path)
     try:
         mode = path.stat().st_mode
     except (OSError, ValueError) as error:  # ValueError: a NUL in the name

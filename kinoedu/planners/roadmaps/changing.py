@@ -89,6 +89,9 @@ def changed_box(before: TerrainRecord, after: TerrainRecord) -> tuple[Array, Arr
 
     Raises InvalidParameter where they are not laid over the same place.
     """
+    for terrain in (before, after):
+        if not isinstance(terrain, TerrainRecord):
+            raise InvalidParameter(f"before and after must be terrains, got {shortened(terrain)}")
     same = before.free.shape == after.free.shape and before.resolution == after.resolution
     if not same or not np.array_equal(before.origin, after.origin):
         raise InvalidParameter("both terrains must have the same cells at the same place")

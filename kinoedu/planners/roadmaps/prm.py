@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...compiled import algorithm
 from ...errors import InvalidParameter
-from ...geometry.checks import Array, as_array, as_generator
+from ...geometry.checks import Array, as_array, as_generator, shortened
 from ...graphs import GraphRecord, astar, flat_graph
 from ...problems import MOTIONS, Plan, Roadmap
 from ..answers import plan_along
@@ -113,6 +113,8 @@ def free_configurations(problem: Any, n: int, sampler: Sampler | None, rng: int 
     samples = whole(n, "n", least=0)
     if sampler is None:
         return sample_free(problem, samples, 100 * samples, as_generator(rng))  # type: ignore[arg-type]
+    if not callable(sampler):
+        raise InvalidParameter(f"the sampler must be a function such as halton, got {shortened(sampler)}")
     space, d = getattr(problem, "space", None), len(problem.start)
     if space is None:
         raise InvalidParameter("a sampler needs a Problem, whose space it covers; for an object of yours its own `sample` is asked")

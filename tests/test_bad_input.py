@@ -1,0 +1,114 @@
+"""Every public function answers nonsense with an error that has a name, and never with Python's own."""
+
+import math
+
+import pytest
+
+import kinoedu as ke
+from kinoedu.errors import KinoeduError
+
+ROOM = [(0, 0), (10, 0), (10, 10), (0, 10)]
+SQUARE = [(1, 1), (2, 1), (2, 2), (1, 2)]
+WORLD = ke.PolygonWorld(ROOM, [SQUARE])
+TASK = ke.Problem(ke.Point(), WORLD, (5, 5), (9, 9))
+ARM = ke.TwoLinkArm(1, 1, 0.1)
+NAN = math.nan
+NONSENSE = {
+    "nothing": None,
+    "a number": 5,
+    "letters": "ab",
+    "an empty list": [],
+    "a list of nothing": [None],
+    "a dictionary": {"a": 1},
+    "not a number": NAN,
+    "a ragged list": [[1], [1, 2]],
+    "an object": object(),
+}
+
+NOBODY_IN = {  # functions of one thing that is none of these
+    "a boundary": ke.PolygonWorld,
+    "a bitmap": lambda x: ke.Terrain(x) if x not in (5, []) and x is not NAN else ke.Terrain(None),
+    "a world's file": ke.read_world,
+    "a scene": ke.read_scene,
+    "a plan's file": ke.read_plan,
+    "cells": ke.trapezoidation,
+    "triangles": ke.triangulation,
+    "a sweep": lambda x: list(ke.sweep(x)),
+    "sight": ke.visibility_roadmap,
+    "a path through cells": ke.plan_by_decomposition,
+    "a path by sight": ke.plan_by_visibility,
+    "a grid": ke.plan_on_grid,
+    "a grid roadmap": ke.grid_roadmap,
+    "RRT": lambda x: ke.rrt(x, rng=0),
+    "RRT-Connect": lambda x: ke.rrt_connect(x, rng=0),
+    "RRT*": lambda x: ke.rrt_star(x, rng=0),
+    "informed RRT*": lambda x: ke.informed_rrt_star(x, rng=0),
+    "PRM": lambda x: ke.prm(x, rng=0),
+    "a roadmap": lambda x: ke.build_roadmap(x, rng=0),
+    "a roadmap that changes": lambda x: ke.changing_roadmap(x, rng=0),
+    "a terrain that changed": lambda x: ke.changed_box(x, x),
+    "hybrid A*": ke.hybrid_astar,
+    "SST": lambda x: ke.sst(x, rng=0),
+    "kinodynamic RRT": lambda x: ke.kinodynamic_rrt(x, rng=0),
+    "kinodynamic PRM": lambda x: ke.kinodynamic_prm(x, rng=0),
+    "a moving world": lambda x: ke.MovingWorld(x, []),
+    "movers": lambda x: ke.MovingWorld(WORLD, x if x != [] else None),
+    "a turning polygon": ke.RigidPolygon,
+    "a sliding polygon": ke.TranslatingPolygon,
+    "a hull": ke.geometry.convex_hull,
+    "a world of a problem": lambda x: ke.Problem(ke.Point(), x, (5, 5), (9, 9)),
+    "a robot of a problem": lambda x: ke.Problem(x, WORLD, (5, 5), (9, 9)),
+    "a start": lambda x: ke.Problem(ke.Point(), WORLD, x, (9, 9)),
+    "a world of an arm": lambda x: ke.link_in_contact(ARM, (0, 0), x),
+    "angles of an arm": lambda x: ke.link_in_contact(ARM, x, WORLD),
+    "an arm": lambda x: ke.link_in_contact(x, (0, 0), WORLD),
+    "a tip": ARM.inverse,
+    "a line": lambda x: ke.geometry.line_through_points(x, (1, 1)),
+    "a point in a polygon": lambda x: ke.geometry.point_in_polygon(None if x == [] else x, SQUARE),
+    "a polygon": lambda x: ke.geometry.point_in_polygon((1, 1), x),
+    "a sum of polygons": lambda x: ke.geometry.minkowski_sum(x, SQUARE),
+    "a shortcut": lambda x: ke.shortcut(x, rng=0),
+    "a trajectory": ke.trajectory_along,
+    "a pose": lambda x: ke.dubins_path(x, (1, 1, 0), 1.0),
+    "a scene to write": lambda x: ke.write_scene(x, "never.json"),
+    "a plan to write": lambda x: ke.write_plan(x, "never.json"),
+    "a board": ke.board,
+    "a board's planner": lambda x: ke.board(TASK, planner=x if x is not None else 5),
+}
+REFUSED = {
+    "no obstacles": lambda: ke.PolygonWorld(ROOM, None),
+    "rooms that are none": lambda: ke.PolygonWorld(ROOM, [(SQUARE, None)]),
+    "a size that is true": lambda: ke.TwoLinkArm(True, 1, 0.1),
+    "a radius that is true": lambda: ke.Disk(True),
+    "a sampler that is a number": lambda: ke.prm(TASK, sampler=5, rng=0),
+    "a rule that is a number": lambda: ke.prm(TASK, neighbours=5, rng=0),
+    "n in letters": lambda: ke.prm(TASK, n="5", rng=0),
+    "n that is true": lambda: ke.prm(TASK, n=True, rng=0),
+    "no seed": lambda: ke.prm(TASK, rng=None),
+    "a seed below zero": lambda: ke.rrt(TASK, rng=-1),
+    "a step of nothing": lambda: ke.rrt(TASK, step=NAN, rng=0),
+    "a bug's step of zero": lambda: ke.bug1((0, 0), (1, 1), [SQUARE], 0),
+    "a bug without a list of obstacles": lambda: ke.bug1((0, 0), (1, 1), None, 0.1),
+    "an edge to no node": lambda: ke.Graph(nodes=[(0, 0)], edges=[(0, 5)]),
+    "a start that is no node": lambda: ke.bfs_tree([[1], [0]], -1),
+    "fewer points than none": lambda: ke.halton(-1),
+    "a base that is no prime": lambda: ke.halton(5, primes=(4,)),
+    "a grid of five in a square": lambda: ke.corner_grid(5),
+    "a map that is not there": lambda: ke.read_world("no.map"),
+    "a circle of no radius": lambda: ke.dubins_path((0, 0, 0), (1, 1, 0), 0),
+}
+
+
+@pytest.mark.parametrize("nonsense", NONSENSE.values(), ids=NONSENSE.keys())
+@pytest.mark.parametrize("name", NOBODY_IN)
+def test_nonsense_has_a_named_error(name, nonsense):
+    """Whatever is given in place of a thing."""
+    with pytest.raises(KinoeduError):
+        NOBODY_IN[name](nonsense)
+
+
+@pytest.mark.parametrize("name", REFUSED)
+def test_what_makes_no_sense_is_refused(name):
+    """One wrong argument among right ones."""
+    with pytest.raises(KinoeduError):
+        REFUSED[name]()
