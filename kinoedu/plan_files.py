@@ -21,14 +21,15 @@ import numpy as np
 
 from .curves.space import CurveSpace
 from .errors import InvalidParameter, InvalidPoint, UnknownFormat, UnreadableScene
-from .fields import Field, read_json
-from .geometry.checks import as_array, shortened
+from .geometry.checks import as_array
 from .problems import Plan, ProblemRecord, Recorder, Roadmap, Tree, Walk
 from .robots.trajectory import DrivenRoadmap, DrivenTree, TrajectoryRecord
 from .scenes import problem_from, scene_of
 from .spaces import RealSpace, WrappingSpace
+from .support.json_fields import Field, read_json
+from .support.reading import as_path
+from .support.text import shortened
 from .support.whole_files import written_whole
-from .worlds.reading import as_path
 
 VERSION = 1
 KINDS: dict[str, tuple[Any, ...]] = {"tree": (Tree, DrivenTree), "roadmap": (Roadmap, DrivenRoadmap), "walk": (Walk,)}

@@ -7,12 +7,12 @@ from typing import Any
 import numpy as np
 
 from .errors import UnreadableScene
-from .fields import Field
 from .robots import ArmChain, Car, Disk, Point, RigidPolygon, TranslatingPolygon
 from .robots.arm import ArmRobot
 from .robots.car import CarRobot
 from .robots.polygon import RigidPolygonRobot, TranslatingPolygonRobot
 from .robots.round import RoundRobot
+from .support.json_fields import Field
 from .worlds.meshes import mesh_outline
 
 

@@ -32,18 +32,19 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .errors import InvalidParameter, UnknownFormat, UnreadableScene
-from .fields import Field, read_json
-from .geometry.checks import Array, shortened
+from .geometry.checks import Array
 from .problems import Problem, ProblemRecord
 from .robots import Point
 from .scene_robots import MESH_OPTIONS, ROBOTS, described, mesh_options
+from .support.json_fields import Field, read_json
+from .support.reading import as_path
+from .support.text import shortened
 from .support.whole_files import written_whole
 from .worlds import PolygonWorld, Terrain, read_world
 from .worlds.benchmr import is_polygon_map, read_benchmr
 from .worlds.meshes import mesh_world
 from .worlds.movingai import read_scenario, scenario_beside
 from .worlds.polygon_world import PolygonWorldRecord, discs_of, rings_of
-from .worlds.reading import as_path
 from .worlds.terrain import TerrainRecord
 
 VERSION = 1

@@ -32,6 +32,26 @@ def test_tool_finds_nothing(tool):
     assert run.returncode == 0, run.stdout + run.stderr
 
 
+def test_no_circle_of_imports():
+    """Of files, also by imports within functions and for types alone. But for those of compiled/, where numba is imported only when
+    machine code is loaded or made."""
+    import networkx as nx
+
+    sys.path.append(str(HOUSE / "docs"))
+    from house_picture import imports
+
+    circles = [circle for circle in nx.strongly_connected_components(nx.DiGraph(imports())) if len(circle) > 1]
+    assert circles == [{f"kinoedu.compiled.{name}" for name in ("compiler", "keeper", "tiers")}]
+
+
+def test_the_picture_of_the_house_shows_its_rooms_and_imports():
+    """As they are: docs/house_picture.py draws it anew."""
+    sys.path.append(str(HOUSE / "docs"))
+    from house_picture import PICTURE, drawn
+
+    assert PICTURE.read_text(encoding="utf-8") == drawn()
+
+
 @pytest.mark.parametrize("source", SOURCES, ids=lambda p: p.relative_to(HOUSE).as_posix())
 def test_every_file_and_public_function_says_what_it_is(source):
     """Modules, public classes and public functions have docstrings; parameters of public functions have types."""

@@ -7,6 +7,7 @@ import time
 
 import pytest
 
+from kinoedu.compiled import keeper
 from kinoedu.course import EXERCISES, check
 from kinoedu.course.feedback import late_words
 from kinoedu.course.outcomes import Late, outcome_of
@@ -115,7 +116,7 @@ def test_to_load_a_module_is_not_on_the_programs_time():
 
     assert time_limit.loads_a_module(calls("<frozen importlib._bootstrap>"))
     assert not time_limit.loads_a_module(calls("student.py"))
-    assert time_limit.waits_for_machine_code(calls(time_limit.keeper.__file__))
+    assert time_limit.waits_for_machine_code(calls(keeper.__file__))
     assert not time_limit.waits_for_machine_code(calls("student.py"))
 
 

@@ -8,12 +8,13 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..compiled import algorithm, compiled, inlined
 from ..errors import InvalidParameter, InvalidPoint, InvalidRobot
-from ..geometry.checks import Array, as_array, shortened
+from ..geometry.checks import Array, as_array
 from ..geometry.parts import Parts
 from ..geometry.separation import line_towards, nearest_corner
 from ..robots.arm import ArmRobot
 from ..robots.moving import X, Y, place
 from ..spaces.angles import FULL_TURN, wrapped
+from ..support.text import shortened
 from ..worlds.checks import check_world
 from ..worlds.nearby import obstacles_near, rim
 from .turning import contact_size, first_in_contact, meets_part, piece_in_contact

@@ -4,7 +4,8 @@ from typing import Any
 
 from ..compiled import generic
 from ..errors import InvalidParameter
-from ..geometry.checks import Array, shortened
+from ..geometry.checks import Array
+from ..support.text import shortened
 
 
 @generic(2)

@@ -7,11 +7,12 @@ from numpy.typing import ArrayLike
 
 from ..compiled import compiled
 from ..errors import InvalidPoint
-from ..geometry.checks import Array, as_array, shortened
+from ..geometry.checks import Array, as_array
 from ..geometry.exact import height
 from ..geometry.parts import Parts
 from ..geometry.separation import pieces_distance
 from ..robots.moving import placed
+from ..support.text import shortened
 from ..worlds.nearby import obstacles_near, rim
 
 

@@ -8,11 +8,12 @@ from numpy.typing import ArrayLike, NDArray
 from ..chances import wilson
 from ..compiled import algorithm
 from ..errors import InvalidParameter, InvalidPoint
-from ..geometry.checks import Array, as_array, shortened
+from ..geometry.checks import Array, as_array
 from ..geometry.exact import length
 from ..geometry.parts import Parts
 from ..robots.polygon import TranslatingPolygonRobot
 from ..robots.round import RoundRobot
+from ..support.text import shortened
 from ..worlds.uncertain import UncertainWorldRecord, scenarios
 from .asks import is_free_path
 from .passing import gap, touches

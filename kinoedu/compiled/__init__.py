@@ -31,7 +31,6 @@ from .tiers import (
     callable_from_compiled,
     compiled,
     inlined,
-    library_seconds,
 )
 
 __all__ = [
@@ -45,7 +44,6 @@ __all__ = [
     "compiled",
     "generic",
     "inlined",
-    "library_seconds",
     "record",
     "running",
 ]

@@ -4,7 +4,6 @@ It loads machine code for whoever waits for it. An algorithm that outlasts its b
 compiled; when the machine code has come it ends the interpreted call, which is begun again.
 """
 
-import ctypes
 import logging
 import os
 import queue
@@ -13,11 +12,14 @@ import time
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from ..support.threads import WAITING_FILES, raise_in
+
 if TYPE_CHECKING:
     from .tiers import Specialization
 
 log = logging.getLogger(__name__)
 
+WAITING_FILES.add(__file__)
 LOOK = 0.1  # seconds between two looks at what is watched
 IDLE = 5.0  # seconds without work after which the keeper looks more rarely
 
@@ -63,12 +65,6 @@ class Watch:
             self.is_closed = True
         if self.is_interrupted:
             raise_in(self.thread, None)
-
-
-def raise_in(thread: int, error: type[BaseException] | None) -> None:
-    """Raise an exception in a thread; None takes back one that has not been raised yet."""
-    what = None if error is None else ctypes.py_object(error)
-    ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(thread), what)
 
 
 class Keeper:

@@ -7,12 +7,14 @@ import time
 from collections.abc import Callable, Collection
 from pathlib import Path
 
+from ..support.threads import WAITING_FILES
 from .store import PACKAGE, Wanted, lock_taken, want
 
 BACKGROUND = 0  # the slot of the one worker that gives way to everything else
 AGAIN = 0.05  # seconds between two looks for what is waited for
 FAILURES = 3  # workers that may fail while something is waited for
 
+WAITING_FILES.add(__file__)
 started: dict[int, "subprocess.Popen[bytes]"] = {}  # by slot
 
 

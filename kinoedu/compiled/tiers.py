@@ -26,6 +26,7 @@ from typing import Any, Protocol, TypeVar, cast
 
 import numpy as np
 
+from ..support.threads import Spent, spent_by
 from . import modes, store
 from .choices import CALLABLE
 from .kinds import Kind, kinds_of
@@ -55,16 +56,7 @@ class Here(threading.local):
     interpreting = False  # inside an interpreted call whose time is counted
 
 
-class Spent:
-    """The seconds that a thread has spent in the library, and when its present call began."""
-
-    def __init__(self) -> None:
-        self.seconds = 0.0
-        self.began: float | None = None
-
-
 here = Here()
-spent_by: dict[int, Spent] = {}  # by thread
 TIERED: list["Tiered"] = []  # all there are
 interpreted = Spent()  # by all threads together
 
@@ -295,15 +287,6 @@ def called() -> list[store.Wanted]:
     """The algorithms that this process has called from Python and that can be compiled."""
     kinds_of_calls = [s for f in TIERED if f.is_algorithm for s in f.specializations.values()]
     return [s.wanted for s in kinds_of_calls if not s.is_never_stored]
-
-
-def library_seconds(thread: int) -> float:
-    """The seconds that a thread has spent so far in interpreted functions of this library."""
-    spent = spent_by.get(thread)
-    if spent is None:
-        return 0.0
-    began = spent.began
-    return spent.seconds + (0.0 if began is None else time.perf_counter() - began)
 
 
 # ---- the decorators -----------------------------------------------------------------------------

@@ -4,10 +4,10 @@ from itertools import groupby
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from ..fields import Field
 from ..problems import ProblemRecord, Recorder
 from ..scene_robots import described
 from ..scenes import problem_from
+from ..support.json_fields import Field
 from ..words import say
 from .plain import WrongShape, wrong
 

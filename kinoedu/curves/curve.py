@@ -8,8 +8,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..compiled import compiled
 from ..errors import InvalidParameter, InvalidPoint
-from ..geometry.checks import Array, as_array, shortened
+from ..geometry.checks import Array, as_array
 from ..spaces.angles import wrapped
+from ..support.text import shortened
 from .arcs import driven
 
 LETTERS = {1: "L", 0: "S", -1: "R"}

@@ -11,8 +11,8 @@ import numpy as np
 
 from ..compiled import COMPILED_FIRST, running
 from ..errors import InvalidParameter
-from ..geometry.checks import shortened
 from ..problems import MOTIONS, PLACES, Plan
+from ..support.text import shortened
 
 FOUND, NO_PATH, OUT_OF_TIME, NOT_RUN = "found", "no path", "out of time", "not run"
 

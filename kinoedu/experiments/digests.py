@@ -11,7 +11,7 @@ import numpy as np
 
 from ..compiled.store import source_digest
 from ..errors import InvalidParameter
-from ..geometry.checks import shortened
+from ..support.text import shortened
 
 PACKAGE = Path(__file__).parent.parent
 

@@ -7,7 +7,8 @@ from functools import partial
 from typing import Any, NamedTuple
 
 from ..errors import InvalidParameter
-from ..geometry.checks import is_real, positive, shortened, whole
+from ..geometry.checks import is_real, positive, whole
+from ..support.text import shortened
 from .cells import Cell
 from .digests import digest, version
 

@@ -33,11 +33,11 @@ from typing import Any, get_args
 
 from .. import planners
 from ..errors import KinoeduError, UnreadableScene
-from ..fields import Field
 from ..problems import Plan
 from ..scene_robots import ROBOTS
 from ..scenes import read_problem
-from ..worlds.reading import read_text
+from ..support.json_fields import Field
+from ..support.reading import read_text
 from .experiment import Experiment, ExperimentRecord, tuned
 from .worlds import MADE
 

@@ -8,7 +8,8 @@ from contextlib import contextmanager
 from typing import Any
 
 from ..errors import InvalidParameter
-from ..geometry.checks import shortened, whole
+from ..geometry.checks import whole
+from ..support.text import shortened
 from ..support.time_limit import TimeUp, within
 from .cells import Cell, Outcome, out_of_time, run_cell
 from .children import Children, in_child

@@ -6,8 +6,8 @@ from pathlib import Path
 from typing import Any
 
 from ..errors import InvalidParameter
-from ..geometry.checks import shortened
 from ..support.completed_futures import Arrivals
+from ..support.text import shortened
 from .cells import FOUND, NOT_RUN, Cell, Outcome
 from .experiment import ExperimentRecord, cells_of
 from .places import HandOver, check_portable, place

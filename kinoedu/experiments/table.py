@@ -10,7 +10,8 @@ from typing import Any, NamedTuple, overload
 import numpy as np
 
 from ..errors import InvalidParameter, UnknownFormat
-from ..geometry.checks import Array, shortened
+from ..geometry.checks import Array
+from ..support.text import shortened
 from ..support.whole_files import written_whole
 from .cells import FOUND, NOT_RUN, OUT_OF_TIME
 

@@ -9,8 +9,9 @@ from matplotlib.patches import Circle, Polygon
 from numpy.typing import ArrayLike
 
 from ..errors import InvalidParameter
-from ..geometry.checks import Array, shortened
+from ..geometry.checks import Array
 from ..robots.car import CarRobot
+from ..support.text import shortened
 from . import palette
 from .robots import outline_at, wheels_at
 

@@ -13,7 +13,8 @@ from matplotlib.axes import Axes
 from numpy.typing import ArrayLike
 
 from ..errors import InvalidPoint
-from ..geometry.checks import Array, shortened, whole
+from ..geometry.checks import Array, whole
+from ..support.text import shortened
 from ..words import say
 from . import palette
 from .ends import name_ends

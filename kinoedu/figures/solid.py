@@ -9,7 +9,8 @@ from matplotlib.colors import to_rgb
 from numpy.typing import ArrayLike
 
 from ..errors import InvalidPoint
-from ..geometry.checks import Array, shortened
+from ..geometry.checks import Array
+from ..support.text import shortened
 from . import palette
 
 if TYPE_CHECKING:

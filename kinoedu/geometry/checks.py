@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..errors import InvalidParameter, InvalidPoint, InvalidWorld
+from ..support.text import shortened
 
 Array = NDArray[np.float64]
 LIMIT = 1e150  # squares of larger coordinates overflow
@@ -28,12 +29,6 @@ def as_array(value: ArrayLike, name: str) -> Array:
     if not np.all(np.isfinite(array)):
         raise InvalidPoint(f"{name} must be finite, got {shortened(value)}")
     raise InvalidPoint(f"{name} must not exceed 1e150 in size, got {np.abs(array).max():g}; choose a larger unit of length")
-
-
-def shortened(value: Any) -> str:
-    """A value as text that fits an error message."""
-    text = " ".join(repr(value).split())
-    return text if len(text) <= 80 else text[:77] + "..."
 
 
 def as_point(value: ArrayLike, name: str = "point") -> Array:

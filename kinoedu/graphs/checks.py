@@ -7,8 +7,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..compiled import algorithm
 from ..errors import InvalidGraph, InvalidPoint
-from ..geometry.checks import Array, as_array, shortened
+from ..geometry.checks import Array, as_array
 from ..spaces import RealSpace, distance
+from ..support.text import shortened
 
 
 class Rows:

@@ -13,7 +13,8 @@ from numpy.typing import NDArray
 
 from ..compiled import algorithm, compiled, generic, record
 from ..errors import InvalidGraph
-from ..geometry.checks import Array, shortened
+from ..geometry.checks import Array
+from ..support.text import shortened
 
 
 @generic(1)

@@ -11,7 +11,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..errors import InvalidGraph
-from ..geometry.checks import Array, shortened
+from ..geometry.checks import Array
+from ..support.text import shortened
 from .checks import Rows, as_edges, as_node_place, as_node_places, as_size, as_weights, distances_from, edge_lengths, everywhere
 from .components import component_labels
 from .flat import GraphRecord, check_node, flat_graph, searchable

@@ -26,7 +26,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..compiled import algorithm, callable_from_compiled, inlined
 from ..errors import InvalidGraph
-from ..geometry.checks import Array, shortened
+from ..geometry.checks import Array
+from ..support.text import shortened
 from .flat import degree, edge
 from .paths import Expansion, Search, Steps, ends, path_found
 from .radix_heap import NONE, RadixHeap, enlarged, first, has_room, in_order, insert, radix_heap, remove_first

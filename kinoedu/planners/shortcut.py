@@ -10,8 +10,9 @@ import numpy as np
 
 from ..compiled import algorithm, callable_from_compiled
 from ..errors import InvalidParameter
-from ..geometry.checks import Array, as_generator, shortened
+from ..geometry.checks import Array, as_generator
 from ..problems import MOTIONS, Plan
+from ..support.text import shortened
 from .answers import cost_along
 from .problem_input import askable
 from .tuning import whole

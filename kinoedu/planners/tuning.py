@@ -3,7 +3,8 @@
 from typing import Any
 
 from ..errors import InvalidParameter
-from ..geometry.checks import is_real, none_or_more, positive, shortened, whole
+from ..geometry.checks import is_real, none_or_more, positive, whole
+from ..support.text import shortened
 
 __all__ = ["none_or_more", "one_of", "positive", "share", "whole"]
 

@@ -10,7 +10,7 @@ from ..collision import link_in_contact
 from ..curves.curve import as_pose
 from ..curves.space import CurveSpace
 from ..errors import InvalidParameter, InvalidPoint
-from ..geometry.checks import Array, as_array, shortened
+from ..geometry.checks import Array, as_array
 from ..geometry.polygons import point_polygon_distance
 from ..robots.arm import ArmRobot
 from ..robots.car import CarRobot
@@ -18,6 +18,7 @@ from ..robots.polygon import RigidPolygonRobot, TranslatingPolygonRobot
 from ..robots.round import RoundRobot
 from ..spaces import RealSpace, WrappingSpace
 from ..spaces.wrapping import wrapped_configuration
+from ..support.text import shortened
 
 
 @singledispatch

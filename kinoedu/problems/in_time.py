@@ -9,7 +9,8 @@ from numpy.typing import ArrayLike
 from ..collision import in_time, is_free, is_free_path
 from ..compiled import record
 from ..errors import InvalidGoal, InvalidParameter, InvalidStart
-from ..geometry.checks import Array, none_or_more, positive, shortened
+from ..geometry.checks import Array, none_or_more, positive
+from ..support.text import shortened
 from ..worlds.moving import MovingWorldRecord
 from .configurations import as_configuration, space_of
 

@@ -8,10 +8,11 @@ from numpy.typing import ArrayLike
 
 from ..compiled import compiled
 from ..errors import InvalidPoint, InvalidRobot
-from ..geometry.checks import Array, as_array, as_point, shortened
+from ..geometry.checks import Array, as_array, as_point
 from ..geometry.exact import length
 from ..geometry.parts import Parts, make_parts
 from ..spaces.angles import wrapped
+from ..support.text import shortened
 
 RIM = 1e-12  # of the arm's length: so near to the rim of what it reaches, a target is on it
 

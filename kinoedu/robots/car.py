@@ -13,8 +13,9 @@ from numpy.typing import ArrayLike
 from ..curves.arcs import driven
 from ..curves.curve import as_pose
 from ..errors import InvalidParameter, InvalidRobot
-from ..geometry.checks import Array, as_array, shortened
+from ..geometry.checks import Array, as_array
 from ..geometry.parts import Parts
+from ..support.text import shortened
 from .polygon import shape_of
 
 

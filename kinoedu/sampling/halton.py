@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import InvalidParameter
-from ..geometry.checks import Array, shortened, whole
+from ..geometry.checks import Array, whole
+from ..support.text import shortened
 
 BLOCK = 4096  # about how many numbers have their digits mirrored one by one; as many floats stay in the nearest cache
 EXACT = 2**53  # up to here every whole number is a float

@@ -15,8 +15,7 @@ from contextvars import copy_context
 from types import FrameType
 from typing import Any, NamedTuple, Protocol, TypeVar
 
-from ..compiled import keeper, requests
-from ..compiled.tiers import library_seconds, spent_by
+from .threads import WAITING_FILES, library_seconds, raise_in, spent_by
 
 T = TypeVar("T")
 
@@ -242,12 +241,9 @@ def calls_of(frame: FrameType | None) -> Iterator[FrameType]:
         frame = frame.f_back
 
 
-MAKERS = (keeper.__file__, requests.__file__)  # where one waits for machine code
-
-
 def waits_for_machine_code(frame: FrameType | None) -> bool:
     """Whether a thread does nothing but wait until machine code is made or loaded."""
-    return frame is not None and frame.f_code.co_filename in MAKERS
+    return frame is not None and frame.f_code.co_filename in WAITING_FILES
 
 
 def loads_a_module(frame: FrameType | None) -> bool:
@@ -315,7 +311,7 @@ def stop(thread: threading.Thread) -> None:
     try:
         last = time.monotonic() + PATIENCE
         while thread.is_alive() and thread.ident is not None and time.monotonic() < last:
-            keeper.raise_in(thread.ident, TimeUp)
+            raise_in(thread.ident, TimeUp)
             thread.join(0.01)
     finally:
         sys.unraisablehook = report

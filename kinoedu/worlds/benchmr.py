@@ -16,12 +16,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..errors import InvalidPolygon, MendedPolygons, UnknownFormat
-from ..fields import Field, read_json
 from ..geometry.checks import Array, as_array
 from ..geometry.rings import as_ring
+from ..support.json_fields import Field, read_json
+from ..support.reading import regular_file
 from .outlines import rectangle
 from .polygon_world import PolygonWorld, PolygonWorldRecord
-from .reading import regular_file
 
 SLIVER = 1e-12  # of the polygon's rectangle: what a crossing pinches off and is smaller, is rounding
 

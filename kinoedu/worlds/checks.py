@@ -3,7 +3,7 @@
 from typing import Any
 
 from ..errors import InvalidWorld
-from ..geometry.checks import shortened
+from ..support.text import shortened
 
 
 def check_world(world: Any) -> None:

@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import KinoeduError, SceneTooLarge, UnreadableScene
-from .reading import MAX_CELLS, check_size, regular_file
+from ..support.reading import regular_file
+from .sizes import MAX_CELLS, check_size
 from .terrain import Terrain, TerrainRecord
 
 if TYPE_CHECKING:

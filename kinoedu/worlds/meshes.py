@@ -15,10 +15,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..errors import InvalidParameter, InvalidRobot, SceneTooLarge, UnknownFormat, UnreadableScene
-from ..geometry.checks import LIMIT, Array, as_array, as_point, positive, shortened
+from ..geometry.checks import LIMIT, Array, as_array, as_point, positive
+from ..support.reading import regular_file
+from ..support.text import shortened
 from .outlines import Solid, rectangle, shadow, slice_of
 from .polygon_world import PolygonWorld, PolygonWorldRecord
-from .reading import regular_file
 
 ENDINGS = (".dae", ".glb", ".obj", ".stl")
 MAX_TRIANGLES = 500_000

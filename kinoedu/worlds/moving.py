@@ -8,10 +8,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..compiled import compiled
 from ..errors import InvalidWorld
-from ..geometry.checks import Array, as_array, as_things, shortened
+from ..geometry.checks import Array, as_array, as_things
 from ..geometry.convex import convex_parts
 from ..geometry.parts import Parts, make_parts
 from ..geometry.rings import as_ring
+from ..support.text import shortened
 from .polygon_world import PolygonWorldRecord, as_disc
 
 

@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import UnreadableScene
-from .reading import check_size, read_text
+from ..support.reading import read_text
+from .sizes import check_size
 from .terrain import Terrain, TerrainRecord
 
 _PASSABLE, _BLOCKED = ".GS", "@OTW"

@@ -8,10 +8,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..compiled import compiled
 from ..errors import InvalidParameter, InvalidPoint, InvalidWorld
-from ..geometry.checks import Array, as_array, as_point, shortened
+from ..geometry.checks import Array, as_array, as_point
 from ..geometry.exact import length
 from ..geometry.polygons import places
 from ..geometry.segments import shared_points
+from ..support.text import shortened
 from .polygon_world import PolygonWorldRecord, discs_of, rings_of
 
 

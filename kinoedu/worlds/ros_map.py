@@ -14,8 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import UnreadableScene
+from ..support.reading import read_text
 from .images import deep_grey, load_image
-from .reading import read_text
 from .terrain import Terrain, TerrainRecord
 
 if TYPE_CHECKING:

@@ -9,12 +9,13 @@ import numpy as np
 from ...collision import is_free
 from ...errors import InvalidParameter, KinoeduError
 from ...figures.drawing import growth_of, summary
-from ...geometry.checks import Array, shortened
+from ...geometry.checks import Array
 from ...planners import kinodynamic_prm, kinodynamic_rrt, rrt, trajectory_along
 from ...planners.tuning import one_of, whole
 from ...problems import Plan, Problem, ProblemRecord
 from ...robots.car import CarRobot
 from ...robots.trajectory import TrajectoryRecord
+from ...support.text import shortened
 from ...words import say
 from ...worlds.polygon_world import PolygonWorldRecord
 from ..arm.arm import standing

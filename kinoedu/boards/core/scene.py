@@ -25,7 +25,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ...errors import InvalidParameter
-from ...geometry.checks import Array, as_array, as_point, shortened
+from ...geometry.checks import Array, as_array, as_point
+from ...support.text import shortened
 from ...words import say
 
 Scene = dict[str, Any]

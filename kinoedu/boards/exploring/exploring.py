@@ -1,12 +1,12 @@
 """The exploring board: a robot that sees no farther than its sensor goes its way through an unknown world."""
 
 from ...errors import InvalidParameter
-from ...geometry.checks import shortened
 from ...planners.exploring.receding_horizon import Look, plan_of_looks, receding_horizon_looks
 from ...planners.problem_input import world_size
 from ...planners.tuning import positive, whole
 from ...problems import Plan, ProblemRecord
 from ...robots.round import RoundRobot
+from ...support.text import shortened
 from ...words import say
 from ...worlds.polygon_world import PolygonWorldRecord
 from ..core.drawing import Drawing

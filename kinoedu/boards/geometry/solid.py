@@ -21,9 +21,10 @@ from ...errors import InvalidParameter, KinoeduError
 from ...figures import palette
 from ...figures.solid import draw_mesh, section_of, shaded
 from ...geometry import convex_polygons_intersect
-from ...geometry.checks import Array, as_array, as_point, shortened
+from ...geometry.checks import Array, as_array, as_point
 from ...geometry.convex import convex_parts
 from ...geometry.rings import as_ring
+from ...support.text import shortened
 from ...words import say
 from ..core.canvas import with_picture
 

@@ -11,10 +11,11 @@ from ...collision import collision_bound
 from ...collision.probability import as_mover, hit_scenarios, part_gaps
 from ...errors import InvalidParameter, KinoeduError
 from ...figures.uncertain import margin_rings, outlines
-from ...geometry.checks import Array, shortened
+from ...geometry.checks import Array
 from ...planners import prm, shortcut
 from ...planners.tuning import whole
 from ...problems import Plan, Problem
+from ...support.text import shortened
 from ...words import say
 from ...worlds.polygon_world import rings_of
 from ...worlds.uncertain import UncertainWorldRecord, inflated, scenarios

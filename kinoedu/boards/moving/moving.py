@@ -8,12 +8,13 @@ import numpy as np
 from ...errors import InvalidParameter, KinoeduError
 from ...figures.moving import outline_of
 from ...figures.robots import outline_at
-from ...geometry.checks import Array, shortened
+from ...geometry.checks import Array
 from ...planners import plan_in_time
 from ...planners.tuning import whole
 from ...problems import Plan
 from ...problems.in_time import TimedProblem, TimedProblemRecord
 from ...robots.round import RoundRobot
+from ...support.text import shortened
 from ...words import say
 from ...worlds.moving import MovingWorldRecord, movers_at
 from ..arm.rides import line

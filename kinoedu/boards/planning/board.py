@@ -6,11 +6,11 @@ from typing import Any
 import ipywidgets as widgets
 
 from ...errors import InvalidParameter
-from ...geometry.checks import shortened
 from ...planners import rrt
 from ...planners.problem_input import world_size
 from ...planners.tuning import positive, whole
 from ...problems import Plan, ProblemRecord
+from ...support.text import shortened
 from ...words import say
 from ..core.canvas import with_picture
 from ..core.drawing import Drawing

@@ -14,9 +14,10 @@ from typing import Any
 import numpy as np
 
 from ...errors import KinoeduError
-from ...geometry.checks import Array, as_array, shortened
+from ...geometry.checks import Array, as_array
 from ...planners.problem_input import world_size
 from ...problems import Plan, ProblemRecord, Question, Recorder
+from ...support.text import shortened
 from ...support.time_limit import TimeUp, within_processor_time
 from ...words import say
 from ..core.drawing import Drawing, Layer, dots, edges, labels, path

@@ -7,9 +7,9 @@ import numpy as np
 
 from ...errors import InvalidParameter
 from ...figures.drawing import dot_size, growth_of, line_width, summary
-from ...geometry.checks import shortened
 from ...planners import plan_on_grid, prm, rrt
 from ...problems import Plan, Problem, ProblemRecord
+from ...support.text import shortened
 from ...worlds import PolygonWorld
 from ...worlds.polygon_world import PolygonWorldRecord, discs_of, rings_of
 from ...worlds.terrain import TerrainRecord

@@ -5,11 +5,11 @@ from functools import partial
 from typing import Any
 
 from ...errors import InvalidParameter, KinoeduError
-from ...geometry.checks import shortened
 from ...planners import rrt, rrt_connect, rrt_star
 from ...planners.problem_input import world_size
 from ...planners.tuning import whole
 from ...problems import Plan, ProblemRecord
+from ...support.text import shortened
 from ...words import say
 from ..core.canvas import Canvas
 from ..core.drawing import Drawing

@@ -6,11 +6,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...errors import InvalidGraph, InvalidParameter
-from ...geometry.checks import Array, as_point, shortened
+from ...geometry.checks import Array, as_point
 from ...graphs import Graph
 from ...graphs.checks import edge_lengths
 from ...planners import prm
 from ...problems import ProblemRecord
+from ...support.text import shortened
 from ...words import say
 from ...worlds.polygon_world import PolygonWorldRecord
 from ...worlds.terrain import TerrainRecord

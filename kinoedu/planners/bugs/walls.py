@@ -12,12 +12,13 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...compiled import compiled
 from ...errors import InvalidParameter
-from ...geometry.checks import Array, shortened
+from ...geometry.checks import Array
 from ...geometry.convex import convex_parts
 from ...geometry.exact import turn
 from ...geometry.polygons import place
 from ...geometry.rings import as_ring, ring_turn
 from ...geometry.segments import segments_meet
+from ...support.text import shortened
 
 CORNER = math.radians(5.0)  # the most that a grown corner turns at once: it stands off by 1 / cos(CORNER / 2) < 1.001 at most
 

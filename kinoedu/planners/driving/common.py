@@ -11,13 +11,14 @@ from numpy.typing import NDArray
 
 from ...compiled import callable_from_compiled, compiled
 from ...errors import InvalidParameter
-from ...geometry.checks import Array, shortened
+from ...geometry.checks import Array
 from ...problems import Plan, ProblemRecord, Recorder
 from ...robots.car import CarRobot
 from ...robots.trajectory import DrivenTree, TrajectoryRecord
 from ...spaces import SE2
 from ...spaces.angles import short_way, wrapped
 from ...spaces.buckets import GrowingTree, add
+from ...support.text import shortened
 from ..problem_input import new_tree
 from ..tuning import none_or_more, positive, whole
 

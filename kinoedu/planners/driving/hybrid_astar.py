@@ -22,11 +22,12 @@ import numpy as np
 
 from ...compiled import algorithm, compiled
 from ...errors import InvalidParameter
-from ...geometry.checks import Array, shortened
+from ...geometry.checks import Array
 from ...graphs import extract_path
 from ...problems import MOTIONS, Plan, ProblemRecord, Recorder
 from ...robots.car import CarRobot
 from ...robots.trajectory import TrajectoryRecord
+from ...support.text import shortened
 from ..tuning import positive, whole
 from .common import DrivenGrowth, add_drive, grown_tree, new_growth
 from .trajectories import told_along

@@ -4,10 +4,11 @@ import numpy as np
 
 from ...curves.space import pieces_between
 from ...errors import InvalidParameter
-from ...geometry.checks import Array, shortened
+from ...geometry.checks import Array
 from ...problems import Plan, ProblemRecord, Recorder
 from ...robots.car import CarRobot
 from ...robots.trajectory import Trajectory, TrajectoryRecord
+from ...support.text import shortened
 
 
 def trajectory_along(plan: Plan) -> TrajectoryRecord:

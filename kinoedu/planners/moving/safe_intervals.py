@@ -12,12 +12,13 @@ from numpy.typing import ArrayLike, NDArray
 from ...collision.departures import all_safe_intervals, first_departure, met_departures, seen_from_movers
 from ...compiled import algorithm, inlined
 from ...errors import InvalidParameter
-from ...geometry.checks import Array, as_point, shortened
+from ...geometry.checks import Array, as_point
 from ...geometry.exact import length
 from ...geometry.parts import Parts
 from ...graphs import GraphRecord, flat_graph
 from ...problems import Plan, Problem, Roadmap
 from ...problems.in_time import TimedProblemRecord
+from ...support.text import shortened
 from ..roadmaps.connecting import KClosest, joined
 from ..roadmaps.prm import free_configurations
 from ..tuning import whole

@@ -9,10 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...errors import InvalidParameter
-from ...geometry.checks import Array, shortened
+from ...geometry.checks import Array
 from ...graphs import astar, flat_graph
 from ...problems import Plan, Roadmap
 from ...robots.trajectory import DrivenRoadmap, TrajectoryRecord
+from ...support.text import shortened
 from ..answers import plan_along
 from ..problem_input import askable
 from ..tuning import positive, whole

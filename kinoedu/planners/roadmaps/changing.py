@@ -11,9 +11,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...compiled import algorithm
 from ...errors import InvalidParameter
-from ...geometry.checks import Array, as_generator, as_point, shortened
+from ...geometry.checks import Array, as_generator, as_point
 from ...problems import ProblemRecord, Roadmap
 from ...robots.round import RoundRobot
+from ...support.text import shortened
 from ...worlds.terrain import TerrainRecord
 from ..tuning import whole
 from .neighbours import k_closest

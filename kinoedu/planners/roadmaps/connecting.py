@@ -13,8 +13,9 @@ from numpy.typing import NDArray
 
 from ...compiled import algorithm, compiled
 from ...errors import InvalidParameter
-from ...geometry.checks import Array, shortened
+from ...geometry.checks import Array
 from ...spaces.closest import fill
+from ...support.text import shortened
 from ..problem_input import new_tree
 from ..trees.near import near_nodes
 from ..tuning import positive, whole

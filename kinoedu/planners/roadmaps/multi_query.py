@@ -10,8 +10,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...compiled import algorithm
 from ...errors import InvalidGoal, InvalidParameter, InvalidStart
-from ...geometry.checks import Array, as_array, shortened
+from ...geometry.checks import Array, as_array
 from ...problems import MOTIONS, Plan, Problem, ProblemRecord, Recorder, Roadmap
+from ...support.text import shortened
 from ..problem_input import both_ways
 from ..tuning import whole
 from .connecting import KClosest, joined

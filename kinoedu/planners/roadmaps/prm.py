@@ -11,9 +11,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...compiled import algorithm
 from ...errors import InvalidParameter
-from ...geometry.checks import Array, as_array, as_generator, shortened
+from ...geometry.checks import Array, as_array, as_generator
 from ...graphs import GraphRecord, astar, flat_graph
 from ...problems import MOTIONS, Plan, Roadmap
+from ...support.text import shortened
 from ..answers import plan_along
 from ..problem_input import askable, both_ways
 from ..tuning import whole

@@ -8,11 +8,12 @@ from numpy.typing import NDArray
 
 from ...compiled import algorithm
 from ...errors import InvalidParameter
-from ...geometry.checks import Array, as_generator, shortened
+from ...geometry.checks import Array, as_generator
 from ...graphs import GraphRecord, Search, dijkstra, extract_path, flat_graph
 from ...graphs.components import component_labels
 from ...problems import ProblemRecord, Recorder, Roadmap
 from ...robots.round import RoundRobot
+from ...support.text import shortened
 from ..problem_input import askable
 from ..tuning import whole
 from .multi_query import costs_of

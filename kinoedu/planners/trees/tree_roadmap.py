@@ -16,9 +16,10 @@ from typing import Any
 import numpy as np
 
 from ...errors import InvalidParameter
-from ...geometry.checks import Array, as_array, as_generator, shortened
+from ...geometry.checks import Array, as_array, as_generator
 from ...problems import MOTIONS, Plan
 from ...spaces.buckets import GrowingTree, add
+from ...support.text import shortened
 from ..answers import plan_from_tree
 from ..problem_input import askable, new_tree, world_size
 from ..tuning import positive, share, whole

@@ -4,22 +4,20 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ....chances import wilson
 from ....collision import probability
 from ....geometry.checks import Array
-from ....geometry.segments import point_segment_distance
 from ...exercise import Case, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record
 from .pictures import draw_scenarios
+from .scenarios import Hits, contacts, gaps
 
 CLEAR = 1e-4  # in no scenario does a path come nearer than this to just touching
 Z = 1.96
 TINY = 0.01  # a disc with a smaller radius slips between the points of a path that a program looks at
 
-Hits = NDArray[np.bool_]
 
 SMALL = (  # kind, path, discs, and a list of offsets for each scenario: what can be drawn by hand
     ("one", [(0, 0), (4, 0)], [(2, 1.5, 1)], [[(0, 0)], [(0, -1)], [(0, 1)], [(5, 0)]]),
@@ -31,19 +29,6 @@ SMALL = (  # kind, path, discs, and a list of offsets for each scenario: what ca
     ("none", [(0, 0), (4, 0)], [(2, 2, 1)], [[(0, 0)], [(1, 0)], [(0, 1)], [(0, -0.5)]]),
     ("all", [(0, 0), (6, 0)], [(1, 2, 1), (4, 2, 1)], [[(0, -1.5), (0, 0)], [(0, 0), (0, -1.5)], [(0, 1), (0, -1.5)]]),
 )  # fmt: skip
-
-
-def gaps(path: Array, discs: Array, offsets: Array) -> Array:
-    """How near the path comes to the rim of each disc in each scenario, (n, m); negative inside."""
-    centres = discs[:, :2] + offsets
-    flat = centres.reshape(-1, 2)
-    far = np.min([point_segment_distance(flat, a, b) for a, b in zip(path, path[1:])], axis=0)
-    return np.asarray(far.reshape(centres.shape[:2]) - discs[:, 2])
-
-
-def contacts(path: Array, discs: Array, offsets: Array) -> Hits:
-    """Whether the path touches each disc in each scenario, (n, m)."""
-    return np.asarray(gaps(path, discs, offsets) <= 0.0)
 
 
 def with_interval(hits: float, n: int) -> Array:

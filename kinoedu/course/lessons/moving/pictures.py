@@ -8,6 +8,7 @@ import numpy as np
 from ....geometry.checks import Array
 from ....words import say
 from ...exercise import Case, Exercise, ValueExercise, spoken
+from .scenarios import contacts
 
 # figures are imported inside the functions: matplotlib is not needed until something is wrong
 
@@ -89,7 +90,6 @@ def draw_margins(exercise: ValueExercise, case: Case, value: Array | None, ax: A
 def draw_scenarios(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
     """The path, the discs where they are expected, and in some scenarios: red and solid where the path is hit."""
     from ....figures import palette, plane
-    from .collision_probability import contacts
 
     path, discs, offsets = case.given.values()
     some = offsets[:MOST_DRAWN]

@@ -12,6 +12,7 @@ from ...exercise import Case, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Numbers, Record
 from ..geometry.lines import POINT
+from .motions import crossed, cuts, length
 
 
 class CostAlong(ValueExercise):
@@ -99,11 +100,6 @@ def exact(cost: Array, a: Array, b: Array) -> float:
     return value
 
 
-def length(a: Array, b: Array) -> float:
-    """|b - a|."""
-    return float(np.sqrt(((b - a) ** 2).sum()))
-
-
 def transposed(cost: Array, a: Array, b: Array) -> float:
     """The sum with cost[column, row], where there is one."""
     stretches = np.diff(cuts(a, b)) * length(a, b)
@@ -126,19 +122,3 @@ def sampled(cost: Array, a: Array, b: Array, step: float) -> float:
     """A sum over samples, each worth a step."""
     whole = length(a, b)
     return sum(at(cost, a + (b - a) * (s / whole)) * step for s in np.arange(0.0, whole, step)) if whole else 0.0
-
-
-def cuts(a: Array, b: Array) -> Array:
-    """The shares of a motion after which it enters another cell, with 0 and 1, in order."""
-    shares = [0.0, 1.0]
-    for p, q in zip(a, b):
-        lines = np.arange(np.ceil(min(p, q)), np.floor(max(p, q)) + 1.0)
-        shares += ((lines - p) / (q - p)).tolist() if p != q else []
-    return np.unique(np.clip(shares, 0.0, 1.0))
-
-
-def crossed(cost: Array, a: Array, b: Array) -> list[tuple[int, int]]:
-    """The cells (i, j) that a motion passes through, in order; the one that holds it where it stays."""
-    shares = cuts(a, b)
-    middles = [a + (b - a) * t for t in (shares[1:] + shares[:-1]) / 2]
-    return [(int(x), int(y)) for x, y in middles]

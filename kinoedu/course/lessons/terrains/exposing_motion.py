@@ -11,10 +11,9 @@ from ...exercise import RIGHT, Case, Exercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record, Together
 from ..geometry.lines import POINT
-from .cost_along import crossed, cuts, length
+from .motions import crossed, cuts, fault_of_motion, length, samples_along
 
 DEEP = 0.49  # of the half that samples are apart
-MOST = 12  # cells either way
 
 
 class ExposeSampling(Exercise):
@@ -50,27 +49,12 @@ class ExposeSampling(Exercise):
         draw_samples_on(outcome.value if isinstance(outcome, Answer) else None, self.words("picture"), ax)
 
 
-def samples_along(a: Array, b: Array) -> Array:
-    """Places half a cell apart along a motion, from a, and b itself, (n, 2)."""
-    shares = np.append(np.arange(0.0, length(a, b), 0.5) / (length(a, b) or 1.0), 1.0)
-    return a + shares[:, None] * (b - a)
-
-
 def is_free_by_samples(free: Array, a: Array, b: Array) -> bool:
     """Whether a motion is free, judged every half cell, much as the document does.
 
     It lets motions pass that go through rocks. Which?
     """
     return all(free[int(y), int(x)] for x, y in samples_along(a, b))
-
-
-def fault_of_motion(free: Array, a: Array, b: Array) -> str:
-    """The rule that keeps it from being a terrain with a motion inside it, or ""."""
-    rows, columns = free.shape
-    if not (1 <= rows <= MOST and 1 <= columns <= MOST) or not np.isin(free, (0, 1)).all():
-        return "valid"
-    inside = all(0 < x < columns and 0 < y < rows for x, y in (a, b))  # false for nan as well
-    return "" if inside else "inside"
 
 
 def exposing_fault(free: Array, a: Array, b: Array) -> str:

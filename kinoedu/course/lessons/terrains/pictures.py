@@ -7,6 +7,7 @@ import numpy as np
 from ....geometry.checks import Array
 from ....words import say
 from ...exercise import Case, Exercise, spoken
+from .motions import cuts, fault_of_motion, samples_along
 
 # figures are imported inside the functions: matplotlib is not needed until something is wrong
 
@@ -14,7 +15,6 @@ from ...exercise import Case, Exercise, spoken
 def draw_costs(exercise: Exercise, case: Case, found: float | None, truth: str, ax: Any) -> None:
     """The cells with their costs, and the motion cut where it enters another."""
     from ....figures import palette, plane
-    from .cost_along import cuts
 
     cost, a, b = case.given.values()
     rows, columns = cost.shape
@@ -91,7 +91,6 @@ def draw_runs(exercise: Exercise, case: Case, found: Array | None, truth: Array,
 def draw_samples_on(value: Any, words: str, ax: Any) -> None:
     """A small terrain, a motion, and the places where it is looked at."""
     from ....figures import palette, plane
-    from .exposing_motion import fault_of_motion, samples_along
 
     if value is None or fault_of_motion(*value):
         plane.frame([(0, 0), (3, 2)], ax)

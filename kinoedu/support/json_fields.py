@@ -6,8 +6,9 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any, NamedTuple, TypeVar
 
-from .errors import KinoeduError, UnreadableScene
-from .geometry.checks import shortened
+from ..errors import KinoeduError, UnreadableScene
+from .reading import read_text
+from .text import shortened
 
 Built = TypeVar("Built")
 
@@ -82,8 +83,6 @@ class Field(NamedTuple):
 
 def read_json(file: Path, name: str, build: Callable[[Field], Built]) -> Built:
     """What is built of the whole of a file. Its own errors, and UnreadableScene, name the file and the field at fault."""
-    from .worlds.reading import read_text  # imported here, as the readers of worlds use this file
-
     try:
         return build(Field(name, parsed(read_text(file)), file.parent))
     except KinoeduError as error:

@@ -1,0 +1,22 @@
+"""Which scenarios hit a path."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ....geometry.checks import Array
+from ....geometry.segments import point_segment_distance
+
+Hits = NDArray[np.bool_]
+
+
+def gaps(path: Array, discs: Array, offsets: Array) -> Array:
+    """How near the path comes to the rim of each disc in each scenario, (n, m); negative inside."""
+    centres = discs[:, :2] + offsets
+    flat = centres.reshape(-1, 2)
+    far = np.min([point_segment_distance(flat, a, b) for a, b in zip(path, path[1:])], axis=0)
+    return np.asarray(far.reshape(centres.shape[:2]) - discs[:, 2])
+
+
+def contacts(path: Array, discs: Array, offsets: Array) -> Hits:
+    """Whether the path touches each disc in each scenario, (n, m)."""
+    return np.asarray(gaps(path, discs, offsets) <= 0.0)

@@ -1,0 +1,43 @@
+"""Straight motions on a terrain: where they cross cells, samples along them, and what may be wrong with one."""
+
+import numpy as np
+
+from ....geometry.checks import Array
+
+MOST = 12  # cells either way
+
+
+def length(a: Array, b: Array) -> float:
+    """|b - a|."""
+    return float(np.sqrt(((b - a) ** 2).sum()))
+
+
+def cuts(a: Array, b: Array) -> Array:
+    """The shares of a motion after which it enters another cell, with 0 and 1, in order."""
+    shares = [0.0, 1.0]
+    for p, q in zip(a, b):
+        lines = np.arange(np.ceil(min(p, q)), np.floor(max(p, q)) + 1.0)
+        shares += ((lines - p) / (q - p)).tolist() if p != q else []
+    return np.unique(np.clip(shares, 0.0, 1.0))
+
+
+def crossed(cost: Array, a: Array, b: Array) -> list[tuple[int, int]]:
+    """The cells (i, j) that a motion passes through, in order; the one that holds it where it stays."""
+    shares = cuts(a, b)
+    middles = [a + (b - a) * t for t in (shares[1:] + shares[:-1]) / 2]
+    return [(int(x), int(y)) for x, y in middles]
+
+
+def samples_along(a: Array, b: Array) -> Array:
+    """Places half a cell apart along a motion, from a, and b itself, (n, 2)."""
+    shares = np.append(np.arange(0.0, length(a, b), 0.5) / (length(a, b) or 1.0), 1.0)
+    return a + shares[:, None] * (b - a)
+
+
+def fault_of_motion(free: Array, a: Array, b: Array) -> str:
+    """The rule that keeps it from being a terrain with a motion inside it, or ""."""
+    rows, columns = free.shape
+    if not (1 <= rows <= MOST and 1 <= columns <= MOST) or not np.isin(free, (0, 1)).all():
+        return "valid"
+    inside = all(0 < x < columns and 0 < y < rows for x, y in (a, b))  # false for nan as well
+    return "" if inside else "inside"
