@@ -27,7 +27,7 @@ NONSENSE = {
 
 NOBODY_IN = {  # functions of one thing that is none of these
     "a boundary": ke.PolygonWorld,
-    "a bitmap": lambda x: ke.Terrain(x) if x not in (5, []) and x is not NAN else ke.Terrain(None),
+    "a bitmap": ke.Terrain,
     "a world's file": ke.read_world,
     "a scene": ke.read_scene,
     "a plan's file": ke.read_plan,
@@ -52,7 +52,7 @@ NOBODY_IN = {  # functions of one thing that is none of these
     "kinodynamic RRT": lambda x: ke.kinodynamic_rrt(x, rng=0),
     "kinodynamic PRM": lambda x: ke.kinodynamic_prm(x, rng=0),
     "a moving world": lambda x: ke.MovingWorld(x, []),
-    "movers": lambda x: ke.MovingWorld(WORLD, x if x != [] else None),
+    "movers": lambda x: ke.MovingWorld(WORLD, x or None),  # an empty list is right
     "a turning polygon": ke.RigidPolygon,
     "a sliding polygon": ke.TranslatingPolygon,
     "a hull": ke.geometry.convex_hull,
@@ -64,7 +64,7 @@ NOBODY_IN = {  # functions of one thing that is none of these
     "an arm": lambda x: ke.link_in_contact(x, (0, 0), WORLD),
     "a tip": ARM.inverse,
     "a line": lambda x: ke.geometry.line_through_points(x, (1, 1)),
-    "a point in a polygon": lambda x: ke.geometry.point_in_polygon(None if x == [] else x, SQUARE),
+    "a point in a polygon": lambda x: ke.geometry.point_in_polygon(x, SQUARE),
     "a polygon": lambda x: ke.geometry.point_in_polygon((1, 1), x),
     "a sum of polygons": lambda x: ke.geometry.minkowski_sum(x, SQUARE),
     "a shortcut": lambda x: ke.shortcut(x, rng=0),
@@ -73,7 +73,7 @@ NOBODY_IN = {  # functions of one thing that is none of these
     "a scene to write": lambda x: ke.write_scene(x, "never.json"),
     "a plan to write": lambda x: ke.write_plan(x, "never.json"),
     "a board": ke.board,
-    "a board's planner": lambda x: ke.board(TASK, planner=x if x is not None else 5),
+    "a board's planner": lambda x: ke.board(TASK, planner=x),
 }
 REFUSED = {
     "no obstacles": lambda: ke.PolygonWorld(ROOM, None),
