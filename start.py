@@ -1,7 +1,9 @@
 """Sets kinoedu up in .venv beside this file, once, and then starts what is asked.
 
-This file must parse on any Python, so that one which is too old says so in a line: no f-strings, no annotations.
+This file must parse on any Python, so that one which is too old says so in a line: no f-strings, no
+annotations.
 """
+
 # ruff: noqa: UP031, RUF005 (newer ways to format and join would not parse there)
 import errno
 import hashlib
@@ -37,20 +39,39 @@ TEACHING_COMMANDS = ["release", "export"]
 PIP_OPTIONS = ["--no-deps", "--only-binary", ":all:", "-r"]
 
 # Variables that would lead .venv to the packages of the environment this file was called from.
-FOREIGN = re.compile("CONDA|VIRTUAL_ENV|PYTHON(PATH|HOME|STARTUP)$|__PYVENV_LAUNCHER__|PIP_(TARGET|PREFIX|ROOT)$")
+FOREIGN = re.compile(
+    "CONDA|VIRTUAL_ENV|PYTHON(PATH|HOME|STARTUP)$|__PYVENV_LAUNCHER__|PIP_(TARGET|PREFIX|ROOT)$"
+)
 
 # In the words of pip, uv, venv and the operating systems. The first that is found is told.
 CAUSES = [
-    (r"no space left|not enough space|os error (28|112)\b|quota", "the disk is full; make room and run this again"),
-    (r"long path", "the path of this folder is too long; move it to a shorter one and run this again"),
-    (r"no module named '?(venv|ensurepip)|ensurepip is (not available|disabled)",
-     "this Python cannot make environments; install its venv module (Debian, Ubuntu: sudo apt install python3-venv)"),
-    (r"connection|timed? ?out|getaddrinfo|name resolution|failed to fetch|error sending|dns error|sslerror|proxyerror",
-     "packages cannot be downloaded; connect to the network and run this again"),
-    (r"no matching distribution|no solution found|no wheels|requires-python",
-     "a package is not made for this Python or computer; use Python 3.11 to 3.14, 64 bits, and --wheels of its like"),
-    (r"permission|not permitted|access is denied|os error (5|13|30)\b|read-only",
-     "cannot write in %s; close what runs from it, or copy the folder to a place of yours" % HERE),
+    (
+        r"no space left|not enough space|os error (28|112)\b|quota",
+        "the disk is full; make room and run this again",
+    ),
+    (
+        r"long path",
+        "the path of this folder is too long; move it to a shorter one and run this again",
+    ),
+    (
+        r"no module named '?(venv|ensurepip)|ensurepip is (not available|disabled)",
+        "this Python cannot make environments; install its venv module (Debian, Ubuntu: sudo apt "
+        "install python3-venv)",
+    ),
+    (
+        r"connection|timed? ?out|getaddrinfo|name resolution|failed to fetch|error sending|dns error|sslerror|proxyerror",
+        "packages cannot be downloaded; connect to the network and run this again",
+    ),
+    (
+        r"no matching distribution|no solution found|no wheels|requires-python",
+        "a package is not made for this Python or computer; use Python 3.11 to 3.14, 64 bits, and "
+        "--wheels of its like",
+    ),
+    (
+        r"permission|not permitted|access is denied|os error (5|13|30)\b|read-only",
+        "cannot write in %s; close what runs from it, or copy the folder to a place of yours"
+        % HERE,
+    ),
 ]
 
 
@@ -78,7 +99,9 @@ def main(arguments):
 def require_python(version):
     """Refuse a Python on which kinoedu does not run."""
     if tuple(version[:2]) < (3, 11):
-        raise Stop("kinoedu needs Python 3.11 or newer, and this is Python %d.%d" % tuple(version[:2]))
+        raise Stop(
+            "kinoedu needs Python 3.11 or newer, and this is Python %d.%d" % tuple(version[:2])
+        )
 
 
 def start(arguments):
@@ -95,7 +118,10 @@ def start(arguments):
     if arguments[:1] == ["site"]:
         set_up([COURSE, SITE])
         os.chdir(HERE)
-        return become(["-m", "sphinx", "-j", "auto", "-c", "docs", "-d", "build/doctrees", ".", "build/site"] + arguments[1:])
+        return become(
+            ["-m", "sphinx", "-j", "auto", "-c", "docs", "-d", "build/doctrees", ".", "build/site"]
+            + arguments[1:]
+        )
     set_up([COURSE, TEACHING] if arguments[:1] and arguments[0] in TEACHING_COMMANDS else [COURSE])
     return become(["-m", "kinoedu"] + (arguments or ["lab"]))
 
@@ -123,12 +149,16 @@ def gather(folder):
 
 
 def become(arguments):
-    """Run Python in place of this process, deaf to modules that happen to lie in the current folder."""
+    """Run Python in place of this process, deaf to modules that happen to lie in the current
+    folder.
+    """
     line = [PYTHON, "-P"] + arguments
     if os.name != "nt":
         os.execve(PYTHON, line, environment())
     import signal  # exec on Windows would give the prompt back at once
-    signal.signal(signal.SIGINT, lambda *_: None)  # Ctrl-C reaches the command too, and is its to answer
+
+    # Ctrl-C reaches the command too, and is its to answer
+    signal.signal(signal.SIGINT, lambda *_: None)
     return subprocess.call(line, env=environment())
 
 
@@ -140,7 +170,9 @@ def environment():
 
 
 def set_up(pins):
-    """Bring .venv to what the files pin. When it is there already nothing is written and nobody waits."""
+    """Bring .venv to what the files pin. When it is there already nothing is written and nobody
+    waits.
+    """
     if not missing(pins):
         return
     with open(LOCK, "ab") as lock:
@@ -170,7 +202,9 @@ def missing(pins):
 
 def digest(name):
     if not os.path.exists(os.path.join(HERE, name)):
-        raise Stop("this copy of the course is for students: %s is not in it, nor what needs it" % name)
+        raise Stop(
+            "this copy of the course is for students: %s is not in it, nor what needs it" % name
+        )
     with open(os.path.join(HERE, name), "rb") as file:
         return hashlib.sha256(file.read()).hexdigest()
 
@@ -233,7 +267,9 @@ def ask(expression):
     """The value of an expression in the Python of .venv."""
     code = "import importlib.machinery, json, sysconfig; print(json.dumps(%s))" % expression
     with open(os.devnull, "w") as nothing:
-        return json.loads(subprocess.check_output([PYTHON, "-I", "-c", code], env=environment(), stderr=nothing))
+        return json.loads(
+            subprocess.check_output([PYTHON, "-I", "-c", code], env=environment(), stderr=nothing)
+        )
 
 
 def make_venv(lock):
@@ -241,10 +277,17 @@ def make_venv(lock):
     make_way()
     if os.path.exists(STAMP):
         os.remove(STAMP)  # first, or a .venv whose deletion was interrupted would seem whole
-    base = getattr(sys, "_base_executable", None) or sys.executable  # we may run on the .venv that is deleted here
+    # we may run on the .venv that is deleted here
+    base = getattr(sys, "_base_executable", None) or sys.executable
     line = [base, "-I", "-m", "venv", "--clear", "--without-pip", os.path.realpath(VENV)]
-    made = subprocess.run(line, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                          stderr=subprocess.STDOUT, env=environment(), **shared(lock))
+    made = subprocess.run(
+        line,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        env=environment(),
+        **shared(lock),
+    )
     if made.returncode:
         raise Stop(explain(made.stdout.decode("utf-8", "replace")))
     write_stamp({"python": binary_interface()})
@@ -261,8 +304,10 @@ def make_way():
     else:
         users = [] if move_away(old) else ["programs"]
     if users:
-        raise Stop("the Python of %s is gone or has become another, but that folder is in use by "
-                   "%s; close what runs from it, and run this again" % (old, ", ".join(users)))
+        raise Stop(
+            "the Python of %s is gone or has become another, but that folder is in use by "
+            "%s; close what runs from it, and run this again" % (old, ", ".join(users))
+        )
 
 
 def move_away(folder):
@@ -278,6 +323,7 @@ def move_away(folder):
 
 def runs_from(folder, pid):
     """Whether another process was called by a path in the folder, or has loaded a file of it."""
+
     def read(name):
         try:
             with open("/proc/%s/%s" % (pid, name), "rb") as file:
@@ -303,7 +349,9 @@ def install(name, tool, lock):
     """
     stamp = installed()
     if name not in stamp and shutil.disk_usage(VENV).free < MEGABYTES[name] * 10**6:
-        raise Stop("%d MB of disk are needed in %s; make room and run this again" % (MEGABYTES[name], HERE))
+        raise Stop(
+            "%d MB of disk are needed in %s; make room and run this again" % (MEGABYTES[name], HERE)
+        )
     how = tool.__name__.replace("_", " ")
     tell = progress("installing %s %s (%d MB, once, a few minutes)" % (name, how, MEGABYTES[name]))
     again = name in stamp and stamp[name] is None
@@ -343,8 +391,9 @@ def with_pip(name, lock, tell, again=(), task=("install", "--no-compile")):
     """Compiling bytecode is left to the first import, as most modules are never imported."""
     pip = [PYTHON, "-I", "-m", "pip"] + list(task) + list(again)
     pip += ["--no-input", "--disable-pip-version-check", "--retries", "2"]
-    return (finish([PYTHON, "-I", "-m", "ensurepip"], lock, tell)
-            and finish(pip + source() + PIP_OPTIONS + [name], lock, tell))
+    return finish([PYTHON, "-I", "-m", "ensurepip"], lock, tell) and finish(
+        pip + source() + PIP_OPTIONS + [name], lock, tell
+    )
 
 
 def source():
@@ -359,8 +408,15 @@ def finish(line, lock, tell):
     """Run an installer to its end, its output in the log; whether it succeeded."""
     with open(LOG, "ab") as log:
         try:
-            child = subprocess.Popen(line, stdin=subprocess.DEVNULL, stdout=log, stderr=log, cwd=HERE,
-                                     env=environment(), **shared(lock))
+            child = subprocess.Popen(
+                line,
+                stdin=subprocess.DEVNULL,
+                stdout=log,
+                stderr=log,
+                cwd=HERE,
+                env=environment(),
+                **shared(lock),
+            )
         except OSError as error:
             log.write(str(error).encode("utf-8", "replace"))
             return False
@@ -384,6 +440,7 @@ def progress(text):
         if live:
             sys.stderr.write("\r%s: %d s%s" % (text, time.time() - began, end))
             sys.stderr.flush()
+
     return tell
 
 
@@ -417,10 +474,13 @@ def taken(lock):
     try:
         if os.name == "nt":
             import msvcrt
-            os.lseek(lock.fileno(), 1 << 30, os.SEEK_SET)  # past the end: what is locked cannot be read
+
+            # past the end: what is locked cannot be read
+            os.lseek(lock.fileno(), 1 << 30, os.SEEK_SET)
             msvcrt.locking(lock.fileno(), msvcrt.LK_NBLCK, 1)
         else:
             import fcntl
+
             fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except (BlockingIOError, PermissionError):
         return False

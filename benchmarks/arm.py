@@ -1,4 +1,6 @@
-"""A two-link arm's configuration space, 360 x 360: which link is in contact, over a lattice of angles; beside shapely."""
+"""A two-link arm's configuration space, 360 x 360: which link is in contact, over a lattice of
+angles; beside shapely.
+"""
 
 from collections.abc import Callable
 from typing import Any, NamedTuple
@@ -28,7 +30,10 @@ def case(seed: int) -> Case:
     centres = far[:, None] * np.stack([np.cos(turns), np.sin(turns)], axis=1)
     corners = np.array([0, 2, 4]) * np.pi / 3
     triangle = np.stack([np.cos(corners), np.sin(corners)], axis=1)
-    return Case([c + rng.uniform(0.2, 0.5) * triangle for c in centres[:5]], [((x, y), 0.25) for x, y in centres[5:].tolist()])
+    return Case(
+        [c + rng.uniform(0.2, 0.5) * triangle for c in centres[:5]],
+        [((x, y), 0.25) for x, y in centres[5:].tolist()],
+    )
 
 
 def kinoedu() -> Contestant:
@@ -43,11 +48,15 @@ def kinoedu() -> Contestant:
 
 
 def shapely() -> Contestant:
-    """Lines for all links at once, and the distance of each from every prepared obstacle; link 2 only where link 1 is free."""
+    """Lines for all links at once, and the distance of each from every prepared obstacle; link 2
+    only where link 1 is free.
+    """
     import shapely as sh
 
     def contestant(case: Case) -> Callable[[], Any]:
-        solids = [(sh.Polygon(t), WIDTH / 2) for t in case.triangles] + [(sh.Point(c), r + WIDTH / 2) for c, r in case.discs]
+        solids = [(sh.Polygon(t), WIDTH / 2) for t in case.triangles] + [
+            (sh.Point(c), r + WIDTH / 2) for c, r in case.discs
+        ]
         for solid, _ in solids:
             sh.prepare(solid)
 
@@ -62,7 +71,9 @@ def shapely() -> Contestant:
             image[:, first] = 1
             heading = angles[None, ~first] + angles[:, None]
             tips = elbows[~first] + L2 * np.stack([np.cos(heading), np.sin(heading)], axis=2)
-            links = sh.linestrings(np.stack([np.broadcast_to(elbows[~first], tips.shape), tips], axis=2))
+            links = sh.linestrings(
+                np.stack([np.broadcast_to(elbows[~first], tips.shape), tips], axis=2)
+            )
             image[:, ~first] = 2 * hits(links)
             return image
 
@@ -80,7 +91,10 @@ def judge(case: Case, answers: dict[str, Any]) -> None:
 def main(repeats: int = 3) -> None:
     """Five worlds."""
     seconds = measure(
-        available({"kinoedu": kinoedu, "shapely": shapely}), [case(seed) for seed in range(5)], judge, repeats=repeats
+        available({"kinoedu": kinoedu, "shapely": shapely}),
+        [case(seed) for seed in range(5)],
+        judge,
+        repeats=repeats,
     )
     report(f"two-link configuration space, {N} x {N}", seconds, GOALS)
 

@@ -1,5 +1,6 @@
-"""How lively the arm's board is: pictures of the configuration space, 360 x 360, a second while an obstacle is dragged, in a real
-JupyterLab in headless Chromium; and answers a second while the tip or q is.
+"""How lively the arm's board is: pictures of the configuration space, 360 x 360, a second while an
+obstacle is dragged, in a real JupyterLab in headless Chromium; and answers a second while the tip
+or q is.
 """
 
 import tempfile
@@ -24,11 +25,16 @@ DRAGGED = (
     ("tip", "handle-1", WORKSPACE),
     ("q", "handle-0", SQUARE),
 )
-PICTURES, PLANS = 10.0, 30.0  # a second: of an obstacle that is dragged, and answers to anything else
+PICTURES, PLANS = (
+    10.0,
+    30.0,
+)  # a second: of an obstacle that is dragged, and answers to anything else
 
 
 def dragged(page: Any, name: str, number: int, seconds: float) -> dict[str, float]:
-    """What is seen while a thing is dragged, with the rate of the pictures that came to the square; then all is put back."""
+    """What is seen while a thing is dragged, with the rate of the pictures that came to the square;
+    then all is put back.
+    """
     boards = page.locator(".kinoedu-board")
     before = int(boards.nth(SQUARE).get_attribute("data-bitmaps"))
     rates = drag(page, name, seconds, number)
@@ -42,18 +48,31 @@ def main(seconds: float = 4.0, repeats: int = 3) -> None:
     """Drag an obstacle, the tip and q, and print a table; `seconds` is how long each is dragged."""
     if CHROMIUM is None:
         raise Missing("Chromium")
-    print("| what is dragged | moves/s | pictures/s | answers/s | paints/s | delay ms, median | 95 % | out of order | |")
+    print(
+        "| what is dragged | moves/s | pictures/s | answers/s | paints/s | delay ms, median | 95 "
+        "% | out of order | |"
+    )
     print("|---|---:|---:|---:|---:|---:|---:|---:|---|")
     with tempfile.TemporaryDirectory() as home, tempfile.TemporaryDirectory() as course:
         (Path(course) / "arm.ipynb").write_text(written_notebook(ARM))
-        with lab(Path(course), Path(home)) as (address, token), notebook_page(address, token, "arm.ipynb") as page:
+        with (
+            lab(Path(course), Path(home)) as (address, token),
+            notebook_page(address, token, "arm.ipynb") as page,
+        ):
             page.evaluate(RUN_ALL)
             page.wait_for_selector(".kinoedu-board[data-answers]")
             for what, name, number in DRAGGED:
                 rounds = [dragged(page, name, number, seconds) for _ in range(repeats)]
                 mean = {key: float(np.median([r[key] for r in rounds])) for key in rounds[0]}
-                goal, rate = (PICTURES, mean["pictures"]) if name.startswith(("disc", "polygon")) else (PLANS, mean["plans"])
-                cells = [f"{mean[key]:.3g}" for key in ("moves", "pictures", "plans", "paints", "delay", "late", "backward")]
+                goal, rate = (
+                    (PICTURES, mean["pictures"])
+                    if name.startswith(("disc", "polygon"))
+                    else (PLANS, mean["plans"])
+                )
+                cells = [
+                    f"{mean[key]:.3g}"
+                    for key in ("moves", "pictures", "plans", "paints", "delay", "late", "backward")
+                ]
                 verdict = "holds" if rate >= goal and not mean["backward"] else "MISSED"
                 print(f"| {what} | {' | '.join(cells)} | {verdict} |", flush=True)
 

@@ -1,4 +1,6 @@
-"""Many questions at once, beside shapely: points in polygons, segments against polygons, pairs of convex polygons."""
+"""Many questions at once, beside shapely: points in polygons, segments against polygons, pairs of
+convex polygons.
+"""
 
 from collections.abc import Callable
 from typing import Any, NamedTuple
@@ -20,7 +22,9 @@ PREPARED, TREE, BUILT = "shapely, prepared", "shapely, STRtree", "shapely"
 
 
 class Among(NamedTuple):
-    """A world and its polygons; points, ends of motions from them; and all that shapely may prepare."""
+    """A world and its polygons; points, ends of motions from them; and all that shapely may
+    prepare.
+    """
 
     world: Any
     polygons: list[np.ndarray]
@@ -42,7 +46,9 @@ class Pairs(NamedTuple):
 
 
 def among(polygons: list[np.ndarray], seed: int) -> Among:
-    """Points all over the square, and motions from each of them up to LENGTH along x and along y."""
+    """Points all over the square, and motions from each of them up to LENGTH along x and along
+    y.
+    """
     rng = np.random.default_rng(seed)
     a = rng.uniform(0, SIDE, (POINTS, 2))
     b = np.clip(a + rng.uniform(-LENGTH, LENGTH, a.shape), 1e-3, SIDE - 1e-3)
@@ -65,7 +71,9 @@ def many(seed: int) -> Among:
 
 
 def pairs(span: float, seed: int) -> Pairs:
-    """Polygons of six and of five corners on circles of radius 0.5 to 1.5 with centres in a square of side `span`."""
+    """Polygons of six and of five corners on circles of radius 0.5 to 1.5 with centres in a square
+    of side `span`.
+    """
     rng = np.random.default_rng(seed)
     P, Q = (on_circles(corners, span, rng) for corners in (6, 5))
     theirs = shapely.polygons(P), shapely.polygons(Q)
@@ -102,7 +110,9 @@ def from_arrays(case: Pairs) -> np.ndarray:
 def judge(case: Any, answers: dict[str, np.ndarray]) -> None:
     """All give the very same answers."""
     for name, answer in answers.items():
-        assert np.array_equal(answer, answers["kinoedu"]), f"{name} disagrees in {(answer != answers['kinoedu']).sum()} answers"
+        assert np.array_equal(answer, answers["kinoedu"]), (
+            f"{name} disagrees in {(answer != answers['kinoedu']).sum()} answers"
+        )
 
 
 def ask(question: Callable[[Any], np.ndarray]) -> Callable[[], Contestant]:
@@ -121,7 +131,10 @@ def points() -> dict[str, Callable[[Any], np.ndarray]]:
 
 def points_from_polygons() -> dict[str, Callable[[Any], np.ndarray]]:
     """The same, the world or the prepared union made within the time."""
-    ours = lambda case: ~free_configurations(ke.Point(), ke.PolygonWorld(SQUARE, case.polygons), case.a)  # noqa: E731  # beside the peer's
+
+    def ours(case: Any) -> np.ndarray:
+        return ~free_configurations(ke.Point(), ke.PolygonWorld(SQUARE, case.polygons), case.a)
+
     return {"kinoedu": ours, BUILT: from_polygons}
 
 
@@ -153,21 +166,34 @@ def main(repeats: int = 11) -> None:
         cases = list(map(make, range(3)))
         for title, questions, times in (
             (f"{POINTS:,} points among {name}", points(), 8),
-            (f"{POINTS:,} points among {name}, which are given as arrays", points_from_polygons(), None),
+            (
+                f"{POINTS:,} points among {name}, which are given as arrays",
+                points_from_polygons(),
+                None,
+            ),
             (f"{POINTS:,} segments against {name}", segments(), 5),
         ):
             compare(title, questions, cases, times, repeats)
     for name, span in (("that are near", 2.0), ("of which most are far apart", 20.0)):
-        title, cases = f"{PAIRS:,} pairs of convex polygons {name}", [pairs(span, seed) for seed in range(3)]
+        title, cases = (
+            f"{PAIRS:,} pairs of convex polygons {name}",
+            [pairs(span, seed) for seed in range(3)],
+        )
         compare(title, convex_pairs(), cases, 10, repeats)
         compare(f"{title}, which are given as arrays", pairs_from_arrays(), cases, 10, repeats)
 
 
-def compare(title: str, questions: dict[str, Any], cases: list[Any], times: float | None, repeats: int) -> None:
+def compare(
+    title: str, questions: dict[str, Any], cases: list[Any], times: float | None, repeats: int
+) -> None:
     """One table."""
     contestants = available({name: ask(question) for name, question in questions.items()})
     peers = [name for name in questions if name != "kinoedu"]
-    report(title, measure(contestants, cases, judge, repeats=repeats), {name: Goal(at_least=times) for name in peers})
+    report(
+        title,
+        measure(contestants, cases, judge, repeats=repeats),
+        {name: Goal(at_least=times) for name in peers},
+    )
 
 
 if __name__ == "__main__":

@@ -18,20 +18,25 @@ GOALS = {"OMPL": Goal(at_least=7), PYTHON_MOTION_PLANNING: Goal(at_least=60)}
 
 
 def in_town(seed: int) -> Case:
-    """Blocks of 8 to 40 cells on a side, and a wall three cells thick round the goal. The obstacles: true where a cell is free."""
+    """Blocks of 8 to 40 cells on a side, and a wall three cells thick round the goal. The
+    obstacles: true where a cell is free.
+    """
     rng = np.random.default_rng(seed)
     free = np.ones((SIZE, SIZE), bool)
     for row, column, height, width in rng.integers((0, 0, 8, 8), (SIZE, SIZE, 40, 40), (BLOCKS, 4)):
         free[row : row + height, column : column + width] = False
     free[:8, :8], free[GOAL - 3 :, GOAL - 3 :] = True, False
     free[GOAL, GOAL] = True
-    problem = ke.Problem(ke.Point(), ke.Terrain(free), (START + 0.5, START + 0.5), (GOAL + 0.5, GOAL + 0.5))
+    problem = ke.Problem(
+        ke.Point(), ke.Terrain(free), (START + 0.5, START + 0.5), (GOAL + 0.5, GOAL + 0.5)
+    )
     return Case(problem, seed, free)
 
 
 def python_motion_planning() -> Contestant:
-    """Its RRT with neighbours by Faiss, and its test of the cells on a line by numba, its defaults. It counts iterations and
-    gets as many as kinoedu made. Its cells have whole numbers at their centres.
+    """Its RRT with neighbours by Faiss, and its test of the cells on a line by numba, its defaults.
+    It counts iterations and gets as many as kinoedu made. Its cells have whole numbers at their
+    centres.
     """
     from python_motion_planning.common import Grid
     from python_motion_planning.path_planner import RRT
@@ -40,7 +45,11 @@ def python_motion_planning() -> Contestant:
         plan = ke.rrt(case.problem, step=STEP, goal_bias=BIAS, max_nodes=NODES, rng=case.seed)
         taken = np.ascontiguousarray(~case.obstacles.T, dtype=np.int8)
         grid = Grid(bounds=[[0, SIZE], [0, SIZE]], type_map=taken)
-        limits = {"max_dist": STEP, "goal_sample_rate": BIAS, "max_sample_step": plan.stats["iterations"]}
+        limits = {
+            "max_dist": STEP,
+            "goal_sample_rate": BIAS,
+            "max_sample_step": plan.stats["iterations"],
+        }
         planner = RRT(map_=grid, start=(START, START), goal=(GOAL, GOAL), **limits)
         random.seed(case.seed)
         return planner.plan
@@ -49,7 +58,9 @@ def python_motion_planning() -> Contestant:
 
 
 def judge(case: Case, answers: dict[str, Any]) -> None:
-    """Ours is full; every motion of OMPL's is free; the other's nodes are in free cells, and about as many."""
+    """Ours is full; every motion of OMPL's is free; the other's nodes are in free cells, and about
+    as many.
+    """
     assert len(answers["kinoedu"].nodes) == NODES
     if "OMPL" in answers:
         judge_ompl(case, *answers["OMPL"])
@@ -62,7 +73,9 @@ def judge(case: Case, answers: dict[str, Any]) -> None:
 def main(repeats: int = 5) -> None:
     """Three bitmaps, each planned on five times."""
     theirs = {"OMPL": lambda: ompl(in_town), PYTHON_MOTION_PLANNING: python_motion_planning}
-    seconds = measure(available({"kinoedu": kinoedu, **theirs}), map(in_town, range(3)), judge, repeats=repeats)
+    seconds = measure(
+        available({"kinoedu": kinoedu, **theirs}), map(in_town, range(3)), judge, repeats=repeats
+    )
     report(f"RRT, {NODES:,} nodes on {SIZE} x {SIZE} cells", seconds, GOALS)
 
 

@@ -1,4 +1,6 @@
-"""How lively a board is: new plans and paints a second while a thing is dragged, in a real JupyterLab in headless Chromium."""
+"""How lively a board is: new plans and paints a second while a thing is dragged, in a real
+JupyterLab in headless Chromium.
+"""
 
 import sys
 import tempfile
@@ -65,18 +67,26 @@ DRAGGED = {  # on the first board of each notebook: what, and the thing
     BUG: (("goal of a bug", "handle-1"), ("obstacle of a bug", "polygon-0")),
     SWEEP: (("sweep line", "handle-0"), ("obstacle under the sweep", "polygon-2")),
     SEARCH: (("goal of a search", "handle-1"), ("node of a search", "handle-9")),
-    ROADMAP: (("goal of a roadmap, 1,000 nodes", "handle-1"), ("obstacle in a roadmap", "polygon-2")),
+    ROADMAP: (
+        ("goal of a roadmap, 1,000 nodes", "handle-1"),
+        ("obstacle in a roadmap", "polygon-2"),
+    ),
     PROPERTIES: (("obstacle in a roadmap measured", "polygon-2"),),
     RACE: (("goal of a race, 1,000 nodes", "handle-1"), ("obstacle in a race", "polygon-2")),
     REWIRING: (("goal of RRT*, 1,000 nodes", "handle-1"), ("obstacle in RRT*", "polygon-2")),
     EXPLORING: (("goal of an explorer", "handle-1"), ("obstacle of an explorer", "polygon-2")),
-    CAR: (("goal of a car, kinodynamic RRT", "handle-2"), ("its heading", "handle-3"), ("wall in a car's way", "polygon-0")),
+    CAR: (
+        ("goal of a car, kinodynamic RRT", "handle-2"),
+        ("its heading", "handle-3"),
+        ("wall in a car's way", "polygon-0"),
+    ),
 }
 LISTEN = """board => { window.events = []; window.held = board; if (board.heard) return; board.heard = true;
     for (const what of ['asked', 'answered', 'painted'])
         board.addEventListener('kinoedu-' + what,
             e => { if (held === board) events.push([what, e.detail, performance.now()]); }); }"""
-# The real mouse holds the thing; its moves are made in the page, a hundred a second, as Playwright's own wait for each other.
+# The real mouse holds the thing; its moves are made in the page, a hundred a second, as
+# Playwright's own wait for each other.
 DRAG = """([board, x, y, seconds]) => new Promise(done => {
     const canvas = board.querySelector('canvas'), began = performance.now(); let moves = 0;
     const timer = setInterval(() => {
@@ -89,7 +99,9 @@ GOALS = {"plans": 30.0, "paints": 50.0}
 
 
 def drag(page: Any, name: str, seconds: float, number: int = 0) -> dict[str, float]:
-    """Drag a thing of one of a page's boards round in circles; what was seen meanwhile, and for how long."""
+    """Drag a thing of one of a page's boards round in circles; what was seen meanwhile, and for how
+    long.
+    """
     board = page.locator(".kinoedu-board").nth(number)
     board.scroll_into_view_if_needed()
     page.wait_for_timeout(500)
@@ -105,11 +117,18 @@ def drag(page: Any, name: str, seconds: float, number: int = 0) -> dict[str, flo
     events = page.evaluate("events.slice()")
     page.mouse.up()
     page.wait_for_timeout(500)
-    return {"spent": spent, "moves": moves, **seen(events, spent), "stale": float(board.get_attribute("data-stale"))}
+    return {
+        "spent": spent,
+        "moves": moves,
+        **seen(events, spent),
+        "stale": float(board.get_attribute("data-stale")),
+    }
 
 
 def warm(page: Any, name: str, seconds: float = 120.0) -> None:
-    """Drag until it is answered, or for so long: what was not compiled yet is compiled meanwhile."""
+    """Drag until it is answered, or for so long: what was not compiled yet is compiled
+    meanwhile.
+    """
     until = time.perf_counter() + seconds
     while time.perf_counter() < until:
         with suppress(Unanswered):
@@ -122,7 +141,9 @@ class Unanswered(RuntimeError):
 
 
 def seen(events: list[Any], spent: float) -> dict[str, float]:
-    """Rates a second, the delay of an answer in ms, and how often an older answer was painted after a newer one."""
+    """Rates a second, the delay of an answer in ms, and how often an older answer was painted after
+    a newer one.
+    """
     asked = {seq: when for what, seq, when in events if what == "asked"}
     answered = [(seq, when) for what, seq, when in events if what == "answered" and seq in asked]
     painted = [seq for what, seq, _ in events if what == "painted"]
@@ -142,8 +163,14 @@ def seen(events: list[Any], spent: float) -> dict[str, float]:
 def told(what: str, rounds: list[dict[str, float]]) -> None:
     """Print the medians of some rounds as a row."""
     mean = {key: float(np.median([r[key] for r in rounds])) for key in rounds[0]}
-    verdict = "holds" if all(mean[key] >= least for key, least in GOALS.items()) and not mean["backward"] else "MISSED"
-    cells = [f"{mean[key]:.3g}" for key in ("moves", "plans", "paints", "delay", "late", "backward")]
+    verdict = (
+        "holds"
+        if all(mean[key] >= least for key, least in GOALS.items()) and not mean["backward"]
+        else "MISSED"
+    )
+    cells = [
+        f"{mean[key]:.3g}" for key in ("moves", "plans", "paints", "delay", "late", "backward")
+    ]
     print(f"| {what} | {' | '.join(cells)} | {verdict} |", flush=True)
 
 
@@ -151,7 +178,10 @@ def main(seconds: float = 4.0, repeats: int = 3) -> None:
     """Drag on every board and print a table; `seconds` is how long each is dragged."""
     if CHROMIUM is None:
         raise Missing("Chromium")
-    print("| what is dragged | moves/s | plans/s | paints/s | delay ms, median | 95 % | out of order | |")
+    print(
+        "| what is dragged | moves/s | plans/s | paints/s | delay ms, median | 95 % | out of "
+        "order | |"
+    )
     print("|---|---:|---:|---:|---:|---:|---:|---|")
     with tempfile.TemporaryDirectory() as home, tempfile.TemporaryDirectory() as course:
         for number, code in enumerate(DRAGGED):

@@ -1,4 +1,6 @@
-"""Other libraries' trees for a car. OMPL asks Python to drive and to judge a pose: both are compiled for one car in one world."""
+"""Other libraries' trees for a car. OMPL asks Python to drive and to judge a pose: both are
+compiled for one car in one world.
+"""
 
 from collections.abc import Callable
 from typing import Any
@@ -11,8 +13,8 @@ from kinoedu.problems import ProblemRecord
 
 
 class Setup:
-    """A car's problem as OMPL's objects. Controls are a sign of the speed and a steering angle, held for so many steps of a time;
-    its bindings cannot try more than one in an iteration."""
+    """A car's problem as OMPL's objects. Controls are a sign of the speed and a steering angle,
+    held for so many steps of a time; its bindings cannot try more than one in an iteration."""
 
     def __init__(self, problem: ProblemRecord, seconds: float, steps: int) -> None:
         from ompl import base, control, util
@@ -28,7 +30,9 @@ class Setup:
         step, free = compiled_for(problem)
 
         def propagate(state: Any, given: Any, seconds: float, result: Any) -> None:
-            x, y, theta = step(state.getX(), state.getY(), state.getYaw(), given[0], given[1], seconds)
+            x, y, theta = step(
+                state.getX(), state.getY(), state.getYaw(), given[0], given[1], seconds
+            )
             result.setXY(x, y)
             result.setYaw(theta)
 
@@ -38,7 +42,9 @@ class Setup:
         self.information.setMinMaxControlDuration(1, steps)
         self.information.setup()
         self.definition = base.ProblemDefinition(self.information)
-        self.definition.setStartAndGoalStates(self.state(problem.start), self.state(problem.goal), 1e-12)
+        self.definition.setStartAndGoalStates(
+            self.state(problem.start), self.state(problem.goal), 1e-12
+        )
         self.planner = control.RRT(self.information)
         self.planner.setGoalBias(0.25)
         self.planner.setProblemDefinition(self.definition)
@@ -84,7 +90,9 @@ def bounds(base: Any, low: Any, high: Any) -> Any:
 
 
 def compiled_for(problem: ProblemRecord) -> tuple[Callable[..., Any], Callable[..., bool]]:
-    """Where a drive leads, and whether a pose is free, compiled for one car in one world, whose arrays become constants."""
+    """Where a drive leads, and whether a pose is free, compiled for one car in one world, whose
+    arrays become constants.
+    """
     import numba
 
     robot, world, wheelbase = problem.robot, problem.world, problem.robot.wheelbase
@@ -102,8 +110,12 @@ def compiled_for(problem: ProblemRecord) -> tuple[Callable[..., Any], Callable[.
     return step, free
 
 
-def toolbox_planner(problem: ProblemRecord, solid: list[Any], seed: int, nodes: int) -> Callable[[], Any]:
-    """The Robotics Toolbox's tree, from the goal, among what is solid, all a tenth as large; it returns the planner."""
+def toolbox_planner(
+    problem: ProblemRecord, solid: list[Any], seed: int, nodes: int
+) -> Callable[[], Any]:
+    """The Robotics Toolbox's tree, from the goal, among what is solid, all a tenth as large; it
+    returns the planner.
+    """
     from roboticstoolbox import Bicycle, PolygonMap, RRTPlanner
     from spatialmath import Polygon2
 
@@ -111,9 +123,13 @@ def toolbox_planner(problem: ProblemRecord, solid: list[Any], seed: int, nodes: 
     place = PolygonMap(workspace=[lo[0], hi[0], lo[1], hi[1]])
     for outline in solid:
         place.add([(x / 10.0, y / 10.0) for x, y in outline])
-    vehicle = Bicycle(steer_max=car.max_steering, L=car.wheelbase / 10.0, polygon=Polygon2(car.outline.T / 10.0))
+    vehicle = Bicycle(
+        steer_max=car.max_steering, L=car.wheelbase / 10.0, polygon=Polygon2(car.outline.T / 10.0)
+    )
     root = [*(problem.goal[:2] / 10.0), problem.goal[2]]
-    planner = RRTPlanner(map=place, vehicle=vehicle, curvature=10.0 / car.radius, npoints=nodes - 1, seed=seed)
+    planner = RRTPlanner(
+        map=place, vehicle=vehicle, curvature=10.0 / car.radius, npoints=nodes - 1, seed=seed
+    )
 
     def run() -> Any:
         planner.plan(goal=root, showsamples=False, showvalid=False, animate=False)

@@ -1,6 +1,8 @@
-"""10,000 random drives of cars among polygons, discs and walls a hair thin: judged whole, and at each of 150 steps.
+"""10,000 random drives of cars among polygons, discs and walls a hair thin: judged whole, and at
+each of 150 steps.
 
-`certify.py` tells which of them are free. A drive judged whole must never be called free where it is not.
+`certify.py` tells which of them are free. A drive judged whole must never be called free where it
+is not.
 """
 
 from collections.abc import Callable
@@ -21,7 +23,9 @@ DRIVES, EACH, STEPS = 10_000, 100, 150
 
 
 class Case(NamedTuple):
-    """A car in a world, and drives: where each begins, (n, 3), how far it goes, signed, and how it is steered, (n,)."""
+    """A car in a world, and drives: where each begins, (n, 3), how far it goes, signed, and how it
+    is steered, (n,).
+    """
 
     car: CarRobot
     world: Any
@@ -33,13 +37,19 @@ class Case(NamedTuple):
 def case_of(seed: int) -> Case:
     """Drives up to five turning radii long, each from a pose that is free."""
     rng = np.random.default_rng([seed, 13])
-    car, world, poses = robot_at_random("car", rng), world_at_random(("polygons", "discs too")[seed % 2], rng), []
+    car, world, poses = (
+        robot_at_random("car", rng),
+        world_at_random(("polygons", "discs too")[seed % 2], rng),
+        [],
+    )
     while len(poses) < EACH:
         pose = rng.uniform((0, 0, -np.pi), (10, 10, np.pi))
         if is_free(car, world, pose, 0.0):
             poses.append(pose)
     lengths = rng.uniform(-5.0, 5.0, EACH) * car.radius
-    return Case(car, world, np.array(poses), lengths, rng.uniform(-1.0, 1.0, EACH) * car.max_steering)
+    return Case(
+        car, world, np.array(poses), lengths, rng.uniform(-1.0, 1.0, EACH) * car.max_steering
+    )
 
 
 @numba.njit
@@ -57,7 +67,9 @@ def judged_in_steps(car, world, poses, lengths, curvatures):  # type: ignore[no-
     free = np.ones(len(poses), np.bool_)
     for i in range(len(poses)):
         for k in range(STEPS + 1):
-            x, y, theta = driven(poses[i, 0], poses[i, 1], poses[i, 2], lengths[i] * k / STEPS, curvatures[i])
+            x, y, theta = driven(
+                poses[i, 0], poses[i, 1], poses[i, 2], lengths[i] * k / STEPS, curvatures[i]
+            )
             if not is_free(car, world, np.array([x, y, theta]), 0.0):
                 free[i] = False
                 break
@@ -87,9 +99,14 @@ class Verdicts:
             return
         scenery = scenery_of(case.world)
         told = zip(case.poses, case.lengths, case.steering)
-        truth = np.array([is_free_motion(case.car, scenery, arc(case.car, *drive)) for drive in told])
+        truth = np.array(
+            [is_free_motion(case.car, scenery, arc(case.car, *drive)) for drive in told]
+        )
         self.free += truth.sum()
-        self.wrong[key] = {name: np.array([(free & ~truth).sum(), (~free & truth).sum()]) for name, free in answers.items()}
+        self.wrong[key] = {
+            name: np.array([(free & ~truth).sum(), (~free & truth).sum()])
+            for name, free in answers.items()
+        }
 
     def print(self) -> None:
         """A row for each."""
@@ -104,7 +121,12 @@ def main(drives: int = DRIVES) -> None:
     """Both ways, drive by drive."""
     cases, verdicts = range(drives // EACH), Verdicts()
     ways = {"whole": contestant(judged_whole), f"in {STEPS} steps": contestant(judged_in_steps)}
-    report(f"{EACH} drives of a car", measure(ways, map(case_of, cases), verdicts, repeats=1), {}, ours="whole")
+    report(
+        f"{EACH} drives of a car",
+        measure(ways, map(case_of, cases), verdicts, repeats=1),
+        {},
+        ours="whole",
+    )
     verdicts.print()
     raise SystemExit(any(wrong["whole"][0] for wrong in verdicts.wrong.values()))
 

@@ -1,6 +1,8 @@
-"""How many submissions of the geometry assignment are graded a second, where the time goes, and what nbgrader takes beside it.
+"""How many submissions of the geometry assignment are graded a second, where the time goes, and
+what nbgrader takes beside it.
 
-Seconds of the processor, since they tell more than the clock on a machine with other work; and the clock's.
+Seconds of the processor, since they tell more than the clock on a machine with other work; and the
+clock's.
 
     python benchmarks/grading.py [SUBMISSIONS]
 """
@@ -25,11 +27,15 @@ NAME = "01_geometry"
 
 
 def processor() -> float:
-    """Seconds of the processor that this process has used, and what it started, also what has ended in a sandbox."""
+    """Seconds of the processor that this process has used, and what it started, also what has ended
+    in a sandbox.
+    """
     total = time.process_time()
     for process in below(os.getpid()):
         try:
-            numbers = Path(f"/proc/{process}/stat").read_text(encoding="utf-8").rpartition(")")[2].split()
+            numbers = (
+                Path(f"/proc/{process}/stat").read_text(encoding="utf-8").rpartition(")")[2].split()
+            )
         except OSError:
             continue
         total += sum(map(int, numbers[11:15])) / os.sysconf("SC_CLK_TCK")
@@ -37,7 +43,9 @@ def processor() -> float:
 
 
 def timed(work: Callable[[], Any], times: int) -> tuple[float, float]:
-    """Seconds of the processor and of the clock for one run of the work, which has been run once before."""
+    """Seconds of the processor and of the clock for one run of the work, which has been run once
+    before.
+    """
     work()
     begun, clock = processor(), time.perf_counter()
     for _ in range(times):
@@ -46,9 +54,13 @@ def timed(work: Callable[[], Any], times: int) -> tuple[float, float]:
 
 
 def one_by_one(times: int) -> dict[str, tuple[float, float]]:
-    """One submission: a right one, an empty one, and a request in which nothing is run, which is what the sandbox costs."""
+    """One submission: a right one, an empty one, and a request in which nothing is run, which is
+    what the sandbox costs.
+    """
     box, task = Sandbox(), assignment(NAME)
-    right, empty = ((HOUSE / room / f"{NAME}.ipynb").read_bytes() for room in ("solutions", "exercises"))
+    right, empty = (
+        (HOUSE / room / f"{NAME}.ipynb").read_bytes() for room in ("solutions", "exercises")
+    )
     limits = {"memory": 2**30, "cpu": 10, "files": 2**20}
     nothing = [{"cells": [], "questions": [], "withheld": [], "lent": [], "limits": limits}]
     found = {
@@ -84,7 +96,9 @@ def nbgrader(times: int, folder: Path) -> tuple[float, float]:
     before, clock = os.times(), time.perf_counter()
     subprocess.run([*command, "autograde", NAME], **options)  # type: ignore[call-overload]
     after = os.times()
-    used = after.children_user + after.children_system - before.children_user - before.children_system
+    used = (
+        after.children_user + after.children_system - before.children_user - before.children_system
+    )
     return used / times, (time.perf_counter() - clock) / times
 
 
@@ -102,9 +116,13 @@ def main() -> None:
             print(f"skipped: nbgrader ({str(getattr(error, 'stderr', error))[-300:]})")
     for what, (used, took) in rows.items():
         print(
-            f"{what:24s} {used * 1e3:8.1f} ms of the processor {took * 1e3:8.1f} ms by the clock {1 / used:7.1f} a second and core"
+            f"{what:24s} {used * 1e3:8.1f} ms of the processor {took * 1e3:8.1f} ms by the clock "
+            f"{1 / used:7.1f} a second and core"
         )
-    print(f"a class of {size}, half of them empty: {', '.join(f'{took:.1f} s on {n}' for n, took in clock.items())} workers")
+    print(
+        f"a class of {size}, half of them empty: "
+        f"{', '.join(f'{took:.1f} s on {n}' for n, took in clock.items())} workers"
+    )
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
-"""A class is graded while its workers are killed again and again, and the grader itself: is every submission graded once, and as if
-nothing had happened?
+"""A class is graded while its workers are killed again and again, and the grader itself: is every
+submission graded once, and as if nothing had happened?
 
     python benchmarks/grading_soak.py [SUBMISSIONS] [WORKERS]
 """
@@ -29,18 +29,32 @@ if __name__ == "__main__":
 """
 
 
-def class_of(size: int, folder: Path, attackers: float = ATTACKERS, attacks: list[str] | None = None) -> None:
-    """Write submissions: the solution or the empty exercise, a little different each, and attacks among them."""
+def class_of(
+    size: int, folder: Path, attackers: float = ATTACKERS, attacks: list[str] | None = None
+) -> None:
+    """Write submissions: the solution or the empty exercise, a little different each, and attacks
+    among them.
+    """
     rng = random.Random(size)
-    books = [json.loads((HOUSE / room / "01_geometry.ipynb").read_text(encoding="utf-8")) for room in ("solutions", "exercises")]
-    files = [file for file in sorted((HOUSE / "tests" / "attacks").glob("*.cells")) if attacks is None or file.stem in attacks]
+    books = [
+        json.loads((HOUSE / room / "01_geometry.ipynb").read_text(encoding="utf-8"))
+        for room in ("solutions", "exercises")
+    ]
+    files = [
+        file
+        for file in sorted((HOUSE / "tests" / "attacks").glob("*.cells"))
+        if attacks is None or file.stem in attacks
+    ]
     for number in range(size):
         book = dict(rng.choice(books))
         if number < attackers * size:
             text = rng.choice(files).read_text(encoding="utf-8")
             first = "HARM = []\ndef fails(words, action): pass\n"
             sources = [first, *text.split("# %%\n")]
-            book["cells"] = [{"cell_type": "code", "metadata": {}, "outputs": [], "source": source} for source in sources]
+            book["cells"] = [
+                {"cell_type": "code", "metadata": {}, "outputs": [], "source": source}
+                for source in sources
+            ]
         book["metadata"] = {**book["metadata"], "student": number}
         place = folder / f"student{number:03d}" / "01_geometry.ipynb"
         place.parent.mkdir(parents=True)
@@ -51,7 +65,9 @@ def grader(submissions: Path, out: Path, place: str) -> "subprocess.Popen[bytes]
     """Start to grade a class."""
     program = out.parent / "grade.py"  # a file, since workers that are started anew read it again
     program.write_text(GRADER, encoding="utf-8")
-    return subprocess.Popen([sys.executable, str(program), str(submissions), str(out), place, SECRET.hex()])
+    return subprocess.Popen(
+        [sys.executable, str(program), str(submissions), str(out), place, SECRET.hex()]
+    )
 
 
 def results(out: Path) -> dict[str, bytes]:
@@ -84,8 +100,12 @@ def workers(parent: int) -> list[int]:
     return found
 
 
-def soaked(submissions: Path, out: Path, place: str, *, every: int, grader_dies_at: int) -> tuple[int, int]:
-    """Grade a class; after every so many results a worker is killed, once the grader. How many were, and the last status."""
+def soaked(
+    submissions: Path, out: Path, place: str, *, every: int, grader_dies_at: int
+) -> tuple[int, int]:
+    """Grade a class; after every so many results a worker is killed, once the grader. How many
+    were, and the last status.
+    """
     rng = random.Random(every)
     killed, last, died = 0, 0, False
     one = grader(submissions, out, place)
@@ -122,10 +142,19 @@ def main() -> None:
         begin = time.monotonic()
         grader(home / "class", home / "calm", place).wait()
         calm = time.monotonic() - begin
-        killed, status = soaked(home / "class", home / "soaked", place, every=max(4, size // 60), grader_dies_at=size // 2)
+        killed, status = soaked(
+            home / "class",
+            home / "soaked",
+            place,
+            every=max(4, size // 60),
+            grader_dies_at=size // 2,
+        )
         ours, theirs = results(home / "calm"), results(home / "soaked")
     same = sum(ours.get(name) == data for name, data in theirs.items())
-    print(f"{size} submissions, {calm:.0f} s undisturbed; {killed} workers and the grader killed, status {status}")
+    print(
+        f"{size} submissions, {calm:.0f} s undisturbed; {killed} workers and the grader killed, "
+        f"status {status}"
+    )
     print(f"graded {len(theirs)} of {len(ours)}, {same} of them to the same byte")
 
 

@@ -1,4 +1,6 @@
-"""A* on random bitmaps of 1,000 x 1,000 cells, from the bitmap to the path between opposite corners."""
+"""A* on random bitmaps of 1,000 x 1,000 cells, from the bitmap to the path between opposite
+corners.
+"""
 
 from collections.abc import Callable
 from typing import Any, NamedTuple
@@ -77,7 +79,9 @@ def shifted(rows: int, columns: int) -> tuple[tuple[slice, slice], tuple[slice, 
 
 
 def pathplanning() -> Contestant:
-    """Its own grid and A*, native from the bitmap on. It also moves diagonally between blocked cells: its path may be shorter."""
+    """Its own grid and A*, native from the bitmap on. It also moves diagonally between blocked
+    cells: its path may be shorter.
+    """
     from pathplanning.core.contracts import DiscreteProblem
     from pathplanning.planners.search.astar import plan_astar
     from pathplanning.spaces import Grid2DSearchSpace
@@ -95,7 +99,9 @@ def pathplanning() -> Contestant:
 
 
 def judge(case: Case, answers: dict[str, Any]) -> None:
-    """kinoedu's path costs what scipy's does; pathplanning's keeps to free cells and costs no more."""
+    """kinoedu's path costs what scipy's does; pathplanning's keeps to free cells and costs no
+    more.
+    """
     cost = answers["kinoedu"].cost
     if "scipy" in answers:
         distance, path = answers["scipy"]
@@ -111,7 +117,9 @@ def main(repeats: int = 3) -> None:
     """Three densities, two bitmaps of each."""
     for blocked in (0.1, 0.25, 0.35):
         contestants = available({"kinoedu": kinoedu, "scipy": scipy, "pathplanning": pathplanning})
-        seconds = measure(contestants, [Case(bitmap(seed, blocked)) for seed in range(2)], judge, repeats=repeats)
+        seconds = measure(
+            contestants, [Case(bitmap(seed, blocked)) for seed in range(2)], judge, repeats=repeats
+        )
         report(f"A* on 1,000 x 1,000 cells, {blocked:.0%} blocked", seconds, GOALS)
 
 

@@ -1,4 +1,6 @@
-"""Problems of any size whose times are to grow: each is made for an n, worked, and its answer judged."""
+"""Problems of any size whose times are to grow: each is made for an n, worked, and its answer
+judged.
+"""
 
 import atexit
 import time
@@ -26,7 +28,9 @@ K, STEP, PAIRS, PROVED = 10, 5.0, 3000, 2**18
 
 
 class Asked(NamedTuple):
-    """A problem: its true size, the work that is timed, and the judge of its answer, which is not."""
+    """A problem: its true size, the work that is timed, and the judge of its answer, which is
+    not.
+    """
 
     n: int
     work: Callable[[], Any]
@@ -34,7 +38,9 @@ class Asked(NamedTuple):
 
 
 class Growth(NamedTuple):
-    """What n counts and begins with, the exponent that is expected, the problem for an n, and what tells the processor's time."""
+    """What n counts and begins with, the exponent that is expected, the problem for an n, and what
+    tells the processor's time.
+    """
 
     unit: str
     first: int
@@ -77,21 +83,33 @@ def prm(n: int) -> Asked:
     def judge(plan: Any) -> None:
         nodes, edges = plan.roadmap.nodes, plan.roadmap.edges
         assert len(nodes) == n + 2 and plan.path is not None
-        assert free_motions(problem.robot, problem.world, nodes[edges[:, 0]], nodes[edges[:, 1]]).all()
+        assert free_motions(
+            problem.robot, problem.world, nodes[edges[:, 0]], nodes[edges[:, 1]]
+        ).all()
 
     return Asked(n, lambda: ke.prm(problem, n=n, k=K, rng=0), judge)
 
 
 def visibility(n: int) -> Asked:
-    """All pairs of corners in sight; shapely says of some pairs whether an obstacle's inside is between them."""
+    """All pairs of corners in sight; shapely says of some pairs whether an obstacle's inside is
+    between them.
+    """
     polygons, _ = stars(n // 6, 0)
-    world, solid = ke.PolygonWorld(SQUARE, polygons), shapely.MultiPolygon([shapely.Polygon(polygon) for polygon in polygons])
+    world, solid = (
+        ke.PolygonWorld(SQUARE, polygons),
+        shapely.MultiPolygon([shapely.Polygon(polygon) for polygon in polygons]),
+    )
     shapely.prepare(solid)
 
     def judge(roadmap: Any) -> None:
         nodes, rng = roadmap.nodes, np.random.default_rng(0)
         joined = set(map(tuple, np.sort(roadmap.edges, axis=1).tolist()))
-        pairs = np.sort(np.vstack([rng.integers(0, len(nodes), (PAIRS, 2)), rng.permutation(roadmap.edges)[:PAIRS]]), axis=1)
+        pairs = np.sort(
+            np.vstack(
+                [rng.integers(0, len(nodes), (PAIRS, 2)), rng.permutation(roadmap.edges)[:PAIRS]]
+            ),
+            axis=1,
+        )
         pairs = pairs[pairs[:, 0] != pairs[:, 1]]
         hidden = shapely.relate_pattern(shapely.linestrings(nodes[pairs]), solid, "T********")
         assert np.array_equal([tuple(pair) in joined for pair in pairs.tolist()], ~hidden)
@@ -112,7 +130,9 @@ def trapezoids(n: int) -> Asked:
 
 
 def astar(n: int) -> Asked:
-    """A path over a bitmap, of free cells one move apart; scipy's shortest is as long, where it need not be waited for too long."""
+    """A path over a bitmap, of free cells one move apart; scipy's shortest is as long, where it
+    need not be waited for too long.
+    """
     side = round(n**0.5)
     free = bitmap(0, 0.25, side)
     problem = ke.Problem(ke.Point(), ke.Terrain(free), (0.5, 0.5), (side - 0.5, side - 0.5))
@@ -120,7 +140,9 @@ def astar(n: int) -> Asked:
     def judge(plan: Any) -> None:
         cells = np.floor(plan.path).astype(int)
         moves = np.abs(np.diff(plan.path, axis=0))
-        assert free[cells[:, 1], cells[:, 0]].all() and np.isclose(np.linalg.norm(moves, axis=1).sum(), plan.cost, rtol=1e-12)
+        assert free[cells[:, 1], cells[:, 0]].all() and np.isclose(
+            np.linalg.norm(moves, axis=1).sum(), plan.cost, rtol=1e-12
+        )
         assert free_motions(problem.robot, problem.world, plan.path[:-1], plan.path[1:]).all()
         if n <= PROVED:
             assert np.isclose(dijkstra(graph_of(free), indices=0)[-1], plan.cost, rtol=1e-12)
@@ -129,7 +151,9 @@ def astar(n: int) -> Asked:
 
 
 def grading(n: int) -> Asked:
-    """Submissions, right and empty by turns, one after another in one sandbox: full marks and none."""
+    """Submissions, right and empty by turns, one after another in one sandbox: full marks and
+    none.
+    """
     if reason := why_not():
         raise Missing(reason)
     task, box = assignment(NAME), sandbox()
@@ -138,7 +162,9 @@ def grading(n: int) -> Asked:
     def judge(grades: Any) -> None:
         for i, one in enumerate(grades):
             asked = one["questions"]
-            assert sum(q["score"] for q in asked) == (0 if i % 2 else sum(q["max_score"] for q in asked))
+            assert sum(q["score"] for q in asked) == (
+                0 if i % 2 else sum(q["max_score"] for q in asked)
+            )
 
     return Asked(n, lambda: [grade(books[i % 2], task, SECRET, box) for i in range(n)], judge)
 

@@ -1,4 +1,5 @@
-"""How time and memory grow with n, doubled up to a few seconds: neighbours, trees, roadmaps, cells, searches, grading.
+"""How time and memory grow with n, doubled up to a few seconds: neighbours, trees, roadmaps, cells,
+searches, grading.
 
 Seconds of the processor, since they tell more than the clock on a machine with other work.
 """
@@ -26,11 +27,16 @@ NOTE = """\
 {repeats} rounds; the exponent is the slope of the last {last} sizes on logarithmic axes, the median over the rounds. Times are the
 processor's. Memory is the peak resident set of a process of its own while it works, over what it held before: the problem itself
 is not in it, nor is the sandbox of what is graded."""
-ALONE = "import sys; sys.path.insert(0, sys.argv[1]); import growth; print(growth.memory_of(sys.argv[2], int(sys.argv[3])))"
+ALONE = (
+    "import sys; sys.path.insert(0, sys.argv[1]); import growth; "
+    "print(growth.memory_of(sys.argv[2], int(sys.argv[3])))"
+)
 
 
 def doubled(name: str, limit: float) -> list[Asked]:
-    """Problems of doubled size, up to the first that takes half the limit; each is solved and its answer judged."""
+    """Problems of doubled size, up to the first that takes half the limit; each is solved and its
+    answer judged.
+    """
     growth, found, took = GROWTHS[name], [], 0.0
     growth.ask(growth.first).work()  # compiles
     while took < limit / 2 or len(found) < LAST:
@@ -46,7 +52,9 @@ def timed(name: str, limit: float, repeats: int) -> Curve:
     problems = doubled(name, limit)
     rounds = [[once(asked, GROWTHS[name].clock)[0] for asked in problems] for _ in range(repeats)]
     n, seconds = np.array([asked.n for asked in problems], float), np.array(rounds).T
-    return Curve(name, GROWTHS[name].unit, n, seconds, float(np.median(exponents(n, seconds))), LAST)
+    return Curve(
+        name, GROWTHS[name].unit, n, seconds, float(np.median(exponents(n, seconds))), LAST
+    )
 
 
 def once(asked: Asked, clock: Callable[[], float], *, runs: int = 5) -> tuple[float, Any]:
@@ -60,7 +68,8 @@ def exponents(n: np.ndarray, seconds: np.ndarray) -> np.ndarray:
 
 
 def memory_of(name: str, n: int) -> int:
-    """The most bytes that this process holds while it works, over what it held before: the problem and code compiled are not in it.
+    """The most bytes that this process holds while it works, over what it held before: the problem
+    and code compiled are not in it.
 
     Raises Missing where the system does not tell.
     """
@@ -78,13 +87,19 @@ def memory_of(name: str, n: int) -> int:
 
 def kilobytes(status: Path, key: str) -> int:
     """A number of /proc/self/status."""
-    return next(int(line.split()[1]) for line in status.read_text().splitlines() if line.startswith(key))
+    return next(
+        int(line.split()[1]) for line in status.read_text().splitlines() if line.startswith(key)
+    )
 
 
 def memory_alone(curve: Curve, asked: int) -> str:
-    """The memory of the largest n in a process of its own, in MB; nothing where it cannot be told."""
+    """The memory of the largest n in a process of its own, in MB; nothing where it cannot be
+    told.
+    """
     command = [sys.executable, "-c", ALONE, str(HERE), curve.name, str(asked)]
-    ran = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False)
+    ran = subprocess.run(
+        command, stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False
+    )
     return f"{int(ran.stdout) / 1e6:.3g}" if ran.returncode == 0 else ""
 
 
@@ -92,8 +107,16 @@ def line_of(curve: Curve) -> str:
     """A line of the table."""
     growth, slopes, most = GROWTHS[curve.name], exponents(curve.n, curve.seconds), curve.seconds[-1]
     memory = memory_alone(curve, growth.first * 2 ** (len(curve.n) - 1))
-    cells = [curve.name, f"{slopes.min():.2f} to {slopes.max():.2f}", growth.expected, f"{curve.n[0]:,.0f} to {curve.n[-1]:,.0f}"]
-    return f"| {' | '.join([*cells, curve.unit, f'{1e3 * np.median(most):,.3g}', memory])} | **{curve.exponent:.2f}** |"
+    cells = [
+        curve.name,
+        f"{slopes.min():.2f} to {slopes.max():.2f}",
+        growth.expected,
+        f"{curve.n[0]:,.0f} to {curve.n[-1]:,.0f}",
+    ]
+    return (
+        f"| {' | '.join([*cells, curve.unit, f'{1e3 * np.median(most):,.3g}', memory])} | "
+        f"**{curve.exponent:.2f}** |"
+    )
 
 
 def write_csv(curves: list[Curve], file: Path) -> None:
@@ -103,7 +126,10 @@ def write_csv(curves: list[Curve], file: Path) -> None:
         lines.writerow(("growth", "unit", "n", "round", "processor_seconds"))
         for curve in curves:
             for n, times in zip(curve.n.astype(int).tolist(), curve.seconds):
-                lines.writerows((curve.name, curve.unit, n, number, f"{took:.6g}") for number, took in enumerate(times, start=1))
+                lines.writerows(
+                    (curve.name, curve.unit, n, number, f"{took:.6g}")
+                    for number, took in enumerate(times, start=1)
+                )
 
 
 def main(repeats: int = 5, limit: float = 2.0, only: str = "") -> None:
@@ -112,7 +138,10 @@ def main(repeats: int = 5, limit: float = 2.0, only: str = "") -> None:
         sys.exit(f"there is no growth {only!r}; there are {', '.join(GROWTHS)}")
     folder = Path(os.environ.get(RESULTS, HERE / "results"))
     folder.mkdir(parents=True, exist_ok=True)
-    print("| | exponents of the rounds | expected | n | counts | largest n, ms | its memory, MB | exponent |")
+    print(
+        "| | exponents of the rounds | expected | n | counts | largest n, ms | its memory, MB | "
+        "exponent |"
+    )
     print("|---|---:|---:|---:|---|---:|---:|---:|")
     curves, left_out = [], []
     for name in [only] if only else GROWTHS:

@@ -1,4 +1,6 @@
-"""A car's trees on a map of 300 x 300: of random drives for 1,000 iterations, no pose counting as the goal; of Dubins' curves."""
+"""A car's trees on a map of 300 x 300: of random drives for 1,000 iterations, no pose counting as
+the goal; of Dubins' curves.
+"""
 
 import ctypes
 from collections.abc import Callable
@@ -18,10 +20,20 @@ from kinoedu.problems import ProblemRecord
 SECONDS = 90
 ITERATIONS, TRIALS, SIDE = 1000, 20, 300.0
 INSIDE = [(10, 10), (290, 10), (290, 290), (10, 290)]  # the walls are 10 thick
-SOLID = [[(75, 75), (100, 75), (100, 100), (75, 100)], [(125, 175), (225, 175), (235, 165), (135, 165)]]
-GARAGE = [[(230, 230), (290, 230), (290, 232), (230, 232)], [(230, 230), (232, 230), (232, 290), (230, 290)]]  # round (250, 250)
+SOLID = [
+    [(75, 75), (100, 75), (100, 100), (75, 100)],
+    [(125, 175), (225, 175), (235, 165), (135, 165)],
+]
+GARAGE = [
+    [(230, 230), (290, 230), (290, 232), (230, 232)],
+    [(230, 230), (232, 230), (232, 290), (230, 290)],
+]  # round (250, 250)
 NODES, REACH = 100, 60.0  # of a tree of curves, and how long each may be
-GOALS = {"C ruler": Goal(at_most=1.3), "OMPL": Goal(at_least=250), "Robotics Toolbox": Goal(at_least=250)}
+GOALS = {
+    "C ruler": Goal(at_most=1.3),
+    "OMPL": Goal(at_least=250),
+    "Robotics Toolbox": Goal(at_least=250),
+}
 
 
 class Case(NamedTuple):
@@ -35,7 +47,13 @@ class CarInC(ctypes.Structure):
     """`Car` of kinodynamic_ruler.c."""
 
     _fields_ = (
-        *[("outline", DOUBLES), ("speeds", DOUBLES), ("gears", c_int64), ("wheelbase", c_double), ("steering", c_double)],
+        *[
+            ("outline", DOUBLES),
+            ("speeds", DOUBLES),
+            ("gears", c_int64),
+            ("wheelbase", c_double),
+            ("steering", c_double),
+        ],
         *[("weight", c_double), ("contact", c_double)],
     )
 
@@ -43,7 +61,12 @@ class CarInC(ctypes.Structure):
 class BiasInC(ctypes.Structure):
     """`Bias` of kinodynamic_ruler.c."""
 
-    _fields_ = (("goal_every", c_int64), ("region_every", c_int64), ("region", c_double), ("region_turn", c_double))
+    _fields_ = (
+        ("goal_every", c_int64),
+        ("region_every", c_int64),
+        ("region", c_double),
+        ("region_turn", c_double),
+    )
 
 
 class DrivesInC(ctypes.Structure):
@@ -76,7 +99,10 @@ def ruler() -> Contestant:
 
     def contestant(case: Case) -> Callable[[], Any]:
         asked = driven(case.problem, "the ruler", None)
-        bias, drives = bias_of(asked, 4, 7, None, np.radians(90.0)), drives_of(asked, TRIALS, None, None, 4)
+        bias, drives = (
+            bias_of(asked, 4, 7, None, np.radians(90.0)),
+            drives_of(asked, TRIALS, None, None, 4),
+        )
         robot, space, world = asked.robot, asked.space, world_of(asked)
         contact = contact_size(asked.world.lo, asked.world.hi)
         numbers = robot.wheelbase, robot.max_steering, space.weight[2], contact
@@ -89,7 +115,16 @@ def ruler() -> Contestant:
             arrays = [pointer(array) for array in (growth.controls, growth.durations)]
             ends = [pointer(q) for q in (space.lo, space.hi, asked.start, asked.goal)]
             how = byref(BiasInC(*bias)), byref(DrivesInC(*drives)), c_int64(ITERATIONS)
-            library.grow(byref(world), byref(in_c), *arrays, byref(car), *ends, *how, draws.state, draws.next_double)
+            library.grow(
+                byref(world),
+                byref(in_c),
+                *arrays,
+                byref(car),
+                *ends,
+                *how,
+                draws.state,
+                draws.next_double,
+            )
             return in_c.size, growth
 
         return run
@@ -117,8 +152,15 @@ def judge(case: Case, answers: dict[str, Any]) -> None:
     ours = answers["kinoedu"].tree
     size, growth = answers["C ruler"]
     assert size == len(ours.nodes), (size, len(ours.nodes))
-    same = (growth.tree.nodes, ours.nodes), (growth.tree.parent, ours.parent), (growth.controls, ours.controls)
-    assert all(np.array_equal(theirs[:size], kept) for theirs, kept in (*same, (growth.durations, ours.durations)))
+    same = (
+        (growth.tree.nodes, ours.nodes),
+        (growth.tree.parent, ours.parent),
+        (growth.controls, ours.controls),
+    )
+    assert all(
+        np.array_equal(theirs[:size], kept)
+        for theirs, kept in (*same, (growth.durations, ours.durations))
+    )
 
 
 def one_control() -> Contestant:
@@ -146,7 +188,9 @@ def dubins() -> Contestant:
 
 
 def robotics_toolbox() -> Contestant:
-    """Its RRT, which joins poses by Dubins' curves no longer than 6, on the same map a tenth as large; judged every 0.2."""
+    """Its RRT, which joins poses by Dubins' curves no longer than 6, on the same map a tenth as
+    large; judged every 0.2.
+    """
     from car_peers import toolbox_planner
 
     return lambda case: toolbox_planner(case.problem, [*SOLID, *GARAGE], case.seed, NODES)
@@ -159,16 +203,37 @@ def judge_curves(case: Case, answers: dict[str, Any]) -> None:
 
 def main(repeats: int = 5) -> None:
     """Three trees, each grown five times."""
-    race(f"{ITERATIONS:,} iterations of {TRIALS} controls", {"kinoedu": kinoedu, "C ruler": ruler}, judge, repeats)
-    race(f"{ITERATIONS:,} iterations of one control", {"kinoedu": one_control, "OMPL": ompl}, judge_ompl, repeats)
-    race(f"{NODES} nodes joined by curves", {"kinoedu": dubins, "Robotics Toolbox": robotics_toolbox}, judge_curves, repeats)
+    race(
+        f"{ITERATIONS:,} iterations of {TRIALS} controls",
+        {"kinoedu": kinoedu, "C ruler": ruler},
+        judge,
+        repeats,
+    )
+    race(
+        f"{ITERATIONS:,} iterations of one control",
+        {"kinoedu": one_control, "OMPL": ompl},
+        judge_ompl,
+        repeats,
+    )
+    race(
+        f"{NODES} nodes joined by curves",
+        {"kinoedu": dubins, "Robotics Toolbox": robotics_toolbox},
+        judge_curves,
+        repeats,
+    )
 
 
-def race(title: str, makers: dict[str, Callable[[], Contestant]], judge_all: Judge, repeats: int) -> None:
+def race(
+    title: str, makers: dict[str, Callable[[], Contestant]], judge_all: Judge, repeats: int
+) -> None:
     """One table, on three seeds; none where kinoedu would run alone."""
     contestants = available(makers)
     if len(contestants) > 1:
-        report(f"a car's tree, {title}", measure(contestants, map(on_the_map, range(3)), judge_all, repeats=repeats), GOALS)
+        report(
+            f"a car's tree, {title}",
+            measure(contestants, map(on_the_map, range(3)), judge_all, repeats=repeats),
+            GOALS,
+        )
 
 
 if __name__ == "__main__":

@@ -1,6 +1,8 @@
-"""How much memory a lesson takes: each is run in a kernel of its own, and what that kernel held is read when its last cell is done.
+"""How much memory a lesson takes: each is run in a kernel of its own, and what that kernel held is
+read when its last cell is done.
 
-A teacher multiplies it by the lessons that a class has open at once. Compiled code should be there before: python -m kinoedu warm.
+A teacher multiplies it by the lessons that a class has open at once. Compiled code should be there
+before: python -m kinoedu warm.
 """
 
 import argparse
@@ -28,14 +30,18 @@ print(_json.dumps([_held.rss, max(_peak, _held.rss)]))
 def held(book: Any, folder: Path) -> list[int]:
     """Bytes of a kernel after a notebook's last cell, and the most that it ever held."""
     book.cells.append(nbformat.v4.new_code_cell(ASK))
-    NotebookClient(book, timeout=600, kernel_name="python3", resources={"metadata": {"path": str(folder)}}).execute()
+    NotebookClient(
+        book, timeout=600, kernel_name="python3", resources={"metadata": {"path": str(folder)}}
+    ).execute()
     return json.loads(book.cells[-1].outputs[0]["text"])
 
 
 def main() -> None:
     """Run the lessons one after another, and print a table."""
     options = argparse.ArgumentParser(description=__doc__)
-    options.add_argument("lessons", nargs="*", help="beginnings of names, such as 04; all, if left out")
+    options.add_argument(
+        "lessons", nargs="*", help="beginnings of names, such as 04; all, if left out"
+    )
     wanted = tuple(options.parse_args().lessons) or ("",)
     print("| lesson | after its last cell, MB | at most, MB |")
     print("|---|---:|---:|")

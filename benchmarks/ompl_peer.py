@@ -1,5 +1,6 @@
-"""OMPL at its best from Python: its validators ask kinoedu's own exact test of a motion, compiled for four numbers, which costs a
-quarter of a microsecond a call; and they stop the planner themselves, so that it asks Python nothing else.
+"""OMPL at its best from Python: its validators ask kinoedu's own exact test of a motion, compiled
+for four numbers, which costs a quarter of a microsecond a call; and they stop the planner
+themselves, so that it asks Python nothing else.
 """
 
 from collections.abc import Callable
@@ -14,7 +15,9 @@ FreeMotion = Callable[[float, float, float, float], bool]
 
 
 def compiled_test(problem: ProblemRecord) -> FreeMotion:
-    """Whether the motion from (ax, ay) to (bx, by) is free, compiled for one world, whose arrays become constants."""
+    """Whether the motion from (ax, ay) to (bx, by) is free, compiled for one world, whose arrays
+    become constants.
+    """
     import numba
 
     robot, world, clearance = problem.robot, problem.world, problem.clearance
@@ -28,7 +31,9 @@ def compiled_test(problem: ProblemRecord) -> FreeMotion:
 
 
 class Setup:
-    """A problem as OMPL's objects: `information` and `definition`; `motions` and `places` stop a planner after so many yeses."""
+    """A problem as OMPL's objects: `information` and `definition`; `motions` and `places` stop a
+    planner after so many yeses.
+    """
 
     def __init__(self, problem: ProblemRecord, free: FreeMotion) -> None:
         from ompl import base, util
@@ -44,7 +49,9 @@ class Setup:
         self.motions, self.places = Countdown(), Countdown()
         self.validator = motion_validator(self.information, free, self.motions)
         self.information.setMotionValidator(self.validator)
-        self.information.setStateValidityChecker(lambda q: self.places.count(free(q[0], q[1], q[0], q[1])))
+        self.information.setStateValidityChecker(
+            lambda q: self.places.count(free(q[0], q[1], q[0], q[1]))
+        )
         self.information.setup()
         self.definition = base.ProblemDefinition(self.information)
         self.definition.setStartAndGoalStates(self.state(problem.start), self.state(problem.goal))

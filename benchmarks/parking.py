@@ -1,7 +1,9 @@
-"""Which cars park within ten seconds: the cases of TPCAP, and of bench-mr's car parks and warehouse. A table, not a race.
+"""Which cars park within ten seconds: the cases of TPCAP, and of bench-mr's car parks and
+warehouse. A table, not a race.
 
-Each planner plans again and again from one generator until it has a path; seconds are those of the processor. Every path is
-replayed from its controls and judged by shapely in fine steps before it counts.
+Each planner plans again and again from one generator until it has a path; seconds are those of the
+processor. Every path is replayed from its controls and judged by shapely in fine steps before it
+counts.
 """
 
 import json
@@ -55,7 +57,13 @@ def tpcap() -> Iterator[Case]:
     steering = {"rear_overhang": body["rear_overhang"], "max_steering": given["max_steer"]}
     car = ke.Car(length, body["width"], body["wheelbase"], **steering)
     for case in given["cases"]:
-        yield case_of(f"TPCAP {case['id']}", car, [np.array(ring) for ring in case["obstacles"]], case["start"], case["goal"])
+        yield case_of(
+            f"TPCAP {case['id']}",
+            car,
+            [np.array(ring) for ring in case["obstacles"]],
+            case["start"],
+            case["goal"],
+        )
 
 
 def bench_mr() -> Iterator[Case]:
@@ -64,33 +72,50 @@ def bench_mr() -> Iterator[Case]:
     for name, (start, goal, file) in PARKED.items():
         rings = json.loads((DATA / f"bench_mr_{file}.json").read_text(encoding="utf-8"))["polygons"]
         top = max(y for ring in rings for _, y in ring)
-        hulls = [ke.geometry.convex_hull([(x, top - y) for x, y in ring]) for ring in rings]  # rounding made some cross themselves
+        hulls = [
+            ke.geometry.convex_hull([(x, top - y) for x, y in ring]) for ring in rings
+        ]  # rounding made some cross themselves
         yield case_of(f"bench-mr {name}", car, hulls, start, goal)
 
 
 PLANNERS: dict[str, Callable[[ProblemRecord, np.random.Generator], Plan]] = {
     "rrt (curves)": lambda problem, rng: ke.rrt(problem, max_nodes=3000, rng=rng),
     "rrt_connect (curves)": lambda problem, rng: ke.rrt_connect(problem, max_nodes=3000, rng=rng),
-    "kinodynamic_rrt": lambda problem, rng: ke.kinodynamic_rrt(problem, max_iterations=5000, rng=rng),
+    "kinodynamic_rrt": lambda problem, rng: ke.kinodynamic_rrt(
+        problem, max_iterations=5000, rng=rng
+    ),
     "sst": lambda problem, rng: ke.sst(problem, rng=rng),
     "hybrid_astar": lambda problem, rng: ever_finer(problem),
 }
-LADDER = [(0.25, 0.375), (0.03, 0.125), (0.004, 0.04)]  # spacing and step of hybrid A*, in wheelbases
+LADDER = [
+    (0.25, 0.375),
+    (0.03, 0.125),
+    (0.004, 0.04),
+]  # spacing and step of hybrid A*, in wheelbases
 
 
 def ever_finer(problem: ProblemRecord) -> Plan:
-    """Hybrid A*, ever finer, by turns from the start and from the goal, whence the drive is turned round."""
-    out, base = ke.Problem(problem.robot, problem.world, problem.goal, problem.start), problem.robot.wheelbase
+    """Hybrid A*, ever finer, by turns from the start and from the goal, whence the drive is turned
+    round.
+    """
+    out, base = (
+        ke.Problem(problem.robot, problem.world, problem.goal, problem.start),
+        problem.robot.wheelbase,
+    )
     for spacing, step in LADDER:
         for asked in (problem, out):
-            plan = ke.hybrid_astar(asked, spacing=spacing * base, step=step * base, max_nodes=50_000)
+            plan = ke.hybrid_astar(
+                asked, spacing=spacing * base, step=step * base, max_nodes=50_000
+            )
             if plan.path is not None:
                 there = plan.trajectory if asked is problem else plan.trajectory.reversed
                 return replace(plan, path=there.poses, trajectory=there, problem=problem)
     return plan
 
 
-def first_path(planner: Callable[..., Plan], case: Case, seconds: float) -> tuple[Plan | None, float]:
+def first_path(
+    planner: Callable[..., Plan], case: Case, seconds: float
+) -> tuple[Plan | None, float]:
     """The first plan with a path, and how long it took; None when time is up."""
     rng, began = np.random.default_rng(0), time.process_time()
     while True:
@@ -102,14 +127,18 @@ def first_path(planner: Callable[..., Plan], case: Case, seconds: float) -> tupl
 
 
 def judge(case: Case, plan: Plan) -> None:
-    """Replayed from its controls, the trajectory begins at the start, ends where the plan says, and shapely sees no contact."""
+    """Replayed from its controls, the trajectory begins at the start, ends where the plan says, and
+    shapely sees no contact.
+    """
     there, car = ke.trajectory_along(plan), case.problem.robot
     assert np.allclose(there.poses[0], case.problem.start, rtol=0, atol=1e-9)
     off = there.poses[-1] - plan.path[-1]
     assert np.hypot(off[0], off[1]) < 1e-5 and abs(np.sin(off[2] / 2)) < 1e-6, off
     poses = there.at(np.linspace(0.0, there.duration, 4000))
     cos, sin, (x, y) = np.cos(poses[:, 2:]), np.sin(poses[:, 2:]), car.outline.T
-    corners = np.stack([poses[:, :1] + cos * x - sin * y, poses[:, 1:2] + sin * x + cos * y], axis=-1)
+    corners = np.stack(
+        [poses[:, :1] + cos * x - sin * y, poses[:, 1:2] + sin * x + cos * y], axis=-1
+    )
     assert not shapely.intersects(shapely.polygons(corners), case.solid).any(), case.name
 
 
@@ -125,7 +154,9 @@ def main(seconds: float = 10.0) -> None:
             plan, took = first_path(planner, case, seconds)
             if plan is not None:
                 judge(case, plan)
-            row.append(f"not within {seconds:g} s" if plan is None else f"{took:.2g} s, {plan.cost:.3g} m")
+            row.append(
+                f"not within {seconds:g} s" if plan is None else f"{took:.2g} s, {plan.cost:.3g} m"
+            )
         print(f"| {case.name} | {' | '.join(row)} |", flush=True)
 
 

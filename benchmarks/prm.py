@@ -1,4 +1,6 @@
-"""PRM samples 500 and 2,000 nodes among 24 boxes, joins each to its 10 closest and searches the roadmap."""
+"""PRM samples 500 and 2,000 nodes among 24 boxes, joins each to its 10 closest and searches the
+roadmap.
+"""
 
 from collections.abc import Callable
 from ctypes import byref, c_double, c_int64
@@ -16,7 +18,11 @@ from kinoedu.planners.roadmaps.neighbours import k_closest
 
 SECONDS = 60
 K = 10
-GOALS = {"C ruler": Goal(at_most=1.2), "pathplanning": Goal(at_least=1.4), "OMPL": Goal(at_least=3.5)}
+GOALS = {
+    "C ruler": Goal(at_most=1.2),
+    "pathplanning": Goal(at_least=1.4),
+    "OMPL": Goal(at_least=3.5),
+}
 
 
 class Roadmap(NamedTuple):
@@ -45,12 +51,28 @@ def ruler(n: int) -> Contestant:
             nodes, rng, _alive = np.empty((n + 2, 2)), np.random.default_rng(case.seed), in_c
             nodes[0], nodes[1], draws = problem.start, problem.goal, rng.bit_generator.ctypes
             box = pointer(problem.space.lo), pointer(problem.space.hi)
-            found = library.sample_free(world, pointer(nodes), c_int64(n), c_int64(100 * n), *box, draws.state, draws.next_double)
+            found = library.sample_free(
+                world,
+                pointer(nodes),
+                c_int64(n),
+                c_int64(100 * n),
+                *box,
+                draws.state,
+                draws.next_double,
+            )
             near = k_closest(problem, nodes[:found], K)
-            edges, lengths, parent = np.empty((near.size, 2), np.int64), np.empty(near.size), np.empty(found, np.int64)
+            edges, lengths, parent = (
+                np.empty((near.size, 2), np.int64),
+                np.empty(near.size),
+                np.empty(found, np.int64),
+            )
             at, size = (pointer(nodes), c_int64(found)), near.shape[1]
-            joined = library.join(world, *at, pointer(near), c_int64(size), pointer(edges), pointer(lengths))
-            cost = library.search(*at, pointer(edges), pointer(lengths), c_int64(joined), pointer(parent))
+            joined = library.join(
+                world, *at, pointer(near), c_int64(size), pointer(edges), pointer(lengths)
+            )
+            cost = library.search(
+                *at, pointer(edges), pointer(lengths), c_int64(joined), pointer(parent)
+            )
             return Roadmap(nodes[:found], edges[:joined], cost)
 
         return run
@@ -59,8 +81,8 @@ def ruler(n: int) -> Contestant:
 
 
 def pathplanning(n: int) -> Contestant:
-    """Its native PRM*, on the same boxes, which it knows natively. It joins all within a radius: one that has about as
-    many motions judged as kinoedu judges, near the rim of the world fewer.
+    """Its native PRM*, on the same boxes, which it knows natively. It joins all within a radius:
+    one that has about as many motions judged as kinoedu judges, near the rim of the world fewer.
     """
     from pathplanning.core.contracts import ContinuousProblem, GoalState
     from pathplanning.core.params import RoadmapParams
@@ -70,7 +92,9 @@ def pathplanning(n: int) -> Contestant:
     def contestant(case: Case) -> Callable[[], Any]:
         problem = case.problem
         checks = ke.prm(problem, n=n, k=K, rng=case.seed).stats["checks"]
-        space = Grid2DSamplingSpace((0, SIDE), (0, SIDE), obs_rectangle=case.obstacles.tolist(), delta=0.0)
+        space = Grid2DSamplingSpace(
+            (0, SIDE), (0, SIDE), obs_rectangle=case.obstacles.tolist(), delta=0.0
+        )
         free = SIDE * SIDE - case.obstacles[:, 2:].prod(axis=1).sum()
         radius = np.sqrt(2.0 * checks * free / np.pi) / n
         params = RoadmapParams(sample_count=n, gamma=float(radius / np.sqrt(np.log(n) / n)))
@@ -92,7 +116,10 @@ def ompl(n: int) -> Contestant:
         planner.setMaxNearestNeighbors(K)
         planner.setProblemDefinition(setup.definition)
         planner.setup()
-        full, solved = setup.places.start(n), base.exactSolnPlannerTerminationCondition(setup.definition)
+        full, solved = (
+            setup.places.start(n),
+            base.exactSolnPlannerTerminationCondition(setup.definition),
+        )
 
         def run() -> Any:
             planner.growRoadmapPtc(full)
@@ -105,11 +132,15 @@ def ompl(n: int) -> Contestant:
 
 
 def judge(n: int, case: Case, answers: dict[str, Any]) -> None:
-    """kinoedu's and the ruler's roadmaps are the same, edge by edge; everyone's path is free, and about as long."""
+    """kinoedu's and the ruler's roadmaps are the same, edge by edge; everyone's path is free, and
+    about as long.
+    """
     ours, problem = answers["kinoedu"], case.problem
     if "C ruler" in answers:
         theirs = answers["C ruler"]
-        assert np.array_equal(theirs.nodes, ours.roadmap.nodes) and np.array_equal(theirs.edges, ours.roadmap.edges)
+        assert np.array_equal(theirs.nodes, ours.roadmap.nodes) and np.array_equal(
+            theirs.edges, ours.roadmap.edges
+        )
         assert np.isclose(theirs.cost, ours.cost, rtol=1e-12)
     paths = {}
     if "pathplanning" in answers:
@@ -120,7 +151,9 @@ def judge(n: int, case: Case, answers: dict[str, Any]) -> None:
         paths["OMPL"] = np.array([(q[0], q[1]) for q in states])
         assert planner.milestoneCount() >= n
     for name, path in paths.items():
-        assert all(problem.is_free_path(a, b) for a, b in zip(path[:-1], path[1:], strict=True)), name
+        assert all(problem.is_free_path(a, b) for a, b in zip(path[:-1], path[1:], strict=True)), (
+            name
+        )
         length = np.linalg.norm(np.diff(path, axis=0), axis=1).sum()
         assert 0.8 < length / ours.cost < 1.25, (name, length, ours.cost)
 
@@ -130,7 +163,9 @@ def main(repeats: int = 7) -> None:
     for n in (500, 2000):
         makers = {"kinoedu": kinoedu, "C ruler": ruler, "pathplanning": pathplanning, "OMPL": ompl}
         contestants = available({name: partial(make, n) for name, make in makers.items()})
-        seconds = measure(contestants, map(among_boxes, range(3)), partial(judge, n), repeats=repeats)
+        seconds = measure(
+            contestants, map(among_boxes, range(3)), partial(judge, n), repeats=repeats
+        )
         report(f"PRM, {n:,} nodes, k = {K}, among 24 boxes", seconds, GOALS)
 
 

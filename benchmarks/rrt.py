@@ -19,12 +19,18 @@ from kinoedu.planners.problem_input import new_tree
 
 SECONDS = 60
 NODES, STEP, BIAS = 5000, 5.0, 0.05
-GOALS = {"C ruler": Goal(at_most=1.3), "OMPL": Goal(at_least=10), "PythonRobotics": Goal(at_least=500)}
+GOALS = {
+    "C ruler": Goal(at_most=1.3),
+    "OMPL": Goal(at_least=10),
+    "PythonRobotics": Goal(at_least=500),
+}
 
 
 def kinoedu() -> Contestant:
     """The public function, from the problem to the plan."""
-    return lambda case: lambda: ke.rrt(case.problem, step=STEP, goal_bias=BIAS, max_nodes=NODES, rng=case.seed).tree
+    return lambda case: (
+        lambda: ke.rrt(case.problem, step=STEP, goal_bias=BIAS, max_nodes=NODES, rng=case.seed).tree
+    )
 
 
 def ruler() -> Contestant:
@@ -36,11 +42,26 @@ def ruler() -> Contestant:
         problem, world = case.problem, world_of(case.problem)
 
         def run() -> Any:
-            tree, rng, made = new_tree(problem, NODES + 1), np.random.default_rng(case.seed), c_int64()
+            tree, rng, made = (
+                new_tree(problem, NODES + 1),
+                np.random.default_rng(case.seed),
+                c_int64(),
+            )
             in_c, draws = tree_of(tree), rng.bit_generator.ctypes
-            ends = [pointer(q) for q in (problem.space.lo, problem.space.hi, problem.start, problem.goal)]
+            ends = [
+                pointer(q)
+                for q in (problem.space.lo, problem.space.hi, problem.start, problem.goal)
+            ]
             limits = c_double(STEP), c_double(BIAS), c_int64(10 * NODES)
-            at_goal = library.grow(byref(world), byref(in_c), *ends, *limits, draws.state, draws.next_double, byref(made))
+            at_goal = library.grow(
+                byref(world),
+                byref(in_c),
+                *ends,
+                *limits,
+                draws.state,
+                draws.next_double,
+                byref(made),
+            )
             return at_goal, in_c.size, tree
 
         return run
@@ -49,7 +70,9 @@ def ruler() -> Contestant:
 
 
 def ompl(make: Callable[[int], Case] = among_polygons) -> Contestant:
-    """Its RRT with the same step, goal bias and number of nodes; its test is compiled once for each seed's case."""
+    """Its RRT with the same step, goal bias and number of nodes; its test is compiled once for each
+    seed's case.
+    """
     from ompl import geometric
 
     test = lru_cache(lambda seed: compiled_test(make(seed).problem))
@@ -73,8 +96,8 @@ def ompl(make: Callable[[int], Case] = among_polygons) -> Contestant:
 
 
 def python_robotics(checkout: str) -> Contestant:
-    """Its RRT, which knows discs alone: the circles round the polygons, judged every half unit as by its default. It counts
-    iterations, not nodes: it gets as many as kinoedu needed.
+    """Its RRT, which knows discs alone: the circles round the polygons, judged every half unit as
+    by its default. It counts iterations, not nodes: it gets as many as kinoedu needed.
     """
     if not checkout:
         raise Missing("give a checkout of it: --pythonrobotics PATH")
@@ -87,7 +110,14 @@ def python_robotics(checkout: str) -> Contestant:
         plan = ke.rrt(case.problem, step=STEP, goal_bias=BIAS, max_nodes=NODES, rng=case.seed)
         random.seed(case.seed)
         area, discs = [0.0, SIDE], [tuple(disc) for disc in case.obstacles.tolist()]
-        planner = theirs(list(case.problem.start), list(WALLED_IN), discs, area, STEP, max_iter=plan.stats["iterations"])
+        planner = theirs(
+            list(case.problem.start),
+            list(WALLED_IN),
+            discs,
+            area,
+            STEP,
+            max_iter=plan.stats["iterations"],
+        )
 
         def run() -> Any:
             return planner.planning(animation=False), planner.node_list
@@ -98,13 +128,19 @@ def python_robotics(checkout: str) -> Contestant:
 
 
 def judge(case: Case, answers: dict[str, Any]) -> None:
-    """kinoedu's and the ruler's trees are the same node by node; every motion of OMPL's is free; PythonRobotics' is as large."""
+    """kinoedu's and the ruler's trees are the same node by node; every motion of OMPL's is free;
+    PythonRobotics' is as large.
+    """
     ours = answers["kinoedu"]
     assert len(ours.nodes) == NODES
     if "C ruler" in answers:
         at_goal, size, tree = answers["C ruler"]
-        assert (at_goal, size) == (-1, NODES), "the ruler was in doubt about an orientation, or stopped early"
-        assert np.array_equal(tree.nodes[:NODES], ours.nodes) and np.array_equal(tree.parent[:NODES], ours.parent)
+        assert (at_goal, size) == (-1, NODES), (
+            "the ruler was in doubt about an orientation, or stopped early"
+        )
+        assert np.array_equal(tree.nodes[:NODES], ours.nodes) and np.array_equal(
+            tree.parent[:NODES], ours.parent
+        )
     if "OMPL" in answers:
         judge_ompl(case, *answers["OMPL"])
     if "PythonRobotics" in answers:
@@ -115,16 +151,22 @@ def judge(case: Case, answers: dict[str, Any]) -> None:
 def judge_ompl(case: Case, setup: Setup, planner: Any) -> None:
     """The tree has the nodes asked for, and every motion in it is free and at most a step long."""
     data = setup.data(planner)
-    at = np.array([(q[0], q[1]) for q in (data.getVertex(i).getState() for i in range(data.numVertices()))])
+    at = np.array(
+        [(q[0], q[1]) for q in (data.getVertex(i).getState() for i in range(data.numVertices()))]
+    )
     assert len(at) == NODES
     problem = case.problem
     for i in range(NODES):
         for j in data.getEdges(i):
-            assert problem.is_free_path(at[i], at[j]) and problem.distance(at[i], at[j]) <= STEP * (1 + 1e-9)
+            assert problem.is_free_path(at[i], at[j]) and problem.distance(at[i], at[j]) <= STEP * (
+                1 + 1e-9
+            )
 
 
 def main(repeats: int = 5, pythonrobotics: str = "") -> None:
-    """Three worlds, each planned in five times; `pythonrobotics` is a checkout of github.com/AtsushiSakai/PythonRobotics."""
+    """Three worlds, each planned in five times; `pythonrobotics` is a checkout of
+    github.com/AtsushiSakai/PythonRobotics.
+    """
     theirs = {"PythonRobotics": lambda: python_robotics(pythonrobotics)}
     contestants = available({"kinoedu": kinoedu, "C ruler": ruler, "OMPL": ompl, **theirs})
     seconds = measure(contestants, map(among_polygons, range(3)), judge, repeats=repeats)

@@ -1,4 +1,6 @@
-"""C code as a ruler: compiled here and now for this processor, called through ctypes on kinoedu's own arrays."""
+"""C code as a ruler: compiled here and now for this processor, called through ctypes on kinoedu's
+own arrays.
+"""
 
 import ctypes
 import shutil
@@ -13,7 +15,13 @@ from timing import Missing
 from kinoedu.problems import ProblemRecord
 from kinoedu.spaces.buckets import GrowingTree
 
-FLAGS = ["-O3", "-march=native", "-ffp-contract=off", "-shared", "-fPIC"]  # no fused multiply-add: it rounds differently
+FLAGS = [
+    "-O3",
+    "-march=native",
+    "-ffp-contract=off",
+    "-shared",
+    "-fPIC",
+]  # no fused multiply-add: it rounds differently
 DOUBLES, INTEGERS = POINTER(c_double), POINTER(c_int64)
 
 
@@ -21,8 +29,20 @@ class World(ctypes.Structure):
     """`World` of ruler.h."""
 
     _fields_ = (
-        *[("hull", DOUBLES), ("hull_size", c_int64), ("points", DOUBLES), ("first", INTEGERS), ("boxes", DOUBLES)],
-        *[("cell_first", INTEGERS), ("cell_parts", INTEGERS), ("x", c_double), ("y", c_double), ("cell", c_double)],
+        *[
+            ("hull", DOUBLES),
+            ("hull_size", c_int64),
+            ("points", DOUBLES),
+            ("first", INTEGERS),
+            ("boxes", DOUBLES),
+        ],
+        *[
+            ("cell_first", INTEGERS),
+            ("cell_parts", INTEGERS),
+            ("x", c_double),
+            ("y", c_double),
+            ("cell", c_double),
+        ],
         *[("columns", c_int64), ("rows", c_int64)],
     )
 
@@ -32,7 +52,13 @@ class Tree(ctypes.Structure):
 
     _fields_ = (
         *[("nodes", DOUBLES), ("parent", INTEGERS), ("size", c_int64), ("capacity", c_int64)],
-        *[("x", c_double), ("y", c_double), ("cell", c_double), ("columns", c_int64), ("rows", c_int64)],
+        *[
+            ("x", c_double),
+            ("y", c_double),
+            ("cell", c_double),
+            ("columns", c_int64),
+            ("rows", c_int64),
+        ],
         *[("head", INTEGERS), ("next", INTEGERS)],
     )
 
@@ -43,7 +69,9 @@ def compile_c(name: str) -> ctypes.CDLL:
     if compiler is None:
         raise Missing("no C compiler: neither cc nor gcc is on the PATH")
     library = Path(tempfile.mkdtemp()) / f"{name}.so"
-    subprocess.run([compiler, *FLAGS, "-o", library, Path(__file__).with_name(f"{name}.c"), "-lm"], check=True)
+    subprocess.run(
+        [compiler, *FLAGS, "-o", library, Path(__file__).with_name(f"{name}.c"), "-lm"], check=True
+    )
     return ctypes.CDLL(str(library))
 
 
@@ -58,7 +86,12 @@ def world_of(problem: ProblemRecord) -> World:
     """A polygon world's arrays, as C sees them."""
     world, cells = problem.world, problem.world.cells
     return World(
-        *[pointer(world.hull), len(world.hull), pointer(world.obstacles.points), pointer(world.obstacles.first)],
+        *[
+            pointer(world.hull),
+            len(world.hull),
+            pointer(world.obstacles.points),
+            pointer(world.obstacles.first),
+        ],
         *[
             pointer(cells.boxes),
             pointer(cells.first),
@@ -74,5 +107,13 @@ def world_of(problem: ProblemRecord) -> World:
 
 def tree_of(tree: GrowingTree) -> Tree:
     """An empty tree's arrays, as C sees them."""
-    buckets = [tree.x, tree.y, tree.cell, tree.columns, tree.rows, pointer(tree.head), pointer(tree.next)]
+    buckets = [
+        tree.x,
+        tree.y,
+        tree.cell,
+        tree.columns,
+        tree.rows,
+        pointer(tree.head),
+        pointer(tree.next),
+    ]
     return Tree(pointer(tree.nodes), pointer(tree.parent), 0, len(tree.nodes), *buckets)

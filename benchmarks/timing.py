@@ -1,7 +1,9 @@
-"""Time contestants side by side: the same cases, turn by turn, the median of many rounds, and how far the rounds spread.
+"""Time contestants side by side: the same cases, turn by turn, the median of many rounds, and how
+far the rounds spread.
 
-A *contestant* takes a case and returns what is timed, a function without arguments; what it does before is not timed. A *maker*
-returns a contestant, or raises Missing or ImportError where this computer lacks what it needs: then it is named and left out.
+A *contestant* takes a case and returns what is timed, a function without arguments; what it does
+before is not timed. A *maker* returns a contestant, or raises Missing or ImportError where this
+computer lacks what it needs: then it is named and left out.
 """
 
 import argparse
@@ -48,8 +50,12 @@ def available(makers: dict[str, Callable[[], Contestant]]) -> dict[str, Contesta
     return found
 
 
-def measure(contestants: dict[str, Contestant], cases: Iterable[Any], judge: Judge, *, repeats: int) -> Seconds:
-    """Let everyone solve every case `repeats` times, after one round that only warms up; each round's answers are judged."""
+def measure(
+    contestants: dict[str, Contestant], cases: Iterable[Any], judge: Judge, *, repeats: int
+) -> Seconds:
+    """Let everyone solve every case `repeats` times, after one round that only warms up; each
+    round's answers are judged.
+    """
     seconds: Seconds = {name: [] for name in contestants}
     cases = list(cases)
     for repeat in range(repeats + 1):
@@ -64,9 +70,16 @@ def measure(contestants: dict[str, Contestant], cases: Iterable[Any], judge: Jud
 
 
 def turn(
-    contestant: Contestant, case: Any, *, runs: int = 5, enough: float = 0.1, clock: Callable[[], float] = time.perf_counter
+    contestant: Contestant,
+    case: Any,
+    *,
+    runs: int = 5,
+    enough: float = 0.1,
+    clock: Callable[[], float] = time.perf_counter,
 ) -> tuple[float, Any]:
-    """The best of a few runs in a row, so that nobody pays for the caches that the one before emptied; and the last answer."""
+    """The best of a few runs in a row, so that nobody pays for the caches that the one before
+    emptied; and the last answer.
+    """
     best, spent = np.inf, 0.0
     gc.collect()
     gc.disable()
@@ -88,26 +101,42 @@ def report(title: str, seconds: Seconds, goals: dict[str, Goal], *, ours: str = 
     ratios = [
         Ratio(row, title, name, 1e3 * float(np.median(times)), *ratio, len(mine))
         for name, times in seconds.items()
-        for ratio in [OURS if name == ours else beside(mine, np.array(times), goals.get(name, Goal()))]
+        for ratio in [
+            OURS if name == ours else beside(mine, np.array(times), goals.get(name, Goal()))
+        ]
     ]
-    print(f"\n### {title}\n\n{as_table(ratios)}\n\n{len(mine)} rounds; {surroundings()}", flush=True)
+    print(
+        f"\n### {title}\n\n{as_table(ratios)}\n\n{len(mine)} rounds; {surroundings()}", flush=True
+    )
     if RESULTS in os.environ:
         append_ratios(Path(os.environ[RESULTS], "ratios.csv"), ratios)
 
 
-def beside(ours: np.ndarray, theirs: np.ndarray, goal: Goal) -> tuple[float, float, float, str, str]:
-    """The median ratio, the middle half of all, the goal and whether it holds: our time by a ruler's, a peer's time by ours."""
-    low, middle, high = map(float, np.percentile(ours / theirs if goal.at_most else theirs / ours, [25, 50, 75]))
+def beside(
+    ours: np.ndarray, theirs: np.ndarray, goal: Goal
+) -> tuple[float, float, float, str, str]:
+    """The median ratio, the middle half of all, the goal and whether it holds: our time by a
+    ruler's, a peer's time by ours.
+    """
+    low, middle, high = map(
+        float, np.percentile(ours / theirs if goal.at_most else theirs / ours, [25, 50, 75])
+    )
     if goal.at_most:
         return middle, low, high, f"<= {goal.at_most:g}", HELD if middle <= goal.at_most else MISSED
     if goal.at_least:
-        return middle, low, high, f">= {goal.at_least:g}", HELD if middle >= goal.at_least else MISSED
+        return (
+            middle,
+            low,
+            high,
+            f">= {goal.at_least:g}",
+            HELD if middle >= goal.at_least else MISSED,
+        )
     return middle, low, high, "", NO_GOAL
 
 
 def run(main: Callable[..., None]) -> None:
-    """Do a script's work as the command line says: each parameter of main is an option, with its default. The status is 3 where
-    this computer lacks what all of it needs.
+    """Do a script's work as the command line says: each parameter of main is an option, with its
+    default. The status is 3 where this computer lacks what all of it needs.
     """
     options = argparse.ArgumentParser(description=inspect.getdoc(inspect.getmodule(main)))
     for name, parameter in inspect.signature(main).parameters.items():

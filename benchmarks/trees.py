@@ -1,4 +1,6 @@
-"""RRT-Connect's first solution among 24 polygons, 24 boxes and through narrow doors, and RRT* grown for 5,000 iterations."""
+"""RRT-Connect's first solution among 24 polygons, 24 boxes and through narrow doors, and RRT* grown
+for 5,000 iterations.
+"""
 
 from collections.abc import Callable
 from functools import partial
@@ -19,14 +21,24 @@ GOALS = {"pathplanning": Goal(at_least=8)}
 def kinoedu(planner: str) -> Contestant:
     """The public functions, from the problem to the plan."""
     if planner == "rrt_connect":
-        return lambda case: lambda: ke.rrt_connect(case.problem, step=STEP, max_nodes=50_000, rng=case.seed)
+        return lambda case: (
+            lambda: ke.rrt_connect(case.problem, step=STEP, max_nodes=50_000, rng=case.seed)
+        )
     return lambda case: (
-        lambda: ke.rrt_star(case.problem, step=STEP, max_nodes=ITERATIONS + 1, max_iterations=ITERATIONS, rng=case.seed)
+        lambda: ke.rrt_star(
+            case.problem,
+            step=STEP,
+            max_nodes=ITERATIONS + 1,
+            max_iterations=ITERATIONS,
+            rng=case.seed,
+        )
     )
 
 
 class AmongPolygons:
-    """A plane with polygons as pathplanning asks for it in Python: it knows none itself. Compiled code answers."""
+    """A plane with polygons as pathplanning asks for it in Python: it knows none itself. Compiled
+    code answers.
+    """
 
     distance_metric = "euclidean"  # it may look for neighbours by its own index
     bounds, dimension = ((0.0, SIDE), (0.0, SIDE)), 2
@@ -67,7 +79,9 @@ def boxed(case: Case) -> Any:
     """pathplanning's own plane with boxes, which it judges exactly, without Python."""
     from pathplanning.spaces import Grid2DSamplingSpace
 
-    return Grid2DSamplingSpace((0, SIDE), (0, SIDE), obs_rectangle=case.obstacles.tolist(), delta=0.0)
+    return Grid2DSamplingSpace(
+        (0, SIDE), (0, SIDE), obs_rectangle=case.obstacles.tolist(), delta=0.0
+    )
 
 
 def pathplanning(planner: str, space_of: Callable[[Case], Any]) -> Contestant:
@@ -81,9 +95,15 @@ def pathplanning(planner: str, space_of: Callable[[Case], Any]) -> Contestant:
     gamma = 2.0 * 1.5**0.5 * SIDE / np.pi**0.5
 
     def contestant(case: Case) -> Callable[[], Any]:
-        radius = {"rrt_star_radius_gamma": gamma, "rrt_star_radius_bias": 0.0, "rrt_star_radius_max_factor": 1.0}
+        radius = {
+            "rrt_star_radius_gamma": gamma,
+            "rrt_star_radius_bias": 0.0,
+            "rrt_star_radius_max_factor": 1.0,
+        }
         iterations = 100 * ITERATIONS if planner == "rrt_connect" else ITERATIONS
-        params = RrtParams(max_iters=iterations, step_size=STEP, allow_python_callbacks=True, **radius)
+        params = RrtParams(
+            max_iters=iterations, step_size=STEP, allow_python_callbacks=True, **radius
+        )
         asked = ContinuousProblem(space_of(case), case.problem.start, GoalState(case.problem.goal))
         return lambda: plan(asked, params=params, rng=np.random.default_rng(case.seed))
 
@@ -94,14 +114,23 @@ def judge(case: Case, answers: dict[str, Any]) -> None:
     """Every path leads from start to goal, and all its motions are free."""
     for name, answer in answers.items():
         path = np.asarray(answer.path)
-        assert np.allclose(path[0], case.problem.start) and np.allclose(path[-1], case.problem.goal), name
-        assert all(case.problem.is_free_path(a, b) for a, b in zip(path[:-1], path[1:], strict=True)), name
+        assert np.allclose(path[0], case.problem.start) and np.allclose(
+            path[-1], case.problem.goal
+        ), name
+        assert all(
+            case.problem.is_free_path(a, b) for a, b in zip(path[:-1], path[1:], strict=True)
+        ), name
 
 
 def main(repeats: int = 7) -> None:
     """Ten worlds, each planned in seven times."""
     for planner, title, world, space_of in (
-        ("rrt_connect", "RRT-Connect, first solution among 24 polygons", between_polygons, among_polygons),
+        (
+            "rrt_connect",
+            "RRT-Connect, first solution among 24 polygons",
+            between_polygons,
+            among_polygons,
+        ),
         ("rrt_connect", "RRT-Connect, first solution among 24 boxes", among_boxes, boxed),
         ("rrt_connect", "RRT-Connect, first solution through three doors", through_doors, boxed),
         ("rrt_star", f"RRT*, {ITERATIONS:,} iterations among 24 boxes", among_boxes, boxed),

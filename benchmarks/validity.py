@@ -1,4 +1,6 @@
-"""Ten thousand random problems: how many are solved, and whether any path touches anything, judged anew by `certify.py`."""
+"""Ten thousand random problems: how many are solved, and whether any path touches anything, judged
+anew by `certify.py`.
+"""
 
 import argparse
 import time
@@ -20,7 +22,9 @@ PLANNERS: dict[str, Callable[[Any, int], ke.Plan]] = {
     "informed RRT*": lambda problem, seed: ke.informed_rrt_star(problem, max_nodes=400, rng=seed),
     "PRM": lambda problem, seed: ke.prm(problem, n=200, k=8, rng=seed),
     "PRM*": lambda problem, seed: ke.prm_star(problem, n=150, rng=seed),
-    "RRT, shortcuts": lambda problem, seed: ke.shortcut(ke.rrt(problem, max_nodes=1500, rng=seed), tries=60, rng=seed),
+    "RRT, shortcuts": lambda problem, seed: ke.shortcut(
+        ke.rrt(problem, max_nodes=1500, rng=seed), tries=60, rng=seed
+    ),
 }
 ON_A_GRID = {"A* on a grid": lambda problem, seed: ke.plan_on_grid(problem)}
 EXACT = {
@@ -28,7 +32,9 @@ EXACT = {
     "visibility": lambda problem, seed: ke.plan_by_visibility(problem),
 }
 DRIVING = {
-    "kinodynamic RRT": lambda problem, seed: ke.kinodynamic_rrt(problem, max_iterations=2000, rng=seed),
+    "kinodynamic RRT": lambda problem, seed: ke.kinodynamic_rrt(
+        problem, max_iterations=2000, rng=seed
+    ),
     "kinodynamic PRM": lambda problem, seed: ke.kinodynamic_prm(problem, iterations=700, rng=seed),
     "SST": lambda problem, seed: ke.sst(problem, max_iterations=10_000, rng=seed),
     "hybrid A*": lambda problem, seed: ke.hybrid_astar(problem, max_nodes=20_000),
@@ -39,7 +45,9 @@ KINDS = len(ROBOTS) * len(WORLDS)
 
 
 class Outcome(NamedTuple):
-    """What came of one problem: who planned in what, whether there was a path, and whether it was valid."""
+    """What came of one problem: who planned in what, whether there was a path, and whether it was
+    valid.
+    """
 
     planner: str
     setting: str
@@ -48,7 +56,9 @@ class Outcome(NamedTuple):
     valid: bool
 
 
-def planners_for(case: Drawn, only: list[str] | None = None) -> dict[str, Callable[[Any, int], ke.Plan]]:
+def planners_for(
+    case: Drawn, only: list[str] | None = None
+) -> dict[str, Callable[[Any, int], ke.Plan]]:
     """Those that take such a problem, among those named."""
     fitting = dict(PLANNERS)
     if case.robot in ("point", "disk"):
@@ -63,7 +73,9 @@ def planners_for(case: Drawn, only: list[str] | None = None) -> dict[str, Callab
 
 
 def outcome(seed: int, only: list[str] | None = None) -> Outcome | None:
-    """Draw a problem, plan with one of the planners that take it, in turn, and judge the path. None where none takes it."""
+    """Draw a problem, plan with one of the planners that take it, in turn, and judge the path. None
+    where none takes it.
+    """
     case = drawn(seed)
     fitting = planners_for(case, only)
     if not fitting:
@@ -71,16 +83,27 @@ def outcome(seed: int, only: list[str] | None = None) -> Outcome | None:
     name = list(fitting)[seed // KINDS % len(fitting)]
     plan = fitting[name](case.problem, seed)
     solved = plan.path is not None
-    return Outcome(name, f"{case.robot}, {case.world}", seed, solved, not solved or is_valid(plan, semi_free=name in SEMI_FREE))
+    return Outcome(
+        name,
+        f"{case.robot}, {case.world}",
+        seed,
+        solved,
+        not solved or is_valid(plan, semi_free=name in SEMI_FREE),
+    )
 
 
 def table(title: str, outcomes: Iterable[Outcome], key: Callable[[Outcome], str]) -> None:
-    """Print, for each key: how many problems, the share solved with its interval, and how many paths are invalid."""
+    """Print, for each key: how many problems, the share solved with its interval, and how many
+    paths are invalid.
+    """
     groups: dict[str, list[Outcome]] = defaultdict(list)
     for one in outcomes:
         groups[key(one)].append(one)
         groups["all"].append(one)
-    print(f"\n| {title} | problems | solved, % | 95 % interval | paths | invalid |\n|---|---:|---:|---|---:|---:|")
+    print(
+        f"\n| {title} | problems | solved, % | 95 % interval | paths | invalid "
+        "|\n|---|---:|---:|---|---:|---:|"
+    )
     for name in sorted(groups, key=lambda name: (name == "all", name)):
         group = groups[name]
         solved = sum(one.solved for one in group)
@@ -91,14 +114,23 @@ def table(title: str, outcomes: Iterable[Outcome], key: Callable[[Outcome], str]
 
 
 def main() -> None:
-    """All problems, the tables, and the seeds of invalid paths; the exit status is 1 where there are any."""
+    """All problems, the tables, and the seeds of invalid paths; the exit status is 1 where there
+    are any.
+    """
     options = argparse.ArgumentParser(description=__doc__)
     options.add_argument("--problems", type=int, default=10_000)
     options.add_argument("--first", type=int, default=0, help="the first seed")
-    options.add_argument("--planners", nargs="+", choices=[*PLANNERS, *ON_A_GRID, *EXACT, *DRIVING], help="these alone (all)")
+    options.add_argument(
+        "--planners",
+        nargs="+",
+        choices=[*PLANNERS, *ON_A_GRID, *EXACT, *DRIVING],
+        help="these alone (all)",
+    )
     given = options.parse_args()
     began = time.perf_counter()
-    tried = (outcome(seed, given.planners) for seed in range(given.first, given.first + given.problems))
+    tried = (
+        outcome(seed, given.planners) for seed in range(given.first, given.first + given.problems)
+    )
     outcomes = [one for one in tried if one is not None]
     table("planner", outcomes, lambda one: one.planner)
     table("robot, world", outcomes, lambda one: one.setting)

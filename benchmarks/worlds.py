@@ -13,7 +13,9 @@ WALLED_IN = (96.5, 96.5)  # what `walls` encloses
 
 
 class Case(NamedTuple):
-    """A problem, the seed it was drawn from, and its obstacles in the form other libraries want them."""
+    """A problem, the seed it was drawn from, and its obstacles in the form other libraries want
+    them.
+    """
 
     problem: ProblemRecord
     seed: int
@@ -21,16 +23,26 @@ class Case(NamedTuple):
 
 
 def among_polygons(seed: int) -> Case:
-    """20 convex polygons of 4 to 8 corners, and 4 round a goal that cannot be reached. Rows x, y, radius: the polygons' circles."""
+    """20 convex polygons of 4 to 8 corners, and 4 round a goal that cannot be reached. Rows x, y,
+    radius: the polygons' circles.
+    """
     polygons, circles = discs(20, seed)
     world = ke.PolygonWorld(SQUARE, polygons + walls())
-    return Case(ke.Problem(ke.Point(), world, (2, 2), WALLED_IN), seed, np.vstack([circles, [*WALLED_IN, 2.5]]))
+    return Case(
+        ke.Problem(ke.Point(), world, (2, 2), WALLED_IN),
+        seed,
+        np.vstack([circles, [*WALLED_IN, 2.5]]),
+    )
 
 
 def between_polygons(seed: int) -> Case:
-    """24 convex polygons of 4 to 8 corners between two opposite corners of the square. Rows x, y, radius: their circles."""
+    """24 convex polygons of 4 to 8 corners between two opposite corners of the square. Rows x, y,
+    radius: their circles.
+    """
     polygons, circles = discs(24, seed)
-    return Case(ke.Problem(ke.Point(), ke.PolygonWorld(SQUARE, polygons), (2, 2), (98, 98)), seed, circles)
+    return Case(
+        ke.Problem(ke.Point(), ke.PolygonWorld(SQUARE, polygons), (2, 2), (98, 98)), seed, circles
+    )
 
 
 def discs(count: int, seed: int) -> tuple[list[np.ndarray], np.ndarray]:
@@ -42,7 +54,9 @@ def discs(count: int, seed: int) -> tuple[list[np.ndarray], np.ndarray]:
 
 
 def inscribed_polygon(centre: np.ndarray, radius: float, rng: np.random.Generator) -> np.ndarray:
-    """A convex polygon of 4 to 8 corners on a circle, with the circle's centre inside, shape (k, 2)."""
+    """A convex polygon of 4 to 8 corners on a circle, with the circle's centre inside, shape (k,
+    2).
+    """
     k = rng.integers(4, 9)
     while True:
         angles = np.sort(rng.uniform(0, 2 * np.pi, k))
@@ -71,7 +85,13 @@ def among_boxes(seed: int) -> Case:
 def through_doors(seed: int) -> Case:
     """Three walls across the square, each with a door two units wide. Rows x, y, width, height."""
     doors = np.random.default_rng(seed).uniform(10, 88, 3)
-    boxes = np.array([row for x, door in zip((24, 49, 74), doors) for row in ((x, 0, 2, door), (x, door + 2, 2, 98 - door))])
+    boxes = np.array(
+        [
+            row
+            for x, door in zip((24, 49, 74), doors)
+            for row in ((x, 0, 2, door), (x, door + 2, 2, 98 - door))
+        ]
+    )
     world = ke.PolygonWorld(SQUARE, [box(*row) for row in boxes])
     return Case(ke.Problem(ke.Point(), world, (2, 2), (98, 98)), seed, boxes)
 

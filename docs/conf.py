@@ -1,4 +1,6 @@
-"""The course as a site, for Sphinx: python start.py site. The sources are the whole course; nothing is run, nothing is fetched."""
+"""The course as a site, for Sphinx: python start.py site. The sources are the whole course; nothing
+is run, nothing is fetched.
+"""
 
 import os
 import sys
@@ -10,12 +12,24 @@ os.environ["NUMBA_DISABLE_JIT"] = "1"  # the reference shows functions as they a
 
 project = "kinoedu"
 root_doc = "README"
-include_patterns = ["README.md", "CHANGELOG.md", "docs/**.md", "notebooks/*.ipynb", "exercises/*.ipynb"]
-include_patterns += ["notebooks/maps/README.md", "tests/data/*/README.md", "solutions/README.md", "benchmarks/README.md"]
+include_patterns = [
+    "README.md",
+    "CHANGELOG.md",
+    "docs/**.md",
+    "notebooks/*.ipynb",
+    "exercises/*.ipynb",
+]
+include_patterns += [
+    "notebooks/maps/README.md",
+    "tests/data/*/README.md",
+    "solutions/README.md",
+    "benchmarks/README.md",
+]
 exclude_patterns = ["docs/contents.md"]  # the entrance has it
 extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.viewcode", "formulas", "rendering"]
 
-# Notebooks are shown as they were stored. A board's still picture stands for the board, which needs a kernel.
+# Notebooks are shown as they were stored. A board's still picture stands for the board, which needs
+# a kernel.
 nb_execution_mode = "off"
 nb_ipywidgets_js = {}
 nb_mime_priority_overrides = [("html", "application/vnd.jupyter.widget-view+json", None)]
@@ -36,7 +50,8 @@ html_css_files = ["site.css"]
 html_favicon = "static/favicon.svg"
 html_math_renderer = "mathml"
 html_copy_source = html_show_copyright = False
-html_show_search_summary = False  # a browser that reads from a disk may not fetch pages to quote from
+# a browser that reads from a disk may not fetch pages to quote from
+html_show_search_summary = False
 html_theme_options = {
     "light_css_variables": {"color-brand-primary": "#0072B2", "color-brand-content": "#005A8C"},
     "dark_css_variables": {"color-brand-primary": "#6CB4E2", "color-brand-content": "#6CB4E2"},

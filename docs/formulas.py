@@ -1,4 +1,6 @@
-"""Formulas as MathML: browsers draw it without JavaScript and fonts of ours, and screen readers read it."""
+"""Formulas as MathML: browsers draw it without JavaScript and fonts of ours, and screen readers
+read it.
+"""
 
 import re
 
@@ -9,7 +11,11 @@ THIN = '<mspace width="0.167em"/>'
 
 # Where browsers do not space the converter's MathML as TeX would.
 SPACED = [
-    (r"(<mo[^>]*>(?:&#x000(?:28|2C|3D);|&#x02...;|\[|\()</mo>)<mo>(?=&#x02212;)", r'\1<mo form="prefix">'),  # = -1
+    # = -1
+    (
+        r"(<mo[^>]*>(?:&#x000(?:28|2C|3D);|&#x02...;|\[|\()</mo>)<mo>(?=&#x02212;)",
+        r'\1<mo form="prefix">',
+    ),
     (r"<mo>(?=&#x0002F;)", '<mo lspace="0" rspace="0">'),  # a/b
     (r"(<mi>[a-z]{2,}</mi>)(?=<m(?:[in]|sub|sup)>)", rf"\1{THIN}"),  # sin x
     (r"(?<=</m[in]>)(?=<mi>[a-z]{2,}</mi>)", THIN),  # r sin

@@ -1,7 +1,8 @@
-"""The rooms of kinoedu and who imports whom, as a picture: python docs/house_picture.py draws docs/house.svg.
+"""The rooms of kinoedu and who imports whom, as a picture: python docs/house_picture.py draws
+docs/house.svg.
 
-A row of the picture is a layer of the contract in pyproject.toml. Every arrow goes down. An import is not drawn where a way along
-others leads there as well.
+A row of the picture is a layer of the contract in pyproject.toml. Every arrow goes down. An import
+is not drawn where a way along others leads there as well.
 """
 
 import ast
@@ -41,7 +42,9 @@ def imports() -> Iterator[tuple[str, str]]:
 
 def layers() -> list[list[str]]:
     """The rooms, layer by layer, as the contract has them; the top one is left out."""
-    contracts = tomllib.loads((HOUSE / "pyproject.toml").read_text(encoding="utf-8"))["tool"]["importlinter"]["contracts"]
+    contracts = tomllib.loads((HOUSE / "pyproject.toml").read_text(encoding="utf-8"))["tool"][
+        "importlinter"
+    ]["contracts"]
     rows = [[room.strip() for room in layer.split("|")] for layer in contracts[0]["layers"]]
     return [row for row in rows if not TOP & set(row)]
 
@@ -49,11 +52,22 @@ def layers() -> list[list[str]]:
 def drawn() -> str:
     """The picture as SVG."""
     rows = layers()
-    place = {room: ((i + 0.5) * WIDTH / len(row), ROW * (j + 0.5)) for j, row in enumerate(rows) for i, room in enumerate(row)}
-    pairs = {(room_of(a), room_of(b)) for a, b in imports() if not TOP & {a, b}} - {(room, room) for room in place}
+    place = {
+        room: ((i + 0.5) * WIDTH / len(row), ROW * (j + 0.5))
+        for j, row in enumerate(rows)
+        for i, room in enumerate(row)
+    }
+    pairs = {(room_of(a), room_of(b)) for a, b in imports() if not TOP & {a, b}} - {
+        (room, room) for room in place
+    }
     frame = f'viewBox="0 0 {WIDTH} {ROW * len(rows)}" font-family="sans-serif" font-size="15"'
-    text = [f'<svg xmlns="http://www.w3.org/2000/svg" {frame}>', '<rect width="100%" height="100%" fill="#fff"/>']
-    text.append('<marker id="tip" viewBox="0 0 8 8" refX="8" refY="4" markerWidth="7" markerHeight="7" orient="auto">')
+    text = [
+        f'<svg xmlns="http://www.w3.org/2000/svg" {frame}>',
+        '<rect width="100%" height="100%" fill="#fff"/>',
+    ]
+    text.append(
+        '<marker id="tip" viewBox="0 0 8 8" refX="8" refY="4" markerWidth="7" markerHeight="7" orient="auto">'
+    )
     text.append('<path d="M0 0L8 4L0 8z" fill="#557"/></marker>')
     for a, b in sorted(pair for pair in pairs if not is_implied(*pair, pairs)):
         (x, y), (u, v) = place[a], place[b]
@@ -61,8 +75,12 @@ def drawn() -> str:
         text.append(f'<path d="{line}" stroke="#557" stroke-opacity=".6" marker-end="url(#tip)"/>')
     for room, (x, y) in place.items():
         corner = f'x="{x - BOX / 2:.0f}" y="{y - TALL / 2:.0f}"'
-        text.append(f'<rect {corner} width="{BOX}" height="{TALL}" rx="6" fill="#eef" stroke="#557"/>')
-        text.append(f'<text x="{x:.0f}" y="{y + 5:.0f}" text-anchor="middle">{room.removeprefix("kinoedu.")}</text>')
+        text.append(
+            f'<rect {corner} width="{BOX}" height="{TALL}" rx="6" fill="#eef" stroke="#557"/>'
+        )
+        text.append(
+            f'<text x="{x:.0f}" y="{y + 5:.0f}" text-anchor="middle">{room.removeprefix("kinoedu.")}</text>'
+        )
     return "\n".join([*text, "</svg>\n"])
 
 

@@ -1,7 +1,9 @@
-"""Writes the second half of licences.md: every pinned package with its licence, as its own metadata tells it, and who needs it.
+"""Writes the second half of licences.md: every pinned package with its licence, as its own metadata
+tells it, and who needs it.
 
-python docs/licences.py, where all that is to be told is installed. The line of a package that is not installed here, as it is for
-another system, is kept; one that was never told is named, to be written by hand.
+python docs/licences.py, where all that is to be told is installed. The line of a package that is
+not installed here, as it is for another system, is kept; one that was never told is named, to be
+written by hand.
 """
 
 import re
@@ -32,29 +34,53 @@ def pinned(file: Path) -> list[str]:
 
 
 def licence(package: Distribution) -> str:
-    """In the package's own words: an SPDX expression, or else a line of its own, or else its classifiers."""
+    """In the package's own words: an SPDX expression, or else a line of its own, or else its
+    classifiers.
+    """
     told = package.metadata
     expression, own = told.get("License-Expression"), (told.get("License") or "").strip()
     if expression or (own and len(own) < 50 and "\n" not in own and own != "UNKNOWN"):
         return expression or own
-    classifiers = [line.rpartition(" :: ")[2] for line in told.get_all("Classifier") or [] if line.startswith("License ::")]
+    classifiers = [
+        line.rpartition(" :: ")[2]
+        for line in told.get_all("Classifier") or []
+        if line.startswith("License ::")
+    ]
     return ", ".join(classifiers)
 
 
 def asks(package: Distribution, *, extras: bool) -> set[str]:
-    """What a package asks for, in its extras or outside of those; extras for its own makers are left out."""
+    """What a package asks for, in its extras or outside of those; extras for its own makers are
+    left out.
+    """
     lines = [line for line in package.requires or [] if extras == ("extra ==" in line)]
-    return {canonical(re.match(r"[\w.-]+", line)[0]) for line in lines if not re.search("extra == .(dev|doc|test|lint)", line)}
+    return {
+        canonical(re.match(r"[\w.-]+", line)[0])
+        for line in lines
+        if not re.search("extra == .(dev|doc|test|lint)", line)
+    }
 
 
 def users(name: str, installed: dict[str, Distribution], *, extras: bool) -> list[str]:
     """Which packages ask for one."""
-    return sorted(other for other, package in installed.items() if name in asks(package, extras=extras))
+    return sorted(
+        other for other, package in installed.items() if name in asks(package, extras=extras)
+    )
 
 
-def rows(file: Path, installed: dict[str, Distribution], kept: dict[str, str], course: set[str]) -> list[str]:
-    """The table of a file: the course's own choices are marked, of others is told who brings them."""
-    table = ["", f"### `{file.relative_to(HOUSE).as_posix()}`", "", "| package | licence | needed by |", "|---|---|---|"]
+def rows(
+    file: Path, installed: dict[str, Distribution], kept: dict[str, str], course: set[str]
+) -> list[str]:
+    """The table of a file: the course's own choices are marked, of others is told who brings
+    them.
+    """
+    table = [
+        "",
+        f"### `{file.relative_to(HOUSE).as_posix()}`",
+        "",
+        "| package | licence | needed by |",
+        "|---|---|---|",
+    ]
     for name in pinned(file):
         if name in installed and licence(installed[name]):
             who = (["**kinoedu**"] if name in course else []) + users(name, installed, extras=False)
@@ -69,11 +95,25 @@ def main() -> None:
     """Write the page anew; complain of what is to be written by hand."""
     text = PAGE.read_text(encoding="utf-8")
     pins = {name for file in environments() for name in pinned(file)}
-    installed = {canonical(package.name): package for package in distributions() if canonical(package.name) in pins}
+    installed = {
+        canonical(package.name): package
+        for package in distributions()
+        if canonical(package.name) in pins
+    }
     kept = {row[1]: row[0] for row in ROW.finditer(text)}
-    asked = re.findall(r'^    "([A-Za-z0-9._-]+)[^"]*",', (HOUSE / "pyproject.toml").read_text(encoding="utf-8"), re.MULTILINE)
-    tables = [row for file in environments() for row in rows(file, installed, kept, set(map(canonical, asked)))]
-    PAGE.write_text(text.partition(HEADING)[0] + HEADING + "\n" + "\n".join(tables) + "\n", encoding="utf-8")
+    asked = re.findall(
+        r'^    "([A-Za-z0-9._-]+)[^"]*",',
+        (HOUSE / "pyproject.toml").read_text(encoding="utf-8"),
+        re.MULTILINE,
+    )
+    tables = [
+        row
+        for file in environments()
+        for row in rows(file, installed, kept, set(map(canonical, asked)))
+    ]
+    PAGE.write_text(
+        text.partition(HEADING)[0] + HEADING + "\n" + "\n".join(tables) + "\n", encoding="utf-8"
+    )
     missing = [row.split()[1] for row in tables if "| ? |" in row]
     if missing:
         sys.exit(f"to be written by hand in {PAGE.name}: {', '.join(missing)}")

@@ -1,7 +1,9 @@
-"""Makes the pictures of boards.md: opens the lessons that it names in a real JupyterLab, runs them, and photographs their boards.
+"""Makes the pictures of boards.md: opens the lessons that it names in a real JupyterLab, runs them,
+and photographs their boards.
 
-python docs/pictures.py [NAME ...], such as race_board; without names, all. It needs Chromium, the tests' tools, which
-python start.py test brings, and some minutes. Look at each picture before it is kept.
+python docs/pictures.py [NAME ...], such as race_board; without names, all. It needs Chromium, the
+tests' tools, which python start.py test brings, and some minutes. Look at each picture before it is
+kept.
 """
 
 import io
@@ -22,7 +24,8 @@ from lab_driver import CHROMIUM, RUN_ALL, lab, notebook_page, written_notebook  
 
 PAGE, PICTURES = HOUSE / "docs" / "boards.md", HOUSE / "docs" / "boards"
 ENTRY = re.compile(
-    r"^!\[[^]]+\]\(boards/(?P<name>\w+)\.png\)\n\n(?P<text>.+?)\n\n```python\n(?P<code>.+?)\n```", re.MULTILINE | re.DOTALL
+    r"^!\[[^]]+\]\(boards/(?P<name>\w+)\.png\)\n\n(?P<text>.+?)\n\n```python\n(?P<code>.+?)\n```",
+    re.MULTILINE | re.DOTALL,
 )
 LESSON = re.compile(r"\]\(\.\./notebooks/(.+?\.ipynb)\)")
 ALONE = "alone.ipynb"  # a notebook made here, for what no lesson shows
@@ -41,7 +44,9 @@ OUTPUT = """number => {
 
 
 class Entry(NamedTuple):
-    """A board on the page: its name, the notebook whose board is photographed, the lines that open one."""
+    """A board on the page: its name, the notebook whose board is photographed, the lines that open
+    one.
+    """
 
     name: str
     lesson: str
@@ -49,7 +54,9 @@ class Entry(NamedTuple):
 
 
 def entries(page: str) -> Iterator[Entry]:
-    """What the page shows, in its order. The first lesson that an entry names is the one that is opened."""
+    """What the page shows, in its order. The first lesson that an entry names is the one that is
+    opened.
+    """
     for found in ENTRY.finditer(page):
         lesson = LESSON.search(found["text"])
         yield Entry(found["name"], lesson[1] if lesson else ALONE, found["code"])
@@ -58,7 +65,9 @@ def entries(page: str) -> Iterator[Entry]:
 def cell_of(book: dict[str, Any], name: str) -> int:
     """The first cell that ends by opening the board."""
     ends = ["".join(cell["source"]).strip().rpartition("\n")[2] for cell in book["cells"]]
-    return next(number for number, line in enumerate(ends) if re.match(rf"(ke\.)?(boards\.)?{name}\(", line))
+    return next(
+        number for number, line in enumerate(ends) if re.match(rf"(ke\.)?(boards\.)?{name}\(", line)
+    )
 
 
 def cropped(shot: bytes) -> Image.Image:
@@ -68,13 +77,23 @@ def cropped(shot: bytes) -> Image.Image:
 
 
 def keep(picture: Image.Image, file: Path) -> None:
-    """In all its colours, or in as many as there is room for, the rare ones kept: they mean something."""
+    """In all its colours, or in as many as there is room for, the rare ones kept: they mean
+    something.
+    """
     if picture.width > WIDEST:
-        picture = picture.resize((WIDEST, round(picture.height * WIDEST / picture.width)), Image.Resampling.LANCZOS)
+        picture = picture.resize(
+            (WIDEST, round(picture.height * WIDEST / picture.width)), Image.Resampling.LANCZOS
+        )
     picture.save(file, optimize=True)
     if file.stat().st_size > BYTES:
-        picture.quantize(256, Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE).save(file, optimize=True)
-    print(f"{file.relative_to(HOUSE)}: {picture.width} x {picture.height}, {file.stat().st_size / 1000:.0f} KB", flush=True)
+        picture.quantize(256, Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE).save(
+            file, optimize=True
+        )
+    print(
+        f"{file.relative_to(HOUSE)}: {picture.width} x {picture.height}, "
+        f"{file.stat().st_size / 1000:.0f} KB",
+        flush=True,
+    )
     if file.stat().st_size > BYTES:
         raise SystemExit(f"{file.name} is larger than {BYTES / 1000:.0f} KB")
 
@@ -90,13 +109,23 @@ def photograph(page: Any, wanted: list[Entry]) -> None:
         page.wait_for_function(READY, arg=number)
         page.wait_for_timeout(1500)  # JupyterLab is still moving cells about
         box = page.evaluate_handle(OUTPUT, number).as_element().bounding_box()
-        clip = {"x": box["x"] - 2, "y": box["y"] - 2, "width": box["width"], "height": box["height"] + 4}  # with the frame's line
+        # with the frame's line
+        clip = {
+            "x": box["x"] - 2,
+            "y": box["y"] - 2,
+            "width": box["width"],
+            "height": box["height"] + 4,
+        }
         keep(cropped(page.screenshot(clip=clip)), PICTURES / f"{entry.name}.png")
 
 
 def main() -> None:
     """Make the pictures that are asked for."""
-    wanted = [entry for entry in entries(PAGE.read_text(encoding="utf-8")) if not sys.argv[1:] or entry.name in sys.argv[1:]]
+    wanted = [
+        entry
+        for entry in entries(PAGE.read_text(encoding="utf-8"))
+        if not sys.argv[1:] or entry.name in sys.argv[1:]
+    ]
     if CHROMIUM is None or not wanted:
         sys.exit("this needs Chromium, and names of boards in boards.md or none")
     PICTURES.mkdir(exist_ok=True)

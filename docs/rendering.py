@@ -1,4 +1,6 @@
-"""What the site adds to Sphinx: docstrings as they are written here, links to the source, pictures that say what they are."""
+"""What the site adds to Sphinx: docstrings as they are written here, links to the source, pictures
+that say what they are.
+"""
 
 import ast
 import inspect
@@ -15,7 +17,8 @@ from kinoedu.words import say
 CODE_OR_MARKUP = re.compile(r"`[^`]+`|[*_|\\]")
 NAMED = re.compile(r"(?m)^(\w[\w\\, ()]*) : (.*)")
 FIGURE = re.compile(r"<Figure size (\d+)")
-WIDE = 640  # in pixels; what is wider cannot be read in the width of a telephone, and is scrolled there
+# in pixels; what is wider cannot be read in the width of a telephone, and is scrolled there
+WIDE = 640
 BOARD = "application/vnd.jupyter.widget-view+json"
 NAME = re.compile(r"ke\.([\w.]+)(?:\(.*\))?$")
 
@@ -27,13 +30,16 @@ def setup(app):
     app.connect("autodoc-process-signature", as_written)
     app.connect("autodoc-skip-member", is_field)
     app.connect("doctree-read", tell_pictures)
-    app.connect("doctree-read", lead_to_sources, priority=400)  # before Sphinx copies what is linked
+    # before Sphinx copies what is linked
+    app.connect("doctree-read", lead_to_sources, priority=400)
     app.connect("build-finished", name_the_entrance)
     return {"parallel_read_safe": True, "parallel_write_safe": True}
 
 
 def add_contents(app, docname, source):
-    """The entrance is README.md; what GitHub need not show, the order of all pages, is kept beside."""
+    """The entrance is README.md; what GitHub need not show, the order of all pages, is kept
+    beside.
+    """
     if docname == app.config.root_doc:
         source[0] += Path(app.confdir, "contents.md").read_text(encoding="utf-8")
 
@@ -45,8 +51,12 @@ def name_the_entrance(app, failure):
 
 
 def mark_up(app, what, name, thing, options, lines):
-    """Docstrings are plain text, with examples, `code` and lists of `name : meaning`; make them Sphinx's markup."""
-    lines[:] = "\n\n".join(marked(paragraph) for paragraph in "\n".join(lines).split("\n\n")).splitlines()
+    """Docstrings are plain text, with examples, `code` and lists of `name : meaning`; make them
+    Sphinx's markup.
+    """
+    lines[:] = "\n\n".join(
+        marked(paragraph) for paragraph in "\n".join(lines).split("\n\n")
+    ).splitlines()
 
 
 def marked(paragraph):
@@ -56,7 +66,9 @@ def marked(paragraph):
     if paragraph.startswith(" "):
         return f"::\n\n{paragraph}"
     text = paragraph.removeprefix("Parameters\n----------\n")
-    text = CODE_OR_MARKUP.sub(lambda found: f"`{found[0]}`" if found[0][0] == "`" else f"\\{found[0]}", text)
+    text = CODE_OR_MARKUP.sub(
+        lambda found: f"`{found[0]}`" if found[0][0] == "`" else f"\\{found[0]}", text
+    )
     if all(line.startswith(" ") or NAMED.match(line) for line in text.splitlines()):
         return NAMED.sub(r"**\1**\n    \2", text)
     return text
@@ -68,8 +80,14 @@ def as_written(app, what, name, thing, options, arguments, returned):
         return None
     definition = ast.parse(textwrap.dedent(inspect.getsource(thing))).body[0]
     if isinstance(definition, ast.ClassDef):
-        fields = [part for part in definition.body if isinstance(part, ast.AnnAssign) and "ClassVar" not in ast.unparse(part)]
-        definition = next((part for part in definition.body if getattr(part, "name", "") == "__init__"), None)
+        fields = [
+            part
+            for part in definition.body
+            if isinstance(part, ast.AnnAssign) and "ClassVar" not in ast.unparse(part)
+        ]
+        definition = next(
+            (part for part in definition.body if getattr(part, "name", "") == "__init__"), None
+        )
         if definition is None:
             return f"({', '.join(map(ast.unparse, fields))})" if fields else "", None
     taken = definition.args.args
@@ -84,7 +102,9 @@ def is_field(app, what, name, thing, skip, options):
 
 
 def lead_to_sources(app, doctree):
-    """Links to Python files lead to the page with their text, and `ke.rrt` to its place in the reference."""
+    """Links to Python files lead to the page with their text, and `ke.rrt` to its place in the
+    reference.
+    """
     page = app.env.docname
     for link in list(doctree.findall(addnodes.download_reference)):
         file = PurePosixPath(app.env.relfn2path(link["reftarget"], page)[0])
@@ -93,13 +113,17 @@ def lead_to_sources(app, doctree):
             link.replace_self(nodes.reference("", "", *link.children, refuri=uri))
     for code in list(doctree.findall(nodes.literal)):
         if named := NAME.match(code.astext()):
-            link = addnodes.pending_xref("", refdomain="py", reftype="obj", reftarget=named[1], refspecific=True, refdoc=page)
+            link = addnodes.pending_xref(
+                "", refdomain="py", reftype="obj", reftarget=named[1], refspecific=True, refdoc=page
+            )
             code.replace_self(link)
             link += code
 
 
 def tell_pictures(app, doctree):
-    """A picture of a notebook says in words what it shows, and if it is wide; one of a board, that the board is elsewhere."""
+    """A picture of a notebook says in words what it shows, and if it is wide; one of a board, that
+    the board is elsewhere.
+    """
     for output in doctree.findall(nodes.container):
         if output.get("nb_element") == "mime_bundle":
             kinds = {kind["mime_type"]: kind for kind in output.children}

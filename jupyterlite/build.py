@@ -1,7 +1,9 @@
-"""Makes a site on which the lessons run in the reader's browser, without a server: python jupyterlite/build.py FOLDER.
+"""Makes a site on which the lessons run in the reader's browser, without a server: python
+jupyterlite/build.py FOLDER.
 
-Needs environment.txt and jupyterlite/environment.txt in the Python that runs it. Whoever serves FOLDER serves the course; the
-browser fetches Pyodide, and packages that are not in the site, from the network.
+Needs environment.txt and jupyterlite/environment.txt in the Python that runs it. Whoever serves
+FOLDER serves the course; the browser fetches Pyodide, and packages that are not in the site, from
+the network.
 """
 
 import json
@@ -14,30 +16,53 @@ import tomllib
 from pathlib import Path
 
 HOUSE = Path(__file__).resolve().parent.parent
-ELSEWHERE = {"jupyterlab", "nbval", "numba"}  # the page is the lab, nothing is tested, and nothing compiles for a browser
+# the page is the lab, nothing is tested, and nothing compiles for a browser
+ELSEWHERE = {"jupyterlab", "nbval", "numba"}
 
 
 def packages() -> list[str]:
     """What kinoedu stands on in a browser, in whatever version Pyodide has."""
     project = tomllib.loads((HOUSE / "pyproject.toml").read_text(encoding="utf-8"))["project"]
-    return [name for name in (re.match(r"[\w-]+", line)[0] for line in project["dependencies"]) if name not in ELSEWHERE]
+    return [
+        name
+        for name in (re.match(r"[\w-]+", line)[0] for line in project["dependencies"])
+        if name not in ELSEWHERE
+    ]
 
 
 def first_cell() -> dict[str, object]:
     """Brings kinoedu into the browser's Python; the wheel comes with the site."""
-    source = f"# runs in your browser: the first time this takes a minute\n%pip install -q {' '.join(packages())}\n"
+    source = (
+        "# runs in your browser: the first time this takes a minute\n%pip install -q "
+        f"{' '.join(packages())}\n"
+    )
     source += "%pip install -q --no-deps kinoedu"
-    return {"cell_type": "code", "id": "bring", "metadata": {}, "source": source, "outputs": [], "execution_count": None}
+    return {
+        "cell_type": "code",
+        "id": "bring",
+        "metadata": {},
+        "source": source,
+        "outputs": [],
+        "execution_count": None,
+    }
 
 
 def copy_lessons(folder: Path) -> None:
-    """Lessons, exercises and maps, each notebook with the first cell and for the browser's kernel."""
+    """Lessons, exercises and maps, each notebook with the first cell and for the browser's
+    kernel.
+    """
     for room in ("notebooks", "exercises"):
-        shutil.copytree(HOUSE / room, folder / room, ignore=shutil.ignore_patterns(".*", "__pycache__"))
+        shutil.copytree(
+            HOUSE / room, folder / room, ignore=shutil.ignore_patterns(".*", "__pycache__")
+        )
         for file in (folder / room).glob("*.ipynb"):
             book = json.loads(file.read_text(encoding="utf-8"))
             book["cells"].insert(0, first_cell())
-            book["metadata"]["kernelspec"] = {"display_name": "Python (Pyodide)", "language": "python", "name": "python"}
+            book["metadata"]["kernelspec"] = {
+                "display_name": "Python (Pyodide)",
+                "language": "python",
+                "name": "python",
+            }
             file.write_text(json.dumps(book, ensure_ascii=False, indent=1) + "\n", encoding="utf-8")
 
 
@@ -51,11 +76,29 @@ def main() -> None:
         shutil.copy(HOUSE / "jupyterlite" / "overrides.json", work)
         copy_lessons(work / "contents")
         subprocess.run(
-            [sys.executable, "-m", "hatchling", "build", "-t", "wheel", "-d", str(work / "wheels")], cwd=HOUSE, check=True
+            [sys.executable, "-m", "hatchling", "build", "-t", "wheel", "-d", str(work / "wheels")],
+            cwd=HOUSE,
+            check=True,
         )
         (wheel,) = (work / "wheels").glob("kinoedu-*.whl")
-        command = [sys.executable, "-m", "jupyterlite_core", "build", "--lite-dir", str(work), "--contents", str(work / "contents")]
-        command += ["--output-dir", str(site), "--apps", "lab", "--no-sourcemaps", f"--piplite-wheels={wheel}"]
+        command = [
+            sys.executable,
+            "-m",
+            "jupyterlite_core",
+            "build",
+            "--lite-dir",
+            str(work),
+            "--contents",
+            str(work / "contents"),
+        ]
+        command += [
+            "--output-dir",
+            str(site),
+            "--apps",
+            "lab",
+            "--no-sourcemaps",
+            f"--piplite-wheels={wheel}",
+        ]
         subprocess.run(command, cwd=work, check=True)
 
 

@@ -17,7 +17,19 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:  # what a type checker sees of the table below
-    from . import collision, curves, decomposition, geometry, graphs, planners, problems, robots, scenes, spaces, worlds
+    from . import (
+        collision,
+        curves,
+        decomposition,
+        geometry,
+        graphs,
+        planners,
+        problems,
+        robots,
+        scenes,
+        spaces,
+        worlds,
+    )
     from .collision import collision_bound, collision_probability, link_in_contact
     from .curves import dubins_path, reeds_shepp_path
     from .decomposition import decomposition_roadmap, sweep, trapezoidation, triangulation

@@ -10,10 +10,11 @@ Z = 1.959963984540054  # 95 percent of a normal distribution lie within so many 
 
 
 def wilson(successes: ArrayLike, trials: int) -> tuple[Array, Array]:
-    """The ends of Wilson's 95 percent interval for a share, each of the shape of `successes`; never empty, also at 0 and at all,
-    and from 0 to 1 where nothing was tried.
+    """The ends of Wilson's 95 percent interval for a share, each of the shape of `successes`; never
+    empty, also at 0 and at all, and from 0 to 1 where nothing was tried.
 
-    E. B. Wilson, "Probable inference, the law of succession, and statistical inference" (1927). Raises InvalidParameter.
+    E. B. Wilson, "Probable inference, the law of succession, and statistical inference" (1927).
+    Raises InvalidParameter.
 
     >>> low, high = wilson([0, 50, 100], 100)
     >>> low.round(3).tolist(), high.round(3).tolist()
@@ -21,7 +22,9 @@ def wilson(successes: ArrayLike, trials: int) -> tuple[Array, Array]:
     """
     counts = as_array(successes, "successes")
     if trials < 0 or not ((counts >= 0) & (counts <= trials)).all():
-        raise InvalidParameter(f"successes must lie between 0 and trials = {trials}, got {counts.tolist()}")
+        raise InvalidParameter(
+            f"successes must lie between 0 and trials = {trials}, got {counts.tolist()}"
+        )
     if trials == 0:
         return np.zeros_like(counts), np.ones_like(counts)
     share, square = counts / trials, Z * Z / trials

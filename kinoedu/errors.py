@@ -1,7 +1,8 @@
 """Every failure that kinoedu names.
 
-All derive from `KinoeduError`, and that from `ValueError`: the input was at fault, and the message says what was expected, what
-came and what to do. That no path exists is not an error: it is an answer (`plan.path is None`, with `plan.reason`).
+All derive from `KinoeduError`, and that from `ValueError`: the input was at fault, and the message
+says what was expected, what came and what to do. That no path exists is not an error: it is an
+answer (`plan.path is None`, with `plan.reason`).
 """
 
 
@@ -10,7 +11,9 @@ class KinoeduError(ValueError):
 
 
 class InvalidPoint(KinoeduError):
-    """A point, a set of points or a configuration has the wrong shape, is not finite, or is too large or too small to be exact."""
+    """A point, a set of points or a configuration has the wrong shape, is not finite, or is too
+    large or too small to be exact.
+    """
 
 
 class InvalidSegment(KinoeduError):
@@ -18,7 +21,9 @@ class InvalidSegment(KinoeduError):
 
 
 class InvalidPolygon(KinoeduError):
-    """A ring of vertices is too short, has no area, repeats a vertex, meets itself, or is not convex where it must be."""
+    """A ring of vertices is too short, has no area, repeats a vertex, meets itself, or is not
+    convex where it must be.
+    """
 
 
 class InvalidWorld(KinoeduError):
@@ -42,7 +47,9 @@ class InvalidParameter(KinoeduError):
 
 
 class InvalidGraph(KinoeduError):
-    """A node, an edge or a place is not there, a weight is one that no search can use, or what was given is no graph."""
+    """A node, an edge or a place is not there, a weight is one that no search can use, or what was
+    given is no graph.
+    """
 
 
 class UnreadableScene(KinoeduError):
@@ -62,4 +69,6 @@ class DuplicateKind(KinoeduError):
 
 
 class MendedPolygons(UserWarning):
-    """A map's polygons were not simple; the message says which, and what was made of them. It is a warning: the world is there."""
+    """A map's polygons were not simple; the message says which, and what was made of them. It is a
+    warning: the world is there.
+    """

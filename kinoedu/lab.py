@@ -21,7 +21,10 @@ def open_lab(*, browser: bool = True) -> int:
     address is printed only.
     """
     if not (COURSE / TOUR).is_file():
-        raise UnreadableScene(f"{COURSE / TOUR} is missing: start the course from its own folder, with python start.py")
+        raise UnreadableScene(
+            f"{COURSE / TOUR} is missing: start the course from its own folder, with python "
+            "start.py"
+        )
     server = subprocess.Popen(lab_command(browser=browser and has_display()), cwd=lessons())
     silent = subprocess.DEVNULL
     warm = [sys.executable, "-m", "kinoedu", "warm", "--behind"]
@@ -40,13 +43,17 @@ def open_lab(*, browser: bool = True) -> int:
 
 
 def lessons() -> Path:
-    """Where the notebooks are written: beside the course, or in the user's home where the course is only to be read."""
+    """Where the notebooks are written: beside the course, or in the user's home where the course is
+    only to be read.
+    """
     writable = os.access(COURSE / "notebooks", os.W_OK)
     return COURSE if writable else copy_lessons(Path.home() / "kinoedu")
 
 
 def copy_lessons(folder: Path) -> Path:
-    """The folder, with those lessons, maps and exercises that were not in it; what is there, a student has written."""
+    """The folder, with those lessons, maps and exercises that were not in it; what is there, a
+    student has written.
+    """
     for room in ("notebooks", "exercises"):
         for source in sorted((COURSE / room).rglob("*")):
             copy = folder / source.relative_to(COURSE)
@@ -57,7 +64,9 @@ def copy_lessons(folder: Path) -> Path:
 
 
 def lab_command(*, browser: bool) -> list[str]:
-    """The command that starts JupyterLab, which shall neither ask the network for news nor its reader whether to."""
+    """The command that starts JupyterLab, which shall neither ask the network for news nor its
+    reader whether to.
+    """
     command = [
         sys.executable,
         "-m",
@@ -78,11 +87,15 @@ def lab_command(*, browser: bool) -> list[str]:
 
 def has_display() -> bool:
     """Whether a browser could open a window here."""
-    return sys.platform in ("win32", "darwin") or bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
+    return sys.platform in ("win32", "darwin") or bool(
+        os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")
+    )
 
 
 def address_of(server: "subprocess.Popen[bytes]") -> str | None:
-    """The tour's address with its token, once the server has written it down; None where it ended before."""
+    """The tour's address with its token, once the server has written it down; None where it ended
+    before.
+    """
     from jupyter_core.paths import jupyter_runtime_dir
 
     note = Path(jupyter_runtime_dir()) / f"jpserver-{server.pid}.json"

@@ -1,4 +1,5 @@
-"""Plans as files: all of one as JSON, version 1, or its path alone as CSV, a configuration in each row.
+"""Plans as files: all of one as JSON, version 1, or its path alone as CSV, a configuration in each
+row.
 
     {"version": 1, "planner": "rrt", "cost": 17.5, "reason": "", "path": [[x, y], ...], "stats": {"nodes": 34},
      "tree": {"nodes": [[x, y], ...], "parent": [-1, 0, ...]},
@@ -7,8 +8,9 @@
      "walk": {"points": [...], "following": [...], "travelled": [...], "distance_to_goal": [...], "hit": [...], "leave": [...]},
      "problem": a scene}
 
-Trees and roadmaps that are driven have "controls" and "durations" too, such roadmaps also "goals". Null stands for what a plan has
-not: a path with its cost, a tree, a roadmap, a walk, a trajectory, and a problem that scenes can hold.
+Trees and roadmaps that are driven have "controls" and "durations" too, such roadmaps also "goals".
+Null stands for what a plan has not: a path with its cost, a tree, a roadmap, a walk, a trajectory,
+and a problem that scenes can hold.
 """
 
 import csv
@@ -32,8 +34,18 @@ from .support.text import shortened
 from .support.whole_files import written_whole
 
 VERSION = 1
-KINDS: dict[str, tuple[Any, ...]] = {"tree": (Tree, DrivenTree), "roadmap": (Roadmap, DrivenRoadmap), "walk": (Walk,)}
-WHOLE_NUMBERS = ("parent", "edges", "goals", "hit", "leave")  # the members of these that count nodes
+KINDS: dict[str, tuple[Any, ...]] = {
+    "tree": (Tree, DrivenTree),
+    "roadmap": (Roadmap, DrivenRoadmap),
+    "walk": (Walk,),
+}
+WHOLE_NUMBERS = (
+    "parent",
+    "edges",
+    "goals",
+    "hit",
+    "leave",
+)  # the members of these that count nodes
 PAIRS = ("edges", "controls")
 AS_MANY_AS_THEY_ARE = ("edges", "goals", "hit", "leave")
 
@@ -41,10 +53,12 @@ AS_MANY_AS_THEY_ARE = ("edges", "goals", "hit", "leave")
 def write_plan(plan: Plan, path: str | os.PathLike[str]) -> None:
     """Write a plan into a file, whole or not at all.
 
-    path : ends in .json for all of the plan, which `read_plan` reads back equal; or in .csv for the path alone, a row for each
-    configuration below a row of names: x, y; x, y, theta; theta1, theta2, ... of an arm. Without a path there are no rows below it.
+    path : ends in .json for all of the plan, which `read_plan` reads back equal; or in .csv for the
+        path alone, a row for each configuration below a row of names: x, y; x, y, theta; theta1,
+        theta2, ... of an arm. Without a path there are no rows below it.
 
-    Raises UnknownFormat for another ending, InvalidParameter for what is no plan, OSError where the file cannot be written.
+    Raises UnknownFormat for another ending, InvalidParameter for what is no plan, OSError where the
+    file cannot be written.
 
     >>> from kinoedu import Point, PolygonWorld, Problem, plan_by_visibility
     >>> from pathlib import Path
@@ -81,7 +95,9 @@ def columns(plan: Plan) -> list[str]:
     """What the coordinates of a plan's configurations are called."""
     space = getattr(plan.problem, "space", None)
     d = np.size(getattr(plan.problem, "start", ())) if plan.path is None else plan.path.shape[1]
-    if isinstance(space, RealSpace | CurveSpace) or (isinstance(space, WrappingSpace) and not space.wraps[0]):
+    if isinstance(space, RealSpace | CurveSpace) or (
+        isinstance(space, WrappingSpace) and not space.wraps[0]
+    ):
         return ["x", "y", "theta"][:d]
     letter = "theta" if isinstance(space, WrappingSpace) else "q"
     return [f"{letter}{i + 1}" for i in range(d)]
@@ -101,7 +117,10 @@ def write_whole_plan(plan: Plan, file: Path) -> None:
         "reason": plan.reason,
         "path": None if plan.path is None else plan.path.tolist(),
         "stats": {name: int(count) for name, count in plan.stats.items()},
-        **{name: written_out(getattr(plan, name)) for name in ("tree", "roadmap", "walk", "trajectory")},
+        **{
+            name: written_out(getattr(plan, name))
+            for name in ("tree", "roadmap", "walk", "trajectory")
+        },
         "problem": scene,
     }
     with file.open("w", encoding="utf-8") as stream:
@@ -110,25 +129,44 @@ def write_whole_plan(plan: Plan, file: Path) -> None:
 
 def written_out(built: Any) -> dict[str, Any] | None:
     """A tree, a roadmap, a walk or a trajectory as an object of lists and numbers."""
-    return None if built is None else {name: np.asarray(getattr(built, name)).tolist() for name in built._fields}
+    return (
+        None
+        if built is None
+        else {name: np.asarray(getattr(built, name)).tolist() for name in built._fields}
+    )
 
 
 def read_plan(path: str | os.PathLike[str]) -> Plan:
-    """The plan in a JSON file that `write_plan` wrote: path, cost, and all that was built, equal to the last bit.
+    """The plan in a JSON file that `write_plan` wrote: path, cost, and all that was built, equal to
+    the last bit.
 
-    What the file says is not judged again: whether its path is free is for `plan.problem.is_free_path` to say. Raises
-    UnreadableScene with the field at fault, UnknownFormat for another ending.
+    What the file says is not judged again: whether its path is free is for
+    `plan.problem.is_free_path` to say. Raises UnreadableScene with the field at fault,
+    UnknownFormat for another ending.
     """
     file = as_path(path)
     if file.suffix.lower() != ".json":
-        raise UnknownFormat(f"{file}: a plan that can be read ends in .json, got {file.suffix or 'no ending'}")
+        raise UnknownFormat(
+            f"{file}: a plan that can be read ends in .json, got {file.suffix or 'no ending'}"
+        )
     return read_json(file, "plan", plan_from)
 
 
 def plan_from(plan: Field) -> Plan:
     """A plan from the whole file."""
     plan.check_version(VERSION)
-    members = ("version", "planner", "cost", "reason", "path", "stats", "tree", "roadmap", "walk", "problem")
+    members = (
+        "version",
+        "planner",
+        "cost",
+        "reason",
+        "path",
+        "stats",
+        "tree",
+        "roadmap",
+        "walk",
+        "problem",
+    )
     fields = plan.members(members, ("trajectory",))
     there = {name: field for name, field in fields.items() if field.value is not None}
     if ("path" in there) != ("cost" in there):
@@ -166,7 +204,9 @@ def numbers_of(field: Field) -> Any:
 
 
 def built_from(field: Field, kinds: tuple[Any, ...]) -> Any:
-    """A tree, a roadmap or a walk, of the kind that shares most members; the first are its nodes, others may count them."""
+    """A tree, a roadmap or a walk, of the kind that shares most members; the first are its nodes,
+    others may count them.
+    """
     given = set(field.value) if isinstance(field.value, dict) else set()
     kind = max(kinds, key=lambda kind: len(given.intersection(kind._fields)))
     fields = field.members(kind._fields)
@@ -183,7 +223,9 @@ def built_from(field: Field, kinds: tuple[Any, ...]) -> Any:
 
 
 def member(field: Field, name: str, n: int) -> Any:
-    """A member of what has n nodes: flags, numbers, or pairs of them; what counts nodes counts nodes that are there."""
+    """A member of what has n nodes: flags, numbers, or pairs of them; what counts nodes counts
+    nodes that are there.
+    """
     if name == "following":
         if not all(isinstance(flag.value, bool) for flag in field.items()):
             raise field.wrong("a list of true and false")
@@ -199,11 +241,16 @@ def member(field: Field, name: str, n: int) -> Any:
 def trajectory_from(field: Field) -> TrajectoryRecord:
     """A trajectory, as it was driven: whether a car can drive it is for the car to say."""
     fields = field.members(TrajectoryRecord._fields)
-    start, controls, durations = numbers_of(fields["start"]), *(member(fields[name], name, 0) for name in ("controls", "durations"))
+    start, controls, durations = (
+        numbers_of(fields["start"]),
+        *(member(fields[name], name, 0) for name in ("controls", "durations")),
+    )
     if start.shape != (3,):
         raise fields["start"].wrong("[x, y, theta]")
     if len(durations) != len(controls) or (durations < 0.0).any():
-        raise fields["durations"].wrong(f"a number of zero or more for each of {len(controls)} controls")
+        raise fields["durations"].wrong(
+            f"a number of zero or more for each of {len(controls)} controls"
+        )
     if not fields["wheelbase"].number() > 0.0:
         raise fields["wheelbase"].wrong("positive")
     return TrajectoryRecord(start, controls, durations, fields["wheelbase"].number())

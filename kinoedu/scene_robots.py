@@ -54,7 +54,9 @@ def mesh_from(field: Field) -> RigidPolygonRobot:
         reference=fields["reference"].numbers() if "reference" in fields else (0.0, 0.0),
         **mesh_options(fields),
     )
-    return RigidPolygon(outline, turn_weight=fields["turn_weight"].number() if "turn_weight" in fields else None)
+    return RigidPolygon(
+        outline, turn_weight=fields["turn_weight"].number() if "turn_weight" in fields else None
+    )
 
 
 MESH_OPTIONS = ("slice_at", "up")
@@ -68,9 +70,13 @@ def mesh_options(fields: dict[str, Field]) -> dict[str, Any]:
 
 def car_from(field: Field) -> CarRobot:
     """A car."""
-    fields = field.members(("kind", "length", "width", "wheelbase"), ("rear_overhang", "max_steering", "speeds"))
+    fields = field.members(
+        ("kind", "length", "width", "wheelbase"), ("rear_overhang", "max_steering", "speeds")
+    )
     length, width, wheelbase = (fields[name].number() for name in ("length", "width", "wheelbase"))
-    more = {name: fields[name].number() for name in ("rear_overhang", "max_steering") if name in fields}
+    more = {
+        name: fields[name].number() for name in ("rear_overhang", "max_steering") if name in fields
+    }
     speeds = fields["speeds"].numbers() if "speeds" in fields else (-1.0, 1.0)
     return Car(length, width, wheelbase, speeds=speeds, **more)
 
@@ -104,17 +110,36 @@ def _(robot: TranslatingPolygonRobot) -> dict[str, Any]:
 
 @described.register
 def _(robot: RigidPolygonRobot) -> dict[str, Any]:
-    return {"kind": "turning polygon", "vertices": robot.outline.tolist(), "turn_weight": robot.turn_weight}
+    return {
+        "kind": "turning polygon",
+        "vertices": robot.outline.tolist(),
+        "turn_weight": robot.turn_weight,
+    }
 
 
 @described.register
 def _(robot: ArmRobot) -> dict[str, Any]:
     width = 2.0 * float(robot.shape.radius[0])
-    return {"kind": "arm", "lengths": robot.lengths.tolist(), "width": width, "base": robot.base.tolist()}
+    return {
+        "kind": "arm",
+        "lengths": robot.lengths.tolist(),
+        "width": width,
+        "base": robot.base.tolist(),
+    }
 
 
 @described.register
 def _(robot: CarRobot) -> dict[str, Any]:
     (length, width), behind = np.ptp(robot.outline, axis=0).tolist(), -float(robot.outline[0, 0])
-    sizes = {"length": length, "width": width, "wheelbase": robot.wheelbase, "rear_overhang": behind}
-    return {"kind": "car", **sizes, "max_steering": robot.max_steering, "speeds": robot.speeds.tolist()}
+    sizes = {
+        "length": length,
+        "width": width,
+        "wheelbase": robot.wheelbase,
+        "rear_overhang": behind,
+    }
+    return {
+        "kind": "car",
+        **sizes,
+        "max_steering": robot.max_steering,
+        "speeds": robot.speeds.tolist(),
+    }

@@ -17,9 +17,10 @@
      "start": [x, y], "goal": [x, y],  with theta for what turns, and angles for an arm
      "clearance": 0.0}
 
-`turn_weight`, `base`, a car's last three, `obstacles`, `rooms`, `resolution`, `origin`, `clearance`, and of a mesh all but its file
-may be left out (see worlds/meshes.py). A terrain's rows are written as they look, the top one first: "." is free, "@" is blocked.
-What a reader does not know it refuses, naming the field.
+`turn_weight`, `base`, a car's last three, `obstacles`, `rooms`, `resolution`, `origin`,
+`clearance`, and of a mesh all but its file may be left out (see worlds/meshes.py). A terrain's rows
+are written as they look, the top one first: "." is free, "@" is blocked. What a reader does not
+know it refuses, naming the field.
 """
 
 import json
@@ -52,13 +53,17 @@ FREE, BLOCKED = ".", "@"
 
 
 def read_scene(path: str | os.PathLike[str]) -> ProblemRecord:
-    """The problem in a JSON scene. Raises UnreadableScene, with the field at fault, or UnknownFormat for another extension.
+    """The problem in a JSON scene. Raises UnreadableScene, with the field at fault, or
+    UnknownFormat for another extension.
 
-    Wrong polygons, a start that is not free and so on raise their own errors (InvalidPolygon, InvalidStart), with the file's name.
+    Wrong polygons, a start that is not free and so on raise their own errors (InvalidPolygon,
+    InvalidStart), with the file's name.
     """
     file = as_path(path)
     if file.suffix.lower() != ".json":
-        raise UnknownFormat(f"{file}: a scene ends in .json; maps, pictures and meshes are read by read_world")
+        raise UnknownFormat(
+            f"{file}: a scene ends in .json; maps, pictures and meshes are read by read_world"
+        )
     return read_json(file, "scene", problem_from)
 
 
@@ -79,7 +84,9 @@ def polygons_from(field: Field) -> PolygonWorldRecord:
     """A world of polygons and discs."""
     fields = field.members(("kind", "boundary"), ("obstacles",))
     obstacles = fields["obstacles"].items() if "obstacles" in fields else []
-    return PolygonWorld(fields["boundary"].points(), [obstacle_from(obstacle) for obstacle in obstacles])
+    return PolygonWorld(
+        fields["boundary"].points(), [obstacle_from(obstacle) for obstacle in obstacles]
+    )
 
 
 def obstacle_from(field: Field) -> Any:
@@ -98,7 +105,9 @@ def terrain_from(field: Field) -> TerrainRecord:
     rows = [row.text() for row in fields["rows"].items()]
     for row in fields["rows"].items():
         if set(row.value) - {FREE, BLOCKED} or len(row.value) != len(rows[0]):
-            raise row.wrong(f'{len(rows[0])} cells, each "{FREE}" for free or "{BLOCKED}" for blocked')
+            raise row.wrong(
+                f'{len(rows[0])} cells, each "{FREE}" for free or "{BLOCKED}" for blocked'
+            )
     return Terrain(
         np.array([[cell == FREE for cell in row] for row in rows[::-1]]).reshape(len(rows), -1),
         resolution=fields["resolution"].number() if "resolution" in fields else 1.0,
@@ -132,7 +141,9 @@ WORLDS: dict[str, Callable[[Field], Any]] = {
 
 
 def write_scene(problem: ProblemRecord, path: str | os.PathLike[str]) -> None:
-    """Write a problem as a JSON scene that read_scene reads back equal, whole or not at all. Raises UnknownFormat, OSError."""
+    """Write a problem as a JSON scene that read_scene reads back equal, whole or not at all. Raises
+    UnknownFormat, OSError.
+    """
     file = Path(path)
     if file.suffix.lower() != ".json":
         raise UnknownFormat(f"{file}: a scene ends in .json")
@@ -142,7 +153,9 @@ def write_scene(problem: ProblemRecord, path: str | os.PathLike[str]) -> None:
 
 
 def scene_of(problem: ProblemRecord) -> dict[str, Any]:
-    """A problem as a scene's object. Raises UnreadableScene for a robot that scenes cannot hold, InvalidParameter."""
+    """A problem as a scene's object. Raises UnreadableScene for a robot that scenes cannot hold,
+    InvalidParameter.
+    """
     if not isinstance(problem, ProblemRecord):
         raise InvalidParameter(f"a scene holds a Problem, got {shortened(problem)}")
     return {
@@ -182,11 +195,12 @@ def read_problem(
 ) -> ProblemRecord:
     """A problem from any file that kinoedu reads.
 
-    A JSON scene is a whole problem. A map, a picture or a mesh is a world: give start and goal, or for a MovingAI map the number of
-    a `query` of the scenario beside it (0 by default); a map of polygons may have its own. The robot is a point unless another is
-    given.
+    A JSON scene is a whole problem. A map, a picture or a mesh is a world: give start and goal, or
+    for a MovingAI map the number of a `query` of the scenario beside it (0 by default); a map of
+    polygons may have its own. The robot is a point unless another is given.
 
-    Raises UnreadableScene or UnknownFormat, InvalidParameter where something is missing or given twice, InvalidStart, InvalidGoal.
+    Raises UnreadableScene or UnknownFormat, InvalidParameter where something is missing or given
+    twice, InvalidStart, InvalidGoal.
     """
     file = as_path(path)
     if file.suffix.lower() == ".json" and is_polygon_map(file):
@@ -195,17 +209,27 @@ def read_problem(
         return problem_in(file, world, robot, start, goal, query, clearance)
     if file.suffix.lower() == ".json":
         if (robot, start, goal, query, clearance) != (None, None, None, None, 0.0):
-            raise InvalidParameter(f"{file}: a scene has its own robot, start, goal and clearance; give none beside it")
+            raise InvalidParameter(
+                f"{file}: a scene has its own robot, start, goal and clearance; give none beside it"
+            )
         return read_scene(file)
     return problem_in(file, read_world(file), robot, start, goal, query, clearance)
 
 
 def problem_in(
-    file: Path, world: Any, robot: Any, start: ArrayLike | None, goal: ArrayLike | None, query: int | None, clearance: float
+    file: Path,
+    world: Any,
+    robot: Any,
+    start: ArrayLike | None,
+    goal: ArrayLike | None,
+    query: int | None,
+    clearance: float,
 ) -> ProblemRecord:
     """A problem in a world that was read from a file."""
     if (start is None) != (goal is None) or (start is not None and query is not None):
-        raise InvalidParameter(f"{file}: give both start and goal, or the number of a query of its scenario")
+        raise InvalidParameter(
+            f"{file}: give both start and goal, or the number of a query of its scenario"
+        )
     if start is None or goal is None:
         start, goal = query_of(file, world, 0 if query is None else query)
     return Problem(Point() if robot is None else robot, world, start, goal, clearance=clearance)
@@ -215,12 +239,17 @@ def query_of(file: Path, world: Any, number: int) -> tuple[Array, Array]:
     """Start and goal of one query of the scenario that lies beside a map."""
     scenario = scenario_beside(file) if file.suffix.lower() == ".map" else None
     if scenario is None:
-        raise InvalidParameter(f"{file}: no scenario (.scen) lies beside it; give a start and a goal")
+        raise InvalidParameter(
+            f"{file}: no scenario (.scen) lies beside it; give a start and a goal"
+        )
     queries = read_scenario(scenario)
     if not 0 <= number < len(queries):
         raise InvalidParameter(f"{scenario} has queries 0 to {len(queries) - 1}, got {number}")
     meant = queries[number]
     if world.free.shape != (meant.rows, meant.columns):
         size = f"{world.free.shape[1]} x {world.free.shape[0]}"
-        raise UnreadableScene(f"{scenario}: query {number} is for a map of {meant.columns} x {meant.rows} cells, {file} has {size}")
+        raise UnreadableScene(
+            f"{scenario}: query {number} is for a map of {meant.columns} x {meant.rows} cells, "
+            f"{file} has {size}"
+        )
     return meant.start, meant.goal

@@ -1,4 +1,6 @@
-"""Compile ahead what the course uses, in processes of their own, while the first lessons are read."""
+"""Compile ahead what the course uses, in processes of their own, while the first lessons are
+read.
+"""
 
 import os
 from collections.abc import Iterator
@@ -47,7 +49,8 @@ BEAM = [(-0.5, -0.2), (0.5, -0.2), (0.5, 0.2), (-0.5, 0.2)]
 
 
 def warm_up() -> None:
-    """What the tour and the first lessons need: the planners in every kind of world, bugs, and searches on a graph.
+    """What the tour and the first lessons need: the planners in every kind of world, bugs, and
+    searches on a graph.
 
     What is compiled already is left; without a cache nothing is gained.
     """
@@ -66,7 +69,9 @@ def warm_behind() -> None:
 
 
 def compile_all(jobs: Iterator[Job], *, workers: int, gives_way: bool = False) -> None:
-    """Do all jobs, interpreted, to see which algorithms they call for which kinds; and have those compiled."""
+    """Do all jobs, interpreted, to see which algorithms they call for which kinds; and have those
+    compiled.
+    """
     place = folder()
     if place is None or not HAS_COMPILER:
         return
@@ -78,10 +83,16 @@ def compile_all(jobs: Iterator[Job], *, workers: int, gives_way: bool = False) -
 
 def first_jobs() -> Iterator[Job]:
     """Point robots, bugs and graphs."""
-    round_and_not = PolygonWorld([*ROOM[:3], (5, 8), ROOM[3]], [[(4, 0), (5, 0), (5, 5)], ((7, 5), 1.0)])
+    round_and_not = PolygonWorld(
+        [*ROOM[:3], (5, 8), ROOM[3]], [[(4, 0), (5, 0), (5, 5)], ((7, 5), 1.0)]
+    )
     for kind, world in {"polygons": round_and_not, "a terrain": Terrain([[1] * 9] * 9)}.items():
         yield f"rrt, prm and A* on {kind}", plan_first, Problem(Point(), world, (1, 1), (8, 8))
-    yield "A* of a disk on a terrain", plan_on_grid, Problem(Disk(0.4), Terrain([[1] * 9] * 9), (1, 1), (8, 8))
+    yield (
+        "A* of a disk on a terrain",
+        plan_on_grid,
+        Problem(Disk(0.4), Terrain([[1] * 9] * 9), (1, 1), (8, 8)),
+    )
     yield "cells", plan_by_decomposition, room(Point(), (1, 1), (8, 8))
     yield "bugs", bug2, (1, 1), (8, 8), [[(4, 2), (5, 2), (5, 6)], [(1, 8), (2, 8), (2, 9)]], 1.0
     yield "searches on graphs", search_a_graph
@@ -122,9 +133,17 @@ def later_jobs() -> Iterator[Job]:
         yield f"rrt, rrt-connect and prm of {name}", plan_by_samples, task
     for name in ("a point", "a translating polygon", "a turning polygon"):
         yield f"many configurations and motions of {name}", judge_many, bodies[name]
-    yield "a terrain with costs", plan_on_priced_terrain, Terrain([[1] * 9] * 9, cost=[[2.0] * 9] * 9)
+    yield (
+        "a terrain with costs",
+        plan_on_priced_terrain,
+        Terrain([[1] * 9] * 9, cost=[[2.0] * 9] * 9),
+    )
     yield "how well a roadmap serves", survey, problem
-    yield "cells with headings", partial(cells_with_headings, neighbours=Radius(7.0)), bodies["a turning polygon"]
+    yield (
+        "cells with headings",
+        partial(cells_with_headings, neighbours=Radius(7.0)),
+        bodies["a turning polygon"],
+    )
     yield "obstacles that move", plan_among_movers
     yield "kinodynamic_rrt", partial(kinodynamic_rrt, max_iterations=50, rng=0), car
     yield "kinodynamic_prm", partial(kinodynamic_prm, iterations=20, rng=0), car

@@ -9,7 +9,9 @@ from typing import Any
 
 @contextmanager
 def ctrl_c_is_heard() -> Iterator[None]:
-    """By programs begun meanwhile, though the tests be deaf: jobs in a shell's background are, and so would be their children."""
+    """By programs begun meanwhile, though the tests be deaf: jobs in a shell's background are, and
+    so would be their children.
+    """
     before = signal.signal(signal.SIGINT, signal.default_int_handler)
     try:
         yield

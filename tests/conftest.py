@@ -1,4 +1,6 @@
-"""A run of all tests begins with compiling what the lessons use, on all cores; a run of some does not."""
+"""A run of all tests begins with compiling what the lessons use, on all cores; a run of some does
+not.
+"""
 
 import subprocess
 import sys

@@ -1,4 +1,6 @@
-"""A real JupyterLab in headless Chromium, for tests: start it, open a notebook, run it, look at it."""
+"""A real JupyterLab in headless Chromium, for tests: start it, open a notebook, run it, look at
+it.
+"""
 
 import json
 import os
@@ -12,7 +14,9 @@ import urllib.request
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
-CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
+CHROMIUM = next(
+    filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None
+)
 FLAGS = [
     "--no-sandbox",
     "--disable-gpu",
@@ -36,13 +40,22 @@ def needs_chromium():
 
         if os.environ.get("CI"):
             pytest.fail("this test needs Chromium, which the project's CI installs")
-        pytest.skip("Chromium is not installed here; the same notebooks are run without a browser by nbval")
+        pytest.skip(
+            "Chromium is not installed here; the same notebooks are run without a browser by nbval"
+        )
 
 
 def written_notebook(*cells: str) -> str:
     """A notebook of code cells, as text."""
     code = [
-        {"cell_type": "code", "id": f"c{k}", "metadata": {}, "source": cell, "outputs": [], "execution_count": None}
+        {
+            "cell_type": "code",
+            "id": f"c{k}",
+            "metadata": {},
+            "source": cell,
+            "outputs": [],
+            "execution_count": None,
+        }
         for k, cell in enumerate(cells)
     ]
     kernel = {"kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"}}
@@ -57,15 +70,35 @@ def lab(course: Path, home: Path):
         port = probe.getsockname()[1]
     token = secrets.token_hex(16)
     environment = dict(os.environ, JUPYTER_TOKEN=token, IPYTHONDIR=str(home / "ipython"))
-    for name in ("JUPYTER_CONFIG_DIR", "JUPYTERLAB_SETTINGS_DIR", "JUPYTERLAB_WORKSPACES_DIR", "JUPYTER_RUNTIME_DIR"):
+    for name in (
+        "JUPYTER_CONFIG_DIR",
+        "JUPYTERLAB_SETTINGS_DIR",
+        "JUPYTERLAB_WORKSPACES_DIR",
+        "JUPYTER_RUNTIME_DIR",
+    ):
         environment[name] = str(home / name.lower())
-    quiet = home / "jupyterlab_settings_dir" / "@jupyterlab" / "apputils-extension" / "notification.jupyterlab-settings"
+    quiet = (
+        home
+        / "jupyterlab_settings_dir"
+        / "@jupyterlab"
+        / "apputils-extension"
+        / "notification.jupyterlab-settings"
+    )
     quiet.parent.mkdir(parents=True)
     quiet.write_text(json.dumps({"fetchNews": "false", "checkForUpdates": False}))
-    command = [sys.executable, "-m", "jupyterlab", "--no-browser", "--allow-root", "--ServerApp.ip=127.0.0.1"]
+    command = [
+        sys.executable,
+        "-m",
+        "jupyterlab",
+        "--no-browser",
+        "--allow-root",
+        "--ServerApp.ip=127.0.0.1",
+    ]
     command += [f"--ServerApp.port={port}", "--ServerApp.port_retries=0", "--expose-app-in-browser"]
     with (home / "server.log").open("w+") as log:
-        server = subprocess.Popen(command, cwd=course, env=environment, stdout=log, stderr=subprocess.STDOUT)
+        server = subprocess.Popen(
+            command, cwd=course, env=environment, stdout=log, stderr=subprocess.STDOUT
+        )
         try:
             wait_for(f"http://127.0.0.1:{port}/api?token={token}", server, home / "server.log")
             yield f"http://127.0.0.1:{port}", token
@@ -85,8 +118,8 @@ def wait_for(address: str, server: "subprocess.Popen[bytes]", log: Path) -> None
 
 @contextmanager
 def notebook_page(address: str, token: str, notebook: str):
-    """A page with the notebook open; `page.outside` lists requests that would leave this computer, which are refused;
-    `page.errors` what the browser complained of.
+    """A page with the notebook open; `page.outside` lists requests that would leave this computer,
+    which are refused; `page.errors` what the browser complained of.
     """
     from playwright.sync_api import sync_playwright
 
@@ -96,7 +129,10 @@ def notebook_page(address: str, token: str, notebook: str):
         page.set_default_timeout(60_000)
         page.outside, page.errors = [], []
         page.on("pageerror", lambda error: page.errors.append(str(error)))
-        page.on("console", lambda message: page.errors.append(message.text) if message.type == "error" else None)
+        page.on(
+            "console",
+            lambda message: page.errors.append(message.text) if message.type == "error" else None,
+        )
         page.route(
             lambda url: not url.startswith((address, "data:", "blob:")),
             lambda route: (page.outside.append(route.request.url), route.abort()),

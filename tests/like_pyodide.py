@@ -1,7 +1,8 @@
 """Runs a notebook's cells as a browser's Python would: python like_pyodide.py NOTEBOOK.
 
-No numba, no processes, no threads that start, no file locks: what Pyodide lacks is made to fail here as it fails there. Prints, as
-JSON, what each code cell shows as text and the modules that were asked for in vain.
+No numba, no processes, no threads that start, no file locks: what Pyodide lacks is made to fail
+here as it fails there. Prints, as JSON, what each code cell shows as text and the modules that were
+asked for in vain.
 """
 
 import io
@@ -15,8 +16,31 @@ from importlib.abc import MetaPathFinder
 from pathlib import Path
 from typing import Any
 
-ABSENT = {"numba", "llvmlite", "multiprocessing", "_multiprocessing", "fcntl", "grp", "pwd", "readline", "resource", "syslog"}
-ABSENT |= {"termios", "curses", "pty", "pexpect", "psutil", "jupyterlab", "jupyter_server", "tornado", "zmq", "nbval", "nbgrader"}
+ABSENT = {
+    "numba",
+    "llvmlite",
+    "multiprocessing",
+    "_multiprocessing",
+    "fcntl",
+    "grp",
+    "pwd",
+    "readline",
+    "resource",
+    "syslog",
+}
+ABSENT |= {
+    "termios",
+    "curses",
+    "pty",
+    "pexpect",
+    "psutil",
+    "jupyterlab",
+    "jupyter_server",
+    "tornado",
+    "zmq",
+    "nbval",
+    "nbgrader",
+}
 asked: set[str] = set()
 
 
@@ -62,14 +86,19 @@ def shown(notebook: Path) -> list[str]:
             with redirect_stdout(printed):
                 done = shell.run_cell("".join(cell["source"]), store_history=False)
             done.raise_error()
-            result = "" if done.result is None else shell.display_formatter.format(done.result)[0].get("text/plain", "")
+            result = (
+                ""
+                if done.result is None
+                else shell.display_formatter.format(done.result)[0].get("text/plain", "")
+            )
             texts.append(printed.getvalue().strip() + "\n" + result)
     return texts
 
 
 def main() -> None:
     """Run one notebook."""
-    import IPython.core.interactiveshell  # it starts a thread for its history, which Pyodide's kernel does not
+    # it starts a thread for its history, which Pyodide's kernel does not
+    import IPython.core.interactiveshell
 
     IPython.core.interactiveshell.HistoryManager.enabled = False
     os.environ["MPLBACKEND"] = "agg"

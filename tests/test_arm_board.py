@@ -30,7 +30,9 @@ HOUSE = [(2, 2), (4, 1.5), (5, 3), (4, 4), (2, 3.6)]
 
 
 def layers_of(canvas, kind, colour):
-    return [layer for layer in canvas.drawing.layers if (layer.kind, layer.colour) == (kind, colour)]
+    return [
+        layer for layer in canvas.drawing.layers if (layer.kind, layer.colour) == (kind, colour)
+    ]
 
 
 def at(canvas):
@@ -41,15 +43,25 @@ def at(canvas):
 
 
 def test_bodies_travel_with_all_their_corners():
-    """A row holds every corner of a polygon, then its steps; the message says how many corners, and where things are put."""
-    body = bodies(np.arange(12.0).reshape(2, 3, 2), "robot", hatched=True, when=[0, 1], until=[1, 2])
+    """A row holds every corner of a polygon, then its steps; the message says how many corners, and
+    where things are put.
+    """
+    body = bodies(
+        np.arange(12.0).reshape(2, 3, 2), "robot", hatched=True, when=[0, 1], until=[1, 2]
+    )
     about, (rows,) = encoded(Drawing([body], places=[("handle", 0, np.array([1, 2]))]), (0, 0), 1.0)
-    assert about["layers"][0]["points"] == 3 and about["layers"][0]["hatched"] and about["places"] == [["handle", 0, [1, 2]]]
+    assert (
+        about["layers"][0]["points"] == 3
+        and about["layers"][0]["hatched"]
+        and about["places"] == [["handle", 0, [1, 2]]]
+    )
     assert np.frombuffer(rows, np.float32).reshape(2, 8)[1].tolist() == [6, 7, 8, 9, 10, 11, 1, 2]
 
 
 def test_motions_are_cut_at_the_sides():
-    """The pieces lie in the square, are together as long as the short way, begin and end where it does, and hang together."""
+    """The pieces lie in the square, are together as long as the short way, begin and end where it
+    does, and hang together.
+    """
     rng = np.random.default_rng(4)
     begins, ends = rng.uniform(-np.pi, np.pi, (2, 300, 2))
     for a, b in zip(begins, ends, strict=True):
@@ -68,9 +80,13 @@ def test_motions_are_cut_at_the_sides():
 # ---- pulling
 
 
-@pytest.mark.parametrize("arm", [ARM, ke.TwoLinkArm(1, 1, 0), ke.TwoLinkArm(0.5, 2, 0.1, base=(3, -2))])
+@pytest.mark.parametrize(
+    "arm", [ARM, ke.TwoLinkArm(1, 1, 0), ke.TwoLinkArm(0.5, 2, 0.1, base=(3, -2))]
+)
 def test_a_pulled_tip_goes_as_near_as_it_can(arm):
-    """No sampled configuration brings the tip nearer; of two solutions the one nearer to q is taken."""
+    """No sampled configuration brings the tip nearer; of two solutions the one nearer to q is
+    taken.
+    """
     rng = np.random.default_rng(1)
     tips = np.array([arm.joints(q)[1] for q in rng.uniform(-np.pi, np.pi, (4000, 2))])
     for _ in range(100):
@@ -103,16 +119,23 @@ def test_a_pulled_elbow_turns_link_1():
 
 
 def test_both_pictures_show_one_configuration():
-    """A pull in the workspace moves q in the square, a drag in the square moves the arm, and every page hears of both."""
+    """A pull in the workspace moves q in the square, a drag in the square moves the arm, and every
+    page hears of both.
+    """
     made = arm_board(ARM, WORLD, q=(0.6, 0.3))
     workspace, square = Page(made.canvas), Page(made.square)
     assert repr(made) == "ArmBoard(q = (0.60, 0.30): link 2 is in contact)"
     told = workspace.moves(("handle", 1, [0.5, -2]))
     assert made.canvas.drawing.says == told["text"] and at(made.square) == [made.q.tolist()]
     assert ARM.joints(made.q)[1] == pytest.approx([0.5, -2]) and square.sent[-1][0]["to"] is None
-    assert told["places"] == [["handle", 0, ARM.joints(made.q)[0].tolist()], ["handle", 1, ARM.joints(made.q)[1].tolist()]]
+    assert told["places"] == [
+        ["handle", 0, ARM.joints(made.q)[0].tolist()],
+        ["handle", 1, ARM.joints(made.q)[1].tolist()],
+    ]
     answered = square.moves(("handle", 0, [4.0, -1.0]))
-    assert made.q == pytest.approx([4.0 - 2 * np.pi, -1.0]) and answered["places"] == [["handle", 0, made.q.tolist()]]
+    assert made.q == pytest.approx([4.0 - 2 * np.pi, -1.0]) and answered["places"] == [
+        ["handle", 0, made.q.tolist()]
+    ]
     assert at(made.canvas) == [joint.tolist() for joint in ARM.joints(made.q)]
     assert workspace.sent[-1][0]["text"].startswith("q = (-2.28, -1.00)")
 
@@ -140,7 +163,9 @@ def test_a_tip_out_of_reach_says_why():
 
 
 def test_a_dragged_obstacle_is_painted_anew():
-    """The picture on its way to the page is the painter's for the world as it stands; what moves nothing paints nothing."""
+    """The picture on its way to the page is the painter's for the world as it stands; what moves
+    nothing paints nothing.
+    """
     made = arm_board(ARM, WORLD, q=(0.6, 0.3))
     page, before = Page(made.canvas), made.square.bitmap
     assert before == paint_configuration_space(ARM, WORLD).tobytes()
@@ -152,18 +177,27 @@ def test_a_dragged_obstacle_is_painted_anew():
     kept = made.image
     page.moves(("handle", 1, [1, -2]))
     assert made.image is kept
-    assert page.moves(("polygon", 0, [[TRIANGLE[0], TRIANGLE[1], TRIANGLE[0]]]))["warning"] and made.image is kept
+    assert (
+        page.moves(("polygon", 0, [[TRIANGLE[0], TRIANGLE[1], TRIANGLE[0]]]))["warning"]
+        and made.image is kept
+    )
 
 
 def test_links_in_contact_are_striped_in_the_colours_of_the_square():
     """Free links are plain; the second is judged by itself behind the first."""
     made = arm_board(ARM, WORLD, q=(0.6, 0.3))
-    assert [(layer.colour, layer.hatched) for layer in made.canvas.drawing.layers if layer.kind == "bodies"] == [
+    assert [
+        (layer.colour, layer.hatched)
+        for layer in made.canvas.drawing.layers
+        if layer.kind == "bodies"
+    ] == [
         ("free_link", False),
         ("hit", True),
     ]
     rng = np.random.default_rng(2)
-    crowded = ke.PolygonWorld(SQUARE, [TRIANGLE, ((0.4, 1.4), 0.4), ((0.2, -1.2), 0.3), ((-2, 0.5), 0.5)])
+    crowded = ke.PolygonWorld(
+        SQUARE, [TRIANGLE, ((0.4, 1.4), 0.4), ((0.2, -1.2), 0.3), ((-2, 0.5), 0.5)]
+    )
     seen = set()
     for q in rng.uniform(-np.pi, np.pi, (200, 2)):
         hits = links_in_contact(ARM, q, crowded)
@@ -175,7 +209,9 @@ def test_links_in_contact_are_striped_in_the_colours_of_the_square():
 
 
 def test_a_plan_rides_in_both_pictures():
-    """From q to the goal across the side: as many steps in both, and free all the way; a goal that is not free is told."""
+    """From q to the goal across the side: as many steps in both, and free all the way; a goal that
+    is not free is told.
+    """
     made = arm_board(ARM, WORLD, q=(-0.5, 2.6), goal=(0.8, -2.5))
     assert "RRT: a path of length" in repr(made) and made.plan.path is not None
     assert made.canvas.drawing.total == made.square.drawing.total == 120
@@ -183,16 +219,24 @@ def test_a_plan_rides_in_both_pictures():
     assert ride.when.tolist() == np.repeat(np.arange(121), 2).tolist()
     page = Page(made.square)
     page.moves(("handle", 1, [0.6, 0.3]))
-    assert "the goal (0.6, 0.3) is not free" in repr(made) and made.plan is None and made.canvas.drawing.total == 0
+    assert (
+        "the goal (0.6, 0.3) is not free" in repr(made)
+        and made.plan is None
+        and made.canvas.drawing.total == 0
+    )
     page.moves(("handle", 1, [-0.5, -3.0]))
     assert made.plan.path[-1].tolist() == [-0.5, -3.0] and made.goal.tolist() == [-0.5, -3.0]
 
 
 def test_a_readers_planner_is_judged_on_the_torus():
     """A straight way that is not free is told, one that is free is drawn."""
-    straight = arm_board(ARM, WORLD, q=(0, 0), goal=(2.3, 0), planner=lambda problem: [problem.start, problem.goal])
+    straight = arm_board(
+        ARM, WORLD, q=(0, 0), goal=(2.3, 0), planner=lambda problem: [problem.start, problem.goal]
+    )
     assert "motion 1 of your path" in repr(straight)
-    made = arm_board(ARM, WORLD, q=(0, 0), goal=(-0.2, 0), planner=lambda problem: [problem.start, problem.goal])
+    made = arm_board(
+        ARM, WORLD, q=(0, 0), goal=(-0.2, 0), planner=lambda problem: [problem.start, problem.goal]
+    )
     assert "length 0.2, 0 motions asked" in repr(made) and made.canvas.drawing.total == 120
 
 
@@ -216,7 +260,9 @@ def test_what_is_no_arm_is_refused():
 
 
 def test_the_reference_point_stays_on_the_c_obstacle():
-    """Dragged anywhere q comes to the nearest point of the Minkowski difference's boundary, and the slider follows."""
+    """Dragged anywhere q comes to the nearest point of the Minkowski difference's boundary, and the
+    slider follows.
+    """
     made = slide_board(ROBOT, HOUSE)
     page, rim = Page(made.canvas), minkowski_difference(HOUSE, ROBOT)
     for p in np.random.default_rng(3).uniform(-1, 7, (40, 2)):
@@ -227,7 +273,9 @@ def test_the_reference_point_stays_on_the_c_obstacle():
         nearest = min(point_to_segment(p, a, b) for a, b in corners)
         assert np.hypot(*(q - p)) == pytest.approx(nearest, abs=1e-9)
         made.canvas.set_state({"scene": made.canvas._shown})  # it is let go
-        assert made.gone.value == pytest.approx(made.share, abs=0.001) and made.slide.at(made.share)[0] == pytest.approx(q)
+        assert made.gone.value == pytest.approx(made.share, abs=0.001) and made.slide.at(
+            made.share
+        )[0] == pytest.approx(q)
 
 
 def point_to_segment(p, a, b):
@@ -243,7 +291,9 @@ def test_share_at_undoes_at():
 
 
 def test_the_words_say_what_touches():
-    """At every share the named vertex lies on the named edge, or the edges on each other, and robot and obstacle only touch."""
+    """At every share the named vertex lies on the named edge, or the edges on each other, and robot
+    and obstacle only touch.
+    """
     made = slide_board(ROBOT, HOUSE)
     kinds = set()
     for share in np.linspace(0.003, 0.997, 83):
@@ -252,14 +302,20 @@ def test_the_words_say_what_touches():
         kind, robot = way.kind[stretch], way.robot + q
         kinds.add(str(kind))
         assert f"({kind})" in repr(made) and f"{way.robot_part[stretch]} of the robot" in repr(made)
-        vertex = robot[way.robot_part[stretch]] if kind[0] == "V" else way.obstacle[way.obstacle_part[stretch]]
+        vertex = (
+            robot[way.robot_part[stretch]]
+            if kind[0] == "V"
+            else way.obstacle[way.obstacle_part[stretch]]
+        )
         other = way.obstacle if kind[0] == "V" else robot
         assert point_polygon_distance(vertex, other) < 1e-9
     assert kinds == {"EV", "VE"}
 
 
 def test_dragged_vertices_change_the_way():
-    """The obstacle's and the robot's; the robot dragged whole leaves its reference point; no convex polygon is told, and mends."""
+    """The obstacle's and the robot's; the robot dragged whole leaves its reference point; no convex
+    polygon is told, and mends.
+    """
     made = slide_board(ROBOT, HOUSE)
     page, home = Page(made.canvas), made._home
     grown = [*HOUSE[:2], (7, 3), *HOUSE[3:]]
@@ -290,7 +346,9 @@ def test_what_cannot_slide_is_refused():
         slide_board([(0, 0)], [(1, 1)])
 
 
-@pytest.mark.parametrize("make", [lambda: arm_board(ARM, WORLD, q=(0.6, 0.3)), lambda: slide_board(ROBOT, HOUSE)])
+@pytest.mark.parametrize(
+    "make", [lambda: arm_board(ARM, WORLD, q=(0.6, 0.3)), lambda: slide_board(ROBOT, HOUSE)]
+)
 def test_a_notebook_keeps_text_and_a_small_picture(make):
     """What stands for a board where there is no JavaScript."""
     made = make()

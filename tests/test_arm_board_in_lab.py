@@ -1,4 +1,6 @@
-"""The boards of an arm and of a sliding robot in a real JupyterLab: two pictures of one configuration."""
+"""The boards of an arm and of a sliding robot in a real JupyterLab: two pictures of one
+configuration.
+"""
 
 import math
 import re
@@ -25,7 +27,12 @@ def page(tmp_path_factory):
     (course / "arms.ipynb").write_text(written_notebook(ARM, PLAN, SLIDE))
     with lab(course, home) as (address, token), notebook_page(address, token, "arms.ipynb") as page:
         book = page.evaluate(RUN_ALL)
-        assert [o.get("evalue") for cell in book["cells"] for o in cell["outputs"] if o["output_type"] == "error"] == []
+        assert [
+            o.get("evalue")
+            for cell in book["cells"]
+            for o in cell["outputs"]
+            if o["output_type"] == "error"
+        ] == []
         yield page
         assert page.outside == [] and page.errors == []
 
@@ -47,7 +54,9 @@ def numbers(label):
 
 
 def test_a_pulled_tip_moves_q_and_stays_within_reach(arm):
-    """Pulled out of the world the tip stays at full reach, q in the square follows, and both say so."""
+    """Pulled out of the world the tip stays at full reach, q in the square follows, and both say
+    so.
+    """
     workspace, square = arm
     keep(workspace.page, "arm")
     before = square.pixels()
@@ -56,7 +65,9 @@ def test_a_pulled_tip_moves_q_and_stays_within_reach(arm):
     x, y = numbers(workspace.label("handle-1"))
     assert math.hypot(x, y) == pytest.approx(2.7, abs=0.02)
     square.until("told.includes('θ₂ = 0°') || told.includes('θ₂ = -0°')")
-    assert square.pixels() != before and numbers(square.label("handle-0"))[1] == pytest.approx(0.0, abs=0.01)
+    assert square.pixels() != before and numbers(square.label("handle-0"))[1] == pytest.approx(
+        0.0, abs=0.01
+    )
 
 
 def test_a_pulled_elbow_turns_link_1_alone(arm):
@@ -70,7 +81,9 @@ def test_a_pulled_elbow_turns_link_1_alone(arm):
 
 
 def test_keys_turn_joints_and_cross_the_side_of_the_square(arm):
-    """Arrows in the square turn a joint each; over the right side q comes in at the left, and the arm is where it was."""
+    """Arrows in the square turn a joint each; over the right side q comes in at the left, and the
+    arm is where it was.
+    """
     workspace, square = arm
     q = square.board.locator("[data-thing=handle-0]")
     q.focus()
@@ -113,10 +126,15 @@ def test_a_dragged_obstacle_repaints_the_square_live(arm):
 def test_a_plan_is_scrubbed_in_both_pictures(page):
     """A step in one is the same step in the other, and the arm rides."""
     workspace, square = Seen(page, 2), Seen(page, 3)
-    assert "RRT: a path of length" in workspace.told() and workspace.data("total") == square.data("total") == "120"
+    assert (
+        "RRT: a path of length" in workspace.told()
+        and workspace.data("total") == square.data("total") == "120"
+    )
     before = workspace.pixels()
     slider = square.board.locator(".kinoedu-slider")
-    slider.evaluate("(slider, step) => { slider.value = step; slider.dispatchEvent(new Event('input')); }", 40)
+    slider.evaluate(
+        "(slider, step) => { slider.value = step; slider.dispatchEvent(new Event('input')); }", 40
+    )
     workspace.until("root.dataset.step === '40' && told.startsWith('on the way to the goal: (')")
     assert workspace.pixels() != before
     keep(page, "arm_plan")
@@ -126,7 +144,9 @@ def test_a_plan_is_scrubbed_in_both_pictures(page):
 
 
 def test_a_robot_slides_by_dragging_and_by_its_slider(page):
-    """q stays on the C-obstacle's boundary, the words name what touches, and a dragged vertex changes the shape."""
+    """q stays on the C-obstacle's boundary, the words name what touches, and a dragged vertex
+    changes the shape.
+    """
     sliding = Seen(page, SLIDING)
     first = sliding.told()
     sliding.drag("handle-0", 150, 60)
@@ -144,5 +164,7 @@ def test_a_robot_slides_by_dragging_and_by_its_slider(page):
     sliding.board.locator("[data-thing=polygon-0]").focus()
     page.keyboard.press("Enter")
     sliding.drag("vertex-0-0-0", 110, -50)
-    sliding.until("root.dataset.warning.includes('obstacle') && root.dataset.layers.includes('bodies')")
+    sliding.until(
+        "root.dataset.warning.includes('obstacle') && root.dataset.layers.includes('bodies')"
+    )
     keep(page, "slide_warning")

@@ -1,4 +1,6 @@
-"""Attacks: nothing that a submission does gives it a point that it does not deserve, leaves a trace, or harms anybody."""
+"""Attacks: nothing that a submission does gives it a point that it does not deserve, leaves a
+trace, or harms anybody.
+"""
 
 import json
 import os
@@ -46,7 +48,16 @@ def point_line_distance(q, p1, p2):
 
 def notebook(*sources: str) -> bytes:
     """A notebook of cells of code."""
-    cells = [{"cell_type": "code", "metadata": {}, "outputs": [], "execution_count": None, "source": source} for source in sources]
+    cells = [
+        {
+            "cell_type": "code",
+            "metadata": {},
+            "outputs": [],
+            "execution_count": None,
+            "source": source,
+        }
+        for source in sources
+    ]
     return json.dumps({"nbformat": 4, "nbformat_minor": 5, "metadata": {}, "cells": cells}).encode()
 
 
@@ -58,9 +69,19 @@ def submission(file: Path) -> tuple[bytes, float]:
 
 
 def traces() -> set[str]:
-    """What attacks would leave: processes of the sandbox's Python beside those that wait, and files."""
-    files = {str(file) for folder in (Path.cwd(), Path("/tmp"), Path("/dev/shm"), HOUSE) for file in folder.glob("*attack_trace*")}
-    return files | {str(file) for file in (Path("/tmp"), Path("/dev/shm"), Path.cwd()) for file in file.glob("hoard*")}
+    """What attacks would leave: processes of the sandbox's Python beside those that wait, and
+    files.
+    """
+    files = {
+        str(file)
+        for folder in (Path.cwd(), Path("/tmp"), Path("/dev/shm"), HOUSE)
+        for file in folder.glob("*attack_trace*")
+    }
+    return files | {
+        str(file)
+        for file in (Path("/tmp"), Path("/dev/shm"), Path.cwd())
+        for file in file.glob("hoard*")
+    }
 
 
 def insiders(box: Sandbox) -> int:
@@ -90,7 +111,9 @@ def box():
 
 @pytest.fixture(scope="module")
 def neighbour():
-    """Another student's notebook, graded again and again beside the attacks; the scores that it had."""
+    """Another student's notebook, graded again and again beside the attacks; the scores that it
+    had.
+    """
     scores: list[float] = []
     over = threading.Event()
 
@@ -114,7 +137,9 @@ def neighbour():
 def test_an_attack_has_what_it_deserves_and_harms_nobody(file, box, neighbour):
     data, points = submission(file)
     record = grade(data, assignment("01_geometry"), SECRET, box, patience=HASTE)
-    assert sum(question["score"] for question in record["questions"]) == points, str(record["cells"])[-900:]
+    assert sum(question["score"] for question in record["questions"]) == points, str(
+        record["cells"]
+    )[-900:]
     grade(notebook(""), assignment("01_geometry"), SECRET, box)
     assert insiders(box) <= 2 * len(box.started)  # bubblewrap's own and Python, which waits
     assert traces() == set()
@@ -129,7 +154,12 @@ def test_hidden_cases_are_never_told(box):
         known = cases_of(asked.exercise.name, SECRET)
         hidden = [asked.exercise.given.encode(case.given) for case in known.cases[known.seen :]]
         shown = [spelled(asked.exercise, case) for case in known.cases[: known.seen]]
-        points = [json.dumps(value) for case in hidden for value in case.values() if json.dumps(value) not in str(shown)]
+        points = [
+            json.dumps(value)
+            for case in hidden
+            for value in case.values()
+            if json.dumps(value) not in str(shown)
+        ]
         assert not any(point in record for point in points if len(point) > 12)
 
 
@@ -160,34 +190,53 @@ HARM += ["environment"] * ("LEFT" in os.environ) + ["modules"] * (hasattr(builti
 
 @needs_sandbox
 def test_what_a_notebook_says_of_itself_counts_for_nothing(box):
-    """Cells for tests taken out, edited, marked as right, their points raised: what is asked and worth is known outside."""
+    """Cells for tests taken out, edited, marked as right, their points raised: what is asked and
+    worth is known outside.
+    """
     book = json.loads((HOUSE / "exercises" / "01_geometry.ipynb").read_text(encoding="utf-8"))
     for cell in book["cells"]:
-        cell["outputs"] = [{"output_type": "stream", "name": "stdout", "text": ["Right. 5 of 5 points"]}]
+        cell["outputs"] = [
+            {"output_type": "stream", "name": "stdout", "text": ["Right. 5 of 5 points"]}
+        ]
         mark = cell["metadata"].get("nbgrader", {})
         mark.update(points=1000, grade=True, locked=False, solution=False)
         if str(mark.get("grade_id", "")).startswith("check_"):
             cell["source"] = "check = lambda *_: True"
     record = grade(json.dumps(book).encode(), assignment("01_geometry"), SECRET, box)
-    assert [question["score"] for question in record["questions"]] == [0.0] * len(record["questions"])
+    assert [question["score"] for question in record["questions"]] == [0.0] * len(
+        record["questions"]
+    )
     assert {question["max_score"] for question in record["questions"]} == {
         asked.points for asked in assignment("01_geometry").questions
     }
 
 
 @needs_sandbox
-@pytest.mark.skipif(os.geteuid() != 0 or shutil.which("setpriv") is None, reason="only root can become somebody else to try it")
+@pytest.mark.skipif(
+    os.geteuid() != 0 or shutil.which("setpriv") is None,
+    reason="only root can become somebody else to try it",
+)
 def test_an_ordinary_user_is_as_safe():
-    """The same tests once more as nobody, where user namespaces must do what root's rights do else."""
+    """The same tests once more as nobody, where user namespaces must do what root's rights do
+    else.
+    """
     python = ["setpriv", "--reuid=65534", "--regid=65534", "--clear-groups", sys.executable]
-    trial = subprocess.run([*python, "-c", "import sys; print(sys.base_prefix)"], capture_output=True, text=True)
+    trial = subprocess.run(
+        [*python, "-c", "import sys; print(sys.base_prefix)"], capture_output=True, text=True
+    )
     if trial.stdout.strip() != sys.base_prefix:
         pytest.skip("another user may not run root's Python here")
     command = [*python, "-m", "pytest", "-q", "-n0", "-p", "no:cacheprovider", "-p", "no:nbval"]
     command += ["-o", "addopts=", "--basetemp", "/tmp/kinoedu_nobody", __file__]
-    command += ["-k", "rights or processes or memory or disk or signals or network or without_alarm or given or one_request"]
+    command += [
+        "-k",
+        "rights or processes or memory or disk or signals or network or without_alarm or given or "
+        "one_request",
+    ]
     environment = os.environ | {"HOME": "/tmp", "KINOEDU_CACHE": "/tmp/kinoedu_nobody_cache"}
-    run = subprocess.run(command, cwd=HOUSE, env=environment, capture_output=True, text=True, timeout=500)
+    run = subprocess.run(
+        command, cwd=HOUSE, env=environment, capture_output=True, text=True, timeout=500
+    )
     for folder in ("/tmp/kinoedu_nobody", "/tmp/kinoedu_nobody_cache"):
         shutil.rmtree(folder, ignore_errors=True)
     assert run.returncode == 0, run.stdout[-3000:] + run.stderr[-1000:]

@@ -1,4 +1,6 @@
-"""Gradescope's autograder: packed, unpacked, and run as Gradescope does, with a folder in the place of /autograder."""
+"""Gradescope's autograder: packed, unpacked, and run as Gradescope does, with a folder in the place
+of /autograder.
+"""
 
 import json
 import os
@@ -19,7 +21,9 @@ from kinoedu.grading.questions import assignment
 HOUSE = Path(__file__).resolve().parent.parent
 NAME = "01_geometry"
 SOLUTION = HOUSE / "solutions" / f"{NAME}.ipynb"
-QUICK = {"NUMBA_DISABLE_JIT": "1"}  # machine code is kept by the place of its source, and that is a new one each time
+QUICK = {
+    "NUMBA_DISABLE_JIT": "1"
+}  # machine code is kept by the place of its source, and that is a new one each time
 NO_SANDBOX = sandbox.why_not()
 needs_sandbox = pytest.mark.skipif(bool(NO_SANDBOX), reason=NO_SANDBOX or "there is one")
 on_linux = pytest.mark.skipif(sys.platform != "linux", reason="Gradescope's containers are Linux")
@@ -29,7 +33,13 @@ on_linux = pytest.mark.skipif(sys.platform != "linux", reason="Gradescope's cont
 def packed(tmp_path_factory):
     """The zip, by the command."""
     folder = tmp_path_factory.mktemp("packed")
-    command = ["export", "--gradescope-autograder", str(folder / "autograder.zip"), "--assignment", NAME]
+    command = [
+        "export",
+        "--gradescope-autograder",
+        str(folder / "autograder.zip"),
+        "--assignment",
+        NAME,
+    ]
     assert main([*command, "--secret", str(folder / "secret")]) == 0
     return folder / "autograder.zip"
 
@@ -42,14 +52,20 @@ def root(packed):
         place.chmod(0o755)
         for below in ("submission", "results"):
             (place / below).mkdir()
-        subprocess.run([sys.executable, "-m", "zipfile", "-e", str(packed), str(place / "source")], check=True)
+        subprocess.run(
+            [sys.executable, "-m", "zipfile", "-e", str(packed), str(place / "source")], check=True
+        )
         yield place
 
 
 def run(root: Path, **environment: str) -> subprocess.CompletedProcess:
-    """run_autograder as Gradescope runs it, with this Python in the place of the one that setup.sh would install."""
+    """run_autograder as Gradescope runs it, with this Python in the place of the one that setup.sh
+    would install.
+    """
     shutil.copy(root / "source" / "run_autograder", root)
-    kept = {name: os.environ[name] for name in ("PATH", "KINOEDU_CACHE", "HOME") if name in os.environ}
+    kept = {
+        name: os.environ[name] for name in ("PATH", "KINOEDU_CACHE", "HOME") if name in os.environ
+    }
     command = ["bash", str(root / "run_autograder"), str(root)]
     return subprocess.run(
         command,
@@ -68,12 +84,23 @@ def results(root: Path) -> dict:
 
 def notebook(*sources: str) -> str:
     """A notebook of cells of code."""
-    cells = [{"cell_type": "code", "metadata": {}, "outputs": [], "execution_count": None, "source": source} for source in sources]
+    cells = [
+        {
+            "cell_type": "code",
+            "metadata": {},
+            "outputs": [],
+            "execution_count": None,
+            "source": source,
+        }
+        for source in sources
+    ]
     return json.dumps({"nbformat": 4, "nbformat_minor": 5, "metadata": {}, "cells": cells})
 
 
 def test_the_zip_asks_what_the_solution_asks_and_tells_no_answer(packed, root):
-    """Scripts at its top, the same questions, no line of an answer, no bank, no tests; the secret is for its owner's eyes."""
+    """Scripts at its top, the same questions, no line of an answer, no bank, no tests; the secret
+    is for its owner's eyes.
+    """
     archive = zipfile.ZipFile(packed)
     names = archive.namelist()
     assert {"setup.sh", "run_autograder", "course_secret"} <= set(names)
@@ -81,15 +108,27 @@ def test_the_zip_asks_what_the_solution_asks_and_tells_no_answer(packed, root):
     assert packed.stat().st_mode & 0o077 == 0
     assert not any("/bank/" in name or "/tests/" in name or "__pycache__" in name for name in names)
     mine, course = assignment(NAME), assignment(NAME, root / "source" / "kinoedu-course")
-    assert (course.questions, course.by_hand, course.lent) == (mine.questions, mine.by_hand, mine.lent)
+    assert (course.questions, course.by_hand, course.lent) == (
+        mine.questions,
+        mine.by_hand,
+        mine.lent,
+    )
     asked = archive.read(f"kinoedu-course/solutions/{NAME}.ipynb").decode()
-    answers = [cell["source"] for cell in json.loads(SOLUTION.read_text())["cells"] if "BEGIN SOLUTION" in "".join(cell["source"])]
+    answers = [
+        cell["source"]
+        for cell in json.loads(SOLUTION.read_text())["cells"]
+        if "BEGIN SOLUTION" in "".join(cell["source"])
+    ]
     given = {line for cell in json.loads(asked)["cells"] for line in cell["source"]}
     assert answers
     assert "BEGIN SOLUTION" not in asked
     for cell in answers:
         lines = {
-            line.strip() for line in "".join(cell).split("### BEGIN SOLUTION")[1].split("### END SOLUTION")[0].splitlines()
+            line.strip()
+            for line in "".join(cell)
+            .split("### BEGIN SOLUTION")[1]
+            .split("### END SOLUTION")[0]
+            .splitlines()
         } - {""}
         assert not lines & {line.strip() for line in given}
 
@@ -104,7 +143,9 @@ def test_the_scripts_are_bash():
 
 @needs_sandbox
 def test_a_submission_is_graded_in_the_sandbox(root):
-    """The solution has all points, and so it has with its receipt beside it, as the zip of hand-in is unpacked there."""
+    """The solution has all points, and so it has with its receipt beside it, as the zip of hand-in
+    is unpacked there.
+    """
     shutil.copy(SOLUTION, root / "submission")
     (root / "submission" / "receipt.txt").write_text("a receipt")
     ran = run(root)
@@ -120,9 +161,15 @@ def test_a_submission_is_graded_in_the_sandbox(root):
 
 
 def test_the_wrong_file_is_named(tmp_path):
-    """Cells of another assignment under this one's name, as `grade` tells too; cells without any marks are run."""
+    """Cells of another assignment under this one's name, as `grade` tells too; cells without any
+    marks are run.
+    """
     other = (HOUSE / "solutions" / "02_bug_algorithms.ipynb").read_bytes()
-    for data, told in ((other, "wrong file"), (SOLUTION.read_bytes(), ""), (notebook("x = 1").encode(), "")):
+    for data, told in (
+        (other, "wrong file"),
+        (SOLUTION.read_bytes(), ""),
+        (notebook("x = 1").encode(), ""),
+    ):
         (tmp_path / f"{NAME}.ipynb").write_bytes(data)
         trouble = the_submission(tmp_path, NAME).trouble
         assert told in trouble and bool(told) == bool(trouble)
@@ -153,9 +200,14 @@ raise RuntimeError((os.getuid() == 0, readable(SECRET), writable(RESULTS), writa
 
 
 @on_linux
-@pytest.mark.skipif(not hasattr(os, "geteuid") or os.geteuid() != 0, reason="only root can become somebody else, as on Gradescope")
+@pytest.mark.skipif(
+    not hasattr(os, "geteuid") or os.geteuid() != 0,
+    reason="only root can become somebody else, as on Gradescope",
+)
 def test_where_the_container_is_the_wall_it_must_be_said(root, tmp_path):
-    """Without bubblewrap nothing is graded and nothing written; with the flag a program is nobody, and reads no secret."""
+    """Without bubblewrap nothing is graded and nothing written; with the flag a program is nobody,
+    and reads no secret.
+    """
     tools = tmp_path / "bin"
     tools.mkdir()
     for name in ("bash", "env", "chmod"):
@@ -168,7 +220,10 @@ def test_where_the_container_is_the_wall_it_must_be_said(root, tmp_path):
     spy = SPY
     for word, place in places.items():
         spy = spy.replace(word, repr(place))
-    good = "def point_line_distance(q, p1, p2):\n    if (p1 == p2).all():\n        raise ValueError\n    "
+    good = (
+        "def point_line_distance(q, p1, p2):\n    if (p1 == p2).all():\n        raise "
+        "ValueError\n    "
+    )
     good += "d = p2 - p1\n    return abs(d[0] * (q - p1)[1] - d[1] * (q - p1)[0]) / (d @ d) ** 0.5"
     (root / "submission" / f"{NAME}.ipynb").write_text(notebook(spy, good))
     refused = run(root, PATH=str(tools))
@@ -194,19 +249,33 @@ def main_record(root: Path, tools: Path) -> str:
         "from kinoedu.grading.running import grade_all, local\n"
         "if __name__ == '__main__':\n"
         f"    one = the_submission(Path({str(root / 'submission')!r}), {NAME!r})\n"
-        "    found = grade_all([one], Path(tempfile.mkdtemp()), b'x' * 16, place=local(1), trusted=True)[0]\n"
+        "    found = grade_all([one], Path(tempfile.mkdtemp()), b'x' * 16, place=local(1), "
+        "trusted=True)[0]\n"
         "    print(found.grade['cells'][0]['trouble']['message'])\n"
     )
     script = root / "look.py"
     script.write_text(code)
-    environment = {**os.environ, **QUICK, "PATH": str(tools), "PYTHONPATH": str(root / "source" / "kinoedu-course")}
-    ran = subprocess.run([sys.executable, "-P", str(script)], env=environment, capture_output=True, text=True, check=True)
+    environment = {
+        **os.environ,
+        **QUICK,
+        "PATH": str(tools),
+        "PYTHONPATH": str(root / "source" / "kinoedu-course"),
+    }
+    ran = subprocess.run(
+        [sys.executable, "-P", str(script)],
+        env=environment,
+        capture_output=True,
+        text=True,
+        check=True,
+    )
     return ran.stdout.strip()
 
 
 @needs_sandbox
 def test_what_a_student_can_mend_is_told(root):
-    """Nothing, no notebook, two of them: no points, and the reason; a wrong answer has its smallest case and a hint."""
+    """Nothing, no notebook, two of them: no points, and the reason; a wrong answer has its smallest
+    case and a hint.
+    """
     submission = root / "submission"
     for files, words in (
         ({}, "there is no notebook"),
@@ -222,7 +291,9 @@ def test_what_a_student_can_mend_is_told(root):
         assert words in results(root)["output"]
     shutil.rmtree(submission)
     submission.mkdir()
-    (submission / "mine.ipynb").write_text(notebook("def point_line_distance(q, p1, p2):\n    return 0.0"))
+    (submission / "mine.ipynb").write_text(
+        notebook("def point_line_distance(q, p1, p2):\n    return 0.0")
+    )
     assert run(root).returncode == 0
     told = {one["name"]: one for one in results(root)["tests"]}["point_line_distance"]
     assert told["score"] < told["max_score"]
@@ -231,7 +302,13 @@ def test_what_a_student_can_mend_is_told(root):
 
 def test_an_autograder_is_for_one_assignment(tmp_path, capsys):
     """Refused without its name, and with one that is none."""
-    command = ["export", "--gradescope-autograder", str(tmp_path / "a.zip"), "--secret", str(tmp_path / "secret")]
+    command = [
+        "export",
+        "--gradescope-autograder",
+        str(tmp_path / "a.zip"),
+        "--secret",
+        str(tmp_path / "secret"),
+    ]
     assert main(command) == 2
     assert main([*command, "--assignment", "99_nothing"]) == 2
     assert "99_nothing" in capsys.readouterr().err

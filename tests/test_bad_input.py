@@ -1,4 +1,6 @@
-"""Every public function answers nonsense with an error that has a name, and never with Python's own."""
+"""Every public function answers nonsense with an error that has a name, and never with Python's
+own.
+"""
 
 import math
 

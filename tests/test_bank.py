@@ -1,4 +1,6 @@
-"""The bank of wrong answers: each is rejected, for its own reason, as a grader hears of it: cases and outcomes travel as JSON."""
+"""The bank of wrong answers: each is rejected, for its own reason, as a grader hears of it: cases
+and outcomes travel as JSON.
+"""
 
 import json
 from functools import lru_cache
@@ -16,7 +18,9 @@ from kinoedu.course.outcomes import decode_outcome, encode_outcome
 from kinoedu.support.time_limit import within_processor_time
 
 HOUSE = Path(__file__).resolve().parent.parent
-BANK = [item for file in sorted((HOUSE / "solutions" / "bank").glob("*.py")) for item in read_bank(file)]
+BANK = [
+    item for file in sorted((HOUSE / "solutions" / "bank").glob("*.py")) for item in read_bank(file)
+]
 
 
 @lru_cache(maxsize=1)
@@ -29,16 +33,23 @@ def cases_of(exercise):
 def travelled(exercise, function, sent):
     """The outcome of a call, when case and outcome were sent as JSON."""
     outcome = attempted(exercise, function, json.loads(sent), within_processor_time)
-    return decode_outcome(json.loads(json.dumps(encode_outcome(outcome, exercise.answer), allow_nan=False)), exercise.answer)
+    return decode_outcome(
+        json.loads(json.dumps(encode_outcome(outcome, exercise.answer), allow_nan=False)),
+        exercise.answer,
+    )
 
 
 @pytest.mark.parametrize("item", BANK, ids=lambda item: f"{item.exercise}-{item.function.__name__}")
 def test_a_wrong_answer_is_rejected_with_its_reason(item, monkeypatch):
-    """Every program of the bank fails, the misconception is recognised where it has a name, and its case is drawn."""
+    """Every program of the bank fails, the misconception is recognised where it has a name, and its
+    case is drawn.
+    """
     exercise = EXERCISES[item.exercise]
     cases, given = cases_of(exercise)
     monkeypatch.setattr(type(exercise), "seconds", 4.0)
-    report = report_on(exercise, cases, (travelled(exercise, item.function, sent) for sent in given))
+    report = report_on(
+        exercise, cases, (travelled(exercise, item.function, sent) for sent in given)
+    )
     assert not report.is_right
     assert report.score < 1.0
     assert report.failure.slip == item.slip

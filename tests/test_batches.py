@@ -1,4 +1,6 @@
-"""Many questions at once: answered as the single questions are, and exactly on whole-numbered worlds, where touching is common."""
+"""Many questions at once: answered as the single questions are, and exactly on whole-numbered
+worlds, where touching is common.
+"""
 
 import math
 from itertools import pairwise
@@ -16,32 +18,61 @@ from kinoedu import Disk, Point, PolygonWorld, Terrain
 from kinoedu.collision import coordinates, free_configurations, free_motions, is_free, is_free_path
 from kinoedu.collision.batches import judge_motions
 from kinoedu.errors import InvalidParameter, InvalidPoint, InvalidPolygon
-from kinoedu.geometry import ConvexPolygons, convex_hull, convex_pairs_intersect, convex_polygons_intersect
+from kinoedu.geometry import (
+    ConvexPolygons,
+    convex_hull,
+    convex_pairs_intersect,
+    convex_polygons_intersect,
+)
 from kinoedu.geometry.convex_pairs import as_convex_polygons, convex_turn
-from kinoedu.worlds.known_cells import ALONG, FINE, FREE, MIXED, MOST, RIM, SOLID, known_at, known_between, nothing_known
+from kinoedu.worlds.known_cells import (
+    ALONG,
+    FINE,
+    FREE,
+    MIXED,
+    MOST,
+    RIM,
+    SOLID,
+    known_at,
+    known_between,
+    nothing_known,
+)
 
 TRIANGLE, SQUARE = [(0, 0), (2, 0), (0, 2)], [(1, 1), (2, 1), (2, 2), (1, 2)]
-WORLD = PolygonWorld(BOX, [[(1, 1), (3, 1), (3, 3), (1, 3)], [(5, 5), (20, 5), (12, 20)], ((-8, -8), 3)])
+WORLD = PolygonWorld(
+    BOX, [[(1, 1), (3, 1), (3, 3), (1, 3)], [(5, 5), (20, 5), (12, 20)], ((-8, -8), 3)]
+)
 UNKNOWN = WORLD._replace(known=nothing_known())  # the same, every question judged
 NONE = np.empty((0, 2))
 
 
-# ---- configurations and motions ----------------------------------------------------------------------------------------------
+# ---- configurations and motions
+# ----------------------------------------------------------------------------------------------
 
 
 @SLOW_LAW
 @given(exact_worlds(), st.lists(st.tuples(whole, whole), min_size=1, max_size=20))
 def test_batches_are_exact(world: ExactWorld, motions: Any) -> None:
-    """Points and motions with whole coordinates, against fractions: on edges, through corners, along walls, on the spot."""
+    """Points and motions with whole coordinates, against fractions: on edges, through corners,
+    along walls, on the spot.
+    """
     a, b = map(np.array, zip(*motions, strict=True))
-    assert free_configurations(Point(), world.record, a).tolist() == [not world.is_solid(exact(p)) for p in a.tolist()]
-    assert free_motions(Point(), world.record, a, b).tolist() == [world.is_free(exact(p), exact(q)) for p, q in motions]
+    assert free_configurations(Point(), world.record, a).tolist() == [
+        not world.is_solid(exact(p)) for p in a.tolist()
+    ]
+    assert free_motions(Point(), world.record, a, b).tolist() == [
+        world.is_free(exact(p), exact(q)) for p, q in motions
+    ]
 
 
-@pytest.mark.parametrize("world", [WORLD, Terrain(np.arange(100).reshape(10, 10) % 7 > 0)], ids=["polygons", "terrain"])
+@pytest.mark.parametrize(
+    "world", [WORLD, Terrain(np.arange(100).reshape(10, 10) % 7 > 0)], ids=["polygons", "terrain"]
+)
 @pytest.mark.parametrize("robot", [Point(), Disk(0.7)], ids=["point", "disk"])
 @pytest.mark.parametrize("clearance", [0.0, 0.25])
-def test_a_batch_answers_as_the_single_questions_do(robot: Any, world: Any, clearance: float) -> None:
+def test_a_batch_answers_as_the_single_questions_do(
+    robot: Any, world: Any, clearance: float
+) -> None:
     """For every kind of world, robot and clearance, outside the world too."""
     rng = np.random.default_rng(1)
     a, b = rng.uniform(world.lo - 2, world.hi + 2, (2, 300, 2))
@@ -67,7 +98,9 @@ def test_points_are_located_at_any_scale(size: float, shift: float) -> None:
 def test_points_are_located_between_the_smallest_numbers() -> None:
     """Among more obstacles than the world is numbers wide: it is not cut up."""
     u, places = 5e-324, range(1, 7)
-    obstacles = [[(x * u, y * u), ((x + 1) * u, y * u), (x * u, (y + 1) * u)] for x in places for y in places]
+    obstacles = [
+        [(x * u, y * u), ((x + 1) * u, y * u), (x * u, (y + 1) * u)] for x in places for y in places
+    ]
     halves = [[(9 * u - x, 9 * u - y) for x, y in triangle] for triangle in obstacles]
     world = PolygonWorld([(0, 0), (10 * u, 0), (10 * u, 10 * u), (0, 10 * u)], obstacles + halves)
     qs = [(u, u), (8 * u, 8 * u), (9 * u, 9 * u), (8 * u, u), (10 * u, u)]
@@ -79,9 +112,18 @@ def test_what_is_known_of_a_cell_is_true_of_its_points() -> None:
     rng = np.random.default_rng(2)
     known = WORLD.known
     assert known.reach.shape == (FINE * WORLD.cells.rows, FINE * WORLD.cells.columns)
-    assert np.isin(known.reach, (MIXED, RIM)).mean() < 0.5 and {FREE, FREE + 1, MIXED, RIM, SOLID} <= set(known.reach.flat)
+    assert np.isin(known.reach, (MIXED, RIM)).mean() < 0.5 and {
+        FREE,
+        FREE + 1,
+        MIXED,
+        RIM,
+        SOLID,
+    } <= set(known.reach.flat)
     for j, i in np.argwhere((known.reach >= FREE) | (known.reach == SOLID)).tolist():
-        qs = np.array([known.x, known.y]) + (np.array([i, j]) + rng.uniform(0, 1, (5, 2))) * known.side
+        qs = (
+            np.array([known.x, known.y])
+            + (np.array([i, j]) + rng.uniform(0, 1, (5, 2))) * known.side
+        )
         assert (free_motions(Point(), UNKNOWN, qs, qs[::-1]) == (known.reach[j, i] >= FREE)).all()
 
 
@@ -95,35 +137,66 @@ def test_the_reach_of_a_cell_is_its_distance_to_what_is_not_free() -> None:
 @pytest.mark.parametrize("excess", [0.0, 1e-12, 1e-4, 0.005, 0.0099, 0.3])
 @pytest.mark.parametrize("upright", [False, True])
 def test_what_is_known_is_true_in_oblong_worlds(excess: float, upright: bool) -> None:
-    """Where the shorter side is a little more than a number of cells: up to the edge, past which nothing is free."""
+    """Where the shorter side is a little more than a number of cells: up to the edge, past which
+    nothing is free.
+    """
     rng = np.random.default_rng(8)
     turned = slice(None, None, -1 if upright else 1)
     for cells in range(1, 8):
         height = (cells + excess) / 8
         # 16 parts make 8 cells along
-        boxes = [(0.055 * k, height - 0.001 * k, 0.055 * k + 0.05, height - 0.0003 * k) for k in range(1, 17)]
+        boxes = [
+            (0.055 * k, height - 0.001 * k, 0.055 * k + 0.05, height - 0.0003 * k)
+            for k in range(1, 17)
+        ]
         corners = [np.array([(a, b), (c, b), (c, d), (a, d)])[:, turned] for a, b, c, d in boxes]
-        world = PolygonWorld(np.array([(0, 0), (1, 0), (1, height), (0, height)])[:, turned], corners)
+        world = PolygonWorld(
+            np.array([(0, 0), (1, 0), (1, height), (0, height)])[:, turned], corners
+        )
         judged = world._replace(known=nothing_known())
-        assert (world.known.reach[[0, -1]] < FREE).all() and (world.known.reach[:, [0, -1]] < FREE).all()
+        assert (world.known.reach[[0, -1]] < FREE).all() and (
+            world.known.reach[:, [0, -1]] < FREE
+        ).all()
         a = rng.uniform((0, height - 0.02), (1, height), (400, 2))[:, turned]
         b = np.clip(a + rng.uniform(-0.1, 0.1, a.shape), 0, 1)
         for robot in (Point(), Disk(0.0005), Disk(0.01), Disk(0.05)):
             lower = a - 0.7 * robot.radius
-            assert (free_configurations(robot, world, lower) == free_configurations(robot, judged, lower)).all()
-            assert (free_motions(robot, world, lower, b) == free_motions(robot, judged, lower, b)).all()
+            assert (
+                free_configurations(robot, world, lower)
+                == free_configurations(robot, judged, lower)
+            ).all()
+            assert (
+                free_motions(robot, world, lower, b) == free_motions(robot, judged, lower, b)
+            ).all()
 
 
 def test_a_disc_fills_the_reach_and_no_more() -> None:
-    """At the corners of free cells, discs of about their reach; just inside an edge a point is not free."""
+    """At the corners of free cells, discs of about their reach; just inside an edge a point is not
+    free.
+    """
     known, rng = WORLD.known, np.random.default_rng(3)
     for j, i in rng.permutation(np.argwhere(known.reach >= FREE))[:400].tolist():
-        corner = np.array([[known.x + (i + rng.integers(2)) * known.side, known.y + (j + rng.integers(2)) * known.side]])
+        corner = np.array(
+            [
+                [
+                    known.x + (i + rng.integers(2)) * known.side,
+                    known.y + (j + rng.integers(2)) * known.side,
+                ]
+            ]
+        )
         for rim in (-1.0, -0.5, 0.0, 0.5, 1.0, 1.5):
-            disc = Disk((known.reach[j, i] + rim) * known.side) if known.reach[j, i] + rim > 0 else Point()
-            assert free_configurations(disc, WORLD, corner) == free_configurations(disc, UNKNOWN, corner)
+            disc = (
+                Disk((known.reach[j, i] + rim) * known.side)
+                if known.reach[j, i] + rim > 0
+                else Point()
+            )
+            assert free_configurations(disc, WORLD, corner) == free_configurations(
+                disc, UNKNOWN, corner
+            )
     inside = np.nextafter(3, 0)
-    assert not free_configurations(Point(), PolygonWorld(BOX, [[(1, 1), (inside, 1), (inside, 3), (1, 3)]]), [(inside, 2)])[0]
+    assert not free_configurations(
+        Point(), PolygonWorld(BOX, [[(1, 1), (inside, 1), (inside, 3), (1, 3)]]), [(inside, 2)]
+    )[0]
 
 
 def test_most_answers_are_known() -> None:
@@ -135,8 +208,18 @@ def test_most_answers_are_known() -> None:
     ]
     answers = [known_between.py_func(*motion, 0.0, WORLD.known) for motion in ends]
     assert {SOLID, FREE} < set(answers) and np.isin(answers, (SOLID, FREE)).mean() > 0.8
-    assert np.isin([known_at.py_func(*motion[:2], 0.0, WORLD.known) for motion in ends], (SOLID, FREE)).mean() > 0.9
-    assert np.isin([known_at.py_func(*motion[:2], 1.0, WORLD.known) for motion in ends], (SOLID, FREE)).mean() > 0.6
+    assert (
+        np.isin(
+            [known_at.py_func(*motion[:2], 0.0, WORLD.known) for motion in ends], (SOLID, FREE)
+        ).mean()
+        > 0.9
+    )
+    assert (
+        np.isin(
+            [known_at.py_func(*motion[:2], 1.0, WORLD.known) for motion in ends], (SOLID, FREE)
+        ).mean()
+        > 0.6
+    )
 
 
 def test_a_world_of_many_parts_has_no_more_small_cells() -> None:
@@ -149,13 +232,25 @@ def test_a_world_of_many_parts_has_no_more_small_cells() -> None:
 
 @pytest.mark.parametrize("robot", [Point(), Disk(0.05), Disk(1.7)])
 def test_what_is_known_changes_no_answer(robot: Any) -> None:
-    """Motions anywhere, and such as run along the cells' sides and through their corners; interpreted, too."""
+    """Motions anywhere, and such as run along the cells' sides and through their corners;
+    interpreted, too.
+    """
     rng, known = np.random.default_rng(5), WORLD.known
-    corners = np.array([known.x, known.y]) + rng.integers(0, known.reach.shape[::-1], (4000, 2, 2)) * known.side
-    near = corners + rng.choice([0.0, 0.0, 1e-15, -1e-15, 1e-9, 0.5, 2.0], corners.shape) * known.side
+    corners = (
+        np.array([known.x, known.y])
+        + rng.integers(0, known.reach.shape[::-1], (4000, 2, 2)) * known.side
+    )
+    near = (
+        corners + rng.choice([0.0, 0.0, 1e-15, -1e-15, 1e-9, 0.5, 2.0], corners.shape) * known.side
+    )
     anywhere = rng.uniform(WORLD.lo, WORLD.hi, (4000, 2, 2))
     vertices = rng.choice(WORLD.edges[:, :2], (2000, 2))
-    for ends in (near, anywhere, vertices, np.concatenate([anywhere[:2000, :1], vertices[:, 1:]], axis=1)):
+    for ends in (
+        near,
+        anywhere,
+        vertices,
+        np.concatenate([anywhere[:2000, :1], vertices[:, 1:]], axis=1),
+    ):
         a, b = ends[:, 0].copy(), ends[:, 1].copy()
         free = free_motions(robot, WORLD, a, b)
         assert (free == free_motions(robot, UNKNOWN, a, b)).all()
@@ -170,19 +265,42 @@ def test_a_readers_own_robot_is_asked_by_the_interpreter() -> None:
         """It slides on a wire."""
 
     coordinates.register(Bead)(lambda robot: 1)
-    is_free_path.register(Bead, type(WORLD))(lambda robot, world, a, b, clearance: max(a[0], b[0]) + clearance < 1)
-    assert free_configurations(Bead(), WORLD, [[0.0], [2.0]], clearance=0.5).tolist() == [True, False]
+    is_free_path.register(Bead, type(WORLD))(
+        lambda robot, world, a, b, clearance: max(a[0], b[0]) + clearance < 1
+    )
+    assert free_configurations(Bead(), WORLD, [[0.0], [2.0]], clearance=0.5).tolist() == [
+        True,
+        False,
+    ]
     assert free_motions(Bead(), WORLD, [[0.0], [0.0]], [[0.5], [2.0]]).tolist() == [True, False]
 
 
 def test_no_questions_have_no_answers() -> None:
     """Empty arrays and lists."""
-    assert free_configurations(Point(), WORLD, []).shape == free_configurations(Point(), WORLD, NONE).shape == (0,)
+    assert (
+        free_configurations(Point(), WORLD, []).shape
+        == free_configurations(Point(), WORLD, NONE).shape
+        == (0,)
+    )
     assert free_motions(Point(), WORLD, [], NONE).shape == (0,)
-    assert convex_pairs_intersect(np.empty((0, 3, 2)), ConvexPolygons(np.empty((0, 4, 2)))).shape == (0,)
+    assert convex_pairs_intersect(
+        np.empty((0, 3, 2)), ConvexPolygons(np.empty((0, 4, 2)))
+    ).shape == (0,)
 
 
-@pytest.mark.parametrize("bad", [(1, 2), [(1, 2, 3)], [[1]], [[(1, 2)]], [(1, math.nan)], [(1, math.inf)], [(1, 2), (3,)], "ab"])
+@pytest.mark.parametrize(
+    "bad",
+    [
+        (1, 2),
+        [(1, 2, 3)],
+        [[1]],
+        [[(1, 2)]],
+        [(1, math.nan)],
+        [(1, math.inf)],
+        [(1, 2), (3,)],
+        "ab",
+    ],
+)
 def test_bad_configurations_are_refused_by_name(bad: Any) -> None:
     """The message names the argument."""
     good = [(0, 0)]
@@ -206,11 +324,14 @@ def test_bad_robots_clearances_and_lengths_are_refused_by_name() -> None:
         free_motions(Point(), WORLD, [(0, 0)], [(0, 0), (1, 1)])
 
 
-# ---- pairs of convex polygons ------------------------------------------------------------------------------------------------
+# ---- pairs of convex polygons
+# ------------------------------------------------------------------------------------------------
 
 
 def meet_exactly(P: Any, Q: Any) -> bool:
-    """An edge of one meets an edge of the other, or one holds a corner of the other; in fractions."""
+    """An edge of one meets an edge of the other, or one holds a corner of the other; in
+    fractions.
+    """
     sides = [list(pairwise([*map(exact, ring), exact(ring[0])])) for ring in (P, Q)]
     return (
         any(shared_exactly(*e, *f) for e in sides[0] for f in sides[1])
@@ -220,13 +341,25 @@ def meet_exactly(P: Any, Q: Any) -> bool:
 
 
 few = st.lists(st.tuples(st.integers(-4, 4), st.integers(-4, 4)), min_size=3, max_size=7)
-hulls = few.map(convex_hull).filter(lambda hull: len(hull) > 2).map(lambda hull: [tuple(map(int, p)) for p in hull])
+hulls = (
+    few.map(convex_hull)
+    .filter(lambda hull: len(hull) > 2)
+    .map(lambda hull: [tuple(map(int, p)) for p in hull])
+)
 
 
 @SLOW_LAW
-@given(hulls, hulls, st.tuples(st.integers(-6, 6), st.integers(-6, 6)), st.integers(0, 9), st.booleans())
+@given(
+    hulls,
+    hulls,
+    st.tuples(st.integers(-6, 6), st.integers(-6, 6)),
+    st.integers(0, 9),
+    st.booleans(),
+)
 def test_convex_pairs_are_exact(P: Any, Q: Any, shift: Any, first: int, reverse: bool) -> None:
-    """On a small lattice, where polygons touch, share edges, hold each other and coincide; any first vertex, either direction."""
+    """On a small lattice, where polygons touch, share edges, hold each other and coincide; any
+    first vertex, either direction.
+    """
     Q = [(x + shift[0], y + shift[1]) for x, y in Q]
     turned = np.roll(Q, first, axis=0)[:: -1 if reverse else 1]
     truth = meet_exactly(P, Q)
@@ -238,7 +371,12 @@ def test_convex_pairs_are_exact(P: Any, Q: Any, shift: Any, first: int, reverse:
 
 def test_pairs_answer_as_the_single_question_does() -> None:
     """Near and far, one inside the other, touching at a corner by a hair's breadth or not."""
-    cases = [(SQUARE, True), (np.add(SQUARE, 9), False), (np.multiply(SQUARE, 0.1), True), (np.add(SQUARE, [0, 2**-52]), False)]
+    cases = [
+        (SQUARE, True),
+        (np.add(SQUARE, 9), False),
+        (np.multiply(SQUARE, 0.1), True),
+        (np.add(SQUARE, [0, 2**-52]), False),
+    ]
     Q = [np.asarray(square, float) for square, _ in cases]
     Q[3][0] = (1, 1 + 2**-52)
     assert convex_pairs_intersect([TRIANGLE] * 4, Q).tolist() == [truth for _, truth in cases]
@@ -248,13 +386,19 @@ def test_pairs_answer_as_the_single_question_does() -> None:
 @SLOW_LAW
 @given(st.lists(st.tuples(st.integers(0, 3), st.integers(0, 3)), min_size=3, max_size=7))
 def test_rings_are_refused_as_single_polygons_are(ring: Any) -> None:
-    """Repeated vertices, folds, straight angles, stars that go round twice: the same rings, in the same words."""
+    """Repeated vertices, folds, straight angles, stars that go round twice: the same rings, in the
+    same words.
+    """
     try:
         convex_polygons_intersect(ring, ring)
         refused = ""
     except InvalidPolygon as error:
         refused = str(error).replace("P1", "P[1]")
-    good = [(math.cos(k), math.sin(k)) for k in range(len(ring))] if len(ring) < 7 else [(k, k * k) for k in range(7)]
+    good = (
+        [(math.cos(k), math.sin(k)) for k in range(len(ring))]
+        if len(ring) < 7
+        else [(k, k * k) for k in range(7)]
+    )
     assert (convex_turn(np.array(ring, float)) == 0) == bool(refused)
     if refused:
         with pytest.raises(InvalidPolygon) as caught:
@@ -265,13 +409,17 @@ def test_rings_are_refused_as_single_polygons_are(ring: Any) -> None:
 
 
 def test_polygons_are_checked_once() -> None:
-    """They turn counter-clockwise then, are a copy, and are not checked when they are asked about."""
+    """They turn counter-clockwise then, are a copy, and are not checked when they are asked
+    about.
+    """
     mine = np.array([TRIANGLE, TRIANGLE[::-1]], float)
     checked = ConvexPolygons(mine)
     mine[:] = np.nan
     assert as_convex_polygons(checked, "P") is checked
     assert [convex_turn(ring) for ring in checked.rings] == [1, 1]
-    assert {(*box,) for box in checked.boxes.tolist()} == {(*np.min(TRIANGLE, axis=0), *np.max(TRIANGLE, axis=0))}
+    assert {(*box,) for box in checked.boxes.tolist()} == {
+        (*np.min(TRIANGLE, axis=0), *np.max(TRIANGLE, axis=0))
+    }
     with pytest.raises(InvalidPolygon, match=r"^vertices\[1\] "):
         ConvexPolygons([SQUARE, [(0, 0), (1, 1), (1, 0), (0, 1)]])
     with pytest.raises(InvalidPolygon, match="equally many polygons, got 2 and 1"):

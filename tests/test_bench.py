@@ -1,4 +1,6 @@
-"""The speed table: rows run one by one, one that fails does not stop the others, and all is told in a table and a picture."""
+"""The speed table: rows run one by one, one that fails does not stop the others, and all is told in
+a table and a picture.
+"""
 
 import csv
 import gc
@@ -79,7 +81,13 @@ def folder(tmp_path, monkeypatch):
     """Made-up benchmarks in place of ours: four rows, and scripts that are none."""
     place = tmp_path / "benchmarks of mine"
     place.mkdir()
-    for name, text in {"holds": HOLDS, "fails": FAILS, "lacks": LACKS, "waits": WAITS, "no_row": "SECONDS: float\n"}.items():
+    for name, text in {
+        "holds": HOLDS,
+        "fails": FAILS,
+        "lacks": LACKS,
+        "waits": WAITS,
+        "no_row": "SECONDS: float\n",
+    }.items():
         (place / f"{name}.py").write_text(text)
     shutil.copy(BENCHMARKS / "timing.py", place)
     monkeypatch.setattr("kinoedu.cli.bench.BENCHMARKS", place)
@@ -87,13 +95,23 @@ def folder(tmp_path, monkeypatch):
 
 
 def test_the_table_and_the_picture_tell_of_all_rows(folder, capsys):
-    """A row that fails is named with its reason, what it measured before stands in the table, and the rest go on: status 1."""
+    """A row that fails is named with its reason, what it measured before stands in the table, and
+    the rest go on: status 1.
+    """
     assert main(["bench", "fails", "lacks", "holds", "holds", "--repeats", "5"]) == 1
     out, err = capsys.readouterr()
     results = folder / "results"
     with (results / "ratios.csv").open(newline="") as file:
         lines = list(csv.DictReader(file))
-    found = {(line["title"], line["contestant"]): (line["ratio"], line["goal"], line["holds"], line["rounds"]) for line in lines}
+    found = {
+        (line["title"], line["contestant"]): (
+            line["ratio"],
+            line["goal"],
+            line["holds"],
+            line["rounds"],
+        )
+        for line in lines
+    }
     assert found == {
         ("figs", "kinoedu"): ("", "", "", "1"),
         ("figs", "a peer"): ("1", "", "", "1"),
@@ -105,11 +123,19 @@ def test_the_table_and_the_picture_tell_of_all_rows(folder, capsys):
     }
     assert [line["row"] for line in lines] == ["fails"] * 2 + ["holds"] * 5
     table = (results / "ratios.md").read_text(encoding="utf-8")
-    for text in ("1 goal held, 1 missed", "a peer disagrees", "No module named 'no_such_package'", "| ghost (it is not there) |"):
+    for text in (
+        "1 goal held, 1 missed",
+        "a peer disagrees",
+        "No module named 'no_such_package'",
+        "| ghost (it is not there) |",
+    ):
         assert text in table
     assert "| C ruler | 0.5 | 2 (2 to 2) | <= 1.2 | **missed** |" in table
     assert "fails: failed" in out and "lacks: skipped" in out and "holds: done" in out
-    assert "1 goal held, 1 missed. Failed: fails (AssertionError: a peer disagrees). Skipped: lacks" in out
+    assert (
+        "1 goal held, 1 missed. Failed: fails (AssertionError: a peer disagrees). Skipped: lacks"
+        in out
+    )
     assert "3 of 3: holds" in err
     assert "### plums" in (results / "holds.md").read_text(encoding="utf-8")
     assert "Traceback" in (results / "fails.md").read_text(encoding="utf-8")
@@ -134,7 +160,11 @@ def test_rows_are_listed_and_none_is_run(folder, capsys):
     assert main(["bench", "--list"]) == 0
     out = capsys.readouterr().out.splitlines()
     assert [line.split()[0] for line in out[:-1]] == ["fails", "holds", "lacks", "waits"]
-    assert out[1].split(maxsplit=3)[1:] == ["2", "s", "A row that holds one goal and misses another."]
+    assert out[1].split(maxsplit=3)[1:] == [
+        "2",
+        "s",
+        "A row that holds one goal and misses another.",
+    ]
     assert out[-1] == "4 rows, about 2 min in all"
     assert not (folder / "results").exists()
 
@@ -166,9 +196,22 @@ def test_a_course_without_benchmarks_says_so(tmp_path):
 
 
 def test_our_rows_say_what_they_are():
-    """Each has a sentence and a time; the rounds of those beside peers can be chosen, and PythonRobotics is rrt's."""
+    """Each has a sentence and a time; the rounds of those beside peers can be chosen, and
+    PythonRobotics is rrt's.
+    """
     rows = {row.name: row for row in read_rows(BENCHMARKS)}
-    assert {"rrt", "prm", "trees", "grid", "trapezoids", "batches", "arm", "halton", "kinodynamic", "first_plan"} <= set(rows)
+    assert {
+        "rrt",
+        "prm",
+        "trees",
+        "grid",
+        "trapezoids",
+        "batches",
+        "arm",
+        "halton",
+        "kinodynamic",
+        "first_plan",
+    } <= set(rows)
     assert not {"timing", "ruler", "worlds", "certify"} & set(rows)
     assert all(row.about.endswith(".") and row.seconds > 0 for row in rows.values())
     assert [row.name for row in rows.values() if "pythonrobotics" in row.options] == ["rrt"]
@@ -178,14 +221,18 @@ def test_our_rows_say_what_they_are():
 
 @pytest.mark.skipif(sys.platform == "win32", reason="the signals of POSIX")
 def test_a_row_is_ended_with_the_command(folder):
-    """Interrupted alone, the command interrupts its row, which clears up; what there is by then is kept."""
+    """Interrupted alone, the command interrupts its row, which clears up; what there is by then is
+    kept.
+    """
     code = f"""
 from pathlib import Path
 import kinoedu.cli.bench as bench
 from kinoedu.cli import main
 bench.BENCHMARKS = Path({str(folder)!r})
 raise SystemExit(main(["bench", "holds", "waits"]))"""
-    with started([sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE) as running:
+    with started(
+        [sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE
+    ) as running:
         deadline = time.monotonic() + 60
         while not (folder / "waits.began").exists():
             assert time.monotonic() < deadline and running.poll() is None
@@ -194,13 +241,17 @@ raise SystemExit(main(["bench", "holds", "waits"]))"""
         running.communicate(timeout=60)
     assert running.returncode == 130
     assert (folder / "waits.cleared").exists()
-    assert (folder / "results" / "ratios.png").exists() and "holds" in (folder / "results" / "ratios.md").read_text()
+    assert (folder / "results" / "ratios.png").exists() and "holds" in (
+        folder / "results" / "ratios.md"
+    ).read_text()
 
 
 def test_ratios_are_read_as_they_were_written(tmp_path):
     """Six digits of each; a file that is something else is refused."""
     ratios = [
-        Ratio("rrt", 'a "title", with a comma', "C", 1.23456, 1.5, 1.25, 1e6, "<= 1.2", "missed", 5),
+        Ratio(
+            "rrt", 'a "title", with a comma', "C", 1.23456, 1.5, 1.25, 1e6, "<= 1.2", "missed", 5
+        ),
         Ratio("rrt", "ünïcode", "kinoedu", 2.0, None, None, None, "", "", 5),
     ]
     for ratio in ratios:
@@ -214,7 +265,9 @@ def test_ratios_are_read_as_they_were_written(tmp_path):
 
 @pytest.mark.parametrize("has_uv", [True, False])
 def test_a_peer_is_installed_beside_what_the_course_pins(tmp_path, monkeypatch, has_uv):
-    """By uv or by pip, constrained to the pins, from wheels alone; one that cannot be had is told by the installer's last words."""
+    """By uv or by pip, constrained to the pins, from wheels alone; one that cannot be had is told
+    by the installer's last words.
+    """
     (tmp_path / "benchmarks").mkdir()
     file = tmp_path / "benchmarks" / "environment.txt"
     file.write_text("# peers\nnumpy==0.0.1\n\nno-such-peer==1.0  # why\n")
@@ -226,25 +279,38 @@ def test_a_peer_is_installed_beside_what_the_course_pins(tmp_path, monkeypatch, 
         calls.append([str(part) for part in command])
         wrong = command[-1].startswith("no-such")
         return subprocess.CompletedProcess(
-            command, int(wrong), "  \u00d7 No solution found\n  \u2570\u2500\u25b6 it was not found\n".encode()
+            command,
+            int(wrong),
+            "  \u00d7 No solution found\n  \u2570\u2500\u25b6 it was not found\n".encode(),
         )
 
-    monkeypatch.setattr("kinoedu.bench.peers.shutil.which", lambda name: "/bin/uv" if has_uv else None)
+    monkeypatch.setattr(
+        "kinoedu.bench.peers.shutil.which", lambda name: "/bin/uv" if has_uv else None
+    )
     monkeypatch.setattr("kinoedu.bench.peers.importlib.util.find_spec", lambda name: None)
     monkeypatch.setattr("kinoedu.bench.peers.subprocess.run", ran)
     assert install_peer("numpy==0.0.1", file) == ""
     assert install_peer("no-such-peer==1.0", file) == "No solution found it was not found"
     installing = [call for call in calls if "install" in call]
-    assert len(installing) == 2 and ["ensurepip" in call for call in calls].count(True) == (0 if has_uv else 2)
+    assert len(installing) == 2 and ["ensurepip" in call for call in calls].count(True) == (
+        0 if has_uv else 2
+    )
     for call in installing:
-        assert call[call.index("--constraint") + 1] == str(tmp_path / "environment.txt") and "--only-binary" in call
+        assert (
+            call[call.index("--constraint") + 1] == str(tmp_path / "environment.txt")
+            and "--only-binary" in call
+        )
         assert sys.executable in call
 
 
 def test_a_peer_that_is_there_is_left_alone(tmp_path, monkeypatch):
     """Nothing is run for it."""
-    monkeypatch.setattr("kinoedu.bench.peers.subprocess.run", lambda *_, **__: pytest.fail("an installer was run"))
-    assert install_peer(f"numpy=={np.__version__}", tmp_path / "benchmarks" / "environment.txt") == ""
+    monkeypatch.setattr(
+        "kinoedu.bench.peers.subprocess.run", lambda *_, **__: pytest.fail("an installer was run")
+    )
+    assert (
+        install_peer(f"numpy=={np.__version__}", tmp_path / "benchmarks" / "environment.txt") == ""
+    )
 
 
 def test_a_row_that_dies_is_told_by_its_signal_or_status(tmp_path):
@@ -269,7 +335,9 @@ def test_the_exponent_is_the_slope_of_the_last_sizes():
 
 @pytest.mark.parametrize("name", [name for name in GROWTHS if name != "grading"])
 def test_a_wrong_answer_is_not_timed(name):
-    """The judge of each takes the right answer, and neither one that lacks something nor that of another size."""
+    """The judge of each takes the right answer, and neither one that lacks something nor that of
+    another size.
+    """
     growth = GROWTHS[name]
     small, large = growth.ask(growth.first), growth.ask(4 * growth.first)
     answer = small.work()
@@ -281,14 +349,18 @@ def test_a_wrong_answer_is_not_timed(name):
 
 @pytest.fixture
 def small_heap():
-    """What other tests left is not looked through whenever memory is tidied before something is timed."""
+    """What other tests left is not looked through whenever memory is tidied before something is
+    timed.
+    """
     gc.freeze()
     yield
     gc.unfreeze()
 
 
 def test_sizes_double_and_every_time_is_written(small_heap, tmp_path, monkeypatch):
-    """By a clock that ticks once for each unit of work: the exponent is 1, the largest n the first to take half the limit."""
+    """By a clock that ticks once for each unit of work: the exponent is 1, the largest n the first
+    to take half the limit.
+    """
     ticks, judged = [0.0], []
 
     def ask(n):
@@ -298,7 +370,9 @@ def test_sizes_double_and_every_time_is_written(small_heap, tmp_path, monkeypatc
 
         return Asked(n, work, judged.append)
 
-    monkeypatch.setitem(GROWTHS, "work", GROWTHS["RRT"]._replace(ask=ask, first=2, clock=lambda: ticks[0]))
+    monkeypatch.setitem(
+        GROWTHS, "work", GROWTHS["RRT"]._replace(ask=ask, first=2, clock=lambda: ticks[0])
+    )
     curve = timed("work", 2.0, 3)
     assert curve.n.tolist() == judged == [2, 4, 8, 16, 32, 64, 128]
     np.testing.assert_allclose(curve.seconds, np.tile(curve.n[:, None] / 100, 3), rtol=1e-9)

@@ -1,4 +1,6 @@
-"""Boards without a browser: what is asked and answered, what a reader's planner is told, what a notebook keeps."""
+"""Boards without a browser: what is asked and answered, what a reader's planner is told, what a
+notebook keeps.
+"""
 
 import base64
 import io
@@ -44,12 +46,16 @@ class Page:
 
     def moves(self, *parts, seq=1):
         """Send parts of the scene; the one drawing that comes back."""
-        (drawing,) = self.says({"kind": "scene", "from": "page", "seq": seq, "moved": [list(part) for part in parts]})
+        (drawing,) = self.says(
+            {"kind": "scene", "from": "page", "seq": seq, "moved": [list(part) for part in parts]}
+        )
         return drawing
 
 
 def test_a_moved_goal_is_planned_anew():
-    """The answer carries the question's number and page, one buffer for each layer, and the path ends at the new goal."""
+    """The answer carries the question's number and page, one buffer for each layer, and the path
+    ends at the new goal.
+    """
     made = board(walled())
     drawing = Page(made.canvas).moves(("handle", 1, [9, 9]), seq=7)
     assert (drawing["seq"], drawing["to"]) == (7, "page")
@@ -59,8 +65,15 @@ def test_a_moved_goal_is_planned_anew():
 
 
 def test_a_buffer_holds_places_in_world_sizes_and_when_each_came():
-    """Coordinates count from the world's corner, in its size; the last column is the step; large offsets lose nothing."""
-    drawing = Drawing([edges([[(1e9 + 1, 2), (1e9 + 3, 4)]], "tree", when=[5]), path([(1e9, 0), (1e9 + 10, 10)], "path")])
+    """Coordinates count from the world's corner, in its size; the last column is the step; large
+    offsets lose nothing.
+    """
+    drawing = Drawing(
+        [
+            edges([[(1e9 + 1, 2), (1e9 + 3, 4)]], "tree", when=[5]),
+            path([(1e9, 0), (1e9 + 10, 10)], "path"),
+        ]
+    )
     about, (tree, way) = encoded(drawing, (1e9, 0), 10.0)
     assert np.allclose(np.frombuffer(tree, np.float32), [0.1, 0.2, 0.3, 0.4, 5.0])
     assert np.frombuffer(way, np.float32).tolist() == [0, 0, 1, 1]
@@ -72,12 +85,18 @@ def test_every_planner_draws_its_growth_in_order():
     for planner in ("rrt", "prm", "astar"):
         drawing = board(walled(), planner=planner, samples=200).canvas.drawing
         growing = next(layer for layer in drawing.layers if layer.when is not None)
-        assert (np.diff(growing.when) > 0).all() and growing.when[0] >= 1 and growing.when[-1] == drawing.total
+        assert (
+            (np.diff(growing.when) > 0).all()
+            and growing.when[0] >= 1
+            and growing.when[-1] == drawing.total
+        )
         assert drawing.layers[-1].kind == "path" and drawing.layers[-1].last
 
 
 def test_controls_answer_anew_for_every_page():
-    """Another seed is another plan, sent to all pages without a number; only what the planner takes is shown."""
+    """Another seed is another plan, sent to all pages without a number; only what the planner takes
+    is shown.
+    """
     made = board(walled())
     page, before = Page(made.canvas), made.plan
     made.seed.value = 5
@@ -90,17 +109,25 @@ def test_controls_answer_anew_for_every_page():
 
 @pytest.mark.parametrize("step", [None, 0.001, 0.8, 50.0])
 def test_the_first_step_is_kept_by_the_slider(step):
-    """It lies on a notch, or the browser would move it and so show another plan than the notebook has stored."""
+    """It lies on a notch, or the browser would move it and so show another plan than the notebook
+    has stored.
+    """
     slider = board(walled(), step=step).step
     assert slider.value == pytest.approx(np.sqrt(200) / 20 if step is None else step)
     notches = (slider.value - slider.min) / slider.step
-    assert slider.min <= slider.value <= slider.max and notches == pytest.approx(round(notches), abs=1e-6)
+    assert slider.min <= slider.value <= slider.max and notches == pytest.approx(
+        round(notches), abs=1e-6
+    )
 
 
 def test_the_same_scene_is_answered_once():
-    """hello and a scene that did not change are answered from memory: a reader's slow planner does not run again."""
+    """hello and a scene that did not change are answered from memory: a reader's slow planner does
+    not run again.
+    """
     calls = []
-    canvas = Canvas(make_scene((0, 0), (1, 1)), lambda scene: calls.append(scene) or Drawing(text="done"))
+    canvas = Canvas(
+        make_scene((0, 0), (1, 1)), lambda scene: calls.append(scene) or Drawing(text="done")
+    )
     page = Page(canvas)
     assert page.says({"kind": "hello", "from": "page"})[0]["text"] == "done"
     page.moves()
@@ -113,11 +140,16 @@ def test_the_same_scene_is_answered_once():
     [
         (("handle", 0, [5, 5]), "the start (5.0, 5.0) is not free"),
         (("handle", 1, [20, 1]), "the goal (20.0, 1.0) is not free: it must lie inside the world"),
-        (("polygon", 0, [[[4, 0], [6, 8], [6, 0], [4, 8]]]), "obstacle 0 crosses or touches itself"),
+        (
+            ("polygon", 0, [[[4, 0], [6, 8], [6, 0], [4, 8]]]),
+            "obstacle 0 crosses or touches itself",
+        ),
     ],
 )
 def test_what_cannot_be_planned_is_said_and_nothing_old_is_shown(part, words):
-    """A warning, no layer of the plan before; the next good scene is planned as if nothing had been."""
+    """A warning, no layer of the plan before; the next good scene is planned as if nothing had
+    been.
+    """
     made = board(walled())
     page, good = Page(made.canvas), made.canvas.drawing.text
     drawing = page.moves(part)
@@ -172,13 +204,20 @@ def test_a_broken_front_raises_nothing(message):
     made = board(walled())
     page, scene = Page(made.canvas), made.canvas.scene
     assert all(drawing["warning"] for drawing in page.says(message) if (message.get("moved") != []))
-    assert page.moves()["text"] == "RRT: a path of length 23.12, 84 nodes" or page.moves()["warning"] == ""
+    assert (
+        page.moves()["text"] == "RRT: a path of length 23.12, 84 nodes"
+        or page.moves()["warning"] == ""
+    )
     assert made.canvas.scene == scene
 
 
-@pytest.mark.parametrize("scene", [None, 5, {}, {"handles": []}, {"handles": [{}, {}], "polygons": [{}], "discs": []}])
+@pytest.mark.parametrize(
+    "scene", [None, 5, {}, {"handles": []}, {"handles": [{}, {}], "polygons": [{}], "discs": []}]
+)
 def test_a_front_cannot_write_nonsense_into_the_state(scene):
-    """A scene that is none is left out; words, colours and home are not a page's to set; a good scene is kept and planned."""
+    """A scene that is none is left out; words, colours and home are not a page's to set; a good
+    scene is kept and planned.
+    """
     made = board(walled())
     before = made.canvas.scene
     made.canvas.set_state({"scene": scene, "words": {}, "home": {}})
@@ -195,7 +234,9 @@ def test_an_answer_that_fails_is_told(caplog):
 
 
 def test_answers_come_one_at_a_time():
-    """Messages in several threads, as JupyterLab's subshells may bring them, never answer at once."""
+    """Messages in several threads, as JupyterLab's subshells may bring them, never answer at
+    once.
+    """
     inside, most = [], []
 
     def answer(scene):
@@ -209,7 +250,11 @@ def test_answers_come_one_at_a_time():
     pages = [
         threading.Thread(
             target=canvas._received,
-            args=(canvas, {"kind": "scene", "from": "p", "seq": k, "moved": [["handle", 0, [k / 9, 0]]]}, []),
+            args=(
+                canvas,
+                {"kind": "scene", "from": "p", "seq": k, "moved": [["handle", 0, [k / 9, 0]]]},
+                [],
+            ),
         )
         for k in range(1, 9)
     ]
@@ -221,10 +266,14 @@ def test_answers_come_one_at_a_time():
 
 
 @pytest.mark.parametrize(
-    "more", [[], [ROOM], [ROOM, ((8, 5), 1)], [[(4, 0), (4, 8), (3, 4)]]], ids=["wall", "room", "disc", "corner"]
+    "more",
+    [[], [ROOM], [ROOM, ((8, 5), 1)], [[(4, 0), (4, 8), (3, 4)]]],
+    ids=["wall", "room", "disc", "corner"],
 )
 def test_a_scene_is_its_problem(more):
-    """From the problem to its scene and back: the same world, also where two obstacles begin at one corner."""
+    """From the problem to its scene and back: the same world, also where two obstacles begin at one
+    corner.
+    """
     problem = walled(*more)
     again = problem_in(json.loads(json.dumps(scene_of(problem))), problem)
     assert (again.world.edges == problem.world.edges).all()
@@ -247,7 +296,11 @@ def around(problem, rng):
     problem.is_free_path(problem.start, problem.goal)
     problem.is_free(problem.start)
     corners = [problem.start, np.array([3.0, 9.0]), np.array([7.0, 9.0]), problem.goal]
-    return corners if all(problem.is_free_path(a, b) for a, b in zip(corners, corners[1:], strict=False)) else None
+    return (
+        corners
+        if all(problem.is_free_path(a, b) for a, b in zip(corners, corners[1:], strict=False))
+        else None
+    )
 
 
 def test_a_readers_planner_is_recorded_judged_and_raced():
@@ -256,7 +309,11 @@ def test_a_readers_planner_is_recorded_judged_and_raced():
     assert made.plan.length == pytest.approx(2 * np.hypot(2, 8) + 4)
     assert repr(made).startswith("Board(yours: length 20.49, 4 motions asked; ours: length ")
     free, blocked, places, _ = questions(made.plan.asked)
-    assert free.when.tolist() == [3, 4, 5] and blocked.when.tolist() == [1] and places.when.tolist() == [2]
+    assert (
+        free.when.tolist() == [3, 4, 5]
+        and blocked.when.tolist() == [1]
+        and places.when.tolist() == [2]
+    )
     assert (free.colour, blocked.colour) == ("tree", "contact") and blocked.dash and not free.dash
     assert made.canvas.drawing.total == 5
 
@@ -288,9 +345,18 @@ def leaves(problem):
     ("planner", "words"),
     [
         (lambda problem: None, "yours: no path, 0 motions asked; ours: length"),
-        (lambda problem: [problem.start, problem.goal], "motion 1 of your path, from (1, 1) to (9, 1), is not free"),
-        (lambda problem: [problem.start, (1, 9)], "your path must end at the goal (9, 1), it ends at (1, 9)"),
-        (lambda problem: [problem.goal], "your path must begin at the start (1, 1), it begins at (9, 1)"),
+        (
+            lambda problem: [problem.start, problem.goal],
+            "motion 1 of your path, from (1, 1) to (9, 1), is not free",
+        ),
+        (
+            lambda problem: [problem.start, (1, 9)],
+            "your path must end at the goal (9, 1), it ends at (1, 9)",
+        ),
+        (
+            lambda problem: [problem.goal],
+            "your path must begin at the start (1, 1), it begins at (9, 1)",
+        ),
         (lambda problem: 5, "it returned 5"),
         (lambda problem: [], "it returned []"),
         (lambda problem: [[1, 2, 3]], "it returned [[1, 2, 3]]"),
@@ -322,7 +388,9 @@ def test_a_planner_that_cannot_be_stopped_is_not_started_again(monkeypatch):
         started.append(1)
         released.wait()
 
-    module = sys.modules["kinoedu.boards.planning.board"]  # the package's attribute of that name is the function
+    module = sys.modules[
+        "kinoedu.boards.planning.board"
+    ]  # the package's attribute of that name is the function
     monkeypatch.setattr(module, "attempt", lambda *given: attempt(*given, seconds=0.1))
     made = board(walled(), planner=waits)
     assert "could not be stopped" in repr(made)
@@ -353,7 +421,9 @@ def test_our_own_functions_are_found_in_the_menu():
 
 
 def test_a_notebook_keeps_text_and_a_small_picture():
-    """What stands for a board where there is no JavaScript: the same text, always, and a PNG of less than 60 KB."""
+    """What stands for a board where there is no JavaScript: the same text, always, and a PNG of
+    less than 60 KB.
+    """
     made = board(walled(), planner="prm", samples=2000)
     for widget in (made, made.canvas, distance_board(WALL, q=(1, 9))):
         data, _ = widget._repr_mimebundle_()
@@ -365,7 +435,9 @@ def test_a_notebook_keeps_text_and_a_small_picture():
 
 
 def test_distance_board_tells_distance_nearest_point_and_inside():
-    """Inside an edge, at a vertex, in the polygon; a polygon given clockwise; one that crosses itself is told."""
+    """Inside an edge, at a vertex, in the polygon; a polygon given clockwise; one that crosses
+    itself is told.
+    """
     canvas = distance_board(WALL[::-1], q=(1, 4))
     page = Page(canvas)
     assert repr(canvas) == "Canvas(distance 3; nearest: inside edge 3)"

@@ -1,4 +1,6 @@
-"""Boards in a real JupyterLab: what is dragged moves, what is asked is answered, and nothing needs a mouse."""
+"""Boards in a real JupyterLab: what is dragged moves, what is asked is answered, and nothing needs
+a mouse.
+"""
 
 import json
 
@@ -24,13 +26,23 @@ DISTANCE = "ke.boards.distance_board([(2, 1), (6, 1), (7, 4), (4, 3), (2, 5)], q
 
 @pytest.fixture(scope="module")
 def page(tmp_path_factory):
-    """One JupyterLab for all: the yard, the yard once more, a planner that hangs, the distance board."""
+    """One JupyterLab for all: the yard, the yard once more, a planner that hangs, the distance
+    board.
+    """
     needs_chromium()
     course, home = tmp_path_factory.mktemp("course"), tmp_path_factory.mktemp("home")
     (course / "boards.ipynb").write_text(written_notebook(YARD, "board", HANGS, DISTANCE))
-    with lab(course, home) as (address, token), notebook_page(address, token, "boards.ipynb") as page:
+    with (
+        lab(course, home) as (address, token),
+        notebook_page(address, token, "boards.ipynb") as page,
+    ):
         book = page.evaluate(RUN_ALL)
-        assert [o.get("evalue") for cell in book["cells"] for o in cell["outputs"] if o["output_type"] == "error"] == []
+        assert [
+            o.get("evalue")
+            for cell in book["cells"]
+            for o in cell["outputs"]
+            if o["output_type"] == "error"
+        ] == []
         yield page
         assert page.outside == [] and page.errors == []
 
@@ -44,17 +56,22 @@ class Seen:
         self.until("root.dataset.answers > 0")
 
     def until(self, condition, **values):
-        """Wait for a condition on `root`, the board's element, `told`, its words, and values of ours."""
+        """Wait for a condition on `root`, the board's element, `told`, its words, and values of
+        ours.
+        """
         names = ", ".join(values)
         self.page.wait_for_function(
-            f"([root, {{{names}}}]) => {{ const told = root.querySelector('.kinoedu-told').textContent; return {condition}; }}",
+            f"([root, {{{names}}}]) => {{ const told = "
+            f"root.querySelector('.kinoedu-told').textContent; return {condition}; }}",
             arg=[self.board.element_handle(), values],
             timeout=20_000,
         )
 
     def settled(self):
         """Wait until what was done is painted, asked and answered."""
-        self.page.evaluate("() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
+        self.page.evaluate(
+            "() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))"
+        )
         self.until("root.dataset.seq === root.dataset.newest && root.dataset.seq > 0")
 
     def told(self):
@@ -95,10 +112,15 @@ def yard(page):
 
 @pytest.mark.parametrize("thing", ["handle-1", "handle-0", "polygon-0", "disc-0"])
 def test_dragging_plans_anew(yard, thing):
-    """While a thing is dragged new plans come, the picture changes and so do the words of its place; no answer is out of order."""
+    """While a thing is dragged new plans come, the picture changes and so do the words of its
+    place; no answer is out of order.
+    """
     answers, pixels, label = int(yard.data("answers")), yard.pixels(), yard.label(thing)
     yard.drag(thing, -25, 10, release=False)
-    yard.until("root.dataset.answers > answers && root.dataset.seq === root.dataset.newest", answers=answers)  # still held
+    yard.until(
+        "root.dataset.answers > answers && root.dataset.seq === root.dataset.newest",
+        answers=answers,
+    )  # still held
     yard.page.mouse.up()
     yard.drag(thing, -20, 10)
     assert yard.pixels() != pixels and yard.label(thing) != label
@@ -122,11 +144,15 @@ def test_the_scene_is_kept_in_the_notebook(yard, page):
 
 
 def test_a_vertex_is_dragged_and_a_crossing_told(yard):
-    """Across the opposite edge the outline is no polygon: a warning and no plan; back again, and all is well."""
+    """Across the opposite edge the outline is no polygon: a warning and no plan; back again, and
+    all is well.
+    """
     yard.board.locator("[data-thing=polygon-0]").focus()
     yard.page.keyboard.press("Enter")
     yard.drag("vertex-0-0-0", 0, -250, release=False)
-    yard.until("root.dataset.warning.includes('crosses or touches itself') && root.dataset.layers === ''")
+    yard.until(
+        "root.dataset.warning.includes('crosses or touches itself') && root.dataset.layers === ''"
+    )
     assert "obstacle 0" in yard.told()
     keep(yard.page, "warning")
     x, y = yard.middle("vertex-0-0-0")
@@ -158,7 +184,10 @@ def test_reduced_motion_steps_and_does_not_play(yard):
     try:
         yard.board.locator(".kinoedu-slider").press("Home")
         button = yard.board.locator(".kinoedu-play")
-        yard.until("root.querySelector('.kinoedu-play').textContent === 'next step' && root.dataset.step === '0'")
+        yard.until(
+            "root.querySelector('.kinoedu-play').textContent === 'next step' && root.dataset.step "
+            "=== '0'"
+        )
         button.click()
         yard.until("root.dataset.step > 0")
         step = yard.data("step")
@@ -169,7 +198,9 @@ def test_reduced_motion_steps_and_does_not_play(yard):
 
 
 def test_everything_is_reached_by_keyboard(yard):
-    """Tab goes from thing to thing, arrows move them, Enter leads to vertices, Escape back; it is read out when quiet."""
+    """Tab goes from thing to thing, arrows move them, Enter leads to vertices, Escape back; it is
+    read out when quiet.
+    """
     keys = yard.page.keyboard
     yard.board.locator("[data-thing=handle-0]").focus()
     focus = "document.activeElement.dataset.thing"
@@ -185,17 +216,25 @@ def test_everything_is_reached_by_keyboard(yard):
     keys.press("Enter")
     assert yard.page.evaluate(focus) == "vertex-0-0-0"
     keys.press("ArrowUp")
-    yard.until("root.querySelector('[data-thing=vertex-0-0-0]').ariaLabel.startsWith('obstacle 0, vertex 0, at (2.00, 3.12)')")
+    yard.until(
+        "root.querySelector('[data-thing=vertex-0-0-0]').ariaLabel.startsWith('obstacle 0, vertex "
+        "0, at (2.00, 3.12)')"
+    )
     keys.press("Tab")
     assert yard.page.evaluate(focus) == "vertex-0-0-1"
     keys.press("Escape")
     assert yard.page.evaluate(focus) == "polygon-0"
-    yard.until("root.querySelector('[role=status]').textContent === told && root.querySelector('canvas').ariaLabel === told")
+    yard.until(
+        "root.querySelector('[role=status]').textContent === told && "
+        "root.querySelector('canvas').ariaLabel === told"
+    )
     assert yard.page.evaluate("jupyterapp.shell.currentWidget.content.mode") is not None
 
 
 def test_a_hanging_planner_ends_with_a_message(page):
-    """The board says so, asks again only when the goal is let go, and works as soon as the planner does."""
+    """The board says so, asks again only when the goal is let go, and works as soon as the planner
+    does.
+    """
     hangs = Seen(page, 2)
     hangs.until("told.includes('It was stopped; the picture')")
     answers = int(hangs.data("answers"))

@@ -1,4 +1,6 @@
-"""The Bug family: exact walks, found where a path exists, refused in finite time where none does, by contact alone."""
+"""The Bug family: exact walks, found where a path exists, refused in finite time where none does,
+by contact alone.
+"""
 
 import json
 import math
@@ -25,10 +27,23 @@ from kinoedu.planners.bugs.walls import as_rings, contact, make_walls
 
 matplotlib.use("Agg")
 
-WORLDS = json.loads((Path(__file__).parent / "data" / "bug" / "worlds_expected.json").read_text(encoding="utf-8"))["worlds"]
-CASES = [(world, name, answer) for world in WORLDS for name, answer in world["expected"].items() if name != "shortest"]
+WORLDS = json.loads(
+    (Path(__file__).parent / "data" / "bug" / "worlds_expected.json").read_text(encoding="utf-8")
+)["worlds"]
+CASES = [
+    (world, name, answer)
+    for world in WORLDS
+    for name, answer in world["expected"].items()
+    if name != "shortest"
+]
 ME145 = WORLDS[0]
-LAW = settings(derandomize=True, deadline=None, database=None, max_examples=150, suppress_health_check=list(HealthCheck))
+LAW = settings(
+    derandomize=True,
+    deadline=None,
+    database=None,
+    max_examples=150,
+    suppress_health_check=list(HealthCheck),
+)
 
 BUGS = {
     "bug0": ke.bug0,
@@ -54,7 +69,9 @@ def run(world, name):
     bug, *words = name.split("_")
     options = {"way_back": "same" if "same" in words else "shorter"} if bug == "bug1" else {}
     turn = "right" if "right" in words else "left"
-    return BUGS[bug](world["start"], world["goal"], world["obstacles"], world["step"], turn=turn, **options)
+    return BUGS[bug](
+        world["start"], world["goal"], world["obstacles"], world["step"], turn=turn, **options
+    )
 
 
 def corners(plan):
@@ -62,18 +79,27 @@ def corners(plan):
     kept = [plan.walk.points[0]]
     for b, c in zip(plan.walk.points[1:], [*plan.walk.points[2:], None]):
         a = kept[-1]
-        straight = c is not None and abs((b - a)[0] * (c - b)[1] - (b - a)[1] * (c - b)[0]) < 1e-12 and (b - a) @ (c - b) >= 0.0
+        straight = (
+            c is not None
+            and abs((b - a)[0] * (c - b)[1] - (b - a)[1] * (c - b)[0]) < 1e-12
+            and (b - a) @ (c - b) >= 0.0
+        )
         if not straight:
             kept.append(b)
     return [point.tolist() for point in kept]
 
 
-# ---- the worlds with known answers -------------------------------------------------------------------------------------------
+# ---- the worlds with known answers
+# -------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize(("world", "name", "answer"), CASES, ids=[f"{world['id']}-{name}" for world, name, _ in CASES])
+@pytest.mark.parametrize(
+    ("world", "name", "answer"), CASES, ids=[f"{world['id']}-{name}" for world, name, _ in CASES]
+)
 def test_walks_are_the_continuum_walks(world, name, answer):
-    """Success, hit points and corners of every case; the length to 1e-9, which is what the data are rounded to."""
+    """Success, hit points and corners of every case; the length to 1e-9, which is what the data are
+    rounded to.
+    """
     plan = run(world, name)
     assert (plan.path is not None) == answer["success"]
     assert bool(plan.reason) != answer["success"]
@@ -83,7 +109,10 @@ def test_walks_are_the_continuum_walks(world, name, answer):
         line = shapely.LineString(answer["path"])
         assert all(line.distance(shapely.Point(point)) < 1e-8 for point in plan.path)
         points = iter(plan.path)
-        assert all(any(np.abs(point - corner).max() < 1e-8 for point in points) for corner in answer["path"])  # in that order
+        assert all(
+            any(np.abs(point - corner).max() < 1e-8 for point in points)
+            for corner in answer["path"]
+        )  # in that order
     elif "bug0" not in name:
         length = answer.get("length_at_detection_with_return", answer["length_at_detection"])
         assert plan.walk.travelled[-1] == pytest.approx(length, rel=1e-9)
@@ -93,16 +122,22 @@ def test_walks_are_the_continuum_walks(world, name, answer):
 
 
 @pytest.mark.parametrize("step", [1e3, 1.0, 0.1, 0.0137])
-@pytest.mark.parametrize("name", ["bug1_left_same", "bug1_right_same", "bug1_short", "bug0_left", "bug0_right"])
+@pytest.mark.parametrize(
+    "name", ["bug1_left_same", "bug1_right_same", "bug1_short", "bug0_left", "bug0_right"]
+)
 def test_lengths_are_exact_to_1e_12_whatever_the_step(name, step):
-    """Where the corners are short decimals, the length is that of the listed walk, summed with fifty digits."""
+    """Where the corners are short decimals, the length is that of the listed walk, summed with
+    fifty digits.
+    """
     walk = [[Decimal(str(x)) for x in point] for point in ME145["expected"][name]["path"]]
     exact = sum(((b[0] - a[0]) ** 2 + (b[1] - a[1]) ** 2).sqrt() for a, b in pairwise(walk))
     assert run({**ME145, "step": step}, name).cost == pytest.approx(float(exact), rel=1e-14)
 
 
 def test_figures_of_me_145():
-    """Bug 1 in the world of ME 145: 23.5071 turning right, 26.2511 turning left with the way back in the same direction."""
+    """Bug 1 in the world of ME 145: 23.5071 turning right, 26.2511 turning left with the way back
+    in the same direction.
+    """
     assert round(run(ME145, "bug1_right_same").cost, 4) == 23.5071
     assert round(run(ME145, "bug1_left_same").cost, 4) == 26.2511
 
@@ -116,12 +151,15 @@ def test_bug_base_stops_at_the_first_wall():
     assert stopped.walk.points[-1].tolist() == [4.0, 0.0] == stopped.walk.hits[0].tolist()
 
 
-# ---- laws --------------------------------------------------------------------------------------------------------------------
+# ---- laws
+# --------------------------------------------------------------------------------------------------------------------
 
 
 @st.composite
 def scattered(draw):
-    """Disjoint star-shaped polygons, one at most in each cell of a grid, and a start and a goal off them."""
+    """Disjoint star-shaped polygons, one at most in each cell of a grid, and a start and a goal off
+    them.
+    """
     polygons = []
     for cell in draw(st.lists(st.integers(0, 15), min_size=1, max_size=9, unique=True)):
         n = draw(st.integers(3, 8))
@@ -141,10 +179,19 @@ def scattered(draw):
 
 @st.composite
 def on_a_lattice(draw):
-    """Polygons with corners on a small lattice that overlap, touch, line up or share a corner, and a start and a goal on it."""
+    """Polygons with corners on a small lattice that overlap, touch, line up or share a corner, and
+    a start and a goal on it.
+    """
     polygons, shared = [], draw(st.sampled_from([[], [(3, 3)]]))
     for _ in range(draw(st.integers(1, 5))):
-        points = draw(st.lists(st.tuples(st.integers(0, 6), st.integers(0, 6)), min_size=3 - len(shared), max_size=7, unique=True))
+        points = draw(
+            st.lists(
+                st.tuples(st.integers(0, 6), st.integers(0, 6)),
+                min_size=3 - len(shared),
+                max_size=7,
+                unique=True,
+            )
+        )
         points = sorted({*points, *shared})
         assume(len(points) >= 3)
         middle = np.mean(points, axis=0)
@@ -159,46 +206,73 @@ bug_names, turns = st.sampled_from(sorted(BUGS)), st.sampled_from(["left", "righ
 
 
 def assert_is_a_walk(plan, start, goal, step, solid):
-    """What holds of every walk, whether or not it found a path; shapely judges that it enters nothing."""
+    """What holds of every walk, whether or not it found a path; shapely judges that it enters
+    nothing.
+    """
     walk = plan.walk
     moves = np.hypot(*np.diff(walk.points, axis=0).T)
     assert walk.points[0].tolist() == list(start)
     assert moves.max(initial=0.0) <= step * (1.0 + 1e-12)
-    assert walk.travelled == pytest.approx(np.concatenate([[0.0], np.cumsum(moves)]), rel=1e-9, abs=1e-12)
-    assert walk.distance_to_goal == pytest.approx(np.hypot(*(walk.points - np.array(goal)).T), rel=1e-12, abs=1e-12)
+    assert walk.travelled == pytest.approx(
+        np.concatenate([[0.0], np.cumsum(moves)]), rel=1e-9, abs=1e-12
+    )
+    assert walk.distance_to_goal == pytest.approx(
+        np.hypot(*(walk.points - np.array(goal)).T), rel=1e-12, abs=1e-12
+    )
     inside = shapely.LineString(walk.points).intersection(solid.buffer(-1e-7))
     assert inside.length < 1e-9
     wall = solid.boundary
     assert all(wall.distance(shapely.Point(point)) < 1e-9 for point in walk.points[walk.following])
     assert 0 <= len(walk.hit) - len(walk.leave) <= 1
     assert not walk.following[walk.hit].any()
-    assert walk.following[walk.leave].all() or plan.planner == "Bug 1"  # Bug 1 may leave where it hit
+    assert (
+        walk.following[walk.leave].all() or plan.planner == "Bug 1"
+    )  # Bug 1 may leave where it hit
     if plan.path is None:
         assert plan.reason and plan.cost == math.inf
     else:
-        assert plan.path[-1].tolist() == list(goal) and plan.cost == walk.travelled[-1] and plan.reason == ""
+        assert (
+            plan.path[-1].tolist() == list(goal)
+            and plan.cost == walk.travelled[-1]
+            and plan.reason == ""
+        )
         assert len(walk.hit) == len(walk.leave)
 
 
 @LAW
 @given(scattered(), bug_names, turns, st.floats(0.05, 30.0))
 def test_walks_hold_their_promises(world, name, turn, step):
-    """Semi-free, along walls where they say so, points a step apart; among disjoint obstacles Bug 1 and Bug 2 always arrive."""
+    """Semi-free, along walls where they say so, points a step apart; among disjoint obstacles Bug 1
+    and Bug 2 always arrive.
+    """
     start, goal, polygons = world
     plan = BUGS[name](start, goal, polygons, step, turn=turn)
-    assert_is_a_walk(plan, start, goal, step, shapely.union_all([shapely.Polygon(polygon) for polygon in polygons]))
+    assert_is_a_walk(
+        plan,
+        start,
+        goal,
+        step,
+        shapely.union_all([shapely.Polygon(polygon) for polygon in polygons]),
+    )
     assert plan.path is not None or name not in COMPLETE
 
 
 @LAW
 @given(on_a_lattice(), bug_names, turns)
 def test_obstacles_that_meet_are_one(world, name, turn):
-    """Overlapping, touching, collinear: a path is found exactly when start and goal lie in one part of what is free."""
+    """Overlapping, touching, collinear: a path is found exactly when start and goal lie in one part
+    of what is free.
+    """
     start, goal, polygons = world
     solid = shapely.union_all([shapely.Polygon(polygon) for polygon in polygons])
-    assume(not solid.intersects(shapely.Point(start)) and not solid.boundary.intersects(shapely.Point(goal)))
+    assume(
+        not solid.intersects(shapely.Point(start))
+        and not solid.boundary.intersects(shapely.Point(goal))
+    )
     parts = shapely.get_parts(shapely.box(-9, -9, 20, 20).difference(solid))
-    joined = any(part.contains(shapely.Point(start)) and part.contains(shapely.Point(goal)) for part in parts)
+    joined = any(
+        part.contains(shapely.Point(start)) and part.contains(shapely.Point(goal)) for part in parts
+    )
     plan = BUGS[name](start, goal, polygons, 0.5, turn=turn)
     assert_is_a_walk(plan, start, goal, 0.5, solid)
     assert joined or plan.path is None
@@ -208,9 +282,13 @@ def test_obstacles_that_meet_are_one(world, name, turn):
 @LAW
 @given(on_a_lattice(), bug_names, turns, st.floats(0.1, 6.2))
 def test_nearly_degenerate_worlds_end_too(world, name, turn, angle):
-    """The lattice turned, so that what lined up does so but for rounding: every walk ends, and enters nothing."""
+    """The lattice turned, so that what lined up does so but for rounding: every walk ends, and
+    enters nothing.
+    """
     turned = np.array([[math.cos(angle), -math.sin(angle)], [math.sin(angle), math.cos(angle)]])
-    start, goal, *polygons = (np.array(points, float) @ turned.T for points in (world[0], world[1], *world[2]))
+    start, goal, *polygons = (
+        np.array(points, float) @ turned.T for points in (world[0], world[1], *world[2])
+    )
     solid = shapely.union_all([shapely.Polygon(polygon) for polygon in polygons])
     assume(all(solid.boundary.distance(shapely.Point(end)) > 1e-9 for end in (start, goal)))
     assume(not solid.intersects(shapely.Point(start)))
@@ -221,13 +299,21 @@ def test_nearly_degenerate_worlds_end_too(world, name, turn, angle):
 @LAW
 @given(scattered(), turns, st.sampled_from(["shorter", "same"]))
 def test_bug1_keeps_its_bound(world, turn, way_back):
-    """At most D + 3/2 of the perimeters met, 2 with the way back in the same direction; it leaves where the goal is nearest."""
+    """At most D + 3/2 of the perimeters met, 2 with the way back in the same direction; it leaves
+    where the goal is nearest.
+    """
     start, goal, polygons = world
     plan = ke.bug1(start, goal, polygons, 1.0, turn=turn, way_back=way_back)
     solids = [shapely.Polygon(polygon) for polygon in polygons]
-    met = [solid for solid in solids if any(solid.distance(shapely.Point(hit)) < 1e-9 for hit in plan.walk.hits)]
+    met = [
+        solid
+        for solid in solids
+        if any(solid.distance(shapely.Point(hit)) < 1e-9 for hit in plan.walk.hits)
+    ]
     rounds = 1.5 if way_back == "shorter" else 2.0
-    assert plan.cost <= (math.dist(start, goal) + rounds * sum(solid.length for solid in met)) * (1.0 + 1e-12)
+    assert plan.cost <= (math.dist(start, goal) + rounds * sum(solid.length for solid in met)) * (
+        1.0 + 1e-12
+    )
     assert len(met) == len(plan.walk.hits)  # none is met twice
     for leave in plan.walk.leaves:
         (left,) = [solid for solid in met if solid.distance(shapely.Point(leave)) < 1e-9]
@@ -237,7 +323,9 @@ def test_bug1_keeps_its_bound(world, turn, way_back):
 @LAW
 @given(scattered(), turns)
 def test_bug2_keeps_its_bound(world, turn):
-    """At most D + n p / 2 for each obstacle, met n times by the start-goal line; it leaves on that line, closer than it hit."""
+    """At most D + n p / 2 for each obstacle, met n times by the start-goal line; it leaves on that
+    line, closer than it hit.
+    """
     start, goal, polygons = world
     plan = ke.bug2(start, goal, polygons, 1.0, turn=turn)
     line = shapely.LineString([start, goal])
@@ -245,9 +333,14 @@ def test_bug2_keeps_its_bound(world, turn):
     for solid in map(shapely.Polygon, polygons):
         bound += solid.length * len(shapely.get_parts(solid.boundary.intersection(line))) / 2.0
     assert plan.cost <= bound * (1.0 + 1e-12)
-    hits, leaves = plan.walk.distance_to_goal[plan.walk.hit], plan.walk.distance_to_goal[plan.walk.leave]
+    hits, leaves = (
+        plan.walk.distance_to_goal[plan.walk.hit],
+        plan.walk.distance_to_goal[plan.walk.leave],
+    )
     assert (leaves < hits).all() and (hits[1:] < leaves[:-1]).all()
-    assert all(line.distance(shapely.Point(point)) < 1e-9 for point in (*plan.walk.hits, *plan.walk.leaves))
+    assert all(
+        line.distance(shapely.Point(point)) < 1e-9 for point in (*plan.walk.hits, *plan.walk.leaves)
+    )
 
 
 @LAW
@@ -257,7 +350,9 @@ def test_a_mirrored_world_and_the_other_turn_give_the_mirrored_walk(world, name)
     start, goal, polygons = world
     plan = BUGS[name](start, goal, polygons, 0.7, turn="left")
     across = np.array([-1.0, 1.0])
-    mirrored = BUGS[name](start * across, goal * across, [polygon * across for polygon in polygons], 0.7, turn="right")
+    mirrored = BUGS[name](
+        start * across, goal * across, [polygon * across for polygon in polygons], 0.7, turn="right"
+    )
     assert mirrored.walk.points == pytest.approx(plan.walk.points * across, abs=1e-9)
     assert mirrored.walk.hit.tolist() == plan.walk.hit.tolist()
 
@@ -269,18 +364,24 @@ def test_size_does_not_matter(world, name, turn, power):
     start, goal, polygons = (np.array(world[0]), np.array(world[1]), world[2])
     plan = BUGS[name](start, goal, polygons, 8.0, turn=turn)
     scaled = BUGS[name](
-        *(np.ldexp(end, power) for end in (start, goal)), [np.ldexp(p, power) for p in polygons], 2.0 ** (power + 3), turn=turn
+        *(np.ldexp(end, power) for end in (start, goal)),
+        [np.ldexp(p, power) for p in polygons],
+        2.0 ** (power + 3),
+        turn=turn,
     )
     assert np.ldexp(scaled.walk.points, -power) == pytest.approx(plan.walk.points, abs=1e-12)
 
 
-# ---- what an algorithm may ask -----------------------------------------------------------------------------------------------
+# ---- what an algorithm may ask
+# -----------------------------------------------------------------------------------------------
 
 ASKED = {"place", "travelled", "move_to_goal", "can_move_to_goal", "follow_wall", "turn_round"}
 
 
 class Witness:
-    """A robot that answers the contact sensor's questions, writes them down, and has nothing else."""
+    """A robot that answers the contact sensor's questions, writes them down, and has nothing
+    else.
+    """
 
     def __init__(self, robot):
         self.__robot, self.asked = robot, []
@@ -294,11 +395,19 @@ class Witness:
 @pytest.mark.parametrize("turn", [-1, 1])
 @pytest.mark.parametrize(
     "algorithm",
-    [bug_base_walk, bug0_walk, lambda robot: bug1_walk(robot, "shorter"), bug2_walk, bug2_prelim_walk],
+    [
+        bug_base_walk,
+        bug0_walk,
+        lambda robot: bug1_walk(robot, "shorter"),
+        bug2_walk,
+        bug2_prelim_walk,
+    ],
     ids=["bug_base", "bug0", "bug1", "bug2", "bug2_prelim"],
 )
 def test_algorithms_ask_a_contact_sensor_and_nothing_else(algorithm, turn):
-    """Handed a witness in place of the robot they walk the same walk; all they get are places, distances and contact."""
+    """Handed a witness in place of the robot they walk the same walk; all they get are places,
+    distances and contact.
+    """
     start, goal = np.array(ME145["start"], float), np.array(ME145["goal"], float)
     walls = make_walls(as_rings(ME145["obstacles"]), 0.0)
     robot, watched = BugRobot(walls, start, goal, turn), BugRobot(walls, start, goal, turn)
@@ -310,7 +419,9 @@ def test_algorithms_ask_a_contact_sensor_and_nothing_else(algorithm, turn):
 
 @pytest.mark.parametrize("walk", [bug_base_walk, bug0_walk, bug1_walk, bug2_walk, bug2_prelim_walk])
 def test_algorithms_hold_no_obstacles(walk):
-    """Their code names the robot's questions, what a place tells, and no global but `set`: there is no other way to the world."""
+    """Their code names the robot's questions, what a place tells, and no global but `set`: there is
+    no other way to the world.
+    """
     tells = {"distance", "on_line", "is_nearer_than", "x", "y"}
     assert set(walk.__code__.co_names) <= ASKED | tells | {"set", "add"}
     assert walk.__closure__ is None
@@ -320,15 +431,20 @@ def test_algorithms_hold_no_obstacles(walk):
 def test_obstacles_never_touched_change_nothing(name):
     """What the robot does not touch it cannot know of."""
     plan = BUGS[name]((0, 0), (10, 0), [BOX], 0.3)
-    far = BUGS[name]((0, 0), (10, 0), [BOX, [(0, 7), (9, 7), (4, 9)], [(4.5, 0), (5, 0.5), (5.5, 0)]], 0.3)
+    far = BUGS[name](
+        (0, 0), (10, 0), [BOX, [(0, 7), (9, 7), (4, 9)], [(4.5, 0), (5, 0.5), (5.5, 0)]], 0.3
+    )
     assert np.array_equal(plan.walk.points, far.walk.points)
 
 
-# ---- circles and closed rooms ------------------------------------------------------------------------------------------------
+# ---- circles and closed rooms
+# ------------------------------------------------------------------------------------------------
 
 
 def test_bug0_walks_in_a_circle_and_says_so():
-    """In the spiral Bug 0 comes back to the same hit: no path, and the walk shows the loop once round. Bugs 1 and 2 arrive."""
+    """In the spiral Bug 0 comes back to the same hit: no path, and the walk shows the loop once
+    round. Bugs 1 and 2 arrive.
+    """
     plan = ke.bug0((-2, 0), (6, 0), [SPIRAL], 0.5)
     assert plan.path is None and "circle" in plan.reason
     hits = plan.walk.hits.tolist()
@@ -342,22 +458,35 @@ def test_bug0_walks_in_a_circle_and_says_so():
 
 
 def test_bug2_prelim_walks_in_a_circle_where_bug2_arrives():
-    """Without its rule Bug 2 leaves farther from the goal than it hit, and comes back; with it, it arrives."""
+    """Without its rule Bug 2 leaves farther from the goal than it hit, and comes back; with it, it
+    arrives.
+    """
     hook = [(4, -1), (5, -1), (5, 3), (-1, 3), (-1, -3), (0, -3), (0, 2), (4, 2)]
     assert circles(ke.bug2_prelim, hook) and not circles(ke.bug2, hook)
 
 
 def circles(bug, polygon):
-    """Whether a bug walks in a circle in one of the worlds with this obstacle, in either turn, from some start to some goal."""
+    """Whether a bug walks in a circle in one of the worlds with this obstacle, in either turn, from
+    some start to some goal.
+    """
     grid = [(x, y) for x in np.arange(-3.0, 9.0, 1.5) for y in (-4.0, -1.5, 0.5, 2.5, 5.0)]
     free = [q for q in grid if not shapely.Polygon(polygon).intersects(shapely.Point(q))]
-    plans = [bug(a, b, [polygon], 9.0, turn=turn) for a in free for b in free for turn in ("left", "right")]
+    plans = [
+        bug(a, b, [polygon], 9.0, turn=turn)
+        for a in free
+        for b in free
+        for turn in ("left", "right")
+    ]
     return any("circle" in plan.reason for plan in plans)
 
 
 @pytest.mark.parametrize("name", sorted(BUGS))
 @pytest.mark.parametrize("turn", ["left", "right"])
-@pytest.mark.parametrize(("start", "goal"), [((-3, 4), (4, 4)), ((4, 4), (12, 5)), ((3, 3), (6, 6))], ids=["in", "out", "inside"])
+@pytest.mark.parametrize(
+    ("start", "goal"),
+    [((-3, 4), (4, 4)), ((4, 4), (12, 5)), ((3, 3), (6, 6))],
+    ids=["in", "out", "inside"],
+)
 def test_rooms_between_obstacles(name, turn, start, goal):
     """Four overlapping bars close a room: no way in, no way out, and free within."""
     plan = BUGS[name](start, goal, RING, 0.5, turn=turn)
@@ -373,7 +502,9 @@ def test_a_room_with_a_gap_is_entered():
 
 
 def test_a_goal_inside_an_obstacle_is_found_out_by_walking():
-    """The robot has no map: Bug 1 and Bug 2 say that no path reaches it, Bug 0 that the wall lets it go nowhere."""
+    """The robot has no map: Bug 1 and Bug 2 say that no path reaches it, Bug 0 that the wall lets
+    it go nowhere.
+    """
     for name, bug in BUGS.items():
         plan = bug((0, 0), (5, 0.5), [BOX], 0.5)
         assert plan.path is None and plan.walk.travelled[-1] >= 10.0, name
@@ -389,7 +520,8 @@ def test_both_ways_back(turn):
     assert np.array_equal(shorter.walk.leaves, same.walk.leaves)
 
 
-# ---- degenerate worlds -------------------------------------------------------------------------------------------------------
+# ---- degenerate worlds
+# -------------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("name", sorted(BUGS))
@@ -407,7 +539,9 @@ def test_both_ways_back(turn):
     ids=lambda value: value if isinstance(value, str) else "",
 )
 def test_what_is_only_touched_stops_nobody(name, turn, obstacles, touching):
-    """A straight way that touches a corner or slides along an edge is walked straight, without a hit."""
+    """A straight way that touches a corner or slides along an edge is walked straight, without a
+    hit.
+    """
     plan = BUGS[name]((0, 0), (10, 0), obstacles, 100.0, turn=turn)
     assert plan.cost == 10.0 and len(plan.walk.hits) == 0
 
@@ -422,17 +556,23 @@ def test_a_hit_at_a_corner(turn, corner):
 
 
 def test_a_hit_at_the_end_of_an_edge_slid_along():
-    """It slides along an edge into an inner corner: turned left it goes up the wall, turned right it goes back along the edge."""
+    """It slides along an edge into an inner corner: turned left it goes up the wall, turned right
+    it goes back along the edge.
+    """
     step = [(2, -1), (8, -1), (8, 2), (6, 2), (6, 0), (2, 0)]
     left, right = (ke.bug2((0, 0), (10, 0), [step], 100.0, turn=turn) for turn in ("left", "right"))
     assert left.walk.hits.tolist() == right.walk.hits.tolist() == [[6, 0]]
     assert corners(left) == [[0, 0], [6, 0], [6, 2], [8, 2], [8, 0], [10, 0]]
-    assert ke.bug0((0, 0), (10, 0), [step], 100.0, turn="right").path is not None  # the edge behind is no way to the goal
+    assert (
+        ke.bug0((0, 0), (10, 0), [step], 100.0, turn="right").path is not None
+    )  # the edge behind is no way to the goal
     assert right.path is not None and right.cost == pytest.approx(6 + 4 + 1 + 6 + 1 + 2)
 
 
 def test_the_way_between_touching_obstacles_is_shut():
-    """Two triangles that touch at a point let nothing through, on the straight way or along the wall."""
+    """Two triangles that touch at a point let nothing through, on the straight way or along the
+    wall.
+    """
     up, down = [(5, 0), (7, 3), (3, 3)], [(5, 0), (3, -2), (7, -2)]
     plan = ke.bug2((0, 0), (10, 0), [up, down], 100.0)
     assert corners(plan) == [[0, 0], [5, 0], [3, 3], [7, 3], [5, 0], [10, 0]]
@@ -450,7 +590,11 @@ def test_obstacles_that_share_a_hit_point():
         assert plan.walk.hits[0].tolist() == [5, 0]
         assert plan.path is not None
     for sense, turn in ((1, "left"), (-1, "right")):
-        for obstacles in (fan, fan[::-1], [fan[1], fan[0], fan[2]]):  # the notches between them are not where it came from
+        for obstacles in (
+            fan,
+            fan[::-1],
+            [fan[1], fan[0], fan[2]],
+        ):  # the notches between them are not where it came from
             plan = ke.bug2((0, 0), (12, 0), obstacles, 100.0, turn=turn)
             beyond = [[8, 4 * sense], [8, 2 * sense], [5, 0], [8, sense], [8, 0], [12, 0]]
             assert corners(plan) == [[0, 0], [5, 0], *beyond]
@@ -464,7 +608,9 @@ def test_start_and_goal_in_one_place_or_in_the_open():
 
 @pytest.mark.parametrize("name", COMPLETE)
 def test_a_corner_cut_off_by_less_than_rounding(name):
-    """The start-goal line enters and leaves a tip within rounding: the comparison of distances is exact and tells them apart."""
+    """The start-goal line enters and leaves a tip within rounding: the comparison of distances is
+    exact and tells them apart.
+    """
     tip = [
         (-3.062601955837688, 5.5335765342226155),
         (-0.3549764264716564, 8.477853014569751),
@@ -476,23 +622,30 @@ def test_a_corner_cut_off_by_less_than_rounding(name):
         assert BUGS[name](start, goal, [tip], 1.0, turn=turn).path is not None
 
 
-# ---- clearance ---------------------------------------------------------------------------------------------------------------
+# ---- clearance
+# ---------------------------------------------------------------------------------------------------------------
 
 
 @LAW
 @given(scattered(), bug_names, turns, st.floats(0.01, 0.8))
 def test_clearance_is_kept(world, name, turn, clearance):
-    """Never closer than the clearance; along walls never farther than a thousandth more, where walls do not meet."""
+    """Never closer than the clearance; along walls never farther than a thousandth more, where
+    walls do not meet.
+    """
     start, goal, polygons = world
     solid = shapely.union_all([shapely.Polygon(polygon) for polygon in polygons])
     assume(all(solid.distance(shapely.Point(end)) > 1.01 * clearance for end in (start, goal)))
     plan = BUGS[name](start, goal, polygons, 0.5, turn=turn, clearance=clearance)
     assert shapely.LineString(plan.walk.points).distance(solid) >= clearance * (1.0 - 1e-9)
-    followed = [solid.distance(shapely.Point(point)) for point in plan.walk.points[plan.walk.following]]
+    followed = [
+        solid.distance(shapely.Point(point)) for point in plan.walk.points[plan.walk.following]
+    ]
     assert max(followed, default=0.0) <= 1.001 * clearance
     grown = solid.buffer(1.0011 * clearance, quad_segs=64)
     parts = shapely.get_parts(shapely.box(-30, -30, 50, 50).difference(grown))
-    joined = any(part.contains(shapely.Point(start)) and part.contains(shapely.Point(goal)) for part in parts)
+    joined = any(
+        part.contains(shapely.Point(start)) and part.contains(shapely.Point(goal)) for part in parts
+    )
     assert plan.path is not None or not joined or name not in COMPLETE
 
 
@@ -501,12 +654,15 @@ def test_clearance_round_a_box():
     plan = ke.bug1((0, 0), (10, 0), [BOX], 0.5, clearance=0.5, way_back="same")
     follow = np.diff(plan.walk.travelled)[plan.walk.following[1:]].sum()
     round_once = 10.0 + math.pi
-    back = plan.walk.travelled[plan.walk.leave][0] - plan.walk.travelled[plan.walk.hit][0] - round_once
+    back = (
+        plan.walk.travelled[plan.walk.leave][0] - plan.walk.travelled[plan.walk.hit][0] - round_once
+    )
     assert follow == pytest.approx(round_once + back, rel=1e-12)
     assert back == pytest.approx(2.0 + 2.0 + 2.0 + 0.5 * math.pi, rel=1e-3)
 
 
-# ---- what is refused ---------------------------------------------------------------------------------------------------------
+# ---- what is refused
+# ---------------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("name", [*sorted(BUGS), "bug_base"])
@@ -554,7 +710,8 @@ def test_contact_knows_rooms():
     assert [contact(walls, np.array(q, float)) for q in places] == [1, 0, -1, -1]
 
 
-# ---- figures -----------------------------------------------------------------------------------------------------------------
+# ---- figures
+# -----------------------------------------------------------------------------------------------------------------
 
 
 def texts(ax):
@@ -564,7 +721,9 @@ def texts(ax):
 
 @pytest.mark.parametrize("clearance", [0.0, 0.3])
 def test_a_walk_is_drawn_with_its_marks(clearance):
-    """draw_plan shows the walk, hits and leaves by name, start and goal; up to a point only what had happened by then."""
+    """draw_plan shows the walk, hits and leaves by name, start and goal; up to a point only what
+    had happened by then.
+    """
     from matplotlib import pyplot as plt
 
     plan = ke.bug1(ME145["start"], ME145["goal"], ME145["obstacles"], 0.1, clearance=clearance)
@@ -584,7 +743,9 @@ def test_the_distance_to_the_goal_is_plotted():
 
     plan = ke.bug2(ME145["start"], ME145["goal"], ME145["obstacles"], 0.1)
     ke.figures.draw_distance_to_goal(plan)
-    lines = np.concatenate([line for collection in plt.gca().collections for line in collection.get_segments()])
+    lines = np.concatenate(
+        [line for collection in plt.gca().collections for line in collection.get_segments()]
+    )
     curve = np.column_stack([plan.walk.travelled, plan.walk.distance_to_goal])
     assert {tuple(point) for point in lines.tolist()} == {tuple(point) for point in curve.tolist()}
     assert texts(plt.gca()) == {"H1", "H2", "L1", "L2"}
@@ -594,7 +755,9 @@ def test_the_distance_to_the_goal_is_plotted():
 
 
 def test_a_flowcharts_words_fit_into_its_steps():
-    """In a figure of its own and in given axes; every step's words lie within its shape, and no two words over one another."""
+    """In a figure of its own and in given axes; every step's words lie within its shape, and no two
+    words over one another.
+    """
     from matplotlib import pyplot as plt
 
     _, ax = plt.subplots()
@@ -606,7 +769,10 @@ def test_a_flowcharts_words_fit_into_its_steps():
     boxes = [text.get_window_extent() for text in ax.texts if text.get_text()]
     shapes = [patch.get_window_extent() for patch in ax.patches]
     for shape in shapes:
-        assert any(shape.x0 < box.x0 and box.x1 < shape.x1 and shape.y0 < box.y0 and box.y1 < shape.y1 for box in boxes)
+        assert any(
+            shape.x0 < box.x0 and box.x1 < shape.x1 and shape.y0 < box.y0 and box.y1 < shape.y1
+            for box in boxes
+        )
     assert not any(a.overlaps(b) for i, a in enumerate(boxes) for b in boxes[:i])
     plt.close()
 

@@ -1,4 +1,6 @@
-"""The car: it moves as the closed form says, drives its curves, and touches nothing that it claims to miss."""
+"""The car: it moves as the closed form says, drives its curves, and touches nothing that it claims
+to miss.
+"""
 
 import json
 import math
@@ -17,8 +19,13 @@ from kinoedu.errors import InvalidParameter, InvalidPoint, InvalidRobot, Invalid
 from kinoedu.spaces import diameter, distance, interpolate
 from kinoedu.spaces.angles import wrapped
 
-CASES = json.loads((Path(__file__).parent / "data" / "kino" / "cases_expected.json").read_text())["cases"]
-SEEDS_B = [[(75, 75), (100, 75), (100, 100), (75, 100)], [(125, 175), (225, 175), (235, 165), (135, 165)]]
+CASES = json.loads((Path(__file__).parent / "data" / "kino" / "cases_expected.json").read_text())[
+    "cases"
+]
+SEEDS_B = [
+    [(75, 75), (100, 75), (100, 100), (75, 100)],
+    [(125, 175), (225, 175), (235, 165), (135, 165)],
+]
 SQUARE = [(0, 0), (300, 0), (300, 300), (0, 300)]
 THIN = [(0, 150), (200, 150), (200, 150 + 1e-9), (0, 150 + 1e-9)]
 WORLD = ke.PolygonWorld(SQUARE, SEEDS_B)
@@ -36,21 +43,33 @@ def ahead(pose: Any, distance: float) -> Any:
     return x + distance * math.cos(theta), y + distance * math.sin(theta), theta
 
 
-@pytest.mark.parametrize("case", [case for case in CASES if case["kind"] == "arc"], ids=lambda case: case["id"])
+@pytest.mark.parametrize(
+    "case", [case for case in CASES if case["kind"] == "arc"], ids=lambda case: case["id"]
+)
 def test_one_arc(case: dict[str, Any]) -> None:
-    """The pose after driving; an acceleration is as good as the mean speed, and any point of the car moves with the rear axle.
+    """The pose after driving; an acceleration is as good as the mean speed, and any point of the
+    car moves with the rear axle.
 
-    A point `lr` before the axle moves askew, by the angle beta with tan(beta) = lr tan(phi) / L: the axle is slower by cos(beta).
+    A point `lr` before the axle moves askew, by the angle beta with tan(beta) = lr tan(phi) / L:
+    the axle is slower by cos(beta).
     """
     car, lr = ke.Car(2 * case["L"], 1, case["L"], max_steering=1.5), case.get("lr", 0.0)
     mean = case["v"] + 0.5 * case.get("a", 0.0) * case["T"]
     beta = math.atan(lr * math.tan(case["delta"]) / case["L"])
     end = car.move(ahead(case["pose"], -lr), mean * math.cos(beta), case["delta"], case["T"])
     assert apart(ahead(end, lr), case["expected"]["pose"]) < 1e-9
-    assert apart(car.move(case["pose"], mean, case["delta"], case["T"], reference=lr), case["expected"]["pose"]) < 1e-9
+    assert (
+        apart(
+            car.move(case["pose"], mean, case["delta"], case["T"], reference=lr),
+            case["expected"]["pose"],
+        )
+        < 1e-9
+    )
 
 
-@pytest.mark.parametrize("case", [case for case in CASES if case["kind"] == "arcs"], ids=lambda case: case["id"])
+@pytest.mark.parametrize(
+    "case", [case for case in CASES if case["kind"] == "arcs"], ids=lambda case: case["id"]
+)
 def test_arc_after_arc(case: dict[str, Any]) -> None:
     """Each begins where the one before it ended."""
     car, pose = ke.Car(2 * case["L"], 1, case["L"], max_steering=1.5), case["pose"]
@@ -64,13 +83,17 @@ def test_nearly_straight_is_nearly_straight() -> None:
     for phi in (1e-3, 1e-6, 1e-9, 1e-12, 1e-300, 0.0):
         x, y, theta = CAR.move((0, 0, 0), 1, phi, 50)
         curvature = math.tan(phi) / 20
-        assert (x, y, theta) == pytest.approx((50, 50 * 50 * curvature / 2, 50 * curvature), rel=1e-5, abs=1e-300)
+        assert (x, y, theta) == pytest.approx(
+            (50, 50 * 50 * curvature / 2, 50 * curvature), rel=1e-5, abs=1e-300
+        )
 
 
 def bodies(poses: Any, car: Any = CAR) -> Any:
     """The car's outlines at many poses, as shapely's polygons."""
     cos, sin, (x, y) = np.cos(poses[:, 2:]), np.sin(poses[:, 2:]), car.outline.T
-    corners = np.stack([poses[:, :1] + cos * x - sin * y, poses[:, 1:2] + sin * x + cos * y], axis=-1)
+    corners = np.stack(
+        [poses[:, :1] + cos * x - sin * y, poses[:, 1:2] + sin * x + cos * y], axis=-1
+    )
     return shapely.polygons(corners)
 
 
@@ -86,7 +109,9 @@ def drawn_poses(rng: np.random.Generator, n: int) -> Any:
 
 
 def test_curves_are_judged_as_fine_steps_are() -> None:
-    """600 curves, both kinds: free exactly where shapely sees no contact in 500 steps, but for what steps cannot tell."""
+    """600 curves, both kinds: free exactly where shapely sees no contact in 500 steps, but for what
+    steps cannot tell.
+    """
     rng, wall = np.random.default_rng(0), solid(SEEDS_B)
     forward = ke.Car(30, 10, 20, speeds=(1,))
     verdicts = []
@@ -104,28 +129,37 @@ def test_no_wall_is_too_thin() -> None:
     """A wall a billionth thick stops every arc across it, however fast it is driven."""
     world = ke.PolygonWorld(SQUARE, [THIN])
     for curvature in (0.0, 0.01, -0.015):
-        assert not is_free_drive(CAR, world, np.array([60.0, 100.0, np.pi / 2]), 100.0, curvature, 0.0)
+        assert not is_free_drive(
+            CAR, world, np.array([60.0, 100.0, np.pi / 2]), 100.0, curvature, 0.0
+        )
         assert is_free_drive(CAR, world, np.array([60.0, 100.0, np.pi / 2]), 10.0, curvature, 0.0)
     assert not is_free_drive(CAR, world, np.array([60.0, 100.0, -np.pi / 2]), -100.0, 0.0, 0.0)
 
 
 def test_a_margin_is_kept() -> None:
     """The whole body keeps off by the clearance, and no more is asked."""
-    world, pose = ke.PolygonWorld(SQUARE, [[(100, 0), (110, 0), (110, 60), (100, 60)]]), np.array([20.0, 67.0, 0.0])
+    world, pose = (
+        ke.PolygonWorld(SQUARE, [[(100, 0), (110, 0), (110, 60), (100, 60)]]),
+        np.array([20.0, 67.0, 0.0]),
+    )
     assert is_free_drive(CAR, world, pose, 200.0, 0.0, 1.99)
     assert not is_free_drive(CAR, world, pose, 200.0, 0.0, 2.01)
 
 
 @pytest.mark.parametrize("planner", [ke.rrt, ke.prm])
 def test_planners_drive_the_car(planner: Any) -> None:
-    """On the map of the seed: the path is made of curves that the car can drive, and shapely sees no contact on any."""
+    """On the map of the seed: the path is made of curves that the car can drive, and shapely sees
+    no contact on any.
+    """
     problem = ke.Problem(CAR, WORLD, (50, 50, 0), (250, 250, np.pi / 2))
     more = {} if planner is ke.rrt else {"n": 100}
     plan = planner(problem, rng=1, **more)
     wall, length = solid(SEEDS_B), 0.0
     for a, b in zip(plan.path, plan.path[1:]):
         curve = ke.reeds_shepp_path(a, b, CAR.radius)
-        assert not shapely.intersects(bodies(curve.at(np.linspace(0, curve.length, 300))), wall).any()
+        assert not shapely.intersects(
+            bodies(curve.at(np.linspace(0, curve.length, 300))), wall
+        ).any()
         length += curve.length
     assert plan.cost == pytest.approx(length, abs=1e-6)
     assert apart(plan.path[0], problem.start) == apart(plan.path[-1], problem.goal) == 0.0
@@ -134,9 +168,13 @@ def test_planners_drive_the_car(planner: Any) -> None:
 
 def test_a_car_without_a_reverse_gear() -> None:
     """RRT drives it forward only; planners that use their edges both ways say that they cannot."""
-    problem = ke.Problem(ke.Car(30, 10, 20, speeds=(1, 2)), WORLD, (50, 50, 0), (250, 250, np.pi / 2))
+    problem = ke.Problem(
+        ke.Car(30, 10, 20, speeds=(1, 2)), WORLD, (50, 50, 0), (250, 250, np.pi / 2)
+    )
     plan = ke.rrt(problem, rng=0)
-    assert plan.cost == pytest.approx(sum(ke.dubins_path(a, b, 20).length for a, b in zip(plan.path, plan.path[1:])), abs=1e-6)
+    assert plan.cost == pytest.approx(
+        sum(ke.dubins_path(a, b, 20).length for a, b in zip(plan.path, plan.path[1:])), abs=1e-6
+    )
     for planner in (ke.prm, ke.build_roadmap, ke.rrt_connect, ke.rrt_star):
         with pytest.raises(InvalidParameter, match="only goes forward"):
             planner(problem, rng=0)

@@ -1,4 +1,6 @@
-"""The car's board without a browser: what is set and refused, what is drawn, and what is driven by keys."""
+"""The car's board without a browser: what is set and refused, what is drawn, and what is driven by
+keys.
+"""
 
 import io
 import math
@@ -27,7 +29,9 @@ UP, DOWN, LEFT, RIGHT = "ArrowUp", "ArrowDown", "ArrowLeft", "ArrowRight"
 
 def problem_of(*obstacles, start=START, goal=GOAL, car=None, **given):
     """A small car between two poses, by default with a wall between them."""
-    return ke.Problem(car or ke.Car(3, 1, 2), ke.PolygonWorld(RIM, obstacles or [WALL]), start, goal, **given)
+    return ke.Problem(
+        car or ke.Car(3, 1, 2), ke.PolygonWorld(RIM, obstacles or [WALL]), start, goal, **given
+    )
 
 
 def keys(page, *held, times=1, seq=0):
@@ -47,12 +51,16 @@ def at(made, number):
 
 @pytest.mark.parametrize("planner", ["kinodynamic_rrt", "kinodynamic_prm", "rrt"])
 def test_a_planner_grows_and_then_the_car_drives(planner):
-    """Growing layers come in order, there is a text for each step, and the last body stands where the trajectory ends."""
+    """Growing layers come in order, there is a text for each step, and the last body stands where
+    the trajectory ends.
+    """
     made = car_board(problem_of(), planner, rng=3)
     drawing, plan = made.canvas.drawing, made.plan
     assert not drawing.warning and len(drawing.told) == drawing.total > STEPS
     for layer in drawing.layers:
-        assert layer.when is None or (len(layer.when) == len(layer.rows) and (np.diff(layer.when) >= 0).all())
+        assert layer.when is None or (
+            len(layer.when) == len(layer.rows) and (np.diff(layer.when) >= 0).all()
+        )
         assert layer.until is None or (layer.until > layer.when).all()
     (body,) = layers_of(made.canvas, "bodies", "robot")
     trajectory = ke.planners.trajectory_along(plan)
@@ -61,12 +69,18 @@ def test_a_planner_grows_and_then_the_car_drives(planner):
         (row,) = shown(body, step)
         assert np.allclose(row[:8].reshape(4, 2), outline_at(plan.problem.robot, pose), atol=1e-9)
     (row,) = shown(body, begin + STEPS // 4)
-    assert np.allclose(row[:8].reshape(4, 2), outline_at(plan.problem.robot, trajectory.at(trajectory.duration / 4)), atol=1e-9)
+    assert np.allclose(
+        row[:8].reshape(4, 2),
+        outline_at(plan.problem.robot, trajectory.at(trajectory.duration / 4)),
+        atol=1e-9,
+    )
     assert Image.open(io.BytesIO(made.picture())).width > 300
 
 
 def test_the_same_seed_is_the_same_scene():
-    """And another seed another; each planner of the menu is the library's own, with the iterations that are chosen."""
+    """And another seed another; each planner of the menu is the library's own, with the iterations
+    that are chosen.
+    """
     made, again = car_board(problem_of(), rng=5), car_board(problem_of(), rng=5)
     assert made.canvas._buffers == again.canvas._buffers
     again.seed.value = 6
@@ -78,11 +92,17 @@ def test_the_same_seed_is_the_same_scene():
     made.planner.value = "rrt"
     assert np.array_equal(made.plan.path, ke.rrt(problem_of(), max_iterations=1000, rng=5).path)
     made.planner.value = "you"
-    assert made.plan is None and made.seed.layout.display == "none" and made.iterations.layout.display == "none"
+    assert (
+        made.plan is None
+        and made.seed.layout.display == "none"
+        and made.iterations.layout.display == "none"
+    )
 
 
 def test_without_a_path_the_board_says_why():
-    """Behind a wall from side to side; the car of a tree still drives to the nearest pose, along curves it stands."""
+    """Behind a wall from side to side; the car of a tree still drives to the nearest pose, along
+    curves it stands.
+    """
     closed = [(9, -1), (11, -1), (11, 17), (9, 17)]
     made = car_board(problem_of(closed), iterations=60)
     assert "no path, " in made.canvas.drawing.text and made.canvas.drawing.total > 100
@@ -103,7 +123,9 @@ def test_a_place_keeps_its_heading_and_a_tip_turns_it():
     page.moves(("handle", 3, [19.0, 14.0]))
     assert made.problem.goal.tolist() == [19.0, 12.0, math.pi / 2]
     page.moves(("handle", 2, [18.0, 8.0]), ("handle", 3, [17.0, 8.0]))
-    assert made.problem.goal[2] == pytest.approx(math.pi) or made.problem.goal[2] == pytest.approx(-math.pi)
+    assert made.problem.goal[2] == pytest.approx(math.pi) or made.problem.goal[2] == pytest.approx(
+        -math.pi
+    )
     home = made.canvas.home["handles"]
     page.moves(*(("handle", k, home[k]["at"]) for k in range(5)))
     assert made.problem.goal.tolist() == list(GOAL) and made.problem.start.tolist() == list(START)
@@ -111,7 +133,9 @@ def test_a_place_keeps_its_heading_and_a_tip_turns_it():
 
 @pytest.mark.parametrize("planner", ["kinodynamic_rrt", "you"])
 def test_what_is_not_free_is_refused_with_the_reason(planner):
-    """The problem, the plan and all places stay as they were; an obstacle is refused as well, and one that crosses itself."""
+    """The problem, the plan and all places stay as they were; an obstacle is refused as well, and
+    one that crosses itself.
+    """
     made = car_board(problem_of(), planner)
     page, problem, scene = Page(made.canvas), made.problem, made.canvas._shown
     plan = made.plan
@@ -123,7 +147,9 @@ def test_what_is_not_free_is_refused_with_the_reason(planner):
     ):
         for _ in range(2):  # a hand that stays there hatches one car, not more
             answer = page.moves(wrong)
-            assert reason in answer["warning"] and ("not free" in answer["warning"] or reason == "crosses")
+            assert reason in answer["warning"] and (
+                "not free" in answer["warning"] or reason == "crosses"
+            )
         hatched = sum(layer["hatched"] for layer in answer["layers"])
         assert hatched == (wrong[0] == "handle")
         assert made.problem is problem and made.canvas._shown == scene and made.plan is plan
@@ -132,7 +158,9 @@ def test_what_is_not_free_is_refused_with_the_reason(planner):
 
 
 def test_a_car_among_bitmaps_and_one_that_only_goes_forward():
-    """The bitmap lies beneath, and obstacles are not dragged; without a reverse gear ArrowDown does nothing."""
+    """The bitmap lies beneath, and obstacles are not dragged; without a reverse gear ArrowDown does
+    nothing.
+    """
     car = ke.Car(3, 1, 2, speeds=(1.0,))
     made = car_board(ke.Problem(car, ke.Terrain(np.ones((16, 24), bool)), START, GOAL), "you")
     assert made.canvas.bitmap and not made.canvas.drawing.warning
@@ -143,7 +171,9 @@ def test_a_car_among_bitmaps_and_one_that_only_goes_forward():
     assert made.driven.length == pytest.approx(3 * MOMENT * 2)
 
 
-@pytest.mark.parametrize("wrong", [{"planner": "astar"}, {"view": "below"}, {"iterations": 0}, {"rng": -1}])
+@pytest.mark.parametrize(
+    "wrong", [{"planner": "astar"}, {"view": "below"}, {"iterations": 0}, {"rng": -1}]
+)
 def test_what_makes_no_sense_is_refused(wrong):
     """Before anything is shown; so is a problem of something else."""
     with pytest.raises(InvalidParameter):
@@ -156,7 +186,9 @@ def test_what_makes_no_sense_is_refused(wrong):
 
 
 def test_driving_messages_replayed_are_the_cars_closed_form():
-    """Moment by moment `Car.move` leads to where the board has the car; what is held on is one control."""
+    """Moment by moment `Car.move` leads to where the board has the car; what is held on is one
+    control.
+    """
     made = car_board(problem_of(start=(3, 3, 0.3)), "you")
     page, car, rng = Page(made.canvas), made.problem.robot, np.random.default_rng(1)
     pose, notch, told = np.array([3, 3, 0.3]), 0, set()
@@ -176,12 +208,16 @@ def test_driving_messages_replayed_are_the_cars_closed_form():
     assert {tuple(control) for control in made.driven.controls.tolist()} == told
     straight = car_board(problem_of(), "you")
     keys(Page(straight.canvas), UP, times=7)
-    assert straight.driven.controls.tolist() == [[1.0, 0.0]] and straight.driven.length == pytest.approx(7 * MOMENT * 2)
+    assert straight.driven.controls.tolist() == [
+        [1.0, 0.0]
+    ] and straight.driven.length == pytest.approx(7 * MOMENT * 2)
 
 
 @pytest.mark.parametrize("notch", [0, 3, -5, 8])
 def test_a_wall_stops_the_car_where_it_would_touch(notch):
-    """The drive is free as a whole, a hair farther it is not; the board says so; and backwards the car comes off."""
+    """The drive is free as a whole, a hair farther it is not; the board says so; and backwards the
+    car comes off.
+    """
     problem = problem_of(start=(6, 2.5, 0.0), goal=(20, 12, 0))
     drive = standing_at(problem)._replace(notch=notch)
     for _ in range(100):
@@ -192,7 +228,11 @@ def test_a_wall_stops_the_car_where_it_would_touch(notch):
     farther = trajectory._replace(durations=trajectory.durations + 1e-5)
     assert not is_free_trajectory(robot, world, farther)
     again = driven_on(problem, drive, {UP})
-    assert again.stopped and again.trajectory.length - trajectory.length < 1e-6 and len(again.trajectory.controls) == 1
+    assert (
+        again.stopped
+        and again.trajectory.length - trajectory.length < 1e-6
+        and len(again.trajectory.controls) == 1
+    )
     back = driven_on(problem, again, {DOWN})
     assert not back.stopped and back.trajectory.length > trajectory.length + 0.1
     assert is_free_trajectory(robot, world, back.trajectory)
@@ -210,7 +250,9 @@ def test_contact_and_arrival_are_told():
 
 
 def test_keys_take_the_wheel_from_a_planner_and_a_new_start_begins_anew():
-    """A goal that is moved leaves the drive as it is; a start, an obstacle and starting again do not."""
+    """A goal that is moved leaves the drive as it is; a start, an obstacle and starting again do
+    not.
+    """
     made = car_board(problem_of())
     page = Page(made.canvas)
     keys(page, UP, LEFT, times=4)
@@ -227,7 +269,10 @@ def test_keys_take_the_wheel_from_a_planner_and_a_new_start_begins_anew():
         keys(page, UP, times=2)
         assert len(made.driven.controls)
         page.moves(*moved)
-        assert len(made.driven.controls) == 0 and made.driven.start.tolist() == made.problem.start.tolist()
+        assert (
+            len(made.driven.controls) == 0
+            and made.driven.start.tolist() == made.problem.start.tolist()
+        )
         page.moves(("handle", 0, list(START[:2])))
 
 
@@ -240,7 +285,10 @@ def test_keys_that_make_no_sense_move_nothing_and_are_answered(held):
     assert made.driven.length == 0.0
     assert page.says({"kind": "keys", "from": "page", "held": ["ArrowUp"]}) == []
     plain = ke.board(ke.Problem(ke.Point(), ke.PolygonWorld(RIM), (1, 1), (2, 2)))
-    assert Page(plain.canvas).says({"kind": "keys", "from": "page", "seq": 1, "held": ["ArrowUp"]}) == []
+    assert (
+        Page(plain.canvas).says({"kind": "keys", "from": "page", "seq": 1, "held": ["ArrowUp"]})
+        == []
+    )
 
 
 # ---- how it is drawn
@@ -248,13 +296,17 @@ def test_keys_that_make_no_sense_move_nothing_and_are_answered(held):
 
 @pytest.mark.parametrize("phi", [0.0, 1e-9, 0.4, -0.7])
 def test_all_wheels_turn_round_one_centre(phi):
-    """The front wheels stand as `wheel_angles` says, a little aside; the axis of each wheel leads through the centre."""
+    """The front wheels stand as `wheel_angles` says, a little aside; the axis of each wheel leads
+    through the centre.
+    """
     car, pose = ke.Car(30, 10, 20), np.array([3.0, 4.0, 2.0])
     wheels = steered_wheels(car, pose, phi)
     centre = car.turning_centre(pose, phi)
     for wheel in wheels:
         along = wheel[1] - wheel[0]
-        axis = np.array([-math.sin(2.0), math.cos(2.0)]) if phi == 0.0 else centre - wheel.mean(axis=0)
+        axis = (
+            np.array([-math.sin(2.0), math.cos(2.0)]) if phi == 0.0 else centre - wheel.mean(axis=0)
+        )
         assert abs(along @ axis) < 1e-6 * np.linalg.norm(along) * np.linalg.norm(axis)
         assert along @ (math.cos(2.0), math.sin(2.0)) > 0.0
     here = posed(np.array([steered_wheels(car, np.zeros(3), phi)]), pose[None])[0]
@@ -267,8 +319,13 @@ def test_an_eye_goes_with_the_car():
     drawing = made.canvas.drawing
     (eye,) = (layer for layer in drawing.layers if layer.kind == "eye")
     ride = ride_along(made.plan.trajectory)
-    assert np.allclose(eye.rows[50, :2], outline_at(made.problem.robot, ride.poses[50]).mean(axis=0))
+    assert np.allclose(
+        eye.rows[50, :2], outline_at(made.problem.robot, ride.poses[50]).mean(axis=0)
+    )
     assert eye.when[0] == 0 and eye.when[-1] == drawing.total
     followed = made.picture()
     made.view.value = "above"
-    assert "eye" not in [layer.kind for layer in made.canvas.drawing.layers] and made.picture() != followed
+    assert (
+        "eye" not in [layer.kind for layer in made.canvas.drawing.layers]
+        and made.picture() != followed
+    )

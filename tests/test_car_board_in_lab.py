@@ -1,4 +1,6 @@
-"""The car's board in a real JupyterLab: poses are set by hand, planned while they are dragged, and the car is driven by keys."""
+"""The car's board in a real JupyterLab: poses are set by hand, planned while they are dragged, and
+the car is driven by keys.
+"""
 
 import json
 
@@ -28,7 +30,12 @@ def page(tmp_path_factory):
     (course / "car.ipynb").write_text(written_notebook(YARD, DRIVEN))
     with lab(course, home) as (address, token), notebook_page(address, token, "car.ipynb") as page:
         book = page.evaluate(RUN_ALL)
-        assert [o.get("evalue") for cell in book["cells"] for o in cell["outputs"] if o["output_type"] == "error"] == []
+        assert [
+            o.get("evalue")
+            for cell in book["cells"]
+            for o in cell["outputs"]
+            if o["output_type"] == "error"
+        ] == []
         yield page
         assert page.outside == [] and page.errors == []
 
@@ -67,10 +74,15 @@ def on_ground(seen, x, y):
 
 
 def test_a_goal_is_dragged_and_planned_anew(planned):
-    """Its heading stays, its tip goes along; while it is held new plans come; the tree grows before the car drives."""
+    """Its heading stays, its tip goes along; while it is held new plans come; the tree grows before
+    the car drives.
+    """
     answers, pixels = int(planned.data("answers")), planned.pixels()
     planned.drag("handle-2", -30, 40, release=False)
-    planned.until("root.dataset.answers > answers && root.dataset.seq === root.dataset.newest", answers=answers)
+    planned.until(
+        "root.dataset.answers > answers && root.dataset.seq === root.dataset.newest",
+        answers=answers,
+    )
     planned.page.mouse.up()
     planned.settled()
     (x, y), (tip_x, tip_y) = planned.middle("handle-2"), planned.middle("handle-3")
@@ -90,7 +102,9 @@ def test_a_pose_is_set_on_the_ground(either):
     page.mouse.move(*on_ground(either, 90 + 15, 40), steps=4)
     page.mouse.up()
     either.settled()
-    assert either.label("handle-2").startswith("goal at (1") and either.label("handle-3").startswith("goal's heading at (")
+    assert either.label("handle-2").startswith("goal at (1") and either.label(
+        "handle-3"
+    ).startswith("goal's heading at (")
     (x, y), (tip_x, tip_y) = either.middle("handle-2"), either.middle("handle-3")
     assert abs(y - tip_y) < 2 and x - tip_x > 50
     page.mouse.click(*on_ground(either, 200, 40))
@@ -106,9 +120,14 @@ def test_a_pose_is_set_on_the_ground(either):
 
 def test_what_is_not_free_goes_back_when_it_is_let_go(either):
     """With the reason in words; the start is where it last was free."""
-    either.drag("handle-0", *(b - a for a, b in zip(either.middle("handle-0"), on_ground(either, 80, 50), strict=True)))
+    either.drag(
+        "handle-0",
+        *(b - a for a, b in zip(either.middle("handle-0"), on_ground(either, 80, 50), strict=True)),
+    )
     either.until("root.dataset.warning.includes('is not free')")
-    either.until("root.querySelector('[data-thing=handle-0]').ariaLabel.startsWith('start at (80') === false")
+    either.until(
+        "root.querySelector('[data-thing=handle-0]').ariaLabel.startsWith('start at (80') === false"
+    )
     keep(either.page, "car_refused")
 
 
@@ -124,7 +143,9 @@ def test_headings_are_turned_by_keys(driven):
 
 
 def test_the_car_is_driven_by_arrow_keys(driven):
-    """It goes as long as the key is held, turns its wheels, is stopped by the wall, and Python has the drive."""
+    """It goes as long as the key is held, turns its wheels, is stopped by the wall, and Python has
+    the drive.
+    """
     page = driven.page
     driven.board.locator("[data-thing=handle-4]").focus()
     page.keyboard.press("ArrowUp")
@@ -140,7 +161,8 @@ def test_the_car_is_driven_by_arrow_keys(driven):
         page.evaluate(
             ASK,
             "import json; t = yours.driven; "
-            "print(json.dumps([t.controls.tolist(), ke.collision.is_free_trajectory(yard.robot, world, t)]))",
+            "print(json.dumps([t.controls.tolist(), ke.collision.is_free_trajectory(yard.robot, "
+            "world, t)]))",
         )
     )
     assert free and controls[0] == [1.0, 0.0] and {v for v, _ in controls} == {1.0}

@@ -21,7 +21,9 @@ def poses(seed, n):
 
 @pytest.mark.parametrize("seed", range(3))
 def test_every_word_leads_there_and_the_shortest_is_dubins(seed):
-    """Each curve ends at the goal, driven forward; no word comes twice; the least is what dubins_path answers."""
+    """Each curve ends at the goal, driven forward; no word comes twice; the least is what
+    dubins_path answers.
+    """
     for a, b in zip(poses(seed, 60), poses(seed + 10, 60)):
         curves = every_word(a, b, 1.3)
         for curve in curves:
@@ -30,15 +32,23 @@ def test_every_word_leads_there_and_the_shortest_is_dubins(seed):
             assert abs(math.remainder(end[2] - b[2], 2 * math.pi)) < 1e-8
             assert (curve.lengths >= 0).all()
         assert len({curve.word for curve in curves}) == len(curves) >= 2
-        assert min(curve.length for curve in curves) == pytest.approx(dubins_path(a, b, 1.3).length, abs=1e-8)
+        assert min(curve.length for curve in curves) == pytest.approx(
+            dubins_path(a, b, 1.3).length, abs=1e-8
+        )
 
 
 @pytest.mark.parametrize("seed", range(3))
 def test_the_lengths_by_circles_are_those_of_the_curves(seed):
-    """Both ways of computing a word, by tangents in turning radii and by circles in the plane, agree, word by word."""
+    """Both ways of computing a word, by tangents in turning radii and by circles in the plane,
+    agree, word by word.
+    """
     for a, b in zip(poses(seed, 80), poses(seed + 20, 80)):
-        by_circles = {word: 1.3 * (t + v) + u for word, (t, u, v) in csc_length.words_to(a, b, 1.3).items()}
-        curves = {curve.word: curve.length for curve in every_word(a, b, 1.3) if curve.word[1] == "S"}
+        by_circles = {
+            word: 1.3 * (t + v) + u for word, (t, u, v) in csc_length.words_to(a, b, 1.3).items()
+        }
+        curves = {
+            curve.word: curve.length for curve in every_word(a, b, 1.3) if curve.word[1] == "S"
+        }
         assert by_circles == pytest.approx(curves, abs=1e-7)
 
 
@@ -60,14 +70,20 @@ def test_four_moves_lead_exactly_sideways(angle):
     r, side = 20.0, math.copysign(math.pi / 4, angle)
     controls = [(1, side), (1, -side), (-1, side), (-1, -side)]
     end = Trajectory(Car(30, 10, 20), (0, 0, 0), controls, [r * abs(angle)] * 4).poses[-1]
-    assert end == pytest.approx([0.0, math.copysign(4 * r * (1 - math.cos(angle)), angle), 0.0], abs=1e-12)
+    assert end == pytest.approx(
+        [0.0, math.copysign(4 * r * (1 - math.cos(angle)), angle), 0.0], abs=1e-12
+    )
 
 
 def test_the_program_to_break_is_right_for_no_steering_and_wrong_by_the_square_of_the_time():
-    """Nothing on a line; nearly nothing for a short time; and more for a longer one, until the circle brings it back."""
+    """Nothing on a line; nearly nothing for a short time; and more for a longer one, until the
+    circle brings it back.
+    """
     assert exposing_drive.off_after(0.0, 1000.0) == 0.0
     assert exposing_drive.off_after(0.1, 10.0) < 1e-3
-    assert exposing_drive.off_after(0.1, 20.0) == pytest.approx(4 * exposing_drive.off_after(0.1, 10.0), rel=0.02)
+    assert exposing_drive.off_after(0.1, 20.0) == pytest.approx(
+        4 * exposing_drive.off_after(0.1, 10.0), rel=0.02
+    )
     assert exposing_drive.off_after(0.1, 1000.0) > 1.0
 
 
@@ -90,7 +106,9 @@ def test_the_board_tells_both_ways_and_moves_what_a_pose_looks_at():
 
 
 def test_ways_that_are_backed_are_dashed():
-    """One line for each control, solid forward and dashed back, ending where the trajectory does."""
+    """One line for each control, solid forward and dashed back, ending where the trajectory
+    does.
+    """
     from matplotlib.figure import Figure
 
     car, ax = Car(30, 10, 20), Figure().add_subplot()

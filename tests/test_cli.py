@@ -18,7 +18,9 @@ MAZE = str(GRID / "maze-32-32-2.map")
 
 @pytest.mark.parametrize("planner", ["rrt", "prm", "astar"])
 def test_plan_says_what_it_found_and_draws_it(planner, tmp_path, capsys):
-    """One line on standard output, exit status 0, a picture large enough to look at and nothing beside it."""
+    """One line on standard output, exit status 0, a picture large enough to look at and nothing
+    beside it.
+    """
     picture = tmp_path / "plan.png"
     assert (
         main(
@@ -53,7 +55,9 @@ def test_astar_length_is_the_scenarios(capsys):
 
 
 def test_a_polygon_scene_is_planned_by_decomposition(tmp_path, capsys):
-    """A path, or the proof that there is none; a scene that is no point among polygons is refused with what is needed."""
+    """A path, or the proof that there is none; a scene that is no point among polygons is refused
+    with what is needed.
+    """
     world = ke.PolygonWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [[(3, 0), (6, 0), (6, 4), (3, 4)]])
     problem = ke.Problem(ke.Point(), world, (1, 1), (8, 1))
     ke.write_scene(problem, tmp_path / "wall.json")
@@ -81,20 +85,44 @@ def test_every_planner_has_its_name(name, tmp_path, capsys):
     seeded = name != "visibility"
     options = ["--nodes", "300", "--seed", "2"] if seeded else []
     assert main(["plan", str(tmp_path / "wall.json"), "--planner", name, *options]) == 0
-    function = {"rrt-connect": ke.rrt_connect, "rrt-star": ke.rrt_star, "visibility": ke.plan_by_visibility}[name]
+    function = {
+        "rrt-connect": ke.rrt_connect,
+        "rrt-star": ke.rrt_star,
+        "visibility": ke.plan_by_visibility,
+    }[name]
     plan = function(problem, **({"max_nodes": 300, "rng": 2} if seeded else {}))
     assert f"length {plan.cost:.8g}" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize("name", ["kinodynamic-rrt", "sst", "hybrid-astar"])
 def test_a_car_is_driven(name, tmp_path, capsys):
-    """What the command line drives is what the function drives; a robot that is no car is refused."""
-    yard = ke.PolygonWorld([(0, 0), (20, 0), (20, 20), (0, 20)], [[(9, 0), (11, 0), (11, 10), (9, 10)]])
+    """What the command line drives is what the function drives; a robot that is no car is
+    refused.
+    """
+    yard = ke.PolygonWorld(
+        [(0, 0), (20, 0), (20, 20), (0, 20)], [[(9, 0), (11, 0), (11, 10), (9, 10)]]
+    )
     problem = ke.Problem(ke.Car(3, 1, 2), yard, (4, 4, 0), (16, 4, 0))
     ke.write_scene(problem, tmp_path / "yard.json")
-    tuning, options = ({}, []) if name == "hybrid-astar" else ({"max_iterations": 300, "rng": 2}, ["--iterations", "300"])
-    plan = {"kinodynamic-rrt": ke.kinodynamic_rrt, "sst": ke.sst, "hybrid-astar": ke.hybrid_astar}[name](problem, **tuning)
-    drive = ["plan", str(tmp_path / "yard.json"), "--planner", name, "--seed", "2", *options, "--out", str(tmp_path / "plan.png")]
+    tuning, options = (
+        ({}, [])
+        if name == "hybrid-astar"
+        else ({"max_iterations": 300, "rng": 2}, ["--iterations", "300"])
+    )
+    plan = {"kinodynamic-rrt": ke.kinodynamic_rrt, "sst": ke.sst, "hybrid-astar": ke.hybrid_astar}[
+        name
+    ](problem, **tuning)
+    drive = [
+        "plan",
+        str(tmp_path / "yard.json"),
+        "--planner",
+        name,
+        "--seed",
+        "2",
+        *options,
+        "--out",
+        str(tmp_path / "plan.png"),
+    ]
     assert main(drive) == (plan.path is None)
     out = capsys.readouterr().out
     assert (f"length {plan.cost:.8g}" if plan.path is not None else plan.reason) in out
@@ -107,9 +135,23 @@ def test_a_car_is_driven(name, tmp_path, capsys):
 def test_no_path_is_status_1_with_its_reason(tmp_path, capsys):
     """A closed room is an answer, and its picture is drawn."""
     ring = [(3, 3), (6, 3), (6, 6), (3, 6)]
-    world = ke.PolygonWorld([(0, 0), (9, 0), (9, 9), (0, 9)], [(ring, [[(4, 4), (5, 4), (5, 5), (4, 5)]])])
+    world = ke.PolygonWorld(
+        [(0, 0), (9, 0), (9, 9), (0, 9)], [(ring, [[(4, 4), (5, 4), (5, 5), (4, 5)]])]
+    )
     ke.write_scene(ke.Problem(ke.Point(), world, (1, 1), (4.5, 4.5)), tmp_path / "room.json")
-    assert main(["plan", str(tmp_path / "room.json"), "--nodes", "50", "--out", str(tmp_path / "room.svg")]) == 1
+    assert (
+        main(
+            [
+                "plan",
+                str(tmp_path / "room.json"),
+                "--nodes",
+                "50",
+                "--out",
+                str(tmp_path / "room.svg"),
+            ]
+        )
+        == 1
+    )
     assert capsys.readouterr().out.startswith("no path: ")
     assert "<svg" in (tmp_path / "room.svg").read_text(encoding="utf-8")
 
@@ -119,7 +161,16 @@ def test_a_picture_is_planned_on(tmp_path, capsys):
     image = Image.new("L", (60, 40), 255)
     image.paste(0, (20, 0, 30, 30))
     image.save(tmp_path / "terrain.png")
-    arguments = ["plan", str(tmp_path / "terrain.png"), "--start", "5,35", "--goal", "55,35", "--planner", "astar"]
+    arguments = [
+        "plan",
+        str(tmp_path / "terrain.png"),
+        "--start",
+        "5,35",
+        "--goal",
+        "55,35",
+        "--planner",
+        "astar",
+    ]
     assert main(arguments) == 0
     assert "found" in capsys.readouterr().out
     assert main([*arguments, "--radius", "4.9"]) == 1
@@ -168,7 +219,8 @@ def test_bad_input_is_status_2_and_one_line(arguments, capsys, tmp_path, monkeyp
 
 
 @pytest.mark.parametrize(
-    "arguments", [[], ["fly"], ["plan"], ["plan", MAZE, "--start", "1;2"], ["plan", MAZE, "--planner", "bug9"]]
+    "arguments",
+    [[], ["fly"], ["plan"], ["plan", MAZE, "--start", "1;2"], ["plan", MAZE, "--planner", "bug9"]],
 )
 def test_wrong_usage_is_status_2(arguments, capsys):
     """argparse's own refusals."""
@@ -186,7 +238,21 @@ def test_a_picture_never_overwrites_its_scene(tmp_path, capsys):
     before = (tmp_path / "map.png").read_bytes()
     for out in ("map.png", "sub/../map.png"):
         (tmp_path / "sub").mkdir(exist_ok=True)
-        assert main(["plan", str(tmp_path / "map.png"), "--start", "5,5", "--goal", "9,9", "--out", str(tmp_path / out)]) == 2
+        assert (
+            main(
+                [
+                    "plan",
+                    str(tmp_path / "map.png"),
+                    "--start",
+                    "5,5",
+                    "--goal",
+                    "9,9",
+                    "--out",
+                    str(tmp_path / out),
+                ]
+            )
+            == 2
+        )
     (tmp_path / "folder.png").mkdir()
     assert main(["plan", MAZE, "--out", str(tmp_path / "folder.png")]) == 2
     assert (tmp_path / "map.png").read_bytes() == before
@@ -197,9 +263,19 @@ def test_a_picture_never_overwrites_its_scene(tmp_path, capsys):
 def test_ctrl_c_is_heard_while_planning(tmp_path):
     """Status 130 and no traceback, long before a hopeless search of millions of nodes would end."""
     ring = [(3, 3), (6, 3), (6, 6), (3, 6)]
-    world = ke.PolygonWorld([(0, 0), (9, 0), (9, 9), (0, 9)], [(ring, [[(4, 4), (5, 4), (5, 5), (4, 5)]])])
+    world = ke.PolygonWorld(
+        [(0, 0), (9, 0), (9, 9), (0, 9)], [(ring, [[(4, 4), (5, 4), (5, 5), (4, 5)]])]
+    )
     ke.write_scene(ke.Problem(ke.Point(), world, (1, 1), (4.5, 4.5)), tmp_path / "room.json")
-    command = [sys.executable, "-m", "kinoedu", "plan", str(tmp_path / "room.json"), "--nodes", "10000000"]
+    command = [
+        sys.executable,
+        "-m",
+        "kinoedu",
+        "plan",
+        str(tmp_path / "room.json"),
+        "--nodes",
+        "10000000",
+    ]
     with started(command, stderr=subprocess.PIPE) as run:
         heard = ""
         while "planning" not in heard:
@@ -216,7 +292,9 @@ def test_help_tells_formats_and_examples(capsys):
         main(["plan", "--help"])
     assert caught.value.code == 0
     text = capsys.readouterr().out
-    assert all(word in text for word in (".json", ".map", ".png", ".yaml", "examples:", "exit status"))
+    assert all(
+        word in text for word in (".json", ".map", ".png", ".yaml", "examples:", "exit status")
+    )
 
 
 def test_same_seed_same_line(capsys):
@@ -230,6 +308,11 @@ def test_same_seed_same_line(capsys):
 
 def test_as_a_module_from_another_folder(tmp_path):
     """python -m kinoedu passes its exit status on."""
-    run = subprocess.run([sys.executable, "-m", "kinoedu", "plan", "none.map"], cwd=tmp_path, capture_output=True, text=True)
+    run = subprocess.run(
+        [sys.executable, "-m", "kinoedu", "plan", "none.map"],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+    )
     assert run.returncode == 2
     assert "Traceback" not in run.stderr

@@ -1,7 +1,7 @@
 """Whole motions of points and disks among polygons and on terrains.
 
-On whole-numbered worlds, where touching is common, against fractions: every answer must be right. On worlds of any numbers
-against shapely, for every motion that is not within rounding of a contact.
+On whole-numbered worlds, where touching is common, against fractions: every answer must be right.
+On worlds of any numbers against shapely, for every motion that is not within rounding of a contact.
 """
 
 import math
@@ -28,12 +28,22 @@ from test_geometry import (
 
 from kinoedu import Disk, Point, PolygonWorld, Problem, Recorder, Terrain
 from kinoedu.collision import is_free, is_free_path, is_semi_free_path
-from kinoedu.errors import InvalidGoal, InvalidParameter, InvalidPoint, InvalidPolygon, InvalidRobot, InvalidStart, InvalidWorld
+from kinoedu.errors import (
+    InvalidGoal,
+    InvalidParameter,
+    InvalidPoint,
+    InvalidPolygon,
+    InvalidRobot,
+    InvalidStart,
+    InvalidWorld,
+)
 from kinoedu.geometry.parts import motion_touches_part
 from kinoedu.worlds.parts_index import motion_touches_any
 from kinoedu.worlds.polygon_world import discs_of, rings_of
 
-EPSILON = Fraction(1, 10**18)  # far below the gaps between features of the whole-numbered worlds used here
+EPSILON = Fraction(
+    1, 10**18
+)  # far below the gaps between features of the whole-numbered worlds used here
 BOX = [(-24, -24), (24, -24), (24, 24), (-24, 24)]
 
 
@@ -49,7 +59,8 @@ def semi_free(robot: Any, world: Any, a: Any, b: Any, clearance: float = 0.0) ->
     return bool(is_semi_free_path(robot, world, at(*a), at(*b), clearance))
 
 
-# ---- polygons, exactly -------------------------------------------------------------------------------------------------------
+# ---- polygons, exactly
+# -------------------------------------------------------------------------------------------------------
 
 
 class ExactWorld:
@@ -58,18 +69,27 @@ class ExactWorld:
     def __init__(self, boundary: Any, polygons: Any, discs: Any = ()) -> None:
         self.boundary, self.polygons, self.discs = boundary, polygons, discs
         rings = [boundary, *(ring for polygon, rooms in polygons for ring in (polygon, *rooms))]
-        self.edges = [edge for ring in rings for edge in zip(ring, [*ring[1:], ring[0]], strict=True)]
-        self.record = PolygonWorld(boundary, [(p, rooms) if rooms else p for p, rooms in polygons] + list(discs))
+        self.edges = [
+            edge for ring in rings for edge in zip(ring, [*ring[1:], ring[0]], strict=True)
+        ]
+        self.record = PolygonWorld(
+            boundary, [(p, rooms) if rooms else p for p, rooms in polygons] + list(discs)
+        )
 
     def is_solid(self, q: Any) -> bool:
         return (
             place_exactly(q, self.boundary) <= 0
-            or any(place_exactly(q, p) >= 0 and all(place_exactly(q, r) <= 0 for r in rooms) for p, rooms in self.polygons)
+            or any(
+                place_exactly(q, p) >= 0 and all(place_exactly(q, r) <= 0 for r in rooms)
+                for p, rooms in self.polygons
+            )
             or any(nearest_exactly(q, c, c)[0] <= r * r for c, r in self.discs)
         )
 
     def is_free(self, a: Any, b: Any) -> bool:
-        """No contact anywhere: the motion starts in the open and meets neither an edge nor a disc."""
+        """No contact anywhere: the motion starts in the open and meets neither an edge nor a
+        disc.
+        """
         return not (
             self.is_solid(a)
             or any(shared_exactly(a, b, *edge) for edge in self.edges)
@@ -77,16 +97,26 @@ class ExactWorld:
         )
 
     def is_semi_free(self, a: Any, b: Any) -> bool:
-        """Nowhere solid on both sides, tried beside the middle of each stretch between two contacts."""
+        """Nowhere solid on both sides, tried beside the middle of each stretch between two
+        contacts.
+        """
         if any(nearest_exactly(c, a, b)[0] < r * r for c, r in self.discs):
             return False
         a, b = exact(a), exact(b)
         u = minus(b, a)
         k = 0 if u[0] else 1
-        cuts = sorted({Fraction(0), Fraction(1), *((p[k] - a[k]) / u[k] for e in self.edges for p in shared_exactly(a, b, *e))})
+        cuts = sorted(
+            {
+                Fraction(0),
+                Fraction(1),
+                *((p[k] - a[k]) / u[k] for e in self.edges for p in shared_exactly(a, b, *e)),
+            }
+        )
         for t in [(s + e) / 2 for s, e in pairwise(cuts)]:
             x, y = a[0] + t * u[0], a[1] + t * u[1]
-            if all(self.is_solid((x - side * u[1], y + side * u[0])) for side in (EPSILON, -EPSILON)):
+            if all(
+                self.is_solid((x - side * u[1], y + side * u[0])) for side in (EPSILON, -EPSILON)
+            ):
                 return False
         return True
 
@@ -96,8 +126,12 @@ whole = st.tuples(st.integers(-24, 24), st.integers(-24, 24))
 
 @st.composite
 def exact_worlds(draw: Any) -> ExactWorld:
-    """Boundaries with pockets; obstacles that overlap, touch, cross the boundary, have rooms with obstacles inside, are round."""
-    boundary = BOX if draw(st.booleans()) else [(4 * x, 4 * y) for x, y in draw(simple_polygons(most=9))]
+    """Boundaries with pockets; obstacles that overlap, touch, cross the boundary, have rooms with
+    obstacles inside, are round.
+    """
+    boundary = (
+        BOX if draw(st.booleans()) else [(4 * x, 4 * y) for x, y in draw(simple_polygons(most=9))]
+    )
     polygons = []
     for polygon in draw(st.lists(simple_polygons(most=6), max_size=4)):
         size = draw(st.sampled_from([1, 2, 3]))
@@ -111,10 +145,20 @@ def exact_worlds(draw: Any) -> ExactWorld:
 
 @SLOW_LAW
 @given(exact_worlds(), st.lists(st.tuples(whole, whole), min_size=4, max_size=8))
-@example(ExactWorld(BOX, [([(0, 0), (4, 0), (4, 4), (0, 4)], []), ([(4, 0), (8, 0), (8, 4), (4, 4)], [])]), [((4, -9), (4, 9))])
-@example(ExactWorld([(0, 0), (8, 0), (8, 8), (4, 2), (0, 8)], []), [((0, 8), (8, 8)), ((1, 1), (7, 1)), ((2, 5), (6, 5))])
+@example(
+    ExactWorld(
+        BOX, [([(0, 0), (4, 0), (4, 4), (0, 4)], []), ([(4, 0), (8, 0), (8, 4), (4, 4)], [])]
+    ),
+    [((4, -9), (4, 9))],
+)
+@example(
+    ExactWorld([(0, 0), (8, 0), (8, 8), (4, 2), (0, 8)], []),
+    [((0, 8), (8, 8)), ((1, 1), (7, 1)), ((2, 5), (6, 5))],
+)
 def test_points_among_polygons_are_judged_exactly(world: ExactWorld, motions: Any) -> None:
-    """Free, semi-free and the place itself, both ways, on whole numbers where motions graze, slide and touch at corners."""
+    """Free, semi-free and the place itself, both ways, on whole numbers where motions graze, slide
+    and touch at corners.
+    """
     corners = [edge[0] for edge in world.edges]
     motions += zip(corners[::2], corners[1::2], strict=False)
     motions += [(corner, a) for corner, (a, _) in zip(corners, motions, strict=False)]
@@ -129,9 +173,16 @@ def test_points_among_polygons_are_judged_exactly(world: ExactWorld, motions: An
 
 
 @SLOW_LAW
-@given(exact_worlds(), st.lists(st.tuples(whole, whole), min_size=1, max_size=4), st.integers(0, 4), st.integers(0, 4))
+@given(
+    exact_worlds(),
+    st.lists(st.tuples(whole, whole), min_size=1, max_size=4),
+    st.integers(0, 4),
+    st.integers(0, 4),
+)
 def test_parts_of_a_free_path_are_free(world: ExactWorld, motions: Any, i: int, j: int) -> None:
-    """Between any two quarters of a motion; whatever is free is semi-free, and its ends are free places."""
+    """Between any two quarters of a motion; whatever is free is semi-free, and its ends are free
+    places.
+    """
     for a, b in motions:
         whole_motion = [at(*a) + k / 4 * (at(*b) - at(*a)) for k in range(5)]
         for robot, clearance in ((Point(), 0.0), (Disk(0.75), 0.5)):
@@ -146,7 +197,9 @@ def test_parts_of_a_free_path_are_free(world: ExactWorld, motions: Any, i: int, 
 class TestContact:
     """Touching is contact: not free; but semi-free unless both sides are solid."""
 
-    box = PolygonWorld(BOX, [SQUARE, [(x + 4, y) for x, y in SQUARE], [(x + 8, y + 4) for x, y in SQUARE]])
+    box = PolygonWorld(
+        BOX, [SQUARE, [(x + 4, y) for x, y in SQUARE], [(x + 8, y + 4) for x, y in SQUARE]]
+    )
 
     @pytest.mark.parametrize(
         ("a", "b", "semi"),
@@ -192,21 +245,33 @@ class TestContact:
         ],
     )
     def test_standing_still(self, q: Any, is_free_there: bool, semi: bool) -> None:
-        """A motion that stays where it is obeys the same rule: contact is semi-free, the inside is not."""
+        """A motion that stays where it is obeys the same rule: contact is semi-free, the inside is
+        not.
+        """
         assert bool(is_free(Point(), self.box, at(*q), 0.0)) is is_free_there
         assert free(Point(), self.box, q, q) is is_free_there
         assert semi_free(Point(), self.box, q, q) is semi
 
     def test_a_disk_touches_at_its_radius(self) -> None:
-        """Along an edge, past a corner (3-4-5), between walls exactly as far apart as it is wide, and at the boundary."""
-        for a, b in (((-6, -1), (12, -1)), ((-1, -1.0), (-1, 9)), ((-1, 2), (-5, 2)), ((-23, 0), (-23, 5))):
+        """Along an edge, past a corner (3-4-5), between walls exactly as far apart as it is wide,
+        and at the boundary.
+        """
+        for a, b in (
+            ((-6, -1), (12, -1)),
+            ((-1, -1.0), (-1, 9)),
+            ((-1, 2), (-5, 2)),
+            ((-23, 0), (-23, 5)),
+        ):
             assert not free(Disk(1.0), self.box, a, b)
             assert semi_free(Disk(1.0), self.box, a, b)
             assert free(Disk(0.999999), self.box, a, b)
             assert not semi_free(Disk(1.000001), self.box, a, b)
         assert not free(Disk(5.0), self.box, (-3, -4), (-3, -4))
         assert semi_free(Disk(5.0), self.box, (-3, -4), (-3, -4))
-        gate = PolygonWorld(BOX, [[(-24, 1), (24, 1), (24, 9), (-24, 9)], [(-24, -9), (24, -9), (24, -1), (-24, -1)]])
+        gate = PolygonWorld(
+            BOX,
+            [[(-24, 1), (24, 1), (24, 9), (-24, 9)], [(-24, -9), (24, -9), (24, -1), (-24, -1)]],
+        )
         assert not free(Disk(1.0), gate, (-20, 0), (20, 0))
         assert semi_free(Disk(1.0), gate, (-20, 0), (20, 0))
         assert free(Disk(0.9999999), gate, (-20, 0), (20, 0))
@@ -225,8 +290,13 @@ class TestContact:
 
 
 def test_rooms_are_free_within_and_hold_obstacles() -> None:
-    """A wall with a room, an island in the room with a room of its own: each wall stops, each room is free."""
-    wall, room = [(-12, -12), (12, -12), (12, 12), (-12, 12)], [(-10, -10), (10, -10), (10, 10), (-10, 10)]
+    """A wall with a room, an island in the room with a room of its own: each wall stops, each room
+    is free.
+    """
+    wall, room = (
+        [(-12, -12), (12, -12), (12, 12), (-12, 12)],
+        [(-10, -10), (10, -10), (10, 10), (-10, 10)],
+    )
     island, cell = [(-6, -6), (6, -6), (6, 6), (-6, 6)], [(-4, -4), (4, -4), (4, 4), (-4, 4)]
     world = PolygonWorld(BOX, [(wall, [room]), (island, [cell]), ((0, 0), 1)])
     for a, b, is_free_way in (
@@ -252,22 +322,42 @@ def test_rooms_are_free_within_and_hold_obstacles() -> None:
 
 
 def test_pockets_of_the_boundary_are_solid() -> None:
-    """A boundary whose vertices lie on an edge of its hull between two pockets, and at the hull's corners."""
-    boundary = [(0, 0), (12, 0), (12, 8), (10, 8), (9, 4), (8, 8), (6, 8), (4, 8), (3, 2), (2, 8), (0, 8)]
+    """A boundary whose vertices lie on an edge of its hull between two pockets, and at the hull's
+    corners.
+    """
+    boundary = [
+        (0, 0),
+        (12, 0),
+        (12, 8),
+        (10, 8),
+        (9, 4),
+        (8, 8),
+        (6, 8),
+        (4, 8),
+        (3, 2),
+        (2, 8),
+        (0, 8),
+    ]
     world = ExactWorld(boundary, [])
     for i in range(-1, 14):
         for j in range(-1, 10):
-            assert bool(is_free(Point(), world.record, at(i, j), 0.0)) is (place_exactly((i, j), boundary) > 0)
+            assert bool(is_free(Point(), world.record, at(i, j), 0.0)) is (
+                place_exactly((i, j), boundary) > 0
+            )
             for b in ((1, 1), (11, 7), (5, 7), (7, 7), (1, 7)):
                 if (i, j) != b:
                     assert free(Point(), world.record, (i, j), b) is world.is_free((i, j), b)
-                    assert semi_free(Point(), world.record, (i, j), b) is world.is_semi_free((i, j), b)
+                    assert semi_free(Point(), world.record, (i, j), b) is world.is_semi_free(
+                        (i, j), b
+                    )
 
 
 @pytest.mark.parametrize("width", [1e-9, 1e-12, 1e-15])
 @pytest.mark.parametrize("robot", [Point(), Disk(1e-3)], ids=["point", "disk"])
 def test_a_sliver_of_a_wall_stops_everything(width: float, robot: Any) -> None:
-    """No motion through a wall of 1e-9, or of a few floats, is free, however long and from wherever."""
+    """No motion through a wall of 1e-9, or of a few floats, is free, however long and from
+    wherever.
+    """
     wall = [(0.5, -30), (0.5 + width, -30), (0.5 + width, 30), (0.5, 30)]
     world = PolygonWorld(BOX, [wall])
     rng = np.random.default_rng(0)
@@ -280,11 +370,16 @@ def test_a_sliver_of_a_wall_stops_everything(width: float, robot: Any) -> None:
         assert free(robot, world, a, (0.4, a[1]))
 
 
-# ---- polygons, against shapely -----------------------------------------------------------------------------------------------
+# ---- polygons, against shapely
+# -----------------------------------------------------------------------------------------------
 
 
-def random_world(rng: np.random.Generator, scale: float, shift: float) -> tuple[Any, list[Any], list[Any]]:
-    """A boundary with pockets, its solids as shapely polygons (the outside first) and its discs, scaled and shifted."""
+def random_world(
+    rng: np.random.Generator, scale: float, shift: float
+) -> tuple[Any, list[Any], list[Any]]:
+    """A boundary with pockets, its solids as shapely polygons (the outside first) and its discs,
+    scaled and shifted.
+    """
 
     def star(centre: Any, low: float, high: float, n: int) -> Any:
         angles = (np.arange(n) + rng.uniform(0.1, 0.9, n)) * 2 * np.pi / n
@@ -298,27 +393,49 @@ def random_world(rng: np.random.Generator, scale: float, shift: float) -> tuple[
         ring = star(centre, 0.6, 3.0, int(rng.integers(3, 9)))
         rooms = [centre + np.array([(-0.2, -0.2), (0.2, -0.2), (0.0, 0.2)])]
         has_room = shapely.Polygon(ring).contains_properly(shapely.Polygon(rooms[0]))
-        polygons.append((ring * scale + shift, [room * scale + shift for room in rooms] if has_room else []))
-    discs = [(rng.uniform(-8, 8, 2) * scale + shift, float(rng.uniform(0.2, 1.5) * scale)) for _ in range(3)]
+        polygons.append(
+            (ring * scale + shift, [room * scale + shift for room in rooms] if has_room else [])
+        )
+    discs = [
+        (rng.uniform(-8, 8, 2) * scale + shift, float(rng.uniform(0.2, 1.5) * scale))
+        for _ in range(3)
+    ]
     outside = shapely.Polygon(boundary).buffer(30 * scale).difference(shapely.Polygon(boundary))
-    return boundary, polygons, [discs, [outside, *(shapely.Polygon(*polygon) for polygon in polygons)]]
+    return (
+        boundary,
+        polygons,
+        [discs, [outside, *(shapely.Polygon(*polygon) for polygon in polygons)]],
+    )
 
 
-@pytest.mark.parametrize(("scale", "shift"), [(1.0, 0.0), (1.0, 1e6), (1e-6, 0.0), (1e6, 0.0), (1e6, -1e9)])
+@pytest.mark.parametrize(
+    ("scale", "shift"), [(1.0, 0.0), (1.0, 1e6), (1e-6, 0.0), (1e6, 0.0), (1e6, -1e9)]
+)
 def test_motions_among_polygons_agree_with_shapely(scale: float, shift: float) -> None:
-    """Points and disks, with and without clearance, in worlds of any size and place; cases within rounding of contact left out."""
+    """Points and disks, with and without clearance, in worlds of any size and place; cases within
+    rounding of contact left out.
+    """
     rng = np.random.default_rng(1)
     margin = 1e-9 * scale + 1e-14 * abs(shift)
     judged = {True: 0, False: 0}
     for _ in range(8):
         boundary, polygons, (discs, solids) = random_world(rng, scale, shift)
-        world = PolygonWorld(boundary, [(p, rooms) if rooms else p for p, rooms in polygons] + discs)
+        world = PolygonWorld(
+            boundary, [(p, rooms) if rooms else p for p, rooms in polygons] + discs
+        )
         shapely.prepare(solids)
         for _ in range(60):
             a = rng.uniform(-11, 11, 2) * scale + shift
-            b = rng.uniform(-11, 11, 2) * scale + shift if rng.random() < 0.3 else a + rng.uniform(-2, 2, 2) * scale
+            b = (
+                rng.uniform(-11, 11, 2) * scale + shift
+                if rng.random() < 0.3
+                else a + rng.uniform(-2, 2, 2) * scale
+            )
             line = shapely.LineString([a, b])
-            gap = min([line.distance(s) for s in solids] + [line.distance(shapely.Point(c)) - r for c, r in discs])
+            gap = min(
+                [line.distance(s) for s in solids]
+                + [line.distance(shapely.Point(c)) - r for c, r in discs]
+            )
             inside = max(line.intersection(s).length for s in solids)
             for reach in (0.0, 0.01 * scale, 0.4 * scale):
                 robot = Disk(reach) if reach else Point()
@@ -337,8 +454,12 @@ def test_motions_among_polygons_agree_with_shapely(scale: float, shift: float) -
 
 @SLOW_LAW
 @given(exact_worlds(), whole, whole, st.floats(0.01, 3.0), st.floats(0.0, 3.0))
-def test_clearance_is_a_larger_disk(world: ExactWorld, a: Any, b: Any, radius: float, clearance: float) -> None:
-    """Disk(r) with a clearance c is Disk(r + c); a point with a clearance is a disk of that radius."""
+def test_clearance_is_a_larger_disk(
+    world: ExactWorld, a: Any, b: Any, radius: float, clearance: float
+) -> None:
+    """Disk(r) with a clearance c is Disk(r + c); a point with a clearance is a disk of that
+    radius.
+    """
     for ask in (free, semi_free):
         expected = ask(Disk(radius + clearance), world.record, a, b)
         assert ask(Disk(radius), world.record, a, b, clearance) is expected
@@ -346,7 +467,9 @@ def test_clearance_is_a_larger_disk(world: ExactWorld, a: Any, b: Any, radius: f
 
 
 def test_the_index_finds_what_looking_at_every_part_finds() -> None:
-    """300 obstacles, some across the boundary or outside: motions of every length, along grid lines too, points and discs."""
+    """300 obstacles, some across the boundary or outside: motions of every length, along grid lines
+    too, points and discs.
+    """
     rng = np.random.default_rng(2)
     obstacles: list[Any] = []
     for k in range(300):
@@ -368,7 +491,9 @@ def test_the_index_finds_what_looking_at_every_part_finds() -> None:
         if not ((world.lo <= b) & (b <= world.hi)).all():
             continue
         for radius in (0.0, 0.3, 4.0):
-            touches = any(motion_touches_part(*a, *b, radius, parts, i) for i in range(len(parts.radius)))
+            touches = any(
+                motion_touches_part(*a, *b, radius, parts, i) for i in range(len(parts.radius))
+            )
             assert motion_touches_any(*a, *b, radius, parts, cells) == touches
             found += touches
     assert 1000 < found < 8000
@@ -383,7 +508,8 @@ def test_a_world_without_obstacles_is_free_inside() -> None:
     assert not free(Disk(1.0), world, (1, 1), (3, 3))
 
 
-# ---- terrains ----------------------------------------------------------------------------------------------------------------
+# ---- terrains
+# ----------------------------------------------------------------------------------------------------------------
 
 
 class ExactTerrain:
@@ -399,7 +525,9 @@ class ExactTerrain:
         return not (0 <= i < self.columns and 0 <= j < self.rows and self.cells[j][i])
 
     def is_free(self, a: Any, b: Any) -> bool:
-        """Strictly inside the rim, and no blocked cell is left after clipping the motion to it, slab by slab."""
+        """Strictly inside the rim, and no blocked cell is left after clipping the motion to it,
+        slab by slab.
+        """
         if not all(0 < x < self.columns and 0 < y < self.rows for x, y in (a, b)):
             return False
         u = minus(b, a)
@@ -421,26 +549,47 @@ class ExactTerrain:
         u = minus(b, a)
         cuts = {Fraction(0), Fraction(1)}
         for k, size in ((0, self.columns), (1, self.rows)):
-            cuts |= {t for line in range(-1, size + 2) if u[k] for t in [(line - a[k]) / u[k]] if 0 < t < 1}
+            cuts |= {
+                t
+                for line in range(-1, size + 2)
+                if u[k]
+                for t in [(line - a[k]) / u[k]]
+                if 0 < t < 1
+            }
         ordered = sorted(cuts)
         for t in [(s + e) / 2 for s, e in pairwise(ordered)]:
             x, y = a[0] + t * u[0], a[1] + t * u[1]
-            if all(self.is_solid(x - e * u[1] + e * e, y + e * u[0] + e * e) for e in (EPSILON, -EPSILON)):
+            if all(
+                self.is_solid(x - e * u[1] + e * e, y + e * u[0] + e * e)
+                for e in (EPSILON, -EPSILON)
+            ):
                 return False
         return True
 
 
 cell = st.sampled_from([True, True, False])
-bitmaps = st.integers(1, 5).flatmap(lambda n: st.lists(st.lists(cell, min_size=n, max_size=n), min_size=1, max_size=5))
-halves = st.tuples(st.integers(-1, 11), st.integers(-1, 11)).map(lambda p: (Fraction(p[0], 2), Fraction(p[1], 2)))
-placements = st.sampled_from([(1.0, (0.0, 0.0)), (0.5, (3.0, -7.0)), (0.125, (-2.0, 1.5)), (64.0, (1024.0, -4096.0))])
+bitmaps = st.integers(1, 5).flatmap(
+    lambda n: st.lists(st.lists(cell, min_size=n, max_size=n), min_size=1, max_size=5)
+)
+halves = st.tuples(st.integers(-1, 11), st.integers(-1, 11)).map(
+    lambda p: (Fraction(p[0], 2), Fraction(p[1], 2))
+)
+placements = st.sampled_from(
+    [(1.0, (0.0, 0.0)), (0.5, (3.0, -7.0)), (0.125, (-2.0, 1.5)), (64.0, (1024.0, -4096.0))]
+)
 
 
 @SLOW_LAW
 @given(bitmaps, st.lists(st.tuples(halves, halves), min_size=5, max_size=15), placements)
-@example([[True, False], [False, True]], [((Fraction(1, 2), Fraction(1, 2)), (Fraction(3, 2), Fraction(3, 2)))], (1.0, (0.0, 0.0)))
+@example(
+    [[True, False], [False, True]],
+    [((Fraction(1, 2), Fraction(1, 2)), (Fraction(3, 2), Fraction(3, 2)))],
+    (1.0, (0.0, 0.0)),
+)
 def test_points_on_terrains_are_judged_exactly(cells: Any, motions: Any, placement: Any) -> None:
-    """Free, semi-free and places, both ways, between half cells, whatever the resolution and origin."""
+    """Free, semi-free and places, both ways, between half cells, whatever the resolution and
+    origin.
+    """
     oracle, (side, (x0, y0)) = ExactTerrain(cells), placement
     world = Terrain(cells, resolution=side, origin=(x0, y0))
     for a, b in motions:
@@ -456,12 +605,16 @@ def test_points_on_terrains_are_judged_exactly(cells: Any, motions: Any, placeme
 class TestTerrainContact:
     """Two blocked cells side by side, two that meet at a corner; rows are given from below."""
 
-    world = Terrain([[1, 1, 1, 1, 1, 1], [1, 0, 0, 1, 1, 1], [1, 1, 1, 0, 1, 1], [1, 1, 1, 1, 1, 1]])
+    world = Terrain(
+        [[1, 1, 1, 1, 1, 1], [1, 0, 0, 1, 1, 1], [1, 1, 1, 0, 1, 1], [1, 1, 1, 1, 1, 1]]
+    )
 
     @pytest.mark.parametrize(
         ("a", "b", "semi"),
         [
-            pytest.param((2.5, 2.5), (3.5, 1.5), True, id="between two cells that meet at a corner"),
+            pytest.param(
+                (2.5, 2.5), (3.5, 1.5), True, id="between two cells that meet at a corner"
+            ),
             pytest.param((0.5, 1.5), (1.0, 1.5), True, id="ends on an edge"),
             pytest.param((0.5, 0.5), (1.0, 1.0), True, id="ends at a corner"),
             pytest.param((0.5, 1.5), (1.5, 0.5), True, id="grazes a corner"),
@@ -483,9 +636,18 @@ class TestTerrainContact:
             assert semi_free(Point(), self.world, start, end) is semi
 
     def test_a_blocked_cell_at_the_rim_leaves_no_way_between(self) -> None:
-        """What is outside is solid: the rim of a blocked cell is inside the solid, on each of the four sides."""
+        """What is outside is solid: the rim of a blocked cell is inside the solid, on each of the
+        four sides.
+        """
         world = Terrain([[0, 1, 0], [1, 1, 1], [0, 1, 0]])
-        for a, b in (((0, 0), (1, 0)), ((0, 0), (0, 1)), ((2, 3), (3, 3)), ((3, 2), (3, 3)), ((0, 0), (3, 0)), ((0, 3), (0, 0))):
+        for a, b in (
+            ((0, 0), (1, 0)),
+            ((0, 0), (0, 1)),
+            ((2, 3), (3, 3)),
+            ((3, 2), (3, 3)),
+            ((0, 0), (3, 0)),
+            ((0, 3), (0, 0)),
+        ):
             assert not semi_free(Point(), world, a, b)
         assert semi_free(Point(), world, (1, 0), (2, 0))
         assert semi_free(Point(), world, (0, 1), (0, 2))
@@ -503,7 +665,9 @@ class TestTerrainContact:
         ],
     )
     def test_standing_still(self, q: Any, semi: bool) -> None:
-        """The inside of a cell, or of the edge that two blocked cells share, is not semi-free; a contact is."""
+        """The inside of a cell, or of the edge that two blocked cells share, is not semi-free; a
+        contact is.
+        """
         assert semi_free(Point(), self.world, q, q) is semi
 
     def test_a_disk_touches_at_its_radius(self) -> None:
@@ -521,19 +685,30 @@ class TestTerrainContact:
                 assert semi_free(Disk(radius * side), world, p, q)
                 assert free(Disk(0.999 * radius * side), world, p, q)
                 assert not semi_free(Disk(1.001 * radius * side), world, p, q)
-                assert not free(Disk(0.999 * radius * side), world, p, q, 0.001 * radius * side * 1.01)
+                assert not free(
+                    Disk(0.999 * radius * side), world, p, q, 0.001 * radius * side * 1.01
+                )
 
     def test_a_disk_passes_a_corner_at_the_distance_of_the_corner(self) -> None:
-        """3-4-5: the corner (4, 2) of a blocked cell seen from (4.6, 2.8) is exactly one away, but for rounding."""
-        assert free(Disk(0.999999999), self.world, (4.6, 2.8), (4.6, 2.8)) is False  # the rim of the cell (3, 2) is nearer
+        """3-4-5: the corner (4, 2) of a blocked cell seen from (4.6, 2.8) is exactly one away, but
+        for rounding.
+        """
+        assert (
+            free(Disk(0.999999999), self.world, (4.6, 2.8), (4.6, 2.8)) is False
+        )  # the rim of the cell (3, 2) is nearer
         lone = Terrain([[0, 1, 1], [1, 1, 1], [1, 1, 1]])
         assert free(Disk(1.0 - 1e-9), lone, (1.6, 1.8), (1.6, 1.8))
         assert not free(Disk(1.0 + 1e-9), lone, (1.6, 1.8), (1.6, 1.8))
 
 
-@pytest.mark.parametrize(("side", "origin"), [(1.0, (0.0, 0.0)), (0.3, (-3.7, 100.1)), (1e-6, (0.0, 0.0)), (7e5, (1e6, -1e6))])
+@pytest.mark.parametrize(
+    ("side", "origin"),
+    [(1.0, (0.0, 0.0)), (0.3, (-3.7, 100.1)), (1e-6, (0.0, 0.0)), (7e5, (1e6, -1e6))],
+)
 def test_motions_on_terrains_agree_with_shapely(side: float, origin: Any) -> None:
-    """Points and disks on random bitmaps of any scale; cases within rounding of contact left out."""
+    """Points and disks on random bitmaps of any scale; cases within rounding of contact left
+    out.
+    """
     rng = np.random.default_rng(3)
     margin = 1e-9 * side + 1e-14 * max(map(abs, origin))
     judged = {True: 0, False: 0}
@@ -544,13 +719,25 @@ def test_motions_on_terrains_agree_with_shapely(side: float, origin: Any) -> Non
         corners = np.array(origin) + side * np.argwhere(~cells)[:, ::-1]
         blocked = shapely.MultiPolygon([shapely.box(x, y, x + side, y + side) for x, y in corners])
         for _ in range(60):
-            a = rng.uniform(-0.2, 1.2, 2) * (columns, rows) if rng.random() < 0.2 else rng.uniform(0, 1, 2) * (columns, rows)
-            b = rng.uniform(0, 1, 2) * (columns, rows) if rng.random() < 0.4 else a + rng.normal(0, 0.7, 2)
+            a = (
+                rng.uniform(-0.2, 1.2, 2) * (columns, rows)
+                if rng.random() < 0.2
+                else rng.uniform(0, 1, 2) * (columns, rows)
+            )
+            b = (
+                rng.uniform(0, 1, 2) * (columns, rows)
+                if rng.random() < 0.4
+                else a + rng.normal(0, 0.7, 2)
+            )
             a, b = np.array(origin) + side * a, np.array(origin) + side * b
             line = shapely.LineString([a, b])
             rim = min((np.minimum(a, b) - world.lo).min(), (world.hi - np.maximum(a, b)).min())
             gap = min(line.distance(blocked) if not cells.all() else math.inf, rim)
-            inside = max(line.intersection(box).length for box in blocked.geoms) if not cells.all() else 0.0
+            inside = (
+                max(line.intersection(box).length for box in blocked.geoms)
+                if not cells.all()
+                else 0.0
+            )
             for reach in (0.0, 0.2 * side, 1.3 * side):
                 robot = Disk(reach) if reach else Point()
                 answer = free(robot, world, a, b)
@@ -605,7 +792,8 @@ def test_a_bad_terrain_is_refused_by_name(cells: Any, options: Any, error: Any, 
     assert words in str(caught.value)
 
 
-# ---- what makes a world and a problem ----------------------------------------------------------------------------------------
+# ---- what makes a world and a problem
+# ----------------------------------------------------------------------------------------
 
 INNER = [(1, 1), (3, 1), (3, 3), (1, 3)]
 
@@ -621,14 +809,28 @@ INNER = [(1, 1), (3, 1), (3, 3), (1, 3)]
         pytest.param([(0, 0), (1, 1)], InvalidPolygon, id="two vertices"),
         pytest.param([(0, 0), (2, 2), (2, 0), (0, 2)], InvalidPolygon, id="bow-tie"),
         pytest.param([(0, 0), (1, math.nan), (1, 1)], InvalidPoint, id="nan"),
-        pytest.param((INNER, [[(1.5, 1.5), (2, 2)], INNER]), InvalidPolygon, id="a room of two vertices"),
-        pytest.param((INNER, [[(0, 0), (2, 2), (2, 0), (0, 2)]]), InvalidPolygon, id="a bow-tie of a room"),
-        pytest.param((INNER, [[(2, 2), (5, 2), (5, 2.5)]]), InvalidPolygon, id="a room that leaves its obstacle"),
+        pytest.param(
+            (INNER, [[(1.5, 1.5), (2, 2)], INNER]), InvalidPolygon, id="a room of two vertices"
+        ),
+        pytest.param(
+            (INNER, [[(0, 0), (2, 2), (2, 0), (0, 2)]]), InvalidPolygon, id="a bow-tie of a room"
+        ),
+        pytest.param(
+            (INNER, [[(2, 2), (5, 2), (5, 2.5)]]),
+            InvalidPolygon,
+            id="a room that leaves its obstacle",
+        ),
         pytest.param((INNER, [[(5, 5), (6, 5), (6, 6)]]), InvalidPolygon, id="a room outside"),
-        pytest.param((INNER, [[(0, 0), (9, 0), (9, 9), (0, 9)]]), InvalidPolygon, id="a room round its obstacle"),
+        pytest.param(
+            (INNER, [[(0, 0), (9, 0), (9, 9), (0, 9)]]),
+            InvalidPolygon,
+            id="a room round its obstacle",
+        ),
         pytest.param((INNER, [INNER]), InvalidPolygon, id="a room as large as its obstacle"),
         pytest.param(
-            (INNER, [[(1.2, 1.2), (2, 1.2), (2, 2)], [(1.5, 1.3), (2.5, 1.3), (2.5, 2.5)]]), InvalidPolygon, id="rooms that overlap"
+            (INNER, [[(1.2, 1.2), (2, 1.2), (2, 2)], [(1.5, 1.3), (2.5, 1.3), (2.5, 2.5)]]),
+            InvalidPolygon,
+            id="rooms that overlap",
         ),
     ],
 )
@@ -642,7 +844,9 @@ def test_a_bad_obstacle_is_refused_by_its_number(obstacle: Any, error: Any) -> N
 
 def test_an_obstacle_may_have_no_rooms() -> None:
     """(polygon, []) is the polygon."""
-    assert PolygonWorld(BOX, [(INNER, [])]).edges.tolist() == PolygonWorld(BOX, [INNER]).edges.tolist()
+    assert (
+        PolygonWorld(BOX, [(INNER, [])]).edges.tolist() == PolygonWorld(BOX, [INNER]).edges.tolist()
+    )
 
 
 def test_a_room_may_touch_its_obstacle_at_a_point() -> None:
@@ -664,7 +868,11 @@ def test_the_direction_of_rings_does_not_matter(clockwise: bool) -> None:
     assert free(Point(), world, (2.0, 1.6), (2.0, 2.2))
     assert not free(Point(), world, (2.0, 1.6), (2.0, 2.9))
     boundary, obstacle = rings_of(world)
-    assert [shapely.LinearRing(ring).is_ccw for ring in (*boundary, *obstacle)] == [False, True, False]
+    assert [shapely.LinearRing(ring).is_ccw for ring in (*boundary, *obstacle)] == [
+        False,
+        True,
+        False,
+    ]
 
 
 @pytest.mark.parametrize("radius", [0, -1, (1, 2)])
@@ -724,7 +932,9 @@ def test_bad_clearance_and_bad_robot_are_invalid_parameters() -> None:
 
 
 def test_a_problem_asks_collision_with_its_clearance_and_counts() -> None:
-    """The problem's own questions answer as the functions do; a recorder passes them on and writes them down."""
+    """The problem's own questions answer as the functions do; a recorder passes them on and writes
+    them down.
+    """
     world = PolygonWorld(BOX, [INNER, ((10, -10), 3)])
     problem = Problem(Disk(0.5), world, (-10, 2), (10, 2), clearance=0.25)
     recorder = Recorder(problem)

@@ -1,4 +1,6 @@
-"""Machine code and the interpreter give the same trees to the last bit; nobody waits for the compiler; no code is stale."""
+"""Machine code and the interpreter give the same trees to the last bit; nobody waits for the
+compiler; no code is stale.
+"""
 
 import hashlib
 import json
@@ -44,10 +46,16 @@ needs_compiler = pytest.mark.skipif(not HAS_COMPILER, reason="numba is absent or
 
 
 def problems() -> dict[str, Any]:
-    """Problems of round robots in every kind of world, with walls, rooms, pockets, discs and a clearance."""
+    """Problems of round robots in every kind of world, with walls, rooms, pockets, discs and a
+    clearance.
+    """
     walls = PolygonWorld(
         [(0, 0), (10, 0), (10, 10), (5, 9), (0, 10)],
-        [[(4, 0), (6, 0), (6, 8), (4, 8)], ((8, 6), 1), ([(1, 4), (3, 4), (3, 7), (1, 7)], [[(1.5, 4.5), (2.5, 4.5), (2, 6)]])],
+        [
+            [(4, 0), (6, 0), (6, 8), (4, 8)],
+            ((8, 6), 1),
+            ([(1, 4), (3, 4), (3, 7), (1, 7)], [[(1.5, 4.5), (2.5, 4.5), (2, 6)]]),
+        ],
     )
     cells = np.random.default_rng(1).random((20, 30)) < 0.85
     cells[0, 0] = cells[-1, -1] = True
@@ -57,8 +65,12 @@ def problems() -> dict[str, Any]:
         "point among polygons": Problem(Point(), walls, (1, 1), (9, 1)),
         "disk among polygons": Problem(Disk(0.3), walls, (1, 1), (9, 1), clearance=0.1),
         "point on a terrain": Problem(Point(), terrain, (-0.75, 2.25), (13.75, 11.75)),
-        "disk on a terrain": Problem(Disk(0.05), terrain, (-0.75, 2.25), (13.75, 11.75), clearance=0.01),
-        "a goal out of reach": Problem(Point(), PolygonWorld(BOX, [[(4, 0), (6, 0), (6, 10), (4, 10)]]), (1, 1), (9, 1)),
+        "disk on a terrain": Problem(
+            Disk(0.05), terrain, (-0.75, 2.25), (13.75, 11.75), clearance=0.01
+        ),
+        "a goal out of reach": Problem(
+            Point(), PolygonWorld(BOX, [[(4, 0), (6, 0), (6, 10), (4, 10)]]), (1, 1), (9, 1)
+        ),
     }
 
 
@@ -66,23 +78,43 @@ def digest(plan: Any) -> str:
     """Every bit of a plan's tree, path, cost and counts."""
     path = b"" if plan.path is None else plan.path.tobytes()
     told = json.dumps([plan.stats, plan.cost], sort_keys=True).encode()
-    return hashlib.sha256(plan.tree.nodes.tobytes() + plan.tree.parent.tobytes() + path + told).hexdigest()
+    return hashlib.sha256(
+        plan.tree.nodes.tobytes() + plan.tree.parent.tobytes() + path + told
+    ).hexdigest()
 
 
 def digests(wrapped: Any = lambda problem: problem, nodes: int = 450) -> dict[str, str]:
-    """One digest for each problem; trees grow past the size from which the nearest node is looked up in buckets."""
+    """One digest for each problem; trees grow past the size from which the nearest node is looked
+    up in buckets.
+    """
     return {
-        f"{name}, seed {seed}": digest(rrt(wrapped(problem), step=0.4, max_nodes=nodes, max_iterations=1500, rng=seed))
+        f"{name}, seed {seed}": digest(
+            rrt(wrapped(problem), step=0.4, max_nodes=nodes, max_iterations=1500, rng=seed)
+        )
         for name, problem in problems().items()
         for seed in (0, 1)
     }
 
 
 def run(code: str, *, path: Path = PACKAGE.parent, **variables: str) -> Any:
-    """What a Python process of its own prints last, as JSON, given the code it runs and its environment."""
-    environment = {**os.environ, "PYTHONPATH": os.pathsep.join([str(path), str(TESTS)]), **variables}
+    """What a Python process of its own prints last, as JSON, given the code it runs and its
+    environment.
+    """
+    environment = {
+        **os.environ,
+        "PYTHONPATH": os.pathsep.join([str(path), str(TESTS)]),
+        **variables,
+    }
     command = [sys.executable, "-c", code]  # which looks for modules in the current folder first
-    done = subprocess.run(command, env=environment, cwd=TESTS, capture_output=True, text=True, timeout=300, check=False)
+    done = subprocess.run(
+        command,
+        env=environment,
+        cwd=TESTS,
+        capture_output=True,
+        text=True,
+        timeout=300,
+        check=False,
+    )
     assert done.returncode == 0, done.stderr
     return json.loads(done.stdout.splitlines()[-1])
 
@@ -97,7 +129,8 @@ def trees() -> dict[str, str]:
         return digests()
 
 
-# ---- one body ----------------------------------------------------------------------------------------------------------------
+# ---- one body
+# ----------------------------------------------------------------------------------------------------------------
 
 
 def test_a_recorder_grows_the_very_same_tree(trees: dict[str, str]) -> None:
@@ -107,7 +140,10 @@ def test_a_recorder_grows_the_very_same_tree(trees: dict[str, str]) -> None:
 
 def test_the_trees_are_worth_comparing() -> None:
     """Some problems are solved, one is not; trees are larger than what is searched node by node."""
-    plans = {name: rrt(problem, step=0.4, max_nodes=450, max_iterations=1500, rng=0) for name, problem in problems().items()}
+    plans = {
+        name: rrt(problem, step=0.4, max_nodes=450, max_iterations=1500, rng=0)
+        for name, problem in problems().items()
+    }
     assert plans["a goal out of reach"].path is None
     assert plans["a goal out of reach"].stats["nodes"] > 400
     assert plans["point among polygons"].path is not None
@@ -132,7 +168,9 @@ def test_the_python_body_grows_the_very_same_tree() -> None:
             tree = empty_tree(451, problem.space.lo, problem.space.hi)
             answer = body(problem, tree, 0.4, 0.05, 0.0, 1500, 1500, as_generator(2))
             n = int(tree.size[0])
-            grown.append((tuple(map(int, answer)), tree.nodes[:n].tobytes(), tree.parent[:n].tobytes()))
+            grown.append(
+                (tuple(map(int, answer)), tree.nodes[:n].tobytes(), tree.parent[:n].tobytes())
+            )
         assert grown[0] == grown[1]
 
 
@@ -148,7 +186,9 @@ def test_without_numba_kinoedu_imports_and_grows_the_very_same_tree(trees: dict[
 
 
 def test_a_recorder_writes_down_what_was_asked() -> None:
-    """As many motions as the plan's statistics count; every edge of the tree among those found free."""
+    """As many motions as the plan's statistics count; every edge of the tree among those found
+    free.
+    """
     recorder = Recorder(problems()["point among polygons"])
     plan = rrt(recorder, step=0.4, max_nodes=200, rng=0)
     asked = [question for question in recorder.log if question.name == "is_free_path"]
@@ -167,17 +207,31 @@ class PlainProblem:
 
     def sample(self, rng: np.random.Generator) -> Any:
         lo, hi = self._problem.world.lo, self._problem.world.hi
-        return np.array([lo[0] + (hi[0] - lo[0]) * rng.random(), lo[1] + (hi[1] - lo[1]) * rng.random()])
+        return np.array(
+            [lo[0] + (hi[0] - lo[0]) * rng.random(), lo[1] + (hi[1] - lo[1]) * rng.random()]
+        )
 
     def distance(self, a: Any, b: Any) -> float:
         return float(np.sqrt((b[0] - a[0]) * (b[0] - a[0]) + (b[1] - a[1]) * (b[1] - a[1])))
 
     def steer(self, a: Any, b: Any, step: float) -> Any:
         whole = self.distance(a, b)
-        return np.array(b) if whole <= step else np.array([a[i] + step / whole * (b[i] - a[i]) for i in range(2)])
+        return (
+            np.array(b)
+            if whole <= step
+            else np.array([a[i] + step / whole * (b[i] - a[i]) for i in range(2)])
+        )
 
     def is_free_path(self, a: Any, b: Any) -> bool:
-        return bool(is_free_path(self._problem.robot, self._problem.world, np.asarray(a), np.asarray(b), self._problem.clearance))
+        return bool(
+            is_free_path(
+                self._problem.robot,
+                self._problem.world,
+                np.asarray(a),
+                np.asarray(b),
+                self._problem.clearance,
+            )
+        )
 
 
 def test_a_readers_own_problem_grows_the_very_same_tree(trees: dict[str, str]) -> None:
@@ -192,9 +246,17 @@ def test_what_a_readers_problem_lacks_is_named() -> None:
 
 
 def test_a_planner_leaves_its_problem_as_it_was() -> None:
-    """Nothing but the count of questions changes, and no array is released that the problem still holds."""
+    """Nothing but the count of questions changes, and no array is released that the problem still
+    holds.
+    """
     problem = problems()["point among polygons"]
-    held = [problem.start, problem.goal, problem.world.edges, problem.world.obstacles.points, problem.space.lo]
+    held = [
+        problem.start,
+        problem.goal,
+        problem.world.edges,
+        problem.world.obstacles.points,
+        problem.space.lo,
+    ]
     before, counts = [array.copy() for array in held], [sys.getrefcount(array) for array in held]
     plans = [rrt(problem, rng=seed) for seed in range(5)]
     del plans
@@ -203,7 +265,8 @@ def test_a_planner_leaves_its_problem_as_it_was() -> None:
     assert problem.asked[0] > 0
 
 
-# ---- questions that each kind answers ----------------------------------------------------------------------------------------
+# ---- questions that each kind answers
+# ----------------------------------------------------------------------------------------
 
 
 @record
@@ -259,15 +322,30 @@ def heavier_of(animal: Any, by: float) -> float:
 def test_each_pair_of_kinds_has_its_own_answer_compiled_and_not() -> None:
     """The order of the pair counts; pairs without an answer get the default."""
     cat, dog = Cat(3.0), Dog(7.0)
-    for first, second, expected in ((cat, dog, 6.0), (dog, cat, -14.0), (cat, cat, 0.0), (dog, dog, 0.0)):
-        assert noise(first, second, 2.0) == noise_of(first, second, 2.0) == noise_of.py_func(first, second, 2.0) == expected
+    for first, second, expected in (
+        (cat, dog, 6.0),
+        (dog, cat, -14.0),
+        (cat, cat, 0.0),
+        (dog, dog, 0.0),
+    ):
+        assert (
+            noise(first, second, 2.0)
+            == noise_of(first, second, 2.0)
+            == noise_of.py_func(first, second, 2.0)
+            == expected
+        )
     assert noise("anything", None, 2.0) == 0.0
 
 
 def test_methods_of_one_name_belong_to_their_records() -> None:
     """Compiled code calls the method of the record it is handed."""
     for animal, expected in ((Cat(3.0), 4.0), (Dog(7.0), 9.0)):
-        assert animal.heavier(1.0) == heavier_of(animal, 1.0) == heavier_of.py_func(animal, 1.0) == expected
+        assert (
+            animal.heavier(1.0)
+            == heavier_of(animal, 1.0)
+            == heavier_of.py_func(animal, 1.0)
+            == expected
+        )
 
 
 def test_a_pair_is_answered_once() -> None:
@@ -282,7 +360,9 @@ def test_a_pair_is_answered_once() -> None:
 def test_a_robot_that_no_world_knows_is_a_type_error() -> None:
     """The default of a collision question says so instead of answering."""
     with pytest.raises(TypeError, match="cannot be moved"):
-        is_free_path(Cat(1.0), problems()["point among polygons"].world, np.zeros(2), np.ones(2), 0.0)
+        is_free_path(
+            Cat(1.0), problems()["point among polygons"].world, np.zeros(2), np.ones(2), 0.0
+        )
 
 
 # ---- changing over ---------------------------------------------------------------------------
@@ -304,26 +384,36 @@ class Impatient(Watch):
 @needs_compiler
 @pytest.mark.parametrize("looks", [0, 1, 2, 3, 5, 8])
 def test_whenever_machine_code_comes_the_tree_is_the_same(trees, looks, monkeypatch) -> None:
-    """The interpreted call is ended after a while of any length, and begun again: same tree, same random numbers, same counts."""
+    """The interpreted call is ended after a while of any length, and begun again: same tree, same
+    random numbers, same counts.
+    """
     import kinoedu.compiled.keeper as keeper
 
     monkeypatch.setattr(keeper, "Watch", Impatient)
     monkeypatch.setattr(keeper, "LOOK", 0.004)
     monkeypatch.setattr(Impatient, "looks", looks)
     monkeypatch.setattr(Impatient, "ended", 0)
-    monkeypatch.setattr(tiers.Specialization, "run", lambda self, args: self.interpret_until_code_comes(args))
+    monkeypatch.setattr(
+        tiers.Specialization, "run", lambda self, args: self.interpret_until_code_comes(args)
+    )
     monkeypatch.setattr(tiers.Tiered, "__call__", interpreted_at_first)
     assert digests() == trees
     assert Impatient.ended > 0
 
 
 def interpreted_at_first(self: Any, *args: Any) -> Any:
-    """An algorithm begins interpreted though its machine code is loaded; what it is begun again with is that."""
+    """An algorithm begins interpreted though its machine code is loaded; what it is begun again
+    with is that.
+    """
     if self.is_algorithm and kinds_of(args) is not None and not tiers.here.interpreting:
         specialization = self.specializations[kinds_of(args)]
         assert specialization.is_loaded
         return specialization.run(args)
-    return self.without_machine_code(*args) if self.machine is None or tiers.here.interpreting else self.machine(*args)
+    return (
+        self.without_machine_code(*args)
+        if self.machine is None or tiers.here.interpreting
+        else self.machine(*args)
+    )
 
 
 @needs_compiler
@@ -334,7 +424,11 @@ def test_what_an_algorithm_changed_is_as_it_was_when_it_begins_again() -> None:
     given[0][:], given[1][0][1] = -1.0, 5
     drawn = given[2].random()
     tiers.restore(given, saved)
-    assert given[0].tolist() == [0.0, 1.0, 2.0] and given[1][0].tolist() == [0, 0] and given[2].random() == drawn
+    assert (
+        given[0].tolist() == [0.0, 1.0, 2.0]
+        and given[1][0].tolist() == [0, 0]
+        and given[2].random() == drawn
+    )
 
 
 @needs_compiler
@@ -400,7 +494,9 @@ def test_kinds_are_told_apart_by_their_names() -> None:
     assert len({spelled(kind) for kind in kinds}) == len(kinds)
 
 
-@pytest.mark.parametrize("value", ["text", [1.0], 2**63, np.zeros(2, object), np.zeros(2, complex), {}, int])
+@pytest.mark.parametrize(
+    "value", ["text", [1.0], 2**63, np.zeros(2, object), np.zeros(2, complex), {}, int]
+)
 def test_what_has_no_kind_is_interpreted(value: Any) -> None:
     """A call with it is made all the same."""
 
@@ -426,20 +522,25 @@ print(json.dumps([found, loaded, requests.started != {}, str(store.folder()), "n
 
 
 def orient(*, cache: Path, mode: str = "when-it-pays", **variables: str) -> Any:
-    """The answer of a process; whether it ran machine code; whether it started one that compiles; its folder; whether it imported
-    numba.
+    """The answer of a process; whether it ran machine code; whether it started one that compiles;
+    its folder; whether it imported numba.
     """
     code = variables.pop("code", ORIENT)
     path = Path(variables.pop("path", PACKAGE.parent))
     return run(code, path=path, KINOEDU_CACHE=str(cache), KINOEDU_MACHINE_CODE=mode, **variables)
 
 
-PATIENT = ORIENT.replace("import json", "import time, kinoedu.compiled.tiers as t; t.interpreted.seconds = 9\nimport json")
+PATIENT = ORIENT.replace(
+    "import json",
+    "import time, kinoedu.compiled.tiers as t; t.interpreted.seconds = 9\nimport json",
+)
 
 
 @needs_compiler
 def test_code_of_one_process_serves_the_next_wherever_the_package_lies(tmp_path: Path) -> None:
-    """Made once in a process apart; loaded by others, those of a second copy of the sources too; not while little is to be done."""
+    """Made once in a process apart; loaded by others, those of a second copy of the sources too;
+    not while little is to be done.
+    """
     cache = tmp_path / "cache"
     assert orient(cache=cache, mode="first")[:3] == [1, True, True]
     copy = tmp_path / "elsewhere" / "kinoedu"
@@ -452,7 +553,9 @@ def test_code_of_one_process_serves_the_next_wherever_the_package_lies(tmp_path:
 
 @needs_compiler
 def test_what_costs_too_much_is_compiled_by_another_process_and_found(tmp_path: Path) -> None:
-    """A call whose time is up asks for machine code; when that is there, the same process runs it."""
+    """A call whose time is up asks for machine code; when that is there, the same process runs
+    it.
+    """
     code = """
 import json, time, kinoedu.compiled.tiers as t
 t.BUDGET, t.IMPORTING, t.LOOK_AGAIN = 0.0, 0.0, 0.0
@@ -473,7 +576,10 @@ print(json.dumps([sorted(answers), call.is_loaded, call.is_requested]))
 @needs_compiler
 def test_a_first_plan_imports_no_compiler(tmp_path: Path) -> None:
     """Nor does importing kinoedu."""
-    code = f"import sys, kinoedu; before = 'numba' in sys.modules\n{OWN_WORLD}\nprint(json.dumps([before, 'numba' in sys.modules]))"
+    code = (
+        "import sys, kinoedu; before = 'numba' in "
+        f"sys.modules\n{OWN_WORLD}\nprint(json.dumps([before, 'numba' in sys.modules]))"
+    )
     assert orient(cache=tmp_path, code=code) == [False, False]
 
 
@@ -487,7 +593,9 @@ assert rrt(Problem(Point(), world, start=(1, 1), goal=(9, 1)), rng=0).path is no
 
 @needs_compiler
 def test_a_folder_that_cannot_be_written_does_not_hinder(tmp_path: Path) -> None:
-    """A file in the folder's place, a file as its parent, a folder that only reads: the answers are right."""
+    """A file in the folder's place, a file as its parent, a folder that only reads: the answers are
+    right.
+    """
     taken = tmp_path / "taken"
     taken.write_text("a file", encoding="utf-8")
     places = [taken, taken / "below"]
@@ -497,26 +605,39 @@ def test_a_folder_that_cannot_be_written_does_not_hinder(tmp_path: Path) -> None
         places.append(sealed)
     for place in places:
         assert orient(cache=place)[:4] == [1, False, False, "None"]
-    assert orient(cache=taken, mode="first")[:4] == [1, True, False, "None"]  # compiled here, as was asked for
+    assert orient(cache=taken, mode="first")[:4] == [
+        1,
+        True,
+        False,
+        "None",
+    ]  # compiled here, as was asked for
     assert taken.read_text(encoding="utf-8") == "a file"
 
 
 @needs_compiler
 def test_users_begin_with_what_was_warmed_for_all(tmp_path: Path) -> None:
-    """A copy of their own, private, from which nothing is compiled. A file where a warmed folder is expected does not hinder."""
+    """A copy of their own, private, from which nothing is compiled. A file where a warmed folder is
+    expected does not hinder.
+    """
     warmed, own = tmp_path / "warmed", tmp_path / "own"
     assert orient(cache=warmed, mode="first")[1]
     for path in warmed.rglob("*"):
         path.chmod(0o555 if path.is_dir() else 0o444)
-    answer, is_loaded, compiles, folder, _ = orient(cache=own, code=PATIENT, KINOEDU_WARMED=str(warmed))
+    answer, is_loaded, compiles, folder, _ = orient(
+        cache=own, code=PATIENT, KINOEDU_WARMED=str(warmed)
+    )
     assert (answer, is_loaded, compiles) == (1, True, False)
-    assert Path(folder).parent == own and (os.name != "posix" or Path(folder).stat().st_mode & 0o777 == 0o700)
+    assert Path(folder).parent == own and (
+        os.name != "posix" or Path(folder).stat().st_mode & 0o777 == 0o700
+    )
     assert orient(cache=tmp_path / "another", KINOEDU_WARMED=__file__)[:2] == [1, False]
 
 
 @needs_compiler
 def test_a_change_in_a_callee_is_never_answered_from_the_disk(tmp_path: Path) -> None:
-    """A copy of the package whose innermost function is edited between processes that share one folder."""
+    """A copy of the package whose innermost function is edited between processes that share one
+    folder.
+    """
     copy = tmp_path / "site" / "kinoedu"
     shutil.copytree(PACKAGE, copy, ignore=shutil.ignore_patterns("__pycache__"))
     cache, where = tmp_path / "cache", {"path": str(copy.parent)}
@@ -545,7 +666,9 @@ def test_damaged_code_is_not_run(tmp_path: Path) -> None:
 
 
 @needs_compiler
-def test_what_cannot_be_compiled_stays_interpreted_and_is_not_tried_again(tmp_path: Path, monkeypatch) -> None:
+def test_what_cannot_be_compiled_stays_interpreted_and_is_not_tried_again(
+    tmp_path: Path, monkeypatch
+) -> None:
     """Neither is what ended its process again and again."""
     import pickle
 
@@ -614,22 +737,34 @@ print(json.dumps([plans[0].tree.nodes[:, 0].min(), plans[0].tree.nodes[:, 0].max
 
 
 @needs_compiler
-def test_a_kind_from_elsewhere_is_interpreted_compiled_when_asked_and_never_stale(tmp_path: Path) -> None:
-    """A robot of a reader's own file works in planners both ways, an edit of that file counts at once, and nothing is stored."""
+def test_a_kind_from_elsewhere_is_interpreted_compiled_when_asked_and_never_stale(
+    tmp_path: Path,
+) -> None:
+    """A robot of a reader's own file works in planners both ways, an edit of that file counts at
+    once, and nothing is stored.
+    """
     cache = str(tmp_path / "cache")
     (tmp_path / "mine.py").write_text(OWN_ROBOT.replace("LIMIT", "<"), encoding="utf-8")
-    paths = {"PYTHONPATH": os.pathsep.join([str(PACKAGE.parent), str(tmp_path)]), "PYTHONDONTWRITEBYTECODE": "1"}
-    low, high, loaded = run(OWN_PLAN.replace("START", "(1, 1)").replace("GOAL", "(5, 9)"), KINOEDU_CACHE=cache, **paths)
+    paths = {
+        "PYTHONPATH": os.pathsep.join([str(PACKAGE.parent), str(tmp_path)]),
+        "PYTHONDONTWRITEBYTECODE": "1",
+    }
+    low, high, loaded = run(
+        OWN_PLAN.replace("START", "(1, 1)").replace("GOAL", "(5, 9)"), KINOEDU_CACHE=cache, **paths
+    )
     assert 0.0 <= low < high < 6.0
     assert loaded == [False, True]
     (tmp_path / "mine.py").write_text(OWN_ROBOT.replace("LIMIT", ">"), encoding="utf-8")
-    low, high, loaded = run(OWN_PLAN.replace("START", "(9, 1)").replace("GOAL", "(7, 9)"), KINOEDU_CACHE=cache, **paths)
+    low, high, loaded = run(
+        OWN_PLAN.replace("START", "(9, 1)").replace("GOAL", "(7, 9)"), KINOEDU_CACHE=cache, **paths
+    )
     assert 6.0 < low < high <= 10.0
     assert loaded == [False, True]
     assert not list(Path(cache).rglob("*grow*.code"))
 
 
-# ---- importing ---------------------------------------------------------------------------------------------------------------
+# ---- importing
+# ---------------------------------------------------------------------------------------------------------------
 
 
 def test_importing_is_light() -> None:
@@ -645,7 +780,9 @@ print(json.dumps(sorted((heavy | {"networkx"}) & set(sys.modules) - already)))
 
 
 def test_only_sources_that_code_is_made_of_name_its_folder(tmp_path: Path) -> None:
-    """Another algorithm, another folder; another exercise, the same folder, and nothing compiled of exercises is kept."""
+    """Another algorithm, another folder; another exercise, the same folder, and nothing compiled of
+    exercises is kept.
+    """
     for room in ("planners", "course"):
         (tmp_path / room).mkdir()
         (tmp_path / room / "one.py").write_text("a = 1")

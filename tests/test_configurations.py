@@ -14,7 +14,9 @@ from kinoedu.robots.arm import ArmChain
 
 @pytest.mark.parametrize("seed", range(30))
 def test_counted_freedoms_are_those_of_the_constraints(seed):
-    """Where pins close no ring, the count is what the Jacobian of all constraints leaves, at any places of the pins."""
+    """Where pins close no ring, the count is what the Jacobian of all constraints leaves, at any
+    places of the pins.
+    """
     rng = np.random.default_rng(seed)
     bodies = int(rng.integers(1, 8))
     joints = random_joints(rng, "arm" if seed % 2 else "loose", bodies)
@@ -40,7 +42,9 @@ def test_the_law_of_sines_misses_where_the_angle_at_the_base_is_obtuse():
         p = far * np.array([np.cos(l1), np.sin(l1)])
         if min(far - abs(l1 - l2), l1 + l2 - far, abs(l1 * l1 + far * far - l2 * l2)) < 1e-3:
             continue
-        off = max(np.hypot(*(TwoLinkArm(l1, l2, 0).joints(q)[1] - p)) for q in inverse_by_sines(l1, l2, p))
+        off = max(
+            np.hypot(*(TwoLinkArm(l1, l2, 0).joints(q)[1] - p)) for q in inverse_by_sines(l1, l2, p)
+        )
         right = l2 * l2 < l1 * l1 + far * far
         assert (off < 1e-9) == right
         met[right] += 1
@@ -48,14 +52,18 @@ def test_the_law_of_sines_misses_where_the_angle_at_the_base_is_obtuse():
 
 
 def test_a_way_on_the_torus_is_short_and_even():
-    """Its steps are equal, and as long together as the distance; on the square it is broken where it crosses an edge."""
+    """Its steps are equal, and as long together as the distance; on the square it is broken where
+    it crosses an edge.
+    """
     from matplotlib.figure import Figure
 
     rng = np.random.default_rng(1)
     for a, b in rng.uniform(-np.pi, np.pi, (50, 2, 2)):
         way = configurations.way_on_torus(a, b)
         steps = torus_distance(way[1:], way[:-1])
-        assert np.allclose(steps, torus_distance(a, b) / configurations.PIECES, rtol=1e-9, atol=1e-12)
+        assert np.allclose(
+            steps, torus_distance(a, b) / configurations.PIECES, rtol=1e-9, atol=1e-12
+        )
         assert torus_distance(way[-1], b) < 1e-12
         (line,) = configurations.draw_way_on_square(a, b, Figure().add_subplot())
         crossed = int((np.abs(b - a) > np.pi).sum())
@@ -63,7 +71,9 @@ def test_a_way_on_the_torus_is_short_and_even():
 
 
 def test_the_reach_board_tells_both_configurations_or_why_there_is_none():
-    """In the ring, at its rim, beyond it, in its hole; where there are infinitely many that is told as a warning."""
+    """In the ring, at its rim, beyond it, in its hole; where there are infinitely many that is told
+    as a warning.
+    """
     arm, equal = TwoLinkArm(2, 1, 0.2, base=(1, 0)), TwoLinkArm(1, 1, 0)
     assert "; or " in repr(reach_board(arm, (3, 1)))
     assert repr(reach_board(arm, (1, 3))) == "Canvas(3 from the base: θ₁ = 1.571, θ₂ = 0)"

@@ -1,4 +1,6 @@
-"""The exercise contract: what check() says of right and of wrong answers, and that cases and answers survive the journey."""
+"""The exercise contract: what check() says of right and of wrong answers, and that cases and
+answers survive the journey.
+"""
 
 import contextlib
 import gc
@@ -19,7 +21,15 @@ from kinoedu.course import EXERCISES, ValueExercise, check
 from kinoedu.course.advice import COMPLAINTS
 from kinoedu.course.feedback import folded
 from kinoedu.course.judging import attempt, report_on
-from kinoedu.course.outcomes import Answer, Changed, Late, Misshapen, Raised, decode_outcome, encode_outcome
+from kinoedu.course.outcomes import (
+    Answer,
+    Changed,
+    Late,
+    Misshapen,
+    Raised,
+    decode_outcome,
+    encode_outcome,
+)
 from kinoedu.errors import InvalidParameter
 
 HOUSE = Path(__file__).resolve().parent.parent
@@ -41,9 +51,13 @@ def judged(exercise, function, seed=0):
 
 
 @pytest.mark.parametrize("seed", range(3))
-@pytest.mark.parametrize("exercise", [e for e in EXERCISES.values() if e.source], ids=lambda e: e.name)
+@pytest.mark.parametrize(
+    "exercise", [e for e in EXERCISES.values() if e.source], ids=lambda e: e.name
+)
 def test_the_reference_is_accepted_and_every_kind_is_asked(exercise, seed):
-    """The library's own function survives, whatever the seed, and every kind of input has many cases."""
+    """The library's own function survives, whatever the seed, and every kind of input has many
+    cases.
+    """
     report = judged(exercise, exercise.right_answer, seed)
     assert report.is_right, report.failure
     assert report.score == 1.0
@@ -54,7 +68,10 @@ def test_the_reference_is_accepted_and_every_kind_is_asked(exercise, seed):
 def test_cases_are_the_same_for_the_same_seed_and_others_for_another(exercise):
     """Cases depend on the seed alone."""
     first, again, other = (
-        [json.dumps([case.kind, exercise.given.encode(case.given)]) for case in exercise.cases(np.random.default_rng(seed))]
+        [
+            json.dumps([case.kind, exercise.given.encode(case.given)])
+            for case in exercise.cases(np.random.default_rng(seed))
+        ]
         for seed in (1, 1, 2)
     )
     assert first == again
@@ -66,23 +83,51 @@ ALSO_RIGHT = {
         lambda p1, p2: -np.array(EXERCISES["line_through_points"].source(p1, p2)),
         lambda p1, p2: list(EXERCISES["line_through_points"].source(p2, p1)),
     ],
-    "point_segment_distance": [lambda *given: np.array(EXERCISES["point_segment_distance"].source(*given))],
-    "polygon_tangent": [lambda *given: list(map(np.float32, EXERCISES["polygon_tangent"].source(*given)))],
+    "point_segment_distance": [
+        lambda *given: np.array(EXERCISES["point_segment_distance"].source(*given))
+    ],
+    "polygon_tangent": [
+        lambda *given: list(map(np.float32, EXERCISES["polygon_tangent"].source(*given)))
+    ],
     "free_heading": [
-        lambda problem, x, y: next((t for t in np.arange(0, 2 * np.pi, 0.199) if problem.is_free(np.array([x, y, t]))), None)
+        lambda problem, x, y: next(
+            (t for t in np.arange(0, 2 * np.pi, 0.199) if problem.is_free(np.array([x, y, t]))),
+            None,
+        )
     ],
     "bfs_tree": [
-        lambda neighbours, start: EXERCISES["bfs_tree"].source([row[::-1] for row in neighbours], start),
+        lambda neighbours, start: EXERCISES["bfs_tree"].source(
+            [row[::-1] for row in neighbours], start
+        ),
         lambda neighbours, start: np.array(tree_of_last_parents(neighbours, start)),
     ],
-    "extract_path": [lambda parent, goal: EXERCISES["extract_path"].source(tuple(parent), np.int64(goal))],
-    "bfs_path": [lambda neighbours, start, goal: EXERCISES["bfs_path"].source([row[::-1] for row in neighbours], start, goal)],
+    "extract_path": [
+        lambda parent, goal: EXERCISES["extract_path"].source(tuple(parent), np.int64(goal))
+    ],
+    "bfs_path": [
+        lambda neighbours, start, goal: EXERCISES["bfs_path"].source(
+            [row[::-1] for row in neighbours], start, goal
+        )
+    ],
     "dfs_path": [lambda *given: EXERCISES["bfs_path"].source(*given)],
-    "dijkstra": [lambda *given: relaxed_again_and_again(*given), lambda *given: np.array(EXERCISES["dijkstra"].source(*given))],
-    "astar": [lambda n, w, estimate, start, goal: EXERCISES["astar"].source(n, w, [0.0] * len(n), start, goal)],
+    "dijkstra": [
+        lambda *given: relaxed_again_and_again(*given),
+        lambda *given: np.array(EXERCISES["dijkstra"].source(*given)),
+    ],
+    "astar": [
+        lambda n, w, estimate, start, goal: EXERCISES["astar"].source(
+            n, w, [0.0] * len(n), start, goal
+        )
+    ],
     "misleading_estimate": [
         lambda: ([[1, 2], [2], []], [[1, 3], [1], []], [0, 3, 0], 0, 2),
-        lambda: ([[1, 2], [0, 2], [0, 1]], [[4.5, 1], [4.5, 1], [1, 1]], np.array([0.0, 0.0, 9.0]), np.int64(0), 1),
+        lambda: (
+            [[1, 2], [0, 2], [0, 1]],
+            [[4.5, 1], [4.5, 1], [1, 1]],
+            np.array([0.0, 0.0, 9.0]),
+            np.int64(0),
+            1,
+        ),
     ],
     "exposing_problem": [
         lambda: ((-4, 0.5), (10, 0), [[(8, 5), (0, 3), (6, 3), (6, -2)]]),
@@ -92,67 +137,126 @@ ALSO_RIGHT = {
         lambda: [(0, 2), (5, 0), (5, 3), (9, 5), (5, 9), (5, 4)],
         lambda: np.array([(0, 0), (10, -1), (5, 3), (10, 9), (0, 10), (5, 4)])[::-1],
     ],
-    "degrees_of_freedom": [lambda bodies, joints: np.int64(EXERCISES["degrees_of_freedom"].source(bodies, joints))],
+    "degrees_of_freedom": [
+        lambda bodies, joints: np.int64(EXERCISES["degrees_of_freedom"].source(bodies, joints))
+    ],
     "rotation": [lambda theta: np.array(EXERCISES["rotation"].source(theta - 2 * np.pi)).tolist()],
     "displacement": [lambda *given: tuple(map(tuple, EXERCISES["displacement"].source(*given)))],
-    "forward_kinematics": [lambda *given: [tuple(place) for place in EXERCISES["forward_kinematics"].source(*given)]],
+    "forward_kinematics": [
+        lambda *given: [tuple(place) for place in EXERCISES["forward_kinematics"].source(*given)]
+    ],
     "inverse_kinematics": [
-        lambda *given: [tuple(q) for q in EXERCISES["inverse_kinematics"].source(*given)[::-1] + 2 * np.pi],
+        lambda *given: [
+            tuple(q) for q in EXERCISES["inverse_kinematics"].source(*given)[::-1] + 2 * np.pi
+        ],
         lambda *given: [
             *EXERCISES["inverse_kinematics"].source(*given),
             *EXERCISES["inverse_kinematics"].source(*given) - 2 * np.pi,
         ],
     ],
-    "circle_distance": [lambda a, b: np.arccos(np.cos(a - b)), lambda a, b: abs(np.angle(np.exp(1j * (a - b))))],
+    "circle_distance": [
+        lambda a, b: np.arccos(np.cos(a - b)),
+        lambda a, b: abs(np.angle(np.exp(1j * (a - b)))),
+    ],
     "torus_distance": [lambda a, b: np.linalg.norm(np.remainder(a - b + np.pi, 2 * np.pi) - np.pi)],
-    "exposing_reach": [lambda: [1, 1.1, (0, 0.4)], lambda: (np.float64(50.0), 55, np.array([-9.0, 3.0]))],
+    "exposing_reach": [
+        lambda: [1, 1.1, (0, 0.4)],
+        lambda: (np.float64(50.0), 55, np.array([-9.0, 3.0])),
+    ],
     "corner_grid": [lambda n, d: EXERCISES["corner_grid"].source(n, d)[::-1].tolist()],
-    "sukharev_grid": [lambda n, d: tuple(map(tuple, EXERCISES["sukharev_grid"].source(n, d)[:, ::-1]))],
+    "sukharev_grid": [
+        lambda n, d: tuple(map(tuple, EXERCISES["sukharev_grid"].source(n, d)[:, ::-1]))
+    ],
     "uniform_random": [
-        lambda n, d, rng: [[chance.random() for _ in range(d)] for chance in [random.Random(rng)] for _ in range(n)],
+        lambda n, d, rng: [
+            [chance.random() for _ in range(d)] for chance in [random.Random(rng)] for _ in range(n)
+        ],
         lambda n, d, rng: np.random.RandomState(rng).uniform(size=(d, n)).T,
     ],
-    "radical_inverse": [lambda i, base: np.float64(EXERCISES["radical_inverse"].right_answer(i, base))],
+    "radical_inverse": [
+        lambda i, base: np.float64(EXERCISES["radical_inverse"].right_answer(i, base))
+    ],
     "halton": [lambda n, primes: EXERCISES["halton"].source(n, tuple(primes)).tolist()],
-    "dispersion_bounds": [lambda points: bounds_by_probes(points, 36), lambda points: np.array(bounds_by_probes(points, 100))],
+    "dispersion_bounds": [
+        lambda points: bounds_by_probes(points, 36),
+        lambda points: np.array(bounds_by_probes(points, 100)),
+    ],
     "exposing_corridor": [lambda: [0, 1 / 32, 1, 1 / 16], lambda: np.array([31 / 32, 0, 1, 1])],
     "segment_intersection": [
         lambda *given: EXERCISES["segment_intersection"].source(*given)[::-1],
         lambda *given: EXERCISES["segment_intersection"].source(*given).tolist(),
     ],
-    "point_in_convex_polygon": [lambda q, P: np.bool_(EXERCISES["point_in_convex_polygon"].source(q, P))],
+    "point_in_convex_polygon": [
+        lambda q, P: np.bool_(EXERCISES["point_in_convex_polygon"].source(q, P))
+    ],
     "c_obstacle": [
         lambda *given: EXERCISES["c_obstacle"].source(*given)[::-1].tolist(),
-        lambda *given: with_straight_angles(np.roll(EXERCISES["c_obstacle"].source(*given), 2, axis=0)),
+        lambda *given: with_straight_angles(
+            np.roll(EXERCISES["c_obstacle"].source(*given), 2, axis=0)
+        ),
     ],
     "link_in_contact": [lambda *given: np.int64(EXERCISES["link_in_contact"].source(*given))],
     "plot_environment": [lambda *given: drawn_in_pieces(*given)],
     "plot_configuration_space": [lambda *given: scattered_dots(*given)],
-    "rrt": [lambda *given: tuple(None if part is None else np.array(part).tolist() for part in EXERCISES["rrt"].source(*given))],
-    "insert": [lambda *given: [np.array(numbers) for numbers in EXERCISES["insert"].source(*given)]],
+    "rrt": [
+        lambda *given: tuple(
+            None if part is None else np.array(part).tolist()
+            for part in EXERCISES["rrt"].source(*given)
+        )
+    ],
+    "insert": [
+        lambda *given: [np.array(numbers) for numbers in EXERCISES["insert"].source(*given)]
+    ],
     "follow": [lambda *given: [tuple(q) for q in EXERCISES["follow"].source(*given)]],
-    "move": [lambda *given: [*EXERCISES["move"].source(*given)[:2], np.float64(EXERCISES["move"].source(*given)[2] - 4 * np.pi)]],
+    "move": [
+        lambda *given: [
+            *EXERCISES["move"].source(*given)[:2],
+            np.float64(EXERCISES["move"].source(*given)[2] - 4 * np.pi),
+        ]
+    ],
     "exposing_drive": [lambda: [-0.1, np.float64(700)], lambda: (np.array(0.08), 1000)],
-    "exposing_room": [lambda: [(1, 1), np.array([9.5, 9.5]), np.array([(8, 10.5), (10.5, 8), (10.5, 8.2)])]],
+    "exposing_room": [
+        lambda: [(1, 1), np.array([9.5, 9.5]), np.array([(8, 10.5), (10.5, 8), (10.5, 8.2)])]
+    ],
     "overlooked_gap": [lambda: (np.array([(0, 0), (-1, -4), (-1, 4)]), [(1, -9), (9, 0), (1, 9)])],
-    "compare_planners": [lambda *given: EXERCISES["compare_planners"].right_answer(*given).tolist()],
-    "repeated_rows": [lambda table: np.array(EXERCISES["repeated_rows"].source(table)[::-1]).reshape(-1, 3)],
+    "compare_planners": [
+        lambda *given: EXERCISES["compare_planners"].right_answer(*given).tolist()
+    ],
+    "repeated_rows": [
+        lambda table: np.array(EXERCISES["repeated_rows"].source(table)[::-1]).reshape(-1, 3)
+    ],
     "cost_along": [lambda cost, a, b: np.float64(EXERCISES["cost_along"].source(cost, b, a))],
-    "prm_on_terrain": [lambda *given: [np.array(x)[:, ::-1] if i == 1 else x for i, x in enumerate(prm_answer(*given))]],
-    "exposing_motion": [lambda: (np.array([[1, 0], [1, 1]], bool) * 1, [0.9985, 0.6485], np.array([1.5, 1.15]))],
+    "prm_on_terrain": [
+        lambda *given: [
+            np.array(x)[:, ::-1] if i == 1 else x for i, x in enumerate(prm_answer(*given))
+        ]
+    ],
+    "exposing_motion": [
+        lambda: (np.array([[1, 0], [1, 1]], bool) * 1, [0.9985, 0.6485], np.array([1.5, 1.15]))
+    ],
     "visibility_roadmap": [lambda *given: seen_in_another_order(*given)],
-    "radius_neighbours": [lambda *given: [tuple(pair) for pair in EXERCISES["radius_neighbours"].source(*given)[::-1]]],
+    "radius_neighbours": [
+        lambda *given: [tuple(pair) for pair in EXERCISES["radius_neighbours"].source(*given)[::-1]]
+    ],
     "k_closest": [lambda *given: EXERCISES["k_closest"].source(*given)[::-1].tolist()],
-    "component_k_closest": [lambda *given: tuple(map(tuple, EXERCISES["component_k_closest"].source(*given)[::-1]))],
+    "component_k_closest": [
+        lambda *given: tuple(map(tuple, EXERCISES["component_k_closest"].source(*given)[::-1]))
+    ],
     "sampled_roadmap": [
-        lambda *given: [list(part[::-1]) if i else part for i, part in enumerate(EXERCISES["sampled_roadmap"].source(*given))]
+        lambda *given: [
+            list(part[::-1]) if i else part
+            for i, part in enumerate(EXERCISES["sampled_roadmap"].source(*given))
+        ]
     ],
     "shortest_path": [lambda *given: EXERCISES["shortest_path"].source(*given)],
     "exposing_sight": [
         lambda: [np.array([(6, 0), (3, 2), (0, 0), (1, -1), (2, 0)])],
         lambda: ([[-9, 0], [-7, -1], [-6, 0], [0, 0], [-3, 2]],),
     ],
-    "exposing_case": [lambda: (np.array([1, 2]), np.array([(4, 2), (0, 4), (0, 0)])), lambda: ([1, 2], [[0, 4], [4, 2], [0, 0]])],
+    "exposing_case": [
+        lambda: (np.array([1, 2]), np.array([(4, 2), (0, 4), (0, 0)])),
+        lambda: ([1, 2], [[0, 4], [4, 2], [0, 0]]),
+    ],
 }
 
 
@@ -197,7 +301,10 @@ def scattered_dots(samples, lengths, width, discs, ax):
     """One scatter plot of all dots, from -pi to pi, in other shades."""
     q = 2 * np.pi * samples
     links = [EXERCISES["link_in_contact"].source(one, lengths, width, discs) for one in q]
-    ax.scatter(*np.where(q > np.pi, q - 2 * np.pi, q).T, c=[("tab:blue", "k", "#c00000")[link] for link in links])
+    ax.scatter(
+        *np.where(q > np.pi, q - 2 * np.pi, q).T,
+        c=[("tab:blue", "k", "#c00000")[link] for link in links],
+    )
 
 
 def seen_in_another_order(problem, obstacles):
@@ -237,7 +344,10 @@ def relaxed_again_and_again(neighbours, weights, start):
     return cost
 
 
-@pytest.mark.parametrize(("name", "number"), [(name, i) for name, programs in ALSO_RIGHT.items() for i in range(len(programs))])
+@pytest.mark.parametrize(
+    ("name", "number"),
+    [(name, i) for name, programs in ALSO_RIGHT.items() for i in range(len(programs))],
+)
 def test_other_right_answers_are_accepted(name, number):
     """A line of either sign, tuples, lists, numpy's numbers, either orientation."""
     assert judged(EXERCISES[name], ALSO_RIGHT[name][number]).is_right
@@ -307,7 +417,9 @@ def test_a_hang_ends_with_a_message():
 
 
 def test_a_hang_inside_callbacks_is_not_reported_as_lost():
-    """Where the order to stop strikes inside a callback of the garbage collector, nothing is printed about it."""
+    """Where the order to stop strikes inside a callback of the garbage collector, nothing is
+    printed about it.
+    """
 
     def callback(*_):
         sum(range(50))
@@ -328,7 +440,9 @@ def test_a_hang_inside_callbacks_is_not_reported_as_lost():
 
 
 def test_feedback_can_be_staged(monkeypatch):
-    """First the rule, then the case, then the picture, then the hint; the same failure again earns nothing."""
+    """First the rule, then the case, then the picture, then the hint; the same failure again earns
+    nothing.
+    """
     from kinoedu.course import feedback
 
     monkeypatch.setattr(feedback, "TRIES", {})
@@ -385,7 +499,9 @@ def test_a_function_that_calls_an_unwritten_one_is_told_which():
     def point_polygon_distance(q, polygon):
         return point_segment_distance(q, polygon[0], polygon[1])
 
-    assert "calls point_segment_distance, which is not written yet" in repr(check(point_polygon_distance))
+    assert "calls point_segment_distance, which is not written yet" in repr(
+        check(point_polygon_distance)
+    )
 
 
 def complaint(code):
@@ -443,9 +559,14 @@ def strange_class():
     return Strange("x")
 
 
-@pytest.mark.parametrize("make", [endless_message, strange_class, KeyboardInterrupt, SystemExit, GeneratorExit, StopIteration])
+@pytest.mark.parametrize(
+    "make",
+    [endless_message, strange_class, KeyboardInterrupt, SystemExit, GeneratorExit, StopIteration],
+)
 def test_whatever_a_program_raises_is_an_outcome(make):
-    """Messages and classes are code too, and run within the time limit; an exit does not end the notebook."""
+    """Messages and classes are code too, and run within the time limit; an exit does not end the
+    notebook.
+    """
 
     def point_line_distance(q, p1, p2):
         raise make()
@@ -531,7 +652,9 @@ def test_a_long_line_opens_on_a_click():
 
 
 def test_every_word_is_there_and_used():
-    """Each exercise has words for all its kinds, rules, hints, slips and pictures; the catalogue has no words that nothing says."""
+    """Each exercise has words for all its kinds, rules, hints, slips and pictures; the catalogue
+    has no words that nothing says.
+    """
     files = [*words.HERE.glob("en/*.toml"), *words.LESSONS.glob("*/*.toml")]
     tables = [tomllib.loads(file.read_text(encoding="utf-8")) for file in files]
     table = {name: rows for one in tables for name, rows in one.items()}
@@ -540,7 +663,9 @@ def test_every_word_is_there_and_used():
     for exercise in EXERCISES.values():
         mine = table[exercise.name]
         lent = [table[other] for other in exercise.shared]
-        assert set(mine.get("kinds", {})).union(*(other.get("kinds", {}) for other in lent)) >= set(exercise.kinds)
+        assert set(mine.get("kinds", {})).union(*(other.get("kinds", {}) for other in lent)) >= set(
+            exercise.kinds
+        )
         assert set(mine.get("kinds", {})) <= set(exercise.kinds)
         assert set(mine.get("slips", {})) == {slip.key for slip in exercise.slips}
         rules, hints = set(mine.get("rules", {})), set(mine.get("hints", {}))
@@ -551,15 +676,21 @@ def test_every_word_is_there_and_used():
     files = [*(HOUSE / "kinoedu").rglob("*.[pj][ys]"), *(HOUSE / "docs").glob("*.py")]
     sources = "".join(file.read_text(encoding="utf-8") for file in files)
     for name, rows in table.items():
-        elsewhere = name in ("exercise", "advice", "board")  # asked for by keys that are put together
+        elsewhere = name in (
+            "exercise",
+            "advice",
+            "board",
+        )  # asked for by keys that are put together
         computed = f'f"{name}.{{' in sources or elsewhere
         if name not in EXERCISES and not computed:
             for key, text in rows.items():
-                if name in {other for exercise in EXERCISES.values() for other in exercise.shared} and key in ("section", "wonder"):
+                if name in {
+                    other for exercise in EXERCISES.values() for other in exercise.shared
+                } and key in ("section", "wonder"):
                     continue
-                assert not isinstance(text, str) or re.search(rf'"{name}\.{key}|"{name}\.", ?"{key}"|{name}_{key}', sources), (
-                    f"{name}.{key}"
-                )
+                assert not isinstance(text, str) or re.search(
+                    rf'"{name}\.{key}|"{name}\.", ?"{key}"|{name}_{key}', sources
+                ), f"{name}.{key}"
 
 
 def test_a_translation_replaces_words_and_falls_back(monkeypatch, tmp_path):
@@ -608,7 +739,10 @@ def test_outcomes_that_are_none_are_refused():
         with pytest.raises(WrongShape):
             decode_outcome({"kind": "Answer", "value": value}, Numbers(("n", 2)))
     with pytest.raises(WrongShape):
-        decode_outcome({"kind": "Raised", "kinds": ["x"] * 10_000, "message": "", "lines": [], "function": ""}, Number())
+        decode_outcome(
+            {"kind": "Raised", "kinds": ["x"] * 10_000, "message": "", "lines": [], "function": ""},
+            Number(),
+        )
     for outcome in (
         Answer(float("nan")),
         Misshapen("m"),
@@ -617,12 +751,16 @@ def test_outcomes_that_are_none_are_refused():
         Late(False, 0.0, 0.0, 0.0, []),
         Late(True, 5.2, 5.0, 7.5, ["line 2: while True:"]),
     ):
-        assert repr(decode_outcome(json.loads(json.dumps(encode_outcome(outcome, Number()))), Number())) == repr(outcome)
+        assert repr(
+            decode_outcome(json.loads(json.dumps(encode_outcome(outcome, Number()))), Number())
+        ) == repr(outcome)
 
 
 @pytest.mark.parametrize("name", ["point_polygon_distance", "polygon_tangent"])
 def test_a_star_without_room_for_a_question_is_replaced(name):
-    """For a sharp star no point inside is clearly nearest to one edge: such seeds once drew points for ever."""
+    """For a sharp star no point inside is clearly nearest to one edge: such seeds once drew points
+    for ever.
+    """
     for seed in (26, 30, 32):
         cases = list(EXERCISES[name].cases(np.random.default_rng(seed)))
         assert {case.kind for case in cases} == set(EXERCISES[name].kinds)

@@ -1,4 +1,6 @@
-"""Dubins' and Reeds and Shepp's curves: they reach the goal, nothing shorter does, and moving the plane changes nothing."""
+"""Dubins' and Reeds and Shepp's curves: they reach the goal, nothing shorter does, and moving the
+plane changes nothing.
+"""
 
 import json
 import math
@@ -15,16 +17,27 @@ from kinoedu.curves.space import pieces_between
 from kinoedu.errors import InvalidParameter, InvalidPoint
 from kinoedu.spaces.angles import wrapped
 
-CASES = json.loads((Path(__file__).parent / "data" / "kino" / "cases_expected.json").read_text())["cases"]
+CASES = json.loads((Path(__file__).parent / "data" / "kino" / "cases_expected.json").read_text())[
+    "cases"
+]
 PATHS = {"dubins": dubins_path, "rs": reeds_shepp_path}
 CURVES = [case for case in CASES if case["kind"] in PATHS]
-A_TURN_TOO_LONG = {"dubins_quarter"}  # the file gives a quarter turn a whole turn more: an angle of -1e-17 was wrapped to 2 pi
+A_TURN_TOO_LONG = {
+    "dubins_quarter"
+}  # the file gives a quarter turn a whole turn more: an angle of -1e-17 was wrapped to 2 pi
 
 
 def poses(rng: np.random.Generator, n: int) -> Any:
-    """Poses here and there; every third one on a lattice, where words become equal and pieces vanish."""
+    """Poses here and there; every third one on a lattice, where words become equal and pieces
+    vanish.
+    """
     drawn = np.column_stack([rng.uniform(-6, 6, (n, 2)), rng.uniform(-np.pi, np.pi, n)])
-    drawn[::3] = np.column_stack([rng.integers(-3, 4, (len(drawn[::3]), 2)), 0.5 * np.pi * rng.integers(-2, 2, len(drawn[::3]))])
+    drawn[::3] = np.column_stack(
+        [
+            rng.integers(-3, 4, (len(drawn[::3]), 2)),
+            0.5 * np.pi * rng.integers(-2, 2, len(drawn[::3])),
+        ]
+    )
     return drawn
 
 
@@ -45,7 +58,9 @@ def test_lengths_of_the_reference_cases(case: dict[str, Any]) -> None:
 
 @pytest.mark.parametrize("path", PATHS.values())
 def test_the_end_is_the_goal_and_pieces_are_driven_in_order(path: Any) -> None:
-    """Random poses, and those where pieces vanish; along the way the pose moves no faster than one length a length."""
+    """Random poses, and those where pieces vanish; along the way the pose moves no faster than one
+    length a length.
+    """
     rng = np.random.default_rng(1)
     for q0, q1 in zip(poses(rng, 600), poses(rng, 600)):
         curve = path(q0, q1, 1.5)
@@ -64,12 +79,16 @@ def drawn_word(rng: np.random.Generator, pieces: int, forward: bool) -> tuple[An
     return turns, lengths if forward else lengths * rng.choice([-1.0, 1.0], pieces)
 
 
-@pytest.mark.parametrize(("path", "forward", "pieces"), [(dubins_path, True, 3), (reeds_shepp_path, False, 5)])
+@pytest.mark.parametrize(
+    ("path", "forward", "pieces"), [(dubins_path, True, 3), (reeds_shepp_path, False, 5)]
+)
 def test_no_random_word_is_shorter(path: Any, forward: bool, pieces: int) -> None:
     """Whatever a random word reaches is reached by a curve no longer than it."""
     rng = np.random.default_rng(2)
     for _ in range(4000):
-        word = Curve(np.array([0.5, -1.0, 2.0]), 1.0, *drawn_word(rng, rng.integers(1, pieces + 1), forward))
+        word = Curve(
+            np.array([0.5, -1.0, 2.0]), 1.0, *drawn_word(rng, rng.integers(1, pieces + 1), forward)
+        )
         assert path(word.start, word.at(word.length), 1.0).length <= word.length + 1e-7
 
 
@@ -92,15 +111,23 @@ FAMILIES = [
 @pytest.mark.parametrize("mirror", [1, -1])
 @pytest.mark.parametrize("gear", [1, -1])
 @pytest.mark.parametrize("order", [1, -1])
-def test_every_family_of_reeds_and_shepp_is_found(turns: Any, lengths: Any, mirror: int, gear: int, order: int) -> None:
-    """A shortest curve of each family, in the mirror, driven the other way, and from its end, is found again."""
-    word = Curve(np.zeros(3), 1.0, mirror * np.array(turns)[::order], gear * np.array(lengths)[::order])
+def test_every_family_of_reeds_and_shepp_is_found(
+    turns: Any, lengths: Any, mirror: int, gear: int, order: int
+) -> None:
+    """A shortest curve of each family, in the mirror, driven the other way, and from its end, is
+    found again.
+    """
+    word = Curve(
+        np.zeros(3), 1.0, mirror * np.array(turns)[::order], gear * np.array(lengths)[::order]
+    )
     found = reeds_shepp_path(word.start, word.at(word.length), 1.0)
     assert found.length == pytest.approx(word.length, abs=1e-9)
 
 
 def test_reeds_and_shepp_go_back_the_way_they_came() -> None:
-    """Symmetric, and never longer than Dubins'; both unchanged in a mirror and by a displacement and a change of scale."""
+    """Symmetric, and never longer than Dubins'; both unchanged in a mirror and by a displacement
+    and a change of scale.
+    """
     rng = np.random.default_rng(3)
     for q0, q1 in zip(poses(rng, 400), poses(rng, 400)):
         there = reeds_shepp_path(q0, q1, 1.0).length
@@ -108,8 +135,12 @@ def test_reeds_and_shepp_go_back_the_way_they_came() -> None:
         assert there <= dubins_path(q0, q1, 1.0).length + 1e-9
         for path in PATHS.values():
             length = path(q0, q1, 1.0).length
-            assert path(q0 * [1, -1, -1], q1 * [1, -1, -1], 1.0).length == pytest.approx(length, abs=1e-9)
-            assert path(q0 * [3, 3, 1], q1 * [3, 3, 1], 3.0).length == pytest.approx(3 * length, abs=1e-8)
+            assert path(q0 * [1, -1, -1], q1 * [1, -1, -1], 1.0).length == pytest.approx(
+                length, abs=1e-9
+            )
+            assert path(q0 * [3, 3, 1], q1 * [3, 3, 1], 3.0).length == pytest.approx(
+                3 * length, abs=1e-8
+            )
 
 
 @pytest.mark.parametrize("path", PATHS.values())
@@ -118,7 +149,10 @@ def test_a_displacement_changes_nothing(path: Any) -> None:
     rng = np.random.default_rng(4)
     for q0, q1 in zip(poses(rng, 300)[1::3], poses(rng, 300)[1::3]):
         turn, c, s = 0.7, math.cos(0.7), math.sin(0.7)
-        r0, r1 = (np.array([c * x - s * y + 2, s * x + c * y - 5, theta + turn]) for x, y, theta in (q0, q1))
+        r0, r1 = (
+            np.array([c * x - s * y + 2, s * x + c * y - 5, theta + turn])
+            for x, y, theta in (q0, q1)
+        )
         assert path(r0, r1, 1.0).length == pytest.approx(path(q0, q1, 1.0).length, abs=1e-8)
 
 
@@ -155,8 +189,8 @@ def test_nonsense_is_refused_by_name(path: Any) -> None:
 
 
 def test_a_curve_is_the_same_from_either_end():
-    """Also where several are as short, as between poses that hardly differ in place: an edge is judged from one end and driven from
-    the other."""
+    """Also where several are as short, as between poses that hardly differ in place: an edge is
+    judged from one end and driven from the other."""
     rng = np.random.default_rng(8)
     for spread in (0.0, 0.1, 1.0, 10.0):
         for a, b in rng.uniform(-1, 1, (200, 2, 3)) * (spread, spread, np.pi):

@@ -1,4 +1,6 @@
-"""Decompositions against an independent oracle: slabs between vertices, cut and merged with rational numbers; and shapely."""
+"""Decompositions against an independent oracle: slabs between vertices, cut and merged with
+rational numbers; and shapely.
+"""
 
 import json
 import os
@@ -17,14 +19,25 @@ from matplotlib import pyplot as plt
 
 import kinoedu as ke
 from kinoedu.decomposition.free_space import edges_round, free_polygons
-from kinoedu.decomposition.status import ABOVE, HIGH, LOW, NOBODY, PARENT, insert_above, priority, remove
+from kinoedu.decomposition.status import (
+    ABOVE,
+    HIGH,
+    LOW,
+    NOBODY,
+    PARENT,
+    insert_above,
+    priority,
+    remove,
+)
 from kinoedu.decomposition.sweep import events, new_sweep
 from kinoedu.decomposition.trapezoidation import drain
 from kinoedu.errors import InvalidParameter, InvalidPolygon, InvalidWorld, KinoeduError
 from kinoedu.figures import draw_decomposition, draw_sweep
 from kinoedu.worlds.polygon_world import edges_of, rings_of
 
-CASES = json.loads((Path(__file__).parent / "data" / "trapezoid" / "worlds.json").read_text(encoding="utf-8"))["worlds"]
+CASES = json.loads(
+    (Path(__file__).parent / "data" / "trapezoid" / "worlds.json").read_text(encoding="utf-8")
+)["worlds"]
 KINDS = [(kind, overlapping) for kind in ("lattice", "round") for overlapping in (False, True)]
 SQUARE = [(0, 0), (8, 0), (8, 8), (0, 8)]
 
@@ -39,14 +52,16 @@ def diamond(x, y, r=1):
     return [(x - r, y), (x, y - r), (x + r, y), (x, y + r)]
 
 
-# ---- the oracle ----------------------------------------------------------------------------------------------------------------
+# ---- the oracle
+# ----------------------------------------------------------------------------------------------------------------
 
 
 def slabs(edges):
-    """Cells, as rows of exact numbers, and the pairs that share a wall, from edges (n, 5) that do not cross. O(n^2 log n).
+    """Cells, as rows of exact numbers, and the pairs that share a wall, from edges (n, 5) that do
+    not cross. O(n^2 log n).
 
-    Between two neighbouring vertex columns the free space is a pile of cells. One goes on into the next slab, between the same two
-    edges, unless a vertex lies on the wall between.
+    Between two neighbouring vertex columns the free space is a pile of cells. One goes on into the
+    next slab, between the same two edges, unless a vertex lies on the wall between.
     """
     edges = [tuple(map(Fraction, edge[:4])) for edge in edges.tolist()]
     columns = {}
@@ -54,11 +69,18 @@ def slabs(edges):
         columns.setdefault(x, set()).add(y)
     cells, walls, before = [], set(), {}
     for x, after in zip(sorted(columns), [*sorted(columns)[1:], None]):
-        spanning = [e for e in edges if after is not None and min(e[0], e[2]) <= x and max(e[0], e[2]) >= after]
+        spanning = [
+            e
+            for e in edges
+            if after is not None and min(e[0], e[2]) <= x and max(e[0], e[2]) >= after
+        ]
         spanning.sort(key=lambda e: height(e, (x + after) / 2))
         pile = list(zip(spanning[::2], spanning[1::2]))
         goes_on = {
-            pair for pair in pile if pair in before and not any(low_of(pair, x) <= y <= high_of(pair, x) for y in columns[x])
+            pair
+            for pair in pile
+            if pair in before
+            and not any(low_of(pair, x) <= y <= high_of(pair, x) for y in columns[x])
         }
         now = {pair: before[pair] for pair in goes_on}
         for pair in pile:
@@ -67,9 +89,15 @@ def slabs(edges):
                 cells.append([x, None, low_of(pair, x), high_of(pair, x), None, None])
         for pair, cell in before.items():
             if pair not in goes_on:
-                cells[cell][1], cells[cell][4], cells[cell][5] = x, low_of(pair, x), high_of(pair, x)
+                cells[cell][1], cells[cell][4], cells[cell][5] = (
+                    x,
+                    low_of(pair, x),
+                    high_of(pair, x),
+                )
                 for other in now.keys() - goes_on:
-                    if max(low_of(pair, x), low_of(other, x)) < min(high_of(pair, x), high_of(other, x)):
+                    if max(low_of(pair, x), low_of(other, x)) < min(
+                        high_of(pair, x), high_of(other, x)
+                    ):
                         walls.add((cell, now[other]))
         before = now
     order = sorted(range(len(cells)), key=lambda cell: cells[cell])
@@ -94,7 +122,9 @@ def high_of(pair, x):
 
 def free_by_shapely(outer, obstacles):
     """The free space, rooms and all, made without the library."""
-    solids = [shapely.Polygon(*o) if isinstance(o, tuple) else shapely.Polygon(o) for o in obstacles]
+    solids = [
+        shapely.Polygon(*o) if isinstance(o, tuple) else shapely.Polygon(o) for o in obstacles
+    ]
     return shapely.Polygon(outer).difference(shapely.union_all(solids))
 
 
@@ -111,10 +141,14 @@ def assert_cuts(cut, free):
 
 
 def assert_equals_slabs(cut, world):
-    """The same cells, to 1e-12, in the same order, and the same pairs, as rational numbers give; for worlds without overlaps."""
+    """The same cells, to 1e-12, in the same order, and the same pairs, as rational numbers give;
+    for worlds without overlaps.
+    """
     cells, pairs = slabs(world.edges)
     assert len(cut.trapezoids) == len(cells)
-    assert np.allclose(cut.trapezoids, np.array(cells, float).reshape(-1, 6), rtol=1e-12, atol=1e-12)
+    assert np.allclose(
+        cut.trapezoids, np.array(cells, float).reshape(-1, 6), rtol=1e-12, atol=1e-12
+    )
     assert cut.adjacency.tolist() == [list(pair) for pair in pairs]
 
 
@@ -123,15 +157,22 @@ def has_overlaps(world):
     return not drain(new_sweep(world.edges))
 
 
-# ---- textbook cases ------------------------------------------------------------------------------------------------------------
+# ---- textbook cases
+# ------------------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case["id"])
 def test_shared_cases(case):
-    """Number, areas, coordinates, order and adjacency of the exact decompositions; the formula in general position."""
+    """Number, areas, coordinates, order and adjacency of the exact decompositions; the formula in
+    general position.
+    """
     world, expected = ke.PolygonWorld(case["outer"], case["holes"]), case["expected"]
     cut = ke.trapezoidation(world)
-    assert len(cut.trapezoids) == expected["n_trapezoids"] == case.get("n_formula", expected["n_trapezoids"])
+    assert (
+        len(cut.trapezoids)
+        == expected["n_trapezoids"]
+        == case.get("n_formula", expected["n_trapezoids"])
+    )
     assert np.allclose(cut.trapezoids, expected["trapezoids"], atol=1e-8)
     assert np.allclose(np.sort(cut.areas), expected["areas"], atol=1e-8)
     assert cut.areas.sum() == pytest.approx(expected["free_area"], rel=1e-9)
@@ -165,7 +206,9 @@ TOUCHING = {
 
 @pytest.mark.parametrize("name", TOUCHING)
 def test_what_touches_and_what_overlaps(name):
-    """Number of cells and of pairs, by hand; area and cover by shapely; walls of no length make no neighbours."""
+    """Number of cells and of pairs, by hand; area and cover by shapely; walls of no length make no
+    neighbours.
+    """
     obstacles, cells, pairs = TOUCHING[name]
     world = ke.PolygonWorld(SQUARE, obstacles)
     cut = ke.trapezoidation(world)
@@ -179,10 +222,19 @@ def test_what_touches_and_what_overlaps(name):
 def test_only_what_overlaps_is_united():
     """Where obstacles touch, cells keep the coordinates given, to the last bit."""
     third = 1.0 / 3.0
-    world = ke.PolygonWorld(SQUARE, [[(1, third), (2 + third, third), (2, 1)], [(2 + third, third), (5, third), (4, 3)]])
+    world = ke.PolygonWorld(
+        SQUARE, [[(1, third), (2 + third, third), (2, 1)], [(2 + third, third), (5, third), (4, 3)]]
+    )
     assert not has_overlaps(world)
     assert set(ke.trapezoidation(world).trapezoids[:, 0]) <= set(world.edges[:, 0])
-    for name in ("a box on a box", "one in another", "all outside", "a cross", "the same twice", "all covered exactly"):
+    for name in (
+        "a box on a box",
+        "one in another",
+        "all outside",
+        "a cross",
+        "the same twice",
+        "all covered exactly",
+    ):
         assert has_overlaps(ke.PolygonWorld(SQUARE, TOUCHING[name][0])), name
 
 
@@ -190,7 +242,10 @@ def test_rings_that_begin_at_one_point_stay_apart():
     """Two obstacles whose first vertices coincide are two rings."""
     world = ke.PolygonWorld(SQUARE, [[(4, 4), (6, 4), (6, 6)], [(4, 4), (2, 4), (2, 2)]])
     assert [len(ring) for rings in rings_of(world) for ring in rings] == [4, 3, 3]
-    assert_cuts(ke.trapezoidation(world), free_by_shapely(SQUARE, [[(4, 4), (6, 4), (6, 6)], [(4, 4), (2, 4), (2, 2)]]))
+    assert_cuts(
+        ke.trapezoidation(world),
+        free_by_shapely(SQUARE, [[(4, 4), (6, 4), (6, 6)], [(4, 4), (2, 4), (2, 2)]]),
+    )
 
 
 def test_a_fan_at_one_point():
@@ -208,8 +263,13 @@ def test_a_fan_at_one_point():
 @pytest.mark.parametrize("size", [1e-120, 1e-30, 1.0, 1e30, 1e120, 1e148])
 @pytest.mark.parametrize("shift", [0.0, 1e6])
 def test_any_unit_of_length(size, shift):
-    """A world of any size that coordinates may have, far from the origin too, is cut into as many cells, its overlaps united."""
-    outer, *obstacles = (shift + np.array(ring, float) for ring in (SQUARE, [(3, 3), (6, 2), (5, 4)], [(3, 2), (6, 3), (5, 5)]))
+    """A world of any size that coordinates may have, far from the origin too, is cut into as many
+    cells, its overlaps united.
+    """
+    outer, *obstacles = (
+        shift + np.array(ring, float)
+        for ring in (SQUARE, [(3, 3), (6, 2), (5, 4)], [(3, 2), (6, 3), (5, 5)])
+    )
     if shift * size > 1e150:
         return
     for count, cells in ((1, 5), (2, 9)):
@@ -223,34 +283,50 @@ def test_any_unit_of_length(size, shift):
 
 
 def test_combs_of_ten_thousand_vertices():
-    """A comb has a long status when it lies, and as many cells as teeth when it stands; both have their exact area."""
+    """A comb has a long status when it lies, and as many cells as teeth when it stands; both have
+    their exact area.
+    """
     k = 4999
     teeth = np.where(np.arange(k) % 2 == 0, 1.0, 50.0) + np.random.default_rng(0).uniform(0, 1, k)
-    lying = np.concatenate([[(0.0, -1.0), (60.0, -1.0)], np.column_stack([teeth, np.arange(k)]), [(0.0, k + 1.0)]])
+    lying = np.concatenate(
+        [[(0.0, -1.0), (60.0, -1.0)], np.column_stack([teeth, np.arange(k)]), [(0.0, k + 1.0)]]
+    )
     for ring in (np.repeat(lying, 2, axis=0)[::2], lying[::-1, ::-1]):
         state = new_sweep(edges_of(ring[::-1], 0))
         assert drain(state)
         cells = state.cells[: state.sizes[0]]
-        area = ((cells[:, 1] - cells[:, 0]) * (cells[:, 3] - cells[:, 2] + cells[:, 5] - cells[:, 4]) / 2).sum()
+        area = (
+            (cells[:, 1] - cells[:, 0])
+            * (cells[:, 3] - cells[:, 2] + cells[:, 5] - cells[:, 4])
+            / 2
+        ).sum()
         assert area == pytest.approx(shapely.Polygon(ring).area, rel=1e-12)
 
 
-# ---- random worlds -------------------------------------------------------------------------------------------------------------
+# ---- random worlds
+# -------------------------------------------------------------------------------------------------------------
 
 
 def random_polygon(rng, kind):
-    """Corners on a lattice, where much touches and is in line; wide apart there; or on a circle of any size."""
+    """Corners on a lattice, where much touches and is in line; wide apart there; or on a circle of
+    any size.
+    """
     if kind == "wide":
         return rng.integers(0, 9, (3, 2))
     if kind == "lattice":
         return rng.integers(0, 7, 2) + rng.integers(0, 4, (rng.integers(3, 6), 2))
     angles = np.sort(rng.uniform(0, 2 * np.pi, rng.integers(3, 8)))
-    return rng.uniform(0, 8, 2) + rng.uniform(0.1, 2) * np.column_stack([np.cos(angles), np.sin(angles)])
+    return rng.uniform(0, 8, 2) + rng.uniform(0.1, 2) * np.column_stack(
+        [np.cos(angles), np.sin(angles)]
+    )
 
 
 def random_world(rng, kind, overlapping):
     """A world, and the boundary and obstacles it was made of."""
-    outer, obstacles = SQUARE if rng.random() < 0.7 else rng.integers(0, 9, (rng.integers(3, 8), 2)).tolist(), []
+    outer, obstacles = (
+        SQUARE if rng.random() < 0.7 else rng.integers(0, 9, (rng.integers(3, 8), 2)).tolist(),
+        [],
+    )
     for _ in range(rng.integers(0, 9)):
         polygon = random_polygon(rng, kind)
         try:
@@ -258,7 +334,9 @@ def random_world(rng, kind, overlapping):
         except KinoeduError:
             continue
         shape = shapely.Polygon(polygon)
-        if overlapping or not any(shape.intersection(shapely.Polygon(o)).area > 0 for o in obstacles):
+        if overlapping or not any(
+            shape.intersection(shapely.Polygon(o)).area > 0 for o in obstacles
+        ):
             obstacles.append(polygon)
     try:
         return ke.PolygonWorld(outer, obstacles), outer, obstacles
@@ -268,7 +346,9 @@ def random_world(rng, kind, overlapping):
 
 @pytest.mark.parametrize(("kind", "overlapping"), KINDS)
 def test_a_thousand_random_worlds(kind, overlapping):
-    """250 of each kind: the cells cover the free space and do not overlap; what overlaps is found exactly when it does."""
+    """250 of each kind: the cells cover the free space and do not overlap; what overlaps is found
+    exactly when it does.
+    """
     rng = np.random.default_rng(7)
     for _ in range(250):
         world, outer, obstacles = random_world(rng, kind, overlapping)
@@ -277,7 +357,9 @@ def test_a_thousand_random_worlds(kind, overlapping):
         rims = [shapely.Polygon(outer).exterior, *(s.exterior for s in shapes)]
         clear = (
             all(shapely.Polygon(outer).covers(s) for s in shapes)
-            and not any(a.intersection(b).area > 0 for i, a in enumerate(shapes) for b in shapes[:i])
+            and not any(
+                a.intersection(b).area > 0 for i, a in enumerate(shapes) for b in shapes[:i]
+            )
             and not any(has_slanted_overlap(a, b) for i, a in enumerate(rims) for b in rims[:i])
         )
         if kind == "lattice":  # where shapely's own rounding cannot blur the question
@@ -287,7 +369,10 @@ def test_a_thousand_random_worlds(kind, overlapping):
 def has_slanted_overlap(a, b):
     """Whether two rings share a stretch that is not vertical."""
     shared = shapely.intersection(a, b)
-    return any(part.length > 0 and np.ptp(shapely.get_coordinates(part)[:, 0]) > 0 for part in shapely.get_parts(shared))
+    return any(
+        part.length > 0 and np.ptp(shapely.get_coordinates(part)[:, 0]) > 0
+        for part in shapely.get_parts(shared)
+    )
 
 
 @pytest.mark.parametrize("kind", ["lattice", "round"])
@@ -303,11 +388,18 @@ def test_random_worlds_equal_slabs(kind):
 
 @settings(max_examples=60, deadline=None, suppress_health_check=list(HealthCheck))
 @given(
-    st.lists(st.lists(st.tuples(st.integers(0, 8), st.integers(0, 8)), min_size=3, max_size=5, unique=True), max_size=4),
+    st.lists(
+        st.lists(
+            st.tuples(st.integers(0, 8), st.integers(0, 8)), min_size=3, max_size=5, unique=True
+        ),
+        max_size=4,
+    ),
     st.sampled_from([1.0, 0.1, 1e-3, 1e6]),
 )
 def test_generated_worlds(polygons, scale):
-    """Any small world on a lattice of any fineness; Hypothesis looks for the smallest that fails."""
+    """Any small world on a lattice of any fineness; Hypothesis looks for the smallest that
+    fails.
+    """
     outer, obstacles = (np.array(SQUARE) * scale).tolist(), []
     for polygon in polygons:
         try:
@@ -328,13 +420,18 @@ def test_generated_worlds(polygons, scale):
         assert cut.adjacency.tolist() == [list(pair) for pair in pairs]
 
 
-# ---- the sweep and its status ---------------------------------------------------------------------------------------------------
+# ---- the sweep and its status
+# ---------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("seed", range(6))
 def test_steps_drained_are_the_decomposition(seed):
-    """Steps close all its cells, and no others, each after it was opened; the status alternates floors and ceilings, in order."""
-    world, _, _ = random_world(np.random.default_rng(seed), ("lattice", "round")[seed % 2], overlapping=seed > 3)
+    """Steps close all its cells, and no others, each after it was opened; the status alternates
+    floors and ceilings, in order.
+    """
+    world, _, _ = random_world(
+        np.random.default_rng(seed), ("lattice", "round")[seed % 2], overlapping=seed > 3
+    )
     steps, cut = list(ke.sweep(world)), ke.trapezoidation(world)
     closed = np.concatenate([np.empty((0, 6)), *(step.closed for step in steps)])
     opened = np.concatenate([np.empty((0, 3)), *(step.opened for step in steps)])
@@ -348,7 +445,11 @@ def test_steps_drained_are_the_decomposition(seed):
         assert (step.status[:, 0] <= step.x).all() and (step.status[:, 2] >= after.x).all()
         assert (step.closed[:, 1] == step.x).all() and (step.opened[:, 0] == step.x).all()
         assert (step.vertices[:, 0] == step.x).all() and (np.diff(step.vertices[:, 1]) >= 0).all()
-    assert len(steps[-1].status) == 0 and len(steps[-1].opened) == 0 if steps else len(cut.trapezoids) == 0
+    assert (
+        len(steps[-1].status) == 0 and len(steps[-1].opened) == 0
+        if steps
+        else len(cut.trapezoids) == 0
+    )
 
 
 def test_the_types_of_vertices():
@@ -360,13 +461,19 @@ def test_the_types_of_vertices():
 
 
 def test_the_interpreted_sweep_is_the_compiled_one():
-    """The body in Python, and the whole process without compiled code, give the same numbers to the last bit."""
+    """The body in Python, and the whole process without compiled code, give the same numbers to the
+    last bit.
+    """
     rng = np.random.default_rng(3)
-    worlds = [random_world(rng, kind, kind == "lattice")[0] for kind in ("lattice", "round", "round")]
+    worlds = [
+        random_world(rng, kind, kind == "lattice")[0] for kind in ("lattice", "round", "round")
+    ]
     for world in worlds[1:]:
         one, other = new_sweep(world.edges), new_sweep(world.edges)
         assert drain(one) == drain.py_func(other)
-        assert np.array_equal(one.sizes, other.sizes) and np.array_equal(one.pairs[: one.sizes[2]], other.pairs[: one.sizes[2]])
+        assert np.array_equal(one.sizes, other.sizes) and np.array_equal(
+            one.pairs[: one.sizes[2]], other.pairs[: one.sizes[2]]
+        )
         assert list(events.py_func(new_sweep(world.edges))) == list(events(new_sweep(world.edges)))
     code = "import test_decomposition as t; print(t.digest())"
     environment = {**os.environ, "NUMBA_DISABLE_JIT": "1"}
@@ -385,13 +492,19 @@ def test_the_interpreted_sweep_is_the_compiled_one():
 
 def digest():
     """All numbers of a few decompositions, as text."""
-    worlds = [ke.PolygonWorld(case["outer"], case["holes"]) for case in CASES] + [ke.PolygonWorld(SQUARE, TOUCHING["a cross"][0])]
+    worlds = [ke.PolygonWorld(case["outer"], case["holes"]) for case in CASES] + [
+        ke.PolygonWorld(SQUARE, TOUCHING["a cross"][0])
+    ]
     cuts = [ke.trapezoidation(world) for world in worlds]
-    return repr([[cut.trapezoids.tolist(), cut.adjacency.tolist(), cut.walls.tolist()] for cut in cuts])
+    return repr(
+        [[cut.trapezoids.tolist(), cut.adjacency.tolist(), cut.walls.tolist()] for cut in cuts]
+    )
 
 
 def test_the_status_is_a_treap():
-    """Through ten thousand insertions and removals it keeps its order, its heap of priorities, and a depth of some log n."""
+    """Through ten thousand insertions and removals it keeps its order, its heap of priorities, and
+    a depth of some log n.
+    """
     rng, nodes, order = np.random.default_rng(0), np.zeros((10_001, 6), np.int64), []
     for node in range(1, 10_001):
         at = int(rng.integers(0, len(order) + 1))
@@ -415,8 +528,14 @@ def test_the_status_is_a_treap():
             continue
         deepest = max(deepest, depth)
         for child in (nodes[node, LOW], nodes[node, HIGH]):
-            assert child == NOBODY or (priority(child) < priority(node) and nodes[child, PARENT] == node)
-        stack += [(nodes[node, HIGH], depth + 1, False), (node, depth, True), (nodes[node, LOW], depth + 1, False)]
+            assert child == NOBODY or (
+                priority(child) < priority(node) and nodes[child, PARENT] == node
+            )
+        stack += [
+            (nodes[node, HIGH], depth + 1, False),
+            (node, depth, True),
+            (nodes[node, LOW], depth + 1, False),
+        ]
     assert inorder == order
     assert deepest <= 4 * np.log2(len(order))
     for node in order:
@@ -425,7 +544,9 @@ def test_the_status_is_a_treap():
 
 
 def test_nodes_inserted_in_order_make_no_list():
-    """Rows in rising order from bottom to top, as a sweep often inserts them: still some log n deep."""
+    """Rows in rising order from bottom to top, as a sweep often inserts them: still some log n
+    deep.
+    """
     nodes = np.zeros((4097, 6), np.int64)
     for node in range(1, 4097):
         insert_above(nodes, node - 1, node)
@@ -436,13 +557,21 @@ def test_nodes_inserted_in_order_make_no_list():
     assert depth(nodes[NOBODY, HIGH]) <= 48
 
 
-# ---- point location, roadmap, triangles -----------------------------------------------------------------------------------------
+# ---- point location, roadmap, triangles
+# -----------------------------------------------------------------------------------------
 
 
 def test_cells_at_a_point():
-    """Inside one cell; on a wall both; at a corner where walls meet all; in an obstacle or outside none."""
+    """Inside one cell; on a wall both; at a corner where walls meet all; in an obstacle or outside
+    none.
+    """
     cut = ke.trapezoidation(ke.PolygonWorld(SQUARE, [box(3, 3, 5, 5)]))
-    assert [cut.cells_at(q).tolist() for q in ((1, 1), (4, 1), (4, 7), (7, 7))] == [[0], [1], [2], [3]]
+    assert [cut.cells_at(q).tolist() for q in ((1, 1), (4, 1), (4, 7), (7, 7))] == [
+        [0],
+        [1],
+        [2],
+        [3],
+    ]
     assert cut.cells_at((3, 1)).tolist() == [0, 1]
     assert cut.cells_at((3, 3)).tolist() == [0, 1]
     assert cut.cells_at((4, 3)).tolist() == [1]
@@ -453,16 +582,22 @@ def test_cells_at_a_point():
     )
 
 
-@pytest.mark.parametrize("cut_by", [ke.trapezoidation, ke.triangulation], ids=["trapezoids", "triangles"])
+@pytest.mark.parametrize(
+    "cut_by", [ke.trapezoidation, ke.triangulation], ids=["trapezoids", "triangles"]
+)
 def test_cells_at_agrees_with_shapely(cut_by):
-    """Random points lie in one cell when free, in none when not; the centre of each cell lies in it."""
+    """Random points lie in one cell when free, in none when not; the centre of each cell lies in
+    it.
+    """
     rng = np.random.default_rng(5)
     for kind in ("lattice", "round") * 4:
         world, outer, obstacles = random_world(rng, kind, overlapping=True)
         cut, free = cut_by(world), free_by_shapely(outer, obstacles)
         for q in rng.uniform(0, 8, (30, 2)):
             assert len(cut.cells_at(q)) == free.contains(shapely.Point(q))
-        assert all(cut.cells_at(centre).tolist() == [i] for i, centre in enumerate(cut.centres[:20]))
+        assert all(
+            cut.cells_at(centre).tolist() == [i] for i, centre in enumerate(cut.centres[:20])
+        )
 
 
 def test_triangles_cut_the_same_space():
@@ -472,16 +607,24 @@ def test_triangles_cut_the_same_space():
         world, outer, obstacles = random_world(rng, kind, overlapping=True)
         cut = ke.triangulation(world)
         assert_cuts(cut, free_by_shapely(outer, obstacles))
-        sides = [{frozenset(map(tuple, t[[i, i - 1]].tolist())) for i in range(3)} for t in cut.triangles]
-        shared = [[i, j] for i, a in enumerate(sides) for j, b in enumerate(sides) if i < j and a & b]
+        sides = [
+            {frozenset(map(tuple, t[[i, i - 1]].tolist())) for i in range(3)} for t in cut.triangles
+        ]
+        shared = [
+            [i, j] for i, a in enumerate(sides) for j, b in enumerate(sides) if i < j and a & b
+        ]
         assert cut.adjacency.tolist() == shared
         for (i, j), wall in zip(cut.adjacency, cut.walls):
             assert frozenset(map(tuple, wall.tolist())) in sides[i] & sides[j]
 
 
-@pytest.mark.parametrize("cut_by", [ke.trapezoidation, ke.triangulation], ids=["trapezoids", "triangles"])
+@pytest.mark.parametrize(
+    "cut_by", [ke.trapezoidation, ke.triangulation], ids=["trapezoids", "triangles"]
+)
 def test_roadmap_edges_are_free(cut_by):
-    """Centres and middles of walls are where they should be, and every motion between them touches nothing."""
+    """Centres and middles of walls are where they should be, and every motion between them touches
+    nothing.
+    """
     rng = np.random.default_rng(2)
     for kind in ("lattice", "round") * 5:
         world, _, _ = random_world(rng, kind, overlapping=False)
@@ -489,59 +632,86 @@ def test_roadmap_edges_are_free(cut_by):
         if not len(cut.areas):
             continue
         roadmap = ke.decomposition_roadmap(cut)
-        assert len(roadmap.nodes) == len(cut.areas) + len(cut.adjacency) and len(roadmap.edges) == 2 * len(cut.adjacency)
+        assert len(roadmap.nodes) == len(cut.areas) + len(cut.adjacency) and len(
+            roadmap.edges
+        ) == 2 * len(cut.adjacency)
         problem = ke.Problem(ke.Point(), world, cut.centres[0], cut.centres[-1])
-        assert all(problem.is_free_path(roadmap.nodes[i], roadmap.nodes[j]) for i, j in roadmap.edges)
-    assert np.array_equal(ke.decomposition_roadmap(world).edges, ke.decomposition_roadmap(ke.trapezoidation(world)).edges)
+        assert all(
+            problem.is_free_path(roadmap.nodes[i], roadmap.nodes[j]) for i, j in roadmap.edges
+        )
+    assert np.array_equal(
+        ke.decomposition_roadmap(world).edges,
+        ke.decomposition_roadmap(ke.trapezoidation(world)).edges,
+    )
 
 
-# ---- planning --------------------------------------------------------------------------------------------------------------------
+# ---- planning
+# --------------------------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(("kind", "overlapping"), [*KINDS[1:], ("wide", False), ("wide", True)])
 def test_a_plan_is_found_exactly_when_there_is_one(kind, overlapping):
-    """Start and goal anywhere free, walls and corners of cells too: a path, free all the way, when both lie in one piece of the
-    free space; otherwise the reason says that there is none.
+    """Start and goal anywhere free, walls and corners of cells too: a path, free all the way, when
+    both lie in one piece of the free space; otherwise the reason says that there is none.
     """
     rng, found = np.random.default_rng(13), {True: 0, False: 0}
     while sum(found.values()) < 60:
         world, outer, obstacles = random_world(rng, kind, overlapping)
         pieces = [p for p in shapely.get_parts(free_by_shapely(outer, obstacles)) if p.area > 1e-6]
         try:
-            problem = ke.Problem(ke.Point(), world, *rng.choice([0.5, 0.25, 0.125, 0.3], (2, 1)) * rng.integers(0, 33, (2, 2)))
+            problem = ke.Problem(
+                ke.Point(),
+                world,
+                *rng.choice([0.5, 0.25, 0.125, 0.3], (2, 1)) * rng.integers(0, 33, (2, 2)),
+            )
         except KinoeduError:
             continue
-        start, goal = ([p.contains(shapely.Point(q)) for p in pieces] for q in (problem.start, problem.goal))
+        start, goal = (
+            [p.contains(shapely.Point(q)) for p in pieces] for q in (problem.start, problem.goal)
+        )
         plan = ke.plan_by_decomposition(problem)
         assert (plan.path is not None) == (start == goal), plan.reason
         found[start == goal] += 1
         if plan.path is None:
             assert plan.reason.startswith("there is no path: the start lies in a part of")
             continue
-        assert np.array_equal(plan.path[0], problem.start) and np.array_equal(plan.path[-1], problem.goal)
+        assert np.array_equal(plan.path[0], problem.start) and np.array_equal(
+            plan.path[-1], problem.goal
+        )
         assert all(problem.is_free_path(a, b) for a, b in pairwise(plan.path))
         assert plan.cost == pytest.approx(sum(np.hypot(*(b - a)) for a, b in pairwise(plan.path)))
     assert found[False] >= 5 or kind != "wide"
 
 
 def test_no_path_is_told_with_the_parts():
-    """A goal in a closed room: how many cells the start reaches, and the goal; the roadmap is there all the same."""
+    """A goal in a closed room: how many cells the start reaches, and the goal; the roadmap is there
+    all the same.
+    """
     room = (box(2, 2, 6, 6), [box(3, 3, 5, 5)])
-    plan = ke.plan_by_decomposition(ke.Problem(ke.Point(), ke.PolygonWorld(SQUARE, [room]), (1, 1), (4, 4)))
+    plan = ke.plan_by_decomposition(
+        ke.Problem(ke.Point(), ke.PolygonWorld(SQUARE, [room]), (1, 1), (4, 4))
+    )
     assert plan.path is None and plan.cost == np.inf
-    assert plan.reason == "there is no path: the start lies in a part of 4 cells that does not touch the goal's part of 1"
+    assert (
+        plan.reason
+        == "there is no path: the start lies in a part of 4 cells that does not touch the goal's part of 1"
+    )
     assert plan.stats["cells"] == 5 and len(plan.roadmap.nodes) == 5 + 4 + 2
 
 
 def test_within_one_cell_the_way_is_straight():
-    """Start and goal in a convex cell, or on its wall, are joined without a detour; equal ones at no cost."""
+    """Start and goal in a convex cell, or on its wall, are joined without a detour; equal ones at
+    no cost.
+    """
     world = ke.PolygonWorld(SQUARE, [box(3, 3, 5, 5)])
     assert len(ke.plan_by_decomposition(ke.Problem(ke.Point(), world, (1, 1), (3, 7))).path) == 2
     assert ke.plan_by_decomposition(ke.Problem(ke.Point(), world, (1, 1), (1, 1))).cost == 0.0
 
 
 def test_a_passage_at_the_end_of_precision():
-    """A gap of one float between two obstacles is no closed wall: the plan says so, or goes through it freely."""
+    """A gap of one float between two obstacles is no closed wall: the plan says so, or goes through
+    it freely.
+    """
     gap = np.nextafter(4.0, 5)
     world = ke.PolygonWorld(SQUARE, [box(3, 0, 5, 4), box(3, gap, 5, 8)])
     assert len(ke.trapezoidation(world).trapezoids) == 3
@@ -558,10 +728,13 @@ def test_a_recorder_sees_every_motion():
     assert recorder.counts()["is_free_path"] == unseen.stats["checks"] == len(unseen.roadmap.edges)
 
 
-# ---- what is refused -------------------------------------------------------------------------------------------------------------
+# ---- what is refused
+# -------------------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("ask", [ke.trapezoidation, ke.triangulation, ke.sweep, ke.decomposition_roadmap])
+@pytest.mark.parametrize(
+    "ask", [ke.trapezoidation, ke.triangulation, ke.sweep, ke.decomposition_roadmap]
+)
 def test_worlds_that_are_no_polygons_are_refused(ask):
     """By InvalidWorld, with what to do: round obstacles, terrains, anything else."""
     with pytest.raises(InvalidWorld, match="1 of the obstacles are round"):
@@ -575,9 +748,18 @@ def test_worlds_that_are_no_polygons_are_refused(ask):
     ("problem", "says"),
     [
         (lambda world: ke.Problem(ke.Disk(0.1), world, (1, 1), (2, 2)), "grow the obstacles"),
-        (lambda world: ke.Problem(ke.Point(), world, (1, 1), (2, 2), clearance=0.1), "grow the obstacles"),
-        (lambda world: ke.Problem(ke.Point(), ke.Terrain([[1] * 4] * 4), (1, 1), (2, 2)), "PolygonWorld"),
-        (lambda world: ke.Recorder(ke.Problem(ke.Disk(0.1), world, (1, 1), (2, 2))), "grow the obstacles"),
+        (
+            lambda world: ke.Problem(ke.Point(), world, (1, 1), (2, 2), clearance=0.1),
+            "grow the obstacles",
+        ),
+        (
+            lambda world: ke.Problem(ke.Point(), ke.Terrain([[1] * 4] * 4), (1, 1), (2, 2)),
+            "PolygonWorld",
+        ),
+        (
+            lambda world: ke.Recorder(ke.Problem(ke.Disk(0.1), world, (1, 1), (2, 2))),
+            "grow the obstacles",
+        ),
         (lambda world: object(), "Problem"),
     ],
 )
@@ -595,7 +777,8 @@ def test_free_polygons_on_a_grid():
     assert (edges[:, :4] % 2.0**-20 == 0).all()
 
 
-# ---- figures ---------------------------------------------------------------------------------------------------------------------
+# ---- figures
+# ---------------------------------------------------------------------------------------------------------------------
 
 
 def test_figures_show_the_cells():
@@ -606,7 +789,11 @@ def test_figures_show_the_cells():
         ax = artists[0].axes
         assert [text.get_text() for text in ax.texts] == [str(i) for i in range(shown)]
         assert len(ax.collections[0].get_paths()) == shown
-        assert ax.get_title() == (f"the first {shown} of 4 trapezoids" if shown < 4 else "4 trapezoids, 4 pairs of neighbours")
+        assert ax.get_title() == (
+            f"the first {shown} of 4 trapezoids"
+            if shown < 4
+            else "4 trapezoids, 4 pairs of neighbours"
+        )
         plt.close()
     assert not draw_decomposition(ke.triangulation(cut.world), numbers=False)[0].axes.texts
     plt.close()

@@ -35,13 +35,19 @@ def test_a_problem_travels_and_reads_as_the_line_that_makes_it(name):
     problem = garages.GARAGES[name]
     sent = DrivenTask().decode(json.loads(json.dumps(DrivenTask().encode(problem))))
     copied = eval(repr(problem), {"drivable": drivable})
-    assert DrivenTask().encode(sent) == DrivenTask().encode(copied) == DrivenTask().encode(problem.anew())
+    assert (
+        DrivenTask().encode(sent)
+        == DrivenTask().encode(copied)
+        == DrivenTask().encode(problem.anew())
+    )
     problem.sample(np.random.default_rng(0))
     assert problem.anew().counts() == {}
 
 
 def test_moves_agree_with_fine_steps_and_drives_are_cut_where_they_are_closest():
-    """What the problem answers, against Runge and Kutta; the best drive is no farther at its cut than at any other of its steps."""
+    """What the problem answers, against Runge and Kutta; the best drive is no farther at its cut
+    than at any other of its steps.
+    """
     problem, rng = garages.GARAGES["room"], np.random.default_rng(1)
     for _ in range(10):
         v, phi = problem.problem.control(rng)
@@ -50,7 +56,10 @@ def test_moves_agree_with_fine_steps_and_drives_are_cut_where_they_are_closest()
         target = problem.near_goal(rng)
         assert math.dist(target[:2], problem.goal[:2]) <= REGION * 20
         v, phi, t = problem.best_drive(problem.start, target, rng)
-        away = [problem.distance(problem.move(problem.start, v, phi, k * problem.longest / 30), target) for k in range(1, 31)]
+        away = [
+            problem.distance(problem.move(problem.start, v, phi, k * problem.longest / 30), target)
+            for k in range(1, 31)
+        ]
         assert problem.distance(problem.move(problem.start, v, phi, t), target) <= min(away) + 1e-9
         assert problem.is_free_drive(problem.start, v, phi, t)
 
@@ -60,20 +69,31 @@ def test_distances_of_poses_by_complex_numbers():
     for case in heading_distance.HeadingDistance().cases(np.random.default_rng(5)):
         a, b, radian = case.given.values()
         turn = np.angle(np.exp(1j * (a[2] - b[2])))
-        assert heading_distance.pose_distance(a, b, radian) == pytest.approx(np.linalg.norm([*(a - b)[:2], radian * turn]))
+        assert heading_distance.pose_distance(a, b, radian) == pytest.approx(
+            np.linalg.norm([*(a - b)[:2], radian * turn])
+        )
 
 
 @pytest.mark.parametrize("seed", range(2))
 def test_cases_of_the_best_control_are_as_stated(seed):
-    """By all pairs of a control and a step: the closest step of each control, then the closest control that is free."""
+    """By all pairs of a control and a step: the closest step of each control, then the closest
+    control that is free.
+    """
     for case in best_control.BestControl().cases(np.random.default_rng(seed)):
         problem, q, target, controls, t, n = case.given.values()
-        away = np.array([[problem.distance(problem.move(q, *u, k * t / n), target) for k in range(1, n + 1)] for u in controls])
+        away = np.array(
+            [
+                [problem.distance(problem.move(q, *u, k * t / n), target) for k in range(1, n + 1)]
+                for u in controls
+            ]
+        )
         cuts = away.argmin(axis=1) + 1
         free = [problem.is_free_drive(q, *u, k * t / n) for u, k in zip(controls, cuts)]
         left = np.where(free, away.min(axis=1), np.inf)
         best = int(left.argmin())
-        assert best_control.best_of_controls(*case.given.values()) == ((best, cuts[best]) if any(free) else None)
+        assert best_control.best_of_controls(*case.given.values()) == (
+            (best, cuts[best]) if any(free) else None
+        )
 
 
 def test_fastest_drives_by_relaxing_again_and_again():
@@ -100,7 +120,9 @@ def test_replayed_trees_touch_nothing():
     for i in range(1, len(nodes)):
         for t in np.linspace(0.0, durations[i], 12):
             x, y, theta = problem.move(nodes[parent[i]], *controls[i], t)
-            turn = np.array([[math.cos(theta), math.sin(theta)], [-math.sin(theta), math.cos(theta)]])
+            turn = np.array(
+                [[math.cos(theta), math.sin(theta)], [-math.sin(theta), math.cos(theta)]]
+            )
             assert not shapely.Polygon(garages.CAR.outline @ turn + (x, y)).intersects(solid)
     assert path[0] == 0
     assert [parent[b] for b in path[1:]] == list(path[:-1])
@@ -110,7 +132,14 @@ def test_near_enough_is_judged_across_pi():
     """A goal with the heading pi is reached from both sides."""
     problem = garages.GARAGES["seam"]
     x, y, _ = problem.goal
-    poses = np.array([(x, y, math.pi - 0.2), (x, y, -math.pi + 0.2), (x, y, math.pi - 0.3), (x + 5.1, y, math.pi)])
+    poses = np.array(
+        [
+            (x, y, math.pi - 0.2),
+            (x, y, -math.pi + 0.2),
+            (x, y, math.pi - 0.3),
+            (x + 5.1, y, math.pi),
+        ]
+    )
     assert near_ones(problem, poses).tolist() == [0, 1]
     assert abs(short_way(wrapped(math.pi - 0.2), -math.pi)) == pytest.approx(0.2)
 
@@ -129,14 +158,26 @@ def test_goal_and_region_may_both_have_the_turns_of_both(name, monkeypatch):
     """In turns 28, 56, ... the goal is as right as its region."""
 
     def goal_first(problem, turn, rng):
-        return problem.goal if turn % 4 == 0 else problem.near_goal(rng) if turn % 7 == 0 else problem.sample(rng)
+        return (
+            problem.goal
+            if turn % 4 == 0
+            else problem.near_goal(rng)
+            if turn % 7 == 0
+            else problem.sample(rng)
+        )
 
     for module in (kinodynamic_prm, kinodynamic_rrt):
         monkeypatch.setattr(module, "place_to_go", goal_first)
     tree, roadmap = kinodynamic_rrt.KinodynamicRrt(), kinodynamic_prm.KinodynamicPrm()
     for exercise, more in ((tree, {}), (roadmap, {"k": 2})):
-        case = Case(name, {"problem": garages.GARAGES[name], **more, "iterations": drives.TURNS[name], "rng": 3})
-        assert exercise.fault(case, [np.array(part) for part in exercise.source(*case.given.values())]) is None
+        case = Case(
+            name,
+            {"problem": garages.GARAGES[name], **more, "iterations": drives.TURNS[name], "rng": 3},
+        )
+        assert (
+            exercise.fault(case, [np.array(part) for part in exercise.source(*case.given.values())])
+            is None
+        )
 
 
 def test_the_stored_table_is_of_the_experiment_beside_it():
@@ -144,7 +185,12 @@ def test_the_stored_table_is_of_the_experiment_beside_it():
     asked = read_experiment(EXPERIMENTS / "driving.toml")
     with open(EXPERIMENTS / "driving.csv", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
-    wanted = {(p, c.name, str(seed)) for p in asked.problems for c in asked.contestants for seed in asked.seeds}
+    wanted = {
+        (p, c.name, str(seed))
+        for p in asked.problems
+        for c in asked.contestants
+        for seed in asked.seeds
+    }
     assert {(row["problem"], row["planner"], row["seed"]) for row in rows} == wanted
     assert {row["status"] for row in rows} == {"found", "no path"}
 

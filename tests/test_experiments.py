@@ -1,4 +1,6 @@
-"""Experiments: the same table whoever runs them, whatever stops them; what is wrong with them is said before they begin."""
+"""Experiments: the same table whoever runs them, whatever stops them; what is wrong with them is
+said before they begin.
+"""
 
 import csv
 import math
@@ -37,7 +39,11 @@ HOUSE = Path(__file__).resolve().parent.parent
 PROBLEM = scattered_polygons(6, rng=1)
 SMALL = Experiment(
     {"rubble": PROBLEM, "gap": narrow_passage(2.0)},
-    {"RRT": partial(ke.rrt, max_nodes=60), "PRM": [partial(ke.prm, n=n) for n in (20, 40)], "grid": ke.plan_on_grid},
+    {
+        "RRT": partial(ke.rrt, max_nodes=60),
+        "PRM": [partial(ke.prm, n=n) for n in (20, 40)],
+        "grid": ke.plan_on_grid,
+    },
     seeds=[3, 5, 8],
 )
 
@@ -84,15 +90,23 @@ def table():
 
 
 def test_rows_are_what_the_planners_answer(table):
-    """In the experiment's order, with the plan's own numbers; a planner that draws no lots runs once."""
+    """In the experiment's order, with the plan's own numbers; a planner that draws no lots runs
+    once.
+    """
     assert [(row.problem, row.label, row.seed) for row in table[:10]] == [
-        *(("rubble", label, seed) for label in ("RRT", "PRM, n=20", "PRM, n=40") for seed in (3, 5, 8)),
+        *(
+            ("rubble", label, seed)
+            for label in ("RRT", "PRM, n=20", "PRM, n=40")
+            for seed in (3, 5, 8)
+        ),
         ("rubble", "grid", None),
     ]
     for row, seed in zip(table[:3], (3, 5, 8)):
         PROBLEM.asked[:] = 0
         plan = ke.rrt(PROBLEM, max_nodes=60, rng=seed)
-        assert (row.found, row.status) == ((True, "found") if plan.path is not None else (False, "no path"))
+        assert (row.found, row.status) == (
+            (True, "found") if plan.path is not None else (False, "no path")
+        )
         assert (row.cost, row.nodes, row.iterations, row.reason) == (
             plan.cost,
             plan.stats["nodes"],
@@ -116,11 +130,17 @@ def test_workers_change_nothing_but_seconds(workers, table, monkeypatch):
 
 
 def test_a_dask_cluster_gives_the_same_rows(table):
-    """Worker processes found by their scheduler's address; an address where nobody is, is refused by name."""
+    """Worker processes found by their scheduler's address; an address where nobody is, is refused
+    by name.
+    """
     from dask.distributed import LocalCluster
 
-    with LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None, silence_logs=50) as cluster:
-        assert but_for_seconds(run(SMALL, where=cluster.scheduler_address)) == but_for_seconds(table)
+    with LocalCluster(
+        n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None, silence_logs=50
+    ) as cluster:
+        assert but_for_seconds(run(SMALL, where=cluster.scheduler_address)) == but_for_seconds(
+            table
+        )
         with pytest.raises(InvalidParameter, match="workers are counted"):
             run(SMALL, where=cluster.scheduler_address, workers=2)
     with pytest.raises(InvalidParameter, match="no Dask scheduler answers at 'carrier pigeon'"):
@@ -128,7 +148,9 @@ def test_a_dask_cluster_gives_the_same_rows(table):
 
 
 def test_no_planner_harms_another(tmp_path, monkeypatch):
-    """What raises, hangs, crashes, prints or returns nonsense is a row with its reason; a crash may be chance."""
+    """What raises, hangs, crashes, prints or returns nonsense is a row with its reason; a crash may
+    be chance.
+    """
     monkeypatch.setenv("KINOEDU_TEST_FOLDER", str(tmp_path))
     planners = {
         "raising": raising,
@@ -138,7 +160,11 @@ def test_no_planner_harms_another(tmp_path, monkeypatch):
         "aimless": aimless,
         "A*": ke.plan_on_grid,
     }
-    ran = run(Experiment({"rubble": PROBLEM}, planners, seeds=2, time_limit=1.0), workers=2, out=tmp_path / "out")
+    ran = run(
+        Experiment({"rubble": PROBLEM}, planners, seeds=2, time_limit=1.0),
+        workers=2,
+        out=tmp_path / "out",
+    )
     rows = {(row.planner, row.seed): row for row in ran}
     assert {key: row.status for key, row in rows.items()} == {
         ("raising", None): "not run",
@@ -154,14 +180,19 @@ def test_no_planner_harms_another(tmp_path, monkeypatch):
     assert "must return a Plan" in rows["aimless", None].reason
     assert rows["endless", None].seconds == 1.0
     assert rows["talking", None].path == rows["A*", None].path
-    assert len(list((tmp_path / "out" / "runs").iterdir())) == 4  # what was not run is tried again another time
+    assert (
+        len(list((tmp_path / "out" / "runs").iterdir())) == 4
+    )  # what was not run is tried again another time
     assert "not run" in as_text(summary(ran))
 
 
 def test_here_what_raises_or_hangs_is_a_row_as_well(monkeypatch):
     """In this process Python code is stopped."""
     monkeypatch.setattr("kinoedu.experiments.places.LOADING", 0.0)
-    ran = run(Experiment({"rubble": PROBLEM}, {"raising": raising, "idle": idle}, time_limit=0.2), where="here")
+    ran = run(
+        Experiment({"rubble": PROBLEM}, {"raising": raising, "idle": idle}, time_limit=0.2),
+        where="here",
+    )
     assert ran.column("status") == ["not run", "out of time"]
 
 
@@ -189,10 +220,22 @@ n = [20, 40]
 @pytest.mark.skipif(sys.platform == "win32", reason="the signals of POSIX")
 @pytest.mark.parametrize("how", [signal.SIGINT, signal.SIGKILL])
 def test_what_was_stopped_goes_on(how, tmp_path):
-    """Killed for real in the middle, and started again: only what is missing is run, and the table is the same."""
+    """Killed for real in the middle, and started again: only what is missing is run, and the table
+    is the same.
+    """
     file, out = tmp_path / "small.toml", tmp_path / "out"
     file.write_text(FILE)
-    command = [sys.executable, "-m", "kinoedu", "experiment", str(file), "--out", str(out), "--workers", "1"]
+    command = [
+        sys.executable,
+        "-m",
+        "kinoedu",
+        "experiment",
+        str(file),
+        "--out",
+        str(out),
+        "--workers",
+        "1",
+    ]
     with started(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE) as stopped:
         while len(list(out.glob("runs/*.json"))) < 5 and stopped.poll() is None:
             time.sleep(0.002)
@@ -208,26 +251,58 @@ def test_what_was_stopped_goes_on(how, tmp_path):
     resumed = run(experiment, where="here", out=out, progress=lambda *counts: told.append(counts))
     assert told[0] == (len(before), 120)
     assert len(told) == 121 - len(before)
-    assert before.items() <= {kept.name: kept.stat().st_mtime_ns for kept in out.glob("runs/*.json")}.items()
+    assert (
+        before.items()
+        <= {kept.name: kept.stat().st_mtime_ns for kept in out.glob("runs/*.json")}.items()
+    )
     assert but_for_seconds(resumed) == but_for_seconds(run(experiment, where="here"))
 
 
 def test_only_what_is_the_same_is_taken_from_the_folder(tmp_path):
-    """Damaged outcomes and other arguments are run again; other names are not; nor what ran out of less time."""
+    """Damaged outcomes and other arguments are run again; other names are not; nor what ran out of
+    less time.
+    """
     small = Experiment({"rubble": PROBLEM}, {"RRT": partial(ke.rrt, max_nodes=60)}, seeds=3)
     ran = run(small, where="here", out=tmp_path)
     kept = sorted((tmp_path / "runs").iterdir())
     kept[0].write_text('{"status": "fou')
     assert missing(small, tmp_path) == 1
-    assert missing(Experiment({"other": PROBLEM}, {"name": partial(ke.rrt, max_nodes=60)}, seeds=4), tmp_path) == 1
-    assert missing(Experiment({"rubble": PROBLEM}, {"RRT": partial(ke.rrt, max_nodes=61)}, seeds=3), tmp_path) == 3
     assert (
-        missing(Experiment({"rubble": scattered_polygons(6, rng=2)}, {"RRT": partial(ke.rrt, max_nodes=60)}, seeds=3), tmp_path)
+        missing(
+            Experiment({"other": PROBLEM}, {"name": partial(ke.rrt, max_nodes=60)}, seeds=4),
+            tmp_path,
+        )
+        == 1
+    )
+    assert (
+        missing(
+            Experiment({"rubble": PROBLEM}, {"RRT": partial(ke.rrt, max_nodes=61)}, seeds=3),
+            tmp_path,
+        )
+        == 3
+    )
+    assert (
+        missing(
+            Experiment(
+                {"rubble": scattered_polygons(6, rng=2)},
+                {"RRT": partial(ke.rrt, max_nodes=60)},
+                seeds=3,
+            ),
+            tmp_path,
+        )
         == 3
     )
     kept[0].write_text('{"status": "out of time", "seconds": 60.0}')
     assert missing(small, tmp_path) == 0
-    assert missing(Experiment({"rubble": PROBLEM}, {"RRT": partial(ke.rrt, max_nodes=60)}, seeds=3, time_limit=61), tmp_path) == 1
+    assert (
+        missing(
+            Experiment(
+                {"rubble": PROBLEM}, {"RRT": partial(ke.rrt, max_nodes=60)}, seeds=3, time_limit=61
+            ),
+            tmp_path,
+        )
+        == 1
+    )
     assert but_for_seconds(run(small, where="here")) == but_for_seconds(ran)
 
 
@@ -243,7 +318,9 @@ def test_a_folder_that_cannot_be_written_is_refused_before_anything_runs(tmp_pat
     (tmp_path / "file").touch()
     told = []
     with pytest.raises(OSError, match="file"):
-        run(SMALL, where="here", out=tmp_path / "file", progress=lambda *counts: told.append(counts))
+        run(
+            SMALL, where="here", out=tmp_path / "file", progress=lambda *counts: told.append(counts)
+        )
     assert told == []
 
 
@@ -269,18 +346,29 @@ NONSENSE = {
     "name = 3\n" + PROBLEMS + PLANNERS: "experiment.name must be a string",
     "[problems.a]\n" + PLANNERS: "experiment.problems.a lacks 'file'",
     '[problems.a]\nfile = "none.map"\n' + PLANNERS: "none.map",
-    '[problems.a]\nfile = "none.map"\nquery = 1.5\n' + PLANNERS: "experiment.problems.a.query must be a whole number",
-    '[problems.a]\nworld = "moon"\n' + PLANNERS: "experiment.problems.a.world must be one of 'scattered polygons'",
+    '[problems.a]\nfile = "none.map"\nquery = 1.5\n'
+    + PLANNERS: "experiment.problems.a.query must be a whole number",
+    '[problems.a]\nworld = "moon"\n'
+    + PLANNERS: "experiment.problems.a.world must be one of 'scattered polygons'",
     PROBLEMS + "width = 200\n" + PLANNERS: "width must be below 100",
     PROBLEMS + 'width = "wide"\n' + PLANNERS: "experiment.problems.a.width must be a number",
     PROBLEMS + "seed = 1\n" + PLANNERS: "experiment.problems.a has an unknown key 'seed'",
-    PROBLEMS + '[planners.a]\nplanner = "rtt"': "experiment.planners.a.planner must be one of .*rrt",
+    PROBLEMS
+    + '[planners.a]\nplanner = "rtt"': "experiment.planners.a.planner must be one of .*rrt",
     PROBLEMS + "[planners.a]\nstep = 3": "experiment.planners.a.planner must be one of",
-    PROBLEMS + PLANNERS + "stepp = 3": "experiment.planners.a has an unknown key 'stepp'; did you mean 'step'",
+    PROBLEMS
+    + PLANNERS
+    + "stepp = 3": "experiment.planners.a has an unknown key 'stepp'; did you mean 'step'",
     PROBLEMS + PLANNERS + "rng = 3": "unknown key 'rng'",
-    PROBLEMS + PLANNERS + "max_nodes = 3.5": "experiment.planners.a.max_nodes must be a whole number",
-    PROBLEMS + PLANNERS + "max_nodes = true": "experiment.planners.a.max_nodes must be a whole number",
-    PROBLEMS + PLANNERS + "max_nodes = []": "experiment.planners.a.max_nodes must be a value, or a list",
+    PROBLEMS
+    + PLANNERS
+    + "max_nodes = 3.5": "experiment.planners.a.max_nodes must be a whole number",
+    PROBLEMS
+    + PLANNERS
+    + "max_nodes = true": "experiment.planners.a.max_nodes must be a whole number",
+    PROBLEMS
+    + PLANNERS
+    + "max_nodes = []": "experiment.planners.a.max_nodes must be a value, or a list",
     PROBLEMS + PLANNERS + "max_nodes = [5, 5]": "planners 'a' must differ",
 }
 
@@ -294,7 +382,9 @@ def test_a_nonsense_file_is_met_by_name(text, tmp_path, capsys):
         read_experiment(file)
     assert str(file) in str(caught.value) or "none.map" in str(caught.value)
     assert main(["experiment", str(file), "--out", str(tmp_path / "out")]) == 2
-    complaints = [line for line in capsys.readouterr().err.splitlines() if not line.endswith(" ...")]
+    complaints = [
+        line for line in capsys.readouterr().err.splitlines() if not line.endswith(" ...")
+    ]
     assert len(complaints) == 1
     assert not (tmp_path / "out").exists()
 
@@ -307,12 +397,21 @@ def test_a_nonsense_file_is_met_by_name(text, tmp_path, capsys):
         (lambda: Experiment({"a": PROBLEM}, [ke.rrt]), "planners must be a dict"),
         (lambda: Experiment({"a": PROBLEM}, {"a": "rrt"}), "planner 'a' must be a function"),
         (lambda: Experiment({"a": PROBLEM}, {"a": []}), "planners 'a' must differ"),
-        (lambda: Experiment({"a": PROBLEM}, {"a": partial(ke.rrt, stepp=3)}), "rrt has no argument 'stepp'; did you mean 'step'"),
+        (
+            lambda: Experiment({"a": PROBLEM}, {"a": partial(ke.rrt, stepp=3)}),
+            "rrt has no argument 'stepp'; did you mean 'step'",
+        ),
         (lambda: run([1]), "run takes an Experiment"),
         (lambda: run(SMALL, where=3), "where must be"),
         (lambda: run(SMALL, workers=0), "workers must be a whole number"),
-        (lambda: run(Experiment({"a": PROBLEM}, {"mine": lambda problem: None})), "'mine' is known to this process alone"),
-        (lambda: run(Experiment({"a": PROBLEM}, {"a": partial(ke.prm, sampler=object())})), "an experiment takes functions"),
+        (
+            lambda: run(Experiment({"a": PROBLEM}, {"mine": lambda problem: None})),
+            "'mine' is known to this process alone",
+        ),
+        (
+            lambda: run(Experiment({"a": PROBLEM}, {"a": partial(ke.prm, sampler=object())})),
+            "an experiment takes functions",
+        ),
     ],
 )
 def test_wrong_arguments_are_met_by_name(wrong, words):
@@ -343,9 +442,15 @@ def test_a_digest_tells_values_and_functions_apart():
     assert digest({"a": 1, "b": 2}) == digest({"b": 2, "a": 1})
     assert digest(ke.rrt) == digest(ke.rrt) != digest(ke.rrt_connect)
     assert digest(capturing(1)) == digest(capturing(1)) != digest(capturing(2))
-    ask = "from kinoedu.experiments.digests import digest; from kinoedu.experiments import narrow_passage; "
+    ask = (
+        "from kinoedu.experiments.digests import digest; from kinoedu.experiments import "
+        "narrow_passage; "
+    )
     told = subprocess.run(
-        [sys.executable, "-c", ask + "print(digest(narrow_passage(2.0)))"], capture_output=True, text=True, check=True
+        [sys.executable, "-c", ask + "print(digest(narrow_passage(2.0)))"],
+        capture_output=True,
+        text=True,
+        check=True,
     )
     assert told.stdout.strip() == digest(narrow_passage(2.0))
 
@@ -357,11 +462,15 @@ def capturing(value):
 
 @pytest.mark.parametrize("n", [0, 1, 2, 7, 40, 100])
 def test_scattered_polygons_never_meet(n):
-    """So every planner, exact ones too, takes the world; start and goal are free; the same by the same seed."""
+    """So every planner, exact ones too, takes the world; start and goal are free; the same by the
+    same seed.
+    """
     import shapely
 
     world = scattered_polygons(n, fill=0.95, rng=n).world
-    polygons = [shapely.Polygon(np.array(ring)) for (ring,) in ke.worlds.polygon_world.rings_of(world)[1:]]
+    polygons = [
+        shapely.Polygon(np.array(ring)) for (ring,) in ke.worlds.polygon_world.rings_of(world)[1:]
+    ]
     assert len(polygons) == n
     assert all(a.distance(b) > 0.0 for i, a in enumerate(polygons) for b in polygons[:i])
     assert digest(scattered_polygons(n, rng=3)) == digest(scattered_polygons(n, rng=3))
@@ -377,7 +486,9 @@ def test_csv_and_parquet_hold_the_table(table, tmp_path):
         read = list(csv.DictReader(stream))
     assert [row["path"] for row in read] == table.column("path")
     assert [float(row["cost"]) for row in read] == table.column("cost")
-    assert [tuple(row.values()) for row in parquet.read_table(tmp_path / "t.parquet").to_pylist()] == [tuple(row) for row in table]
+    assert [
+        tuple(row.values()) for row in parquet.read_table(tmp_path / "t.parquet").to_pylist()
+    ] == [tuple(row) for row in table]
     with pytest.raises(KinoeduError, match="a table ends in"):
         table.write(tmp_path / "t.xlsx")
     assert sorted(file.name for file in tmp_path.iterdir()) == ["t.csv", "t.parquet"]
@@ -389,7 +500,9 @@ def test_a_summary_is_numpys_and_scipys(table):
 
     for successes, runs in ((0, 1), (1, 1), (0, 30), (7, 30), (30, 30), (499, 500)):
         interval = binomtest(successes, runs).proportion_ci(method="wilson")
-        assert share_of(successes, runs) == pytest.approx((interval.low, successes / runs, interval.high), abs=1e-12)
+        assert share_of(successes, runs) == pytest.approx(
+            (interval.low, successes / runs, interval.high), abs=1e-12
+        )
     lines = summary(table)
     assert [(line.problem, line.tuning) for line in lines[:4]] == [
         ("rubble", ""),
@@ -425,13 +538,17 @@ def test_a_curve_of_shares_ends_where_the_rest_never_came():
 
 
 def test_bars_and_growth_count_only_what_came():
-    """A bar is a median of the finite; a curve of medians begins where half of the seeds have a path."""
+    """A bar is a median of the finite; a curve of medians begins where half of the seeds have a
+    path.
+    """
     from matplotlib import pyplot as plt
 
     artists = ke.figures.draw_medians({"a": [1.0, 2.0, 6.0, np.inf], "b": [np.inf]}, label="length")
     assert [bar.get_width() for bar in artists[0].axes.patches] == [2.0, 0.0]
     assert [text.get_text() for text in artists[0].axes.texts] == ["2  (3 of 4)", "none"]
-    ax = ke.figures.draw_convergence({"a": ([10, 20, 40], [[np.inf, np.inf, 9.0], [np.inf, 8.0, 8.0], [5.0, 6.0, 7.0]])})[1].axes
+    ax = ke.figures.draw_convergence(
+        {"a": ([10, 20, 40], [[np.inf, np.inf, 9.0], [np.inf, 8.0, 8.0], [5.0, 6.0, 7.0]])}
+    )[1].axes
     assert ax.lines[0].get_ydata() == pytest.approx([math.nan, 8.0, 6.0], nan_ok=True)
     for wrong in ({}, {"a": []}, {"a": [math.nan]}, [1.0]):
         with pytest.raises(KinoeduError):
@@ -446,7 +563,9 @@ def test_bars_and_growth_count_only_what_came():
 def test_the_command_writes_table_summary_and_plots(tmp_path, capsys):
     """And says the summary; what was not run has status 1 with its reason."""
     file, out = tmp_path / "small.toml", tmp_path / "out"
-    file.write_text(FILE.replace("40\n", "3\n", 1) + '[planners.bad]\nplanner = "rrt"\nstep = -1.0\n')
+    file.write_text(
+        FILE.replace("40\n", "3\n", 1) + '[planners.bad]\nplanner = "rrt"\nstep = -1.0\n'
+    )
     assert main(["experiment", str(file), "--out", str(out), "--workers", "1", "--plots"]) == 1
     said, err = capsys.readouterr()
     assert "12 runs; " in said
@@ -454,13 +573,24 @@ def test_the_command_writes_table_summary_and_plots(tmp_path, capsys):
     assert "running small: 0/12" in err
     assert (out / "summary.txt").read_text(encoding="utf-8") in said + "\n"
     pictures = {"1_rubble_medians.png", "1_rubble_ecdf.png", "1_rubble_growth.png"}
-    assert {item.name for item in out.iterdir()} == {"results.csv", "summary.txt", "runs"} | pictures
+    assert {item.name for item in out.iterdir()} == {
+        "results.csv",
+        "summary.txt",
+        "runs",
+    } | pictures
 
 
 def test_a_table_of_nothing_but_failures_is_drawn(tmp_path):
     """No empty picture, and no complaint."""
-    shut = Experiment({"a/b": narrow_passage(1e-6)}, {"RRT": [partial(ke.rrt, max_nodes=n) for n in (5, 6)]}, seeds=2)
-    assert [file.name for file in save_plots(run(shut, where="here"), tmp_path)] == ["1_a_b_medians.png", "1_a_b_ecdf.png"]
+    shut = Experiment(
+        {"a/b": narrow_passage(1e-6)},
+        {"RRT": [partial(ke.rrt, max_nodes=n) for n in (5, 6)]},
+        seeds=2,
+    )
+    assert [file.name for file in save_plots(run(shut, where="here"), tmp_path)] == [
+        "1_a_b_medians.png",
+        "1_a_b_ecdf.png",
+    ]
 
 
 def test_the_example_is_read_and_names_what_there_is():
@@ -470,5 +600,7 @@ def test_the_example_is_read_and_names_what_there_is():
         "max_nodes=500", "max_nodes=1000", "max_nodes=2000",
     ]  # fmt: skip
     assert len(example.seeds) == 50
-    assert {"rrt", "rrt_connect", "prm", "rrt_star", "plan_on_grid", "plan_by_visibility"} <= set(planners_by_name())
+    assert {"rrt", "rrt_connect", "prm", "rrt_star", "plan_on_grid", "plan_by_visibility"} <= set(
+        planners_by_name()
+    )
     assert "query" not in planners_by_name()

@@ -1,7 +1,9 @@
-"""Geometry of the plane against rational arithmetic: relations are never wrong, distances are good to 1e-12 of themselves.
+"""Geometry of the plane against rational arithmetic: relations are never wrong, distances are good
+to 1e-12 of themselves.
 
-The oracles below work on fractions and share no formula with the library where another one exists: segments are intersected by
-solving for both parameters, membership counts windings, convex polygons are clipped against each other.
+The oracles below work on fractions and share no formula with the library where another one exists:
+segments are intersected by solving for both parameters, membership counts windings, convex polygons
+are clipped against each other.
 """
 
 import json
@@ -40,15 +42,24 @@ from kinoedu.geometry.rings import as_ring
 Exact = tuple[Fraction, Fraction]
 Floats = tuple[float, float]
 
-CASES = json.loads((Path(__file__).parent / "data" / "geometry" / "cases.json").read_text(encoding="utf-8"))["cases"]
-LAW = settings(derandomize=True, deadline=None, database=None, max_examples=300, suppress_health_check=list(HealthCheck))
+CASES = json.loads(
+    (Path(__file__).parent / "data" / "geometry" / "cases.json").read_text(encoding="utf-8")
+)["cases"]
+LAW = settings(
+    derandomize=True,
+    deadline=None,
+    database=None,
+    max_examples=300,
+    suppress_health_check=list(HealthCheck),
+)
 SLOW_LAW = settings(LAW, max_examples=120)
 
 CORNER = [(0, 0), (4, 0), (4, 4), (2, 4), (2, 2), (0, 2)]
 SQUARE = [(0, 0), (4, 0), (4, 4), (0, 4)]
 
 
-# ---- exact oracles -----------------------------------------------------------------------------------------------------------
+# ---- exact oracles
+# -----------------------------------------------------------------------------------------------------------
 
 
 def exact(p: Any) -> Exact:
@@ -79,7 +90,9 @@ def turn_of(a: Any, b: Any, c: Any) -> int:
 
 
 def nearest_exactly(q: Any, a: Any, b: Any) -> tuple[Fraction, Exact, int]:
-    """Squared distance, nearest point and region of a point and a segment, by clamping the projection's parameter."""
+    """Squared distance, nearest point and region of a point and a segment, by clamping the
+    projection's parameter.
+    """
     q, a, b = exact(q), exact(a), exact(b)
     u = minus(b, a)
     t = dot(minus(q, a), u) / dot(u, u) if a != b else Fraction(0)
@@ -90,7 +103,9 @@ def nearest_exactly(q: Any, a: Any, b: Any) -> tuple[Fraction, Exact, int]:
 
 
 def shared_exactly(a: Any, b: Any, c: Any, d: Any) -> list[Exact]:
-    """What two closed segments share: nothing, a point, or the two ends of an overlap in the order from a to b."""
+    """What two closed segments share: nothing, a point, or the two ends of an overlap in the order
+    from a to b.
+    """
     a, b, c, d = exact(a), exact(b), exact(c), exact(d)
     u, v, w = minus(b, a), minus(d, c), minus(c, a)
     across = cross(u, v)
@@ -103,7 +118,10 @@ def shared_exactly(a: Any, b: Any, c: Any, d: Any) -> list[Exact]:
         return []
     ends = sorted(dot(minus(p, a), u) / dot(u, u) for p in (c, d))
     first, last = max(ends[0], Fraction(0)), min(ends[1], Fraction(1))
-    return [(a[0] + t * u[0], a[1] + t * u[1]) for t in ([first, last] if first < last else [first] if first == last else [])]
+    return [
+        (a[0] + t * u[0], a[1] + t * u[1])
+        for t in ([first, last] if first < last else [first] if first == last else [])
+    ]
 
 
 def place_exactly(q: Any, polygon: Any) -> int:
@@ -138,7 +156,9 @@ def is_simple(polygon: Any) -> bool:
 
 
 def overlap_exactly(P: Any, Q: Any) -> list[Exact]:
-    """The intersection of two convex polygons, P cut by the half-plane of each edge of Q (Sutherland and Hodgman)."""
+    """The intersection of two convex polygons, P cut by the half-plane of each edge of Q
+    (Sutherland and Hodgman).
+    """
     P, Q = [exact(p) for p in P], [exact(q) for q in Q]
     Q = Q if twice_area(Q) > 0 else Q[::-1]
     for c, d in zip(Q, Q[1:] + Q[:1], strict=True):
@@ -159,22 +179,45 @@ def is_close(value: float, squared: Fraction, tolerance: Fraction = Fraction(1, 
     return (1 - tolerance) ** 2 * squared <= Fraction(value) ** 2 <= (1 + tolerance) ** 2 * squared
 
 
-# ---- what is drawn -----------------------------------------------------------------------------------------------------------
+# ---- what is drawn
+# -----------------------------------------------------------------------------------------------------------
 
-lattice = st.tuples(st.integers(-6, 6), st.integers(-6, 6)).map(lambda p: (float(p[0]), float(p[1])))
+lattice = st.tuples(st.integers(-6, 6), st.integers(-6, 6)).map(
+    lambda p: (float(p[0]), float(p[1]))
+)
 tenths = st.tuples(st.integers(-9, 9), st.integers(-9, 9)).map(lambda p: (p[0] * 0.1, p[1] * 0.1))
-ulps = st.tuples(st.integers(0, 31), st.integers(0, 31)).map(lambda p: (0.5 + p[0] * 2.0**-53, 0.5 + p[1] * 2.0**-53))
+ulps = st.tuples(st.integers(0, 31), st.integers(0, 31)).map(
+    lambda p: (0.5 + p[0] * 2.0**-53, 0.5 + p[1] * 2.0**-53)
+)
 diagonal = st.sampled_from([(12.0, 12.0), (24.0, 24.0), (17.3, 17.3), (-0.1, -0.1), (0.5, 0.5)])
 coordinate = st.one_of(
     st.floats(-10.0, 10.0),
     st.floats(-1e150, 1e150),
     st.floats(-1e-150, 1e-150, allow_subnormal=True),
-    st.sampled_from([0.0, -0.0, 5e-324, -5e-324, 2.2250738585072014e-308, 1e-160, 1e150, -1e150, 1.0, 1.0 + 2.0**-52]),
+    st.sampled_from(
+        [
+            0.0,
+            -0.0,
+            5e-324,
+            -5e-324,
+            2.2250738585072014e-308,
+            1e-160,
+            1e150,
+            -1e150,
+            1.0,
+            1.0 + 2.0**-52,
+        ]
+    ),
 )
 wild = st.tuples(coordinate, coordinate)
 point = st.one_of(lattice, tenths, st.one_of(ulps, diagonal), wild)
-measured = st.one_of(  # no coordinate between 0 and 1e-100: whose squares, and products with errors, are ordinary numbers
-    lattice, tenths, ulps, diagonal, st.tuples(*[st.floats(-1e150, 1e150).map(lambda x: x if abs(x) > 1e-100 else 0.0)] * 2)
+# no coordinate between 0 and 1e-100: whose squares, and products with errors, are ordinary numbers
+measured = st.one_of(
+    lattice,
+    tenths,
+    ulps,
+    diagonal,
+    st.tuples(*[st.floats(-1e150, 1e150).map(lambda x: x if abs(x) > 1e-100 else 0.0)] * 2),
 )
 
 
@@ -188,7 +231,9 @@ def alike(count: int, kinds: Any = KINDS) -> Any:
 
 @st.composite
 def simple_polygons(draw: Any, most: int = 8, reach: int = 6) -> list[Floats]:
-    """A simple lattice polygon: points are put, one after another, into the first edge where nothing crosses."""
+    """A simple lattice polygon: points are put, one after another, into the first edge where
+    nothing crosses.
+    """
     number = st.integers(-reach, reach)
     points = draw(st.lists(st.tuples(number, number), min_size=3, max_size=most, unique=True))
     assume(turn_of(*points[:3]))
@@ -215,13 +260,21 @@ def convex_polygons(draw: Any, reach: int = 6) -> list[Floats]:
 
 
 def hull_exactly(points: Any) -> list[Any]:
-    """The corners of the convex hull of whole-numbered points, counter-clockwise: those in no triangle or segment of others."""
+    """The corners of the convex hull of whole-numbered points, counter-clockwise: those in no
+    triangle or segment of others.
+    """
     points = sorted(set(points))
     corners = [
         p
         for p in points
-        if not any(place_exactly(p, t) >= 0 for t in combinations([q for q in points if q != p], 3) if turn_of(*t))
-        and not any(nearest_exactly(p, *s)[0] == 0 for s in combinations([q for q in points if q != p], 2))
+        if not any(
+            place_exactly(p, t) >= 0
+            for t in combinations([q for q in points if q != p], 3)
+            if turn_of(*t)
+        )
+        and not any(
+            nearest_exactly(p, *s)[0] == 0 for s in combinations([q for q in points if q != p], 2)
+        )
     ]
     if len(corners) < 3:
         return corners
@@ -231,7 +284,18 @@ def hull_exactly(points: Any) -> list[Any]:
     return corners[start:] + corners[:start]
 
 
-moves = st.sampled_from([(1.0, 0.0), (0.1, 0.0), (1.0, 1e6), (0.1, 0.3), (1e-6, 0.0), (1e6, 1e9), (1e-140, 0.0), (1e140, 0.0)])
+moves = st.sampled_from(
+    [
+        (1.0, 0.0),
+        (0.1, 0.0),
+        (1.0, 1e6),
+        (0.1, 0.3),
+        (1e-6, 0.0),
+        (1e6, 1e9),
+        (1e-140, 0.0),
+        (1e140, 0.0),
+    ]
+)
 
 
 def moved(points: Any, move: tuple[float, float]) -> list[Floats]:
@@ -239,11 +303,16 @@ def moved(points: Any, move: tuple[float, float]) -> list[Floats]:
     return [(x * move[0] + move[1], y * move[0] + move[1]) for x, y in points]
 
 
-# ---- the collected cases -----------------------------------------------------------------------------------------------------
+# ---- the collected cases
+# -----------------------------------------------------------------------------------------------------
 
 
 def cases(kind: str) -> list[Any]:
-    return [pytest.param(case, case["expected"], id=case["id"]) for case in CASES if case["kind"] == kind]
+    return [
+        pytest.param(case, case["expected"], id=case["id"])
+        for case in CASES
+        if case["kind"] == kind
+    ]
 
 
 def test_no_case_is_left_out() -> None:
@@ -266,7 +335,9 @@ def test_collected_segment_pairs(case: Any, expected: Any) -> None:
     shared = segment_intersection(*ends)
     assert len(shared) == {"none": 0, "point": 1, "overlap": 2}[expected["relation"]]
     assert segments_intersect(*ends) == (expected["relation"] != "none")
-    assert shared == pytest.approx(np.array(expected["points"]).reshape(-1, 2), rel=1e-12, abs=1e-12 * np.abs(ends).max())
+    assert shared == pytest.approx(
+        np.array(expected["points"]).reshape(-1, 2), rel=1e-12, abs=1e-12 * np.abs(ends).max()
+    )
 
 
 @pytest.mark.parametrize(("case", "expected"), cases("point_seg"))
@@ -276,7 +347,9 @@ def test_collected_points_and_segments(case: Any, expected: Any) -> None:
     near, region = closest_point_on_segment(q, a, b)
     assert is_close(point_segment_distance(q, a, b), Fraction(expected["distance2"]))
     assert region == {"inner": 0, "start": 1, "end": 2}[expected["region"]]
-    assert near == pytest.approx(np.array(expected["closest"]), rel=1e-12, abs=1e-12 * np.abs([a, b]).max())
+    assert near == pytest.approx(
+        np.array(expected["closest"]), rel=1e-12, abs=1e-12 * np.abs([a, b]).max()
+    )
 
 
 @pytest.mark.parametrize(("case", "expected"), cases("point_poly"))
@@ -291,7 +364,9 @@ def test_collected_points_and_polygons(case: Any, expected: Any) -> None:
 @pytest.mark.parametrize(("case", "expected"), cases("point_poly_dist"))
 def test_collected_distances_to_polygons(case: Any, expected: Any) -> None:
     """The polygon is solid: the distance is zero inside."""
-    assert point_polygon_distance(case["p"], case["poly"]) == pytest.approx(expected["distance_to_solid"], rel=1e-12, abs=0.0)
+    assert point_polygon_distance(case["p"], case["poly"]) == pytest.approx(
+        expected["distance_to_solid"], rel=1e-12, abs=0.0
+    )
 
 
 @pytest.mark.parametrize(("case", "expected"), cases("convex_pair"))
@@ -304,10 +379,13 @@ def test_collected_convex_pairs(case: Any, expected: Any) -> None:
 @pytest.mark.parametrize(("case", "expected"), cases("tangent"))
 def test_collected_tangents(case: Any, expected: Any) -> None:
     """The way to circle a polygon counter-clockwise, whichever way round it was given."""
-    assert polygon_tangent(case["p"], case["poly"]) == pytest.approx(np.array(expected["tangent_ccw"]), rel=1e-12, abs=1e-12)
+    assert polygon_tangent(case["p"], case["poly"]) == pytest.approx(
+        np.array(expected["tangent_ccw"]), rel=1e-12, abs=1e-12
+    )
 
 
-# ---- orientation -------------------------------------------------------------------------------------------------------------
+# ---- orientation
+# -------------------------------------------------------------------------------------------------------------
 
 
 @LAW
@@ -322,8 +400,14 @@ def test_orientation_is_the_exact_sign(points: Any) -> None:
 
 
 def test_orientation_near_a_diagonal_is_exact_for_every_neighbour() -> None:
-    """The classroom picture: each float of a 16 x 16 patch round a line through two far points, and through two near ones."""
-    for far, further in (((12.0, 12.0), (24.0, 24.0)), ((17.3, 17.3), (24.0, 24.0)), ((0.500001, 0.500001), (0.5, 0.5))):
+    """The classroom picture: each float of a 16 x 16 patch round a line through two far points, and
+    through two near ones.
+    """
+    for far, further in (
+        ((12.0, 12.0), (24.0, 24.0)),
+        ((17.3, 17.3), (24.0, 24.0)),
+        ((0.500001, 0.500001), (0.5, 0.5)),
+    ):
         for i in range(16):
             for j in range(16):
                 p = (0.5 + i * 2.0**-53, 0.5 + j * 2.0**-53)
@@ -342,8 +426,13 @@ def test_orientation_changes_sign_when_two_points_swap(points: Any) -> None:
 
 @st.composite
 def near_a_line(draw: Any) -> tuple[Floats, Floats, Floats]:
-    """Two points anywhere and a third within two floats of their line, from where products underflow to where they are huge."""
-    number, scale = st.floats(-30.0, 30.0), draw(st.sampled_from([1.0, 1.0, 2.0**-450, 2.0**-480, 2.0**-500, 2.0**-530, 2.0**490]))
+    """Two points anywhere and a third within two floats of their line, from where products
+    underflow to where they are huge.
+    """
+    number, scale = (
+        st.floats(-30.0, 30.0),
+        draw(st.sampled_from([1.0, 1.0, 2.0**-450, 2.0**-480, 2.0**-500, 2.0**-530, 2.0**490])),
+    )
     a, b = draw(st.tuples(number, number)), draw(st.tuples(number, number))
     t = draw(st.floats(-2.0, 3.0))
     c = [p + t * (q - p) for p, q in zip(a, b, strict=True)]
@@ -355,7 +444,14 @@ def near_a_line(draw: Any) -> tuple[Floats, Floats, Floats]:
 
 @LAW
 @given(near_a_line(), st.permutations(range(3)))
-@example(((17.3, 17.3), (24.00000000000005, 24.0000000000000517765), (0.5000000000000024, 0.5000000000000006)), (0, 1, 2))
+@example(
+    (
+        (17.3, 17.3),
+        (24.00000000000005, 24.0000000000000517765),
+        (0.5000000000000024, 0.5000000000000006),
+    ),
+    (0, 1, 2),
+)
 @example(((8.8, 8.8), (12.1, 12.1), (0.5, 0.5000000000000001)), (0, 1, 2))
 def test_orientation_near_a_line_is_exact(points: Any, order: Any) -> None:
     """Where the rounded determinant is noise, and where its products underflow."""
@@ -371,12 +467,15 @@ def test_distances_near_a_line_are_good_to_1e12(points: Any) -> None:
     assume(max(map(abs, (*a, *b))) > 1e-100 and a != b)
     u = minus(exact(b), exact(a))
     squared = cross(u, minus(exact(c), exact(a))) ** 2 / dot(u, u)
-    assume(squared == 0 or squared > Fraction(1e-300) ** 2)  # subnormal numbers have no twelve digits
+    assume(
+        squared == 0 or squared > Fraction(1e-300) ** 2
+    )  # subnormal numbers have no twelve digits
     assert is_close(point_line_distance(c, a, b), squared)
     assert is_close(point_segment_distance(c, a, b), nearest_exactly(c, a, b)[0])
 
 
-# ---- segments ----------------------------------------------------------------------------------------------------------------
+# ---- segments
+# ----------------------------------------------------------------------------------------------------------------
 
 
 @LAW
@@ -393,7 +492,9 @@ def test_segments_intersect_exactly(ends: Any) -> None:
     """Whether two segments share a point, in whatever order their ends are given."""
     a, b, c, d = ends
     meet = bool(shared_exactly(a, b, c, d))
-    assert [segments_intersect(*s) for s in ((a, b, c, d), (b, a, c, d), (a, b, d, c), (c, d, a, b))] == [meet] * 4
+    assert [
+        segments_intersect(*s) for s in ((a, b, c, d), (b, a, c, d), (a, b, d, c), (c, d, a, b))
+    ] == [meet] * 4
 
 
 @LAW
@@ -406,7 +507,9 @@ def test_segments_intersect_exactly(ends: Any) -> None:
 @example(((1.0, 1.0), (1.0, 1.0), (2.0, 2.0), (0.0, 0.0)))
 @example(((2.0, 2.0), (0.0, 0.0), (1.0, 1.0), (1.0, 1.0)))
 def test_segment_intersection_is_what_they_share(ends: Any) -> None:
-    """The number of points is exact, ends of segments are themselves, an overlap runs from p1 to p2, a crossing is near."""
+    """The number of points is exact, ends of segments are themselves, an overlap runs from p1 to
+    p2, a crossing is near.
+    """
     expected = shared_exactly(*ends)
     shared = segment_intersection(*ends)
     assert shared.shape == (len(expected), 2)
@@ -420,18 +523,24 @@ def test_segment_intersection_is_what_they_share(ends: Any) -> None:
 @LAW
 @given(alike(4, (wild, measured)))
 def test_crossings_of_any_size_are_near(ends: Any) -> None:
-    """A crossing is good to 1e-12 of the largest coordinate, from 5e-324 to 1e150, and is never nan."""
+    """A crossing is good to 1e-12 of the largest coordinate, from 5e-324 to 1e150, and is never
+    nan.
+    """
     expected, shared = shared_exactly(*ends), segment_intersection(*ends)
     assert len(shared) == len(expected)
     reach = max(abs(Fraction(x)) for p in ends for x in p)
     for got, wanted in zip(shared, expected, strict=True):
         assert np.isfinite(got).all()
-        assert max(abs(Fraction(g) - w) for g, w in zip(got, wanted, strict=True)) <= reach / 10**12 + Fraction(5e-324)
+        assert max(
+            abs(Fraction(g) - w) for g, w in zip(got, wanted, strict=True)
+        ) <= reach / 10**12 + Fraction(5e-324)
 
 
 def test_a_tiny_crossing_is_a_point() -> None:
     """Two diagonals of a square of side 2e-170 cross at its centre."""
-    shared = segment_intersection((-1e-170, -1e-170), (1e-170, 1e-170), (-1e-170, 1e-170), (1e-170, -1e-170))
+    shared = segment_intersection(
+        (-1e-170, -1e-170), (1e-170, 1e-170), (-1e-170, 1e-170), (1e-170, -1e-170)
+    )
     assert shared.tolist() == [[0.0, 0.0]]
 
 
@@ -441,14 +550,22 @@ def test_distance_to_a_segment_is_good_to_1e12(points: Any) -> None:
     """Point to segment, against the exact square; zero exactly where they touch."""
     q, a, b = points
     assert is_close(point_segment_distance(q, a, b), nearest_exactly(q, a, b)[0])
-    assert point_segment_distance(q, a, b) == pytest.approx(point_segment_distance(q, b, a), rel=2e-12)
+    assert point_segment_distance(q, a, b) == pytest.approx(
+        point_segment_distance(q, b, a), rel=2e-12
+    )
 
 
 def test_distances_below_1e_150_are_not_lost() -> None:
     """A point above a segment of length 1e-170 is not on it."""
-    assert point_segment_distance((5e-171, 1e-170), (0, 0), (1e-170, 0)) == pytest.approx(1e-170, rel=1e-12, abs=0.0)
-    assert point_line_distance((5e-171, 1e-170), (0, 0), (1e-170, 0)) == pytest.approx(1e-170, rel=1e-12, abs=0.0)
-    assert line_through_points((0, 1e-170), (1e-170, 1e-170)) == pytest.approx((0.0, 1.0, -1e-170), rel=1e-12, abs=0.0)
+    assert point_segment_distance((5e-171, 1e-170), (0, 0), (1e-170, 0)) == pytest.approx(
+        1e-170, rel=1e-12, abs=0.0
+    )
+    assert point_line_distance((5e-171, 1e-170), (0, 0), (1e-170, 0)) == pytest.approx(
+        1e-170, rel=1e-12, abs=0.0
+    )
+    assert line_through_points((0, 1e-170), (1e-170, 1e-170)) == pytest.approx(
+        (0.0, 1.0, -1e-170), rel=1e-12, abs=0.0
+    )
 
 
 @LAW
@@ -457,7 +574,9 @@ def test_distances_below_1e_150_are_not_lost() -> None:
 @example(((0.0, 5.0), (0.0, 0.0), (4.0, 0.0)))
 @example(((4.0, 5.0), (0.0, 0.0), (4.0, 0.0)))
 def test_closest_point_and_its_region(points: Any) -> None:
-    """The region is exact: 0 strictly between the perpendiculars, else the end; an end is returned as it is."""
+    """The region is exact: 0 strictly between the perpendiculars, else the end; an end is returned
+    as it is.
+    """
     q, a, b = points
     _, wanted, region = nearest_exactly(q, a, b)
     near, got = closest_point_on_segment(q, a, b)
@@ -468,7 +587,8 @@ def test_closest_point_and_its_region(points: Any) -> None:
     assert max(abs(Fraction(g) - w) for g, w in zip(near, wanted, strict=True)) <= reach / 10**12
 
 
-# ---- lines -------------------------------------------------------------------------------------------------------------------
+# ---- lines
+# -------------------------------------------------------------------------------------------------------------------
 
 
 @LAW
@@ -478,13 +598,17 @@ def test_distance_to_a_line_is_good_to_1e12(points: Any) -> None:
     q, a, b = points
     assume(a != b)
     u = minus(exact(b), exact(a))
-    assert is_close(point_line_distance(q, a, b), cross(u, minus(exact(q), exact(a))) ** 2 / dot(u, u))
+    assert is_close(
+        point_line_distance(q, a, b), cross(u, minus(exact(q), exact(a))) ** 2 / dot(u, u)
+    )
 
 
 @LAW
 @given(alike(3, (lattice, tenths, ulps)))
 def test_line_is_unit_holds_both_points_and_has_left_positive(points: Any) -> None:
-    """a^2 + b^2 = 1; both points satisfy it; its value is the signed distance, positive on the left of the way."""
+    """a^2 + b^2 = 1; both points satisfy it; its value is the signed distance, positive on the left
+    of the way.
+    """
     q, p1, p2 = points
     assume(p1 != p2)
     a, b, c = line_through_points(p1, p2)
@@ -496,22 +620,33 @@ def test_line_is_unit_holds_both_points_and_has_left_positive(points: Any) -> No
     assert is_close(c, offset**2 / dot(u, u))
     assert sign(c) == sign(offset)
     value, tolerance = a * q[0] + b * q[1] + c, 1e-12 * max(map(abs, (*q, c)))
-    assert value == pytest.approx(orientation(p1, p2, q) * point_line_distance(q, p1, p2), abs=tolerance)
+    assert value == pytest.approx(
+        orientation(p1, p2, q) * point_line_distance(q, p1, p2), abs=tolerance
+    )
 
 
 def test_a_line_has_no_negative_zero() -> None:
     """Students compare printed coefficients."""
-    for p1, p2 in (((0, 0), (1, 0)), ((0, 0), (0, 1)), ((1, 0), (0, 0)), ((0, 1), (0, 0)), ((1, 1), (2, 2))):
+    for p1, p2 in (
+        ((0, 0), (1, 0)),
+        ((0, 0), (0, 1)),
+        ((1, 0), (0, 0)),
+        ((0, 1), (0, 0)),
+        ((1, 1), (2, 2)),
+    ):
         assert "-0.0" not in [str(number) for number in line_through_points(p1, p2)]
 
 
-# ---- polygons ----------------------------------------------------------------------------------------------------------------
+# ---- polygons
+# ----------------------------------------------------------------------------------------------------------------
 
 
 @SLOW_LAW
 @given(simple_polygons(), st.lists(lattice, min_size=1, max_size=8), moves, st.booleans())
 def test_point_in_polygon_is_exact(polygon: Any, points: Any, move: Any, reverse: bool) -> None:
-    """Against the winding number; on a lattice that is scaled and shifted with rounding; either way round; its own vertices too."""
+    """Against the winding number; on a lattice that is scaled and shifted with rounding; either way
+    round; its own vertices too.
+    """
     ring, points = moved(polygon, move), moved([*points, *polygon], move)
     assume(is_simple(ring))
     expected = [place_exactly(q, ring) >= 0 for q in points]
@@ -522,7 +657,9 @@ def test_point_in_polygon_is_exact(polygon: Any, points: Any, move: Any, reverse
 
 @SLOW_LAW
 @given(simple_polygons(), st.integers(0, 7), st.integers(-2, 2), st.integers(-2, 2), moves)
-def test_points_a_rounding_error_off_an_edge(polygon: Any, edge: int, right: int, up: int, move: Any) -> None:
+def test_points_a_rounding_error_off_an_edge(
+    polygon: Any, edge: int, right: int, up: int, move: Any
+) -> None:
     """Within two floats of the middle of an edge, membership is still exact."""
     ring = moved(polygon, move)
     assume(is_simple(ring))
@@ -541,7 +678,10 @@ def test_point_in_convex_polygon_is_exact(polygon: Any, points: Any, move: Any) 
     ring, points = moved(polygon, move), moved([*points, *polygon], move)
     order = sign(twice_area(ring))
     n = len(ring)
-    assume(is_simple(ring) and all(turn_of(ring[i - 2], ring[i - 1], ring[i]) * order >= 0 for i in range(n)))
+    assume(
+        is_simple(ring)
+        and all(turn_of(ring[i - 2], ring[i - 1], ring[i]) * order >= 0 for i in range(n))
+    )
     expected = [place_exactly(q, ring) >= 0 for q in points]
     assert point_in_convex_polygon(points, ring).tolist() == expected
     assert [point_in_convex_polygon(q, ring) for q in points] == expected
@@ -552,7 +692,9 @@ def test_point_in_convex_polygon_is_exact(polygon: Any, points: Any, move: Any) 
 @example([(0.0, 0.0), (2.0, 0.0), (0.0, 2.0)], [(1.0, 1.0), (2.0, 1.0), (2.0, 2.0)], (0.0, 0.0))
 @example([(0.0, 0.0), (2.0, 0.0), (0.0, 2.0)], [(2.0, 0.0), (4.0, 0.0), (4.0, 2.0)], (0.0, 0.0))
 def test_convex_polygons_intersect_exactly(P: Any, Q: Any, shift: Floats) -> None:
-    """Against clipping one by the other; touching at a corner or along an edge counts; the order does not matter."""
+    """Against clipping one by the other; touching at a corner or along an edge counts; the order
+    does not matter.
+    """
     Q = [(x + shift[0], y + shift[1]) for x, y in Q]
     meet = bool(overlap_exactly(P, Q))
     assert [convex_polygons_intersect(P, Q), convex_polygons_intersect(Q, P)] == [meet, meet]
@@ -564,20 +706,28 @@ def test_distance_to_a_polygon_is_good_to_1e12(polygon: Any, q: Floats, move: An
     """Zero inside and on the boundary, else the exact distance to the nearest edge."""
     ring, (q,) = moved(polygon, move), moved([q], move)
     assume(is_simple(ring))
-    squared = min(nearest_exactly(q, a, b)[0] for a, b in zip(ring, ring[1:] + ring[:1], strict=True))
+    squared = min(
+        nearest_exactly(q, a, b)[0] for a, b in zip(ring, ring[1:] + ring[:1], strict=True)
+    )
     distance = point_polygon_distance(q, ring)
     assert is_close(distance, squared if place_exactly(q, ring) < 0 else Fraction(0))
     assert distance == point_polygon_distance([q, q], ring)[1]
     if max(map(abs, move)) <= 1e6:
-        assert distance == pytest.approx(shapely.Point(q).distance(shapely.Polygon(ring)), rel=1e-9, abs=1e-9 * move[0])
+        assert distance == pytest.approx(
+            shapely.Point(q).distance(shapely.Polygon(ring)), rel=1e-9, abs=1e-9 * move[0]
+        )
 
 
 @SLOW_LAW
 @given(simple_polygons(), lattice)
 def test_the_tangent_follows_the_nearest_boundary_point(polygon: Any, q: Floats) -> None:
-    """A unit vector: along the edge where one edge is nearest; else square to the way from the vertex, turning left about it."""
+    """A unit vector: along the edge where one edge is nearest; else square to the way from the
+    vertex, turning left about it.
+    """
     ring = [tuple(p) for p in as_ring(polygon).tolist()]
-    nearest = [(nearest_exactly(q, a, b), a, b) for a, b in zip(ring, ring[1:] + ring[:1], strict=True)]
+    nearest = [
+        (nearest_exactly(q, a, b), a, b) for a, b in zip(ring, ring[1:] + ring[:1], strict=True)
+    ]
     least = min(entry[0][0] for entry in nearest)
     chosen = {entry[0][1] for entry in nearest if entry[0][0] == least}
     assume(len(chosen) == 1)
@@ -601,7 +751,9 @@ def test_the_tangent_follows_the_nearest_boundary_point(polygon: Any, q: Floats)
 @example([(0, 0), (0, 3), (0, 1), (0, 1)])
 @example([(2, 2), (2, 2)])
 def test_convex_hull_is_what_brute_force_says(points: Any) -> None:
-    """Its corners are the points inside no triangle and on no segment of others, counter-clockwise from the leftmost."""
+    """Its corners are the points inside no triangle and on no segment of others, counter-clockwise
+    from the leftmost.
+    """
     hull = convex_hull(points)
     assert [tuple(p) for p in hull.tolist()] == hull_exactly(points)
 
@@ -609,7 +761,9 @@ def test_convex_hull_is_what_brute_force_says(points: Any) -> None:
 @SLOW_LAW
 @given(st.lists(st.one_of(ulps, diagonal), min_size=3, max_size=9))
 def test_convex_hull_is_exact_near_a_line(points: Any) -> None:
-    """Rounding errors of points do not spoil it: strictly convex, made of the points, none of them outside."""
+    """Rounding errors of points do not spoil it: strictly convex, made of the points, none of them
+    outside.
+    """
     hull = [tuple(p) for p in convex_hull(points).tolist()]
     assert set(hull) <= set(points)
     n = len(hull)
@@ -620,11 +774,14 @@ def test_convex_hull_is_exact_near_a_line(points: Any) -> None:
         assert all(turn_of(hull[0], hull[-1], p) == 0 for p in points)
 
 
-# ---- convex parts ------------------------------------------------------------------------------------------------------------
+# ---- convex parts
+# ------------------------------------------------------------------------------------------------------------
 
 
 def holes_in(polygon: Any, corners: Any) -> list[list[Floats]]:
-    """Small triangles at the corners given, as many as lie strictly inside a polygon and apart from each other."""
+    """Small triangles at the corners given, as many as lie strictly inside a polygon and apart from
+    each other.
+    """
     region, holes = shapely.Polygon(polygon), []
     for x, y in corners:
         hole = shapely.Polygon([(x, y), (x + 2, y), (x + 1, y + 2)])
@@ -641,8 +798,12 @@ def holes_in(polygon: Any, corners: Any) -> list[list[Floats]]:
     st.lists(st.tuples(st.integers(-49, 49), st.integers(-49, 49)), min_size=10, max_size=20),
     st.sampled_from([(1.0, 0.0), (0.1, 0.3), (1e-6, 0.0), (1.0, 1e6)]),
 )
-def test_convex_parts_cover_a_polygon_once(polygon: Any, corners: Any, probes: Any, move: Any) -> None:
-    """Areas add up exactly; every part is convex and made of the rings' own vertices; a point is in the polygon iff in a part."""
+def test_convex_parts_cover_a_polygon_once(
+    polygon: Any, corners: Any, probes: Any, move: Any
+) -> None:
+    """Areas add up exactly; every part is convex and made of the rings' own vertices; a point is in
+    the polygon iff in a part.
+    """
     outline = [(4 * x, 4 * y) for x, y in polygon]
     holes = [as_ring(moved(hole, move)) for hole in holes_in(outline, corners)]
     assume(is_simple(moved(outline, move)))
@@ -674,13 +835,19 @@ def test_a_comb_is_cut_into_few_parts() -> None:
     """At most four times as many as are needed: a comb of 20 teeth needs 20 or 21."""
     comb = [(0.0, 3.0), (0.0, 0.0), (39.0, 0.0), (39.0, 3.0)]
     for tooth in range(19, 0, -1):
-        comb += [(2.0 * tooth, 3.0), (2.0 * tooth, 1.0), (2.0 * tooth - 1.0, 1.0), (2.0 * tooth - 1.0, 3.0)]
+        comb += [
+            (2.0 * tooth, 3.0),
+            (2.0 * tooth, 1.0),
+            (2.0 * tooth - 1.0, 1.0),
+            (2.0 * tooth - 1.0, 3.0),
+        ]
     parts = convex_parts(as_ring(comb))
     assert len(parts) <= 84
     assert sum(map(twice_area, parts)) == twice_area(as_ring(comb))
 
 
-# ---- batches -----------------------------------------------------------------------------------------------------------------
+# ---- batches
+# -----------------------------------------------------------------------------------------------------------------
 
 
 @LAW
@@ -691,7 +858,9 @@ def test_batches_answer_as_one_by_one(rows: Any) -> None:
     one_by_one = [segments_intersect(*row) for row in rows]
     assert segments_intersect(p1, p2, p3, p4).tolist() == one_by_one
     shared = segments_intersect(p1, p2, p3[0], p4[0])
-    assert shared.tolist() == [segments_intersect(a, b, p3[0], p4[0]) for a, b in zip(p1, p2, strict=True)]
+    assert shared.tolist() == [
+        segments_intersect(a, b, p3[0], p4[0]) for a, b in zip(p1, p2, strict=True)
+    ]
     distances = point_segment_distance(p1, p3[0], p4[0])
     assert distances.tolist() == [point_segment_distance(a, p3[0], p4[0]) for a in p1]
 
@@ -703,7 +872,10 @@ def test_one_answer_is_a_plain_python_value() -> None:
     assert type(segments_intersect((0, 0), (1, 1), (0, 1), (1, 0))) is bool
     assert type(convex_polygons_intersect(SQUARE, SQUARE)) is bool
     assert type(orientation((0, 0), (1, 0), (0, 1))) is int
-    for number in (point_segment_distance((1, 1), (0, 0), (1, 0)), point_polygon_distance((9, 9), SQUARE)):
+    for number in (
+        point_segment_distance((1, 1), (0, 0), (1, 0)),
+        point_polygon_distance((9, 9), SQUARE),
+    ):
         assert type(number) is float
     assert all(type(number) is float for number in line_through_points((0, 0), (1, 2)))
     assert point_in_polygon([(1, 1)], CORNER).shape == (1,)
@@ -711,7 +883,8 @@ def test_one_answer_is_a_plain_python_value() -> None:
     assert segments_intersect([(0, 0)], (1, 1), (0, 1), (1, 0)).shape == (1,)
 
 
-# ---- what enters -------------------------------------------------------------------------------------------------------------
+# ---- what enters
+# -------------------------------------------------------------------------------------------------------------
 
 BAD_POINTS = [
     pytest.param((math.nan, 0), "finite", id="nan"),
@@ -766,11 +939,23 @@ BAD_POLYGONS = [
     pytest.param([(0, 0, 0), (1, 0, 0), (0, 1, 0)], "(n, 2)", id="in space"),
     pytest.param([1, 2, 3, 4], "(n, 2)", id="flat"),
     pytest.param([(0, 0), (2, 2), (2, 0), (0, 2)], "crosses or touches itself", id="bow-tie"),
-    pytest.param([(0, 0), (4, 0), (4, 4), (2, 0), (0, 4)], "crosses or touches itself", id="a vertex on an edge"),
-    pytest.param([(0, 0), (4, 0), (2, 2), (4, 4), (0, 4), (2, 2)], "crosses or touches itself", id="a vertex twice"),
+    pytest.param(
+        [(0, 0), (4, 0), (4, 4), (2, 0), (0, 4)],
+        "crosses or touches itself",
+        id="a vertex on an edge",
+    ),
+    pytest.param(
+        [(0, 0), (4, 0), (2, 2), (4, 4), (0, 4), (2, 2)],
+        "crosses or touches itself",
+        id="a vertex twice",
+    ),
     pytest.param([(0, 0), (4, 0), (4, 4), (2, 4), (2, 8), (2, 4), (0, 4)], "itself", id="a spike"),
     pytest.param([(0, 0), (6, 0), (4, 0), (4, 4)], "itself", id="folds back along an edge"),
-    pytest.param([(0, 0), (-2, 0), (0, 0.5), (4, 4), (4, 0), (0, 0.25), (-2, 0.5)], "itself", id="crosses twice"),
+    pytest.param(
+        [(0, 0), (-2, 0), (0, 0.5), (4, 4), (4, 0), (0, 0.25), (-2, 0.5)],
+        "itself",
+        id="crosses twice",
+    ),
     pytest.param([(0, 0), (4, 0), (4, 0), (0, 4)], "repeats vertex 1", id="a vertex after itself"),
     pytest.param([(0, 0), (4, 0), (0, 4), (0, 0)], "leave out the last", id="closed"),
     pytest.param([(0, 0), (2, 2), (4, 4)], "area", id="on one line"),
@@ -809,19 +994,28 @@ def test_a_bad_coordinate_of_a_polygon_is_a_bad_point(taker: str, bad: Any) -> N
 @SLOW_LAW
 @given(st.lists(st.tuples(st.integers(-3, 3), st.integers(-3, 3)), min_size=3, max_size=7))
 def test_exactly_the_simple_polygons_are_accepted(vertices: Any) -> None:
-    """A ring of any lattice points enters iff brute force finds it simple, and then turns counter-clockwise."""
+    """A ring of any lattice points enters iff brute force finds it simple, and then turns
+    counter-clockwise.
+    """
     if is_simple(vertices):
         ring = as_ring(vertices)
         assert twice_area(ring) == abs(twice_area(vertices))
-        assert ring.tolist() == [list(map(float, p)) for p in (vertices if twice_area(vertices) > 0 else vertices[::-1])]
+        assert ring.tolist() == [
+            list(map(float, p)) for p in (vertices if twice_area(vertices) > 0 else vertices[::-1])
+        ]
     else:
         with pytest.raises(InvalidPolygon):
             as_ring(vertices)
 
 
 def test_convex_is_asked_for_by_name() -> None:
-    """A non-convex polygon is refused where a convex one is needed, and the vertex that spoils it is named."""
-    for ask in (lambda: point_in_convex_polygon((1, 1), CORNER), lambda: convex_polygons_intersect(CORNER, SQUARE)):
+    """A non-convex polygon is refused where a convex one is needed, and the vertex that spoils it
+    is named.
+    """
+    for ask in (
+        lambda: point_in_convex_polygon((1, 1), CORNER),
+        lambda: convex_polygons_intersect(CORNER, SQUARE),
+    ):
         with pytest.raises(InvalidPolygon, match=r"convex.*\(2\.0, 2\.0\)"):
             ask()
     with pytest.raises(InvalidPolygon, match="P2"):
@@ -830,7 +1024,10 @@ def test_convex_is_asked_for_by_name() -> None:
 
 def test_a_line_needs_two_points() -> None:
     """InvalidSegment where they coincide; a segment may be a single point."""
-    for ask in (lambda: line_through_points((1, 2), (1, 2)), lambda: point_line_distance((0, 0), (1, 2), (1, 2))):
+    for ask in (
+        lambda: line_through_points((1, 2), (1, 2)),
+        lambda: point_line_distance((0, 0), (1, 2), (1, 2)),
+    ):
         with pytest.raises(InvalidSegment, match="distinct"):
             ask()
     assert point_segment_distance((4, 6), (1, 2), (1, 2)) == 5.0

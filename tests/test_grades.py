@@ -1,4 +1,6 @@
-"""What is made of graded submissions: tables, pages and exports that are safe, the same on every run, and tell no hidden case."""
+"""What is made of graded submissions: tables, pages and exports that are safe, the same on every
+run, and tell no hidden case.
+"""
 
 import csv
 import io
@@ -54,22 +56,37 @@ def record(name: str = NAME, *, share: float = 1.0, message: str = "A rule.") ->
         "status": "graded",
         "message": "",
         "questions": [
-            question(asked.exercise.name, share * asked.points, asked.points, message="Right." if share == 1.0 else message)
+            question(
+                asked.exercise.name,
+                share * asked.points,
+                asked.points,
+                message="Right." if share == 1.0 else message,
+            )
             for asked in assignment(name).questions
         ],
         "cells": [],
     }
 
 
-def a_class(out: Path, records: dict[str, dict | None], name: str = NAME, troubles: dict[str, str] | None = None) -> Class:
+def a_class(
+    out: Path,
+    records: dict[str, dict | None],
+    name: str = NAME,
+    troubles: dict[str, str] | None = None,
+) -> Class:
     """A class as grade_class leaves it."""
     (out / "results").mkdir(parents=True, exist_ok=True)
     entries = []
     for number, (student, kept) in enumerate(sorted(records.items())):
-        entries.append(Entry(student, name, f"{student}.ipynb", str(out), "", student, f"key{number}", ""))
+        entries.append(
+            Entry(student, name, f"{student}.ipynb", str(out), "", student, f"key{number}", "")
+        )
         if kept is not None:
             keep(out / "results" / f"key{number}.json", kept)
-    entries += [Entry(student, name, "x.ipynb", str(out), "", student, "", why) for student, why in (troubles or {}).items()]
+    entries += [
+        Entry(student, name, "x.ipynb", str(out), "", student, "", why)
+        for student, why in (troubles or {}).items()
+    ]
     of = Class(out, "secret", "mark", False, entries)
     write_class(of)
     return of
@@ -83,8 +100,19 @@ def table(file: Path) -> list[dict[str, str]]:
 def failing() -> dict:
     """A record with a failure that everybody may see, said in hostile words."""
     given = {"q": [2.0, 3.0], "p1": [0.0, 0.0], "p2": [4.0, 0.0]}
-    raised = {"kind": "Raised", "kinds": ["RuntimeError"], "message": HOSTILE, "lines": [f"line 2: {HOSTILE}"], "function": "f"}
-    failure = {"case": {"kind": find("point_line_distance").kinds[0], "given": given}, "outcome": raised, "number": 0, "slip": ""}
+    raised = {
+        "kind": "Raised",
+        "kinds": ["RuntimeError"],
+        "message": HOSTILE,
+        "lines": [f"line 2: {HOSTILE}"],
+        "function": "f",
+    }
+    failure = {
+        "case": {"kind": find("point_line_distance").kinds[0], "given": given},
+        "outcome": raised,
+        "number": 0,
+        "slip": "",
+    }
     one = record()
     asked = next(asked for asked in one["questions"] if asked["question"] == "point_line_distance")
     asked |= {
@@ -100,17 +128,27 @@ def failing() -> dict:
 
 
 def test_a_comment_alone_is_said_beside_what_the_grader_says(tmp_path):
-    """On the student's page, whether the answer is right or wrong, in the table and in the report; no score changes."""
+    """On the student's page, whether the answer is right or wrong, in the table and in the report;
+    no score changes.
+    """
     of = a_class(tmp_path, {"ann": failing()})
-    said = "student,assignment,question,score,comment\nann,{0},point_line_distance,,see <me>\nann,{0},exposing_case,,well done\n"
+    said = (
+        "student,assignment,question,score,comment\nann,{0},point_line_distance,,see "
+        "<me>\nann,{0},exposing_case,,well done\n"
+    )
     (tmp_path / "overrides.csv").write_text(said.format(NAME), encoding="utf-8")
     write_all(of)
     page = (tmp_path / page_name("ann", NAME)).read_text(encoding="utf-8")
     assert "see &lt;me&gt;" in page and "A rule" in page and "well done" in page
     report = (tmp_path / "report.html").read_text(encoding="utf-8")
     assert "see &lt;me&gt;" in report and "well done" in report
-    rows = {row["question"]: (row["score"], row["message"]) for row in table(tmp_path / "grades.csv")}
-    assert (rows["point_line_distance"], rows["exposing_case"]) == (("0", "see <me>"), ("3", "well done"))
+    rows = {
+        row["question"]: (row["score"], row["message"]) for row in table(tmp_path / "grades.csv")
+    }
+    assert (rows["point_line_distance"], rows["exposing_case"]) == (
+        ("0", "see <me>"),
+        ("3", "well done"),
+    )
 
 
 def test_who_was_late_is_told(tmp_path):
@@ -121,8 +159,14 @@ def test_who_was_late_is_told(tmp_path):
     write_all(read_class(tmp_path))
     report = (tmp_path / "report.html").read_text(encoding="utf-8")
     assert "2 handed in late." in report and report.count("</a> late") == 2
-    pages = {name: (tmp_path / "feedback" / name / f"{NAME}.html").read_text(encoding="utf-8") for name in ("ann", "bob")}
-    assert ["late" in pages[name].partition("</style>")[2] for name in ("ann", "bob")] == [False, True]
+    pages = {
+        name: (tmp_path / "feedback" / name / f"{NAME}.html").read_text(encoding="utf-8")
+        for name in ("ann", "bob")
+    }
+    assert ["late" in pages[name].partition("</style>")[2] for name in ("ann", "bob")] == [
+        False,
+        True,
+    ]
 
 
 def test_cells_of_a_table_are_no_formulas():
@@ -134,16 +178,22 @@ def test_cells_of_a_table_are_no_formulas():
 
 
 def test_every_question_has_a_row_and_trouble_is_no_zero(tmp_path):
-    """What could not be read or was not graded has no score, and says why; the sum of rows is questions times students."""
+    """What could not be read or was not graded has no score, and says why; the sum of rows is
+    questions times students.
+    """
     of = a_class(tmp_path, {"=ann": record(), "bob": None}, troubles={"cy": "the file is empty"})
     write_all(of)
     rows = table(tmp_path / "grades.csv")
     asked = len(assignment(NAME).questions)
-    assert [len([row for row in rows if row["student"] == name]) for name in ("'=ann", "bob", "cy")] == [asked] * 3
-    assert {(row["score"], row["status"]) for row in rows if row["student"] == "bob"} == {("", "not graded")}
-    assert {(row["score"], row["status"], row["message"]) for row in rows if row["student"] == "cy"} == {
-        ("", "unreadable", "the file is empty")
+    assert [
+        len([row for row in rows if row["student"] == name]) for name in ("'=ann", "bob", "cy")
+    ] == [asked] * 3
+    assert {(row["score"], row["status"]) for row in rows if row["student"] == "bob"} == {
+        ("", "not graded")
     }
+    assert {
+        (row["score"], row["status"], row["message"]) for row in rows if row["student"] == "cy"
+    } == {("", "unreadable", "the file is empty")}
     assert sum(float(row["score"]) for row in rows if row["student"] == "'=ann") == sum(
         one.points for one in assignment(NAME).questions
     )
@@ -160,7 +210,9 @@ def test_the_same_class_is_written_in_the_same_bytes(tmp_path):
 
 
 def test_pages_escape_whatever_they_are_told(tmp_path):
-    """A program's words, a student's name and a comment are text on every page; the picture is there."""
+    """A program's words, a student's name and a comment are text on every page; the picture is
+    there.
+    """
     student = f"<img src=x onerror=alert(1)>{HOSTILE}"
     write_all(a_class(tmp_path, {student: failing(), "\ud800": record()}, troubles={"cy": HOSTILE}))
     pages = [tmp_path / "report.html", *(tmp_path / "feedback").rglob("*.html")]
@@ -184,7 +236,9 @@ def test_a_picture_that_cannot_be_drawn_loses_no_page(tmp_path):
 
 
 def test_file_names_are_safe_and_apart():
-    """No two students share a page, on disks that do not tell Ann from ann either; none leaves the folder."""
+    """No two students share a page, on disks that do not tell Ann from ann either; none leaves the
+    folder.
+    """
     names = [
         "ann",
         "Ann",
@@ -207,13 +261,23 @@ def test_file_names_are_safe_and_apart():
     made = [file_name(name).lower() for name in names]
     assert len(set(made)) == len(names)
     for name in made:
-        assert 0 < len(name) < 64 and name[0] not in ".-" and not set(name) & set("/\\: ") and name.isascii()
+        assert (
+            0 < len(name) < 64
+            and name[0] not in ".-"
+            and not set(name) & set("/\\: ")
+            and name.isascii()
+        )
 
 
 def test_overrides_hold_and_are_never_written(tmp_path):
-    """A score and a comment of a person's appear in the table, on the page and in exports; their file stays as it is."""
+    """A score and a comment of a person's appear in the table, on the page and in exports; their
+    file stays as it is.
+    """
     of = a_class(tmp_path, {"ann": record(share=0.0), "bob": record()})
-    text = "\ufeffstudent,assignment,question,score,comment\r\nann,01_geometry,exposing_case,2.5,seen <b>it</b>\r\n"
+    text = (
+        "\ufeffstudent,assignment,question,score,comment\r\nann,01_geometry,exposing_case,2.5,seen "
+        "<b>it</b>\r\n"
+    )
     text += "bob,01_geometry,exposing_case,,well done\r\n"
     (tmp_path / "overrides.csv").write_text(text, encoding="utf-8", newline="")
     rows = {row[:3]: row for row in write_all(of)}
@@ -234,14 +298,26 @@ def test_overrides_hold_and_are_never_written(tmp_path):
     ("lines", "said"),
     [
         ("student,question,score\n", "no column 'assignment'"),
-        ("student,assignment,question,score,comment\nann,01_geometry,exposing_case,much,\n", "line 2"),
-        ("student,assignment,question,score,comment\nann,01_geometry,exposing_case,nan,\n", "a score is a number"),
-        ("student,assignment,question,score,comment\nann,01_geometry,exposing_case,-1,\n", "a score is a number"),
+        (
+            "student,assignment,question,score,comment\nann,01_geometry,exposing_case,much,\n",
+            "line 2",
+        ),
+        (
+            "student,assignment,question,score,comment\nann,01_geometry,exposing_case,nan,\n",
+            "a score is a number",
+        ),
+        (
+            "student,assignment,question,score,comment\nann,01_geometry,exposing_case,-1,\n",
+            "a score is a number",
+        ),
         (
             "student,assignment,question,score,comment\nann,01_geometry,exposing_case,1,\nann,01_geometry,exposing_case,2,\n",
             "leave one",
         ),
-        ("student,assignment,question,score,comment\nann,01_geometry,exposing,1,\n", "no row for ann"),
+        (
+            "student,assignment,question,score,comment\nann,01_geometry,exposing,1,\n",
+            "no row for ann",
+        ),
     ],
 )
 def test_a_wrong_override_is_refused_by_its_line(tmp_path, lines, said):
@@ -263,11 +339,25 @@ CANVAS = """Student,ID,SIS User ID,SIS Login ID,Section,01 Geometry (991),Other 
 
 
 def test_canvas_gets_its_own_table_back(tmp_path):
-    """Whole totals stand in the one column; all else is as it was; nobody gets another's score, who is not sure is named."""
-    of = a_class(tmp_path, {"ann": record(), "roebob_12": record(share=0.0), "x_13": record(), "same": record(), "cy": None})
+    """Whole totals stand in the one column; all else is as it was; nobody gets another's score, who
+    is not sure is named.
+    """
+    of = a_class(
+        tmp_path,
+        {
+            "ann": record(),
+            "roebob_12": record(share=0.0),
+            "x_13": record(),
+            "same": record(),
+            "cy": None,
+        },
+    )
     (tmp_path / "template.csv").write_text(CANVAS, encoding="utf-8-sig")
     unknown = export_canvas(write_all(of), tmp_path / "template.csv", tmp_path / "out.csv")
-    before, after = (list(csv.reader(io.StringIO(text))) for text in (CANVAS, (tmp_path / "out.csv").read_text(encoding="utf-8")))
+    before, after = (
+        list(csv.reader(io.StringIO(text)))
+        for text in (CANVAS, (tmp_path / "out.csv").read_text(encoding="utf-8"))
+    )
     assert [line[5] for line in after] == ["01 Geometry (991)", "25", "25", "0", "6", "", ""]
     assert [line[:5] + line[6:] for line in after] == [line[:5] + line[6:] for line in before]
     assert unknown == ["same", "x_13"]
@@ -287,12 +377,26 @@ def test_gradescope_results_sum_up(tmp_path):
 
 
 def test_regrading_says_whose_score_changed_and_why(tmp_path):
-    """A judge's other verdict, another file, a new student and one who is gone; and what a person decided is named."""
-    before = a_class(tmp_path / "old", {"ann": record(share=0.0), "bob": record(), "cy": record(), "eve": record(share=0.0)})
-    after = a_class(tmp_path / "new", {"ann": record(), "bob": record(), "dee": record(), "eve": record()})
-    entries = [entry._replace(digest="another" if entry.student == "eve" else entry.digest) for entry in after.entries]
-    (tmp_path / "new" / "overrides.csv").write_text("student,assignment,question,score\nann,01_geometry,exposing_case,1\n")
-    found = list(changes_between(before, after._replace(entries=entries), read_decisions(tmp_path / "new")))
+    """A judge's other verdict, another file, a new student and one who is gone; and what a person
+    decided is named.
+    """
+    before = a_class(
+        tmp_path / "old",
+        {"ann": record(share=0.0), "bob": record(), "cy": record(), "eve": record(share=0.0)},
+    )
+    after = a_class(
+        tmp_path / "new", {"ann": record(), "bob": record(), "dee": record(), "eve": record()}
+    )
+    entries = [
+        entry._replace(digest="another" if entry.student == "eve" else entry.digest)
+        for entry in after.entries
+    ]
+    (tmp_path / "new" / "overrides.csv").write_text(
+        "student,assignment,question,score\nann,01_geometry,exposing_case,1\n"
+    )
+    found = list(
+        changes_between(before, after._replace(entries=entries), read_decisions(tmp_path / "new"))
+    )
     why = {change.student: change.why for change in found}
     assert why["ann"] == "right; before: wrong: A rule."
     assert (why["cy"], why["dee"], why["eve"]) == (
@@ -305,8 +409,14 @@ def test_regrading_says_whose_score_changed_and_why(tmp_path):
 
 
 def test_grades_of_other_folders_stay():
-    """One folder of grades holds several assignments; the same student's same assignment is replaced."""
-    old = [Entry(name, lesson, "f", "one", "", "d", "k", "") for name in ("ann", "bob") for lesson in (NAME, HAND)]
+    """One folder of grades holds several assignments; the same student's same assignment is
+    replaced.
+    """
+    old = [
+        Entry(name, lesson, "f", "one", "", "d", "k", "")
+        for name in ("ann", "bob")
+        for lesson in (NAME, HAND)
+    ]
     new = [Entry("ann", NAME, "g", "two", "", "d", "k", "")]
     kept = with_earlier(new, old)
     assert [(one.student, one.assignment, one.file) for one in kept] == [
@@ -319,7 +429,9 @@ def test_grades_of_other_folders_stay():
 
 
 def test_hand_grading_goes_to_nbgrader_and_back(tmp_path):
-    """Scores of the judge are in its gradebook, the prose waits there, and a person's score and comment come back to the table."""
+    """Scores of the judge are in its gradebook, the prose waits there, and a person's score and
+    comment come back to the table.
+    """
     pytest.importorskip("nbgrader")
     from nbgrader.api import Gradebook
 
@@ -329,21 +441,42 @@ def test_hand_grading_goes_to_nbgrader_and_back(tmp_path):
     submissions, out = tmp_path / "in" / "ann", tmp_path / "out"
     submissions.mkdir(parents=True)
     book = json.loads((HOUSE / "solutions" / f"{HAND}.ipynb").read_text(encoding="utf-8"))
-    dangerous = {"output_type": "display_data", "metadata": {}, "data": {"text/html": HOSTILE, "text/plain": "plain"}}
+    dangerous = {
+        "output_type": "display_data",
+        "metadata": {},
+        "data": {"text/html": HOSTILE, "text/plain": "plain"},
+    }
     for cell in book["cells"]:
         if cell["cell_type"] == "code":
             cell["outputs"] = [dangerous, 7, {"data": []}]
     book["cells"].append({"cell_type": "markdown", "metadata": {}, "source": f"1 < 2 {HOSTILE}"})
-    book["cells"].append(dict(book["cells"][-2], metadata={"nbgrader": {"grade_id": "bug1", "grade": True, "points": 99}}))
+    book["cells"].append(
+        dict(
+            book["cells"][-2],
+            metadata={"nbgrader": {"grade_id": "bug1", "grade": True, "points": 99}},
+        )
+    )
     (submissions / f"{HAND}.ipynb").write_text(json.dumps(book), encoding="utf-8")
     (one,) = collect(tmp_path / "in")
     of = a_class(out, {"ann": record(HAND)}, HAND)
-    of = of._replace(entries=[entry._replace(folder=str(tmp_path / "in"), digest=digest_of(one)) for entry in of.entries])
+    of = of._replace(
+        entries=[
+            entry._replace(folder=str(tmp_path / "in"), digest=digest_of(one))
+            for entry in of.entries
+        ]
+    )
     write_class(of)
     assert export_nbgrader(of, write_all(of), tmp_path / "course") == 1
-    shown = (tmp_path / "course" / "autograded" / "ann" / HAND / f"{HAND}.ipynb").read_text(encoding="utf-8")
+    shown = (tmp_path / "course" / "autograded" / "ann" / HAND / f"{HAND}.ipynb").read_text(
+        encoding="utf-8"
+    )
     assert (tmp_path / "course" / "source" / HAND).is_dir()  # or formgrader lists nothing to grade
-    assert "<script" not in shown and "1 < 2 &lt;/pre" in shown and "plain" in shown and '"points": 99' not in shown
+    assert (
+        "<script" not in shown
+        and "1 < 2 &lt;/pre" in shown
+        and "plain" in shown
+        and '"points": 99' not in shown
+    )
     whose = ("flowchart_bug1", HAND, HAND, "ann")
     with Gradebook(address(tmp_path / "course")) as gradebook:
         grade = gradebook.find_grade(*whose)
@@ -362,7 +495,9 @@ NOW = datetime(2026, 1, 2, 3, 4, 5, tzinfo=UTC)
 
 
 def test_a_receipt_says_what_is_answered(tmp_path):
-    """An untouched exercise has no answer, a solution all; the zip is what collect takes for the student's."""
+    """An untouched exercise has no answer, a solution all; the zip is what collect takes for the
+    student's.
+    """
     for room, done in (("exercises", 0), ("solutions", 6)):
         folder = tmp_path / room / "ann"
         folder.mkdir(parents=True)
@@ -393,15 +528,24 @@ def test_a_receipt_says_what_python_cannot_read_and_what_was_never_checked(tmp_p
         "exposing_case": "def exposing_case()\n    pass",
     }
     for cell in book["cells"]:
-        cell["source"] = typed.get(cell["metadata"].get("nbgrader", {}).get("grade_id"), cell["source"])
+        cell["source"] = typed.get(
+            cell["metadata"].get("nbgrader", {}).get("grade_id"), cell["source"]
+        )
     (tmp_path / f"{NAME}.ipynb").write_text(json.dumps(book), encoding="utf-8")
     answers = hand_in(tmp_path / f"{NAME}.ipynb", tmp_path / "z.zip", NOW).answers
-    assert answers["line_through_points"][0] and "has not been run" in answers["line_through_points"][1]
-    assert not answers["exposing_case"][0] and "expected ':' (line 1)" in answers["exposing_case"][1]
+    assert (
+        answers["line_through_points"][0]
+        and "has not been run" in answers["line_through_points"][1]
+    )
+    assert (
+        not answers["exposing_case"][0] and "expected ':' (line 1)" in answers["exposing_case"][1]
+    )
 
 
 def test_a_notebook_under_anothers_name_is_the_wrong_file(tmp_path):
-    """It is refused before it is handed in, and has no score; it is graded where its own assignment is asked for."""
+    """It is refused before it is handed in, and has no score; it is graded where its own assignment
+    is asked for.
+    """
     (tmp_path / "ann").mkdir()
     wrong = tmp_path / "ann" / f"{NAME}.ipynb"
     wrong.write_bytes((HOUSE / "exercises" / f"{HAND}.ipynb").read_bytes())
@@ -415,14 +559,27 @@ def test_a_notebook_under_anothers_name_is_the_wrong_file(tmp_path):
 
 @needs_sandbox
 def test_a_class_is_graded_from_the_command_line(tmp_path, capsys):
-    """Grade, stop at nothing, grade again from what is kept, export; regrade finds nothing changed, without walls as well."""
+    """Grade, stop at nothing, grade again from what is kept, export; regrade finds nothing changed,
+    without walls as well.
+    """
     for student in ("ann", "bob"):
         (tmp_path / "in" / student).mkdir(parents=True)
-    (tmp_path / "in" / "ann" / f"{NAME}.ipynb").write_bytes((HOUSE / "solutions" / f"{NAME}.ipynb").read_bytes())
+    (tmp_path / "in" / "ann" / f"{NAME}.ipynb").write_bytes(
+        (HOUSE / "solutions" / f"{NAME}.ipynb").read_bytes()
+    )
     (tmp_path / "in" / "bob" / f"{NAME}.ipynb").write_bytes(b"")
     secret = tmp_path / "secret"
     secret.write_text("11" * 32)
-    command = ["grade", str(tmp_path / "in"), "--out", str(tmp_path / "out"), "--secret", str(secret), "--workers", "1"]
+    command = [
+        "grade",
+        str(tmp_path / "in"),
+        "--out",
+        str(tmp_path / "out"),
+        "--secret",
+        str(secret),
+        "--workers",
+        "1",
+    ]
     assert main(command) == 1
     out, _ = capsys.readouterr()
     assert out.startswith("1 graded, 0 not graded, 1 unreadable") and "bob" in out
@@ -430,8 +587,24 @@ def test_a_class_is_graded_from_the_command_line(tmp_path, capsys):
     assert main(command) == 1
     assert (tmp_path / "out" / "grades.csv").read_bytes() == first
     assert main(["export", str(tmp_path / "out"), "--to", "csv"]) == 0
-    assert table(tmp_path / "out" / "totals.csv") == [{"student": "ann", NAME: "25"}, {"student": "bob", NAME: ""}]
-    assert main(["regrade", str(tmp_path / "out"), "--out", str(tmp_path / "new"), "--trust", "--workers", "1"]) == 1
+    assert table(tmp_path / "out" / "totals.csv") == [
+        {"student": "ann", NAME: "25"},
+        {"student": "bob", NAME: ""},
+    ]
+    assert (
+        main(
+            [
+                "regrade",
+                str(tmp_path / "out"),
+                "--out",
+                str(tmp_path / "new"),
+                "--trust",
+                "--workers",
+                "1",
+            ]
+        )
+        == 1
+    )
     said = capsys.readouterr()
     assert "0 scores changed" in said.out and "WITHOUT A SANDBOX" in said.err
     assert (tmp_path / "new" / "grades.csv").read_bytes() == first
@@ -445,6 +618,18 @@ def test_without_a_sandbox_nothing_is_graded(tmp_path, monkeypatch, capsys):
     monkeypatch.setattr(sys, "platform", "darwin")
     (tmp_path / "in" / "ann").mkdir(parents=True)
     (tmp_path / "in" / "ann" / f"{NAME}.ipynb").write_text("{}")
-    assert main(["grade", str(tmp_path / "in"), "--out", str(tmp_path / "out"), "--secret", str(tmp_path / "s")]) == 2
+    assert (
+        main(
+            [
+                "grade",
+                str(tmp_path / "in"),
+                "--out",
+                str(tmp_path / "out"),
+                "--secret",
+                str(tmp_path / "s"),
+            ]
+        )
+        == 2
+    )
     assert "--trust" in capsys.readouterr().err
     assert not (tmp_path / "out").exists()

@@ -28,7 +28,16 @@ needs_sandbox = pytest.mark.skipif(bool(NO_SANDBOX), reason=NO_SANDBOX or "there
 
 def notebook(*sources: str) -> bytes:
     """A notebook of cells of code."""
-    cells = [{"cell_type": "code", "metadata": {}, "outputs": [], "execution_count": None, "source": source} for source in sources]
+    cells = [
+        {
+            "cell_type": "code",
+            "metadata": {},
+            "outputs": [],
+            "execution_count": None,
+            "source": source,
+        }
+        for source in sources
+    ]
     return json.dumps({"nbformat": 4, "nbformat_minor": 5, "metadata": {}, "cells": cells}).encode()
 
 
@@ -43,14 +52,20 @@ def box():
 def graded(box: Sandbox, *sources: str) -> dict:
     """The questions of lesson 1 by name, for cells of code."""
     record = grade(notebook(*sources), assignment("01_geometry"), SECRET, box)
-    return {question["question"]: question for question in record["questions"]} | {"cells": record["cells"]}
+    return {question["question"]: question for question in record["questions"]} | {
+        "cells": record["cells"]
+    }
 
 
 @needs_sandbox
 @pytest.mark.parametrize("name", assignments())
 def test_a_right_notebook_has_every_point(box, name):
-    """Every assignment of the course can be graded, and its solution is right also on cases that nobody has seen."""
-    record = grade((HOUSE / "solutions" / f"{name}.ipynb").read_bytes(), assignment(name), SECRET, box)
+    """Every assignment of the course can be graded, and its solution is right also on cases that
+    nobody has seen.
+    """
+    record = grade(
+        (HOUSE / "solutions" / f"{name}.ipynb").read_bytes(), assignment(name), SECRET, box
+    )
     assert all(question["score"] == question["max_score"] > 0 for question in record["questions"])
     assert record["cells"] == []
 
@@ -92,7 +107,11 @@ def test_a_cell_that_fails_does_not_lose_the_others(box, bad):
 
 @needs_sandbox
 def test_what_is_asked_for_is_withheld_with_a_message(box):
-    result = graded(box, "import kinoedu as ke\ndef point_line_distance(q, a, b): return ke.geometry.point_line_distance(q, a, b)")
+    result = graded(
+        box,
+        "import kinoedu as ke\ndef point_line_distance(q, a, b): return "
+        "ke.geometry.point_line_distance(q, a, b)",
+    )
     failed = result["point_line_distance"]
     assert failed["score"] == 0.0
     assert "withheld" in failed["failure"]["outcome"]["message"]
@@ -104,13 +123,19 @@ def test_hidden_cases_do_not_show():
     assert 0 < known.seen < len(known.cases)
 
 
-@pytest.mark.parametrize(("name", "seeds"), [("bug1", (1031, 1058, 1088, 1112, 1187)), ("bug_base", (1042, 1132, 1171))])
+@pytest.mark.parametrize(
+    ("name", "seeds"), [("bug1", (1031, 1058, 1088, 1112, 1187)), ("bug_base", (1042, 1132, 1171))]
+)
 def test_no_secret_makes_a_right_bug_wrong(name, seeds):
-    """Worlds once drawn with these seeds were grazed, or left in doubt which way back is the shorter, and took a point from the
-    course's own solution."""
+    """Worlds once drawn with these seeds were grazed, or left in doubt which way back is the
+    shorter, and took a point from the course's own solution."""
     book = json.loads((HOUSE / "solutions" / "02_bug_algorithms.ipynb").read_text(encoding="utf-8"))
     given = [cell for cell in book["cells"] if cell["cell_type"] == "code"]
-    sources = ["".join(cell["source"]) for cell in given if cell["id"] == "cell-01" or "".join(cell["source"]).startswith("def ")]
+    sources = [
+        "".join(cell["source"])
+        for cell in given
+        if cell["id"] == "cell-01" or "".join(cell["source"]).startswith("def ")
+    ]
     program: dict = {}
     exec("\n".join(sources), program)
     exercise = find(name)
@@ -159,11 +184,15 @@ def test_submissions_are_found_as_they_are_laid_out(tmp_path):
     assert "more than once" in found["eve"].trouble
     assert "no notebook" in found["fay"].trouble
     assert "no assignment" in found["gil"].trouble
-    assert {one.assignment for name, one in found.items() if name not in ("fay", "gil")} == {"01_geometry"}
+    assert {one.assignment for name, one in found.items() if name not in ("fay", "gil")} == {
+        "01_geometry"
+    }
 
 
 def test_who_was_late_is_known_from_canvas(tmp_path):
-    """From the mark before its file, a notebook or not; a student's own file that is named so says nothing."""
+    """From the mark before its file, a notebook or not; a student's own file that is named so says
+    nothing.
+    """
     for place in (
         "doecarl_LATE_123_456_01_geometry-2.ipynb",
         "roeann_124_457_01_geometry.ipynb",
@@ -182,18 +211,30 @@ def test_who_was_late_is_known_from_canvas(tmp_path):
 
 def test_a_zip_of_gradescope_is_read_as_it_was_downloaded(tmp_path):
     """All is in one folder there, and whose each submission is stands beside them."""
-    about = "".join(f"submission_{n}:\n  :submitters:\n  - :sid: '{sid}'\n" for n, sid in ((1, "77"), (2, "88")))
+    about = "".join(
+        f"submission_{n}:\n  :submitters:\n  - :sid: '{sid}'\n" for n, sid in ((1, "77"), (2, "88"))
+    )
     with zipfile.ZipFile(tmp_path / "export.zip", "w") as archive:
         archive.writestr("assignment_9_export/submission_metadata.yml", about)
         for n in (1, 2):
-            archive.writestr(f"assignment_9_export/submission_{n}/01_geometry.ipynb", notebook(f"x = {n}"))
+            archive.writestr(
+                f"assignment_9_export/submission_{n}/01_geometry.ipynb", notebook(f"x = {n}")
+            )
     found = collect(tmp_path / "export.zip")
-    assert [(one.student, one.assignment, one.trouble) for one in found] == [("77", "01_geometry", ""), ("88", "01_geometry", "")]
+    assert [(one.student, one.assignment, one.trouble) for one in found] == [
+        ("77", "01_geometry", ""),
+        ("88", "01_geometry", ""),
+    ]
 
 
 def test_one_assignment_of_several(tmp_path):
     """Other assignments are left alone; who handed in nothing else is named."""
-    for place in ("ann/01_geometry.ipynb", "ann/02_bug_algorithms.ipynb", "bob/homework.ipynb", "cy/02_bug_algorithms.ipynb"):
+    for place in (
+        "ann/01_geometry.ipynb",
+        "ann/02_bug_algorithms.ipynb",
+        "bob/homework.ipynb",
+        "cy/02_bug_algorithms.ipynb",
+    ):
         (tmp_path / place).parent.mkdir(exist_ok=True)
         (tmp_path / place).write_bytes(notebook("x = 1"))
     found = {one.student: one for one in collect(tmp_path, "01_geometry")}
@@ -203,7 +244,9 @@ def test_one_assignment_of_several(tmp_path):
 
 
 def test_nobody_hands_in_for_another(tmp_path):
-    """A student's own files are the student's, whatever they are called, and whoever they say is their owner."""
+    """A student's own files are the student's, whatever they are called, and whoever they say is
+    their owner.
+    """
     data, other = notebook("x = 1"), notebook("x = 2")
     box = io.BytesIO()
     with zipfile.ZipFile(box, "w") as archive:
@@ -224,7 +267,9 @@ def test_nobody_hands_in_for_another(tmp_path):
     found = {one.student: one for one in collect(tmp_path)}
     assert sorted(found) == ["bob", "eve", "fay", "gil", "hal"]
     assert (found["bob"].data, found["bob"].trouble) == (data, "")
-    assert {path.name for path in tmp_path.rglob("*") if path.is_file()} == {Path(place).name for place in files}
+    assert {path.name for path in tmp_path.rglob("*") if path.is_file()} == {
+        Path(place).name for place in files
+    }
 
 
 def test_what_breaks_a_reader_is_reported_by_name_and_the_rest_is_read(tmp_path):
@@ -246,7 +291,13 @@ def test_what_breaks_a_reader_is_reported_by_name_and_the_rest_is_read(tmp_path)
     (tmp_path / "gil" / "01_geometry.ipynb").symlink_to("/dev/zero")
     found = {one.student: one for one in collect(tmp_path)}
     assert found["ann"].trouble == ""
-    assert {name for name, one in found.items() if one.trouble} == {"bob", "cat", "dan", "fay", "gil"}
+    assert {name for name, one in found.items() if one.trouble} == {
+        "bob",
+        "cat",
+        "dan",
+        "fay",
+        "gil",
+    }
     assert all(one.data == b"" for one in found.values() if one.trouble)
 
 
@@ -256,21 +307,29 @@ def test_the_order_of_a_set_of_words_is_no_matter_of_chance():
     said = []
     for _ in range(2):
         box = Sandbox()
-        said.append(graded(box, "raise ValueError(hash('kinoedu'))")["cells"][0]["trouble"]["message"])
+        said.append(
+            graded(box, "raise ValueError(hash('kinoedu'))")["cells"][0]["trouble"]["message"]
+        )
         box.close()
     assert said[0] == said[1]
 
 
 @needs_sandbox
 def test_a_python_that_is_a_copy_is_shut_in_too(tmp_path, monkeypatch):
-    """In an environment of copies Python is a file that is not in the sandbox; the one that it was copied from is."""
-    monkeypatch.setattr(sys, "executable", shutil.copy(os.path.realpath(sys.executable), tmp_path / "python"))
+    """In an environment of copies Python is a file that is not in the sandbox; the one that it was
+    copied from is.
+    """
+    monkeypatch.setattr(
+        sys, "executable", shutil.copy(os.path.realpath(sys.executable), tmp_path / "python")
+    )
     assert sandbox.why_not() == ""
 
 
 @pytest.mark.parametrize("seed", [5038, 5073, 5489])
 def test_no_secret_makes_a_right_tree_give_up_early(seed):
-    """Half as many failures in a row left some trees in a corner, and that took a point from the course's own solution."""
+    """Half as many failures in a row left some trees in a corner, and that took a point from the
+    course's own solution.
+    """
     exercise = find("rrt_on_terrain")
     case = next(case for case in exercise.cases(np.random.default_rng(0)) if case.kind == "sealed")
     given = {**case.given, "rng": seed}

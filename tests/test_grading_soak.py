@@ -1,4 +1,6 @@
-"""Durability: a class is graded once and alike, whoever is killed meanwhile, on one worker, on two, and on Dask's."""
+"""Durability: a class is graded once and alike, whoever is killed meanwhile, on one worker, on two,
+and on Dask's.
+"""
 
 import importlib.util
 import subprocess
@@ -17,7 +19,15 @@ from grading_soak import class_of, grader, results, soaked  # noqa: E402
 NO_SANDBOX = sandbox.why_not()
 pytestmark = pytest.mark.skipif(bool(NO_SANDBOX), reason=NO_SANDBOX or "there is one")
 SIZE = 30
-BRIEF = ["exits", "forged_lines", "memory", "output", "processes", "signals", "broken_python"]  # attacks that take no time
+BRIEF = [
+    "exits",
+    "forged_lines",
+    "memory",
+    "output",
+    "processes",
+    "signals",
+    "broken_python",
+]  # attacks that take no time
 
 
 @pytest.fixture(scope="module")
@@ -37,18 +47,26 @@ def test_every_submission_is_graded_once(calm):
 @pytest.mark.parametrize("workers", ["1", "2"])
 def test_whoever_is_killed_the_grades_are_the_same(calm, tmp_path, workers):
     submissions, wanted = calm
-    killed, status = soaked(submissions, tmp_path / "out", workers, every=8, grader_dies_at=SIZE // 2)
+    killed, status = soaked(
+        submissions, tmp_path / "out", workers, every=8, grader_dies_at=SIZE // 2
+    )
     assert status == 0
     assert killed > 0
     assert results(tmp_path / "out") == wanted
 
 
-@pytest.mark.skipif(importlib.util.find_spec("distributed") is None, reason="Dask distributed is not installed")
+@pytest.mark.skipif(
+    importlib.util.find_spec("distributed") is None, reason="Dask distributed is not installed"
+)
 def test_dask_grades_the_same_though_a_worker_is_lost(calm, tmp_path):
     submissions, wanted = calm
     program = tmp_path / "cluster.py"
     program.write_text(CLUSTER, encoding="utf-8")
-    run = subprocess.run([sys.executable, str(program), str(submissions), str(tmp_path / "out")], timeout=500, check=False)
+    run = subprocess.run(
+        [sys.executable, str(program), str(submissions), str(tmp_path / "out")],
+        timeout=500,
+        check=False,
+    )
     assert run.returncode == 0
     assert results(tmp_path / "out") == wanted
 

@@ -32,7 +32,9 @@ from kinoedu.graphs.search import search
 graphs = st.integers(1, 12).flatmap(
     lambda n: st.tuples(
         st.just(n),
-        st.lists(st.tuples(st.integers(0, n - 1), st.integers(0, n - 1), st.integers(0, 9)), max_size=40),
+        st.lists(
+            st.tuples(st.integers(0, n - 1), st.integers(0, n - 1), st.integers(0, 9)), max_size=40
+        ),
         st.booleans(),
     )
 )
@@ -56,17 +58,24 @@ def test_dijkstra_costs_equal_networkx(case):
     graph, other = both(*case)
     found = dijkstra(graph, 0)
     expected = nx.single_source_dijkstra_path_length(other, 0)
-    assert [found.cost[u] for u in range(case[0])] == [expected.get(u, np.inf) for u in range(case[0])]
+    assert [found.cost[u] for u in range(case[0])] == [
+        expected.get(u, np.inf) for u in range(case[0])
+    ]
     for u in expected:
         path = extract_path(found.parent, u)
         assert path[0] == 0
-        assert sum(other[a][b]["weight"] for a, b in zip(path[:-1], path[1:], strict=True)) == expected[u]
+        assert (
+            sum(other[a][b]["weight"] for a, b in zip(path[:-1], path[1:], strict=True))
+            == expected[u]
+        )
     assert sorted(found.expanded) == sorted(expected)
 
 
 @pytest.mark.parametrize("n", [33, 34, 50, 100, 200, 5000])
 def test_dijkstra_reaches_the_end_of_a_tree_of_any_size(n):
-    """Each node waits once, so none waits any more when the last one is expanded; and a star, whose nodes all wait together."""
+    """Each node waits once, so none waits any more when the last one is expanded; and a star, whose
+    nodes all wait together.
+    """
     rows = np.stack([np.arange(n - 1), np.arange(1, n)], axis=1)
     assert np.array_equal(dijkstra(Graph(n, rows, np.ones(n - 1)), 0).cost, np.arange(n))
     star = dijkstra(Graph(n, [(0, leaf) for leaf in range(1, n)], np.ones(n - 1)), 0)
@@ -93,13 +102,22 @@ def test_astar_with_any_admissible_estimate_is_optimal(case, data):
 
 
 def test_interpreted_search_is_the_same():
-    """The Python the searches were compiled from gives the same order, costs, parents and counts."""
+    """The Python the searches were compiled from gives the same order, costs, parents and
+    counts.
+    """
     rng = np.random.default_rng(0)
     for directed in (False, True):
         graph = Graph(60, rng.integers(0, 60, (150, 2)), rng.random(150), directed=directed).flat()
-        calls = [(search, (graph, 0, -1, np.zeros(60))), (search, (graph, 0, 7, rng.random(60))), (component_labels, (graph, 60))]
+        calls = [
+            (search, (graph, 0, -1, np.zeros(60))),
+            (search, (graph, 0, 7, rng.random(60))),
+            (component_labels, (graph, 60)),
+        ]
         for goal in (-1, 7):
-            calls += [(search_breadth_first, (graph, 60, 0, goal)), (search_depth_first, (graph, 60, 0, goal))]
+            calls += [
+                (search_breadth_first, (graph, 60, 0, goal)),
+                (search_depth_first, (graph, 60, 0, goal)),
+            ]
         for function, arguments in calls:
             fast, slow = function(*arguments), function.py_func(*arguments)
             for a, b in zip(fast, slow) if isinstance(fast, tuple) else [(fast, slow)]:
@@ -133,7 +151,9 @@ def test_interpreted_search_is_the_same():
     ],
 )
 def test_bad_graphs_are_refused(arguments):
-    """Edges to nodes that are not there, negative, infinite or missing weights, shapes that are no edges, sizes that are none."""
+    """Edges to nodes that are not there, negative, infinite or missing weights, shapes that are no
+    edges, sizes that are none.
+    """
     with pytest.raises(InvalidGraph):
         Graph(*arguments)
 
@@ -144,7 +164,18 @@ def test_a_node_that_is_not_there_is_refused(node):
     graph = Graph(3, [(0, 1)], directed=True)
     graph.delete_node(1)
     for ask in (
-        *(lambda f=f: f(graph, node) for f in (dijkstra, bfs_tree, bfs, dfs, bfs_expansions, dfs_expansions, dijkstra_expansions)),
+        *(
+            lambda f=f: f(graph, node)
+            for f in (
+                dijkstra,
+                bfs_tree,
+                bfs,
+                dfs,
+                bfs_expansions,
+                dfs_expansions,
+                dijkstra_expansions,
+            )
+        ),
         *(lambda f=f: f(graph, node, 0) for f in (bfs_path, dfs_path, astar, astar_expansions)),
     ):
         with pytest.raises(InvalidGraph, match="start must be a node"):
@@ -173,14 +204,18 @@ def test_a_deleted_node_is_refused_as_deleted():
 
 
 @pytest.mark.parametrize("search_of", [dijkstra, bfs_tree, dfs])
-@pytest.mark.parametrize("graph", [nx.path_graph(3), [[0, 1]], None, (0, 1), np.eye(3)], ids=lambda g: type(g).__name__)
+@pytest.mark.parametrize(
+    "graph", [nx.path_graph(3), [[0, 1]], None, (0, 1), np.eye(3)], ids=lambda g: type(g).__name__
+)
 def test_what_is_no_graph_is_refused(search_of, graph):
     """Other libraries' graphs and matrices are named in the refusal."""
     with pytest.raises(InvalidGraph, match="expected a Graph"):
         search_of(graph, 0)
 
 
-@pytest.mark.parametrize("estimate", [[0.0], [0.0, np.nan, 0.0], [0.0, -1.0, 0.0], "abc", [[0.0]] * 3])
+@pytest.mark.parametrize(
+    "estimate", [[0.0], [0.0, np.nan, 0.0], [0.0, -1.0, 0.0], "abc", [[0.0]] * 3]
+)
 def test_a_bad_estimate_is_refused(estimate):
     """It must be a number, zero or more, for each node."""
     with pytest.raises(InvalidGraph, match="estimate"):
@@ -209,19 +244,27 @@ def edge_list(graph):
 @given(graphs, st.data())
 @settings(derandomize=True, deadline=None, max_examples=200)
 def test_breadth_first_distances_equal_networkx(case, data):
-    """bfs counts the fewest edges, its tree and its path have as many, and its order never goes back nearer."""
+    """bfs counts the fewest edges, its tree and its path have as many, and its order never goes
+    back nearer.
+    """
     graph, other = both(*case)
     goal = data.draw(st.integers(0, case[0] - 1))
     expected = nx.single_source_shortest_path_length(other, 0)
     found, parents, path = bfs(graph, 0), bfs_tree(graph, 0), bfs_path(graph, 0, goal)
-    assert [found.cost[u] for u in range(case[0])] == [expected.get(u, np.inf) for u in range(case[0])]
+    assert [found.cost[u] for u in range(case[0])] == [
+        expected.get(u, np.inf) for u in range(case[0])
+    ]
     for u in expected:
         along = extract_path(parents, u).tolist()
         assert along[0] == 0 and len(along) == expected[u] + 1
         assert all(other.has_edge(a, b) for a, b in zip(along[:-1], along[1:]))
     assert all(parents[u] == -1 for u in range(case[0]) if u == 0 or u not in expected)
-    assert (np.diff(found.cost[found.expanded]) >= 0).all() and sorted(found.expanded) == sorted(expected)
-    assert (None if path is None else path.tolist()) == (extract_path(parents, goal).tolist() if goal in expected else None)
+    assert (np.diff(found.cost[found.expanded]) >= 0).all() and sorted(found.expanded) == sorted(
+        expected
+    )
+    assert (None if path is None else path.tolist()) == (
+        extract_path(parents, goal).tolist() if goal in expected else None
+    )
 
 
 def recursive_depth_first(graph, v, parent, order):
@@ -236,7 +279,9 @@ def recursive_depth_first(graph, v, parent, order):
 @given(graphs, st.data())
 @settings(derandomize=True, deadline=None, max_examples=200)
 def test_depth_first_equals_the_recursion(case, data):
-    """The same order and parents, and a path exactly where one exists, each edge of it in the graph and no node twice."""
+    """The same order and parents, and a path exactly where one exists, each edge of it in the graph
+    and no node twice.
+    """
     graph, other = both(*case)
     parent, order, goal = {0: -1}, [], data.draw(st.integers(0, case[0] - 1))
     recursive_depth_first(graph, 0, parent, order)
@@ -246,7 +291,11 @@ def test_depth_first_equals_the_recursion(case, data):
     assert [u for u in range(case[0]) if np.isfinite(found.cost[u])] == sorted(order)
     assert (path is not None) == nx.has_path(other, 0, goal)
     if path is not None:
-        assert path[0] == 0 and path[-1] == goal and len(set(path.tolist())) == len(path) == found.cost[goal] + 1
+        assert (
+            path[0] == 0
+            and path[-1] == goal
+            and len(set(path.tolist())) == len(path) == found.cost[goal] + 1
+        )
         assert all(other.has_edge(a, b) for a, b in zip(path[:-1], path[1:]))
 
 
@@ -260,36 +309,56 @@ def test_depth_first_needs_no_stack_of_calls():
 @given(graphs, st.data())
 @settings(derandomize=True, deadline=None, max_examples=100)
 def test_expansions_drained_are_the_plain_search(case, data):
-    """The generators take out the nodes of the plain function, and end with its costs and parents; also with a goal."""
+    """The generators take out the nodes of the plain function, and end with its costs and parents;
+    also with a goal.
+    """
     graph, _ = both(*case)
     goal = data.draw(st.integers(0, case[0] - 1))
     for plain, moments in (
         (dijkstra(graph, 0), dijkstra_expansions(graph, 0)),
         (astar(graph, 0, goal)[1], astar_expansions(graph, 0, goal)),
-        *((f(graph, 0, to), g(graph, 0, to)) for f, g in ((bfs, bfs_expansions), (dfs, dfs_expansions)) for to in (None, goal)),
+        *(
+            (f(graph, 0, to), g(graph, 0, to))
+            for f, g in ((bfs, bfs_expansions), (dfs, dfs_expansions))
+            for to in (None, goal)
+        ),
     ):
         drained = list(moments)
         assert [moment.node for moment in drained] == plain.expanded.tolist()
-        assert [moment.expanded.tolist() for moment in drained] == [plain.expanded[:i].tolist() for i in range(len(drained))]
+        assert [moment.expanded.tolist() for moment in drained] == [
+            plain.expanded[:i].tolist() for i in range(len(drained))
+        ]
         assert plain.steps.nodes == len(drained)
-        assert np.array_equal(drained[-1].cost, plain.cost) and np.array_equal(drained[-1].parent, plain.parent)
+        assert np.array_equal(drained[-1].cost, plain.cost) and np.array_equal(
+            drained[-1].parent, plain.parent
+        )
 
 
 @given(graphs)
 @settings(derandomize=True, deadline=None, max_examples=100)
 def test_a_frontier_holds_what_was_seen_and_waits(case):
-    """Queues: seen and not expanded, in the order of the search. A stack: the path to the node, backwards."""
+    """Queues: seen and not expanded, in the order of the search. A stack: the path to the node,
+    backwards.
+    """
     graph, _ = both(*case)
     for moments in (list(bfs_expansions(graph, 0)), list(dijkstra_expansions(graph, 0))):
         for moment, after in zip(moments, [*moments[1:], None]):
             taken = {*moment.expanded.tolist(), moment.node}
             seen = set(np.flatnonzero(np.isfinite(moment.cost)).tolist())
-            assert set(moment.frontier.tolist()) == seen - taken and len(set(moment.frontier.tolist())) == len(moment.frontier)
+            assert set(moment.frontier.tolist()) == seen - taken and len(
+                set(moment.frontier.tolist())
+            ) == len(moment.frontier)
             assert (np.diff(moment.cost[moment.frontier]) >= 0).all()
-            news = [] if after is None else [u for u in [after.node, *after.frontier] if u not in moment.frontier]
+            news = (
+                []
+                if after is None
+                else [u for u in [after.node, *after.frontier] if u not in moment.frontier]
+            )
             assert all(after.parent[u] == moment.node for u in news)
     for moment in dfs_expansions(graph, 0):
-        assert [*moment.frontier[::-1], moment.node] == extract_path(moment.parent, moment.node).tolist()
+        assert [*moment.frontier[::-1], moment.node] == extract_path(
+            moment.parent, moment.node
+        ).tolist()
 
 
 @given(graphs, st.lists(st.integers(0, 9), min_size=12, max_size=12))
@@ -297,7 +366,10 @@ def test_a_frontier_holds_what_was_seen_and_waits(case):
 def test_the_first_of_the_frontier_is_next(case, estimate):
     """Unless the search has just found a better way to another node; whatever the estimate."""
     graph, _ = both(*case)
-    for moments in (bfs_expansions(graph, 0), astar_expansions(graph, 0, case[0] - 1, estimate[: case[0]])):
+    for moments in (
+        bfs_expansions(graph, 0),
+        astar_expansions(graph, 0, case[0] - 1, estimate[: case[0]]),
+    ):
         drained = list(moments)
         for moment, after in zip(drained, drained[1:]):
             better = after.cost[after.node] < moment.cost[after.node]
@@ -320,7 +392,9 @@ def test_moments_stay_as_they_were():
 
 
 def test_steps_count_nodes_and_edges():
-    """By hand on a square with a diagonal: undirected edges are looked at from both ends, none at the goal."""
+    """By hand on a square with a diagonal: undirected edges are looked at from both ends, none at
+    the goal.
+    """
     graph = Graph(4, [(0, 1), (1, 2), (2, 3), (3, 0), (0, 2)])
     assert bfs(graph, 0).steps == dfs(graph, 0).steps == dijkstra(graph, 0).steps == (4, 10)
     assert bfs(graph, 0, 2).steps == (3, 3 + 2)  # 0 and 1, then 2
@@ -330,14 +404,20 @@ def test_steps_count_nodes_and_edges():
 
 
 def test_searches_run_on_grids():
-    """Any kind that answers degree and edge: breadth-first search finds the Manhattan distance where no move is diagonal."""
+    """Any kind that answers degree and edge: breadth-first search finds the Manhattan distance
+    where no move is diagonal.
+    """
     from kinoedu.planners.grids.grid import Cells, Grid
 
     free = np.zeros((5, 5), bool)
     free[1:-1, 1:-1] = [[1, 1, 1], [1, 0, 1], [1, 1, 1]]
     grid = Grid(Cells(free.ravel()), 0.0, 0.0, 1.0, 5, 5)
     first, middle, last = 6, 12, 18
-    assert bfs(grid, first).cost.reshape(5, 5)[1:-1, 1:-1].tolist() == [[0, 1, 2], [1, np.inf, 3], [2, 3, 4]]
+    assert bfs(grid, first).cost.reshape(5, 5)[1:-1, 1:-1].tolist() == [
+        [0, 1, 2],
+        [1, np.inf, 3],
+        [2, 3, 4],
+    ]
     assert len(dfs_path(grid, first, last)) >= 5
     assert [m.node for m in bfs_expansions(grid, first)] == bfs(grid, first).expanded.tolist()
     assert bfs_path(grid, first, middle) is None and dfs_path(grid, first, middle) is None
@@ -365,7 +445,9 @@ def test_what_a_graph_knows_equals_networkx(case):
 @given(graphs)
 @settings(derandomize=True, deadline=None, max_examples=200)
 def test_matrices_equal_networkx(case):
-    """Adjacency, Laplacian and oriented incidence (networkx: -1 where an edge leaves), weighted and not; L = B W B^T."""
+    """Adjacency, Laplacian and oriented incidence (networkx: -1 where an edge leaves), weighted and
+    not; L = B W B^T.
+    """
     n, rows, directed = case
     graph = Graph(n, [row[:2] for row in rows], [row[2] for row in rows], directed=directed)
     other = nx.MultiDiGraph() if directed else nx.MultiGraph()
@@ -374,7 +456,9 @@ def test_matrices_equal_networkx(case):
     for weighted, name in ((True, "weight"), (False, None)):
         a = nx.to_numpy_array(other, weight=name)
         assert np.array_equal(graph.adjacency(weighted=weighted).toarray(), a)
-        assert np.array_equal(graph.laplacian(weighted=weighted).toarray(), np.diag(a.sum(axis=1)) - a)
+        assert np.array_equal(
+            graph.laplacian(weighted=weighted).toarray(), np.diag(a.sum(axis=1)) - a
+        )
     numbered = nx.MultiDiGraph([(u, v, i) for i, (u, v, _) in enumerate(rows)])
     b = graph.incidence().toarray()
     if rows:
@@ -405,19 +489,30 @@ def test_cost_to_go_is_the_cost_of_going(case, data):
     goal = data.draw(st.integers(0, case[0] - 1))
     left = nx.single_source_dijkstra_path_length(other.reverse() if case[2] else other, goal)
     assert graph.cost_to_go(goal).tolist() == [left.get(u, np.inf) for u in range(case[0])]
-    assert graph.cost_to_go(goal).tolist() == [dijkstra(graph, u).cost[goal] for u in range(case[0])]
+    assert graph.cost_to_go(goal).tolist() == [
+        dijkstra(graph, u).cost[goal] for u in range(case[0])
+    ]
 
 
 changes = st.lists(
-    st.tuples(st.sampled_from(["node", "edge", "edge", "edge", "no node", "no edge"]), *[st.integers(0, 11)] * 3), max_size=40
+    st.tuples(
+        st.sampled_from(["node", "edge", "edge", "edge", "no node", "no edge"]),
+        *[st.integers(0, 11)] * 3,
+    ),
+    max_size=40,
 )
 
 
 @given(st.booleans(), st.integers(0, 4), changes)
 @settings(derandomize=True, deadline=None, max_examples=200)
 def test_a_graph_that_grows_and_shrinks_equals_networkx(directed, size, changes):
-    """Any sequence of additions and deletions leaves the nodes, edges, weights, data and answers of a multigraph of networkx."""
-    graph, other = Graph(size, directed=directed), (nx.MultiDiGraph if directed else nx.MultiGraph)()
+    """Any sequence of additions and deletions leaves the nodes, edges, weights, data and answers of
+    a multigraph of networkx.
+    """
+    graph, other = (
+        Graph(size, directed=directed),
+        (nx.MultiDiGraph if directed else nx.MultiGraph)(),
+    )
     other.add_nodes_from(range(size), data=None)
     for number, (what, *given_nodes, weight) in enumerate(changes):
         u, v = (node % max(graph.size, 1) for node in given_nodes)
@@ -434,10 +529,14 @@ def test_a_graph_that_grows_and_shrinks_equals_networkx(directed, size, changes)
             graph.delete_edge(u, v)
             other.remove_edges_from([(u, v)] * other.number_of_edges(u, v))
         elif u in other and number % 3 == 0:
-            graph.neighbours(u)  # so that what is kept for searches must be noticed to be out of date
+            graph.neighbours(
+                u
+            )  # so that what is kept for searches must be noticed to be out of date
         assert list(graph) == sorted(other) and len(graph) == len(other)
     ends = [(u, v) if directed else (min(u, v), max(u, v)) for u, v, _ in other.edges]
-    assert edge_list(graph) == sorted((u, v, other.edges[e]["weight"]) for (u, v), e in zip(ends, other.edges))
+    assert edge_list(graph) == sorted(
+        (u, v, other.edges[e]["weight"]) for (u, v), e in zip(ends, other.edges)
+    )
     assert [graph.node_data[u] for u in graph] == [other.nodes[u]["data"] for u in sorted(other)]
     for u, v in ends:
         between = sorted(
@@ -448,7 +547,9 @@ def test_a_graph_that_grows_and_shrinks_equals_networkx(directed, size, changes)
         assert (graph.weight(u, v), graph.edge_data(u, v)) == between[0]
     for u in graph:
         assert graph.neighbours(u).tolist() == sorted(set(other.neighbors(u)))
-        assert {v for v in graph if np.isfinite(dijkstra(graph, u).cost[v])} == nx.descendants(other, u) | {u}
+        assert {v for v in graph if np.isfinite(dijkstra(graph, u).cost[v])} == nx.descendants(
+            other, u
+        ) | {u}
     parts = nx.weakly_connected_components(other) if directed else nx.connected_components(other)
     assert [part.tolist() for part in graph.components()] == sorted(sorted(part) for part in parts)
 
@@ -477,7 +578,11 @@ def test_a_record_made_by_a_planner_is_the_graphs_own():
         ours = Graph(3, np.asfortranarray(pairs), weights, directed=directed).flat()
         for a, b in zip(ours, flat_graph(3, pairs, weights, directed=directed)):
             assert np.array_equal(a, b) and np.asarray(a).dtype == np.asarray(b).dtype
-            assert [getattr(np.asarray(x).flags, f) for x in (a, b) for f in ("c_contiguous", "writeable")] == [True] * 4
+            assert [
+                getattr(np.asarray(x).flags, f)
+                for x in (a, b)
+                for f in ("c_contiguous", "writeable")
+            ] == [True] * 4
 
 
 @given(st.integers(1, 3), st.data())
@@ -493,11 +598,17 @@ def test_closest_is_the_least_distance(d, data):
     apart[gone] = np.inf
     assert np.allclose(graph.distances(q), apart, rtol=1e-12)
     node, least = graph.closest(q)
-    assert node != gone and least == pytest.approx(apart.min()) and node == np.flatnonzero(np.isclose(apart, apart.min()))[0]
+    assert (
+        node != gone
+        and least == pytest.approx(apart.min())
+        and node == np.flatnonzero(np.isclose(apart, apart.min()))[0]
+    )
 
 
 def test_the_metric_is_the_spaces():
-    """Weights, distances and the closest node by a space of the reader's own, here the long way of a taxi."""
+    """Weights, distances and the closest node by a space of the reader's own, here the long way of
+    a taxi.
+    """
     from typing import NamedTuple
 
     from kinoedu.spaces import distance
@@ -517,7 +628,9 @@ def test_the_metric_is_the_spaces():
     assert graph.add_node((1, 1)) == 2
     graph.add_edge(2, 1)
     assert (
-        graph.weights.tolist() == [7.0, 5.0] and graph.closest((3, 0)) == (0, 3.0) and graph.distances((3, 0)).tolist() == [3, 4, 3]
+        graph.weights.tolist() == [7.0, 5.0]
+        and graph.closest((3, 0)) == (0, 3.0)
+        and graph.distances((3, 0)).tolist() == [3, 4, 3]
     )
     with pytest.raises(InvalidPoint):
         Graph(nodes=[(0, 0, 0)], space=graph.space)
@@ -525,7 +638,12 @@ def test_the_metric_is_the_spaces():
 
 def test_a_graph_in_no_space_knows_no_distances():
     """And refuses places; an embedded one wants them, of its own shape."""
-    for ask in (lambda g: g.distances((0, 0)), lambda g: g.closest((0, 0)), lambda g: g.nodes, lambda g: g.add_node((0, 0))):
+    for ask in (
+        lambda g: g.distances((0, 0)),
+        lambda g: g.closest((0, 0)),
+        lambda g: g.nodes,
+        lambda g: g.add_node((0, 0)),
+    ):
         with pytest.raises(InvalidGraph, match="no space"):
             ask(Graph(2))
     embedded = Graph(nodes=[(0, 0)])
@@ -547,7 +665,11 @@ def test_a_graph_in_no_space_knows_no_distances():
 def test_what_is_refused_changes_nothing():
     """A graph stays as it was after an error."""
     graph = Graph(3, [(0, 1)])
-    for change in (lambda: graph.add_edge(0, 1, -1.0), lambda: graph.delete_edge(1, 2), lambda: graph.add_edge(0, 1, np.nan)):
+    for change in (
+        lambda: graph.add_edge(0, 1, -1.0),
+        lambda: graph.delete_edge(1, 2),
+        lambda: graph.add_edge(0, 1, np.nan),
+    ):
         with pytest.raises(InvalidGraph):
             change()
     assert edge_list(graph) == [(0, 1, 1.0)] and repr(graph) == "<Graph: 3 nodes, 1 edges>"
@@ -561,17 +683,24 @@ def test_astar_on_an_embedded_graph_expands_less():
     graph = Graph(nodes=nodes, edges=near)
     _, blind = astar(graph, 0, 1)
     path, guided = astar(graph, 0, 1, graph.distances(nodes[1]))
-    assert guided.cost[1] == blind.cost[1] == graph.cost_to_go(0)[1] or guided.cost[1] == pytest.approx(blind.cost[1])
+    assert guided.cost[1] == blind.cost[1] == graph.cost_to_go(0)[1] or guided.cost[
+        1
+    ] == pytest.approx(blind.cost[1])
     assert guided.steps.nodes < blind.steps.nodes and path is not None
 
 
 def test_a_search_is_stepped_interpreted_and_drained_as_machine_code(tmp_path):
-    """numba cannot load compiled generators from the disk: Python steps them, and machine code has its own inside."""
+    """numba cannot load compiled generators from the disk: Python steps them, and machine code has
+    its own inside.
+    """
     import os
     import subprocess
     import sys
 
-    make = "import numpy as np; from kinoedu.graphs import Graph, bfs; from kinoedu.graphs.bfs import breadth_first; "
+    make = (
+        "import numpy as np; from kinoedu.graphs import Graph, bfs; from kinoedu.graphs.bfs "
+        "import breadth_first; "
+    )
     steps = "breadth_first(Graph(1).flat(), 0, -1, np.zeros(1), np.zeros(1, int), np.zeros(1, int))"
     for code in (f"print([int(u) for u in {steps}])", "print(bfs(Graph(1), 0).expanded)"):
         run = subprocess.run(
@@ -583,13 +712,26 @@ def test_a_search_is_stepped_interpreted_and_drained_as_machine_code(tmp_path):
 
 
 def test_pictures_show_every_state():
-    """draw_graph and draw_search draw arrows, rings, weights and markers, and leave the graph as it was."""
+    """draw_graph and draw_search draw arrows, rings, weights and markers, and leave the graph as it
+    was.
+    """
     import matplotlib.pyplot as plt
 
     from kinoedu.figures import draw_graph, draw_search
 
-    graph = Graph(nodes=[(0, 0), (1, 0), (0, 1), (2, 2)], edges=[(0, 1), (1, 0), (1, 2), (2, 2)], directed=True)
-    artists = draw_graph(graph, weights=True, path=[0, 1, 2], highlight=3, highlight_edges=[(1, 2)], parents=[-1, 0, 1, -1])
+    graph = Graph(
+        nodes=[(0, 0), (1, 0), (0, 1), (2, 2)],
+        edges=[(0, 1), (1, 0), (1, 2), (2, 2)],
+        directed=True,
+    )
+    artists = draw_graph(
+        graph,
+        weights=True,
+        path=[0, 1, 2],
+        highlight=3,
+        highlight_edges=[(1, 2)],
+        parents=[-1, 0, 1, -1],
+    )
     assert artists and {text.get_text() for text in plt.gca().texts} >= {"0", "1", "2", "3", "1.41"}
     plt.close()
     for moment in bfs_expansions(graph, 0):
@@ -600,7 +742,13 @@ def test_pictures_show_every_state():
         assert (len(moment.frontier) == 0) == ("D" not in markers)
         plt.close()
     graph.delete_node(0)
-    for empty in (graph, Graph(0), Graph(3, [(0, 1)]), Graph(nodes=[[0.0], [1.0]], edges=[(0, 1)]), Graph(nodes=np.ones((99, 3)))):
+    for empty in (
+        graph,
+        Graph(0),
+        Graph(3, [(0, 1)]),
+        Graph(nodes=[[0.0], [1.0]], edges=[(0, 1)]),
+        Graph(nodes=np.ones((99, 3))),
+    ):
         draw_graph(empty)
         plt.close()
 

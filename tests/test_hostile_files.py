@@ -1,4 +1,6 @@
-"""Files, answers and programs made to break their reader, or by clumsy hands: the rest of the class is graded, and nobody gains."""
+"""Files, answers and programs made to break their reader, or by clumsy hands: the rest of the class
+is graded, and nobody gains.
+"""
 
 import io
 import json
@@ -40,10 +42,18 @@ def spoilt(data: bytes) -> bytes:
 
 
 ZIPS = {
-    "its bytes are no deflated ones": spoilt(packed(zipfile.ZIP_DEFLATED, **{"01_geometry.ipynb": NOTEBOOK * 50})),
-    "it asks for 4 GB to be unpacked": packed(zipfile.ZIP_LZMA, **{"01_geometry.ipynb": NOTEBOOK * 50}),
-    "it is in another zip": packed(0, **{"inner.zip": packed(0, **{"01_geometry.ipynb": NOTEBOOK})}),
-    "it holds too many": packed(zipfile.ZIP_STORED, **{f"{at}.ipynb": NOTEBOOK for at in range(MOST_OF_ONE + 1)}),
+    "its bytes are no deflated ones": spoilt(
+        packed(zipfile.ZIP_DEFLATED, **{"01_geometry.ipynb": NOTEBOOK * 50})
+    ),
+    "it asks for 4 GB to be unpacked": packed(
+        zipfile.ZIP_LZMA, **{"01_geometry.ipynb": NOTEBOOK * 50}
+    ),
+    "it is in another zip": packed(
+        0, **{"inner.zip": packed(0, **{"01_geometry.ipynb": NOTEBOOK})}
+    ),
+    "it holds too many": packed(
+        zipfile.ZIP_STORED, **{f"{at}.ipynb": NOTEBOOK for at in range(MOST_OF_ONE + 1)}
+    ),
 }
 
 
@@ -64,7 +74,9 @@ def test_what_lies_beside_a_notebook_is_not_read_and_no_trouble(tmp_path):
     with open(home / "film.mp4", "wb") as file:
         file.truncate(2**30)
     (home / "link.txt").symlink_to("/etc/passwd")
-    (tmp_path / "bob.zip").write_bytes(packed(zipfile.ZIP_DEFLATED, **{"01_geometry.ipynb": NOTEBOOK, "zeros": bytes(2**28)}))
+    (tmp_path / "bob.zip").write_bytes(
+        packed(zipfile.ZIP_DEFLATED, **{"01_geometry.ipynb": NOTEBOOK, "zeros": bytes(2**28)})
+    )
     assert [(one.student, one.trouble) for one in collect(tmp_path)] == [("ann", ""), ("bob", "")]
 
 
@@ -99,7 +111,9 @@ def test_nothing_alike_is_said_too(tmp_path):
     assert (tmp_path / "new" / "similar.html").exists()
 
 
-@pytest.mark.parametrize("part", ['{"a":' * 500 + "1" + "}" * 500, "[]", '{"a":{}}'], ids=["deep", "lists", "tables"])
+@pytest.mark.parametrize(
+    "part", ['{"a":' * 500 + "1" + "}" * 500, "[]", '{"a":{}}'], ids=["deep", "lists", "tables"]
+)
 def test_a_notebook_that_would_fill_the_memory_is_refused_before_it_is_read(part):
     many = ",".join([part] * (MOST_PARTS // part.count(part[0]) + 1))
     data = f'{{"nbformat": 4, "cells": [], "more": [{many}]}}'.encode()
@@ -126,7 +140,19 @@ def test_only_lines_for_a_notebook_are_left_out(source, wanted):
     assert source_of({"source": source}) == wanted
 
 
-@pytest.mark.parametrize("odd", [None, 7, "text", [], [None], {"nbgrader": None}, {"nbgrader": [1]}, {"data": {"text/plain": 7}}])
+@pytest.mark.parametrize(
+    "odd",
+    [
+        None,
+        7,
+        "text",
+        [],
+        [None],
+        {"nbgrader": None},
+        {"nbgrader": [1]},
+        {"data": {"text/plain": 7}},
+    ],
+)
 def test_handing_in_meets_any_notebook(odd):
     cells = [
         {"cell_type": "code", "source": "check(bug1)", "metadata": odd, "outputs": odd},
@@ -137,7 +163,15 @@ def test_handing_in_meets_any_notebook(odd):
     assert not any(answered for answered, _ in answers_in(data, "01_geometry").values())
 
 
-@pytest.mark.parametrize("end", [Late(False), Raised(["NotImplementedError"], "", [], ""), Raised(["Stopped"], "", [], ""), None])
+@pytest.mark.parametrize(
+    "end",
+    [
+        Late(False),
+        Raised(["NotImplementedError"], "", [], ""),
+        Raised(["Stopped"], "", [], ""),
+        None,
+    ],
+)
 def test_who_gives_up_has_no_kind_that_was_not_asked_to_its_end(end):
     cases = list(EXERCISE.cases(np.random.default_rng(0)))
     every_one = [attempt(EXERCISE, EXERCISE.reference, case) for case in cases]
@@ -166,14 +200,18 @@ def question(name: str) -> Question:
 
 def test_who_says_to_be_done_is_asked_for_the_rest():
     line = {"question": EXERCISE.name, "case": 0, "outcome": {"kind": "Answer", "value": 0.0}}
-    found = answers(Liar([[{"ready": True}], [line], []], "done"), [], [question(EXERCISE.name)]).outcomes
+    found = answers(
+        Liar([[{"ready": True}], [line], []], "done"), [], [question(EXERCISE.name)]
+    ).outcomes
     assert isinstance(found[EXERCISE.name][-1], Misshapen) and len(found[EXERCISE.name]) == 2
 
 
 def test_breaking_off_again_and_again_takes_no_more_time_than_once(monkeypatch):
     monkeypatch.setattr(asking, "LONGEST", -1.0)
     liar = Liar([[{"ready": True}]], "late")
-    found = answers(liar, [Cell(1, "")], [question(EXERCISE.name), question("point_segment_distance")]).outcomes
+    found = answers(
+        liar, [Cell(1, "")], [question(EXERCISE.name), question("point_segment_distance")]
+    ).outcomes
     assert liar.asked == 0 and list(found.values()) == [[Late(False)]] * 2
 
 

@@ -10,7 +10,9 @@ import pytest
 
 HOUSE = Path(__file__).resolve().parent.parent
 SOURCES = sorted((HOUSE / "kinoedu").rglob("*.py"))
-NOTEBOOKS = sorted(p for room in ("notebooks", "exercises", "solutions") for p in (HOUSE / room).glob("*.ipynb"))
+NOTEBOOKS = sorted(
+    p for room in ("notebooks", "exercises", "solutions") for p in (HOUSE / room).glob("*.ipynb")
+)
 
 
 @pytest.mark.parametrize(
@@ -27,20 +29,30 @@ def test_tool_finds_nothing(tool):
     """ruff, mypy and the import contracts pass."""
     command = [sys.executable, "-m", *tool]
     if tool[0].startswith("importlinter"):
-        command = [sys.executable, "-c", "from importlinter.cli import lint_imports; raise SystemExit(lint_imports())"]
-    run = subprocess.run(command, cwd=HOUSE, capture_output=True, text=True, encoding="utf-8", errors="replace")
+        command = [
+            sys.executable,
+            "-c",
+            "from importlinter.cli import lint_imports; raise SystemExit(lint_imports())",
+        ]
+    run = subprocess.run(
+        command, cwd=HOUSE, capture_output=True, text=True, encoding="utf-8", errors="replace"
+    )
     assert run.returncode == 0, run.stdout + run.stderr
 
 
 def test_no_circle_of_imports():
-    """Of files, also by imports within functions and for types alone. But for those of compiled/, where numba is imported only when
-    machine code is loaded or made."""
+    """Of files, also by imports within functions and for types alone. But for those of compiled/,
+    where numba is imported only when machine code is loaded or made."""
     import networkx as nx
 
     sys.path.append(str(HOUSE / "docs"))
     from house_picture import imports
 
-    circles = [circle for circle in nx.strongly_connected_components(nx.DiGraph(imports())) if len(circle) > 1]
+    circles = [
+        circle
+        for circle in nx.strongly_connected_components(nx.DiGraph(imports()))
+        if len(circle) > 1
+    ]
     assert circles == [{f"kinoedu.compiled.{name}" for name in ("compiler", "keeper", "tiers")}]
 
 
@@ -54,7 +66,9 @@ def test_the_picture_of_the_house_shows_its_rooms_and_imports():
 
 @pytest.mark.parametrize("source", SOURCES, ids=lambda p: p.relative_to(HOUSE).as_posix())
 def test_every_file_and_public_function_says_what_it_is(source):
-    """Modules, public classes and public functions have docstrings; parameters of public functions have types."""
+    """Modules, public classes and public functions have docstrings; parameters of public functions
+    have types.
+    """
     tree = ast.parse(source.read_text(encoding="utf-8"))
     assert ast.get_docstring(tree), "the module has no docstring"
     for node in tree.body:
@@ -64,11 +78,17 @@ def test_every_file_and_public_function_says_what_it_is(source):
 
 @pytest.mark.parametrize("source", SOURCES, ids=lambda p: p.relative_to(HOUSE).as_posix())
 def test_rooms_are_small(source):
-    """A file has one purpose: at most 400 lines, and no function over 60."""
+    """A file has one purpose: at most 400 lines, and no function over 60 below its docstring."""
     text = source.read_text(encoding="utf-8")
     assert len(text.splitlines()) <= 400
     functions = [node for node in ast.walk(ast.parse(text)) if isinstance(node, ast.FunctionDef)]
-    assert [f.name for f in functions if f.end_lineno - f.lineno >= 60] == []
+    assert [f.name for f in functions if f.end_lineno - first_line_of_code(f) >= 60] == []
+
+
+def first_line_of_code(function):
+    """Where a function's own lines begin, below its docstring."""
+    has_docstring = ast.get_docstring(function) is not None and len(function.body) > 1
+    return function.body[1 if has_docstring else 0].lineno
 
 
 @pytest.mark.parametrize("source", SOURCES, ids=lambda p: p.relative_to(HOUSE).as_posix())
@@ -79,12 +99,18 @@ def test_only_the_command_line_prints(source):
         for node in ast.walk(ast.parse(source.read_text(encoding="utf-8")))
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Name)
     ]
-    assert "print" not in calls or source.parent.name == "cli" or source.name in ("lab.py", "progress.py")
+    assert (
+        "print" not in calls
+        or source.parent.name == "cli"
+        or source.name in ("lab.py", "progress.py")
+    )
 
 
 @pytest.mark.parametrize("notebook", NOTEBOOKS, ids=lambda p: p.relative_to(HOUSE).as_posix())
 def test_notebook_is_stored_clean(notebook):
-    """Run from top to bottom without errors, no widget state, no timestamps, small enough to send to a class, short cells."""
+    """Run from top to bottom without errors, no widget state, no timestamps, small enough to send
+    to a class, short cells.
+    """
     text = notebook.read_text(encoding="utf-8")
     book = json.loads(text)
     code = [cell for cell in book["cells"] if cell["cell_type"] == "code"]
@@ -92,7 +118,9 @@ def test_notebook_is_stored_clean(notebook):
     assert not any(output["output_type"] == "error" for cell in code for output in cell["outputs"])
     assert set(book["metadata"]) <= {"kernelspec", "language_info"}
     assert not any("execution" in cell["metadata"] for cell in code)
-    longest = 10 if notebook.parent.name == "notebooks" else 25  # an exercise is 5 to 25 lines to write
+    longest = (
+        10 if notebook.parent.name == "notebooks" else 25
+    )  # an exercise is 5 to 25 lines to write
     assert max(len("".join(cell["source"]).splitlines()) for cell in code) <= longest
     assert len(text) < 800_000
 
@@ -103,7 +131,9 @@ def test_readme_names_files_that_exist():
 
     for page in (HOUSE / "README.md", *(HOUSE / "docs").glob("*.md")):
         for target in re.findall(r"\]\(([^)#]+)\)", page.read_text(encoding="utf-8")):
-            assert target.startswith("http") or (page.parent / target).exists(), f"{page.name}: {target}"
+            assert target.startswith("http") or (page.parent / target).exists(), (
+                f"{page.name}: {target}"
+            )
 
 
 def test_index_of_algorithms_names_every_planner():
@@ -113,14 +143,22 @@ def test_index_of_algorithms_names_every_planner():
 
     import kinoedu
 
-    named = re.findall(r"`ke\.([\w.]+)", (HOUSE / "docs" / "algorithms.md").read_text(encoding="utf-8"))
+    named = re.findall(
+        r"`ke\.([\w.]+)", (HOUSE / "docs" / "algorithms.md").read_text(encoding="utf-8")
+    )
     assert all(operator.attrgetter(name)(kinoedu) for name in named)
-    assert {name for name in kinoedu.planners.__all__ if name.islower()} <= {name.rpartition(".")[2] for name in named}
+    assert {name for name in kinoedu.planners.__all__ if name.islower()} <= {
+        name.rpartition(".")[2] for name in named
+    }
 
 
 def test_shipped_maps_are_the_tested_ones():
     """The maps beside the notebooks equal those whose every query is tested."""
-    shipped = [file for file in (HOUSE / "notebooks" / "maps").iterdir() if file.suffix in (".map", ".scen")]
+    shipped = [
+        file
+        for file in (HOUSE / "notebooks" / "maps").iterdir()
+        if file.suffix in (".map", ".scen")
+    ]
     assert len(shipped) == 4
     for file in shipped:
         assert file.read_bytes() == (HOUSE / "tests" / "data" / "grid" / file.name).read_bytes()

@@ -1,4 +1,6 @@
-"""Hybrid A*: the drive is replayed from its controls and judged by shapely, and nothing that the search left over is shorter."""
+"""Hybrid A*: the drive is replayed from its controls and judged by shapely, and nothing that the
+search left over is shorter.
+"""
 
 import math
 from typing import Any
@@ -17,7 +19,9 @@ ROOM = [(0, 0), (20, 0), (20, 20), (0, 20)]
 WALL = [(9, 0), (11, 0), (11, 10), (9, 10)]
 CAR = ke.Car(3, 1, 2)
 PROBLEM = ke.Problem(CAR, ke.PolygonWorld(ROOM, [WALL]), (4, 4, 0), (16, 4, 0))
-SOLID = shapely.union_all([shapely.box(-50, -50, 70, 70) - shapely.Polygon(ROOM), shapely.Polygon(WALL)])
+SOLID = shapely.union_all(
+    [shapely.box(-50, -50, 70, 70) - shapely.Polygon(ROOM), shapely.Polygon(WALL)]
+)
 
 
 def replayed(plan: Any) -> np.ndarray:
@@ -29,51 +33,77 @@ def replayed(plan: Any) -> np.ndarray:
         x, y, theta = poses[-1]
         for s in np.linspace(0, t, 101)[1:]:
             angle = turn * s
-            along, aside = (v * s, 0.0) if turn == 0.0 else (v / turn * math.sin(angle), v / turn * (1.0 - math.cos(angle)))
+            along, aside = (
+                (v * s, 0.0)
+                if turn == 0.0
+                else (v / turn * math.sin(angle), v / turn * (1.0 - math.cos(angle)))
+            )
             cos, sin = math.cos(theta), math.sin(theta)
-            poses.append(np.array([x + cos * along - sin * aside, y + sin * along + cos * aside, theta + angle]))
+            poses.append(
+                np.array(
+                    [x + cos * along - sin * aside, y + sin * along + cos * aside, theta + angle]
+                )
+            )
     return np.array(poses)
 
 
 def is_clear(poses: np.ndarray, car: Any, solid: Any) -> bool:
     """Whether shapely sees no contact at any pose."""
     cos, sin, (x, y) = np.cos(poses[:, 2:]), np.sin(poses[:, 2:]), car.outline.T
-    corners = np.stack([poses[:, :1] + cos * x - sin * y, poses[:, 1:2] + sin * x + cos * y], axis=-1)
+    corners = np.stack(
+        [poses[:, :1] + cos * x - sin * y, poses[:, 1:2] + sin * x + cos * y], axis=-1
+    )
     return not shapely.intersects(shapely.polygons(corners), solid).any()
 
 
 def check(plan: Any, problem: Any, solid: Any = SOLID) -> None:
-    """From the start to the very goal, as long as it says, by moves that the car can make, and free."""
+    """From the start to the very goal, as long as it says, by moves that the car can make, and
+    free.
+    """
     poses, there = replayed(plan), plan.trajectory
     assert np.array_equal(poses[0], problem.start) and np.array_equal(plan.path, there.poses)
     off = poses[-1] - problem.goal
     assert np.abs(off[:2]).max() < 1e-9 and abs(math.sin(off[2] / 2.0)) < 1e-9
     assert (np.abs(there.controls[:, 1]) <= problem.robot.max_steering * (1 + 1e-15)).all()
-    assert np.isin(there.controls[:, 0], problem.robot.speeds).all() and (there.durations > 0.0).all()
+    assert (
+        np.isin(there.controls[:, 0], problem.robot.speeds).all() and (there.durations > 0.0).all()
+    )
     assert math.isclose(plan.cost, np.hypot(*np.diff(poses[:, :2], axis=0).T).sum(), rel_tol=1e-3)
     assert is_clear(poses, problem.robot, solid)
 
 
 def test_it_reaches_the_very_goal_and_nothing_left_over_is_shorter() -> None:
-    """What the search keeps has no free curve to the goal that would make a shorter drive; the first that is free ends it."""
+    """What the search keeps has no free curve to the goal that would make a shorter drive; the
+    first that is free ends it.
+    """
     plan = ke.hybrid_astar(PROBLEM)
     check(plan, PROBLEM)
     tree, cost = plan.tree, np.zeros(len(plan.tree.nodes))
     for i in range(1, len(cost)):
         cost[i] = cost[tree.parent[i]] + abs(tree.controls[i, 0] * tree.durations[i])
-    whole = [c + PROBLEM.distance(q, PROBLEM.goal) for c, q in zip(cost, tree.nodes) if PROBLEM.is_free_path(q, PROBLEM.goal)]
+    whole = [
+        c + PROBLEM.distance(q, PROBLEM.goal)
+        for c, q in zip(cost, tree.nodes)
+        if PROBLEM.is_free_path(q, PROBLEM.goal)
+    ]
     assert math.isclose(min(whole), plan.cost, rel_tol=1e-12)
     assert plan.stats["nodes"] == len(tree.nodes) and plan.stats["expanded"] <= len(tree.nodes)
 
 
 @pytest.mark.parametrize("speeds", [(-1.0, 1.0), (2.0,), (-0.5, 1.0, 3.0)])
-def test_where_nothing_is_in_the_way_it_drives_the_shortest_curve(speeds: tuple[float, ...]) -> None:
-    """One pose, and on along Reeds and Shepp's curve, or Dubins' for a car that goes forward alone."""
+def test_where_nothing_is_in_the_way_it_drives_the_shortest_curve(
+    speeds: tuple[float, ...],
+) -> None:
+    """One pose, and on along Reeds and Shepp's curve, or Dubins' for a car that goes forward
+    alone.
+    """
     car = ke.Car(3, 1, 2, speeds=speeds)
     problem = ke.Problem(car, ke.PolygonWorld(ROOM), (10, 10, 0), (12, 11, 2.5))
     plan = ke.hybrid_astar(problem)
     shortest = ke.dubins_path if min(speeds) > 0 else ke.reeds_shepp_path
-    assert math.isclose(plan.cost, shortest(problem.start, problem.goal, car.radius).length, rel_tol=1e-12)
+    assert math.isclose(
+        plan.cost, shortest(problem.start, problem.goal, car.radius).length, rel_tol=1e-12
+    )
     assert len(plan.tree.nodes) == 1
     check(plan, problem, shapely.box(-50, -50, 70, 70) - shapely.Polygon(ROOM))
 
@@ -90,20 +120,29 @@ def test_a_recorder_sees_the_same_search() -> None:
     """Compiled or interpreted, pose by pose."""
     recorder = Recorder(PROBLEM)
     there, plan = ke.hybrid_astar(recorder), ke.hybrid_astar(PROBLEM)
-    assert np.array_equal(there.tree.nodes, plan.tree.nodes) and np.array_equal(there.path, plan.path)
+    assert np.array_equal(there.tree.nodes, plan.tree.nodes) and np.array_equal(
+        there.path, plan.path
+    )
     assert recorder.counts()["is_free_path"] == plan.stats["expanded"]
     assert there.stats == plan.stats
 
 
 def test_out_of_a_tight_place_and_turned_round() -> None:
     """Between two cars at a kerb, 0.3 to spare at either end: planned out, driven in."""
-    cars = [[(5.8, 0), (6.7, 0), (6.7, 1.3), (5.8, 1.3)], [(10.3, 0), (11.5, 0), (11.5, 1.3), (10.3, 1.3)]]
+    cars = [
+        [(5.8, 0), (6.7, 0), (6.7, 1.3), (5.8, 1.3)],
+        [(10.3, 0), (11.5, 0), (11.5, 1.3), (10.3, 1.3)],
+    ]
     world, parked, road = ke.PolygonWorld(ROOM, cars), (7.0 + 0.5, 0.6, 0.0), (12.0, 3.0, 0.0)
     out = ke.hybrid_astar(ke.Problem(CAR, world, parked, road), spacing=0.02, step=0.1)
-    solid = shapely.union_all([shapely.box(-50, -50, 70, 70) - shapely.Polygon(ROOM), *map(shapely.Polygon, cars)])
+    solid = shapely.union_all(
+        [shapely.box(-50, -50, 70, 70) - shapely.Polygon(ROOM), *map(shapely.Polygon, cars)]
+    )
     check(out, out.problem, solid)
     back = out.trajectory.reversed
-    assert np.allclose(back.poses, out.path[::-1], rtol=0, atol=1e-9) and math.isclose(back.length, out.cost)
+    assert np.allclose(back.poses, out.path[::-1], rtol=0, atol=1e-9) and math.isclose(
+        back.length, out.cost
+    )
     assert is_clear(back.at(np.linspace(0, back.duration, 3000)), CAR, solid)
     assert np.allclose(back.reversed.poses, out.path, rtol=0, atol=1e-9)
 
@@ -111,16 +150,27 @@ def test_out_of_a_tight_place_and_turned_round() -> None:
 def test_one_who_is_there_stays() -> None:
     """Start and goal alike: no control at all."""
     plan = ke.hybrid_astar(ke.Problem(CAR, PROBLEM.world, (4, 4, 1), (4, 4, 1)))
-    assert plan.cost == 0.0 and np.array_equal(plan.path, [(4, 4, 1)]) and len(plan.trajectory.controls) == 0
+    assert (
+        plan.cost == 0.0
+        and np.array_equal(plan.path, [(4, 4, 1)])
+        and len(plan.trajectory.controls) == 0
+    )
 
 
 def test_no_way_is_an_answer_with_its_reason() -> None:
     """A goal that is walled in: the cells run out. A tree too small: the nodes do."""
     box = [[(0, 14), (7, 14), (7, 14.5), (0, 14.5)], [(6.5, 14.5), (7, 14.5), (7, 20), (6.5, 20)]]
-    walled = ke.hybrid_astar(ke.Problem(CAR, ke.PolygonWorld(ROOM, box), (10, 10, 0), (3, 17, 0)), spacing=1.0)
+    walled = ke.hybrid_astar(
+        ke.Problem(CAR, ke.PolygonWorld(ROOM, box), (10, 10, 0), (3, 17, 0)), spacing=1.0
+    )
     few = ke.hybrid_astar(PROBLEM, max_nodes=1)
     for plan in (walled, few):
-        assert plan.path is None and plan.trajectory is None and plan.cost == math.inf and "finer spacing" in plan.reason
+        assert (
+            plan.path is None
+            and plan.trajectory is None
+            and plan.cost == math.inf
+            and "finer spacing" in plan.reason
+        )
     assert walled.stats["nodes"] > 100 and few.stats["nodes"] <= 7
 
 
@@ -140,13 +190,19 @@ def test_bad_input_is_refused_by_name() -> None:
             call()
 
 
-def test_a_pose_at_the_very_end_of_a_trajectory_is_its_last(monkeypatch: pytest.MonkeyPatch) -> None:
-    """However the durations' sum is rounded, no control is looked for after the last one; interpreted code would notice."""
+def test_a_pose_at_the_very_end_of_a_trajectory_is_its_last(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """However the durations' sum is rounded, no control is looked for after the last one;
+    interpreted code would notice.
+    """
     monkeypatch.setattr(trajectories, "on_the_way", trajectories.on_the_way.py_func)
     rng = np.random.default_rng(0)
     for _ in range(300):
         durations = rng.random(rng.integers(1, 40)) * 10.0 ** rng.integers(-6, 3)
-        controls = np.column_stack([np.ones(len(durations)), rng.uniform(-0.7, 0.7, len(durations))])
+        controls = np.column_stack(
+            [np.ones(len(durations)), rng.uniform(-0.7, 0.7, len(durations))]
+        )
         there = Trajectory(CAR, (0, 0, 0), controls, durations)
         ends = np.append(np.cumsum(durations), there.duration)
         off = there.at(ends)[:, :2] - there.poses[[*range(1, len(durations) + 1), -1], :2]

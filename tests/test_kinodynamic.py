@@ -1,4 +1,6 @@
-"""Planners that drive a car: every trajectory is replayed from its controls, reaches what it claims, and touches nothing."""
+"""Planners that drive a car: every trajectory is replayed from its controls, reaches what it
+claims, and touches nothing.
+"""
 
 import itertools
 import math
@@ -24,7 +26,12 @@ SLANTED = [(125, 175), (225, 175), (235, 165), (135, 165)]
 WORLD, CAR = ke.PolygonWorld(INSIDE, [SQUARE, SLANTED]), ke.Car(30, 10, 20)
 PROBLEM = ke.Problem(CAR, WORLD, (250, 250, 0), (50, 50, np.pi / 2))
 EASY = ke.Problem(CAR, ke.PolygonWorld(INSIDE), (60, 60, 0), (120, 90, 0.8))
-SOLID = shapely.union_all([shapely.box(-200, -200, 500, 500) - shapely.Polygon(INSIDE), *map(shapely.Polygon, (SQUARE, SLANTED))])
+SOLID = shapely.union_all(
+    [
+        shapely.box(-200, -200, 500, 500) - shapely.Polygon(INSIDE),
+        *map(shapely.Polygon, (SQUARE, SLANTED)),
+    ]
+)
 
 
 def apart(a: Any, b: Any) -> float:
@@ -32,34 +39,52 @@ def apart(a: Any, b: Any) -> float:
     return max(math.dist(a[:2], b[:2]), abs(short_way(a[2], b[2])))
 
 
-def by_hand(start: Any, controls: Any, durations: Any, wheelbase: float, n: int = 200) -> np.ndarray:
+def by_hand(
+    start: Any, controls: Any, durations: Any, wheelbase: float, n: int = 200
+) -> np.ndarray:
     """The poses (m, 3) of a drive, by turning round the centre of each arc: n for each control."""
     poses = [np.asarray(start, float)]
     for (v, phi), t in zip(controls, durations):
         x, y, theta = poses[-1]
         for part in np.linspace(0, t, n)[1:]:
             if phi == 0.0:
-                poses.append(np.array([x + v * part * math.cos(theta), y + v * part * math.sin(theta), theta]))
+                poses.append(
+                    np.array(
+                        [x + v * part * math.cos(theta), y + v * part * math.sin(theta), theta]
+                    )
+                )
                 continue
             r, turn = wheelbase / math.tan(phi), v * part * math.tan(phi) / wheelbase
             cx, cy = x - r * math.sin(theta), y + r * math.cos(theta)
-            poses.append(np.array([cx + r * math.sin(theta + turn), cy - r * math.cos(theta + turn), theta + turn]))
+            poses.append(
+                np.array(
+                    [cx + r * math.sin(theta + turn), cy - r * math.cos(theta + turn), theta + turn]
+                )
+            )
     return np.array(poses)
 
 
 def bodies(poses: Any, car: Any = CAR) -> Any:
     """The car's outlines at many poses, as shapely's polygons."""
     cos, sin, (x, y) = np.cos(poses[:, 2:]), np.sin(poses[:, 2:]), car.outline.T
-    return shapely.polygons(np.stack([poses[:, :1] + cos * x - sin * y, poses[:, 1:2] + sin * x + cos * y], axis=-1))
+    return shapely.polygons(
+        np.stack([poses[:, :1] + cos * x - sin * y, poses[:, 1:2] + sin * x + cos * y], axis=-1)
+    )
 
 
 def check_driven(plan: Any, problem: Any = PROBLEM, solid: Any = SOLID) -> None:
-    """The controls, replayed without the library, lead along the path to the goal, steered and driven as the car can, and free."""
+    """The controls, replayed without the library, lead along the path to the goal, steered and
+    driven as the car can, and free.
+    """
     there = plan.trajectory
-    assert (np.abs(there.controls[:, 1]) <= CAR.max_steering).all() and np.isin(there.controls[:, 0], CAR.speeds).all()
+    assert (np.abs(there.controls[:, 1]) <= CAR.max_steering).all() and np.isin(
+        there.controls[:, 0], CAR.speeds
+    ).all()
     assert (there.durations > 0.0).all()
     poses = by_hand(problem.start, there.controls, there.durations, CAR.wheelbase)
-    assert apart(poses[-1], there.poses[-1]) < 1e-9 and np.array_equal(there.poses[0], problem.start)
+    assert apart(poses[-1], there.poses[-1]) < 1e-9 and np.array_equal(
+        there.poses[0], problem.start
+    )
     assert not shapely.intersects(bodies(poses), solid).any()
     assert is_free_trajectory(CAR, problem.world, there)
     if plan.path is None:
@@ -71,20 +96,32 @@ def check_driven(plan: Any, problem: Any = PROBLEM, solid: Any = SOLID) -> None:
 
 
 def test_twenty_of_twenty() -> None:
-    """On the map of the project report, from its first start to its first goal, within 5,000 iterations; every drive is checked."""
+    """On the map of the project report, from its first start to its first goal, within 5,000
+    iterations; every drive is checked.
+    """
     for seed in range(20):
         plan = ke.kinodynamic_rrt(PROBLEM, max_iterations=5000, rng=seed)
         assert plan.path is not None
         check_driven(plan)
 
 
-@pytest.mark.parametrize("planner", [ke.kinodynamic_rrt, ke.kinodynamic_prm, ke.sst], ids=lambda planner: planner.__name__)
+@pytest.mark.parametrize(
+    "planner",
+    [ke.kinodynamic_rrt, ke.kinodynamic_prm, ke.sst],
+    ids=lambda planner: planner.__name__,
+)
 def test_what_was_built_is_driven(planner: Any) -> None:
-    """Each node is where its control leads from its parent, and each drive is free; with a seed all is the same again."""
+    """Each node is where its control leads from its parent, and each drive is free; with a seed all
+    is the same again.
+    """
     plan, again = (planner(PROBLEM, rng=3) for _ in range(2))
     check_driven(plan)
     built = plan.roadmap or plan.tree
-    edges = built.edges if plan.roadmap else np.stack([built.parent, np.arange(len(built.nodes))], axis=1)[1:]
+    edges = (
+        built.edges
+        if plan.roadmap
+        else np.stack([built.parent, np.arange(len(built.nodes))], axis=1)[1:]
+    )
     drives = zip(built.controls[-len(edges) :], built.durations[-len(edges) :])
     for (u, w), (control, t) in list(zip(edges, drives))[::7]:
         poses = by_hand(built.nodes[u], [control], [t], CAR.wheelbase, 40)
@@ -95,8 +132,14 @@ def test_what_was_built_is_driven(planner: Any) -> None:
 
 @pytest.mark.parametrize("planner", ["kinodynamic_rrt", "kinodynamic_prm", "sst"])
 def test_interpreted_is_compiled(planner: str) -> None:
-    """A recorder runs the body in Python, and the very same tree grows; every drive that was judged is in its log."""
-    few = {"kinodynamic_rrt": {"max_iterations": 8}, "kinodynamic_prm": {"iterations": 5}, "sst": {"max_iterations": 60}}[planner]
+    """A recorder runs the body in Python, and the very same tree grows; every drive that was judged
+    is in its log.
+    """
+    few = {
+        "kinodynamic_rrt": {"max_iterations": 8},
+        "kinodynamic_prm": {"iterations": 5},
+        "sst": {"max_iterations": 60},
+    }[planner]
     recorder = ke.Recorder(EASY)
     slow, fast = (getattr(ke, planner)(problem, rng=1, **few) for problem in (recorder, EASY))
     for one, other in zip(slow.roadmap or slow.tree, fast.roadmap or fast.tree):
@@ -133,12 +176,22 @@ def test_same_place_other_heading() -> None:
 
 
 def test_there_already_and_never() -> None:
-    """At the goal from the start: a path of one pose. Walled in: no path, a reason, and the drive that came nearest."""
+    """At the goal from the start: a path of one pose. Walled in: no path, a reason, and the drive
+    that came nearest.
+    """
     plan = ke.kinodynamic_rrt(ke.Problem(CAR, WORLD, (150, 100, 0), (152, 100, 0.1)), rng=0)
-    assert plan.path.shape == (1, 3) and plan.cost == 0.0 and np.array_equal(plan.trajectory.at([0.0, 9.0]), plan.path[[0, 0]])
+    assert (
+        plan.path.shape == (1, 3)
+        and plan.cost == 0.0
+        and np.array_equal(plan.trajectory.at([0.0, 9.0]), plan.path[[0, 0]])
+    )
     world = ke.PolygonWorld(INSIDE, [[(140, 10), (141, 10), (141, 290), (140, 290)]])
     problem = ke.Problem(CAR, world, (50, 50, 0), (250, 50, 0))
-    for planner, few in ((ke.kinodynamic_rrt, {"max_iterations": 300}), (ke.kinodynamic_prm, {"iterations": 150}), (ke.sst, {})):
+    for planner, few in (
+        (ke.kinodynamic_rrt, {"max_iterations": 300}),
+        (ke.kinodynamic_prm, {"iterations": 150}),
+        (ke.sst, {}),
+    ):
         plan = planner(problem, rng=0, **few)
         assert plan.path is None and "nearest one" in plan.reason
         check_driven(plan, problem, shapely.box(140, 10, 141, 290))
@@ -149,20 +202,28 @@ def test_headings_wrap() -> None:
     """A goal a hair beyond half a turn away from a heading is as near as one a hair before it."""
     world = ke.PolygonWorld(INSIDE)
     for heading in (np.pi - 0.1, -np.pi + 0.1):
-        plan = ke.kinodynamic_rrt(ke.Problem(CAR, world, (150, 150, np.pi - 1e-9), (152, 150, heading)), rng=0)
+        plan = ke.kinodynamic_rrt(
+            ke.Problem(CAR, world, (150, 150, np.pi - 1e-9), (152, 150, heading)), rng=0
+        )
         assert len(plan.path) == 1
 
 
 def test_longer_search_is_cheaper() -> None:
-    """SST's tree is the same as far as it goes, so more iterations never cost more; each node keeps the cost of its drives."""
+    """SST's tree is the same as far as it goes, so more iterations never cost more; each node keeps
+    the cost of its drives.
+    """
     costs = [ke.sst(EASY, max_iterations=n, rng=2).cost for n in (2000, 8000, 30_000)]
     assert costs[0] >= costs[1] >= costs[2] > 62
     assert costs[2] < 110
 
 
 def test_edges_are_directed() -> None:
-    """A roadmap grown by a car without a reverse gear is searched forward only: replayed, every route still leads there."""
-    problem = ke.Problem(ke.Car(30, 10, 20, speeds=(1,)), ke.PolygonWorld(INSIDE), (60, 150, 0), (220, 150, 0))
+    """A roadmap grown by a car without a reverse gear is searched forward only: replayed, every
+    route still leads there.
+    """
+    problem = ke.Problem(
+        ke.Car(30, 10, 20, speeds=(1,)), ke.PolygonWorld(INSIDE), (60, 150, 0), (220, 150, 0)
+    )
     plan = ke.kinodynamic_prm(problem, iterations=600, rng=0)
     assert plan.path is not None and (plan.trajectory.controls[:, 0] == 1).all()
     check_driven(plan, problem, shapely.box(-200, -200, 500, 500) - shapely.Polygon(INSIDE))
@@ -185,13 +246,17 @@ def test_alternative_routes() -> None:
 
 
 def test_curves_as_controls() -> None:
-    """A path of Reeds and Shepp's curves, told as controls, leads to the goal itself; a plan's own trajectory is kept."""
+    """A path of Reeds and Shepp's curves, told as controls, leads to the goal itself; a plan's own
+    trajectory is kept.
+    """
     plan = ke.rrt(PROBLEM, rng=0)
     there = ke.trajectory_along(plan)
     poses = by_hand(there.start, there.controls, there.durations, CAR.wheelbase)
     assert apart(poses[-1], PROBLEM.goal) < 1e-6 and there.length == pytest.approx(plan.cost)
     assert not shapely.intersects(bodies(poses), SOLID).any()
-    assert is_free_trajectory(CAR, WORLD, there) and not is_free_trajectory(CAR, WORLD, there, 100.0)
+    assert is_free_trajectory(CAR, WORLD, there) and not is_free_trajectory(
+        CAR, WORLD, there, 100.0
+    )
     driving = ke.kinodynamic_rrt(EASY, rng=0)
     assert ke.trajectory_along(driving) is driving.trajectory
     with pytest.raises(InvalidParameter):
@@ -199,13 +264,18 @@ def test_curves_as_controls() -> None:
 
 
 def test_best_within(monkeypatch: pytest.MonkeyPatch) -> None:
-    """By a clock that gains a second at each look: as many plans as there is time for, and of them the cheapest."""
+    """By a clock that gains a second at each look: as many plans as there is time for, and of them
+    the cheapest.
+    """
     ticks, costs = itertools.count(), iter([5.0, np.inf, 3.0, 4.0, 1.0])
     clock = types.SimpleNamespace(monotonic=lambda: next(ticks))
     monkeypatch.setattr(sys.modules["kinoedu.planners.best_within"], "time", clock)
     best = ke.best_within(12, lambda rng: ke.Plan(np.zeros((1, 2)), next(costs)), rng=0)
     assert (best.cost, best.stats["plans"]) == (3.0, 4)
-    assert ke.best_within(0.5, lambda rng: ke.Plan(None, np.inf, reason="none"), rng=0).stats["plans"] == 1
+    assert (
+        ke.best_within(0.5, lambda rng: ke.Plan(None, np.inf, reason="none"), rng=0).stats["plans"]
+        == 1
+    )
 
 
 def test_trajectories() -> None:
@@ -215,9 +285,13 @@ def test_trajectories() -> None:
     assert (there.duration, there.length) == (42.5, 42.5) and there.poses.shape == (4, 3)
     for t in (-1.0, 0.0, 7.0, 30.0, 30.1, 42.5, 99.0):
         held = min(max(t, 0.0), 42.5)
-        expected = by_hand((5, 6, 3), [(1, 0.3), (1, 0.0)], [min(held, 30.0), max(held - 30.0, 0.0)], 20)[-1]
+        expected = by_hand(
+            (5, 6, 3), [(1, 0.3), (1, 0.0)], [min(held, 30.0), max(held - 30.0, 0.0)], 20
+        )[-1]
         assert apart(there.at(t), expected) < 1e-9
-    assert there.at([1.0, 2.0]).shape == (2, 3) and ke.Trajectory(CAR, (5, 6, 3), [], []).at(1.0).tolist() == [5, 6, 3]
+    assert there.at([1.0, 2.0]).shape == (2, 3) and ke.Trajectory(CAR, (5, 6, 3), [], []).at(
+        1.0
+    ).tolist() == [5, 6, 3]
     for wrong in ([(1, 0, 0)], [1]), ([(1, 0)], [1, 2]), ([(1, 1)], [1]), ([(1, 0)], [-1]):
         with pytest.raises(InvalidParameter):
             ke.Trajectory(CAR, (0, 0, 0), *wrong)
@@ -228,10 +302,14 @@ def test_trajectories() -> None:
 
 
 @pytest.mark.parametrize(
-    ("rule", "order"), [(integrators.euler, 1), (integrators.runge_kutta, 4)], ids=("Euler", "Runge and Kutta")
+    ("rule", "order"),
+    [(integrators.euler, 1), (integrators.runge_kutta, 4)],
+    ids=("Euler", "Runge and Kutta"),
 )
 def test_error_orders(rule: Any, order: int) -> None:
-    """Twice as many steps: half the error by Euler's rule, a sixteenth by Runge's and Kutta's; none in closed form."""
+    """Twice as many steps: half the error by Euler's rule, a sixteenth by Runge's and Kutta's; none
+    in closed form.
+    """
     pose, v, curvature, t = (1.0, 2.0, 0.5), -1.5, 0.4, 4.0
     end = by_hand(pose, [(v, math.atan(curvature))], [t], 1.0)[-1]
     errors = [math.dist(rule(pose, v, curvature, t, n)[-1][:2], end[:2]) for n in (20, 40, 80)]
@@ -242,7 +320,9 @@ def test_error_orders(rule: Any, order: int) -> None:
 
 
 def test_one_centre_for_all_wheels() -> None:
-    """Ackermann: the axes of all four wheels meet in the point round which the car turns; driving straight there is none."""
+    """Ackermann: the axes of all four wheels meet in the point round which the car turns; driving
+    straight there is none.
+    """
     for pose, phi in (((0, 0, 0), 0.5), ((3, -2, 2.5), -0.7), ((1, 1, -3), 0.01)):
         centre = CAR.turning_centre(pose, phi)
         cos, sin = math.cos(pose[2]), math.sin(pose[2])
@@ -259,8 +339,22 @@ def test_one_centre_for_all_wheels() -> None:
 
 def test_nonsense_is_refused_by_name() -> None:
     """Arguments that make no sense, and robots that are not driven."""
-    wrong = [{"trials": 0}, {"duration": 0}, {"step": 99}, {"batches": 0}, {"tolerance": -1}, {"goal_every": -1}, {"region": -1}]
-    for arguments in (*wrong, {"turn_weight": 0}, {"turn_tolerance": np.nan}, {"max_iterations": 1.5}, {"region_turn": "wide"}):
+    wrong = [
+        {"trials": 0},
+        {"duration": 0},
+        {"step": 99},
+        {"batches": 0},
+        {"tolerance": -1},
+        {"goal_every": -1},
+        {"region": -1},
+    ]
+    for arguments in (
+        *wrong,
+        {"turn_weight": 0},
+        {"turn_tolerance": np.nan},
+        {"max_iterations": 1.5},
+        {"region_turn": "wide"},
+    ):
         with pytest.raises(InvalidParameter):
             ke.kinodynamic_rrt(PROBLEM, rng=0, **arguments)
     for planner in (ke.kinodynamic_rrt, ke.kinodynamic_prm, ke.sst):

@@ -16,7 +16,8 @@ from kinoedu.lab import TOUR, has_display, lab_command
 HOUSE = Path(__file__).resolve().parent.parent
 LESSONS = sorted(path.name for path in (HOUSE / "notebooks").glob("*.ipynb"))
 TOLD = "document.querySelectorAll('.kinoedu-told')"
-SCROLL = "number => jupyterapp.shell.currentWidget.content.scrollToItem(number, 'center')"  # JupyterLab renders what is in view
+# JupyterLab renders what is in view
+SCROLL = "number => jupyterapp.shell.currentWidget.content.scrollToItem(number, 'center')"
 SHOW = """number => jupyterapp.shell.currentWidget.content.widgets[number].node
     .querySelector('.kinoedu-board, .kinoedu-solid').scrollIntoView({block: 'center'})"""
 SHUT_DOWN = "() => jupyterapp.shell.currentWidget.sessionContext.shutdown()"
@@ -33,7 +34,9 @@ COLOURS = """number => {
 
 @pytest.fixture(scope="module")
 def server(tmp_path_factory):
-    """One JupyterLab for all, on a copy of the notebooks, since running them in JupyterLab saves them."""
+    """One JupyterLab for all, on a copy of the notebooks, since running them in JupyterLab saves
+    them.
+    """
     needs_chromium()
     course = tmp_path_factory.mktemp("course")
     shutil.copytree(HOUSE / "notebooks", course / "notebooks")
@@ -42,7 +45,9 @@ def server(tmp_path_factory):
 
 
 def boards_of(lesson):
-    """The numbers of a stored notebook's cells that show boards: each says what it is in text, too."""
+    """The numbers of a stored notebook's cells that show boards: each says what it is in text,
+    too.
+    """
     cells = json.loads((HOUSE / "notebooks" / lesson).read_text(encoding="utf-8"))["cells"]
     data = [[out.get("data", {}) for out in cell.get("outputs", [])] for cell in cells]
     texts = ["".join("".join(one.get("text/plain", "")) for one in outputs) for outputs in data]
@@ -51,18 +56,24 @@ def boards_of(lesson):
 
 @pytest.mark.parametrize("lesson", LESSONS)
 def test_a_lesson_runs_and_its_boards_are_painted(server, lesson):
-    """All cells run without error, without a request to the outside and without a complaint; every board shows its answer."""
+    """All cells run without error, without a request to the outside and without a complaint; every
+    board shows its answer.
+    """
     with notebook_page(*server, f"notebooks/{lesson}") as page:
         book = page.evaluate(RUN_ALL)
         code = [cell for cell in book["cells"] if cell["cell_type"] == "code"]
         assert all(cell["execution_count"] for cell in code)
-        assert [o["evalue"] for cell in code for o in cell["outputs"] if o["output_type"] == "error"] == []
+        assert [
+            o["evalue"] for cell in code for o in cell["outputs"] if o["output_type"] == "error"
+        ] == []
         for number in boards_of(lesson):
             page.evaluate(SCROLL, number)
             page.wait_for_function(PAINTED, arg=number)
             page.evaluate(SHOW, number)
             keep(page, f"{lesson.removesuffix('.ipynb')}-{number}")
-            assert min(page.evaluate(COLOURS, number)) > 3  # a world, what was answered, and their words
+            assert (
+                min(page.evaluate(COLOURS, number)) > 3
+            )  # a world, what was answered, and their words
         if lesson in PLAYED:
             page.evaluate(SCROLL, boards_of(lesson)[0])
             PLAYED[lesson](page)
@@ -75,7 +86,10 @@ def play_tour(page):
     board = page.locator(".kinoedu-board").first
     page.wait_for_function(f"() => {TOLD}[0].innerText === 'RRT: a path of length 270.4, 78 nodes'")
     board.locator("[data-thing=handle-1]").scroll_into_view_if_needed()
-    goal, whole = board.locator("[data-thing=handle-1]").bounding_box(), board.locator("canvas").screenshot()
+    goal, whole = (
+        board.locator("[data-thing=handle-1]").bounding_box(),
+        board.locator("canvas").screenshot(),
+    )
     x, y = goal["x"] + goal["width"] / 2, goal["y"] + goal["height"] / 2
     page.mouse.move(x, y)
     page.mouse.down()
@@ -98,14 +112,19 @@ def play_distance(page):
     q.focus()
     for _ in range(3):
         q.press("ArrowLeft")
-    page.wait_for_function(f"() => {TOLD}[0].innerText.includes('distance') && !{TOLD}[0].innerText.includes('distance 0.8,')")
+    page.wait_for_function(
+        f"() => {TOLD}[0].innerText.includes('distance') && "
+        f"!{TOLD}[0].innerText.includes('distance 0.8,')"
+    )
 
 
 PLAYED = {Path(TOUR).name: play_tour, "01_geometry.ipynb": play_distance}
 
 
 def test_jupyter_keeps_its_token_and_stays_on_this_computer(monkeypatch):
-    """The command listens on localhost, asks nobody for news and switches no guard off; without a display it opens no browser."""
+    """The command listens on localhost, asks nobody for news and switches no guard off; without a
+    display it opens no browser.
+    """
     command = lab_command(browser=False)
     assert command[:4] == [sys.executable, "-m", "jupyterlab", TOUR]
     assert "--ServerApp.ip=127.0.0.1" in command
@@ -125,7 +144,10 @@ def test_a_course_that_is_only_read_is_written_at_home(monkeypatch, tmp_path):
     monkeypatch.setattr(kinoedu.lab.os, "access", lambda *_: False)
     monkeypatch.setattr(Path, "home", lambda: tmp_path)
     assert kinoedu.lab.lessons() == tmp_path / "kinoedu"
-    tour, town = tmp_path / "kinoedu" / TOUR, tmp_path / "kinoedu" / "notebooks" / "maps" / "Paris_1_256.map"
+    tour, town = (
+        tmp_path / "kinoedu" / TOUR,
+        tmp_path / "kinoedu" / "notebooks" / "maps" / "Paris_1_256.map",
+    )
     assert tour.read_bytes() == (HOUSE / TOUR).read_bytes() and town.is_file()
     tour.write_text("mine", encoding="utf-8")
     town.unlink()
@@ -143,7 +165,9 @@ def test_what_is_compiled_meanwhile_ends_with_the_lab(monkeypatch):
             started.append(self)
 
     monkeypatch.setattr(subprocess, "Popen", Noted)
-    monkeypatch.setattr(kinoedu.lab, "lab_command", lambda browser: [sys.executable, "-c", "raise SystemExit(3)"])
+    monkeypatch.setattr(
+        kinoedu.lab, "lab_command", lambda browser: [sys.executable, "-c", "raise SystemExit(3)"]
+    )
     assert kinoedu.lab.open_lab(browser=False) == 3
     assert [process.poll() is None for process in started] == [False, False]
     assert started[1].args[1:] == ["-m", "kinoedu", "warm", "--behind"]

@@ -1,4 +1,6 @@
-"""Meshes and other people's maps: the polygons they become, against the solids themselves; what is wrong is refused by name."""
+"""Meshes and other people's maps: the polygons they become, against the solids themselves; what is
+wrong is refused by name.
+"""
 
 import json
 import warnings
@@ -69,7 +71,12 @@ def corners(ring):
 def test_a_box_is_its_rectangle_from_every_format(tmp_path, kind):
     """Seen from above and sliced, along each axis; without corners that are none."""
     file = saved(trimesh.creation.box((1, 2, 4)), tmp_path, kind)
-    for options, (x, y) in (({}, (1, 2)), ({"up": "y"}, (1, 4)), ({"up": "x"}, (2, 4)), ({"slice_at": 0.3}, (1, 2))):
+    for options, (x, y) in (
+        ({}, (1, 2)),
+        ({"up": "y"}, (1, 4)),
+        ({"up": "x"}, (2, 4)),
+        ({"slice_at": 0.3}, (1, 2)),
+    ):
         [(outline, rooms)] = read_mesh(file, **options)
         assert corners(outline) == {(sx * x / 2, sy * y / 2) for sx in (-1, 1) for sy in (-1, 1)}
         assert len(outline) == 4 and rooms == []
@@ -78,7 +85,9 @@ def test_a_box_is_its_rectangle_from_every_format(tmp_path, kind):
 
 @pytest.mark.parametrize("up", ["X", "Y", "Z"])
 def test_bodies_stand_where_the_scene_puts_them_and_up_is_the_files_when_asked(tmp_path, up):
-    """Two instances of a tetrahedron, one moved and turned. Each plane is right-handed: no picture is mirrored."""
+    """Two instances of a tetrahedron, one moved and turned. Each plane is right-handed: no picture
+    is mirrored.
+    """
     file = tmp_path / "two.dae"
     file.write_text(DAE.format(up=up))
     left, right = (outline for outline, _ in read_mesh(file))
@@ -93,7 +102,9 @@ def test_bodies_stand_where_the_scene_puts_them_and_up_is_the_files_when_asked(t
 
 
 def solids_at_random(rng):
-    """Boxes, square pipes and pyramids at random places, turned; as a mesh, and as tests of points (n, 2) at a height."""
+    """Boxes, square pipes and pyramids at random places, turned; as a mesh, and as tests of points
+    (n, 2) at a height.
+    """
     meshes, tests = [], []
     for _ in range(6):
         x, y, turn = *rng.uniform(-4, 4, 2), rng.uniform(0, 3)
@@ -103,20 +114,42 @@ def solids_at_random(rng):
         cos, sin = np.cos(turn), np.sin(turn)
 
         def local(p, x=x, y=y, cos=cos, sin=sin):
-            return np.abs(np.stack([cos * (p[:, 0] - x) + sin * (p[:, 1] - y), cos * (p[:, 1] - y) - sin * (p[:, 0] - x)], axis=1))
+            return np.abs(
+                np.stack(
+                    [
+                        cos * (p[:, 0] - x) + sin * (p[:, 1] - y),
+                        cos * (p[:, 1] - y) - sin * (p[:, 0] - x),
+                    ],
+                    axis=1,
+                )
+            )
 
         if kind < 2:
             meshes.append(trimesh.creation.box((a, b, h), transform=place))
-            tests.append(lambda p, z, half=(a / 2, b / 2), h=h, local=local: (local(p) < half).all(axis=1) & (abs(z) < h / 2))
-        elif kind == 2:
-            meshes.append(trimesh.creation.annulus(a / 2, a, h, sections=4, transform=place))  # square rings, corners on the axes
             tests.append(
-                lambda p, z, a=a, h=h, local=local: (local(p).sum(axis=1) < a) & (local(p).sum(axis=1) > a / 2) & (abs(z) < h / 2)
+                lambda p, z, half=(a / 2, b / 2), h=h, local=local: (
+                    (local(p) < half).all(axis=1) & (abs(z) < h / 2)
+                )
+            )
+        elif kind == 2:
+            meshes.append(
+                trimesh.creation.annulus(a / 2, a, h, sections=4, transform=place)
+            )  # square rings, corners on the axes
+            tests.append(
+                lambda p, z, a=a, h=h, local=local: (
+                    (local(p).sum(axis=1) < a) & (local(p).sum(axis=1) > a / 2) & (abs(z) < h / 2)
+                )
             )
         else:
-            pyramid = trimesh.convex.convex_hull([(a, a, 0), (-a, a, 0), (a, -a, 0), (-a, -a, 0), (0, 0, h)])
+            pyramid = trimesh.convex.convex_hull(
+                [(a, a, 0), (-a, a, 0), (a, -a, 0), (-a, -a, 0), (0, 0, h)]
+            )
             meshes.append(pyramid.apply_transform(place))
-            tests.append(lambda p, z, a=a, h=h, local=local: (local(p).max(axis=1) < a * (1 - max(z, 0) / h)) & (0 <= z < h))
+            tests.append(
+                lambda p, z, a=a, h=h, local=local: (
+                    (local(p).max(axis=1) < a * (1 - max(z, 0) / h)) & (0 <= z < h)
+                )
+            )
     return trimesh.util.concatenate(meshes), tests
 
 
@@ -130,8 +163,12 @@ def test_slices_and_shadows_hold_the_points_of_the_solids(tmp_path, seed):
     for height in (None, 0.1, float(rng.uniform(0.0, 0.3))):
         heights = np.linspace(-2, 3, 300) if height is None else [height]
         inside = np.any([test(points, z) for z in heights for test in tests], axis=0)
-        shape = shapely.union_all([shapely.Polygon(*solid) for solid in read_mesh(file, slice_at=height)])
-        near = shapely.distance(shape.boundary, shapely.points(points)) < (0.05 if height is None else 1e-4)
+        shape = shapely.union_all(
+            [shapely.Polygon(*solid) for solid in read_mesh(file, slice_at=height)]
+        )
+        near = shapely.distance(shape.boundary, shapely.points(points)) < (
+            0.05 if height is None else 1e-4
+        )
         assert np.array_equal(shapely.contains_xy(shape, points)[~near], inside[~near])
         assert 0.02 < inside.mean() < 0.98
 
@@ -143,15 +180,23 @@ def test_holes_are_rooms_and_a_robot_fits_inside(tmp_path):
     file = saved(trimesh.util.concatenate([pipe, post]), tmp_path, "stl")
     for options in ({}, {"slice_at": 0.25}):
         solids = read_mesh(file, **options)
-        assert [(len(outline), [len(room) for room in rooms]) for outline, rooms in solids] == [(32, [32]), (16, [])]
+        assert [(len(outline), [len(room) for room in rooms]) for outline, rooms in solids] == [
+            (32, [32]),
+            (16, []),
+        ]
         world = mesh_world(file, margin=1.0, **options)
         assert ke.Problem(ke.Disk(0.9), world, (2, 0), (-2, 0)).is_free(np.array([0.0, 2.0]))
         assert ke.rrt(ke.Problem(ke.Disk(0.5), world, (2, 0), (-2, 0)), rng=0).path is not None
-        assert ke.rrt(ke.Problem(ke.Point(), world, (2, 0), (4.5, 0)), max_nodes=300, rng=0).path is None
+        assert (
+            ke.rrt(ke.Problem(ke.Point(), world, (2, 0), (4.5, 0)), max_nodes=300, rng=0).path
+            is None
+        )
     with pytest.raises(InvalidRobot, match="got 2"):
         mesh_outline(file)
     outline = mesh_outline(saved(pipe, tmp_path, "obj"), reference=(1, 2))
-    assert shapely.Polygon(outline).area == pytest.approx(shapely.Polygon(solids[0][0]).area, rel=1e-6)
+    assert shapely.Polygon(outline).area == pytest.approx(
+        shapely.Polygon(solids[0][0]).area, rel=1e-6
+    )
     assert outline.mean(axis=0) == pytest.approx((-1, -2), abs=1e-6)
 
 
@@ -159,17 +204,32 @@ def test_a_cavity_is_free_in_a_slice_and_covered_from_above(tmp_path):
     """A hollow box: the inner surface faces inwards."""
     inner = trimesh.creation.box((2, 2, 2))
     inner.invert()
-    file = saved(trimesh.util.concatenate([trimesh.creation.box((4, 4, 4)), inner]), tmp_path, "stl")
-    assert (area(read_mesh(file, slice_at=0.0)), area(read_mesh(file, slice_at=1.5)), area(read_mesh(file))) == (12, 16, 16)
+    file = saved(
+        trimesh.util.concatenate([trimesh.creation.box((4, 4, 4)), inner]), tmp_path, "stl"
+    )
+    assert (
+        area(read_mesh(file, slice_at=0.0)),
+        area(read_mesh(file, slice_at=1.5)),
+        area(read_mesh(file)),
+    ) == (12, 16, 16)
 
 
 def test_a_slice_through_faces_and_corners_has_what_is_just_above(tmp_path):
-    """Where two boxes stand on each other, the upper one counts; at the very top there is nothing left."""
+    """Where two boxes stand on each other, the upper one counts; at the very top there is nothing
+    left.
+    """
     tower = trimesh.util.concatenate(
-        [trimesh.creation.box((4, 4, 1)), trimesh.creation.box((2, 2, 1), transform=translation_matrix((0, 0, 1)))]
+        [
+            trimesh.creation.box((4, 4, 1)),
+            trimesh.creation.box((2, 2, 1), transform=translation_matrix((0, 0, 1))),
+        ]
     )
     file = saved(tower, tmp_path, "glb")
-    assert (area(read_mesh(file, slice_at=0.5)), area(read_mesh(file, slice_at=-0.5)), area(read_mesh(file))) == (4, 16, 16)
+    assert (
+        area(read_mesh(file, slice_at=0.5)),
+        area(read_mesh(file, slice_at=-0.5)),
+        area(read_mesh(file)),
+    ) == (4, 16, 16)
     for height in (1.5, -0.6, np.nan, (0, 1), "low"):
         with pytest.raises(KinoeduError):
             read_mesh(file, slice_at=height)
@@ -180,7 +240,11 @@ def test_thousands_of_triangles(tmp_path):
     file = saved(trimesh.creation.icosphere(5), tmp_path, "stl")
     for options in ({}, {"slice_at": 0.001}):
         solids = read_mesh(file, **options)
-        assert len(solids) == 1 and solids[0][1] == [] and area(solids) == pytest.approx(np.pi, rel=2e-3)
+        assert (
+            len(solids) == 1
+            and solids[0][1] == []
+            and area(solids) == pytest.approx(np.pi, rel=2e-3)
+        )
 
 
 @pytest.mark.parametrize("scale", [1e-120, 1e-5, 1e120])
@@ -188,14 +252,18 @@ def test_any_unit_will_do(tmp_path, scale):
     """Tiny and huge meshes keep their shape."""
     file = tmp_path / "tile.obj"
     points = np.array([(0, 0, 1), (2, 0, 1), (2, 1, 1), (0, 1, 1)]) * scale
-    file.write_text("".join(f"v {x!r} {y!r} {z!r}\n" for x, y, z in points.tolist()) + "f 1 2 3\nf 1 3 4\n")
+    file.write_text(
+        "".join(f"v {x!r} {y!r} {z!r}\n" for x, y, z in points.tolist()) + "f 1 2 3\nf 1 3 4\n"
+    )
     [(outline, _)] = read_mesh(file)
     assert (np.ptp(outline, axis=0) / scale).tolist() == pytest.approx([2, 1], rel=1e-11)
 
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_meshes_cut_short_are_refused(tmp_path, kind):
-    """In every format at any byte; but an .obj between two lines, which then has fewer triangles."""
+    """In every format at any byte; but an .obj between two lines, which then has fewer
+    triangles.
+    """
     data = saved(trimesh.creation.box((1, 2, 4)), tmp_path, kind).read_bytes()
     file = tmp_path / f"cut.{kind}"
     for end in range(0, len(data) - 2, max(1, len(data) // 40)):
@@ -211,7 +279,8 @@ def test_meshes_cut_short_are_refused(tmp_path, kind):
     [
         (
             "x.stl",
-            "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n",
+            "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 "
+            "0\nendloop\nendfacet\n",
             {},
             "endsolid",
         ),
@@ -241,15 +310,30 @@ def test_a_scene_may_name_meshes(tmp_path):
     saved(trimesh.creation.box((1, 6, 3)), tmp_path, "glb", "wall")
     scene = {
         "version": 1,
-        "robot": {"kind": "mesh", "file": "sofa.stl", "slice_at": 0.0, "reference": [-2, 0], "turn_weight": 2.0},
-        "world": {"kind": "mesh", "file": "wall.glb", "boundary": [[-9, -9], [9, -9], [9, 9], [-9, 9]]},
+        "robot": {
+            "kind": "mesh",
+            "file": "sofa.stl",
+            "slice_at": 0.0,
+            "reference": [-2, 0],
+            "turn_weight": 2.0,
+        },
+        "world": {
+            "kind": "mesh",
+            "file": "wall.glb",
+            "boundary": [[-9, -9], [9, -9], [9, 9], [-9, 9]],
+        },
         "start": [-7, 0, 0],
         "goal": [3, 0, 0],
     }
     file = tmp_path / "scene.json"
     file.write_text(json.dumps(scene))
     problem = ke.read_scene(file)
-    assert problem.robot.turn_weight == 2.0 and corners(problem.robot.outline) == {(0, -0.5), (4, -0.5), (4, 0.5), (0, 0.5)}
+    assert problem.robot.turn_weight == 2.0 and corners(problem.robot.outline) == {
+        (0, -0.5),
+        (4, -0.5),
+        (4, 0.5),
+        (0, 0.5),
+    }
     assert ke.rrt_connect(problem, rng=0).path is not None
     ke.write_scene(problem, tmp_path / "again.json")
     assert np.array_equal(ke.read_scene(tmp_path / "again.json").world.edges, problem.world.edges)
@@ -270,10 +354,18 @@ def test_a_scene_may_name_meshes(tmp_path):
 
 @pytest.mark.parametrize(
     ("name", "bad"),
-    [("parking1", [12]), ("parking2", []), ("warehouse", [0, 9, 10, 19, 45, 46, 82, 83]), ("car", []), ("warehouse_robot", [])],
+    [
+        ("parking1", [12]),
+        ("parking2", []),
+        ("warehouse", [0, 9, 10, 19, 45, 46, 82, 83]),
+        ("car", []),
+        ("warehouse_robot", []),
+    ],
 )
 def test_benchmr_maps_are_read_upright_and_mended(name, bad):
-    """y turned up, nothing lost: the union is that of the drawing, by shapely; a warning names those that were mended."""
+    """y turned up, nothing lost: the union is that of the drawing, by shapely; a warning names
+    those that were mended.
+    """
     file = BENCHMR / f"{name}.json"
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
@@ -283,7 +375,9 @@ def test_benchmr_maps_are_read_upright_and_mended(name, bad):
     assert all(warning.category is MendedPolygons for warning in caught) and name in said + name
     drawn = [np.array(polygon) for polygon in json.loads(file.read_text())["polygons"]]
     bottom = max(polygon[:, 1].max() for polygon in drawn)
-    upright = shapely.union_all([shapely.Polygon(polygon * (1, -1) + (0, bottom)).buffer(0) for polygon in drawn])
+    upright = shapely.union_all(
+        [shapely.Polygon(polygon * (1, -1) + (0, bottom)).buffer(0) for polygon in drawn]
+    )
     read = shapely.union_all([shapely.Polygon(rings[0]) for rings in rings_of(world)[1:]])
     assert read.symmetric_difference(upright).area < 1e-9 * upright.area
     assert len(rings_of(world)) == len(drawn) + 1
@@ -294,7 +388,11 @@ def test_a_car_parks_in_a_benchmr_lot():
     with pytest.warns(MendedPolygons):
         world = ke.read_world(BENCHMR / "parking1.json")
     car = rings_of(ke.read_world(BENCHMR / "car.json"))[1][0] - (2.0, 1.2)
-    free = [q for q in np.random.default_rng(0).uniform(world.lo, world.hi, (4000, 2)) if _clear(world, car, q)]
+    free = [
+        q
+        for q in np.random.default_rng(0).uniform(world.lo, world.hi, (4000, 2))
+        if _clear(world, car, q)
+    ]
     problem = ke.Problem(ke.RigidPolygon(car), world, (*free[0], 0.0), (*free[-1], 0.0))
     assert problem.is_free(problem.start)
 
@@ -321,25 +419,40 @@ def test_start_goal_and_heading_turn_with_the_map(tmp_path):
     file = drawn(tmp_path, polygons=[square, *frame], start=[1, 1, 0.5], goal=[9, 9, -0.5])
     world, start, goal = read_benchmr(file)
     assert start.tolist() == [1, 9, -0.5] and goal.tolist() == [9, 1, 0.5]
-    assert ke.read_problem(file, robot=ke.RigidPolygon([(0, 0), (0.2, 0), (0, 0.2)])).start.tolist() == [1, 9, -0.5]
+    assert ke.read_problem(
+        file, robot=ke.RigidPolygon([(0, 0), (0.2, 0), (0, 0.2)])
+    ).start.tolist() == [1, 9, -0.5]
     assert ke.read_problem(file, start=(1, 1), goal=(2, 2)).goal.tolist() == [2, 2]
     wide = read_benchmr(file, boundary=[(-1, -1), (12, -1), (12, 12), (-1, 12)]).world
     assert wide.hi.tolist() == [12, 12] and world.hi.tolist() == [10, 10]
 
 
 def test_bow_ties_repeats_and_twins_are_mended(tmp_path):
-    """All that a bow tie encloses is solid; a corner or a polygon that is there twice counts once, whichever way round."""
+    """All that a bow tie encloses is solid; a corner or a polygon that is there twice counts once,
+    whichever way round.
+    """
     bow = [[0, 0], [4, 4], [4, 0], [0, 4]]
     twice = [[6, 0], [8, 0], [8, 0], [8, 2], [6, 0]]
     triangle = [[10, 0], [12, 0], [11, 2]]
-    file = drawn(tmp_path, polygons=[bow, twice, triangle, triangle[::-1], [triangle[1], triangle[2], triangle[0]]])
-    with pytest.warns(MendedPolygons, match="polygon 0 crosses.*n 1 repeats 2.*n 3 is polygon 2.*n 4 is polygon 2"):
+    file = drawn(
+        tmp_path,
+        polygons=[bow, twice, triangle, triangle[::-1], [triangle[1], triangle[2], triangle[0]]],
+    )
+    with pytest.warns(
+        MendedPolygons, match="polygon 0 crosses.*n 1 repeats 2.*n 3 is polygon 2.*n 4 is polygon 2"
+    ):
         world = ke.read_world(file)
     rings = rings_of(world)[1:]
     assert sum(shapely.Polygon(ring).area for (ring,) in rings) == pytest.approx(8 + 2 + 2)
     points = np.array([(0.5, 1.0), (3.5, 3.0), (2.0, 1.0), (7.5, 1.0), (6.5, 1.5)])
     turned = points * (1, -1) + (0, 4)
-    assert [ke.Problem(ke.Point(), world, (2, 0.5), (2, 0.5)).is_free(q) for q in turned] == [False, False, True, False, True]
+    assert [ke.Problem(ke.Point(), world, (2, 0.5), (2, 0.5)).is_free(q) for q in turned] == [
+        False,
+        False,
+        True,
+        False,
+        True,
+    ]
 
 
 @pytest.mark.parametrize(

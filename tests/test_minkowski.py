@@ -1,4 +1,6 @@
-"""Sums of convex polygons against the hull of all sums of corners, in rational numbers; differences against collision."""
+"""Sums of convex polygons against the hull of all sums of corners, in rational numbers; differences
+against collision.
+"""
 
 from fractions import Fraction
 
@@ -7,7 +9,13 @@ import pytest
 import shapely
 
 from kinoedu.errors import InvalidPoint, InvalidPolygon
-from kinoedu.geometry import convex_hull, convex_polygons_intersect, erosion, minkowski_difference, minkowski_sum
+from kinoedu.geometry import (
+    convex_hull,
+    convex_polygons_intersect,
+    erosion,
+    minkowski_difference,
+    minkowski_sum,
+)
 from kinoedu.geometry.exact import bend
 from kinoedu.geometry.rings import as_convex_ring
 
@@ -15,16 +23,23 @@ SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
 
 
 def lattice_shapes(seed, count=120, reach=6):
-    """Convex polygons, segments and points with whole coordinates: many parallel edges, every sum exact."""
+    """Convex polygons, segments and points with whole coordinates: many parallel edges, every sum
+    exact.
+    """
     rng = np.random.default_rng(seed)
-    return [convex_hull(rng.integers(-reach, reach, size=(rng.integers(1, 9), 2))) for _ in range(count)]
+    return [
+        convex_hull(rng.integers(-reach, reach, size=(rng.integers(1, 9), 2))) for _ in range(count)
+    ]
 
 
 def float_shapes(seed, count=60):
     """Convex polygons of all sizes, far from the origin or near."""
     rng = np.random.default_rng(seed)
     return [
-        convex_hull(rng.normal(size=(rng.integers(3, 30), 2)) * 10.0 ** rng.integers(-6, 6) + rng.normal(size=2))
+        convex_hull(
+            rng.normal(size=(rng.integers(3, 30), 2)) * 10.0 ** rng.integers(-6, 6)
+            + rng.normal(size=2)
+        )
         for _ in range(count)
     ]
 
@@ -62,29 +77,46 @@ def perimeter(P):
 
 
 def test_a_sum_on_the_lattice_is_the_hull_of_all_sums_of_corners():
-    """The same corners in the same order, for polygons, segments and points; no repeated ones, none on an edge."""
+    """The same corners in the same order, for polygons, segments and points; no repeated ones, none
+    on an edge.
+    """
     for P, Q in zip(lattice_shapes(1, 400), lattice_shapes(2, 400)):
-        assert [tuple(map(Fraction, p)) for p in minkowski_sum(P, Q).tolist()] == all_sums(P.tolist(), Q.tolist())
+        assert [tuple(map(Fraction, p)) for p in minkowski_sum(P, Q).tolist()] == all_sums(
+            P.tolist(), Q.tolist()
+        )
         negated = (-Q).tolist()
-        assert [tuple(map(Fraction, p)) for p in minkowski_difference(P, Q).tolist()] == all_sums(P.tolist(), negated)
+        assert [tuple(map(Fraction, p)) for p in minkowski_difference(P, Q).tolist()] == all_sums(
+            P.tolist(), negated
+        )
 
 
 def test_a_sum_of_floats_is_within_one_rounding_of_the_exact_one():
-    """Each exact corner is next to one of the answer's, or to its outline where rounding has straightened it; and it is convex."""
+    """Each exact corner is next to one of the answer's, or to its outline where rounding has
+    straightened it; and it is convex.
+    """
     for P, Q in zip(float_shapes(3), float_shapes(4)):
         S, exact = minkowski_sum(P, Q), all_sums(P.tolist(), Q.tolist())
-        assert np.array_equal(as_convex_ring(S), convex_hull(S))  # strictly convex, from the leftmost
+        assert np.array_equal(
+            as_convex_ring(S), convex_hull(S)
+        )  # strictly convex, from the leftmost
         size = max(np.abs(P).max() + np.abs(Q).max(), 1e-300)
         corners = np.array([[float(x) for x in corner] for corner in exact])
-        assert shapely.distance(shapely.polygons(S).exterior, shapely.points(corners)).max() <= 4e-16 * size
-        assert abs(area([tuple(map(Fraction, p)) for p in S.tolist()]) - area(exact)) <= 1e-15 * size * perimeter(S)
+        assert (
+            shapely.distance(shapely.polygons(S).exterior, shapely.points(corners)).max()
+            <= 4e-16 * size
+        )
+        assert abs(
+            area([tuple(map(Fraction, p)) for p in S.tolist()]) - area(exact)
+        ) <= 1e-15 * size * perimeter(S)
 
 
 def test_sums_commute_and_associate():
     """P + Q = Q + P always; (P + Q) + R = P + (Q + R) where nothing is rounded."""
     for P, Q, R in zip(lattice_shapes(5), lattice_shapes(6), lattice_shapes(7)):
         assert np.array_equal(minkowski_sum(P, Q), minkowski_sum(Q, P))
-        assert np.array_equal(minkowski_sum(minkowski_sum(P, Q), R), minkowski_sum(P, minkowski_sum(Q, R)))
+        assert np.array_equal(
+            minkowski_sum(minkowski_sum(P, Q), R), minkowski_sum(P, minkowski_sum(Q, R))
+        )
     for P, Q in zip(float_shapes(8), float_shapes(9)):
         assert np.array_equal(minkowski_sum(P, Q), minkowski_sum(Q, P))
 
@@ -92,13 +124,20 @@ def test_sums_commute_and_associate():
 def test_areas_follow_the_mixed_area():
     """area(P + t Q) = area(P) + 2 t V + t^2 area(Q) for t = 1, 2, 3 with one V; perimeters add."""
     for P, Q in zip(lattice_shapes(10), lattice_shapes(11)):
-        twice_mixed = [area(minkowski_sum(P, t * Q).tolist()) - area(P.tolist()) - t * t * area(Q.tolist()) for t in (1, 2, 3)]
+        twice_mixed = [
+            area(minkowski_sum(P, t * Q).tolist()) - area(P.tolist()) - t * t * area(Q.tolist())
+            for t in (1, 2, 3)
+        ]
         assert twice_mixed[1] == 2 * twice_mixed[0] and twice_mixed[2] == 3 * twice_mixed[0]
-        assert perimeter(minkowski_sum(P, Q)) == pytest.approx(perimeter(P) + perimeter(Q), rel=1e-13)
+        assert perimeter(minkowski_sum(P, Q)) == pytest.approx(
+            perimeter(P) + perimeter(Q), rel=1e-13
+        )
 
 
 def test_nearly_parallel_edges_keep_their_order():
-    """Edges whose directions differ by the last bit are two edges, in the right order; equal directions are one."""
+    """Edges whose directions differ by the last bit are two edges, in the right order; equal
+    directions are one.
+    """
     P = [(0, 0), (3.0, 1.0), (0, 5.0)]
     for end in (1.0, np.nextafter(1.0, 2), np.nextafter(1.0, 0)):
         Q = [(0, 0), (3.0, end), (0, 4.0)]
@@ -108,7 +147,9 @@ def test_nearly_parallel_edges_keep_their_order():
 
 
 def test_directions_are_compared_exactly():
-    """`bend` has the sign of the cross product of differences in rational numbers, for directions a bit apart and far away."""
+    """`bend` has the sign of the cross product of differences in rational numbers, for directions a
+    bit apart and far away.
+    """
     rng = np.random.default_rng(12)
     for _ in range(3000):
         a, u, c = rng.normal(size=(3, 2)) * 10.0 ** rng.integers(-8, 8, size=(3, 1))
@@ -120,7 +161,9 @@ def test_directions_are_compared_exactly():
 
 def test_the_difference_is_where_the_robot_touches():
     """q is in P ⊖ Q exactly when Q moved to q meets P, contact included."""
-    shapes = [(P, Q) for P, Q in zip(lattice_shapes(13), lattice_shapes(14)) if len(P) > 2 and len(Q) > 2]
+    shapes = [
+        (P, Q) for P, Q in zip(lattice_shapes(13), lattice_shapes(14)) if len(P) > 2 and len(Q) > 2
+    ]
     for P, Q in shapes[:30]:
         obstacle = shapely.Polygon(minkowski_difference(P, Q))
         for q in np.random.default_rng(15).integers(-12, 12, size=(40, 2)):
@@ -128,7 +171,9 @@ def test_the_difference_is_where_the_robot_touches():
 
 
 def test_an_erosion_is_where_the_robot_fits():
-    """q is inside erosion(P, Q) exactly when Q moved to q is inside P; erosion of a sum gives back the summand."""
+    """q is inside erosion(P, Q) exactly when Q moved to q is inside P; erosion of a sum gives back
+    the summand.
+    """
     rng = np.random.default_rng(16)
     for P, Q in zip(lattice_shapes(17, 300, 12), lattice_shapes(18, 300, 3)):
         if len(P) < 3:
@@ -136,21 +181,34 @@ def test_an_erosion_is_where_the_robot_fits():
         inner, whole = erosion(P, Q), shapely.Polygon(P)
         shape = shapely.Polygon(inner) if len(inner) else shapely.Polygon()
         for q in rng.uniform(-12, 12, size=(30, 2)):
-            assert shape.contains(shapely.Point(q)) == whole.contains(shapely.MultiPoint(Q + q).convex_hull)
+            assert shape.contains(shapely.Point(q)) == whole.contains(
+                shapely.MultiPoint(Q + q).convex_hull
+            )
         back = erosion(minkowski_sum(P, Q), Q)
         assert shapely.Polygon(back).symmetric_difference(whole).area <= 1e-12 * whole.area
 
 
 def test_what_does_not_fit_leaves_nothing():
     """Too large, or so tight that it touches on both sides: no area, no corners."""
-    assert erosion(SQUARE, 2 * np.array(SQUARE)).shape == erosion(SQUARE, [(0, 0), (1, 0)]).shape == (0, 2)
+    assert (
+        erosion(SQUARE, 2 * np.array(SQUARE)).shape
+        == erosion(SQUARE, [(0, 0), (1, 0)]).shape
+        == (0, 2)
+    )
     assert erosion(SQUARE, [(0, 0), (0.5, 0)]).tolist() == [[0, 0], [0.5, 0], [0.5, 1], [0, 1]]
 
 
 def test_points_and_segments():
-    """A point moves a polygon, two segments span a parallelogram, parallel ones add to one, two points to a point."""
+    """A point moves a polygon, two segments span a parallelogram, parallel ones add to one, two
+    points to a point.
+    """
     assert minkowski_sum(SQUARE, (3, 4)).tolist() == [[3, 4], [4, 4], [4, 5], [3, 5]]
-    assert minkowski_sum([(0, 0), (2, 0)], [(0, 0), (1, 3)]).tolist() == [[0, 0], [2, 0], [3, 3], [1, 3]]
+    assert minkowski_sum([(0, 0), (2, 0)], [(0, 0), (1, 3)]).tolist() == [
+        [0, 0],
+        [2, 0],
+        [3, 3],
+        [1, 3],
+    ]
     assert minkowski_sum([(0, 0), (2, 0)], [(5, 0), (1, 0)]).tolist() == [[1, 0], [7, 0]]
     assert minkowski_sum((1, 2), (3, 4)).tolist() == [[4, 6]]
 

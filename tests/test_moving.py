@@ -1,19 +1,43 @@
-"""Obstacles that move: contact over time, safe intervals, departures and plans, against dense sampling in time and brute force."""
+"""Obstacles that move: contact over time, safe intervals, departures and plans, against dense
+sampling in time and brute force.
+"""
 
 import numpy as np
 import pytest
 import shapely
 
-from kinoedu import Disk, Moving, MovingWorld, Point, PolygonWorld, RigidPolygon, TimedProblem, TranslatingPolygon, plan_in_time
+from kinoedu import (
+    Disk,
+    Moving,
+    MovingWorld,
+    Point,
+    PolygonWorld,
+    RigidPolygon,
+    TimedProblem,
+    TranslatingPolygon,
+    plan_in_time,
+)
 from kinoedu.collision import departures
-from kinoedu.errors import InvalidGoal, InvalidParameter, InvalidPoint, InvalidPolygon, InvalidStart, InvalidWorld
+from kinoedu.errors import (
+    InvalidGoal,
+    InvalidParameter,
+    InvalidPoint,
+    InvalidPolygon,
+    InvalidStart,
+    InvalidWorld,
+)
 from kinoedu.planners.moving.safe_intervals import safe_intervals, search_intervals
 from kinoedu.worlds import movers_at
 
 HALL = PolygonWorld([(0, 0), (12, 0), (12, 8), (0, 8)], [[(5, 0), (7, 0), (7, 3), (5, 3)]])
 EMPTY = PolygonWorld([(-50, -50), (50, -50), (50, 50), (-50, 50)])
 L_SHAPE = [(0, 0), (2, 0), (2, 0.6), (0.6, 0.6), (0.6, 2), (0, 2)]
-ROBOTS = [Point(), Disk(0.4), TranslatingPolygon([(-0.4, -0.3), (0.5, -0.3), (0, 0.5)]), TranslatingPolygon(L_SHAPE)]
+ROBOTS = [
+    Point(),
+    Disk(0.4),
+    TranslatingPolygon([(-0.4, -0.3), (0.5, -0.3), (0, 0.5)]),
+    TranslatingPolygon(L_SHAPE),
+]
 
 
 def some_movers(rng, n=3):
@@ -21,7 +45,9 @@ def some_movers(rng, n=3):
     movers = []
     for _ in range(n):
         times = np.cumsum(rng.uniform(0.5, 3, rng.integers(1, 5))) - 1.0
-        shape = rng.uniform(0.3, 1.2) if rng.random() < 0.4 else np.array(L_SHAPE) * rng.uniform(0.4, 1)
+        shape = (
+            rng.uniform(0.3, 1.2) if rng.random() < 0.4 else np.array(L_SHAPE) * rng.uniform(0.4, 1)
+        )
         movers.append(Moving(shape, times, rng.uniform(0, 8, (len(times), 2)) * (1.5, 1)))
     return movers
 
@@ -46,7 +72,10 @@ def gap_at(robot, world, q, t):
 
 def least_gap(robot, world, a, b, n=1500):
     """The least of the gaps at many moments of a motion."""
-    return min(gap_at(robot, world, a[:2] + s * (b[:2] - a[:2]), a[2] + s * (b[2] - a[2])) for s in np.linspace(0, 1, n))
+    return min(
+        gap_at(robot, world, a[:2] + s * (b[:2] - a[:2]), a[2] + s * (b[2] - a[2]))
+        for s in np.linspace(0, 1, n)
+    )
 
 
 @pytest.mark.parametrize("robot", ROBOTS, ids=range(len(ROBOTS)))
@@ -56,7 +85,10 @@ def test_a_motion_is_judged_as_dense_sampling_sees_it(robot):
     for _ in range(25):
         world = MovingWorld(EMPTY, some_movers(rng))
         problem = TimedProblem(robot, world, (40, 40), (40, 40), speed=100.0)
-        a, b = np.append(rng.uniform(0, 8, 2), rng.uniform(0, 4)), np.append(rng.uniform(0, 8, 2), 0.0)
+        a, b = (
+            np.append(rng.uniform(0, 8, 2), rng.uniform(0, 4)),
+            np.append(rng.uniform(0, 8, 2), 0.0),
+        )
         b[2] = a[2] + rng.uniform(0.5, 5)
         free, gap = problem.is_free_path(a, b), least_gap(robot, world, a, b)
         assert (gap > 0.0) if free else (gap < 0.05)
@@ -65,7 +97,9 @@ def test_a_motion_is_judged_as_dense_sampling_sees_it(robot):
 
 
 def test_crossing_paths_at_different_times_is_no_contact_and_touching_is():
-    """Two ways cross: who comes later passes; a disc that is passed at exactly its radius is touched."""
+    """Two ways cross: who comes later passes; a disc that is passed at exactly its radius is
+    touched.
+    """
     world = MovingWorld(EMPTY, [Moving(1.0, [0, 10], [(5, -5), (5, 5)])])
     problem = TimedProblem(Point(), world, (0, 0), (20, 0), speed=10.0)
     assert problem.is_free_path(np.array([0, 0, 0.0]), np.array([10, 0, 2.0]))
@@ -76,7 +110,9 @@ def test_crossing_paths_at_different_times_is_no_contact_and_touching_is():
     assert touching.is_free_path(np.array([2, -1e-9, 0.0]), np.array([8, -1e-9, 10.0]))
     box = MovingWorld(EMPTY, [Moving([(0, 0), (1, 0), (1, 1), (0, 1)], [0, 8], [(8, 0), (0, 0)])])
     meets = TimedProblem(Point(), box, (-3, 0), (-3, 0), speed=10.0)
-    assert not meets.is_free_path(np.array([0, 0.5, 0.0]), np.array([0, 0.5, 8.0]))  # it arrives at the last moment
+    assert not meets.is_free_path(
+        np.array([0, 0.5, 0.0]), np.array([0, 0.5, 8.0])
+    )  # it arrives at the last moment
     assert meets.is_free_path(np.array([0, 0.5, 0.0]), np.array([0, 0.5, 7.999]))
 
 
@@ -94,11 +130,16 @@ def test_time_and_speed_are_kept():
 
 @pytest.mark.parametrize("robot", ROBOTS, ids=range(len(ROBOTS)))
 def test_safe_intervals_are_when_the_place_is_free(robot):
-    """Inside them every moment is free; outside there is contact, or for what is round nearly so."""
+    """Inside them every moment is free; outside there is contact, or for what is round nearly
+    so.
+    """
     rng = np.random.default_rng(2)
     for _ in range(8):
         world = MovingWorld(EMPTY, some_movers(rng))
-        problem, q = TimedProblem(robot, world, (40, 40), (40, 40), horizon=12.0), rng.uniform(1, 7, 2)
+        problem, q = (
+            TimedProblem(robot, world, (40, 40), (40, 40), horizon=12.0),
+            rng.uniform(1, 7, 2),
+        )
         intervals = safe_intervals(problem, q)
         assert (np.diff(intervals.ravel()) >= 0).all()
         for t in np.linspace(0, 12, 400):
@@ -109,14 +150,18 @@ def test_safe_intervals_are_when_the_place_is_free(robot):
 
 @pytest.mark.parametrize("robot", ROBOTS, ids=range(len(ROBOTS)))
 def test_departures_that_are_met_are_met(robot):
-    """A departure outside the intervals makes a free motion; one inside makes contact, or for what is round nearly so."""
+    """A departure outside the intervals makes a free motion; one inside makes contact, or for what
+    is round nearly so.
+    """
     rng, seen = np.random.default_rng(3), set()
     for _ in range(12):
         world = MovingWorld(EMPTY, some_movers(rng))
         problem = TimedProblem(robot, world, (40, 40), (40, 40), speed=9.0, horizon=12.0)
         hulls, knots = departures.seen_from_movers(problem.robot, problem.world, problem.clearance)
         a, v, duration = rng.uniform(0, 8, 2), rng.uniform(-2, 2, 2), rng.uniform(0.3, 3)
-        met = departures.met_departures(hulls, knots, world.times, world.places, 12.0, a, *v, duration)
+        met = departures.met_departures(
+            hulls, knots, world.times, world.places, 12.0, a, *v, duration
+        )
         for t in rng.uniform(0, 12 - duration, 40):
             is_met = bool(((met[:, 0] <= t) & (t <= met[:, 1])).any())
             begin, end = np.append(a, t), np.append(a + duration * v, t + duration)
@@ -132,7 +177,9 @@ def corridor(n=4):
     """A hall through which boxes sweep to and fro."""
     boxes = [
         Moving(
-            [(-0.5, -1.2), (0.5, -1.2), (0.5, 1.2), (-0.5, 1.2)], np.arange(9) * 3.0, [(x, 1.2 if k % 2 else 6.8) for k in range(9)]
+            [(-0.5, -1.2), (0.5, -1.2), (0.5, 1.2), (-0.5, 1.2)],
+            np.arange(9) * 3.0,
+            [(x, 1.2 if k % 2 else 6.8) for k in range(9)],
         )
         for x in np.linspace(2.5, 10, n)
     ]
@@ -140,12 +187,18 @@ def corridor(n=4):
 
 
 def test_a_plan_is_free_at_every_moment_and_no_faster_than_the_robot():
-    """From start at 0 to goal, forward in time, each stretch free, by the ask and by dense sampling."""
+    """From start at 0 to goal, forward in time, each stretch free, by the ask and by dense
+    sampling.
+    """
     for seed in range(4):
         problem = corridor()
         plan = plan_in_time(problem, n=80, k=8, rng=seed)
         path = plan.path
-        assert np.array_equal(path[0], [1, 4, 0]) and np.array_equal(path[-1, :2], [11.2, 4]) and path[-1, 2] == plan.cost
+        assert (
+            np.array_equal(path[0], [1, 4, 0])
+            and np.array_equal(path[-1, :2], [11.2, 4])
+            and path[-1, 2] == plan.cost
+        )
         for a, b in zip(path, path[1:]):
             assert problem.is_free_path(a, b)
             assert least_gap(problem.robot, problem.world, a, b, 300) > 0.0
@@ -155,7 +208,9 @@ def test_a_plan_is_free_at_every_moment_and_no_faster_than_the_robot():
 
 
 def brute_arrival(problem, nodes, edges, dt):
-    """The earliest arrival on the same roadmap when departures are whole multiples of dt, by stepping through all moments."""
+    """The earliest arrival on the same roadmap when departures are whole multiples of dt, by
+    stepping through all moments.
+    """
     steps = int(problem.horizon / dt)
     at = np.zeros((steps + 1, len(nodes)), bool)
     at[0, 0] = True
@@ -181,7 +236,9 @@ def brute_arrival(problem, nodes, edges, dt):
 
 
 def test_the_arrival_is_the_earliest_on_the_roadmap():
-    """No later than a search that steps through time, and hardly earlier: the steps alone cost something."""
+    """No later than a search that steps through time, and hardly earlier: the steps alone cost
+    something.
+    """
     waited = 0
     for seed in range(3):
         problem = corridor(2)._replace(horizon=20.0)
@@ -189,17 +246,25 @@ def test_the_arrival_is_the_earliest_on_the_roadmap():
         brute = brute_arrival(problem, plan.roadmap.nodes, plan.roadmap.edges, 0.05)
         assert plan.cost <= brute * (1 + 1e-3) + 1e-9 or plan.cost == brute == np.inf
         assert brute < plan.cost + 0.6 or plan.cost == np.inf
-        waited += plan.path is not None and (np.diff(plan.path[:, 2]) > 0).sum() > len(plan.path) - 2
+        waited += (
+            plan.path is not None and (np.diff(plan.path[:, 2]) > 0).sum() > len(plan.path) - 2
+        )
     assert waited
 
 
 def test_it_waits_no_longer_than_it_must():
-    """Nothing in the way: it goes at once. A gate that lifts: it leaves so as to pass the moment it is open."""
+    """Nothing in the way: it goes at once. A gate that lifts: it leaves so as to pass the moment it
+    is open.
+    """
     hall = PolygonWorld([(0, 0), (10, 0), (10, 2), (0, 2)])
-    off = Moving([(-0.5, -1), (0.5, -1), (0.5, 1), (-0.5, 1)], [0, 2, 12], [(5, 20), (5, 20), (5, 20)])
+    off = Moving(
+        [(-0.5, -1), (0.5, -1), (0.5, 1), (-0.5, 1)], [0, 2, 12], [(5, 20), (5, 20), (5, 20)]
+    )
     problem = TimedProblem(Point(), MovingWorld(hall, [off]), (1, 1), (9, 1))
     assert plan_in_time(problem, n=0, k=1, rng=0).cost == pytest.approx(8.0)
-    gate = Moving([(-0.5, -3), (0.5, -3), (0.5, 3), (-0.5, 3)], [0, 10, 11], [(5, 1), (5, 1), (5, 30)])
+    gate = Moving(
+        [(-0.5, -3), (0.5, -3), (0.5, 3), (-0.5, 3)], [0, 10, 11], [(5, 1), (5, 1), (5, 30)]
+    )
     closed = TimedProblem(Point(), MovingWorld(hall, [gate]), (1, 1), (9, 1))
     plan = plan_in_time(closed, n=0, k=1, rng=0)
     assert len(plan.path) == 3 and plan.path[1, 2] == pytest.approx(10 + 3 / 29 - 3.5, abs=1e-6)
@@ -207,12 +272,23 @@ def test_it_waits_no_longer_than_it_must():
 
 
 def test_no_way_is_an_answer_and_start_at_the_goal_is_one():
-    """A gate that never opens; a goal that is where the robot stands; a start that is touched at once."""
+    """A gate that never opens; a goal that is where the robot stands; a start that is touched at
+    once.
+    """
     hall = PolygonWorld([(0, 0), (10, 0), (10, 2), (0, 2)])
     gate = Moving([(-0.5, -3), (0.5, -3), (0.5, 3), (-0.5, 3)], [0], [(5, 1)])
-    plan = plan_in_time(TimedProblem(Point(), MovingWorld(hall, [gate]), (1, 1), (9, 1)), n=30, rng=0)
-    assert plan.path is None and plan.cost == np.inf and "30" not in plan.reason[:4] and "32 nodes" in plan.reason
-    stay = plan_in_time(TimedProblem(Point(), MovingWorld(hall, [gate]), (1, 1), (1, 1)), n=5, rng=0)
+    plan = plan_in_time(
+        TimedProblem(Point(), MovingWorld(hall, [gate]), (1, 1), (9, 1)), n=30, rng=0
+    )
+    assert (
+        plan.path is None
+        and plan.cost == np.inf
+        and "30" not in plan.reason[:4]
+        and "32 nodes" in plan.reason
+    )
+    stay = plan_in_time(
+        TimedProblem(Point(), MovingWorld(hall, [gate]), (1, 1), (1, 1)), n=5, rng=0
+    )
     assert stay.cost == 0.0 and np.array_equal(stay.path, [[1, 1, 0]])
 
 
@@ -229,12 +305,17 @@ def test_compiled_and_interpreted_search_alike():
     safe, first = departures.all_safe_intervals(*given)
     again = departures.all_safe_intervals.py_func(*given)
     assert np.array_equal(safe, again[0]) and np.array_equal(first, again[1])
-    both = [search(problem, graph, nodes, safe, first, hulls, knots) for search in (search_intervals, search_intervals.py_func)]
+    both = [
+        search(problem, graph, nodes, safe, first, hulls, knots)
+        for search in (search_intervals, search_intervals.py_func)
+    ]
     assert all(np.array_equal(a, b) for a, b in zip(*both))
 
 
 def test_what_makes_no_sense_is_refused_by_name():
-    """Times that do not increase, shapes that do not fit, ends that are not free, robots that turn."""
+    """Times that do not increase, shapes that do not fit, ends that are not free, robots that
+    turn.
+    """
     hall = MovingWorld(HALL, [Moving(1.0, [0, 9], [(1, 1), (1, 7)])])
     for error, call in (
         (InvalidWorld, lambda: Moving(1.0, [0, 0], [(1, 1), (2, 2)])),
@@ -251,7 +332,10 @@ def test_what_makes_no_sense_is_refused_by_name():
         (InvalidParameter, lambda: TimedProblem(Point(), HALL, (4, 4), (9, 4))),
         (InvalidParameter, lambda: TimedProblem(RigidPolygon(L_SHAPE), hall, (4, 4, 0), (9, 4, 0))),
         (InvalidParameter, lambda: plan_in_time("hall", rng=0)),
-        (InvalidPoint, lambda: safe_intervals(TimedProblem(Point(), hall, (4, 4), (9, 4)), (1, np.inf))),
+        (
+            InvalidPoint,
+            lambda: safe_intervals(TimedProblem(Point(), hall, (4, 4), (9, 4)), (1, np.inf)),
+        ),
     ):
         with pytest.raises(error):
             call()

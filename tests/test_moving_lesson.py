@@ -9,7 +9,12 @@ from kinoedu import Disk, Moving, MovingWorld, Point, PolygonWorld, TimedProblem
 from kinoedu.boards import chance_board, moving_board
 from kinoedu.boards.moving.chances import SHOWN
 from kinoedu.boards.moving.moving import STEPS, stands_at, waited
-from kinoedu.course.lessons.moving import collision_probability, earliest_arrival, exposing_motions, first_contact
+from kinoedu.course.lessons.moving import (
+    collision_probability,
+    earliest_arrival,
+    exposing_motions,
+    first_contact,
+)
 from kinoedu.errors import InvalidParameter
 
 HALL = PolygonWorld([(0, 0), (10, 0), (10, 6), (0, 6)], [[(4, 0), (5, 0), (5, 2), (4, 2)]])
@@ -21,7 +26,9 @@ def test_the_first_contact_is_where_dense_sampling_sees_it():
     for case in first_contact.FirstContact().cases(np.random.default_rng(1)):
         p0, p1, c0, c1, r = case.given.values()
         x, v = p0 - c0, (p1 - p0) - (c1 - c0)
-        nearest = np.clip(-(x @ v) / max(v @ v, 1e-300), 0, 1)  # a contact may be too short for any grid
+        nearest = np.clip(
+            -(x @ v) / max(v @ v, 1e-300), 0, 1
+        )  # a contact may be too short for any grid
         s = np.sort(np.append(np.linspace(0, 1, 4001), nearest))
         gaps = np.hypot(*(x + s[:, None] * v).T) - r
         moment = first_contact.contact_time(*case.given.values())
@@ -36,7 +43,14 @@ TICKS = 16  # in a unit of time: all times in the cases are multiples of one
 def stepped(safe, moves, start, goal):
     """The earliest arrival, by stepping through all ticks."""
     ways = earliest_arrival.two_ways(moves)
-    interval = [{t: k for k, (b, e) in enumerate(own) for t in range(round(TICKS * b), round(TICKS * e) + 1)} for own in safe]
+    interval = [
+        {
+            t: k
+            for k, (b, e) in enumerate(own)
+            for t in range(round(TICKS * b), round(TICKS * e) + 1)
+        }
+        for own in safe
+    ]
     at = [set() for _ in range(TICKS * (int(earliest_arrival.END) + 5))]
     if 0 in interval[start]:
         at[0].add(start)
@@ -54,9 +68,14 @@ def stepped(safe, moves, start, goal):
 
 @pytest.mark.parametrize("seed", range(3))
 def test_schedules_are_the_earliest(seed):
-    """No later and no earlier than a search that steps through time; and every rule is kept. Kinds are as stated."""
+    """No later and no earlier than a search that steps through time; and every rule is kept. Kinds
+    are as stated.
+    """
     for case in earliest_arrival.EarliestArrival().cases(np.random.default_rng(seed)):
-        given = [np.asarray(own).tolist() for own in case.given["safe"]], *list(case.given.values())[1:]
+        given = (
+            [np.asarray(own).tolist() for own in case.given["safe"]],
+            *list(case.given.values())[1:],
+        )
         rows = earliest_arrival.schedule(*given)
         assert (rows[-1][1] if rows else math.inf) == stepped(*given)
         if rows:
@@ -82,7 +101,10 @@ def test_a_schedule_that_breaks_a_rule_is_told_which():
         ("goal", [(0, 0), (1, 6)]),
     ):
         assert earliest_arrival.first_fault(safe, moves, 0, 2, rows) == rule
-    assert earliest_arrival.first_fault([[(2, 30)], *safe[1:]], moves, 0, 2, [(0, 0), (1, 6), (2, 8)]) == "begin"
+    assert (
+        earliest_arrival.first_fault([[(2, 30)], *safe[1:]], moves, 0, 2, [(0, 0), (1, 6), (2, 8)])
+        == "begin"
+    )
 
 
 def test_a_rule_that_was_misread_is_named():
@@ -91,15 +113,24 @@ def test_a_rule_that_was_misread_is_named():
     assert earliest_arrival.misread(*touching, 0, 2, [(0, 0), (1, 2), (0, 7), (2, 10)]) == "closed"
     short = [[(0, 30)], [(0, 3), (6, 30)]], [(0, 1, 2)]
     assert earliest_arrival.misread(*short, 0, 1, [(0, 0), (1, 6)]) == "forever"
-    assert earliest_arrival.misread(*short, 0, 1, [(0, 0), (1, 7)]) == earliest_arrival.misread(*short, 0, 1, []) == ""
+    assert (
+        earliest_arrival.misread(*short, 0, 1, [(0, 0), (1, 7)])
+        == earliest_arrival.misread(*short, 0, 1, [])
+        == ""
+    )
 
 
 def test_scenario_cases_are_clear_of_touching():
     """No case is decided by rounding, and the example is as stated."""
     for case in collision_probability.CollisionProbability().cases(np.random.default_rng(0)):
-        assert np.abs(collision_probability.gaps(*case.given.values())).min() > collision_probability.CLEAR
+        assert (
+            np.abs(collision_probability.gaps(*case.given.values())).min()
+            > collision_probability.CLEAR
+        )
     first = next(collision_probability.CollisionProbability().cases(np.random.default_rng(0)))
-    assert collision_probability.tried(*first.given.values()) == pytest.approx([0.25, 0.0456, 0.6994], abs=5e-5)
+    assert collision_probability.tried(*first.given.values()) == pytest.approx(
+        [0.25, 0.0456, 0.6994], abs=5e-5
+    )
 
 
 def test_the_program_to_break_is_right_for_slow_motions():
@@ -109,11 +140,16 @@ def test_the_program_to_break_is_right_for_slow_motions():
         p0, c0 = rng.uniform(-9, 9, (2, 2))
         p1, c1 = p0 + rng.uniform(-0.5, 0.5, 2), c0 + rng.uniform(-0.5, 0.5, 2)
         truth = exposing_motions.nearest(p0, p1, c0, c1)
-        assert exposing_motions.touch_by_moments(p0, p1, c0, c1, 1.0) == (truth <= 1.0) or abs(truth - 1.0) < 0.01
+        assert (
+            exposing_motions.touch_by_moments(p0, p1, c0, c1, 1.0) == (truth <= 1.0)
+            or abs(truth - 1.0) < 0.01
+        )
 
 
 def test_the_board_of_time_plans_anew():
-    """A faster robot is there earlier; a goal in a wall is a warning; what has been dragged is planned for."""
+    """A faster robot is there earlier; a goal in a wall is a warning; what has been dragged is
+    planned for.
+    """
     board = moving_board(TimedProblem(Disk(0.5), WORLD, start=(1, 3), goal=(9, 3)), nodes=60)
     first = board.plan.cost
     assert board.canvas.drawing.total == STEPS and len(board.canvas.drawing.told) == STEPS
@@ -123,19 +159,29 @@ def test_the_board_of_time_plans_anew():
     goal = {**scene["handles"][1], "at": [4.5, 1.0]}
     board.canvas.arrange({**scene, "handles": [scene["handles"][0], goal]})
     assert board.plan is None and "not free" in board.canvas.drawing.warning
-    assert [layer.kind for layer in board.canvas.drawing.layers] == ["bodies"]  # what moves is still there to be seen
+    assert [layer.kind for layer in board.canvas.drawing.layers] == [
+        "bodies"
+    ]  # what moves is still there to be seen
     board.canvas.arrange({**scene, "handles": [scene["handles"][0], {**goal, "at": [9.0, 5.0]}]})
     assert np.array_equal(board.plan.path[-1, :2], [9, 5])
     assert board.picture().startswith(b"\x89PNG")
     path = np.array([(0, 0, 0), (0, 0, 2.5), (1, 0, 3.5)])
-    assert waited(path) == 2.5 and [stands_at(path, t) for t in (0, 2, 2.5, 3, 3.5)] == [True, True, False, False, False]
+    assert waited(path) == 2.5 and [stands_at(path, t) for t in (0, 2, 2.5, 3, 3.5)] == [
+        True,
+        True,
+        False,
+        False,
+        False,
+    ]
     with pytest.raises(InvalidParameter, match="TimedProblem"):
         moving_board("hall")
 
 
 def test_the_board_of_chances_keeps_its_promise():
     """Bound and estimate are below delta; a chance that no path keeps is said to have none."""
-    world = UncertainWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [((4.5, 3), 1), [(6, 4), (7, 4), (6.5, 5)]], [0.5, 0.2])
+    world = UncertainWorld(
+        [(0, 0), (9, 0), (9, 6), (0, 6)], [((4.5, 3), 1), [(6, 4), (7, 4), (6.5, 5)]], [0.5, 0.2]
+    )
     board = chance_board(Point(), world, (1, 3), (8, 3), delta=0.1)
     loose = board.plan.cost
     assert board.canvas.drawing.total == SHOWN
@@ -145,7 +191,9 @@ def test_the_board_of_chances_keeps_its_promise():
     assert board.plan.path is None and "greater chance" in board.canvas.drawing.text
     shown = len(board.canvas.drawing.layers)
     scene = board.canvas._shown
-    board.canvas.arrange({**scene, "handles": [{**scene["handles"][0], "at": [4.5, 3.0]}, scene["handles"][1]]})
+    board.canvas.arrange(
+        {**scene, "handles": [{**scene["handles"][0], "at": [4.5, 3.0]}, scene["handles"][1]]}
+    )
     assert "not free" in board.canvas.drawing.warning and len(board.canvas.drawing.layers) == shown
     assert board.picture().startswith(b"\x89PNG")
     with pytest.raises(InvalidParameter, match="UncertainWorld"):

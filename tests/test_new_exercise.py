@@ -1,4 +1,6 @@
-"""A new exercise is whole from its first minute: made in a copy of the house, it passes the house's own tests there."""
+"""A new exercise is whole from its first minute: made in a copy of the house, it passes the house's
+own tests there.
+"""
 
 import json
 import os
@@ -16,20 +18,33 @@ from kinoedu.errors import InvalidParameter
 HOUSE = Path(__file__).resolve().parent.parent
 NAME, LESSON = "halfway_there", "77_midpoints"
 ROOM = "kinoedu/course/lessons/midpoints"
-WORDS = "import test_course as t; t.test_every_word_is_there_and_used()"  # without its file's fixture, which compiles everything
-MARKS = "from kinoedu.grading.questions import assignment as a; print([one.points for one in a({!r}).questions])"
+# without its file's fixture, which compiles everything
+WORDS = "import test_course as t; t.test_every_word_is_there_and_used()"
+MARKS = (
+    "from kinoedu.grading.questions import assignment as a; print([one.points for one in "
+    "a({!r}).questions])"
+)
 
 
 @pytest.fixture(scope="module")
 def house(tmp_path_factory):
     """A copy of the house, without what takes long."""
     copy = tmp_path_factory.mktemp("house")
-    shutil.copytree(HOUSE / "kinoedu", copy / "kinoedu", ignore=shutil.ignore_patterns("__pycache__"))
+    shutil.copytree(
+        HOUSE / "kinoedu", copy / "kinoedu", ignore=shutil.ignore_patterns("__pycache__")
+    )
     for room in ("bank", "new_exercise"):
-        shutil.copytree(HOUSE / "solutions" / room, copy / "solutions" / room, ignore=shutil.ignore_patterns("__pycache__"))
+        shutil.copytree(
+            HOUSE / "solutions" / room,
+            copy / "solutions" / room,
+            ignore=shutil.ignore_patterns("__pycache__"),
+        )
     for room in ("tests", "exercises", "docs"):
         (copy / room).mkdir()
-    tests = [f"tests/{name}" for name in ("test_course.py", "test_bank.py", "test_release.py", "nbval.cfg")]
+    tests = [
+        f"tests/{name}"
+        for name in ("test_course.py", "test_bank.py", "test_release.py", "nbval.cfg")
+    ]
     for name in ("pyproject.toml", "docs/rendering.py", *tests):
         shutil.copy(HOUSE / name, copy / name)
     return copy
@@ -37,30 +52,64 @@ def house(tmp_path_factory):
 
 def run(house: Path, *command: str) -> subprocess.CompletedProcess:
     """Python in a house, with that house's kinoedu."""
-    environment = {**os.environ, "PYTHONPATH": str(house), "NUMBA_DISABLE_JIT": "1"}  # machine code would be made for this place
+    environment = {
+        **os.environ,
+        "PYTHONPATH": str(house),
+        "NUMBA_DISABLE_JIT": "1",
+    }  # machine code would be made for this place
     return subprocess.run(
-        [sys.executable, "-P", *command], cwd=house, env=environment, capture_output=True, text=True, encoding="utf-8", check=False
+        [sys.executable, "-P", *command],
+        cwd=house,
+        env=environment,
+        capture_output=True,
+        text=True,
+        encoding="utf-8",
+        check=False,
     )
 
 
 def sources(file: Path) -> list[str]:
     """What the cells of a notebook say."""
-    return ["".join(cell["source"]) for cell in json.loads(file.read_text(encoding="utf-8"))["cells"]]
+    return [
+        "".join(cell["source"]) for cell in json.loads(file.read_text(encoding="utf-8"))["cells"]
+    ]
 
 
 def test_a_new_exercise_passes_the_tests_of_the_house(house):
-    """Its own, those of every exercise, of every bank and of every solution, and the tools; then it is released."""
+    """Its own, those of every exercise, of every bank and of every solution, and the tools; then it
+    is released.
+    """
     made = run(house, "-m", "kinoedu", "new-exercise", NAME, "--lesson", LESSON)
     assert made.returncode == 0, made.stderr
     listed = [line.strip() for line in made.stdout.splitlines()]
-    assert {f"solutions/{LESSON}.ipynb", f"{ROOM}/{NAME}.py", f"tests/test_{NAME}.py", f"{ROOM}/__init__.py"} <= set(listed)
+    assert {
+        f"solutions/{LESSON}.ipynb",
+        f"{ROOM}/{NAME}.py",
+        f"tests/test_{NAME}.py",
+        f"{ROOM}/__init__.py",
+    } <= set(listed)
     assert "right, for all" in (house / "solutions" / f"{LESSON}.ipynb").read_text(encoding="utf-8")
     released = run(house, "-m", "kinoedu", "release", LESSON)
     assert released.returncode == 0, released.stderr
-    assert not any("p1 + p2" in source for source in sources(house / "exercises" / f"{LESSON}.ipynb"))
+    assert not any(
+        "p1 + p2" in source for source in sources(house / "exercises" / f"{LESSON}.ipynb")
+    )
     files = [f"tests/test_{NAME}.py", "tests/test_bank.py", "tests/test_release.py"]
     chosen = f"{NAME} or {LESSON}"
-    tests = run(house, "-m", "pytest", "-q", "-n0", "-p", "no:cacheprovider", "--rootdir", str(house), *files, "-k", chosen)
+    tests = run(
+        house,
+        "-m",
+        "pytest",
+        "-q",
+        "-n0",
+        "-p",
+        "no:cacheprovider",
+        "--rootdir",
+        str(house),
+        *files,
+        "-k",
+        chosen,
+    )
     assert tests.returncode == 0, tests.stdout + tests.stderr
     assert "skipped" not in tests.stdout
     mine = [line for line in listed if line.endswith(".py")]
@@ -70,9 +119,14 @@ def test_a_new_exercise_passes_the_tests_of_the_house(house):
 
 
 def test_a_second_exercise_goes_to_the_end_of_its_lesson(house):
-    """What was there stays as it was, the cells have the marks of nbgrader with a point for each kind, and every word is there."""
+    """What was there stays as it was, the cells have the marks of nbgrader with a point for each
+    kind, and every word is there.
+    """
     before = sources(house / "solutions" / f"{LESSON}.ipynb")
-    assert run(house, "-m", "kinoedu", "new-exercise", "second_try", "--lesson", LESSON).returncode == 0
+    assert (
+        run(house, "-m", "kinoedu", "new-exercise", "second_try", "--lesson", LESSON).returncode
+        == 0
+    )
     assert sources(house / "solutions" / f"{LESSON}.ipynb")[: len(before)] == before
     code = f"import sys; sys.path.insert(0, 'tests'); {WORDS}; {MARKS.format(LESSON)}"
     said = run(house, "-c", code)
@@ -103,15 +157,34 @@ def test_what_cannot_be_is_refused(name, lesson, words, capsys):
 
 @pytest.mark.parametrize("lesson", [LESSON, "09_trees"])
 def test_what_fails_half_way_leaves_nothing(tmp_path, lesson):
-    """A notebook that does not run: the list of a room is as it was, a new room is gone, and no file is there."""
+    """A notebook that does not run: the list of a room is as it was, a new room is gone, and no
+    file is there.
+    """
     for folder in ("kinoedu/course/lessons/trees", "solutions/bank", "tests"):
         (tmp_path / folder).mkdir(parents=True)
     shutil.copy(HOUSE / LIST.format(room="trees"), tmp_path / LIST.format(room="trees"))
     shutil.copytree(HOUSE / "solutions" / "new_exercise", tmp_path / "solutions" / "new_exercise")
-    cells = [{"cell_type": "code", "id": "a", "metadata": {}, "outputs": [], "execution_count": None, "source": "1 / 0"}]
-    kernel = {"kernelspec": {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"}}
+    cells = [
+        {
+            "cell_type": "code",
+            "id": "a",
+            "metadata": {},
+            "outputs": [],
+            "execution_count": None,
+            "source": "1 / 0",
+        }
+    ]
+    kernel = {
+        "kernelspec": {
+            "display_name": "Python 3 (ipykernel)",
+            "language": "python",
+            "name": "python3",
+        }
+    }
     book = tmp_path / "solutions" / f"{lesson}.ipynb"
-    book.write_text(json.dumps({"nbformat": 4, "nbformat_minor": 5, "metadata": kernel, "cells": cells}))
+    book.write_text(
+        json.dumps({"nbformat": 4, "nbformat_minor": 5, "metadata": kernel, "cells": cells})
+    )
     there = {file: file.is_file() and file.read_bytes() for file in tmp_path.rglob("*")}
     with pytest.raises(InvalidParameter, match="ZeroDivisionError"):
         new_exercise(NAME, lesson, tmp_path)

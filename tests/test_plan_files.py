@@ -1,4 +1,6 @@
-"""Plans as files: what is written is read back equal, and what is wrong is refused by the name of its field."""
+"""Plans as files: what is written is read back equal, and what is wrong is refused by the name of
+its field.
+"""
 
 import copy
 import json
@@ -14,16 +16,25 @@ SQUARE = [(0, 0), (10, 0), (10, 10), (0, 10)]
 WORLD = ke.PolygonWorld(SQUARE, [[(4, 0), (6, 0), (6, 8), (4, 8)], ((8, 9), 0.5)])
 BARRED = ke.PolygonWorld(SQUARE, [[(4, 0), (6, 0), (6, 10), (4, 10)]])
 ENDS = ((1, 1), (9, 1))
-TURNING = ke.Problem(ke.RigidPolygon([(-0.5, -0.1), (0.5, -0.1), (0.5, 0.1), (-0.5, 0.1)]), WORLD, (1, 1, 0), (9, 1, 3))
+TURNING = ke.Problem(
+    ke.RigidPolygon([(-0.5, -0.1), (0.5, -0.1), (0.5, 0.1), (-0.5, 0.1)]),
+    WORLD,
+    (1, 1, 0),
+    (9, 1, 3),
+)
 ARM = ke.Problem(ke.TwoLinkArm(1, 0.5, 0.1, base=(2, 5)), WORLD, (1.0, 0.5), (-2.0, 1.0))
 POINT = ke.Problem(ke.Point(), WORLD, *ENDS)
-DRIVING = ke.Problem(ke.Car(0.8, 0.4, 0.5), ke.PolygonWorld(SQUARE, [((5, 5), 1)]), (1, 1, 0), (8, 7, 1))
+DRIVING = ke.Problem(
+    ke.Car(0.8, 0.4, 0.5), ke.PolygonWorld(SQUARE, [((5, 5), 1)]), (1, 1, 0), (8, 7, 1)
+)
 PLANS = {
     "tree": lambda: ke.rrt(POINT, rng=0),
     "roadmap": lambda: ke.prm(POINT, n=60, rng=0),
     "walk": lambda: ke.bug1((1, 1), (9, 1), [[(4, 0), (6, 0), (6, 8), (4, 8)]], 0.5),
     "no path": lambda: ke.rrt(ke.Problem(ke.Point(), BARRED, *ENDS), max_nodes=40, rng=0),
-    "terrain": lambda: ke.plan_on_grid(ke.Problem(ke.Point(), ke.Terrain(np.ones((4, 5))), (0.5, 0.5), (3.5, 2.5))),
+    "terrain": lambda: ke.plan_on_grid(
+        ke.Problem(ke.Point(), ke.Terrain(np.ones((4, 5))), (0.5, 0.5), (3.5, 2.5))
+    ),
     "turning": lambda: ke.rrt(TURNING, rng=0),
     "arm": lambda: ke.rrt(ARM, rng=0),
     "recorded": lambda: ke.rrt(ke.Recorder(POINT), rng=0),
@@ -43,7 +54,9 @@ def equal(a, b):
 
 @pytest.mark.parametrize("name", PLANS)
 def test_a_plan_is_read_back_equal(name, tmp_path):
-    """To the last bit, with the problem it answers where scenes can hold that; nothing is left beside the file."""
+    """To the last bit, with the problem it answers where scenes can hold that; nothing is left
+    beside the file.
+    """
     plan = PLANS[name]()
     ke.write_plan(plan, tmp_path / "plan.json")
     again = ke.read_plan(tmp_path / "plan.json")
@@ -58,7 +71,13 @@ def test_a_plan_is_read_back_equal(name, tmp_path):
 
 @pytest.mark.parametrize(
     ("name", "header"),
-    [("tree", "x,y"), ("turning", "x,y,theta"), ("arm", "theta1,theta2"), ("terrain", "x,y"), ("no path", "x,y")],
+    [
+        ("tree", "x,y"),
+        ("turning", "x,y,theta"),
+        ("arm", "theta1,theta2"),
+        ("terrain", "x,y"),
+        ("no path", "x,y"),
+    ],
 )
 def test_a_path_in_rows_has_names_and_every_bit(name, header, tmp_path):
     """One configuration a row; without a path the names alone."""
@@ -66,7 +85,9 @@ def test_a_path_in_rows_has_names_and_every_bit(name, header, tmp_path):
     ke.write_plan(plan, tmp_path / "plan.CSV")
     first, *rows = (tmp_path / "plan.CSV").read_text().splitlines()
     assert first == header
-    assert [[float(number) for number in row.split(",")] for row in rows] == ([] if plan.path is None else plan.path.tolist())
+    assert [[float(number) for number in row.split(",")] for row in rows] == (
+        [] if plan.path is None else plan.path.tolist()
+    )
 
 
 def test_what_is_no_plan_or_no_such_file_is_refused(tmp_path):
@@ -107,13 +128,41 @@ CHANGES = [
     (("tree", "parents"), [], "parents"),
     (("roadmap",), {"nodes": [[0, 0]], "edges": [[0, 1]]}, "roadmap.edges"),
     (("roadmap",), {"nodes": [[0, 0]], "edges": [0]}, "roadmap.edges"),
-    (("trajectory",), {"start": [0, 0], "controls": [], "durations": [], "wheelbase": 1}, "trajectory.start"),
-    (("trajectory",), {"start": [0, 0, 0], "controls": [[1, 0]], "durations": [], "wheelbase": 1}, "trajectory.durations"),
-    (("trajectory",), {"start": [0, 0, 0], "controls": [[1, 0]], "durations": [-1], "wheelbase": 1}, "trajectory.durations"),
-    (("trajectory",), {"start": [0, 0, 0], "controls": [[1]], "durations": [1], "wheelbase": 1}, "trajectory.controls"),
-    (("trajectory",), {"start": [0, 0, 0], "controls": [], "durations": [], "wheelbase": 0}, "trajectory.wheelbase"),
-    (("tree",), {"nodes": [[0, 0, 0]], "parent": [-1], "controls": [], "durations": [0]}, "tree.controls"),
-    (("tree",), {"nodes": [[0, 0, 0]], "parent": [-1], "controls": [[0, 0]], "duration": [0]}, "mean 'durations'"),
+    (
+        ("trajectory",),
+        {"start": [0, 0], "controls": [], "durations": [], "wheelbase": 1},
+        "trajectory.start",
+    ),
+    (
+        ("trajectory",),
+        {"start": [0, 0, 0], "controls": [[1, 0]], "durations": [], "wheelbase": 1},
+        "trajectory.durations",
+    ),
+    (
+        ("trajectory",),
+        {"start": [0, 0, 0], "controls": [[1, 0]], "durations": [-1], "wheelbase": 1},
+        "trajectory.durations",
+    ),
+    (
+        ("trajectory",),
+        {"start": [0, 0, 0], "controls": [[1]], "durations": [1], "wheelbase": 1},
+        "trajectory.controls",
+    ),
+    (
+        ("trajectory",),
+        {"start": [0, 0, 0], "controls": [], "durations": [], "wheelbase": 0},
+        "trajectory.wheelbase",
+    ),
+    (
+        ("tree",),
+        {"nodes": [[0, 0, 0]], "parent": [-1], "controls": [], "durations": [0]},
+        "tree.controls",
+    ),
+    (
+        ("tree",),
+        {"nodes": [[0, 0, 0]], "parent": [-1], "controls": [[0, 0]], "duration": [0]},
+        "mean 'durations'",
+    ),
     (("planner",), 3, "planner"),
     (("problem", "start", 0), 5, "start"),
     (("surplus",), 1, "surplus"),

@@ -1,4 +1,6 @@
-"""The judge that all planner exercises share: it accepts what the library's planners build, and names what is wrong."""
+"""The judge that all planner exercises share: it accepts what the library's planners build, and
+names what is wrong.
+"""
 
 import json
 

@@ -17,7 +17,10 @@ WALL = [(4, 0), (6, 0), (6, 8), (4, 8)]
 ROOM = ([(7, 4), (9, 4), (9, 7), (7, 7)], [[(7.5, 4.5), (8.5, 4.5), (8.5, 6.5), (7.5, 6.5)]])
 WORLDS = {
     "polygons": ke.PolygonWorld(SQUARE, [WALL, ((2, 5), 0.7), ROOM]),
-    "terrain": ke.Terrain(np.kron([[1, 0, 1, 1], [1, 0, 1, 0], [1, 1, 1, 1], [1, 0, 1, 1]], np.ones((5, 5))), resolution=0.5),
+    "terrain": ke.Terrain(
+        np.kron([[1, 0, 1, 1], [1, 0, 1, 0], [1, 1, 1, 1], [1, 0, 1, 1]], np.ones((5, 5))),
+        resolution=0.5,
+    ),
 }
 ROBOTS = {"point": ke.Point(), "disk": ke.Disk(0.3)}
 PLANNERS = {
@@ -42,13 +45,17 @@ def length(path):
 @pytest.mark.parametrize("planner", PLANNERS)
 @pytest.mark.parametrize("seed", [0, 1])
 def test_a_path_is_free_all_the_way(world, robot, planner, seed):
-    """From start to goal, each motion free when asked in either direction, the cost its length; the same again by the same seed."""
+    """From start to goal, each motion free when asked in either direction, the cost its length; the
+    same again by the same seed.
+    """
     problem = problem_of(world, robot)
     plan = PLANNERS[planner](problem, seed)
     assert plan.path is not None, plan.reason
     assert np.array_equal(plan.path[0], problem.start)
     assert np.array_equal(plan.path[-1], problem.goal)
-    assert all(problem.is_free_path(a, b) and problem.is_free_path(b, a) for a, b in pairwise(plan.path))
+    assert all(
+        problem.is_free_path(a, b) and problem.is_free_path(b, a) for a, b in pairwise(plan.path)
+    )
     assert plan.cost == pytest.approx(length(plan.path), rel=1e-12)
     assert np.array_equal(plan.path, PLANNERS[planner](problem, seed).path)
 
@@ -84,7 +91,9 @@ def test_a_roadmap_has_free_edges_to_close_nodes(world):
 
 @pytest.mark.parametrize("name", sorted(path.stem for path in GRID.glob("*.map")))
 def test_grid_plans_have_the_length_of_every_benchmark_query(name):
-    """All queries of the scenario are solved, with the optimal octile length to 1e-6, by moves that are free."""
+    """All queries of the scenario are solved, with the optimal octile length to 1e-6, by moves that
+    are free.
+    """
     world = ke.read_world(GRID / f"{name}.map")
     for query in read_scenario(GRID / f"{name}-even-1.scen"):
         problem = ke.Problem(ke.Point(), world, query.start, query.goal)
@@ -94,7 +103,9 @@ def test_grid_plans_have_the_length_of_every_benchmark_query(name):
 
 
 def test_cells_and_motions_allow_the_same_grid_moves():
-    """The grid of cells, which looks at cells alone, finds the lengths that the lattice of judged motions finds."""
+    """The grid of cells, which looks at cells alone, finds the lengths that the lattice of judged
+    motions finds.
+    """
     world = ke.read_world(GRID / "random-32-32-20.map")
     for query in read_scenario(GRID / "random-32-32-20-even-1.scen")[:20]:
         problem = ke.Problem(ke.Point(), world, query.start, query.goal)
@@ -106,7 +117,11 @@ def test_no_path_is_an_answer_with_a_reason():
     """A goal in a closed room: every planner says that it found nothing, and shows what it did."""
     closed = ke.PolygonWorld(SQUARE, [ROOM])
     problem = ke.Problem(ke.Point(), closed, (1, 1), (8, 5.5))
-    for plan in (ke.rrt(problem, max_nodes=200, rng=0), ke.prm(problem, n=100, rng=0), ke.plan_on_grid(problem)):
+    for plan in (
+        ke.rrt(problem, max_nodes=200, rng=0),
+        ke.prm(problem, n=100, rng=0),
+        ke.plan_on_grid(problem),
+    ):
         assert plan.path is None
         assert plan.cost == np.inf
         assert plan.reason
@@ -116,9 +131,16 @@ def test_no_path_is_an_answer_with_a_reason():
 
 
 def test_a_grid_tree_grows_in_order():
-    """Rounding in the estimate expands no cell twice: every node has one row, after its parent's."""
-    for shape, start, goal in [((30, 30), (1.5, 1.5), (28.5, 20.5)), ((40, 25), (3.5, 38.5), (22.5, 0.5))]:
-        plan = ke.plan_on_grid(ke.Problem(ke.Point(), ke.Terrain(np.ones(shape, bool)), start, goal))
+    """Rounding in the estimate expands no cell twice: every node has one row, after its
+    parent's.
+    """
+    for shape, start, goal in [
+        ((30, 30), (1.5, 1.5), (28.5, 20.5)),
+        ((40, 25), (3.5, 38.5), (22.5, 0.5)),
+    ]:
+        plan = ke.plan_on_grid(
+            ke.Problem(ke.Point(), ke.Terrain(np.ones(shape, bool)), start, goal)
+        )
         assert len(np.unique(plan.tree.nodes, axis=0)) == len(plan.tree.nodes)
         assert (plan.tree.parent < np.arange(len(plan.tree.parent))).all()
 
@@ -146,12 +168,21 @@ def test_wrong_answers_of_a_readers_own_problem_are_refused(answers, recorded):
         start, goal = (0.0, 0.0), (9.0, 9.0)
         sample = staticmethod(lambda rng: rng.uniform(0, 9, 2).tolist())
         distance = staticmethod(lambda a, b: float(np.sqrt(((np.asarray(a) - b) ** 2).sum())))
-        steer = staticmethod(lambda a, b, step: [a[0] + 0.1 * (b[0] - a[0]), a[1] + 0.1 * (b[1] - a[1])])
+        steer = staticmethod(
+            lambda a, b, step: [a[0] + 0.1 * (b[0] - a[0]), a[1] + 0.1 * (b[1] - a[1])]
+        )
         is_free_path = staticmethod(lambda a, b: True)
 
-    own = type("Own", (Plane,), {name: staticmethod(a) if callable(a) else a for name, a in answers.items()})()
+    own = type(
+        "Own",
+        (Plane,),
+        {name: staticmethod(a) if callable(a) else a for name, a in answers.items()},
+    )()
     good = Plane()
-    assert ke.rrt(ke.Recorder(good) if recorded else good, step=1.0, max_nodes=50, rng=0).tree is not None
+    assert (
+        ke.rrt(ke.Recorder(good) if recorded else good, step=1.0, max_nodes=50, rng=0).tree
+        is not None
+    )
     with pytest.raises(ke.errors.KinoeduError):
         ke.rrt(ke.Recorder(own) if recorded else own, step=1.0, max_nodes=50, rng=0)
 
@@ -164,7 +195,9 @@ def test_start_at_the_goal():
 
 
 def test_recorder_sees_every_question_and_changes_nothing():
-    """The tree, the path and the counts equal those of the compiled run; the log holds every motion asked about."""
+    """The tree, the path and the counts equal those of the compiled run; the log holds every motion
+    asked about.
+    """
     problem = problem_of("polygons", "disk")
     for planner in ("rrt", "prm"):
         recorder = ke.Recorder(problem)
@@ -175,7 +208,9 @@ def test_recorder_sees_every_question_and_changes_nothing():
 
 
 def test_a_readers_own_problem_is_planned_on():
-    """An object with the same questions, in a space of three dimensions that this package knows nothing of."""
+    """An object with the same questions, in a space of three dimensions that this package knows
+    nothing of.
+    """
 
     class Ball:
         start, goal = (0.0, 0.0, -2.0), (0.0, 0.0, 2.0)
@@ -261,7 +296,9 @@ def test_prm_and_grid_refuse_tuning_outside_its_range(ask):
 def test_prm_without_samples_joins_start_and_goal():
     """n = 0 leaves two nodes; where nothing is between them that is enough."""
     open_world = ke.PolygonWorld(SQUARE)
-    assert ke.prm(ke.Problem(ke.Point(), open_world, (1, 1), (9, 9)), n=0, rng=0).cost == pytest.approx(8 * 2**0.5)
+    assert ke.prm(
+        ke.Problem(ke.Point(), open_world, (1, 1), (9, 9)), n=0, rng=0
+    ).cost == pytest.approx(8 * 2**0.5)
 
 
 def test_prm_with_many_samples_at_one_place():
@@ -272,7 +309,9 @@ def test_prm_with_many_samples_at_one_place():
 
 
 def test_a_finer_grid_comes_closer():
-    """On polygons the spacing is the grid's; a finer one finds a path that is not longer by more than rounding."""
+    """On polygons the spacing is the grid's; a finer one finds a path that is not longer by more
+    than rounding.
+    """
     problem = problem_of("polygons", "point")
     coarse, fine = ke.plan_on_grid(problem, spacing=0.5), ke.plan_on_grid(problem, spacing=0.1)
     assert fine.cost < coarse.cost + 1.0

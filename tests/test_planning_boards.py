@@ -25,9 +25,15 @@ BOX = [(1, -1), (2, -1), (2, 2), (1, 2)]
 SPIRAL = [(1, -3), (9, -3), (9, 3), (3, 3), (3, 2), (8, 2), (8, -2), (2, -2), (2, 3.5), (1, 3.5)]
 SQUARE = [(0, 0), (9, 0), (9, 6), (0, 6)]
 ROOMS = PolygonWorld(
-    SQUARE, [[(3, 3), (6, 2), (5, 4)], ([(6.5, 1), (8.5, 1), (8.5, 5), (6.5, 5)], [[(7, 2), (8, 2), (8, 4), (7, 4)]])]
+    SQUARE,
+    [
+        [(3, 3), (6, 2), (5, 4)],
+        ([(6.5, 1), (8.5, 1), (8.5, 5), (6.5, 5)], [[(7, 2), (8, 2), (8, 4), (7, 4)]]),
+    ],
 )
-DIAMOND = Graph(nodes=[(0, 0), (1, 1), (1, -1), (2, 0), (3, 0)], edges=[(0, 1), (0, 2), (1, 3), (2, 3), (3, 4)])
+DIAMOND = Graph(
+    nodes=[(0, 0), (1, 1), (1, -1), (2, 0), (3, 0)], edges=[(0, 1), (0, 2), (1, 3), (2, 3), (3, 4)]
+)
 
 
 def shown(layer, step):
@@ -37,28 +43,43 @@ def shown(layer, step):
 
 
 def layers_of(canvas, kind, colour):
-    return [layer for layer in canvas.drawing.layers if (layer.kind, layer.colour) == (kind, colour)]
+    return [
+        layer for layer in canvas.drawing.layers if (layer.kind, layer.colour) == (kind, colour)
+    ]
 
 
 # ---- layers whose rows come and go
 
 
 def test_rows_that_go_carry_two_steps():
-    """A buffer's rows end with the steps at which they come and go; the text of each step travels with the drawing."""
+    """A buffer's rows end with the steps at which they come and go; the text of each step travels
+    with the drawing.
+    """
     spot = dots([(1, 1), (2, 2)], "robot", when=[0, 1], until=[1, np.inf])
     drawing = Drawing(
-        [spot, labels([(1, 1)], ["H1"], "ink", when=[1]), cells(np.ones((1, 4, 2)), "cell")], total=1, told=["before"]
+        [spot, labels([(1, 1)], ["H1"], "ink", when=[1]), cells(np.ones((1, 4, 2)), "cell")],
+        total=1,
+        told=["before"],
     )
     about, (comes, _, _) = encoded(drawing, (0, 0), 2.0)
-    assert np.frombuffer(comes, np.float32).reshape(2, 4).tolist() == [[0.5, 0.5, 0, 1], [1, 1, 1, np.inf]]
-    assert [layer["ends"] for layer in about["layers"]] == [True, False, False] and about["told"] == ["before"]
+    assert np.frombuffer(comes, np.float32).reshape(2, 4).tolist() == [
+        [0.5, 0.5, 0, 1],
+        [1, 1, 1, np.inf],
+    ]
+    assert [layer["ends"] for layer in about["layers"]] == [True, False, False] and about[
+        "told"
+    ] == ["before"]
 
 
 def test_growing_layers_come_in_order():
-    """The page stops at the first row that has not come: steps never decrease, and there is a text for every step but the last."""
+    """The page stops at the first row that has not come: steps never decrease, and there is a text
+    for every step but the last.
+    """
     boards = [bug_board((0, 0), (4, 0), [BOX], bug=bug) for bug in (*BUGS, "all")]
     boards += [
-        search_board(graph, search=search) for graph in (DIAMOND, np.ones((3, 4), bool)) for search in ("bfs", "dfs", "astar")
+        search_board(graph, search=search)
+        for graph in (DIAMOND, np.ones((3, 4), bool))
+        for search in ("bfs", "dfs", "astar")
     ]
     for made in boards:
         for canvas in (made.canvas, getattr(made, "plot", made.canvas)):
@@ -75,31 +96,44 @@ def test_growing_layers_come_in_order():
 @pytest.mark.parametrize("turn", ["left", "right"])
 @pytest.mark.parametrize("bug", BUGS)
 def test_a_bug_board_shows_the_bugs_own_walk(bug, turn):
-    """Text, hits and length are those of the planner; what is drawn along walls and in the open is the whole walk."""
+    """Text, hits and length are those of the planner; what is drawn along walls and in the open is
+    the whole walk.
+    """
     made = bug_board((0, 0), (4, 0), [BOX], bug=bug, turn=turn)
     plan = BUGS[bug][1]((0, 0), (4, 0), [BOX], 0.01, turn=turn)
     walk = made.plans[0][1]
     assert walk.travelled[-1] == pytest.approx(plan.walk.travelled[-1])
     assert f"after {plan.walk.travelled[-1]:.4g}; hits {len(plan.walk.hit)}" in repr(made)
-    drawn = [layer for colour in ("tree", "path") for layer in layers_of(made.canvas, "edges", colour)]
+    drawn = [
+        layer for colour in ("tree", "path") for layer in layers_of(made.canvas, "edges", colour)
+    ]
     legs = np.concatenate([layer.rows for layer in drawn])
-    assert np.hypot(legs[:, 2] - legs[:, 0], legs[:, 3] - legs[:, 1]).sum() == pytest.approx(walk.travelled[-1])
+    assert np.hypot(legs[:, 2] - legs[:, 0], legs[:, 3] - legs[:, 1]).sum() == pytest.approx(
+        walk.travelled[-1]
+    )
 
 
 def test_a_dragged_scene_is_walked_anew_in_both_pictures():
-    """A box out of the way is not hit; the plot has the new walk, and as many steps as the world beside it."""
+    """A box out of the way is not hit; the plot has the new walk, and as many steps as the world
+    beside it.
+    """
     made = bug_board((0, 0), (4, 0), [BOX])
     world, plot = Page(made.canvas), Page(made.plot)
     away = [(x, y + 5) for x, y in BOX]
     assert world.moves(("polygon", 0, [away]))["text"] == "Bug 1: reached after 4; hits 0"
-    assert plot.sent[-1][0]["total"] == made.canvas.drawing.total and made.plot.partner == made.canvas.key
+    assert (
+        plot.sent[-1][0]["total"] == made.canvas.drawing.total
+        and made.plot.partner == made.canvas.key
+    )
     assert "lies in or on an obstacle" in world.moves(("handle", 0, [1.5, 6]))["warning"]
     assert made.plans == [] and made.plot.drawing.layers == ()
     assert "crosses" in world.moves(("polygon", 0, [[BOX[0], BOX[2], BOX[1], BOX[3]]]))["warning"]
 
 
 def test_the_sensor_feels_the_wall_that_is_followed():
-    """In the open nothing is touched; on a wall its edge is, at a corner both; the robot is at one place at each step."""
+    """In the open nothing is touched; on a wall its edge is, at a corner both; the robot is at one
+    place at each step.
+    """
     made = bug_board((0, 0), (4, 0), [BOX])
     walk, canvas = made.plans[0][1], made.canvas
     (touched,) = layers_of(canvas, "edges", "contact")
@@ -121,9 +155,14 @@ def test_hits_and_leaves_are_named_once_for_all_that_they_are():
 
 
 def test_all_bugs_race_side_by_side():
-    """Everyone's length, and who did not arrive; one clock for all: all have walked equally far at each step."""
+    """Everyone's length, and who did not arrive; one clock for all: all have walked equally far at
+    each step.
+    """
     made = bug_board((0, 0), (4, 0), [BOX], bug="all")
-    assert repr(made) == ("BugBoard(reached after: Bug 0 6.828, Bug 1 14, Bug 2.prelim 8, Bug 2 8\nnot reached: BugBase)")
+    assert repr(made) == (
+        "BugBoard(reached after: Bug 0 6.828, Bug 1 14, Bug 2.prelim 8, Bug 2 8\nnot reached: "
+        "BugBase)"
+    )
     assert made.canvas.drawing.total == made.plot.drawing.total
     made.bug.value = "bug2"
     assert repr(made) == "BugBoard(Bug 2: reached after 8; hits 1)"
@@ -148,7 +187,9 @@ def test_what_is_no_bug_scene_is_refused():
 
 @pytest.mark.parametrize("x", np.linspace(-0.3, 9.3, 33))
 def test_a_sweep_board_shows_the_cells_closed_and_open(x):
-    """Closed and open cells have the area of the free space to the left of the line; the status is in order."""
+    """Closed and open cells have the area of the free space to the left of the line; the status is
+    in order.
+    """
     made = sweep_board(ROOMS, x=x)
     cut = trapezoidation(ROOMS)
     closed = sum(len(step.closed) for step in made.steps)
@@ -160,25 +201,42 @@ def test_a_sweep_board_shows_the_cells_closed_and_open(x):
     assert len(begun) == len(made.steps[-1].status) // 2
     for (x0, low0), (x1, low1), (x2, high1), (x3, high0) in begun:
         assert x0 == x3 and x1 == x2 == x and low0 <= high0 and low1 <= high1
-        (whole,) = (row for row in cut.trapezoids if row[0] == x0 and np.allclose(row[2:4], [low0, high0]) and row[1] >= x)
+        (whole,) = (
+            row
+            for row in cut.trapezoids
+            if row[0] == x0 and np.allclose(row[2:4], [low0, high0]) and row[1] >= x
+        )
         share = (x - x0) / (whole[1] - x0)
-        assert [low1, high1] == pytest.approx([whole[k] + share * (whole[k + 2] - whole[k]) for k in (2, 3)])
+        assert [low1, high1] == pytest.approx(
+            [whole[k] + share * (whole[k + 2] - whole[k]) for k in (2, 3)]
+        )
     assert (np.diff(height_at(made.steps[-1].status, x)) >= -1e-12).all()
 
 
 def test_the_sweep_line_is_dragged_by_hand():
-    """Text, list and numbers follow the line; the obstacles can be dragged as well; nonsense is told."""
+    """Text, list and numbers follow the line; the obstacles can be dragged as well; nonsense is
+    told.
+    """
     made = sweep_board(PolygonWorld(SQUARE, [[(3, 3), (6, 2), (5, 4)]]), x=4)
     page = Page(made.canvas)
     assert repr(made) == (
-        "SweepBoard(at x = 3: an obstacle begins; cells closed 1, open 2\nstatus: edge 0, edge 2, edge 3, edge 1)"
+        "SweepBoard(at x = 3: an obstacle begins; cells closed 1, open 2\nstatus: edge 0, edge 2, "
+        "edge 3, edge 1)"
     )
     assert made.status.value.index("edge 3, a floor") < made.status.value.index("edge 2, a ceiling")
-    assert page.moves(("handle", 0, [7, -1]))["text"].startswith("at x = 6: an obstacle ends; cells closed 4, open 1")
-    assert page.moves(("handle", 0, [9.5, -1]))["text"] == "at x = 9: 2 vertices; all 5 cells are closed\nstatus: empty"
+    assert page.moves(("handle", 0, [7, -1]))["text"].startswith(
+        "at x = 6: an obstacle ends; cells closed 4, open 1"
+    )
+    assert (
+        page.moves(("handle", 0, [9.5, -1]))["text"]
+        == "at x = 9: 2 vertices; all 5 cells are closed\nstatus: empty"
+    )
     assert "empty" in made.status.value
     assert page.moves(("polygon", 0, [[[3, 3], [4, 3], [6, 3]]]))["warning"] and made.steps == []
-    assert "cells closed" in page.moves(("polygon", 0, [[[3, 3], [6, 2], [5, 4]]]), ("handle", 0, [5, 0]))["text"]
+    assert (
+        "cells closed"
+        in page.moves(("polygon", 0, [[[3, 3], [6, 2], [5, 4]]]), ("handle", 0, [5, 0]))["text"]
+    )
 
 
 def test_a_world_that_cannot_be_cut_is_refused():
@@ -187,7 +245,9 @@ def test_a_world_that_cannot_be_cut_is_refused():
         sweep_board(PolygonWorld(SQUARE, [((3, 3), 1)]))
     with pytest.raises(InvalidWorld):
         sweep_board(ke.Terrain(np.ones((3, 3), bool)))
-    both = PolygonWorld(SQUARE, [[(2, 2), (5, 2), (5, 4), (2, 4)], [(4, 3), (7, 3), (7, 5), (4, 5)]])
+    both = PolygonWorld(
+        SQUARE, [[(2, 2), (5, 2), (5, 4), (2, 4)], [(4, 3), (7, 3), (7, 5), (4, 5)]]
+    )
     assert "cells closed 2, open 2" in repr(sweep_board(both, x=4.5)) and list(sweep(both))
 
 
@@ -196,14 +256,21 @@ def test_a_world_that_cannot_be_cut_is_refused():
 
 @pytest.mark.parametrize("search", ["bfs", "dfs", "dijkstra", "astar"])
 def test_a_search_board_shows_the_searchs_own_steps(search):
-    """At each step one node is expanded, the frontier and the parents are those of the expansion; the path comes last."""
+    """At each step one node is expanded, the frontier and the parents are those of the expansion;
+    the path comes last.
+    """
     made = search_board(DIAMOND, search=search)
     canvas, places = made.canvas, DIAMOND.nodes
-    (waiting,), (arrows,) = layers_of(canvas, "dots", "frontier"), layers_of(canvas, "arrows", "tree")
+    (waiting,), (arrows,) = (
+        layers_of(canvas, "dots", "frontier"),
+        layers_of(canvas, "arrows", "tree"),
+    )
     for step, moment in enumerate(made.moments, start=1):
         assert sorted(shown(waiting, step).tolist()) == sorted(places[moment.frontier].tolist())
         children = np.flatnonzero(moment.parent >= 0)
-        assert sorted(shown(arrows, step)[:, :2].tolist()) == sorted(places[moment.parent[children]].tolist())
+        assert sorted(shown(arrows, step)[:, :2].tolist()) == sorted(
+            places[moment.parent[children]].tolist()
+        )
     assert shown(waiting, 0).tolist() == [[0, 0]] and canvas.drawing.total == len(made.moments)
     assert canvas.drawing.layers[-2].kind == "path" and "path cost 3.828, edges 3" in repr(made)
 
@@ -225,52 +292,92 @@ def test_start_and_goal_mean_the_nearest_nodes():
 
 
 def test_a_dragged_node_takes_its_edges_along():
-    """Weights that are lengths follow, others stay; the search is that of the graph built anew; the graph given is as it was."""
-    graph = Graph(nodes=[(0, 0), (1, 1), (1, -1), (2, 0)], edges=[(0, 1), (0, 2), (1, 3), (2, 3)], weights=[5, *[2**0.5] * 3])
+    """Weights that are lengths follow, others stay; the search is that of the graph built anew; the
+    graph given is as it was.
+    """
+    graph = Graph(
+        nodes=[(0, 0), (1, 1), (1, -1), (2, 0)],
+        edges=[(0, 1), (0, 2), (1, 3), (2, 3)],
+        weights=[5, *[2**0.5] * 3],
+    )
     made = search_board(graph, search="dijkstra")
     page = Page(made.canvas)
-    assert [item["name"] for item in made.canvas.scene["handles"][2:]] == ["node 0", "node 1", "node 2", "node 3"]
+    assert [item["name"] for item in made.canvas.scene["handles"][2:]] == [
+        "node 0",
+        "node 1",
+        "node 2",
+        "node 3",
+    ]
     assert "path cost 2.828, edges 2" in repr(made)
     told = page.moves(("handle", 2 + 2, [1, -3]))
-    anew = Graph(nodes=[(0, 0), (1, 1), (1, -3), (2, 0)], edges=graph.edges, weights=[5, 10**0.5, 2**0.5, 10**0.5])
+    anew = Graph(
+        nodes=[(0, 0), (1, 1), (1, -3), (2, 0)],
+        edges=graph.edges,
+        weights=[5, 10**0.5, 2**0.5, 10**0.5],
+    )
     cost = dijkstra(anew, 0).cost[3]
-    assert told["text"].endswith(f"path cost {cost:.4g}, edges 2") and cost == pytest.approx(2 * 10**0.5)
-    assert "path cost 6.414, edges 2" in page.moves(("handle", 2 + 2, [1, -9]))["text"]  # by the edge whose weight is its own
+    assert told["text"].endswith(f"path cost {cost:.4g}, edges 2") and cost == pytest.approx(
+        2 * 10**0.5
+    )
+    assert (
+        "path cost 6.414, edges 2" in page.moves(("handle", 2 + 2, [1, -9]))["text"]
+    )  # by the edge whose weight is its own
     assert graph.nodes[2].tolist() == [1, -1] and graph.weights[1] == 2**0.5
 
 
 def test_only_nodes_that_can_be_told_apart_are_dragged():
-    """Of a grid, a roadmap and a graph of more than 40 nodes start and goal move alone; deleted nodes are no stops."""
+    """Of a grid, a roadmap and a graph of more than 40 nodes start and goal move alone; deleted
+    nodes are no stops.
+    """
     many = Graph(nodes=np.random.default_rng(1).random((41, 2)), edges=[(0, 1)])
     for given in (np.ones((3, 3), bool), ke.Problem(ke.Point(), ROOMS, (1, 1), (8.8, 5.5)), many):
-        assert [item["name"] for item in search_board(given).canvas.scene["handles"]] == ["start", "goal"]
+        assert [item["name"] for item in search_board(given).canvas.scene["handles"]] == [
+            "start",
+            "goal",
+        ]
     graph = Graph(nodes=[(0, 0), (1, 0), (2, 0), (3, 0)], edges=[(0, 1), (1, 2), (2, 3)])
     graph.delete_node(1)
     made = search_board(graph, start=2)
-    assert [item["name"] for item in made.canvas.scene["handles"][2:]] == ["node 0", "node 2", "node 3"]
+    assert [item["name"] for item in made.canvas.scene["handles"][2:]] == [
+        "node 0",
+        "node 2",
+        "node 3",
+    ]
     assert Page(made.canvas).moves(("handle", 4, [3, 4]), ("handle", 1, [3, 4]))["text"] == (
         "from node 2 to node 3: expanded 2 of 3; frontier 0; path cost 4.123, edges 1"
     )
 
 
 def test_a_grid_and_problems_become_graphs():
-    """A grid's cells, a terrain's in its own unit, a roadmap among polygons whose obstacles stand still."""
+    """A grid's cells, a terrain's in its own unit, a roadmap among polygons whose obstacles stand
+    still.
+    """
     free = np.ones((4, 6), bool)
     free[:3, 3] = False
     made = search_board(free, search="astar")
     graph = made.ground.graph
-    assert len(graph) == 21 and graph.nodes[0].tolist() == [0.5, 0.5] and len(bfs_path(graph, 0, 20)) == 9
+    assert (
+        len(graph) == 21
+        and graph.nodes[0].tolist() == [0.5, 0.5]
+        and len(bfs_path(graph, 0, 20)) == 9
+    )
     assert "path cost 8, edges 8" in repr(made) and made.canvas.scene["size"] == [4, 6]
-    terrain = ke.Problem(ke.Point(), ke.Terrain(free, resolution=2.0, origin=(10, 10)), (11, 11), (21, 17))
+    terrain = ke.Problem(
+        ke.Point(), ke.Terrain(free, resolution=2.0, origin=(10, 10)), (11, 11), (21, 17)
+    )
     assert "path cost 16, edges 8" in repr(search_board(terrain, search="dijkstra"))
     yard = ke.Problem(ke.Point(), ROOMS, (1, 1), (8.8, 5.5))
     made = search_board(yard)
-    assert "path cost" in repr(made) and not any(item["movable"] for item in made.canvas.scene["polygons"])
+    assert "path cost" in repr(made) and not any(
+        item["movable"] for item in made.canvas.scene["polygons"]
+    )
     assert Page(made.canvas).moves(("handle", 0, [2, 5]))["warning"] == ""
 
 
 def test_the_estimate_never_exceeds_the_cost():
-    """Where edges cost less than they are long the distance is scaled, so that A* finds a shortest path."""
+    """Where edges cost less than they are long the distance is scaled, so that A* finds a shortest
+    path.
+    """
     rng = np.random.default_rng(5)
     for _ in range(20):
         nodes = rng.random((12, 2))
@@ -301,7 +408,10 @@ def test_deleted_nodes_are_left_out():
     graph = Graph(nodes=[(0, 0), (1, 0), (2, 0), (3, 0)], edges=[(0, 1), (1, 2), (2, 3)])
     graph.delete_node(3)
     made = search_board(graph)
-    assert repr(made) == "SearchBoard(from node 0 to node 2: expanded 3 of 3; frontier 0; path cost 2, edges 2)"
+    assert (
+        repr(made)
+        == "SearchBoard(from node 0 to node 2: expanded 3 of 3; frontier 0; path cost 2, edges 2)"
+    )
     assert made.canvas.drawing.layers[-1].texts == ("0", "1", "2")
 
 
@@ -311,7 +421,9 @@ def test_spells_say_how_long_values_stay():
     rows = list(zip(node.tolist(), value.tolist(), when.tolist(), until.tolist(), strict=True))
     assert rows == [(0, 0, 0, 2), (1, 1, 0, 1), (1, 2, 1, 3), (0, 3, 2, 3)]
     states = search_board(DIAMOND).moments
-    assert [moment.node for moment in states] == [moment.node for moment in bfs_expansions(DIAMOND, 0, 4)]
+    assert [moment.node for moment in states] == [
+        moment.node for moment in bfs_expansions(DIAMOND, 0, 4)
+    ]
 
 
 # ---- what a notebook keeps
@@ -332,11 +444,18 @@ def test_a_notebook_keeps_a_picture_of_each():
         assert Image.open(io.BytesIO(made.picture())).size[0] > 250
 
 
-@pytest.mark.parametrize(("sampler", "shown_points"), [("corner", 49), ("sukharev", 49), ("random", 60), ("halton", 60)])
+@pytest.mark.parametrize(
+    ("sampler", "shown_points"), [("corner", 49), ("sukharev", 49), ("random", 60), ("halton", 60)]
+)
 def test_a_samples_board_shows_points_and_their_largest_hole(sampler, shown_points):
-    """As many points as fit a grid, or as were asked for; and nowhere is q farther from them than in the yellow hole."""
+    """As many points as fit a grid, or as were asked for; and nowhere is q farther from them than
+    in the yellow hole.
+    """
     made = samples_board(sampler, 60)
-    (points,), (hole,) = layers_of(made.canvas, "dots", "tree"), layers_of(made.canvas, "edges", "path")
+    (points,), (hole,) = (
+        layers_of(made.canvas, "dots", "tree"),
+        layers_of(made.canvas, "edges", "path"),
+    )
     assert len(points.rows) == shown_points
     ball = ke.sampling.largest_empty_ball(points.rows)
     assert np.allclose(np.linalg.norm(hole.rows.reshape(-1, 2) - ball.centre, axis=1), ball.radius)
@@ -345,12 +464,17 @@ def test_a_samples_board_shows_points_and_their_largest_hole(sampler, shown_poin
     made.n.value = 9
     assert repr(made).startswith("SamplesBoard(points 9;")
     made.sampler.value = "sukharev"
-    assert repr(made) == "SamplesBoard(points 9; largest hole 0.2357; q is 0.0000 from the nearest point)"
+    assert (
+        repr(made)
+        == "SamplesBoard(points 9; largest hole 0.2357; q is 0.0000 from the nearest point)"
+    )
     assert made.picture().startswith(b"\x89PNG")
 
 
 def test_a_samples_board_refuses_what_it_does_not_have():
-    """A sampler that is none, and fewer than one point; q outside the square is taken to its side."""
+    """A sampler that is none, and fewer than one point; q outside the square is taken to its
+    side.
+    """
     for given in (("sobol", 9), ("halton", 0)):
         with pytest.raises(InvalidParameter):
             samples_board(*given)

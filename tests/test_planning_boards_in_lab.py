@@ -4,8 +4,14 @@ import pytest
 from lab_driver import RUN_ALL, keep, lab, needs_chromium, notebook_page, written_notebook
 from test_board_in_lab import Seen
 
-BUG = "import kinoedu as ke\nke.boards.bug_board((0, 0), (4, 0), [[(1, -1), (2, -1), (2, 2), (1, 2)]])"
-SWEEP = "ke.boards.sweep_board(ke.PolygonWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [[(3, 3), (6, 2), (5, 4)]]), x=4)"
+BUG = (
+    "import kinoedu as ke\nke.boards.bug_board((0, 0), (4, 0), [[(1, -1), (2, -1), (2, 2), (1, "
+    "2)]])"
+)
+SWEEP = (
+    "ke.boards.sweep_board(ke.PolygonWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [[(3, 3), (6, 2), "
+    "(5, 4)]]), x=4)"
+)
 GRAPH = """from kinoedu.graphs import Graph
 ke.boards.search_board(Graph(nodes=[(0, 0), (4, 3), (4, -3), (8, 0), (11, 0)], edges=[(0, 1), (0, 2), (1, 3), (2, 3), (3, 4)]))"""
 SEARCH = "import numpy as np\nke.boards.search_board(np.ones((6, 9), bool), search='astar')"
@@ -17,9 +23,17 @@ def page(tmp_path_factory):
     needs_chromium()
     course, home = tmp_path_factory.mktemp("course"), tmp_path_factory.mktemp("home")
     (course / "planning.ipynb").write_text(written_notebook(BUG, SWEEP, SEARCH, GRAPH))
-    with lab(course, home) as (address, token), notebook_page(address, token, "planning.ipynb") as page:
+    with (
+        lab(course, home) as (address, token),
+        notebook_page(address, token, "planning.ipynb") as page,
+    ):
         book = page.evaluate(RUN_ALL)
-        assert [o.get("evalue") for cell in book["cells"] for o in cell["outputs"] if o["output_type"] == "error"] == []
+        assert [
+            o.get("evalue")
+            for cell in book["cells"]
+            for o in cell["outputs"]
+            if o["output_type"] == "error"
+        ] == []
         yield page
         assert page.outside == [] and page.errors == []
 
@@ -27,11 +41,15 @@ def page(tmp_path_factory):
 def scrub(seen, step):
     """Move the slider of growth to a step."""
     slider = seen.board.locator(".kinoedu-slider")
-    slider.evaluate("(slider, step) => { slider.value = step; slider.dispatchEvent(new Event('input')); }", step)
+    slider.evaluate(
+        "(slider, step) => { slider.value = step; slider.dispatchEvent(new Event('input')); }", step
+    )
 
 
 def test_a_walk_and_its_plot_are_scrubbed_together(page):
-    """A step in the plot is the same step in the world, and the words say what the bug does there; a drag changes both."""
+    """A step in the plot is the same step in the world, and the words say what the bug does there;
+    a drag changes both.
+    """
     world, plot = Seen(page, 0), Seen(page, 1)
     assert world.told() == "Bug 1: reached after 14; hits 1"
     before = world.pixels()
@@ -68,12 +86,16 @@ def graph(page):
     """The board of a graph, as it was in the beginning."""
     seen = Seen(page, 4)
     seen.board.locator(".kinoedu-reset").click()
-    seen.until("told === 'from node 0 to node 4: expanded 5 of 5; frontier 0; path cost 13, edges 3'")
+    seen.until(
+        "told === 'from node 0 to node 4: expanded 5 of 5; frontier 0; path cost 13, edges 3'"
+    )
     return seen
 
 
 def test_a_node_is_dragged_and_its_weights_follow(graph):
-    """The edges grow, the search runs anew, and start, which stands on node 0, goes along when that is moved by keys."""
+    """The edges grow, the search runs anew, and start, which stands on node 0, goes along when that
+    is moved by keys.
+    """
     pixels = graph.pixels()
     graph.drag("handle-3", 60, -20)  # node 1
     graph.until("told.includes('from node 0 to node 4') && !told.includes('path cost 13,')")
@@ -81,13 +103,20 @@ def test_a_node_is_dragged_and_its_weights_follow(graph):
     node = graph.board.locator("[data-thing=handle-2]")
     node.focus()
     node.press("Shift+ArrowDown")
-    graph.until("root.querySelector('[data-thing=handle-0]').ariaLabel === 'start at (0.00, -0.68)'")
-    assert graph.label("handle-2") == "node 0 at (0.00, -0.68); Enter calls the goal to it, Shift and Enter the start"
+    graph.until(
+        "root.querySelector('[data-thing=handle-0]').ariaLabel === 'start at (0.00, -0.68)'"
+    )
+    assert (
+        graph.label("handle-2")
+        == "node 0 at (0.00, -0.68); Enter calls the goal to it, Shift and Enter the start"
+    )
     graph.settled()
 
 
 def test_start_and_goal_are_called_to_nodes(graph):
-    """By a click or Enter the goal, with Shift the start; what is let go beside a node goes to it; a node that is clicked stays."""
+    """By a click or Enter the goal, with Shift the start; what is let go beside a node goes to it;
+    a node that is clicked stays.
+    """
     page, label = graph.page, graph.label("handle-4")
     page.mouse.click(*graph.middle("handle-4"))  # node 2
     graph.until("told.startsWith('from node 0 to node 2:')")

@@ -10,12 +10,23 @@ from hypothesis import strategies as st
 
 from kinoedu.compiled import compiled
 from kinoedu.graphs import Graph, astar, astar_expansions, dijkstra
-from kinoedu.graphs.radix_heap import NONE, enlarged, first, has_room, in_order, insert, radix_heap, remove_first
+from kinoedu.graphs.radix_heap import (
+    NONE,
+    enlarged,
+    first,
+    has_room,
+    in_order,
+    insert,
+    radix_heap,
+    remove_first,
+)
 
 PRIORITIES = st.one_of(
     st.integers(0, 5).map(float),
     st.floats(0.0, allow_nan=False),
-    st.integers(0, 3).map(lambda n: float(np.nextafter(1.0, 2.0)) if n == 3 else 1.0 + n * 2.0**-52),
+    st.integers(0, 3).map(
+        lambda n: float(np.nextafter(1.0, 2.0)) if n == 3 else 1.0 + n * 2.0**-52
+    ),
 )
 RETRIEVE = None
 
@@ -46,7 +57,9 @@ def retrieved(queue: Any) -> int:
 @given(st.lists(st.one_of(PRIORITIES, st.none()), max_size=80))
 @settings(derandomize=True, deadline=None, max_examples=400)
 def test_it_retrieves_what_a_heap_does(actions):
-    """Whatever is inserted and retrieved in turn, rising or not; and what waits is listed in that order at any time."""
+    """Whatever is inserted and retrieved in turn, rising or not; and what waits is listed in that
+    order at any time.
+    """
     queue, reference = radix_heap(1), Reference()
     for node, priority in enumerate(actions):
         if priority is RETRIEVE:
@@ -90,16 +103,22 @@ def drained(priorities: Any) -> Any:
 def test_it_sorts_floats_of_any_size(scale):
     """Compiled and interpreted; also the smallest, infinity and 0."""
     rng = np.random.default_rng(0)
-    priorities = np.concatenate([rng.integers(0, 50, 300) * scale, rng.random(300) * scale, [0.0, np.inf, np.inf, 0.0]])
+    priorities = np.concatenate(
+        [rng.integers(0, 50, 300) * scale, rng.random(300) * scale, [0.0, np.inf, np.inf, 0.0]]
+    )
     wanted = np.lexsort([-np.arange(len(priorities)), priorities])
     assert np.array_equal(drained(priorities), wanted)
     assert np.array_equal(drained.py_func(priorities), wanted)
 
 
 def test_a_search_makes_room_as_it_needs_it():
-    """A star and a complete graph have many more edges than a queue begins with; all nodes are expanded, some of them again."""
+    """A star and a complete graph have many more edges than a queue begins with; all nodes are
+    expanded, some of them again.
+    """
     star = Graph(300, [(0, v) for v in range(1, 300)], np.arange(299.0))
-    assert np.array_equal(dijkstra(star, 0).expanded, np.arange(300)) and star.cost_to_go(7)[8] == 13.0
+    assert (
+        np.array_equal(dijkstra(star, 0).expanded, np.arange(300)) and star.cost_to_go(7)[8] == 13.0
+    )
     n = 80
     pairs = [(u, v) for u in range(n) for v in range(u)]
     whole = Graph(n, pairs, [(u - v) ** 1.5 for u, v in pairs])
@@ -111,10 +130,15 @@ def test_a_search_makes_room_as_it_needs_it():
 
 
 def test_a_search_goes_on_from_where_it_is():
-    """Of equally good nodes A* takes the one seen last: on a square without obstacles it expands the nodes of its path alone."""
+    """Of equally good nodes A* takes the one seen last: on a square without obstacles it expands
+    the nodes of its path alone.
+    """
     n = 12
     number = np.arange(n * n).reshape(n, n)
-    across, up = np.stack([number[:, :-1], number[:, 1:]], axis=-1), np.stack([number[:-1], number[1:]], axis=-1)
+    across, up = (
+        np.stack([number[:, :-1], number[:, 1:]], axis=-1),
+        np.stack([number[:-1], number[1:]], axis=-1),
+    )
     edges = np.concatenate([across.reshape(-1, 2), up.reshape(-1, 2)])
     graph = Graph(n * n, edges, np.ones(len(edges)))
     estimate = np.add.outer(np.arange(n)[::-1], np.arange(n)[::-1]).ravel()
@@ -126,7 +150,9 @@ def test_a_search_goes_on_from_where_it_is():
 
 
 NODES = 8
-ROWS = st.lists(st.tuples(st.integers(0, NODES - 1), st.integers(0, NODES - 1), st.integers(0, 4)), max_size=30)
+ROWS = st.lists(
+    st.tuples(st.integers(0, NODES - 1), st.integers(0, NODES - 1), st.integers(0, 4)), max_size=30
+)
 SHARES = st.lists(st.sampled_from([0.0, 0.3, 0.7, 1.0]), min_size=NODES, max_size=NODES)
 
 

@@ -18,7 +18,13 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from PIL import Image
 
-from kinoedu.errors import KinoeduError, MendedPolygons, SceneTooLarge, UnknownFormat, UnreadableScene
+from kinoedu.errors import (
+    KinoeduError,
+    MendedPolygons,
+    SceneTooLarge,
+    UnknownFormat,
+    UnreadableScene,
+)
 from kinoedu.worlds.images import read_image
 from kinoedu.worlds.movingai import read_map, read_scenario, scenario_beside
 from kinoedu.worlds.reading import read_world
@@ -52,11 +58,15 @@ def write(path: Path, content: str | bytes) -> Path:
     return path
 
 
-def png(width: int, height: int, depth: int, kind: int, rows: bytes, *chunks: tuple[bytes, bytes]) -> bytes:
+def png(
+    width: int, height: int, depth: int, kind: int, rows: bytes, *chunks: tuple[bytes, bytes]
+) -> bytes:
     """A PNG put together by hand, for what Pillow does not write."""
     header = struct.pack(">IIBBBBB", width, height, depth, kind, 0, 0, 0)
     parts = [(b"IHDR", header), *chunks, (b"IDAT", zlib.compress(rows)), (b"IEND", b"")]
-    packed = [struct.pack(">I", len(d)) + t + d + struct.pack(">I", zlib.crc32(t + d)) for t, d in parts]
+    packed = [
+        struct.pack(">I", len(d)) + t + d + struct.pack(">I", zlib.crc32(t + d)) for t, d in parts
+    ]
     return b"\x89PNG\r\n\x1a\n" + b"".join(packed)
 
 
@@ -75,7 +85,9 @@ def ros(folder: Path, picture: np.ndarray | None = None, **changes: Any) -> Path
 @pytest.mark.parametrize("mode", ["1", "L", "P", "RGB", "RGBA", "LA"])
 def test_a_picture_looks_in_the_world_as_on_the_page(tmp_path: Path, name: str, mode: str) -> None:
     """x right, y up, one cell a pixel, in every mode that a format can hold."""
-    if (name.endswith("pgm") and mode in ("P", "RGBA", "LA")) or (name.endswith("bmp") and mode == "LA"):
+    if (name.endswith("pgm") and mode in ("P", "RGBA", "LA")) or (
+        name.endswith("bmp") and mode == "LA"
+    ):
         pytest.skip("the format has no such pictures")
     Image.fromarray(np.uint8(PAGE * 255)).convert(mode).save(tmp_path / name)
     terrain = read_world(tmp_path / name)
@@ -87,7 +99,9 @@ def test_a_picture_looks_in_the_world_as_on_the_page(tmp_path: Path, name: str, 
 @given(greys=st.lists(st.integers(0, 255), min_size=1, max_size=12))
 @settings(suppress_health_check=[HealthCheck.function_scoped_fixture], deadline=None)
 @pytest.mark.parametrize("kind", ["png", "bmp", "pgm"])
-def test_half_of_full_scale_divides_free_from_blocked(tmp_path: Path, kind: str, greys: list[int]) -> None:
+def test_half_of_full_scale_divides_free_from_blocked(
+    tmp_path: Path, kind: str, greys: list[int]
+) -> None:
     """Every grey, in every format, against the plain comparison."""
     Image.fromarray(np.array([greys], np.uint8)).save(tmp_path / f"x.{kind}")
     assert read_image(tmp_path / f"x.{kind}").free.tolist() == [[grey >= 127.5 for grey in greys]]
@@ -100,7 +114,9 @@ def test_a_pgm_is_judged_by_its_own_full_scale(tmp_path: Path, most: int, plain:
     values = sorted({0, most // 3, (most - 1) // 2, (most + 1) // 2, most})
     head = f"P{2 if plain else 5}\n# a comment\n{len(values)} 1\n# another\n{most}\n".encode()
     binary = struct.pack(f">{len(values)}{'B' if most < 256 else 'H'}", *values)
-    path = write(tmp_path / "x.pgm", head + (" ".join(map(str, values)).encode() if plain else binary))
+    path = write(
+        tmp_path / "x.pgm", head + (" ".join(map(str, values)).encode() if plain else binary)
+    )
     assert read_image(path).free.tolist() == [[2 * value >= most for value in values]]
 
 
@@ -109,7 +125,9 @@ def test_sixteen_bit_png(tmp_path: Path) -> None:
     Image.fromarray(np.array([[0, 300, 32767, 32768, 65535]], np.uint16)).save(tmp_path / "x.png")
     assert read_image(tmp_path / "x.png").free.tolist() == [[False, False, False, True, True]]
     colour = b"\0" + struct.pack(">6H", *[300] * 3, *[40000] * 3)
-    assert read_image(write(tmp_path / "c.png", png(2, 1, 16, 2, colour))).free.tolist() == [[False, True]]
+    assert read_image(write(tmp_path / "c.png", png(2, 1, 16, 2, colour))).free.tolist() == [
+        [False, True]
+    ]
 
 
 def test_colour_counts_by_its_luminance(tmp_path: Path) -> None:
@@ -128,7 +146,9 @@ def test_transparency_is_seen_on_white(tmp_path: Path) -> None:
     assert read_image(tmp_path / "p.png").free.all()
 
 
-@pytest.mark.parametrize(("depth", "row"), [(1, b"\0\x40"), (2, b"\0\x10"), (4, b"\0\x01"), (8, b"\0\0\1")])
+@pytest.mark.parametrize(
+    ("depth", "row"), [(1, b"\0\x40"), (2, b"\0\x10"), (4, b"\0\x01"), (8, b"\0\0\1")]
+)
 def test_one_transparent_grey_at_every_depth(tmp_path: Path, depth: int, row: bytes) -> None:
     """Pixels 0 and 1 where grey 1 is transparent: black, then paper."""
     path = write(tmp_path / "x.png", png(2, 1, depth, 0, row, (b"tRNS", b"\0\1")))
@@ -136,7 +156,9 @@ def test_one_transparent_grey_at_every_depth(tmp_path: Path, depth: int, row: by
 
 
 @pytest.mark.parametrize(("kind", "channels"), [(0, 1), (2, 3)])
-def test_a_transparent_colour_in_16_bits_is_refused(tmp_path: Path, kind: int, channels: int) -> None:
+def test_a_transparent_colour_in_16_bits_is_refused(
+    tmp_path: Path, kind: int, channels: int
+) -> None:
     """Pillow loses the low bits that would say which pixels are meant."""
     key = (b"tRNS", b"\x10\5" * channels)
     path = write(tmp_path / "x.png", png(1, 1, 16, kind, b"\0" + b"\x10\5" * channels, key))
@@ -197,10 +219,16 @@ def test_a_jpeg_in_disguise_is_refused(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("side", [5001, 7072, 10_000, 13_000, 60_000, 2**31 - 1])
 @pytest.mark.parametrize("kind", ["png", "pgm", "bmp"])
-def test_a_huge_picture_is_judged_by_its_header(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, side: int, kind: str) -> None:
+def test_a_huge_picture_is_judged_by_its_header(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, side: int, kind: str
+) -> None:
     """No pixel is decoded, and none of Pillow's warnings leaks out."""
     bmp = b"BM" + struct.pack("<IHHIIiiHHIIiiII", 54, 0, 0, 54, 40, side, side, 1, 24, *[0] * 6)
-    heads = {"png": png(side, side, 8, 0, b"\0"), "pgm": f"P5 {side} {side} 255\n".encode(), "bmp": bmp}
+    heads = {
+        "png": png(side, side, 8, 0, b"\0"),
+        "pgm": f"P5 {side} {side} 255\n".encode(),
+        "bmp": bmp,
+    }
     monkeypatch.setattr("PIL.ImageFile.ImageFile.load", lambda image: pytest.fail("decoded"))
     warnings.simplefilter("error")
     with pytest.raises(SceneTooLarge, match="25,000,000"):
@@ -221,7 +249,9 @@ def test_the_benchmark_maps(name: str) -> None:
 
 @pytest.mark.parametrize("name", FREE_CELLS)
 def test_the_benchmark_scenarios(name: str) -> None:
-    """Every start and goal is the centre of a free cell of its map, the length at least the beeline."""
+    """Every start and goal is the centre of a free cell of its map, the length at least the
+    beeline.
+    """
     free = read_map(GRIDS / f"{name}.map").free
     path = scenario_beside(GRIDS / f"{name}.map")
     assert path == GRIDS / f"{name}-even-1.scen"
@@ -277,7 +307,9 @@ def test_a_map_reads_however_its_lines_end(tmp_path: Path, text: str) -> None:
         ("map\n", "map\n\0", "NUL"),
     ],
 )
-def test_a_map_that_contradicts_itself_is_refused(tmp_path: Path, old: str, new: str, message: str) -> None:
+def test_a_map_that_contradicts_itself_is_refused(
+    tmp_path: Path, old: str, new: str, message: str
+) -> None:
     """The message names the file and says what was expected."""
     with pytest.raises(UnreadableScene, match=message) as caught:
         read_map(write(tmp_path / "x.map", CORNER.replace(old, new)))
@@ -287,7 +319,9 @@ def test_a_map_that_contradicts_itself_is_refused(tmp_path: Path, old: str, new:
 
 @pytest.mark.parametrize("encoding", ["utf-16", "utf-16-le", "utf-16-be", "utf-32"])
 @pytest.mark.parametrize("read", [read_map, read_scenario, read_ros_map])
-def test_wide_characters_are_no_plain_text(tmp_path: Path, read: Callable[[Path], object], encoding: str) -> None:
+def test_wide_characters_are_no_plain_text(
+    tmp_path: Path, read: Callable[[Path], object], encoding: str
+) -> None:
     """With or without a byte-order mark."""
     with pytest.raises(UnreadableScene, match="plain text"):
         read(write(tmp_path / "x", CORNER.encode(encoding)))
@@ -315,7 +349,9 @@ def test_a_query_leads_between_centres(tmp_path: Path, first: str, line: str) ->
 def test_a_scenario_may_be_empty_and_a_map_name_may_have_blanks(tmp_path: Path) -> None:
     """Tabs alone divide a line that has them."""
     assert read_scenario(write(tmp_path / "x.scen", "version 1")) == []
-    (query,) = read_scenario(write(tmp_path / "x.scen", "version 1\n" + LINE.replace("corner", "a corner")))
+    (query,) = read_scenario(
+        write(tmp_path / "x.scen", "version 1\n" + LINE.replace("corner", "a corner"))
+    )
     assert query.map_name == "a corner.map"
 
 
@@ -338,7 +374,9 @@ def test_a_scenario_may_be_empty_and_a_map_name_may_have_blanks(tmp_path: Path) 
         (8, "", "9 columns.*got 8"),
     ],
 )
-def test_a_senseless_query_is_refused_with_its_line(tmp_path: Path, column: int, word: str, message: str) -> None:
+def test_a_senseless_query_is_refused_with_its_line(
+    tmp_path: Path, column: int, word: str, message: str
+) -> None:
     """Here line 4: the version, a good line, a blank one, the bad one."""
     words = LINE.strip().split("\t")
     words[column] = word
@@ -364,7 +402,13 @@ def test_the_scenario_beside_a_map(tmp_path: Path) -> None:
     (tmp_path / "a[1].scen").mkdir()
     assert scenario_beside(path) is None
     (tmp_path / "a[1].scen").rmdir()
-    for name in ("a[1]-random-1.scen", "a[1]-even-2.scen", "a[1]-even-1.scen", "a[1].scen", "a[1].map.scen"):
+    for name in (
+        "a[1]-random-1.scen",
+        "a[1]-even-2.scen",
+        "a[1]-even-1.scen",
+        "a[1].scen",
+        "a[1].map.scen",
+    ):
         write(tmp_path / name, "")
         assert scenario_beside(path) == tmp_path / name
     assert scenario_beside(tmp_path / "nowhere" / "a.map") is None
@@ -384,10 +428,16 @@ def test_a_ros_map_lies_where_its_yaml_says(tmp_path: Path) -> None:
     assert read_world((tmp_path / "map.yaml").rename(tmp_path / "map.YML")).free.tolist() == WORLD
 
 
-@given(greys=st.lists(st.integers(0, 255), min_size=1, max_size=9), free=st.floats(0, 1), negate=st.booleans())
+@given(
+    greys=st.lists(st.integers(0, 255), min_size=1, max_size=9),
+    free=st.floats(0, 1),
+    negate=st.booleans(),
+)
 @settings(suppress_health_check=[HealthCheck.function_scoped_fixture], deadline=None)
 @pytest.mark.parametrize("mode", [None, "trinary", "scale"])
-def test_free_is_what_ros_calls_free(tmp_path: Path, mode: str | None, greys: list[int], free: float, negate: bool) -> None:
+def test_free_is_what_ros_calls_free(
+    tmp_path: Path, mode: str | None, greys: list[int], free: float, negate: bool
+) -> None:
     """p < free_thresh, strictly; unknown is not free."""
     changes = {"free_thresh": free, "occupied_thresh": 1.0, "negate": int(negate), "mode": mode}
     terrain = read_ros_map(ros(tmp_path, np.array([greys], np.uint8), **changes))
@@ -408,7 +458,9 @@ def test_colour_alpha_and_16_bits_in_a_ros_map(tmp_path: Path) -> None:
     assert read_ros_map(path).free.tolist() == [[True, False]]
     for mode in ("trinary", "scale"):
         path = ros(tmp_path, image="clear.png", mode=mode)
-        Image.fromarray(np.array([[[255] * 4, [255, 255, 255, 0]]], np.uint8)).save(tmp_path / "clear.png")
+        Image.fromarray(np.array([[[255] * 4, [255, 255, 255, 0]]], np.uint8)).save(
+            tmp_path / "clear.png"
+        )
         assert read_ros_map(path).free.tolist() == [[True, False]]
 
 
@@ -448,7 +500,9 @@ def test_numbers_that_yaml_takes_for_text(tmp_path: Path) -> None:
         ({"image": "a\0b"}, "check the path"),
     ],
 )
-def test_a_senseless_setting_is_refused(tmp_path: Path, changes: dict[str, Any], message: str) -> None:
+def test_a_senseless_setting_is_refused(
+    tmp_path: Path, changes: dict[str, Any], message: str
+) -> None:
     """The message names the file and the setting."""
     with pytest.raises(UnreadableScene, match=message) as caught:
         read_ros_map(ros(tmp_path, **changes))
@@ -456,7 +510,9 @@ def test_a_senseless_setting_is_refused(tmp_path: Path, changes: dict[str, Any],
 
 
 def test_a_list_and_a_repeated_key_are_told_apart(tmp_path: Path) -> None:
-    """A list is shown as what came; of two equal keys ROS and this parser would take different ones."""
+    """A list is shown as what came; of two equal keys ROS and this parser would take different
+    ones.
+    """
     with pytest.raises(UnreadableScene, match=r"got \['image'\]"):
         read_ros_map(write(tmp_path / "x.yaml", "- image"))
     with pytest.raises(UnreadableScene, match="'resolution' twice"):
@@ -511,14 +567,28 @@ def test_a_yaml_that_is_no_map_is_refused(tmp_path: Path, text: str) -> None:
 
 @pytest.mark.parametrize("read", [read_world, read_image, read_map, read_scenario, read_ros_map])
 @pytest.mark.parametrize("ending", [".png", ".map", ".yaml"])
-def test_what_is_not_a_file_has_a_sentence(tmp_path: Path, read: Callable[[Path], object], ending: str) -> None:
-    """Missing, a folder, a circle of links, a pipe, a name too long or with a NUL, an empty file, ..."""
+def test_what_is_not_a_file_has_a_sentence(
+    tmp_path: Path, read: Callable[[Path], object], ending: str
+) -> None:
+    """Missing, a folder, a circle of links, a pipe, a name too long or with a NUL, an empty file,
+    ...
+    """
     (tmp_path / f"folder{ending}").mkdir()
     (tmp_path / f"loop{ending}").symlink_to(tmp_path / f"loop{ending}")
     if hasattr(os, "mkfifo"):  # not on Windows, where the name is then one more that is missing
         os.mkfifo(tmp_path / f"pipe{ending}")
     write(tmp_path / f"empty{ending}", "")
-    names = ("gone", "empty.map/x", "folder", "loop", "pipe", "x" * 5000, "nul\0", "empty", "gone/x")
+    names = (
+        "gone",
+        "empty.map/x",
+        "folder",
+        "loop",
+        "pipe",
+        "x" * 5000,
+        "nul\0",
+        "empty",
+        "gone/x",
+    )
     for name in names:
         with pytest.raises(UnreadableScene, match="expected"):
             read(tmp_path / f"{name}{ending}")
@@ -539,7 +609,10 @@ def test_an_unknown_ending_lists_the_known_ones(tmp_path: Path) -> None:
 @cache
 def good_meshes() -> dict[str, bytes]:
     """A box in every format."""
-    meshes = {f"x.{kind}": trimesh.creation.box().export(file_type=kind) for kind in ("stl", "obj", "dae", "glb")}
+    meshes = {
+        f"x.{kind}": trimesh.creation.box().export(file_type=kind)
+        for kind in ("stl", "obj", "dae", "glb")
+    }
     return {name: mesh.encode() if isinstance(mesh, str) else mesh for name, mesh in meshes.items()}
 
 
@@ -550,7 +623,9 @@ def good_files(folder: Path) -> dict[str, bytes]:
         Image.fromarray(np.uint8(PAGE * 255)).save(folder / f"x.{kind}")
         files[f"x.{kind}"] = (folder / f"x.{kind}").read_bytes()
     files |= good_meshes()
-    files["x.json"] = b'{"polygons": [[[0, 0], [1, 0], [0, 1]], [[0, 0], [2, 2], [2, 0], [0, 2]]], "start": [0.9, 0.9]}'
+    files["x.json"] = (
+        b'{"polygons": [[[0, 0], [1, 0], [0, 1]], [[0, 0], [2, 2], [2, 0], [0, 2]]], "start": [0.9, 0.9]}'
+    )
     return {**files, "x.yaml": ros(folder).read_bytes()}
 
 
@@ -561,7 +636,19 @@ def read_or_refuse(path: Path) -> None:
         read_scenario(path) if path.suffix == ".scen" else read_world(path)
 
 
-KINDS = ["x.map", "x.scen", "x.png", "x.bmp", "x.pgm", "x.yaml", "x.stl", "x.obj", "x.dae", "x.glb", "x.json"]
+KINDS = [
+    "x.map",
+    "x.scen",
+    "x.png",
+    "x.bmp",
+    "x.pgm",
+    "x.yaml",
+    "x.stl",
+    "x.obj",
+    "x.dae",
+    "x.glb",
+    "x.json",
+]
 
 
 @given(data=st.binary(max_size=300))
@@ -572,10 +659,20 @@ def test_random_bytes_read_or_are_refused(tmp_path: Path, name: str, data: bytes
     read_or_refuse(write(tmp_path / name, data))
 
 
-@given(edits=st.lists(st.tuples(st.integers(0, 999), st.integers(0, 4), st.binary(max_size=4)), min_size=1, max_size=4))
-@settings(suppress_health_check=[HealthCheck.function_scoped_fixture], deadline=None, max_examples=300)
+@given(
+    edits=st.lists(
+        st.tuples(st.integers(0, 999), st.integers(0, 4), st.binary(max_size=4)),
+        min_size=1,
+        max_size=4,
+    )
+)
+@settings(
+    suppress_health_check=[HealthCheck.function_scoped_fixture], deadline=None, max_examples=300
+)
 @pytest.mark.parametrize("name", KINDS)
-def test_a_damaged_file_reads_or_is_refused(tmp_path: Path, name: str, edits: list[tuple[int, int, bytes]]) -> None:
+def test_a_damaged_file_reads_or_is_refused(
+    tmp_path: Path, name: str, edits: list[tuple[int, int, bytes]]
+) -> None:
     """A few bytes of a valid file cut, replaced or put in."""
     data = good_files(tmp_path)[name]
     for place, cut, patch in edits:
@@ -584,8 +681,17 @@ def test_a_damaged_file_reads_or_is_refused(tmp_path: Path, name: str, edits: li
     read_or_refuse(write(tmp_path / name, data))
 
 
-SCALARS = st.integers() | st.floats() | st.booleans() | st.text(max_size=5) | st.dates() | st.binary(max_size=3)
-VALUES = st.recursive(SCALARS, lambda inner: st.lists(inner, max_size=3) | st.dictionaries(SCALARS, inner, max_size=2))
+SCALARS = (
+    st.integers()
+    | st.floats()
+    | st.booleans()
+    | st.text(max_size=5)
+    | st.dates()
+    | st.binary(max_size=3)
+)
+VALUES = st.recursive(
+    SCALARS, lambda inner: st.lists(inner, max_size=3) | st.dictionaries(SCALARS, inner, max_size=2)
+)
 
 
 @given(changes=st.dictionaries(st.sampled_from([*SETTINGS, "mode", "other"]), VALUES))

@@ -1,4 +1,6 @@
-"""Exercises are made from solutions, tell no answers, and are what is committed; students get neither solutions nor bank."""
+"""Exercises are made from solutions, tell no answers, and are what is committed; students get
+neither solutions nor bank.
+"""
 
 import json
 import shutil
@@ -17,7 +19,9 @@ HOUSE = Path(__file__).resolve().parent.parent
 
 def sources(book):
     """What the cells say and are, without what running them added."""
-    return [(cell["cell_type"], cell["source"], cell["metadata"], cell["id"]) for cell in book["cells"]]
+    return [
+        (cell["cell_type"], cell["source"], cell["metadata"], cell["id"]) for cell in book["cells"]
+    ]
 
 
 @pytest.mark.parametrize("name", assignments())
@@ -72,7 +76,11 @@ def test_the_solutions_answers_are_right_for_other_seeds(name):
 
     names = {}
     for cell in nbformat.read(HOUSE / "solutions" / f"{name}.ipynb", as_version=4).cells:
-        if cell.cell_type == "code" and not cell.source.startswith("check(") and "show(" not in cell.source:
+        if (
+            cell.cell_type == "code"
+            and not cell.source.startswith("check(")
+            and "show(" not in cell.source
+        ):
             exec(compile(cell.source, "solution.py", "exec"), names)
     asked = [exercise for exercise in EXERCISES.values() if exercise.lesson == name]
     assert asked
@@ -80,7 +88,9 @@ def test_the_solutions_answers_are_right_for_other_seeds(name):
         for seed in (1, 2, 3):
             cases = list(exercise.cases(np.random.default_rng(seed)))
             exercise.wanted(cases[0])
-            report = report_on(exercise, cases, (attempt(exercise, names[exercise.name], case) for case in cases))
+            report = report_on(
+                exercise, cases, (attempt(exercise, names[exercise.name], case) for case in cases)
+            )
             assert report.is_right, (exercise.name, seed, report.failure)
 
 
@@ -103,7 +113,9 @@ def test_release_runs_every_cell_and_stores_no_times(house):
 
 
 def test_a_model_answer_is_left_out_as_a_whole(house):
-    """A code cell that is nothing but a solution, unmarked; one that says more than that, students would get in part: refused."""
+    """A code cell that is nothing but a solution, unmarked; one that says more than that, students
+    would get in part: refused.
+    """
     file = house / "solutions" / "01_geometry.ipynb"
     book = nbformat.read(file, as_version=4)
     whole = sources(without_answers(file))
@@ -125,14 +137,18 @@ def test_release_refuses_what_it_cannot_make(house):
     file.write_text(whole.replace("### END SOLUTION", ""), encoding="utf-8")
     with pytest.raises(InvalidParameter, match="01_geometry"):
         release("01_geometry", house)
-    file.write_text(whole.replace("check(line_through_points)", "check(no_such_function)"), encoding="utf-8")
+    file.write_text(
+        whole.replace("check(line_through_points)", "check(no_such_function)"), encoding="utf-8"
+    )
     with pytest.raises(InvalidParameter, match="no_such_function"):
         release("01_geometry", house)
     assert not list((house / "exercises").iterdir())
 
 
 def test_the_students_zip_holds_no_secret(tmp_path):
-    """Lessons, exercises and the library; no solutions, no bank, no tests, nothing that running left behind; the same zip twice."""
+    """Lessons, exercises and the library; no solutions, no bank, no tests, nothing that running
+    left behind; the same zip twice.
+    """
     pack(tmp_path / "a.zip")
     pack(tmp_path / "b.zip")
     assert (tmp_path / "a.zip").read_bytes() == (tmp_path / "b.zip").read_bytes()
@@ -140,7 +156,13 @@ def test_the_students_zip_holds_no_secret(tmp_path):
     assert "kinoedu-course/exercises/01_geometry.ipynb" in names
     assert "kinoedu-course/notebooks/01_geometry.ipynb" in names
     assert "kinoedu-course/start.py" in names
-    assert not any("/solutions/" in name or "/tests/" in name or "__pycache__" in name or name.endswith(".part") for name in names)
+    assert not any(
+        "/solutions/" in name
+        or "/tests/" in name
+        or "__pycache__" in name
+        or name.endswith(".part")
+        for name in names
+    )
     text = b"".join(zipfile.ZipFile(tmp_path / "a.zip").read(name) for name in names)
     assert b"BEGIN SOLUTION" not in text.replace(b'"BEGIN SOLUTION"', b"")
     assert b"@wrong(" not in text.replace(b'`@wrong("name_of_the_exercise")`', b"")

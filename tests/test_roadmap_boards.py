@@ -9,7 +9,13 @@ from test_board import Page
 from test_planning_boards import layers_of, shown
 
 import kinoedu as ke
-from kinoedu.boards import exploring_board, properties_board, race_board, rewiring_board, roadmap_board
+from kinoedu.boards import (
+    exploring_board,
+    properties_board,
+    race_board,
+    rewiring_board,
+    roadmap_board,
+)
 from kinoedu.boards.core.drawing import Drawing, cells, encoded
 from kinoedu.boards.trees.rewired import costs_at, near_pairs, ways_to_goal
 from kinoedu.errors import InvalidParameter
@@ -35,7 +41,9 @@ MAKERS = {
 
 def problem_of(*obstacles, start=(1, 1), goal=(9, 1), **given):
     """A point between start and goal, by default with a wall between them."""
-    return ke.Problem(ke.Point(), ke.PolygonWorld(SQUARE, obstacles or [WALL]), start, goal, **given)
+    return ke.Problem(
+        ke.Point(), ke.PolygonWorld(SQUARE, obstacles or [WALL]), start, goal, **given
+    )
 
 
 def length_of(points):
@@ -47,14 +55,18 @@ def length_of(points):
 
 @pytest.mark.parametrize("kind", MAKERS)
 def test_growing_layers_come_in_order_with_a_text_for_each_step(kind):
-    """The page stops at the first row that has not come; what goes, goes after it came; a picture is there without JavaScript."""
+    """The page stops at the first row that has not come; what goes, goes after it came; a picture
+    is there without JavaScript.
+    """
     made = MAKERS[kind](problem_of())
     for canvas in made.canvases:
         drawing = canvas.drawing
         assert not drawing.warning and drawing.text
         assert len(drawing.told) == drawing.total
         for layer in drawing.layers:
-            assert layer.when is None or (len(layer.when) == len(layer.rows) and (np.diff(layer.when) >= 0).all())
+            assert layer.when is None or (
+                len(layer.when) == len(layer.rows) and (np.diff(layer.when) >= 0).all()
+            )
             assert layer.until is None or (layer.until > layer.when).all()
     assert Image.open(io.BytesIO(made.picture())).width > 300
     assert repr(made).startswith(type(made).__name__)
@@ -62,19 +74,25 @@ def test_growing_layers_come_in_order_with_a_text_for_each_step(kind):
 
 @pytest.mark.parametrize("kind", MAKERS)
 def test_an_obstacle_is_dragged_and_a_fault_is_told(kind):
-    """What is drawn changes; a ring that crosses itself is a warning, and the next good scene is answered again."""
+    """What is drawn changes; a ring that crosses itself is a warning, and the next good scene is
+    answered again.
+    """
     made = MAKERS[kind](problem_of())
     page, before = Page(made.canvas), made.canvas.drawing.text
     after = page.moves(("polygon", 0, [[(x, y + 1.5) for x, y in WALL]]))
     assert after["text"] != before and not after["warning"]
-    assert "crosses" in page.moves(("polygon", 0, [[WALL[0], WALL[2], WALL[1], WALL[3]]]))["warning"]
+    assert (
+        "crosses" in page.moves(("polygon", 0, [[WALL[0], WALL[2], WALL[1], WALL[3]]]))["warning"]
+    )
     assert page.moves(("polygon", 0, [WALL]))["text"] == before
 
 
 @pytest.mark.parametrize("kind", MAKERS)
 def test_what_is_no_problem_in_the_plane_is_refused(kind):
     """Before anything is shown."""
-    turning = ke.Problem(ke.RigidPolygon([(0, 0), (1, 0), (0, 1)]), ke.PolygonWorld(SQUARE), (2, 2, 0), (8, 8, 0))
+    turning = ke.Problem(
+        ke.RigidPolygon([(0, 0), (1, 0), (0, 1)]), ke.PolygonWorld(SQUARE), (2, 2, 0), (8, 8, 0)
+    )
     for wrong in (None, turning):
         with pytest.raises(InvalidParameter):
             MAKERS[kind](wrong)
@@ -106,11 +124,15 @@ def test_a_roadmap_grows_node_by_node_and_counts_its_components():
         graph.add_edges_from(edge for edge in roadmap.edges.tolist() if edge[0] < step - n)
         assert len(shown(lines, step)) == graph.number_of_edges()
         if step > n:
-            assert drawing.told[step].endswith(f"components {nx.number_connected_components(graph)}")
+            assert drawing.told[step].endswith(
+                f"components {nx.number_connected_components(graph)}"
+            )
 
 
 def test_the_rule_is_switched_live():
-    """The plan is prm's with that rule; only the number that the rule takes is shown; a forest has no more edges than it needs."""
+    """The plan is prm's with that rule; only the number that the rule takes is shown; a forest has
+    no more edges than it needs.
+    """
     made = roadmap_board(problem_of(), n=80)
     made.controls.rule.value = "radius"
     assert made.controls.k.layout.display == "none" and made.controls.r.layout.display is None
@@ -147,19 +169,26 @@ def test_a_survey_is_what_the_properties_are_reckoned_from():
     graph = nx.empty_graph(len(roadmap.nodes))
     for u, v in roadmap.edges.tolist():
         graph.add_edge(u, v, weight=float(np.hypot(*(roadmap.nodes[u] - roadmap.nodes[v]))))
-    pieces = sorted(map(sorted, nx.connected_components(graph)), key=lambda piece: (-len(piece), piece[0]))
+    pieces = sorted(
+        map(sorted, nx.connected_components(graph)), key=lambda piece: (-len(piece), piece[0])
+    )
     assert [np.flatnonzero(survey.component == k).tolist() for k in range(len(pieces))] == pieces
     for place, (there, back) in zip(survey.places, survey.reached, strict=True):
-        assert there == back == any(problem.is_semi_free_path(place, node) for node in roadmap.nodes)
+        assert (
+            there == back == any(problem.is_semi_free_path(place, node) for node in roadmap.nodes)
+        )
     found = ke.roadmap_properties(problem, roadmap, n=60, rng=5)
     assert found == survey.properties
     assert survey.efficiency == np.inf or survey.efficiency == pytest.approx(
-        length_of(roadmap.nodes[survey.way]) / np.hypot(*np.subtract(*roadmap.nodes[list(survey.worst)]))
+        length_of(roadmap.nodes[survey.way])
+        / np.hypot(*np.subtract(*roadmap.nodes[list(survey.worst)]))
     )
 
 
 def test_the_worst_pair_is_the_worst_of_all_that_were_drawn():
-    """The search stops early, and misses none: against the ratios of all pairs drawn, by the shortest paths."""
+    """The search stops early, and misses none: against the ratios of all pairs drawn, by the
+    shortest paths.
+    """
     problem, roadmap = problem_of(), ke.build_roadmap(problem_of(), n=50, k=8, rng=1)
     graph, taken = ke.Graph(nodes=roadmap.nodes, edges=roadmap.edges), []
 
@@ -169,16 +198,28 @@ def test_the_worst_pair_is_the_worst_of_all_that_were_drawn():
 
     survey = survey_roadmap(problem, roadmap, n=40, shortest=shortest, rng=2)
     asked, rng = len(taken), np.random.default_rng(2)
-    assert np.array_equal(sample_free(problem, 40, 4000, rng), survey.places)  # the pairs are drawn after them
+    assert np.array_equal(
+        sample_free(problem, 40, 4000, rng), survey.places
+    )  # the pairs are drawn after them
     pairs = [(u, rng.integers(50)) for u in rng.integers(50, size=40)]
-    ratios = [dijkstra(graph, u).cost[v] / shortest(*roadmap.nodes[[u, v]]) for u, v in pairs if u != v]
-    assert np.isfinite(survey.efficiency) and survey.efficiency == pytest.approx(max(ratios)) and asked < len(ratios)
+    ratios = [
+        dijkstra(graph, u).cost[v] / shortest(*roadmap.nodes[[u, v]]) for u, v in pairs if u != v
+    ]
+    assert (
+        np.isfinite(survey.efficiency)
+        and survey.efficiency == pytest.approx(max(ratios))
+        and asked < len(ratios)
+    )
     u, v = survey.worst
-    assert survey.efficiency == pytest.approx(length_of(roadmap.nodes[survey.way]) / shortest(*roadmap.nodes[[u, v]]))
+    assert survey.efficiency == pytest.approx(
+        length_of(roadmap.nodes[survey.way]) / shortest(*roadmap.nodes[[u, v]])
+    )
 
 
 def test_cut_off_places_are_crosses_and_components_have_styles():
-    """With one neighbour each the roadmap is in pieces, and delta infinite; of a few nodes not all places are in reach."""
+    """With one neighbour each the roadmap is in pieces, and delta infinite; of a few nodes not all
+    places are in reach.
+    """
     made = properties_board(problem_of(), n=40)
     assert made.survey.properties.connected and not layers_of(made.canvas, "edges", "robot")
     made.controls.k.value = 1
@@ -208,14 +249,22 @@ def test_places_are_not_the_nodes():
 
 
 def test_the_log_of_an_rrt_star_ends_with_its_tree():
-    """Replayed edge by edge it ends as the planner's tree, and each edge that was re-hung made its node cheaper."""
+    """Replayed edge by edge it ends as the planner's tree, and each edge that was re-hung made its
+    node cheaper.
+    """
     plan, log = rrt_star_rewirings(problem_of(), max_nodes=400, rng=1)
     same = ke.rrt_star(problem_of(), max_nodes=400, rng=1)
-    assert np.array_equal(plan.tree.nodes, same.tree.nodes) and np.array_equal(plan.tree.parent, same.tree.parent)
+    assert np.array_equal(plan.tree.nodes, same.tree.nodes) and np.array_equal(
+        plan.tree.parent, same.tree.parent
+    )
     parent = np.full(len(log.nodes), -1)
 
     def cost(node):
-        return 0.0 if parent[node] < 0 else cost(parent[node]) + np.hypot(*(log.nodes[node] - log.nodes[parent[node]]))
+        return (
+            0.0
+            if parent[node] < 0
+            else cost(parent[node]) + np.hypot(*(log.nodes[node] - log.nodes[parent[node]]))
+        )
 
     for node, above, came in zip(log.node, log.parent, log.came, strict=True):
         before = cost(node) if node != came else np.inf
@@ -242,7 +291,9 @@ def test_a_log_without_room_is_kept_once_more():
 
 
 def test_the_tree_and_the_way_are_shown_as_they_were():
-    """At every step each node but the root has one edge, and the way to the goal is that of the tree with so many nodes."""
+    """At every step each node but the root has one edge, and the way to the goal is that of the
+    tree with so many nodes.
+    """
     made = rewiring_board(problem_of(), nodes=200)
     log, (tree,) = made.rewirings, layers_of(made.canvas, "edges", "tree")
     ways = ways_to_goal(log)
@@ -251,7 +302,9 @@ def test_the_tree_and_the_way_are_shown_as_they_were():
     assert (np.diff(costs[np.isfinite(costs)]) <= 1e-12).all()
     (way,) = layers_of(made.canvas, "edges", "path")
     for step in range(1, len(log.nodes) + 1, 13):
-        assert len(np.unique(shown(tree, step)[:, 2:], axis=0)) == len(shown(tree, step)) == step - 1
+        assert (
+            len(np.unique(shown(tree, step)[:, 2:], axis=0)) == len(shown(tree, step)) == step - 1
+        )
         legs = shown(way, step)
         walked = np.hypot(legs[:, 2] - legs[:, 0], legs[:, 3] - legs[:, 1]).sum()
         assert walked == pytest.approx(costs[step]) if np.isfinite(costs[step]) else len(legs) == 0
@@ -263,7 +316,9 @@ def test_every_re_hung_node_was_within_the_ball():
     """What is red was near, and so was the parent chosen unless it was the nearest of all."""
     _, log = rrt_star_rewirings(problem_of(), max_nodes=300, rng=4)
     near = set(map(tuple, near_pairs(log).tolist()))
-    for node, parent, came in zip(log.node.tolist(), log.parent.tolist(), log.came.tolist(), strict=True):
+    for node, parent, came in zip(
+        log.node.tolist(), log.parent.tolist(), log.came.tolist(), strict=True
+    ):
         if node != came:
             assert (came, node) in near and parent == came
         elif node != log.at_goal and (node, parent) not in near:
@@ -275,7 +330,9 @@ def test_every_re_hung_node_was_within_the_ball():
 
 
 def test_a_race_is_dragged_in_one_and_moves_in_all():
-    """Every page is told where things are now, every planner has planned there, and all are on one clock."""
+    """Every page is told where things are now, every planner has planned there, and all are on one
+    clock.
+    """
     made = race_board(problem_of(), nodes=150)
     pages = [Page(canvas) for canvas in made.canvases]
     pages[1].moves(("handle", 1, [9, 9]))
@@ -293,7 +350,9 @@ def test_a_race_is_dragged_in_one_and_moves_in_all():
 
 
 def test_each_racer_stays_as_it_ended():
-    """RRT's path comes with its last node, long before RRT* has all of its own; the words say so."""
+    """RRT's path comes with its last node, long before RRT* has all of its own; the words say
+    so.
+    """
     made = race_board(problem_of(), nodes=400)
     rrt, star = made.canvases[0].drawing, made.canvases[2].drawing
     nodes = len(made.plans[0].tree.nodes)
@@ -308,14 +367,22 @@ def test_a_readers_own_planner_races_too():
     """It is recorded and judged; one that raises is told, and the others run on."""
 
     def straight(problem):
-        return [problem.start, problem.goal] if problem.is_free_path(problem.start, problem.goal) else None
+        return (
+            [problem.start, problem.goal]
+            if problem.is_free_path(problem.start, problem.goal)
+            else None
+        )
 
     def breaks(problem):
         raise ValueError("never")
 
     made = race_board(problem_of(goal=(1, 9)), [straight, breaks, ke.rrt], nodes=100)
     first, second, third = (canvas.drawing.text for canvas in made.canvases)
-    assert first.startswith("straight: length 8") and "ValueError: never" in second and third.startswith("RRT")
+    assert (
+        first.startswith("straight: length 8")
+        and "ValueError: never" in second
+        and third.startswith("RRT")
+    )
     for wrong in ([], [1], [ke.rrt] * 5, ke.rrt):
         with pytest.raises(InvalidParameter, match="race"):
             race_board(problem_of(), wrong)
@@ -327,14 +394,18 @@ def test_a_control_of_the_race_runs_all_anew():
     before = [canvas.drawing.text for canvas in made.canvases]
     made.seed.value = 7
     assert [canvas.drawing.text for canvas in made.canvases] != before
-    assert made.plans[0].cost == ke.rrt(problem_of(), step=made.step.value, max_nodes=100, rng=7).cost
+    assert (
+        made.plans[0].cost == ke.rrt(problem_of(), step=made.step.value, max_nodes=100, rng=7).cost
+    )
 
 
 # ---- exploring
 
 
 def test_an_exploration_is_shown_as_it_was_known():
-    """At a look's first step only walls of this look and those before are red; one robot, one region seen, at every step."""
+    """At a look's first step only walls of this look and those before are red; one robot, one
+    region seen, at every step.
+    """
     made = exploring_board(problem_of(), 3.0)
     assert made.plan.path is not None and "at the goal" in repr(made)
     (red,) = layers_of(made.canvas, "edges", "hit")
@@ -348,13 +419,16 @@ def test_an_exploration_is_shown_as_it_was_known():
 
 
 def test_looks_add_up_to_the_plan():
-    """The generator's looks are what the planner did, with the same counts; a robot at its goal does not look."""
+    """The generator's looks are what the planner did, with the same counts; a robot at its goal
+    does not look.
+    """
     problem = problem_of()
     plan, looks = ke.receding_horizon(problem, rng=3), list(receding_horizon_looks(problem, rng=3))
     same = plan_of_looks(problem, looks)
     assert np.array_equal(plan.path, same.path) and plan.stats == same.stats
     assert all(
-        len(a.walls) <= len(b.walls) and (b.walls[: len(a.walls)] == a.walls).all() for a, b in zip(looks, looks[1:], strict=False)
+        len(a.walls) <= len(b.walls) and (b.walls[: len(a.walls)] == a.walls).all()
+        for a, b in zip(looks, looks[1:], strict=False)
     )
     assert "at the goal after 0 looks" in repr(exploring_board(problem_of(goal=(1, 1))))
     assert "shows no way" in repr(exploring_board(problem_of(CLOSED), 9.0))
@@ -376,10 +450,15 @@ def test_a_world_of_triangles_is_the_polygon_world_of_them():
 
 def flat(record):
     """The arrays and numbers of a record of records."""
-    return [value for item in record for value in (flat(item) if isinstance(item, tuple) else [item])]
+    return [
+        value for item in record for value in (flat(item) if isinstance(item, tuple) else [item])
+    ]
 
 
 def test_cells_may_have_any_number_of_corners():
     """Their rows travel whole."""
     about, (buffer,) = encoded(Drawing([cells(np.ones((1, 5, 2)), "cell")]), (0, 0), 2.0)
-    assert about["layers"][0]["points"] == 5 and np.frombuffer(buffer, np.float32).tolist() == [0.5] * 10
+    assert (
+        about["layers"][0]["points"] == 5
+        and np.frombuffer(buffer, np.float32).tolist() == [0.5] * 10
+    )

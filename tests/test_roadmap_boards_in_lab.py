@@ -24,9 +24,17 @@ def page(tmp_path_factory):
     needs_chromium()
     course, home = tmp_path_factory.mktemp("course"), tmp_path_factory.mktemp("home")
     (course / "roadmaps.ipynb").write_text(written_notebook(YARD, *BOARDS))
-    with lab(course, home) as (address, token), notebook_page(address, token, "roadmaps.ipynb") as page:
+    with (
+        lab(course, home) as (address, token),
+        notebook_page(address, token, "roadmaps.ipynb") as page,
+    ):
         book = page.evaluate(RUN_ALL)
-        assert [o.get("evalue") for cell in book["cells"] for o in cell["outputs"] if o["output_type"] == "error"] == []
+        assert [
+            o.get("evalue")
+            for cell in book["cells"]
+            for o in cell["outputs"]
+            if o["output_type"] == "error"
+        ] == []
         yield page
         assert page.outside == [] and page.errors == []
 
@@ -63,7 +71,9 @@ def test_properties_are_measured_while_an_obstacle_is_dragged(page):
 
 
 def test_a_race_is_one_scene_on_one_clock(page):
-    """What is dragged in the second moves in all; the first one's slider leads; there is one slider to be seen."""
+    """What is dragged in the second moves in all; the first one's slider leads; there is one slider
+    to be seen.
+    """
     first, second, third = (Seen(page, number) for number in (2, 3, 4))
     second.drag("handle-1", -60, 40)
     label = second.label("handle-1")
@@ -77,7 +87,9 @@ def test_a_race_is_one_scene_on_one_clock(page):
     scrub(first, 40)
     second.until("root.dataset.step === '40'")
     third.until("root.dataset.step === '40' && told.startsWith('RRT*: nodes 40')")
-    assert [seen.board.locator(".kinoedu-slider").is_visible() for seen in (first, second, third)] == [True, False, False]
+    assert [
+        seen.board.locator(".kinoedu-slider").is_visible() for seen in (first, second, third)
+    ] == [True, False, False]
     keep(page, "race")
 
 

@@ -1,4 +1,6 @@
-"""Lesson 8: its judges agree with the library's planners, its smallest world is the smallest, and its intervals are Wilson's."""
+"""Lesson 8: its judges agree with the library's planners, its smallest world is the smallest, and
+its intervals are Wilson's.
+"""
 
 from itertools import permutations
 
@@ -9,7 +11,14 @@ from kinoedu.chances import wilson
 from kinoedu.course.lessons import find
 from kinoedu.course.lessons.roadmaps.component_k_closest import component_pairs
 from kinoedu.course.lessons.roadmaps.exposing_sight import world_fault, wrong_views
-from kinoedu.course.lessons.roadmaps.halls import FULL, arm, bends, free_nodes, hall, random_obstacles
+from kinoedu.course.lessons.roadmaps.halls import (
+    FULL,
+    arm,
+    bends,
+    free_nodes,
+    hall,
+    random_obstacles,
+)
 from kinoedu.course.lessons.roadmaps.radius_neighbours import radius_pairs
 from kinoedu.course.lessons.roadmaps.rules import closest_pairs
 from kinoedu.course.lessons.roadmaps.visibility_roadmap import roadmap_on, seen_corners
@@ -19,7 +28,11 @@ from kinoedu.planners.roadmaps.connecting import ComponentKClosest, KClosest, Ra
 
 @pytest.mark.parametrize(
     ("ours", "rule", "number"),
-    [(radius_pairs, Radius, 3.0), (closest_pairs, KClosest, 3), (component_pairs, ComponentKClosest, 2)],
+    [
+        (radius_pairs, Radius, 3.0),
+        (closest_pairs, KClosest, 3),
+        (component_pairs, ComponentKClosest, 2),
+    ],
     ids=["radius", "closest", "components"],
 )
 def test_the_judges_rules_are_the_planners(ours, rule, number):
@@ -28,7 +41,9 @@ def test_the_judges_rules_are_the_planners(ours, rule, number):
     for problem in (hall(), hall(*random_obstacles(rng, 3)), arm()):
         nodes = free_nodes(rng, problem, 25)
         edges, _ = joined(rule(number), problem.problem, nodes)
-        assert sorted(map(tuple, np.sort(edges, axis=1).tolist())) == sorted(map(tuple, ours(problem, nodes, number).tolist()))
+        assert sorted(map(tuple, np.sort(edges, axis=1).tolist())) == sorted(
+            map(tuple, ours(problem, nodes, number).tolist())
+        )
 
 
 def test_the_visibility_roadmap_is_that_of_all_pairs():
@@ -45,8 +60,9 @@ def test_the_visibility_roadmap_is_that_of_all_pairs():
 
 @pytest.mark.parametrize("seed", [39, 118])
 def test_no_secret_leaves_it_in_doubt_who_sees_whom(seed):
-    """Worlds once drawn with these seeds had three vertices in line but for rounding: there brute force by the problem's own judge,
-    which is the course's solution, found an edge that the exact sweep does not.
+    """Worlds once drawn with these seeds had three vertices in line but for rounding: there brute
+    force by the problem's own judge, which is the course's solution, found an edge that the exact
+    sweep does not.
     """
     exercise = find("visibility_roadmap")
     for case in exercise.cases(np.random.default_rng(seed)):
@@ -68,11 +84,15 @@ def test_wilsons_ends_are_where_the_share_is_just_believable(successes, trials):
     """At each end p of the interval the share lies 1.96 standard deviations of p away from p."""
     for p in wilson([successes], trials):
         off = abs(successes / trials - p[0])
-        assert off == pytest.approx(1.959963984540054 * np.sqrt(p[0] * (1 - p[0]) / trials), abs=1e-12)
+        assert off == pytest.approx(
+            1.959963984540054 * np.sqrt(p[0] * (1 - p[0]) / trials), abs=1e-12
+        )
 
 
 def test_edges_on_the_torus_are_the_shorter_ways():
-    """No piece is longer than half a turn along an angle, and what leaves the square comes in again."""
+    """No piece is longer than half a turn along an angle, and what leaves the square comes in
+    again.
+    """
     a, b = np.array([[0.1, 1.0], [1.0, 1.0]]), np.array([[6.2, 1.0], [2.0, 3.0]])
     pieces = unrolled(a, b)
     assert len(pieces) == 3

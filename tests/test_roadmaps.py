@@ -1,4 +1,6 @@
-"""Roadmaps: connection rules, samplers, many queries, grids, shortcuts, measured properties, and planning by a range sensor."""
+"""Roadmaps: connection rules, samplers, many queries, grids, shortcuts, measured properties, and
+planning by a range sensor.
+"""
 
 from itertools import combinations, pairwise
 
@@ -8,7 +10,14 @@ import pytest
 import shapely
 
 import kinoedu as ke
-from kinoedu.errors import InvalidGoal, InvalidParameter, InvalidPoint, InvalidStart, InvalidWorld, KinoeduError
+from kinoedu.errors import (
+    InvalidGoal,
+    InvalidParameter,
+    InvalidPoint,
+    InvalidStart,
+    InvalidWorld,
+    KinoeduError,
+)
 from kinoedu.problems import ProblemRecord, Roadmap
 from kinoedu.spaces import WrappingSpace
 
@@ -44,7 +53,9 @@ def test_every_rule_compiled_and_recorded(rule):
     recorder = ke.Recorder(problem)
     recorded = ke.prm(recorder, n=300, neighbours=RULES[rule], rng=1)
     assert (
-        np.array_equal(plan.roadmap.edges, recorded.roadmap.edges) and plan.stats == recorded.stats and plan.cost == recorded.cost
+        np.array_equal(plan.roadmap.edges, recorded.roadmap.edges)
+        and plan.stats == recorded.stats
+        and plan.cost == recorded.cost
     )
     nodes, edges = plan.roadmap
     assert len({frozenset(edge) for edge in edges.tolist()}) == len(edges)
@@ -67,23 +78,37 @@ def test_the_component_rule_makes_a_forest_that_joins_what_trying_all_pairs_in_a
     nodes, edges = ke.prm(problem, n=80, neighbours=ke.ComponentKClosest(10_000), rng=0).roadmap
     forest = networkx.Graph(edges.tolist())
     assert networkx.is_forest(forest)
-    whole = networkx.Graph((i, j) for i, j in combinations(range(len(nodes)), 2) if problem.is_free_path(nodes[i], nodes[j]))
+    whole = networkx.Graph(
+        (i, j)
+        for i, j in combinations(range(len(nodes)), 2)
+        if problem.is_free_path(nodes[i], nodes[j])
+    )
     assert {frozenset(c) for c in networkx.connected_components(forest)} == {
         frozenset(c) for c in networkx.connected_components(whole)
     }
 
 
 def test_the_component_rule_tries_k_of_each_component():
-    """The closest one is behind the wall, the next is not: K = 1 leaves them apart, K = 2 joins them."""
+    """The closest one is behind the wall, the next is not: K = 1 leaves them apart, K = 2 joins
+    them.
+    """
     problem = problem_of(start=(3, 7), goal=(3, 9.5))
     for k, edges in ((1, [(0, 1)]), (2, [(0, 1), (1, 2)])):
-        plan = ke.prm(problem, n=1, neighbours=ke.ComponentKClosest(k), sampler=lambda n, d: np.array([(0.65, 0.79)]))
+        plan = ke.prm(
+            problem,
+            n=1,
+            neighbours=ke.ComponentKClosest(k),
+            sampler=lambda n, d: np.array([(0.65, 0.79)]),
+        )
         assert [tuple(sorted(edge)) for edge in plan.roadmap.edges.tolist()] == edges
 
 
 def test_prm_is_prm_with_its_k_closest():
     """k says what the rule KClosest(k) says."""
-    by_k, by_rule = ke.prm(problem_of(), n=200, k=6, rng=0), ke.prm(problem_of(), n=200, neighbours=ke.KClosest(6), rng=0)
+    by_k, by_rule = (
+        ke.prm(problem_of(), n=200, k=6, rng=0),
+        ke.prm(problem_of(), n=200, neighbours=ke.KClosest(6), rng=0),
+    )
     assert np.array_equal(by_k.roadmap.edges, by_rule.roadmap.edges)
 
 
@@ -95,16 +120,23 @@ def test_a_sampler_lays_its_points_over_the_space():
 
 
 def test_prm_star_comes_near_the_shortest_path():
-    """Never below the optimum, and on the average within 4 % with 3,000 nodes, nearer than with 300."""
+    """Never below the optimum, and on the average within 4 % with 3,000 nodes, nearer than with
+    300.
+    """
     problem = problem_of()
     least = ke.plan_by_visibility(problem).cost
-    few, many = (np.array([ke.prm_star(problem, n=n, rng=seed).cost for seed in range(4)]) / least for n in (300, 3000))
+    few, many = (
+        np.array([ke.prm_star(problem, n=n, rng=seed).cost for seed in range(4)]) / least
+        for n in (300, 3000)
+    )
     assert few.min() >= 1.0 and many.min() >= 1.0
     assert many.mean() < 1.04 and many.mean() < few.mean()
 
 
 def test_one_roadmap_answers_many_queries():
-    """Each path free and from end to end, compiled as recorded; no roadmap node changes its place."""
+    """Each path free and from end to end, compiled as recorded; no roadmap node changes its
+    place.
+    """
     problem = problem_of()
     roadmap = ke.build_roadmap(problem, n=400, rng=0)
     for start, goal in [((1, 1), (9, 1)), ((5, 9), (1, 1)), ((9, 9), (9, 9)), ((1, 9), (9.5, 5))]:
@@ -119,11 +151,15 @@ def test_one_roadmap_answers_many_queries():
 
 
 def test_queries_that_cannot_be_answered():
-    """A goal in a closed room is a reason; an end in contact or of another shape is refused; so is what is no roadmap."""
+    """A goal in a closed room is a reason; an end in contact or of another shape is refused; so is
+    what is no roadmap.
+    """
     problem = problem_of()
     roadmap = ke.build_roadmap(problem, n=100, rng=0)
     assert ke.query(problem, roadmap, goal=(8, 5.5)).reason
-    assert ke.query(problem, ke.build_roadmap(problem, n=0, rng=0), (1, 1), (2, 2)).cost == pytest.approx(2**0.5)
+    assert ke.query(
+        problem, ke.build_roadmap(problem, n=0, rng=0), (1, 1), (2, 2)
+    ).cost == pytest.approx(2**0.5)
     with pytest.raises(InvalidStart):
         ke.query(problem, roadmap, start=(5, 5))
     with pytest.raises(InvalidGoal):
@@ -164,18 +200,24 @@ def test_wrong_tuning_is_refused(ask):
 
 
 def test_a_grid_joins_straight_or_also_diagonal_neighbours():
-    """In an open square of n x n cells there are 2 n (n - 1) straight pairs and 2 (n - 1)^2 diagonal ones."""
+    """In an open square of n x n cells there are 2 n (n - 1) straight pairs and 2 (n - 1)^2
+    diagonal ones.
+    """
     problem = problem_of(world=ke.PolygonWorld(SQUARE))
     straight, all_round = (ke.grid_roadmap(problem, spacing=1, neighbours=m) for m in (4, 8))
     assert len(straight.nodes) == 100 and len(straight.edges) == 180
     assert len(all_round.edges) == 180 + 2 * 81
     assert ke.query(problem, straight, (0.5, 0.5), (9.5, 9.5), k=1).cost == pytest.approx(18.0)
-    assert ke.query(problem, all_round, (0.5, 0.5), (9.5, 9.5), k=1).cost == pytest.approx(9 * 2**0.5)
+    assert ke.query(problem, all_round, (0.5, 0.5), (9.5, 9.5), k=1).cost == pytest.approx(
+        9 * 2**0.5
+    )
 
 
 def test_a_grid_gives_no_answer_below_its_resolution():
     """A gap narrower than a cell is missed by a coarse grid and found by a fine one."""
-    world = ke.PolygonWorld(SQUARE, [[(4, 0), (5, 0), (5, 4.6), (4, 4.6)], [(4, 4.9), (5, 4.9), (5, 10), (4, 10)]])
+    world = ke.PolygonWorld(
+        SQUARE, [[(4, 0), (5, 0), (5, 4.6), (4, 4.6)], [(4, 4.9), (5, 4.9), (5, 10), (4, 10)]]
+    )
     problem = problem_of(world=world)
     assert ke.query(problem, ke.grid_roadmap(problem, spacing=1)).path is None
     assert ke.query(problem, ke.grid_roadmap(problem, spacing=0.2)).path is not None
@@ -196,10 +238,16 @@ def test_a_grid_on_the_torus_closes_on_itself():
 def test_shortcuts_are_never_longer_and_stay_free(seed):
     """From every planner's path; compiled as recorded; what was built stays."""
     problem = problem_of()
-    for plan in (ke.rrt(problem, rng=seed), ke.prm(problem, n=300, rng=seed), ke.rrt_connect(problem, rng=seed)):
+    for plan in (
+        ke.rrt(problem, rng=seed),
+        ke.prm(problem, n=300, rng=seed),
+        ke.rrt_connect(problem, rng=seed),
+    ):
         shorter = ke.shortcut(plan, rng=seed)
         assert shorter.cost < plan.cost
-        assert shorter.cost == pytest.approx(sum(problem.distance(a, b) for a, b in pairwise(shorter.path)), rel=1e-12)
+        assert shorter.cost == pytest.approx(
+            sum(problem.distance(a, b) for a, b in pairwise(shorter.path)), rel=1e-12
+        )
         assert shorter.cost >= ke.plan_by_visibility(problem).cost
         assert np.array_equal(shorter.path[[0, -1]], plan.path[[0, -1]])
         assert all(problem.is_free_path(a, b) for a, b in pairwise(shorter.path))
@@ -207,7 +255,8 @@ def test_shortcuts_are_never_longer_and_stay_free(seed):
         assert shorter.tree is plan.tree and shorter.roadmap is plan.roadmap
     recorder = ke.Recorder(problem)
     assert np.array_equal(
-        ke.shortcut(ke.rrt(recorder, rng=seed), rng=seed).path, ke.shortcut(ke.rrt(problem, rng=seed), rng=seed).path
+        ke.shortcut(ke.rrt(recorder, rng=seed), rng=seed).path,
+        ke.shortcut(ke.rrt(problem, rng=seed), rng=seed).path,
     )
 
 
@@ -222,7 +271,9 @@ def test_shortcuts_of_what_cannot_be_shortened():
 
 
 def test_the_properties_of_known_roadmaps():
-    """The visibility roadmap has all four, with delta = 1; an empty one has none; one in pieces is not connected."""
+    """The visibility roadmap has all four, with delta = 1; an empty one has none; one in pieces is
+    not connected.
+    """
     world = ke.PolygonWorld(SQUARE, [WALL])
     problem = problem_of(world=world)
 
@@ -232,11 +283,20 @@ def test_the_properties_of_known_roadmaps():
 
     best = ke.roadmap_properties(problem, ke.visibility_roadmap(world), n=30, rng=0)
     assert best[:3] == (1.0, 1.0, True) and best.efficiency == pytest.approx(1.0)
-    sampled = ke.roadmap_properties(problem, ke.build_roadmap(problem, n=200, rng=0), n=40, shortest=shortest, rng=0)
+    sampled = ke.roadmap_properties(
+        problem, ke.build_roadmap(problem, n=200, rng=0), n=40, shortest=shortest, rng=0
+    )
     assert sampled.connected and 1.0 <= sampled.efficiency < 3.0
-    nothing = ke.roadmap_properties(problem, Roadmap(np.empty((0, 2)), np.empty((0, 2), np.int64)), n=10, rng=0)
+    nothing = ke.roadmap_properties(
+        problem, Roadmap(np.empty((0, 2)), np.empty((0, 2), np.int64)), n=10, rng=0
+    )
     assert nothing[:3] == (0.0, 0.0, False) and np.isnan(nothing.efficiency)
-    apart = ke.roadmap_properties(problem, Roadmap(np.array([(1.0, 1.0), (9.0, 1.0)]), np.empty((0, 2), np.int64)), n=30, rng=0)
+    apart = ke.roadmap_properties(
+        problem,
+        Roadmap(np.array([(1.0, 1.0), (9.0, 1.0)]), np.empty((0, 2), np.int64)),
+        n=30,
+        rng=0,
+    )
     assert not apart.connected and apart.efficiency == np.inf and 0.5 < apart.accessible < 1.0
 
 
@@ -244,7 +304,9 @@ def test_the_properties_of_known_roadmaps():
 def test_a_scan_measures_what_shapely_measures(seed):
     """In every direction the distance to the first wall or disc, or none within reach."""
     rng = np.random.default_rng(seed)
-    boxes = [[(x, y), (x + 1, y), (x + 1, y + 1), (x, y + 1)] for x, y in rng.integers(0, 9, (6, 2))]
+    boxes = [
+        [(x, y), (x + 1, y), (x + 1, y + 1), (x, y + 1)] for x, y in rng.integers(0, 9, (6, 2))
+    ]
     world = ke.PolygonWorld(SQUARE, [*boxes, ((5.5, 5.5), 0.4)])
     walls = shapely.union_all([shapely.LinearRing(ring) for ring in [SQUARE, *boxes]])
     disc = shapely.Point(5.5, 5.5).buffer(0.4, quad_segs=2000)
@@ -271,14 +333,20 @@ def test_a_scan_refuses_what_it_cannot_see():
 
 @pytest.mark.parametrize("robot", [ke.Point(), ke.Disk(0.2)], ids=["point", "disk"])
 def test_a_receding_horizon_finds_its_way_through_an_unknown_world(robot):
-    """Every motion is free in the true world; nothing was known beforehand, so the way is not the shortest."""
+    """Every motion is free in the true world; nothing was known beforehand, so the way is not the
+    shortest.
+    """
     problem = problem_of(world=ke.PolygonWorld(SQUARE, [WALL]), robot=robot)
     plan = ke.receding_horizon(problem, rays=90, rng=1)
     assert plan.path is not None, plan.reason
-    assert np.array_equal(plan.path[0], problem.start) and np.array_equal(plan.path[-1], problem.goal)
+    assert np.array_equal(plan.path[0], problem.start) and np.array_equal(
+        plan.path[-1], problem.goal
+    )
     assert all(problem.is_free_path(a, b) for a, b in pairwise(plan.path))
     assert shapely.LineString(plan.path).distance(shapely.Polygon(WALL)) > robot.radius
-    assert plan.cost >= ke.plan_by_visibility(problem_of(world=ke.PolygonWorld(SQUARE, [WALL]))).cost
+    assert (
+        plan.cost >= ke.plan_by_visibility(problem_of(world=ke.PolygonWorld(SQUARE, [WALL]))).cost
+    )
     assert plan.stats["looks"] == len(plan.tree.nodes)
 
 

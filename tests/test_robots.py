@@ -1,4 +1,6 @@
-"""Robots that turn and bend: what a configuration means, how far a body is from what is solid, and which link hits."""
+"""Robots that turn and bend: what a configuration means, how far a body is from what is solid, and
+which link hits.
+"""
 
 import json
 from pathlib import Path
@@ -8,20 +10,41 @@ import numpy as np
 import pytest
 import shapely
 
-from kinoedu import PolygonWorld, Problem, RigidPolygon, Terrain, TranslatingPolygon, TwoLinkArm, link_in_contact
+from kinoedu import (
+    PolygonWorld,
+    Problem,
+    RigidPolygon,
+    Terrain,
+    TranslatingPolygon,
+    TwoLinkArm,
+    link_in_contact,
+)
 from kinoedu.collision import clearance_of, is_free, paint_configuration_space
 from kinoedu.collision.arms import painted
 from kinoedu.collision.turning import contact_size
-from kinoedu.errors import InvalidParameter, InvalidPoint, InvalidPolygon, InvalidRobot, InvalidStart
+from kinoedu.errors import (
+    InvalidParameter,
+    InvalidPoint,
+    InvalidPolygon,
+    InvalidRobot,
+    InvalidStart,
+)
 from kinoedu.robots import ArmChain, Disk, placed, why_unreachable
 from kinoedu.scenes import read_scene, write_scene
 
-CASES = json.loads((Path(__file__).parent / "data" / "arm" / "cases.json").read_text(encoding="utf-8"))["cases"]
+CASES = json.loads(
+    (Path(__file__).parent / "data" / "arm" / "cases.json").read_text(encoding="utf-8")
+)["cases"]
 WIDE = [(-50, -50), (50, -50), (50, 50), (-50, 50)]
 L_SHAPE = [(-1, -0.3), (1, -0.3), (1, 0.3), (-0.6, 0.3), (-0.6, 1.0), (-1, 1.0)]
 ROOM = PolygonWorld(
     [(-4, -4), (4, -4), (4, 4), (-4, 4)],
-    [[(1.2, 1.4), (2.6, 1.2), (2.2, 2.4)], [(-2.4, 0.4), (-1.2, 0.6), (-1.4, 1.8)], ((0.4, 2.2), 0.4), ((0.2, -1.4), 0.3)],
+    [
+        [(1.2, 1.4), (2.6, 1.2), (2.2, 2.4)],
+        [(-2.4, 0.4), (-1.2, 0.6), (-1.4, 1.8)],
+        ((0.4, 2.2), 0.4),
+        ((0.2, -1.4), 0.3),
+    ],
 )
 CELLS = Terrain(np.random.default_rng(3).random((16, 16)) > 0.08, resolution=0.5, origin=(-4, -4))
 
@@ -41,11 +64,15 @@ class TestArm:
     def test_joints(self, case: Any) -> None:
         """Elbow and tip to 1e-12."""
         elbow, tip = TwoLinkArm(case["L1"], case["L2"], 0).joints((case["t1"], case["t2"]))
-        np.testing.assert_allclose([elbow, tip], [case["expected"]["elbow"], case["expected"]["tip"]], atol=1e-12)
+        np.testing.assert_allclose(
+            [elbow, tip], [case["expected"]["elbow"], case["expected"]["tip"]], atol=1e-12
+        )
 
     @pytest.mark.parametrize("case", cases("ik"))
     def test_inverse(self, case: Any) -> None:
-        """The very set of solutions, up to whole turns, angles in [-pi, pi); why_unreachable speaks exactly where there is none."""
+        """The very set of solutions, up to whole turns, angles in [-pi, pi); why_unreachable speaks
+        exactly where there is none.
+        """
         arm = TwoLinkArm(case["L1"], case["L2"], 0)
         found, expected = arm.inverse(case["p"]), case["expected"]["solutions"]
         assert all(any(same_angles(q, p) for p in expected) for q in found)
@@ -54,7 +81,9 @@ class TestArm:
         assert bool(why_unreachable(arm, case["p"])) is (not found)
 
     def test_inverse_undoes_joints(self) -> None:
-        """Any reachable tip: two solutions, both lead there, one of them is where it came from; near the rims too."""
+        """Any reachable tip: two solutions, both lead there, one of them is where it came from;
+        near the rims too.
+        """
         rng = np.random.default_rng(0)
         for _ in range(300):
             arm = TwoLinkArm(*rng.uniform(0.1, 3.0, 2), 0, base=rng.uniform(-5, 5, 2))
@@ -68,7 +97,9 @@ class TestArm:
             assert min(np.abs((s - q + np.pi) % (2 * np.pi) - np.pi).max() for s in found) < 1e-6
 
     def test_rims(self) -> None:
-        """One solution where the arm is stretched or folded; at the base of equal links infinitely many, said by name."""
+        """One solution where the arm is stretched or folded; at the base of equal links infinitely
+        many, said by name.
+        """
         assert [q.tolist() for q in TwoLinkArm(2, 1, 0).inverse((-3, 0))] == [[-np.pi, 0.0]]
         assert [q.tolist() for q in TwoLinkArm(1, 2, 0).inverse((1, 0))] == [[-np.pi, -np.pi]]
         assert TwoLinkArm(2, 1, 0).inverse((0, 0)) == []
@@ -82,7 +113,9 @@ class TestArm:
         """The distance to 1e-12, and contact exactly where it is 0."""
         world = PolygonWorld(WIDE, case["polys"] + [((x, y), r) for x, y, r in case["discs"]])
         arm, q = TwoLinkArm(case["L1"], case["L2"], 0), (case["t1"], case["t2"])
-        assert clearance_of(arm, world, q) == pytest.approx(case["expected"]["distance"], rel=1e-12, abs=1e-15)
+        assert clearance_of(arm, world, q) == pytest.approx(
+            case["expected"]["distance"], rel=1e-12, abs=1e-15
+        )
         assert (link_in_contact(arm, q, world) > 0) is case["expected"]["collides"]
 
     @pytest.mark.parametrize("case", cases("link1_blocked"))
@@ -98,7 +131,10 @@ class TestArm:
     def test_grid(self, case: Any) -> None:
         """As many colliding configurations as the case counts, at multiples of 2 pi / n."""
         world = PolygonWorld(WIDE, [((x, y), r) for x, y, r in case["discs"]])
-        arm, angles = TwoLinkArm(case["L1"], case["L2"], 0), np.arange(case["n"]) * 2 * np.pi / case["n"]
+        arm, angles = (
+            TwoLinkArm(case["L1"], case["L2"], 0),
+            np.arange(case["n"]) * 2 * np.pi / case["n"],
+        )
         hits = [link_in_contact(arm, (t1, t2), world) > 0 for t1 in angles for t2 in angles]
         assert sum(hits) == case["expected"]["colliding"]
 
@@ -106,31 +142,56 @@ class TestArm:
 def solids(world: Any) -> tuple[Any, Any]:
     """What is solid, as shapely sees it, and the room."""
     if world is CELLS:
-        boxes = [shapely.box(i / 2 - 4, j / 2 - 4, i / 2 - 3.5, j / 2 - 3.5) for j, i in np.argwhere(~world.free)]
+        boxes = [
+            shapely.box(i / 2 - 4, j / 2 - 4, i / 2 - 3.5, j / 2 - 3.5)
+            for j, i in np.argwhere(~world.free)
+        ]
         return shapely.union_all(boxes), shapely.box(-4, -4, 4, 4)
     from kinoedu.worlds.polygon_world import discs_of, rings_of
 
     (outline,), *rest = rings_of(world)
     discs = [shapely.Point(x, y).buffer(r, quad_segs=4000) for x, y, r in discs_of(world)]
-    return shapely.union_all([shapely.Polygon(ring[0]) for ring in rest] + discs), shapely.Polygon(outline)
+    return shapely.union_all([shapely.Polygon(ring[0]) for ring in rest] + discs), shapely.Polygon(
+        outline
+    )
 
 
 @pytest.mark.parametrize("world", [ROOM, CELLS], ids=["polygons", "terrain"])
 @pytest.mark.parametrize(
-    "robot", [Disk(0.3), TranslatingPolygon(L_SHAPE), RigidPolygon(L_SHAPE), TwoLinkArm(1.5, 1.2, 0.2), ArmChain([1, 0.8, 0.6], 0)]
+    "robot",
+    [
+        Disk(0.3),
+        TranslatingPolygon(L_SHAPE),
+        RigidPolygon(L_SHAPE),
+        TwoLinkArm(1.5, 1.2, 0.2),
+        ArmChain([1, 0.8, 0.6], 0),
+    ],
 )
 def test_clearance_is_shapelys(robot: Any, world: Any) -> None:
     """The distance of the placed body to what is solid, for every robot in both kinds of world."""
     solid, room = solids(world)
     rng = np.random.default_rng(1)
     for _ in range(60):
-        d = len(robot.lengths) if hasattr(robot, "lengths") else 3 if isinstance(robot, type(RigidPolygon(L_SHAPE))) else 2
+        d = (
+            len(robot.lengths)
+            if hasattr(robot, "lengths")
+            else 3
+            if isinstance(robot, type(RigidPolygon(L_SHAPE)))
+            else 2
+        )
         q = rng.uniform(-3.5, 3.5, d)
         body = placed(robot, q)
         pieces = [body.points[a:b] for a, b in zip(body.first, body.first[1:])]
-        shapes = [shapely.Point(p[0]) if len(p) == 1 else shapely.MultiPoint(p).convex_hull for p in pieces]
+        shapes = [
+            shapely.Point(p[0]) if len(p) == 1 else shapely.MultiPoint(p).convex_hull
+            for p in pieces
+        ]
         gap = min(
-            min(shapely.distance(s, solid), shapely.distance(s, room.exterior) if room.contains(s) else 0.0) - r
+            min(
+                shapely.distance(s, solid),
+                shapely.distance(s, room.exterior) if room.contains(s) else 0.0,
+            )
+            - r
             for s, r in zip(shapes, body.radius)
         )
         assert clearance_of(robot, world, q) == pytest.approx(max(gap, 0.0), abs=2e-7)
@@ -143,7 +204,9 @@ def test_clearance_is_shapelys(robot: Any, world: Any) -> None:
 
 @pytest.mark.parametrize("world", [ROOM, CELLS], ids=["polygons", "terrain"])
 def test_painter_is_link_in_contact(world: Any) -> None:
-    """Cell by cell the same answers, compiled and interpreted, for a wide arm and a line, for few and odd numbers of cells."""
+    """Cell by cell the same answers, compiled and interpreted, for a wide arm and a line, for few
+    and odd numbers of cells.
+    """
     if world is CELLS:
         world = CELLS._replace(free=CELLS.free.copy())
         world.free[7:9, 7:9] = True
@@ -152,8 +215,12 @@ def test_painter_is_link_in_contact(world: Any) -> None:
             angles = -np.pi + (np.arange(n) + 0.5) * 2 * np.pi / n
             image = paint_configuration_space(arm, world, n)
             assert image.dtype == np.int8
-            assert image.tolist() == [[link_in_contact(arm, (t1, t2), world) for t1 in angles] for t2 in angles]
-    by_hand = painted.py_func(arm, world, np.zeros((5, 5), np.int8), contact_size(world.lo, world.hi))
+            assert image.tolist() == [
+                [link_in_contact(arm, (t1, t2), world) for t1 in angles] for t2 in angles
+            ]
+    by_hand = painted.py_func(
+        arm, world, np.zeros((5, 5), np.int8), contact_size(world.lo, world.hi)
+    )
     assert (by_hand == paint_configuration_space(arm, world, 5)).all()
 
 
@@ -204,7 +271,9 @@ def test_scenes_keep_robots(robot: Any, start: Any, goal: Any, tmp_path: Path) -
     problem = Problem(robot, ROOM, start, goal)
     write_scene(problem, tmp_path / "scene.json")
     again = read_scene(tmp_path / "scene.json")
-    for mine, theirs in zip((*problem.robot, problem.start, problem.goal), (*again.robot, again.start, again.goal)):
+    for mine, theirs in zip(
+        (*problem.robot, problem.start, problem.goal), (*again.robot, again.start, again.goal)
+    ):
         for a, b in zip(mine, theirs) if isinstance(mine, tuple) else ((mine, theirs),):
             np.testing.assert_array_equal(a, b)
     if len(start) == 3:

@@ -1,4 +1,6 @@
-"""Sampling: grids, Halton's sequence against fractions, dispersion against closed forms and a fine lattice."""
+"""Sampling: grids, Halton's sequence against fractions, dispersion against closed forms and a fine
+lattice.
+"""
 
 import json
 import math
@@ -31,7 +33,9 @@ NORMS = (2, math.inf)
 def both_ends(n: int, d: int) -> Any:
     """The points i/(k-1), which the library leaves out."""
     k = round(n ** (1 / d))
-    return np.stack(np.meshgrid(*[np.arange(k) / (k - 1)] * d, indexing="ij"), axis=-1).reshape(-1, d)
+    return np.stack(np.meshgrid(*[np.arange(k) / (k - 1)] * d, indexing="ij"), axis=-1).reshape(
+        -1, d
+    )
 
 
 GRIDS = {"corner": corner_grid, "sukharev": sukharev_grid, "both_ends": both_ends}
@@ -39,7 +43,9 @@ GRIDS = {"corner": corner_grid, "sukharev": sukharev_grid, "both_ends": both_end
 
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case["id"])
 def test_shared_cases(case):
-    """Halton's fractions to the last bit; dispersions of grids in closed form and of point sets to nine digits."""
+    """Halton's fractions to the last bit; dispersions of grids in closed form and of point sets to
+    nine digits.
+    """
     expected = case["expected"]
     if case["kind"] == "halton":
         points = halton(case["n"], PRIMES[: case["dim"]], case["start"])
@@ -73,10 +79,23 @@ def exact_mirrored(i: int, base: int) -> Fraction:
 
 @pytest.mark.parametrize(
     ("base", "start"),
-    [(2, 1), (2, 4095), (3, 0), (5, 12_345), (6, 36), (7, 10**9), (10, 99), (4099, 4000), (9_999_991, 9_990_000), (2, 2**52)],
+    [
+        (2, 1),
+        (2, 4095),
+        (3, 0),
+        (5, 12_345),
+        (6, 36),
+        (7, 10**9),
+        (10, 99),
+        (4099, 4000),
+        (9_999_991, 9_990_000),
+        (2, 2**52),
+    ],
 )
 def test_van_der_corput_is_the_float_nearest_to_the_fraction(base, start):
-    """Across the blocks in which it is made, far out, in small, composite and large bases; the sequence may begin anywhere."""
+    """Across the blocks in which it is made, far out, in small, composite and large bases; the
+    sequence may begin anywhere.
+    """
     numbers = van_der_corput(9000, base, start)
     for i in (0, 1, 2, 95, 96, 4095, 4096, 4097, 8191, 8192, 8999):
         assert numbers[i] == float(exact_mirrored(start + i, base))
@@ -131,7 +150,9 @@ def test_bad_parameters_are_refused(call):
         call()
 
 
-@pytest.mark.parametrize("bad", [[], [[]], [0.5], [[0.5, 1.1]], [[-1e-9, 0]], [[np.nan, 0]], "ab", [[[0.5]]]])
+@pytest.mark.parametrize(
+    "bad", [[], [[]], [0.5], [[0.5, 1.1]], [[-1e-9, 0]], [[np.nan, 0]], "ab", [[[0.5]]]]
+)
 def test_bad_points_are_refused(bad):
     """InvalidPoint: none, of the wrong shape, outside the cube, not finite."""
     for norm in NORMS:
@@ -144,7 +165,9 @@ def test_grids_say_which_sizes_they_have(grid):
     """Perfect powers only; the nearest are named."""
     with pytest.raises(InvalidParameter, match="perfect square, got 10; the nearest are 9 and 16"):
         grid(10)
-    with pytest.raises(InvalidParameter, match="perfect cube, got 999; the nearest are 729 and 1,000"):
+    with pytest.raises(
+        InvalidParameter, match="perfect cube, got 999; the nearest are 729 and 1,000"
+    ):
         grid(999, 3)
     for k, d in ((1, 1), (1, 7), (10, 2), (10, 3), (2, 20), (3000, 2)):
         assert grid(k**d, d).shape == (k**d, d)
@@ -155,7 +178,9 @@ def test_grids_stand_at_corners_and_centres():
     """i/k and (i + 1/2)/k, each the nearest float; the last coordinate changes fastest."""
     for k in (1, 3, 10, 49):
         assert corner_grid(k, 1)[:, 0].tolist() == [float(Fraction(i, k)) for i in range(k)]
-        assert sukharev_grid(k, 1)[:, 0].tolist() == [float(Fraction(2 * i + 1, 2 * k)) for i in range(k)]
+        assert sukharev_grid(k, 1)[:, 0].tolist() == [
+            float(Fraction(2 * i + 1, 2 * k)) for i in range(k)
+        ]
     assert corner_grid(9)[:4].tolist() == [[0, 0], [0, 1 / 3], [0, 2 / 3], [1 / 3, 0]]
 
 
@@ -184,9 +209,13 @@ def drawn(kind: str, rng: np.random.Generator) -> Any:
 
 
 @pytest.mark.parametrize("norm", NORMS)
-@pytest.mark.parametrize("kind", ["spread", "lattice", "upright", "in a corner", "corners", "nearly a lattice"])
+@pytest.mark.parametrize(
+    "kind", ["spread", "lattice", "upright", "in a corner", "corners", "nearly a lattice"]
+)
 def test_the_largest_empty_ball_is_what_a_fine_lattice_finds(kind, norm):
-    """Empty, its centre in the square, and no smaller than what any place of the lattice has; no larger than that and a cell."""
+    """Empty, its centre in the square, and no smaller than what any place of the lattice has; no
+    larger than that and a cell.
+    """
     from scipy.spatial import cKDTree
 
     rng, side = np.random.default_rng(3), 201
@@ -195,16 +224,24 @@ def test_the_largest_empty_ball_is_what_a_fine_lattice_finds(kind, norm):
         points = drawn(kind, rng)
         ball = largest_empty_ball(points, norm)
         assert ((0 <= ball.centre) & (ball.centre <= 1)).all()
-        assert np.linalg.norm(points - ball.centre, ord=norm, axis=1).min() == pytest.approx(ball.radius, abs=1e-13)
+        assert np.linalg.norm(points - ball.centre, ord=norm, axis=1).min() == pytest.approx(
+            ball.radius, abs=1e-13
+        )
         least = cKDTree(points).query(places, p=norm)[0].max()
-        assert least - 1e-13 <= ball.radius <= least + (math.sqrt(0.5) if norm == 2 else 0.5) / (side - 1)
+        assert (
+            least - 1e-13
+            <= ball.radius
+            <= least + (math.sqrt(0.5) if norm == 2 else 0.5) / (side - 1)
+        )
         if norm == math.inf:
             assert ball.radius >= sukharev_bound(len(points)) * (1 - 1e-14)
 
 
 @pytest.mark.parametrize("norm", NORMS)
 def test_dispersion_keeps_the_symmetries_of_the_square(norm):
-    """Mirrored, turned, in another order, with points repeated: the same; with a point more: never larger."""
+    """Mirrored, turned, in another order, with points repeated: the same; with a point more: never
+    larger.
+    """
     points = halton(60)
     radius = dispersion(points, norm)
     for same in (points[::-1], points[:, ::-1], 1 - points, np.vstack([points, points[:7]])):
@@ -213,7 +250,9 @@ def test_dispersion_keeps_the_symmetries_of_the_square(norm):
 
 
 def test_dispersion_on_the_line_and_in_space():
-    """Half the largest gap, or a whole one at an end; for d = 3 the corner of the cube is farthest from its opposite."""
+    """Half the largest gap, or a whole one at an end; for d = 3 the corner of the cube is farthest
+    from its opposite.
+    """
     for norm in NORMS:
         assert dispersion([[0.5], [0.2]], norm) == 0.5
         assert largest_empty_ball([[0.1], [0.9]], norm) == (np.array([0.5]), 0.4)
@@ -221,10 +260,17 @@ def test_dispersion_on_the_line_and_in_space():
 
 
 def test_evenly_spread_points_beat_random_ones():
-    """At n = 400 in the sup norm Sukharev's grid meets its bound, Halton is within three times it, random points are worse."""
+    """At n = 400 in the sup norm Sukharev's grid meets its bound, Halton is within three times it,
+    random points are worse.
+    """
     bound = sukharev_bound(400)
     assert dispersion(sukharev_grid(400), math.inf) == pytest.approx(bound, rel=1e-12)
-    assert bound < dispersion(halton(400), math.inf) < 3 * bound < dispersion(uniform_random(400, rng=0), math.inf)
+    assert (
+        bound
+        < dispersion(halton(400), math.inf)
+        < 3 * bound
+        < dispersion(uniform_random(400, rng=0), math.inf)
+    )
 
 
 def test_the_names_are_at_the_top():
@@ -234,7 +280,9 @@ def test_the_names_are_at_the_top():
 
 
 def test_figures_show_points_holes_and_rates():
-    """Points up to a number, the hole in both norms with its radius in words, cells, a name at each curve; shapes are checked."""
+    """Points up to a number, the hole in both norms with its radius in words, cells, a name at each
+    curve; shapes are checked.
+    """
     from matplotlib import pyplot as plt
 
     from kinoedu.figures import draw_dispersion, draw_samples

@@ -35,7 +35,10 @@ SCENE = {
         "obstacles": [
             {"polygon": [[2, 2], [4, 2], [3, 4]]},
             {"centre": [14, 3], "radius": 1.5},
-            {"polygon": [[5, 1], [9, 1], [9, 5], [5, 5]], "rooms": [[[6, 2], [8, 2], [8, 4], [6, 4]]]},
+            {
+                "polygon": [[5, 1], [9, 1], [9, 5], [5, 5]],
+                "rooms": [[[6, 2], [8, 2], [8, 4], [6, 4]]],
+            },
         ],
     },
     "start": [1, 1],
@@ -81,9 +84,22 @@ def test_a_scene_is_read(tmp_path):
 
 
 PROBLEMS = [
-    ke.Problem(ke.Point(), ke.PolygonWorld([(0, 0), (1, 0), (1, 1 / 3), (0, 1)]), (0.1, 0.1), (0.2, 0.3)),
-    ke.Problem(ke.Disk(0.1), ke.Terrain([[1, 1, 0], [0, 1, 1]], resolution=0.3, origin=(-1, 7)), (-0.85, 7.15), (-0.25, 7.45)),
-    ke.Problem(ke.Point(), ke.PolygonWorld([(0, 0), (9, 0), (9, 9), (0, 9)], [((4, 4), 1 / 3)]), (1, 1), (8, 8), clearance=0.1),
+    ke.Problem(
+        ke.Point(), ke.PolygonWorld([(0, 0), (1, 0), (1, 1 / 3), (0, 1)]), (0.1, 0.1), (0.2, 0.3)
+    ),
+    ke.Problem(
+        ke.Disk(0.1),
+        ke.Terrain([[1, 1, 0], [0, 1, 1]], resolution=0.3, origin=(-1, 7)),
+        (-0.85, 7.15),
+        (-0.25, 7.45),
+    ),
+    ke.Problem(
+        ke.Point(),
+        ke.PolygonWorld([(0, 0), (9, 0), (9, 9), (0, 9)], [((4, 4), 1 / 3)]),
+        (1, 1),
+        (8, 8),
+        clearance=0.1,
+    ),
 ]
 
 
@@ -108,15 +124,30 @@ def test_a_read_scene_is_written_and_read_back_equal(tmp_path):
         (["version"], None, UnreadableScene, "lacks 'version'"),
         (["goal"], None, UnreadableScene, "lacks 'goal'"),
         (["gaol"], [1, 1], UnreadableScene, "did you mean 'goal'"),
-        (["robot", "radus"], 1, UnreadableScene, "scene.robot has an unknown key 'radus'; did you mean 'radius'"),
+        (
+            ["robot", "radus"],
+            1,
+            UnreadableScene,
+            "scene.robot has an unknown key 'radus'; did you mean 'radius'",
+        ),
         (["robot", "radius"], -1, InvalidRobot, "radius"),
         (["robot", "radius"], True, UnreadableScene, "scene.robot.radius must be a number"),
         (["robot", "kind"], "tank", UnreadableScene, "point, disk"),
         (["robot"], "disk", UnreadableScene, "scene.robot"),
         (["world", "obstacles", 1, "radius"], 0, InvalidWorld, "obstacle 1"),
-        (["world", "obstacles", 1, "radius"], "big", UnreadableScene, r"scene.world.obstacles\[1\].radius must be a number"),
+        (
+            ["world", "obstacles", 1, "radius"],
+            "big",
+            UnreadableScene,
+            r"scene.world.obstacles\[1\].radius must be a number",
+        ),
         (["world", "obstacles", 0, "polygon"], [[2, 2], [4, 2]], InvalidPolygon, "obstacle 0"),
-        (["world", "obstacles", 0, "polygon"], [[2, 2], [4, 4], [4, 2], [2, 4]], InvalidPolygon, "crosses"),
+        (
+            ["world", "obstacles", 0, "polygon"],
+            [[2, 2], [4, 4], [4, 2], [2, 4]],
+            InvalidPolygon,
+            "crosses",
+        ),
         (["world", "obstacles", 0, "polygon", 0], [2, "x"], UnreadableScene, r"polygon\[0\]\[1\]"),
         (["world", "boundary"], [[0, 0, 0]], InvalidPolygon, "boundary"),
         (["world", "boundary", 0], [1e160, 0], InvalidPoint, "1e150"),
@@ -137,7 +168,18 @@ def test_what_is_wrong_is_named(tmp_path, path, value, error, said):
 
 @pytest.mark.parametrize(
     "text",
-    ["", "{", "[]", "null", '{"version": 1, "version": 1}', "[" * 100_000, '{"start": NaN}', "\x00", "1" * 5000, '{"a": 1e999}'],
+    [
+        "",
+        "{",
+        "[]",
+        "null",
+        '{"version": 1, "version": 1}',
+        "[" * 100_000,
+        '{"start": NaN}',
+        "\x00",
+        "1" * 5000,
+        '{"a": 1e999}',
+    ],
 )
 def test_what_is_no_scene_is_refused(tmp_path, text):
     """By UnreadableScene, whatever the text."""
@@ -146,12 +188,19 @@ def test_what_is_no_scene_is_refused(tmp_path, text):
 
 
 @given(st.data())
-@settings(derandomize=True, deadline=None, max_examples=300, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(
+    derandomize=True,
+    deadline=None,
+    max_examples=300,
+    suppress_health_check=[HealthCheck.function_scoped_fixture],
+)
 def test_a_damaged_scene_raises_only_named_errors(tmp_path, data):
     """A few characters changed anywhere: it is read, or refused by name."""
     text = list(json.dumps(SCENE))
     for _ in range(data.draw(st.integers(1, 3))):
-        text[data.draw(st.integers(0, len(text) - 1))] = data.draw(st.sampled_from('0123456789-.eE"{}[],:xy \\N'))
+        text[data.draw(st.integers(0, len(text) - 1))] = data.draw(
+            st.sampled_from('0123456789-.eE"{}[],:xy \\N')
+        )
     file = written(tmp_path, "".join(text))
     with suppress(KinoeduError):
         problem = ke.read_scene(file)
@@ -192,13 +241,19 @@ def test_a_map_beside_a_scene(tmp_path):
         "start": [0.5, 0.5],
         "goal": [2.5, 0.5],
     }
-    assert ke.read_scene(written(tmp_path, scene)).world.free.tolist() == [[True, True, True], [True, True, False]]
+    assert ke.read_scene(written(tmp_path, scene)).world.free.tolist() == [
+        [True, True, True],
+        [True, True, False],
+    ]
 
 
 def test_the_documented_scene_is_a_scene(tmp_path):
     """The example in the docs reads as it stands."""
     page = (Path(__file__).parent.parent / "docs" / "files.md").read_text(encoding="utf-8")
-    assert ke.read_scene(written(tmp_path, page.split("```json")[1].split("```")[0])).robot.radius == 0.25
+    assert (
+        ke.read_scene(written(tmp_path, page.split("```json")[1].split("```")[0])).robot.radius
+        == 0.25
+    )
 
 
 def test_read_problem_wants_each_thing_once(tmp_path):
@@ -210,7 +265,9 @@ def test_read_problem_wants_each_thing_once(tmp_path):
         ke.read_problem(tmp_path / "corner.map", start=(0.5, 0.5))
     with pytest.raises(InvalidParameter, match="has its own"):
         ke.read_problem(written(tmp_path, SCENE), start=(1, 1), goal=(2, 2))
-    (tmp_path / "corner.scen").write_text("version 1\n0\tcorner.map\t3\t2\t0\t0\t2\t1\t2.41421356\n")
+    (tmp_path / "corner.scen").write_text(
+        "version 1\n0\tcorner.map\t3\t2\t0\t0\t2\t1\t2.41421356\n"
+    )
     assert ke.read_problem(tmp_path / "corner.map").goal.tolist() == [2.5, 0.5]
     with pytest.raises(InvalidParameter, match="queries 0 to 0"):
         ke.read_problem(tmp_path / "corner.map", query=1)
@@ -218,13 +275,26 @@ def test_read_problem_wants_each_thing_once(tmp_path):
 
 @pytest.mark.parametrize("sizes", [(30, 10, 20), (4.689, 1.942, 2.8), (0.3, 0.1, 0.07)])
 def test_a_car_in_a_scene(tmp_path, sizes):
-    """A car is written and read back, with what it steers and its speeds; what is left out has Car's defaults."""
+    """A car is written and read back, with what it steers and its speeds; what is left out has
+    Car's defaults.
+    """
     world = ke.PolygonWorld([(-50, -50), (50, -50), (50, 50), (-50, 50)])
-    for car in (ke.Car(*sizes), ke.Car(*sizes, rear_overhang=0.02, max_steering=0.75, speeds=(1, 2.5))):
+    for car in (
+        ke.Car(*sizes),
+        ke.Car(*sizes, rear_overhang=0.02, max_steering=0.75, speeds=(1, 2.5)),
+    ):
         ke.write_scene(ke.Problem(car, world, (0, 0, 1), (20, 0, -2)), tmp_path / "car.json")
         read = ke.read_scene(tmp_path / "car.json").robot
-        assert np.allclose(read.outline, car.outline, rtol=1e-15, atol=1e-15) and np.array_equal(read.speeds, car.speeds)
-        assert (read.wheelbase, read.max_steering, read.radius) == (car.wheelbase, car.max_steering, car.radius)
+        assert np.allclose(read.outline, car.outline, rtol=1e-15, atol=1e-15) and np.array_equal(
+            read.speeds, car.speeds
+        )
+        assert (read.wheelbase, read.max_steering, read.radius) == (
+            car.wheelbase,
+            car.max_steering,
+            car.radius,
+        )
     scene = json.loads((tmp_path / "car.json").read_text(encoding="utf-8"))
     scene["robot"] = {"kind": "car", "length": 30, "width": 10, "wheelbase": 20}
-    assert np.array_equal(ke.read_scene(written(tmp_path, scene)).robot.outline, ke.Car(30, 10, 20).outline)
+    assert np.array_equal(
+        ke.read_scene(written(tmp_path, scene)).robot.outline, ke.Car(30, 10, 20).outline
+    )

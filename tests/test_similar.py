@@ -1,4 +1,6 @@
-"""Programs that are alike are found whatever was renamed, moved or remarked; what all were given is no sign; nothing is scored."""
+"""Programs that are alike are found whatever was renamed, moved or remarked; what all were given is
+no sign; nothing is scored.
+"""
 
 import csv
 import io
@@ -77,7 +79,16 @@ def point_segment_distance(q, p1, p2):
 
 def notebook(*sources: str) -> bytes:
     """A notebook of cells of code."""
-    cells = [{"cell_type": "code", "metadata": {}, "outputs": [], "execution_count": None, "source": source} for source in sources]
+    cells = [
+        {
+            "cell_type": "code",
+            "metadata": {},
+            "outputs": [],
+            "execution_count": None,
+            "source": source,
+        }
+        for source in sources
+    ]
     return json.dumps({"nbformat": 4, "nbformat_minor": 5, "metadata": {}, "cells": cells}).encode()
 
 
@@ -88,7 +99,10 @@ def handed_in(student: str, *sources: str) -> Submission:
 
 def by_chance(rng: random.Random) -> str:
     """A function that nobody else writes."""
-    steps = [f"    s = s {rng.choice('+-*/')} a{rng.choice('+-*/')}{rng.randint(2, 10**6)}" for _ in range(25)]
+    steps = [
+        f"    s = s {rng.choice('+-*/')} a{rng.choice('+-*/')}{rng.randint(2, 10**6)}"
+        for _ in range(25)
+    ]
     return "\n".join(["def mine(a, s):", *steps, "    return s"])
 
 
@@ -98,7 +112,9 @@ def named(found) -> list[tuple[str, str]]:
 
 
 def test_a_copy_is_found_in_disguise():
-    """Other names, comments, annotations, layout and order: the pair leads, as wholly alike; who wrote otherwise is not in it."""
+    """Other names, comments, annotations, layout and order: the pair leads, as wholly alike; who
+    wrote otherwise is not in it.
+    """
     rng = random.Random(1)
     others = [handed_in(f"s{n}", by_chance(rng), CLOSED_FORM) for n in range(8)]
     found = similar(NAME, [handed_in("ann", OWN_WAY, HELPER), *others, handed_in("bob", DISGUISED)])
@@ -110,27 +126,42 @@ def test_a_copy_is_found_in_disguise():
 
 def test_what_many_write_weighs_less_than_what_two_share():
     """Eight have much in common, two of them something less long as well: that outweighs it."""
-    all_of_them = [handed_in(f"s{n}", OWN_WAY, HELPER, *([CLOSED_FORM] if n in (3, 6) else [])) for n in range(8)]
+    all_of_them = [
+        handed_in(f"s{n}", OWN_WAY, HELPER, *([CLOSED_FORM] if n in (3, 6) else []))
+        for n in range(8)
+    ]
     found = similar(NAME, all_of_them)
     assert named(found.each_other)[0] == ("s3", "s6")
     assert found.each_other[0].weight > 3 * found.each_other[1].weight
 
 
-@pytest.mark.parametrize("given", ["exercises/09_trees", "exercises/02_bug_algorithms", "notebooks/01_geometry"])
+@pytest.mark.parametrize(
+    "given", ["exercises/09_trees", "exercises/02_bug_algorithms", "notebooks/01_geometry"]
+)
 def test_what_all_were_given_is_taken_out(given):
-    """An exercise as it is handed out, and a lesson, have code in them, and nothing in common with themselves."""
+    """An exercise as it is handed out, and a lesson, have code in them, and nothing in common with
+    themselves.
+    """
     data = (HOUSE / f"{given}.ipynb").read_bytes()
     assert pieces([cell.source for cell in cells_in(data)])
-    found = similar(NAME, [Submission(student, NAME, "x.ipynb", data) for student in ("ann", "bob")])
+    found = similar(
+        NAME, [Submission(student, NAME, "x.ipynb", data) for student in ("ann", "bob")]
+    )
     assert found.each_other == [] and found.course == []
     assert len(found.programs) == 2
 
 
 def test_the_courses_own_programs_are_recognised():
-    """The solution in the solution, and a function of the library in the file that it stands in, under other names."""
-    solved = Submission("ann", NAME, "x.ipynb", (HOUSE / "solutions" / f"{NAME}.ipynb").read_bytes())
+    """The solution in the solution, and a function of the library in the file that it stands in,
+    under other names.
+    """
+    solved = Submission(
+        "ann", NAME, "x.ipynb", (HOUSE / "solutions" / f"{NAME}.ipynb").read_bytes()
+    )
     text = (HOUSE / "kinoedu" / "geometry" / "segments.py").read_text(encoding="utf-8")
-    found = similar(NAME, [solved, handed_in("bob", text.replace("p1", "start").replace("p2", "end"))])
+    found = similar(
+        NAME, [solved, handed_in("bob", text.replace("p1", "start").replace("p2", "end"))]
+    )
     best: dict[str, str] = {}
     for first, second in named(found.course):
         best.setdefault(first, second)
@@ -149,23 +180,46 @@ NONSENSE = [
 
 @pytest.mark.parametrize("bad", NONSENSE, ids=range(len(NONSENSE)))
 def test_what_python_cannot_read_counts_by_its_lines(bad):
-    """It breaks nothing, the cells beside it count, and two who hand in the same lines are found."""
-    found = similar(NAME, [handed_in("ann", bad, OWN_WAY), handed_in("bob", DISGUISED, bad), handed_in("cy", CLOSED_FORM)])
+    """It breaks nothing, the cells beside it count, and two who hand in the same lines are
+    found.
+    """
+    found = similar(
+        NAME,
+        [
+            handed_in("ann", bad, OWN_WAY),
+            handed_in("bob", DISGUISED, bad),
+            handed_in("cy", CLOSED_FORM),
+        ],
+    )
     assert named(found.each_other)[0] == ("ann", "bob")
-    lines = similar(NAME, [handed_in("ann", NONSENSE[0]), handed_in("bob", NONSENSE[0] + " # mine"), handed_in("cy", CLOSED_FORM)])
+    lines = similar(
+        NAME,
+        [
+            handed_in("ann", NONSENSE[0]),
+            handed_in("bob", NONSENSE[0] + " # mine"),
+            handed_in("cy", CLOSED_FORM),
+        ],
+    )
     assert named(lines.each_other) == [("ann", "bob")]
 
 
 def test_whatever_two_share_that_is_long_enough_is_seen():
-    """The law of winnowing, on words by chance: a common stretch of RUN + WINDOW - 1 words has a common fingerprint."""
+    """The law of winnowing, on words by chance: a common stretch of RUN + WINDOW - 1 words has a
+    common fingerprint.
+    """
     rng = random.Random(3)
     for _ in range(200):
         common = [rng.randint(0, 9) for _ in range(RUN + WINDOW - 1)]
         one, other = (
-            [rng.randint(0, 9) for _ in range(rng.randint(0, 40))] + common + [rng.randint(0, 9) for _ in range(rng.randint(0, 40))]
+            [rng.randint(0, 9) for _ in range(rng.randint(0, 40))]
+            + common
+            + [rng.randint(0, 9) for _ in range(rng.randint(0, 40))]
             for _ in range(2)
         )
-        first, second = (prints([(crc(str(word)), at) for at, word in enumerate(said)], WINDOW) for said in (one, other))
+        first, second = (
+            prints([(crc(str(word)), at) for at, word in enumerate(said)], WINDOW)
+            for said in (one, other)
+        )
         assert first.keys() & second.keys()
 
 
@@ -179,14 +233,24 @@ def test_shared_lines_are_where_they_are_said_to_be():
 
 
 def test_pages_are_the_same_for_the_same_class_and_safe(tmp_path):
-    """A page for each pair, a table without formulas, hostile names and programs escaped, and old pages gone."""
+    """A page for each pair, a table without formulas, hostile names and programs escaped, and old
+    pages gone.
+    """
     evil = OWN_WAY.replace("# walk", "'</pre><script>alert(1)</script>' # walk")
-    submissions = [handed_in("=ann<b>", evil), handed_in("bob", DISGUISED), handed_in("cy", CLOSED_FORM)]
+    submissions = [
+        handed_in("=ann<b>", evil),
+        handed_in("bob", DISGUISED),
+        handed_in("cy", CLOSED_FORM),
+    ]
     for student, sources in (("dan", OWN_WAY), ("eve", CLOSED_FORM)):
         submissions.append(handed_in(student, sources))
     write_similar([similar(NAME, submissions)], tmp_path)
     (tmp_path / "pairs" / "old.html").write_text("old")
-    before = {file: file.read_bytes() for file in tmp_path.rglob("*") if file.is_file() and file.name != "old.html"}
+    before = {
+        file: file.read_bytes()
+        for file in tmp_path.rglob("*")
+        if file.is_file() and file.name != "old.html"
+    }
     write_similar([similar(NAME, submissions[::-1])], tmp_path)
     assert {file: file.read_bytes() for file in tmp_path.rglob("*") if file.is_file()} == before
     pages = "".join(data.decode() for file, data in before.items() if file.suffix == ".html")
@@ -199,8 +263,12 @@ def test_pages_are_the_same_for_the_same_class_and_safe(tmp_path):
     assert not any("score" in column for column in rows[0])
     page = (tmp_path / rows[0]["page"]).read_text(encoding="utf-8")
     assert page.count("<mark>") >= 10
-    shown = [line for line in page.splitlines() if line.startswith("<pre") and line != "<pre></pre>"]
-    assert shown and all(line.startswith('<pre title="') for line in shown)  # a narrow page says above each whose it is
+    shown = [
+        line for line in page.splitlines() if line.startswith("<pre") and line != "<pre></pre>"
+    ]
+    assert shown and all(
+        line.startswith('<pre title="') for line in shown
+    )  # a narrow page says above each whose it is
 
 
 def test_the_command_says_where_to_look(tmp_path, capsys):

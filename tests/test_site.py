@@ -1,4 +1,6 @@
-"""The course as a site: built from what is stored, without a warning; every link leads somewhere; nothing is fetched."""
+"""The course as a site: built from what is stored, without a warning; every link leads somewhere;
+nothing is fetched.
+"""
 
 import json
 import re
@@ -57,7 +59,9 @@ def site(tmp_path_factory):
         ".",
         folder,
     ]
-    built = subprocess.run(command, cwd=HOUSE, capture_output=True, text=True, encoding="utf-8", errors="replace")
+    built = subprocess.run(
+        command, cwd=HOUSE, capture_output=True, text=True, encoding="utf-8", errors="replace"
+    )
     assert (built.returncode, built.stderr) == (0, "")
     return folder
 
@@ -69,26 +73,39 @@ def pages(site):
 
 
 def test_every_link_leads_somewhere(site, pages):
-    """To a file of the site, and a part of it that is there; to other sites only where a reader may follow or not."""
+    """To a file of the site, and a part of it that is there; to other sites only where a reader may
+    follow or not.
+    """
     broken = []
     for file, page in pages.items():
         for link in page.links:
             there = urlsplit(link)
             target = file.parent.joinpath(unquote(there.path)).resolve() if there.path else file
             if not (there.scheme or there.netloc):
-                sound = target.is_file() and (target not in pages or unquote(there.fragment) in pages[target].parts)
-                broken += [] if sound and target.is_relative_to(site) else [(file.relative_to(site).as_posix(), link)]
+                sound = target.is_file() and (
+                    target not in pages or unquote(there.fragment) in pages[target].parts
+                )
+                broken += (
+                    []
+                    if sound and target.is_relative_to(site)
+                    else [(file.relative_to(site).as_posix(), link)]
+                )
     assert len(pages) > 100 and broken == []
 
 
 def test_every_lesson_and_guide_is_a_page(site):
     """And no solution, whole or in part."""
     guides = [file for file in (HOUSE / "docs").glob("*.md") if file.name != "contents.md"]
-    others = [HOUSE / name for name in ("README.md", "CHANGELOG.md", "benchmarks/README.md", "index.md")]
+    others = [
+        HOUSE / name for name in ("README.md", "CHANGELOG.md", "benchmarks/README.md", "index.md")
+    ]
     for source in (*NOTEBOOKS, *guides, *others):
         assert (site / source.relative_to(HOUSE)).with_suffix(".html").is_file(), source
     assert [file.name for file in (site / "solutions").iterdir()] == ["README.html"]
-    assert not any("### BEGIN SOLUTION" in file.read_text(encoding="utf-8") for file in (site / "exercises").iterdir())
+    assert not any(
+        "### BEGIN SOLUTION" in file.read_text(encoding="utf-8")
+        for file in (site / "exercises").iterdir()
+    )
 
 
 def test_every_public_name_is_in_the_reference(pages):
@@ -96,12 +113,18 @@ def test_every_public_name_is_in_the_reference(pages):
     import kinoedu
 
     parts = {part.removeprefix("module-") for page in pages.values() for part in page.parts}
-    assert set(kinoedu.__all__) - {part.rpartition(".")[2] for part in parts if part.startswith("kinoedu.")} == set()
+    assert (
+        set(kinoedu.__all__)
+        - {part.rpartition(".")[2] for part in parts if part.startswith("kinoedu.")}
+        == set()
+    )
 
 
 @pytest.mark.parametrize("notebook", LESSONS, ids=lambda file: file.stem)
 def test_pictures_stand_for_boards(site, pages, notebook):
-    """Every picture stored is shown and says what it is; a board is neither live nor spelled out."""
+    """Every picture stored is shown and says what it is; a board is neither live nor spelled
+    out.
+    """
     cells = json.loads(notebook.read_text(encoding="utf-8"))["cells"]
     outputs = [output.get("data", {}) for cell in cells for output in cell.get("outputs", [])]
     file = site / "notebooks" / f"{notebook.stem}.html"
@@ -109,17 +132,25 @@ def test_pictures_stand_for_boards(site, pages, notebook):
     assert len(pictures) == sum("image/png" in output for output in outputs)
     assert all(picture["alt"] and not picture["alt"].endswith(".png") for picture in pictures)
     named = [picture["alt"].removesuffix(say("site.figure", section="")) for picture in pictures]
-    sections = [name for name, picture in zip(named, pictures, strict=True) if name != picture["alt"]]
-    assert len(sections) == sum("".join(output.get("text/plain", "")).startswith("<Figure") for output in outputs)
+    sections = [
+        name for name, picture in zip(named, pictures, strict=True) if name != picture["alt"]
+    ]
+    assert len(sections) == sum(
+        "".join(output.get("text/plain", "")).startswith("<Figure") for output in outputs
+    )
     words = "\n".join("".join(cell["source"]) for cell in cells if cell["cell_type"] == "markdown")
     titles = re.findall(r"(?m)^#+ (.+)", words)
-    assert {re.sub(r"\W", "", name) for name in sections} <= {re.sub(r"\W", "", title) for title in titles}
+    assert {re.sub(r"\W", "", name) for name in sections} <= {
+        re.sub(r"\W", "", title) for title in titles
+    }
     assert text.count('class="still"') == sum(BOARD in output for output in outputs)
     assert BOARD not in text and "<script src=" in text
 
 
 def test_docstrings_are_plain_text(monkeypatch):
-    """Code, lists of names and examples become markup; what only looks like markup stays as it is."""
+    """Code, lists of names and examples become markup; what only looks like markup stays as it
+    is.
+    """
     monkeypatch.syspath_prepend(HOUSE / "docs")
     from rendering import marked
 
@@ -128,7 +159,10 @@ def test_docstrings_are_plain_text(monkeypatch):
         marked("Parameters\n----------\na_b, c (n,) : one\n    more\nd : two")
         == "**a\\_b, c (n,)**\n    one\n    more\n**d**\n    two"
     )
-    assert marked("pose : where it is. Raises\nInvalidPoint.") == "pose : where it is. Raises\nInvalidPoint."
+    assert (
+        marked("pose : where it is. Raises\nInvalidPoint.")
+        == "pose : where it is. Raises\nInvalidPoint."
+    )
     assert marked(">>> a * b\n4") == ">>> a * b\n4"
     assert marked("    {1: *}") == "::\n\n    {1: *}"
 
@@ -138,16 +172,22 @@ def test_formulas_are_spaced_as_in_print(monkeypatch):
     monkeypatch.syspath_prepend(HOUSE / "docs")
     from formulas import mathml
 
-    assert '<mo form="prefix">' in mathml("v = -1", "inline") and '<mo form="prefix">' in mathml("(-20, 20)", "inline")
+    assert '<mo form="prefix">' in mathml("v = -1", "inline") and '<mo form="prefix">' in mathml(
+        "(-20, 20)", "inline"
+    )
     assert "form=" not in mathml("a - 1", "inline") and "form=" not in mathml("(a) - 1", "inline")
     assert 'lspace="0"' in mathml(r"\pi/2", "inline")
-    assert mathml(r"r\sin\theta", "inline").count("<mspace") == 2 and "<mspace" not in mathml(r"\sin(x)", "inline")
+    assert mathml(r"r\sin\theta", "inline").count("<mspace") == 2 and "<mspace" not in mathml(
+        r"\sin(x)", "inline"
+    )
     assert "atan2" in mathml(r"\operatorname{atan2}(y, x)", "inline")
 
 
 @pytest.fixture(scope="module")
 def browser_page(site):
-    """A page of Chromium, and the site's address on the disk; in the end there were no complaints, and no requests elsewhere."""
+    """A page of Chromium, and the site's address on the disk; in the end there were no complaints,
+    and no requests elsewhere.
+    """
     needs_chromium()
     from playwright.sync_api import sync_playwright
 
@@ -157,16 +197,23 @@ def browser_page(site):
         browser = play.chromium.launch(executable_path=CHROMIUM, headless=True, args=FLAGS)
         page = browser.new_context(viewport={"width": 480, "height": 900}).new_page()
         page.on("pageerror", lambda error: errors.append(str(error)))
-        page.on("console", lambda message: errors.append(message.text) if message.type in ("error", "warning") else None)
+        page.on(
+            "console",
+            lambda message: (
+                errors.append(message.text) if message.type in ("error", "warning") else None
+            ),
+        )
         page.route(
-            lambda url: not url.startswith((address, "data:")), lambda route: (outside.append(route.request.url), route.abort())
+            lambda url: not url.startswith((address, "data:")),
+            lambda route: (outside.append(route.request.url), route.abort()),
         )
         yield page, address
         browser.close()
     assert outside == [] and errors == []
 
 
-# Elements of the text that reach beyond the screen and cannot be scrolled to; pictures that are not there.
+# Elements of the text that reach beyond the screen and cannot be scrolled to; pictures that are not
+# there.
 LOST = """() => {
     const scrolled = element => element.tagName !== 'ARTICLE'
         && (/auto|scroll/.test(getComputedStyle(element).overflowX) || scrolled(element.parentElement));
@@ -176,7 +223,9 @@ LOST = """() => {
 
 
 def test_pages_fit_a_telephone(browser_page, site):
-    """Nothing is cut off, and every picture is there. Pages of source are all alike: the first stands for them."""
+    """Nothing is cut off, and every picture is there. Pages of source are all alike: the first
+    stands for them.
+    """
     page, address = browser_page
     files = sorted(file.relative_to(site).as_posix() for file in site.rglob("*.html"))
     sources = [file for file in files if file.startswith("_modules/")]
@@ -192,5 +241,11 @@ def test_words_are_found(browser_page):
     """Search answers with the lesson, the exercises and the place in the reference."""
     page, address = browser_page
     page.goto(f"{address}/search.html?q=dispersion")
-    for target in ("notebooks/06_sampling.html", "exercises/06_sampling.html", "#kinoedu.sampling.dispersion"):
-        page.wait_for_selector(f"#search-results a[href*='{target}']", state="attached")  # they come one after another
+    for target in (
+        "notebooks/06_sampling.html",
+        "exercises/06_sampling.html",
+        "#kinoedu.sampling.dispersion",
+    ):
+        page.wait_for_selector(
+            f"#search-results a[href*='{target}']", state="attached"
+        )  # they come one after another

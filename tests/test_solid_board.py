@@ -1,4 +1,6 @@
-"""The board of solids: what Python answers to a plane and a place; and figures of configuration space that can be made at all."""
+"""The board of solids: what Python answers to a plane and a place; and figures of configuration
+space that can be made at all.
+"""
 
 import io
 
@@ -12,7 +14,13 @@ from kinoedu.boards import solid_board, turning_board
 from kinoedu.boards.geometry.solid import shape
 from kinoedu.c_space import turned, turning_obstacle
 from kinoedu.errors import InvalidParameter, InvalidPoint
-from kinoedu.figures import draw_c_obstacle, draw_grown, draw_mesh, draw_turning_obstacle, torus_mesh
+from kinoedu.figures import (
+    draw_c_obstacle,
+    draw_grown,
+    draw_mesh,
+    draw_turning_obstacle,
+    torus_mesh,
+)
 from kinoedu.figures.solid import section_of
 from kinoedu.geometry import convex_hull, minkowski_difference
 
@@ -30,7 +38,9 @@ def test_the_plane_says_whether_the_robot_touches():
     board.place = [4, 4]
     assert "touches" in board.section["text"] and board.section["place"] == [4, 4]
     cut = np.array(board.cut).reshape(-1, 2)
-    assert np.allclose(convex_hull(cut), minkowski_difference(OBSTACLE, turned(ROBOT, np.pi / 2)), atol=1e-6)
+    assert np.allclose(
+        convex_hull(cut), minkowski_difference(OBSTACLE, turned(ROBOT, np.pi / 2)), atol=1e-6
+    )
 
 
 @pytest.mark.parametrize("theta", [-np.pi, -np.pi / 2, -0.4, 0.0, 0.3, np.pi])
@@ -47,20 +57,37 @@ def test_a_page_moves_the_plane_and_the_point_and_nothing_else():
     board = turning_board(ROBOT, OBSTACLE, place=(1, 1))
     board.set_state({"theta": 99.0, "place": [2, 3], "words": {}, "section": {}})
     assert board.theta == np.pi and board.place == [2, 3] and board.words and board.section["text"]
-    for wrong in ({"theta": float("nan")}, {"place": ["x", 1]}, {"place": [1, 2, 3]}, {"theta": "up"}):
+    for wrong in (
+        {"theta": float("nan")},
+        {"place": ["x", 1]},
+        {"place": [1, 2, 3]},
+        {"theta": "up"},
+    ):
         board.set_state(wrong)
     assert board.theta == np.pi and board.place == [2, 3]
 
 
 def test_a_board_shows_any_mesh():
-    """Its cut without a section of one's own, its colours, one's own section; the picture is a PNG."""
+    """Its cut without a section of one's own, its colours, one's own section; the picture is a
+    PNG.
+    """
     torus = torus_mesh(np.eye(12, dtype=int))
     plain = solid_board(torus)
-    assert plain.place is None and len(plain.faces) == len(torus.faces) * 12 and len(plain.cut) == len(plain.section["shapes"]) > 0
-    own = solid_board(torus, section=lambda theta, place: {"text": f"{theta:.1f} {place[0]:g}", "shapes": []}, place=(7, 8))
+    assert (
+        plain.place is None
+        and len(plain.faces) == len(torus.faces) * 12
+        and len(plain.cut) == len(plain.section["shapes"]) > 0
+    )
+    own = solid_board(
+        torus,
+        section=lambda theta, place: {"text": f"{theta:.1f} {place[0]:g}", "shapes": []},
+        place=(7, 8),
+    )
     own.theta = 0.5
     assert own.section["text"] == "0.5 7"
-    assert Image.open(io.BytesIO(plain.picture())).size == Image.open(io.BytesIO(own.picture())).size
+    assert (
+        Image.open(io.BytesIO(plain.picture())).size == Image.open(io.BytesIO(own.picture())).size
+    )
     assert shape([(0, 0), (1, 1)], line="ink", closed=False)["points"] == [[0, 0], [1, 1]]
     for wrong in (None, [1, 2]):
         with pytest.raises(InvalidParameter, match="triangles"):
@@ -75,7 +102,9 @@ def test_a_torus_has_the_colours_of_its_cells():
     image[3, 2], image[1, 6] = 1, 2
     mesh = torus_mesh(image)
     colours = mesh.visual.face_colors.reshape(5, 7, 2, 4)
-    assert (colours[3, 2] == colours[3, 2, 0]).all() and len(np.unique(colours.reshape(-1, 4), axis=0)) == 3
+    assert (colours[3, 2] == colours[3, 2, 0]).all() and len(
+        np.unique(colours.reshape(-1, 4), axis=0)
+    ) == 3
     assert mesh.is_watertight and mesh.euler_number == 0 and mesh.volume > 0
     middle = mesh.triangles.reshape(5, 7, 6, 3)[3, 2].mean(axis=0)
     assert np.arctan2(middle[1], middle[0]) == pytest.approx(2 * np.pi * 2.5 / 7, abs=0.2)
@@ -90,5 +119,7 @@ def test_figures_are_drawn():
     _, ax = plt.subplots()
     assert draw_c_obstacle(CORNER, CORNER, ax) and draw_c_obstacle(ROBOT, OBSTACLE)
     assert draw_grown(0.5, world) and draw_grown(3.5, world)
-    assert draw_turning_obstacle(CORNER, OBSTACLE, 0.5) and draw_mesh(torus_mesh(np.eye(6, dtype=int)), axes=False)
+    assert draw_turning_obstacle(CORNER, OBSTACLE, 0.5) and draw_mesh(
+        torus_mesh(np.eye(6, dtype=int)), axes=False
+    )
     plt.close("all")

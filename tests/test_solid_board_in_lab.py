@@ -1,4 +1,6 @@
-"""The board of solids in a real JupyterLab: turned by hand and by keys, the plane moved, the robot dragged, nothing fetched."""
+"""The board of solids in a real JupyterLab: turned by hand and by keys, the plane moved, the robot
+dragged, nothing fetched.
+"""
 
 import pytest
 from lab_driver import RUN_ALL, lab, needs_chromium, notebook_page, written_notebook
@@ -16,9 +18,17 @@ def page(tmp_path_factory):
     needs_chromium()
     course, home = tmp_path_factory.mktemp("course"), tmp_path_factory.mktemp("home")
     (course / "solid.ipynb").write_text(written_notebook(BOARD))
-    with lab(course, home) as (address, token), notebook_page(address, token, "solid.ipynb") as page:
+    with (
+        lab(course, home) as (address, token),
+        notebook_page(address, token, "solid.ipynb") as page,
+    ):
         book = page.evaluate(RUN_ALL)
-        assert [o.get("evalue") for cell in book["cells"] for o in cell["outputs"] if o["output_type"] == "error"] == []
+        assert [
+            o.get("evalue")
+            for cell in book["cells"]
+            for o in cell["outputs"]
+            if o["output_type"] == "error"
+        ] == []
         page.wait_for_selector(".kinoedu-solid[data-paints]")
         yield page
         assert page.outside == [] and page.errors == []
@@ -40,7 +50,9 @@ def drag(page, canvas, dx, dy):
     page.mouse.down()
     page.mouse.move(x + dx, y + dy, steps=5)
     page.mouse.up()
-    page.evaluate("() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
+    page.evaluate(
+        "() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))"
+    )
 
 
 def test_a_solid_is_turned_and_brought_nearer(page):
@@ -53,21 +65,36 @@ def test_a_solid_is_turned_and_brought_nearer(page):
     for key in ("ArrowLeft", "ArrowUp", "+"):
         paints = int(data(page, "paints"))
         page.keyboard.press(key)
-        page.wait_for_function("n => document.querySelector('.kinoedu-solid').dataset.paints > n", arg=paints)
-    assert float(data(page, "zoom")) > 1 and "cut at θ = 0 degrees" in solid.get_attribute("aria-label")
+        page.wait_for_function(
+            "n => document.querySelector('.kinoedu-solid').dataset.paints > n", arg=paints
+        )
+    assert float(data(page, "zoom")) > 1 and "cut at θ = 0 degrees" in solid.get_attribute(
+        "aria-label"
+    )
 
 
 def test_the_plane_and_the_robot_are_answered(page):
-    """The slider moves the cut on both sides; the robot is dragged into the obstacle, and moved by keys."""
+    """The slider moves the cut on both sides; the robot is dragged into the obstacle, and moved by
+    keys.
+    """
     assert "touches" in told(page)
     slice_ = page.locator(".kinoedu-solid-slice")
     before = slice_.screenshot()
-    page.locator(".kinoedu-solid-slider").evaluate("s => { s.value = Math.PI / 2; s.dispatchEvent(new Event('input')); }")
-    page.wait_for_function("() => document.querySelector('.kinoedu-solid-told').textContent.includes('90°: the robot is free')")
+    page.locator(".kinoedu-solid-slider").evaluate(
+        "s => { s.value = Math.PI / 2; s.dispatchEvent(new Event('input')); }"
+    )
+    page.wait_for_function(
+        "() => document.querySelector('.kinoedu-solid-told').textContent.includes('90°: the robot "
+        "is free')"
+    )
     assert slice_.screenshot() != before
     drag(page, ".kinoedu-solid-slice", 90, 0)
-    page.wait_for_function("() => document.querySelector('.kinoedu-solid-told').textContent.includes('touches')")
+    page.wait_for_function(
+        "() => document.querySelector('.kinoedu-solid-told').textContent.includes('touches')"
+    )
     words = told(page)
     slice_.focus()
     page.keyboard.press("ArrowDown")
-    page.wait_for_function("w => document.querySelector('.kinoedu-solid-told').textContent !== w", arg=words)
+    page.wait_for_function(
+        "w => document.querySelector('.kinoedu-solid-told').textContent !== w", arg=words
+    )

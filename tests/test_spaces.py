@@ -9,7 +9,17 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from kinoedu import Point, PolygonWorld, Problem, Recorder, Terrain, circle_distance, prm, rrt, torus_distance
+from kinoedu import (
+    Point,
+    PolygonWorld,
+    Problem,
+    Recorder,
+    Terrain,
+    circle_distance,
+    prm,
+    rrt,
+    torus_distance,
+)
 from kinoedu.collision import is_free, is_free_path
 from kinoedu.errors import InvalidParameter, InvalidPoint
 from kinoedu.geometry import configuration, displaced, displacement, inverse, rotation
@@ -37,7 +47,13 @@ from kinoedu.spaces.buckets import add, empty_tree
 from kinoedu.spaces.closest import fill, k_closest_in_buckets
 from kinoedu.spaces.rings import SMALL
 
-LAW = settings(derandomize=True, deadline=None, database=None, max_examples=200, suppress_health_check=list(HealthCheck))
+LAW = settings(
+    derandomize=True,
+    deadline=None,
+    database=None,
+    max_examples=200,
+    suppress_health_check=list(HealthCheck),
+)
 KINDS = ["spread", "clumped", "lattice", "one place", "on a line", "beyond the box", "in a corner"]
 
 
@@ -69,7 +85,9 @@ def first_nearest(nodes: Any, q: Any) -> int:
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("d", [1, 2, 3])
 def test_the_nearest_node_is_what_brute_force_finds(kind: str, d: int) -> None:
-    """From 1 to 3,000 nodes, with queries in the box, outside, far outside, and at nodes; ties go to the first node."""
+    """From 1 to 3,000 nodes, with queries in the box, outside, far outside, and at nodes; ties go
+    to the first node.
+    """
     rng = np.random.default_rng(KINDS.index(kind) * 3 + d)
     nodes = drawn_nodes(rng, kind, 3000, d)
     space = RealSpace(np.full(d, -5.0), np.full(d, 5.0))
@@ -78,7 +96,11 @@ def test_the_nearest_node_is_what_brute_force_finds(kind: str, d: int) -> None:
     for n, node in enumerate(nodes, start=1):
         assert add(tree, node, n - 2) == n - 1
         if n in checkpoints:
-            queries = [*rng.uniform(-6, 6, (25, d)), *rng.normal(0, 50, (8, d)), *nodes[rng.integers(n, size=8)]]
+            queries = [
+                *rng.uniform(-6, 6, (25, d)),
+                *rng.normal(0, 50, (8, d)),
+                *nodes[rng.integers(n, size=8)],
+            ]
             queries += list(rng.integers(-12, 13, (20, d)) / 2)
             for q in queries:
                 assert nearest(space, tree, q) == first_nearest(nodes[:n], q)
@@ -107,7 +129,11 @@ def test_the_nearest_node_in_odd_boxes(lo: Any, hi: Any, capacity: int) -> None:
     for node in nodes:
         add(tree, node, -1)
     reach = (space.hi - space.lo).max() + 1.0
-    for q in [*rng.uniform(space.lo, space.hi, (40, 2)), *rng.uniform(space.lo - reach, space.hi + reach, (40, 2)), *nodes[:10]]:
+    for q in [
+        *rng.uniform(space.lo, space.hi, (40, 2)),
+        *rng.uniform(space.lo - reach, space.hi + reach, (40, 2)),
+        *nodes[:10],
+    ]:
         assert nearest(space, tree, q) == first_nearest(nodes, q)
 
 
@@ -118,7 +144,9 @@ def box(d: int) -> Any:
 @LAW
 @given(st.integers(1, 3).flatmap(lambda d: st.tuples(box(d), box(d), box(d))), st.floats(0, 1))
 def test_distance_and_interpolation_obey_their_laws(points: Any, t: float) -> None:
-    """A metric; the ends at 0 and 1; a fraction t of the way at t; halves are the same from both ends."""
+    """A metric; the ends at 0 and 1; a fraction t of the way at t; halves are the same from both
+    ends.
+    """
     a, b, c = points
     space = RealSpace(np.full(len(a), -1e3), np.full(len(a), 1e3))
     whole = distance(space, a, b)
@@ -136,7 +164,9 @@ def test_distance_and_interpolation_obey_their_laws(points: Any, t: float) -> No
 @LAW
 @given(box(2), box(2), st.floats(1e-3, 1e4))
 def test_steering_goes_at_most_a_step_and_arrives(a: Any, b: Any, step: float) -> None:
-    """Exactly to b where it is within a step, never farther than the step, always straight; what it returns is new."""
+    """Exactly to b where it is within a step, never farther than the step, always straight; what it
+    returns is new.
+    """
     world = PolygonWorld([(-2e3, -2e3), (2e3, -2e3), (2e3, 2e3), (-2e3, 2e3)])
     problem = Problem(Point(), world, (0, 0), (1, 1))
     q, whole = problem.steer(a, b, step), problem.distance(a, b)
@@ -151,14 +181,20 @@ def test_steering_goes_at_most_a_step_and_arrives(a: Any, b: Any, step: float) -
 
 @pytest.mark.parametrize(
     "world",
-    [PolygonWorld([(-3, 1), (5, 1), (5, 2), (-3, 2)]), Terrain(np.ones((4, 9)), resolution=0.5, origin=(7, -3))],
+    [
+        PolygonWorld([(-3, 1), (5, 1), (5, 2), (-3, 2)]),
+        Terrain(np.ones((4, 9)), resolution=0.5, origin=(7, -3)),
+    ],
     ids=["polygons", "terrain"],
 )
 def test_samples_fill_the_box_and_follow_the_seed(world: Any) -> None:
     """Uniform in each coordinate; the same seed draws the same samples, another seed others."""
     middle = 0.5 * (world.lo + world.hi)
     problem = Problem(Point(), world, middle, middle)
-    first, again, other = (np.array([problem.sample(rng) for _ in range(2000)]) for rng in map(np.random.default_rng, (1, 1, 2)))
+    first, again, other = (
+        np.array([problem.sample(rng) for _ in range(2000)])
+        for rng in map(np.random.default_rng, (1, 1, 2))
+    )
     assert (first == again).all()
     assert not (first == other).any()
     assert ((world.lo <= first) & (first < world.hi)).all()
@@ -169,7 +205,9 @@ def test_samples_fill_the_box_and_follow_the_seed(world: Any) -> None:
 
 
 def test_samples_are_one_random_number_for_each_coordinate() -> None:
-    """So that the stream of a seed is spent as documented: lo + (hi - lo) u, coordinate by coordinate."""
+    """So that the stream of a seed is spent as documented: lo + (hi - lo) u, coordinate by
+    coordinate.
+    """
     space = RealSpace(np.array([1.0, -2.0, 0.0]), np.array([3.0, 2.0, 0.5]))
     q, u = sample(space, np.random.default_rng(3)), np.random.default_rng(3).random(3)
     assert q.tolist() == (space.lo + (space.hi - space.lo) * u).tolist()
@@ -177,7 +215,9 @@ def test_samples_are_one_random_number_for_each_coordinate() -> None:
 
 @pytest.mark.parametrize("bad", [-1, 1.5, True, None, "0"])
 def test_a_bad_seed_is_refused(bad: Any) -> None:
-    """InvalidParameter says what a seed is; a numpy integer is one, a Generator is used as it is."""
+    """InvalidParameter says what a seed is; a numpy integer is one, a Generator is used as it
+    is.
+    """
     with pytest.raises(InvalidParameter, match="seed"):
         as_generator(bad)
     generator = np.random.default_rng(0)
@@ -187,7 +227,11 @@ def test_a_bad_seed_is_refused(bad: Any) -> None:
 
 def test_a_space_without_answers_says_so() -> None:
     """The default of each question is an error in words, or brute force for the nearest node."""
-    for ask in (lambda: distance("space", 1, 2), lambda: interpolate("space", 1, 2, 0.5), lambda: sample("space", 0)):
+    for ask in (
+        lambda: distance("space", 1, 2),
+        lambda: interpolate("space", 1, 2, 0.5),
+        lambda: sample("space", 0),
+    ):
         with pytest.raises(TypeError, match="space"):
             ask()
 
@@ -214,7 +258,8 @@ def test_k_closest_in_buckets_equals_brute_force(shape, kind):
         assert np.array_equal(found, np.argsort(apart, axis=1, kind="stable")[:, :k])
 
 
-# ---- spaces with angles ----------------------------------------------------------------------------------------------------------
+# ---- spaces with angles
+# ----------------------------------------------------------------------------------------------------------
 
 PI, TURN = math.pi, Fraction(FULL_TURN)
 SPACES = {
@@ -222,11 +267,15 @@ SPACES = {
     "torus": Torus(),
     "torus of three": Torus(3),
     "SE(2)": SE2((-4, 1), (3, 2), turn_weight=0.7),
-    "cylinder": WrappingSpace(np.array([0.0, -PI]), np.array([9.0, PI]), np.array([False, True]), np.array([0.4, 3.0])),
+    "cylinder": WrappingSpace(
+        np.array([0.0, -PI]), np.array([9.0, PI]), np.array([False, True]), np.array([0.4, 3.0])
+    ),
 }
 ANGLES = st.one_of(
     st.floats(-PI, math.nextafter(PI, 0)),
-    st.sampled_from([0.0, -PI, math.nextafter(PI, 0), math.nextafter(-PI, 0), PI / 2, 5e-324, 1e-17]),
+    st.sampled_from(
+        [0.0, -PI, math.nextafter(PI, 0), math.nextafter(-PI, 0), PI / 2, 5e-324, 1e-17]
+    ),
     st.floats(0, 1e-9).map(lambda x: PI - x).filter(lambda x: x < PI),
     st.floats(0, 1e-9).map(lambda x: x - PI),
 )
@@ -239,9 +288,14 @@ def arc(a: float, b: float) -> float:
 
 
 @LAW
-@given(st.one_of(ANGLES, st.floats(-1e6, 1e6), st.floats(-1e150, 1e150)), st.one_of(ANGLES, st.floats(-1e6, 1e6)))
+@given(
+    st.one_of(ANGLES, st.floats(-1e6, 1e6), st.floats(-1e150, 1e150)),
+    st.one_of(ANGLES, st.floats(-1e6, 1e6)),
+)
 def test_circle_distance_is_exact(a: float, b: float) -> None:
-    """As in exact arithmetic, rounded once, for any angles; the same both ways; turns make no difference."""
+    """As in exact arithmetic, rounded once, for any angles; the same both ways; turns make no
+    difference.
+    """
     assert circle_distance(a, b) == circle_distance(b, a) == arc(a, b)
     assert circle_distance(a, a) == circle_distance(PI, -PI) == 0.0
     assert torus_distance((a, b), (b, a)) == pytest.approx(math.sqrt(2) * arc(a, b), rel=1e-14)
@@ -250,9 +304,13 @@ def test_circle_distance_is_exact(a: float, b: float) -> None:
 @LAW
 @given(ANGLES, ANGLES, st.floats(0, 1))
 def test_the_short_way_is_exact_and_short(a: float, b: float, t: float) -> None:
-    """As long as the circle distance, to the last bit; it leads from a to b; what it passes is wrapped and on the way."""
+    """As long as the circle distance, to the last bit; it leads from a to b; what it passes is
+    wrapped and on the way.
+    """
     turn = short_way(a, b)
-    assert -PI <= turn < PI and abs(turn) == circle_distance(a, b) and turn == short_way.py_func(a, b)
+    assert (
+        -PI <= turn < PI and abs(turn) == circle_distance(a, b) and turn == short_way.py_func(a, b)
+    )
     assert circle_distance(a + turn, b) < 1e-15
     q = interpolate(Circle(), np.array([a]), np.array([b]), t)
     assert -PI <= q[0] < PI
@@ -264,11 +322,24 @@ def test_distances_of_many_angles() -> None:
     a, b = np.array([0.0, 3.0, -3.0]), np.array([1.0, -3.0, 2.5])
     assert circle_distance(a, b).tolist() == [arc(x, y) for x, y in zip(a, b, strict=True)]
     assert circle_distance(3, b).tolist() == [arc(3, y) for y in b]
-    assert isinstance(circle_distance(1, 2), float) and isinstance(torus_distance([1, 2], [3, 4]), float)
-    assert torus_distance([0, 0], [[0, 3], [3, 0]]).tolist() == torus_distance([[0, 3], [3, 0]], [0, 0]).tolist() == [3.0, 3.0]
-    for bad in (lambda: circle_distance(a, b[:2]), lambda: circle_distance([a], [b]), lambda: circle_distance(math.nan, 1),
-                lambda: torus_distance(1, 2), lambda: torus_distance(a, b[:2]), lambda: torus_distance([], []),
-                lambda: torus_distance([a], [b, b]), lambda: torus_distance("ab", [1, 2])):  # fmt: skip
+    assert isinstance(circle_distance(1, 2), float) and isinstance(
+        torus_distance([1, 2], [3, 4]), float
+    )
+    assert (
+        torus_distance([0, 0], [[0, 3], [3, 0]]).tolist()
+        == torus_distance([[0, 3], [3, 0]], [0, 0]).tolist()
+        == [3.0, 3.0]
+    )
+    for bad in (
+        lambda: circle_distance(a, b[:2]),
+        lambda: circle_distance([a], [b]),
+        lambda: circle_distance(math.nan, 1),
+        lambda: torus_distance(1, 2),
+        lambda: torus_distance(a, b[:2]),
+        lambda: torus_distance([], []),
+        lambda: torus_distance([a], [b, b]),
+        lambda: torus_distance("ab", [1, 2]),
+    ):
         with pytest.raises(InvalidPoint):
             bad()
 
@@ -289,7 +360,9 @@ def squares_from(space: Any, nodes: Any, q: Any) -> Any:
     """Squared distances, by the public distances on the circle."""
     total = np.zeros(len(nodes))
     for i in range(len(q)):
-        apart = space.weight[i] * (circle_distance(nodes[:, i], q[i]) if space.wraps[i] else np.abs(nodes[:, i] - q[i]))
+        apart = space.weight[i] * (
+            circle_distance(nodes[:, i], q[i]) if space.wraps[i] else np.abs(nodes[:, i] - q[i])
+        )
         total += apart * apart
     return total
 
@@ -297,7 +370,9 @@ def squares_from(space: Any, nodes: Any, q: Any) -> Any:
 @pytest.mark.parametrize("name", SPACES)
 @pytest.mark.parametrize("kind", ["spread", "at the wrap", "lattice", "one place"])
 def test_near_nodes_across_the_wrap_are_what_brute_force_finds(name: str, kind: str) -> None:
-    """The nearest of 1 to 1,500 nodes, the first among equals, and the k closest of 300, nearest first."""
+    """The nearest of 1 to 1,500 nodes, the first among equals, and the k closest of 300, nearest
+    first.
+    """
     rng, space = np.random.default_rng(4), SPACES[name]
     nodes, tree = around(space, kind, rng, 1500), empty_tree(1500, space.lo, space.hi)
     for n, node in enumerate(nodes, start=1):
@@ -312,8 +387,12 @@ def test_near_nodes_across_the_wrap_are_what_brute_force_finds(name: str, kind: 
                 squares = squares_from(space, nodes[:n], wrapped_configuration(space, q))
                 found = nearest(space, tree, wrapped_configuration(space, q))
                 assert found == squares.argmin()
-                assert distance(space, nodes[found], q) == pytest.approx(math.sqrt(squares.min()), abs=1e-14)
-    free = ProblemRecord(RoundRobot(0.0), Band(0.0), space, nodes[0], nodes[1], 0.0, np.zeros(2, np.int64))
+                assert distance(space, nodes[found], q) == pytest.approx(
+                    math.sqrt(squares.min()), abs=1e-14
+                )
+    free = ProblemRecord(
+        RoundRobot(0.0), Band(0.0), space, nodes[0], nodes[1], 0.0, np.zeros(2, np.int64)
+    )
     some = nodes[:300]
     apart = np.array([squares_from(space, some, q) for q in some])
     np.fill_diagonal(apart, np.inf)
@@ -334,21 +413,27 @@ def outside_the_band(robot: RoundRobot, world: Band, q: Any, clearance: float) -
 
 @is_free_path.register(RoundRobot, Band)
 def does_not_cross(robot: RoundRobot, world: Band, a: Any, b: Any, clearance: float) -> bool:
-    """The ends on the same side, or the motion across the wrap, which is on the side away from the band."""
+    """The ends on the same side, or the motion across the wrap, which is on the side away from the
+    band.
+    """
     ends = abs(a[0]) > world.width and abs(b[0]) > world.width
     return ends and (a[0] * b[0] > 0.0 or abs(a[0] - b[0]) > PI)
 
 
 @pytest.mark.parametrize("name", ["torus", "torus of three", "SE(2)"])
 def test_planners_go_the_short_way_round(name: str) -> None:
-    """RRT and PRM find the way across the wrap, or the turn across it; the interpreted planners build the same."""
+    """RRT and PRM find the way across the wrap, or the turn across it; the interpreted planners
+    build the same.
+    """
     space = SPACES[name]
     turns = name != "SE(2)"
     start, goal = np.full(len(space.lo), 1.5), np.full(len(space.lo), 1.5)
     start[-1], goal[-1] = -3.0, 3.0
     if turns:
         start[0], goal[0] = -1.0, 1.0
-    problem = ProblemRecord(RoundRobot(0.0), Band(0.5), space, start, goal, 0.0, np.zeros(2, np.int64))
+    problem = ProblemRecord(
+        RoundRobot(0.0), Band(0.5), space, start, goal, 0.0, np.zeros(2, np.int64)
+    )
     for plan, again in (
         (rrt(problem, max_nodes=400, rng=1), rrt(Recorder(problem), max_nodes=400, rng=1)),
         (prm(problem, n=150, rng=1), prm(Recorder(problem), n=150, rng=1)),
@@ -356,7 +441,9 @@ def test_planners_go_the_short_way_round(name: str) -> None:
         assert plan.path is not None, plan.reason
         assert np.array_equal(plan.path, again.path) and plan.stats == again.stats
         steps = [problem.distance(a, b) for a, b in zip(plan.path, plan.path[1:])]
-        assert plan.cost == pytest.approx(sum(steps)) and plan.cost >= problem.distance(start, goal) * (1 - 1e-12)
+        assert plan.cost == pytest.approx(sum(steps)) and plan.cost >= problem.distance(
+            start, goal
+        ) * (1 - 1e-12)
         if turns:
             assert (np.abs(np.diff(plan.path[:, 0])) > PI).sum() % 2 == 1
 
@@ -365,12 +452,16 @@ def test_a_wrapping_space_is_as_large_as_it_is_wide() -> None:
     """Its diameter is attained and never exceeded; a planner's default step is a share of it."""
     rng = np.random.default_rng(0)
     for space in SPACES.values():
-        ends = np.array([distance(space, sample(space, rng), sample(space, rng)) for _ in range(2000)])
+        ends = np.array(
+            [distance(space, sample(space, rng), sample(space, rng)) for _ in range(2000)]
+        )
         assert 0.7 * diameter(space) < ends.max() <= diameter(space)
         opposite = np.where(space.wraps, 0.0, space.hi)
         assert distance(space, space.lo, opposite) == pytest.approx(diameter(space), rel=1e-14)
     assert diameter(Box((0, 0), (3, 4))) == 5.0
-    problem = ProblemRecord(RoundRobot(0.0), Band(0.5), Torus(), np.ones(2), np.ones(2), 0.0, np.zeros(2, np.int64))
+    problem = ProblemRecord(
+        RoundRobot(0.0), Band(0.5), Torus(), np.ones(2), np.ones(2), 0.0, np.zeros(2, np.int64)
+    )
     assert world_size(problem) == pytest.approx(PI * math.sqrt(2))
     assert new_tree(problem, 5).size[0] == 0
 
@@ -400,36 +491,54 @@ def test_angles_are_wrapped() -> None:
     """Into [-pi, pi); one or many configurations; the other coordinates stay."""
     space = SE2((-4, 1), (3, 2), turn_weight=1)
     assert wrapped_configuration(space, (9, 9, PI)).tolist() == [9, 9, -PI]
-    assert wrapped_configuration(space, np.full((2, 3), -3 * PI)).tolist() == [[-3 * PI, -3 * PI, -PI]] * 2
+    assert (
+        wrapped_configuration(space, np.full((2, 3), -3 * PI)).tolist()
+        == [[-3 * PI, -3 * PI, -PI]] * 2
+    )
     for angle in (-1e6, -PI, 0.3, PI, 7.0, 1e6):
         assert -PI <= wrapped(angle) < PI
         assert circle_distance(wrapped(angle), angle) < 1e-9
 
 
-# ---- displacements ---------------------------------------------------------------------------------------------------------------
+# ---- displacements
+# ---------------------------------------------------------------------------------------------------------------
 
 
 @LAW
 @given(
-    st.tuples(st.floats(-9, 9), st.floats(-9, 9), st.floats(-9, 9)), st.tuples(st.floats(-9, 9), st.floats(-9, 9), st.floats(-9, 9))
+    st.tuples(st.floats(-9, 9), st.floats(-9, 9), st.floats(-9, 9)),
+    st.tuples(st.floats(-9, 9), st.floats(-9, 9), st.floats(-9, 9)),
 )
 def test_displacements_are_a_group_of_rigid_motions(p: Any, q: Any) -> None:
-    """They keep lengths, compose, are undone by their inverse, and give back their configuration; a turn by 0 moves nothing."""
+    """They keep lengths, compose, are undone by their inverse, and give back their configuration; a
+    turn by 0 moves nothing.
+    """
     a, b = displacement(*p), displacement(*q)
     corners = np.array([(0.0, 0.0), (3.0, 0.0), (0.0, 4.0)])
     moved = displaced(corners, a)
     assert np.linalg.norm(moved[1] - moved[2]) == pytest.approx(5.0, rel=1e-12)
-    assert displaced(corners, a @ b) == pytest.approx(displaced(displaced(corners, b), a), abs=1e-12)
+    assert displaced(corners, a @ b) == pytest.approx(
+        displaced(displaced(corners, b), a), abs=1e-12
+    )
     assert inverse(a) @ a == pytest.approx(np.eye(3), abs=1e-12)
     assert configuration(a)[:2].tolist() == list(p[:2])
     assert circle_distance(configuration(a)[2], p[2]) < 1e-14
-    assert displaced((1.0, 0.0), displacement(0, 0, p[2])) == pytest.approx([math.cos(p[2]), math.sin(p[2])])
+    assert displaced((1.0, 0.0), displacement(0, 0, p[2])) == pytest.approx(
+        [math.cos(p[2]), math.sin(p[2])]
+    )
     assert rotation(0.0).tolist() == [[1.0, 0.0], [0.0, 1.0]]
     assert displaced(corners, displacement(*p[:2], 0)).tolist() == (corners + p[:2]).tolist()
 
 
 @pytest.mark.parametrize(
-    "bad", [np.eye(2), np.ones((3, 3)), np.diag([1, -1, 1]), np.diag([2, 2, 1]), [[1, 0, 0], [0, 1, 0], [1, 0, 1]]]
+    "bad",
+    [
+        np.eye(2),
+        np.ones((3, 3)),
+        np.diag([1, -1, 1]),
+        np.diag([2, 2, 1]),
+        [[1, 0, 0], [0, 1, 0], [1, 0, 1]],
+    ],
 )
 def test_what_is_no_displacement_is_refused(bad: Any) -> None:
     """Wrong shapes, reflections, scalings, perspectives."""

@@ -1,4 +1,5 @@
-"""start.py: sets up once, heals what an interruption leaves, says every failure in one line, then steps aside.
+"""start.py: sets up once, heals what an interruption leaves, says every failure in one line, then
+steps aside.
 
 Nothing here needs the network: a course of three files is set up by a uv that only pretends.
 """
@@ -25,7 +26,9 @@ ROOT = Path(__file__).resolve().parent.parent
 WINDOWS = os.name == "nt"
 needs_signals = pytest.mark.skipif(WINDOWS, reason="the signals of POSIX")
 needs_symlinks = pytest.mark.skipif(WINDOWS, reason="links need rights on Windows")
-needs_proc = pytest.mark.skipif(sys.platform != "linux", reason="only Linux lists who runs from a folder")
+needs_proc = pytest.mark.skipif(
+    sys.platform != "linux", reason="only Linux lists who runs from a folder"
+)
 
 STUB = """
 import json, os, random, sys
@@ -35,7 +38,8 @@ print(json.dumps(told))
 sys.exit(int(sys.argv[2]) if sys.argv[1:2] == ["exit"] else 0)
 """
 
-# "half" leaves a package half-written and fails, "kill" does so and takes start.py with it, "wait" waits for a file.
+# "half" leaves a package half-written and fails, "kill" does so and takes start.py with it, "wait"
+# waits for a file.
 FAKE_UV = """
 import os, pathlib, sys, time
 here, python, role = pathlib.Path(__file__).parent, pathlib.Path(sys.argv[4]), os.environ.get("FAKE_UV", "install")
@@ -79,9 +83,19 @@ class Course:
         uv.write_text(f"@{line} %*\n" if WINDOWS else f'#!/bin/sh\nexec {line} "$@"\n')
         uv.chmod(0o755)
 
-    def begin(self, *arguments: str, uv: str = "install", cwd: Path | None = None, **variables: str) -> subprocess.Popen:
-        kept = {name: value for name, value in os.environ.items() if not name.startswith(("PIP_", "UV_"))}
-        kept |= {"PATH": f"{self.bin}{os.pathsep}{os.defpath}", "FAKE_UV": uv, "PYTHONUTF8": "1"} | variables
+    def begin(
+        self, *arguments: str, uv: str = "install", cwd: Path | None = None, **variables: str
+    ) -> subprocess.Popen:
+        kept = {
+            name: value
+            for name, value in os.environ.items()
+            if not name.startswith(("PIP_", "UV_"))
+        }
+        kept |= {
+            "PATH": f"{self.bin}{os.pathsep}{os.defpath}",
+            "FAKE_UV": uv,
+            "PYTHONUTF8": "1",
+        } | variables
         with ctrl_c_is_heard():
             return subprocess.Popen(
                 [sys.executable, str(self.home / "start.py"), *arguments],
@@ -98,7 +112,9 @@ class Course:
 
     def calls(self) -> list[str]:
         """What uv was asked to install, or to install again, in order."""
-        return (self.bin / "calls").read_text().splitlines() if (self.bin / "calls").exists() else []
+        return (
+            (self.bin / "calls").read_text().splitlines() if (self.bin / "calls").exists() else []
+        )
 
     def package(self) -> Path:
         """A file among the installed packages; it is gone when the environment is cleared."""
@@ -107,7 +123,9 @@ class Course:
         return file
 
     def change_python(self) -> None:
-        """Let the packages be of another Python, as after an upgrade of the system under the same path."""
+        """Let the packages be of another Python, as after an upgrade of the system under the same
+        path.
+        """
         stamp = self.venv / "installed.json"
         stamp.write_text(json.dumps(json.loads(stamp.read_text()) | {"python": ".cpython-310.so"}))
 
@@ -120,7 +138,9 @@ class Course:
 
 
 class Ended:
-    """How a run of start.py ended: its status, the lines it complained in, what the stub of kinoedu saw."""
+    """How a run of start.py ended: its status, the lines it complained in, what the stub of kinoedu
+    saw.
+    """
 
     def __init__(self, process: subprocess.Popen) -> None:
         self.pid = process.pid
@@ -142,13 +162,22 @@ def load(path: Path):
     return module
 
 
-# --- any Python can read it -----------------------------------------------------------------------------------------
+# --- any Python can read it
+# -----------------------------------------------------------------------------------------
 
 
 def test_it_parses_on_python_2_and_early_3():
     """Only then can a Python that is too old say so."""
     source = (ROOT / "start.py").read_bytes().decode("ascii")
-    newer = (ast.JoinedStr, ast.NamedExpr, ast.AnnAssign, ast.Nonlocal, ast.YieldFrom, ast.AsyncFunctionDef, ast.Match)
+    newer = (
+        ast.JoinedStr,
+        ast.NamedExpr,
+        ast.AnnAssign,
+        ast.Nonlocal,
+        ast.YieldFrom,
+        ast.AsyncFunctionDef,
+        ast.Match,
+    )
     for node in ast.walk(ast.parse(source, feature_version=(3, 4))):
         assert not isinstance(node, newer), ast.unparse(node)
         assert getattr(node, "annotation", None) is None and getattr(node, "returns", None) is None
@@ -171,11 +200,14 @@ def test_help_needs_no_set_up(course):
     assert ended.status == 0 and "start.py test" in ended.output and not course.venv.exists()
 
 
-# --- set up, and step aside -----------------------------------------------------------------------------------------
+# --- set up, and step aside
+# -----------------------------------------------------------------------------------------
 
 
 def test_arguments_folder_and_status_pass_through(course, tmp_path):
-    """A relative path means what it means where the user stands, and no module that lies there is imported."""
+    """A relative path means what it means where the user stands, and no module that lies there is
+    imported.
+    """
     (tmp_path / "random.py").write_text("raise SystemExit('a file beside the user got in the way')")
     ended = course.run("exit", "7", "två ord", cwd=tmp_path)
     assert ended.status == 7
@@ -183,7 +215,9 @@ def test_arguments_folder_and_status_pass_through(course, tmp_path):
     assert os.path.samefile(ended.seen[0]["folder"], tmp_path)
     assert os.path.samefile(ended.seen[0]["prefix"], course.venv)
     assert os.path.samefile(Path(ended.seen[0]["file"]).parent, course.home / "kinoedu")
-    assert WINDOWS or ended.seen[0]["pid"] == ended.pid, "signals sent to start.py reach the command"
+    assert WINDOWS or ended.seen[0]["pid"] == ended.pid, (
+        "signals sent to start.py reach the command"
+    )
 
 
 def test_alone_it_opens_the_course_at_once(course):
@@ -212,7 +246,12 @@ def test_tests_run_at_the_root_with_their_own_tools(course, tmp_path):
     assert os.path.samefile(ended.seen[0]["folder"], course.home)
     course.run("test")
     course.run("plan")
-    assert course.calls() == ["environment.txt", "solutions/environment.txt", "tests/environment.txt", "docs/environment.txt"]
+    assert course.calls() == [
+        "environment.txt",
+        "solutions/environment.txt",
+        "tests/environment.txt",
+        "docs/environment.txt",
+    ]
 
 
 def test_the_site_is_written_into_build(course, tmp_path):
@@ -231,18 +270,27 @@ def test_an_instructors_command_brings_its_tools(course):
     assert course.calls() == ["environment.txt", "solutions/environment.txt"]
     (course.home / "solutions" / "environment.txt").unlink()
     ended = course.run("release")
-    assert ended.status == 2 and "for students" in ended.complaints and "Traceback" not in ended.complaints
+    assert (
+        ended.status == 2
+        and "for students" in ended.complaints
+        and "Traceback" not in ended.complaints
+    )
 
 
 def test_the_callers_environment_does_not_leak_in(course, tmp_path):
     """Called from within conda or another .venv, by a user who has set PYTHONPATH."""
     foreign = str(tmp_path / "foreign")
-    ended = course.run("plan", PYTHONPATH=foreign, VIRTUAL_ENV=foreign, CONDA_PREFIX=foreign, PIP_TARGET=foreign)
-    assert ended.status == 0 and foreign not in ended.seen[0]["path"] + list(ended.seen[0]["variables"].values())
+    ended = course.run(
+        "plan", PYTHONPATH=foreign, VIRTUAL_ENV=foreign, CONDA_PREFIX=foreign, PIP_TARGET=foreign
+    )
+    assert ended.status == 0 and foreign not in ended.seen[0]["path"] + list(
+        ended.seen[0]["variables"].values()
+    )
     assert os.path.samefile(ended.seen[0]["variables"]["VIRTUAL_ENV"], course.venv)
 
 
-# --- what an interruption or a move leaves --------------------------------------------------------------------------
+# --- what an interruption or a move leaves
+# --------------------------------------------------------------------------
 
 
 @needs_signals
@@ -256,7 +304,9 @@ def test_a_kill_while_installing_is_repaired(course):
 
 @needs_signals
 def test_a_kill_while_adding_tools_leaves_the_course_whole(course):
-    """What the course needs is not installed again; what was interrupted is, when it is asked for."""
+    """What the course needs is not installed again; what was interrupted is, when it is asked
+    for.
+    """
     course.run("plan")
     course.run("test", uv="kill")
     assert course.run("plan").status == course.run("release").status == 0
@@ -320,14 +370,25 @@ def test_packages_of_another_python_are_replaced(course):
 
 
 @needs_proc
-@pytest.mark.parametrize("called", ["by its path", "from its folder", "from an activated shell", "and its Python is gone"])
+@pytest.mark.parametrize(
+    "called",
+    ["by its path", "from its folder", "from an activated shell", "and its Python is gone"],
+)
 def test_an_environment_in_use_is_not_cleared(course, called):
     """It is refused in a line that names the process; when that has ended, all goes on."""
     course.run("plan")
     package, python = course.package(), Path(load(course.home / "start.py").PYTHON)
-    words = {"from its folder": os.path.relpath(python, course.home), "from an activated shell": "python"}
+    words = {
+        "from its folder": os.path.relpath(python, course.home),
+        "from an activated shell": "python",
+    }
     path = {"PATH": f"{python.parent}{os.pathsep}{os.defpath}"}
-    shell = ["/bin/sh", "-c", 'exec "$0" -c "print(1, flush=True); input()"', str(words.get(called, python))]
+    shell = [
+        "/bin/sh",
+        "-c",
+        'exec "$0" -c "print(1, flush=True); input()"',
+        str(words.get(called, python)),
+    ]
     pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE}
     with subprocess.Popen(shell, cwd=course.home, env=path, **pipes) as user:
         assert user.stdout.readline() == b"1\n"
@@ -348,13 +409,17 @@ def test_who_has_loaded_a_file_of_the_environment_runs_from_it(course):
     course.package().write_bytes(b"loaded")
     start, ours = load(course.home / "start.py"), str(os.getpid())
     code = "import mmap, sys; file = open(sys.argv[1]); print(1, flush=True); input()"
-    code = code.replace("print", "held = mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ); print")
+    code = code.replace(
+        "print", "held = mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ); print"
+    )
     line = [sys.executable, "-c", code, str(next(course.venv.rglob("package.py")))]
     with subprocess.Popen(line, stdin=subprocess.PIPE, stdout=subprocess.PIPE) as user:
         user.stdout.readline()
         assert start.runs_from(str(course.venv), str(user.pid))
         user.communicate(b"\n")
-    assert not start.runs_from(str(course.venv), ours) and not start.runs_from(str(course.venv), str(user.pid))
+    assert not start.runs_from(str(course.venv), ours) and not start.runs_from(
+        str(course.venv), str(user.pid)
+    )
 
 
 def test_where_nobody_lists_who_runs_a_folder_in_use_cannot_be_moved(course, monkeypatch, capsys):
@@ -365,7 +430,9 @@ def test_where_nobody_lists_who_runs_a_folder_in_use_cannot_be_moved(course, mon
     monkeypatch.setattr(sys, "platform", "darwin")
     with monkeypatch.context() as inside:
         inside.setattr(start, "binary_interface", lambda: None)
-        inside.setattr(os, "rename", lambda *_: (_ for _ in ()).throw(PermissionError("Access is denied")))
+        inside.setattr(
+            os, "rename", lambda *_: (_ for _ in ()).throw(PermissionError("Access is denied"))
+        )
         assert start.main(["plan"]) == 2
     told = capsys.readouterr().err
     assert told.count("\n") == 1 and "in use by programs; close" in told and package.exists()
@@ -466,19 +533,25 @@ def test_an_installer_that_outlives_a_killed_start_is_waited_for(course):
     assert course.calls() == ["environment.txt", "environment.txt again"]
 
 
-# --- failures -------------------------------------------------------------------------------------------------------
+# --- failures
+# -------------------------------------------------------------------------------------------------------
 
 
 def complaint(ended: Ended) -> str:
     """The one line after those that tell what is being done."""
     lines = [line for line in ended.complaints.splitlines() if not line.startswith("installing ")]
-    assert ended.status == 2 and len(lines) == 1 and "Traceback" not in ended.complaints, ended.complaints
+    assert ended.status == 2 and len(lines) == 1 and "Traceback" not in ended.complaints, (
+        ended.complaints
+    )
     return lines[0]
 
 
 def test_without_network_one_line_and_pip_takes_over_when_uv_fails(course):
     """First both fail and say why; then pip succeeds where uv still fails."""
-    pins, nowhere = course.home / "environment.txt", {"PIP_INDEX_URL": "http://127.0.0.1:9", "PIP_CONFIG_FILE": os.devnull}
+    pins, nowhere = (
+        course.home / "environment.txt",
+        {"PIP_INDEX_URL": "http://127.0.0.1:9", "PIP_CONFIG_FILE": os.devnull},
+    )
     pins.write_text("nothing-of-this-name==1.0\n")
     assert "connect to the network" in complaint(course.run("plan", uv="refuse", **nowhere))
     pins.write_text("# nothing\n")
@@ -487,7 +560,9 @@ def test_without_network_one_line_and_pip_takes_over_when_uv_fails(course):
 
 
 def test_what_a_failing_uv_left_is_not_trusted(course, monkeypatch):
-    """pip would take a half-copied package for an installed one, so it is told to install all again."""
+    """pip would take a half-copied package for an installed one, so it is told to install all
+    again.
+    """
     start = load(course.home / "start.py")
     monkeypatch.setenv("PATH", f"{course.bin}{os.pathsep}{os.defpath}")
     monkeypatch.setenv("FAKE_UV", "half")
@@ -511,7 +586,9 @@ def test_a_full_disk_is_told_before_installing(course, monkeypatch, capsys):
     assert told.count("\n") == 1 and "make room" in told
 
 
-@pytest.mark.skipif(WINDOWS or os.geteuid() == 0, reason="root may write anywhere, and Windows ignores the mode")
+@pytest.mark.skipif(
+    WINDOWS or os.geteuid() == 0, reason="root may write anywhere, and Windows ignores the mode"
+)
 def test_a_folder_that_cannot_be_written_is_told(course):
     course.home.chmod(0o500)
     told = complaint(course.run("plan"))
@@ -526,8 +603,16 @@ def test_a_folder_that_cannot_be_written_is_told(course):
         ("There is not enough space on the disk. (os error 112)", "make room"),
         ("[Errno 122] Disk quota exceeded", "make room"),
         ("/usr/bin/python3: No module named venv", "python3-venv"),
-        ("The virtual environment was not created successfully because ensurepip is not available.", "python3-venv"),
-        ("after connection broken by 'NewConnectionError(...)'\nERROR: No matching distribution found for x", "network"),
+        (
+            "The virtual environment was not created successfully because ensurepip is not "
+            "available.",
+            "python3-venv",
+        ),
+        (
+            "after connection broken by 'NewConnectionError(...)'\nERROR: No matching "
+            "distribution found for x",
+            "network",
+        ),
         ("  Caused by: dns error: failed to lookup address information", "network"),
         ("ERROR: No matching distribution found for llvmlite==0.50.0", "64 bits"),
         ("because x==1 has no wheels with a matching Python ABI tag", "64 bits"),
@@ -543,7 +628,8 @@ def test_each_cause_has_its_advice_in_one_line(said, advice):
     assert advice in told and "\n" not in told
 
 
-# --- the pins -------------------------------------------------------------------------------------------------------
+# --- the pins
+# -------------------------------------------------------------------------------------------------------
 
 PLATFORMS = [
     {"sys_platform": "linux", "platform_system": "Linux", "os_name": "posix"},
@@ -573,29 +659,56 @@ def pins(name: str, machine: dict[str, str]) -> dict[str, str]:
     found: dict[str, str] = {}
     for pin in requirements(name):
         if pin.marker is None or pin.marker.evaluate(machine):
-            assert canonicalize_name(pin.name) not in found, f"{pin.name} is pinned twice in {name} on {machine}"
+            assert canonicalize_name(pin.name) not in found, (
+                f"{pin.name} is pinned twice in {name} on {machine}"
+            )
             found[canonicalize_name(pin.name)] = next(iter(pin.specifier)).version
     return found
 
 
-@pytest.mark.parametrize("name", ["environment.txt", "solutions/environment.txt", "tests/environment.txt", "docs/environment.txt"])
+@pytest.mark.parametrize(
+    "name",
+    [
+        "environment.txt",
+        "solutions/environment.txt",
+        "tests/environment.txt",
+        "docs/environment.txt",
+    ],
+)
 def test_every_line_is_an_exact_pin_from_the_index_of_the_user(name):
     for pin in requirements(name):
         assert re.fullmatch(r"==[^*,]+", str(pin.specifier)) and pin.url is None, pin
 
 
-@pytest.mark.parametrize("machine", MACHINES, ids=lambda m: f"{m['sys_platform']}-{m['python_version']}")
+@pytest.mark.parametrize(
+    "machine", MACHINES, ids=lambda m: f"{m['sys_platform']}-{m['python_version']}"
+)
 def test_pins_satisfy_pyproject_on_every_platform(machine):
-    """What a student installs has every dependency; the other files add their extras and contradict nothing."""
+    """What a student installs has every dependency; the other files add their extras and contradict
+    nothing.
+    """
     project = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
     course, tests = pins("environment.txt", machine), pins("tests/environment.txt", machine)
     teaching, extras = pins("solutions/environment.txt", machine), project["optional-dependencies"]
-    assert not course.keys() & teaching.keys() and not (course | teaching).keys() & tests.keys() - course.keys()
+    assert (
+        not course.keys() & teaching.keys()
+        and not (course | teaching).keys() & tests.keys() - course.keys()
+    )
     assert all(course[name] == tests[name] for name in course.keys() & tests.keys())
     site, others = pins("docs/environment.txt", machine), teaching | tests
-    assert not course.keys() & site.keys() and all(others[name] == site[name] for name in others.keys() & site.keys())
-    held_by = {"teach": course | teaching, "test": course | tests, "cluster": course | tests, "site": course | site}
-    for wanted, held in ((project["dependencies"], course), *((extras[name], held) for name, held in held_by.items())):
+    assert not course.keys() & site.keys() and all(
+        others[name] == site[name] for name in others.keys() & site.keys()
+    )
+    held_by = {
+        "teach": course | teaching,
+        "test": course | tests,
+        "cluster": course | tests,
+        "site": course | site,
+    }
+    for wanted, held in (
+        (project["dependencies"], course),
+        *((extras[name], held) for name, held in held_by.items()),
+    ):
         for requirement in map(Requirement, wanted):
             if requirement.marker is None or requirement.marker.evaluate(machine):
                 version = held.get(canonicalize_name(requirement.name))

@@ -13,7 +13,9 @@ from kinoedu.grading import talk
 def talked(program: str, patience: float = 1.0) -> tuple[list[bytes], str, float]:
     """What is heard of a program that may do anything with its two files."""
     (read_asking, write_asking), (read_answer, write_answer) = os.pipe(), os.pipe()
-    process = subprocess.Popen([sys.executable, "-Ic", program], stdin=read_asking, stdout=write_answer)
+    process = subprocess.Popen(
+        [sys.executable, "-Ic", program], stdin=read_asking, stdout=write_answer
+    )
     for end in (read_asking, write_answer):
         os.close(end)
     begin = time.monotonic()

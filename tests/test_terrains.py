@@ -1,4 +1,6 @@
-"""Terrains with costs: the integral along a motion, what planners make of it, landscapes, heights, and worlds that change."""
+"""Terrains with costs: the integral along a motion, what planners make of it, landscapes, heights,
+and worlds that change.
+"""
 
 from fractions import Fraction
 
@@ -8,12 +10,22 @@ import pytest
 import kinoedu as ke
 from kinoedu.collision.costs import integral
 from kinoedu.errors import InvalidParameter, InvalidWorld
-from kinoedu.worlds import LANDSCAPES, clearance_of_cells, hills, landscape, read_heights, roughness, slope
+from kinoedu.worlds import (
+    LANDSCAPES,
+    clearance_of_cells,
+    hills,
+    landscape,
+    read_heights,
+    roughness,
+    slope,
+)
 from kinoedu.worlds.landscapes import GOAL, START
 
 
 def exact_integral(cost, a, b):
-    """The integral over its length in rational numbers: the motion cut at every whole x and y, the cheaper cell along a side."""
+    """The integral over its length in rational numbers: the motion cut at every whole x and y, the
+    cheaper cell along a side.
+    """
     (ax, ay), (bx, by) = [tuple(map(Fraction, p)) for p in (a, b)]
     shares = {Fraction(0), Fraction(1)}
     for p, q in ((ax, bx), (ay, by)):
@@ -24,7 +36,12 @@ def exact_integral(cost, a, b):
         x, y = (p + (q - p) * (s + t) / 2 for p, q in ((ax, bx), (ay, by)))
         columns = {int(x)} | ({int(x) - 1} if x == int(x) else set())
         rows = {int(y)} | ({int(y) - 1} if y == int(y) else set())
-        beside = [cost[j, i] for j in rows for i in columns if 0 <= j < len(cost) and 0 <= i < len(cost[0])]
+        beside = [
+            cost[j, i]
+            for j in rows
+            for i in columns
+            if 0 <= j < len(cost) and 0 <= i < len(cost[0])
+        ]
         total += (s - t) * Fraction(float(min(beside)))
     return float(total) * float(np.hypot(float(bx - ax), float(by - ay)))
 
@@ -49,12 +66,16 @@ def test_the_integral_is_exact(body):
 def test_the_integral_is_additive_and_no_less_than_the_length():
     """The laws that RRT* and A* rely on."""
     rng = np.random.default_rng(1)
-    terrain = ke.Terrain(np.ones((20, 30)), cost=1.0 + rng.exponential(3.0, (20, 30)), resolution=0.5, origin=(-3, 4))
+    terrain = ke.Terrain(
+        np.ones((20, 30)), cost=1.0 + rng.exponential(3.0, (20, 30)), resolution=0.5, origin=(-3, 4)
+    )
     problem = ke.Problem(ke.Point(), terrain, (0, 5), (10, 13))
     for _ in range(200):
         a, b = rng.uniform(terrain.lo, terrain.hi, (2, 2))
         whole, c = problem.motion_cost(a, b), a + rng.random() * (b - a)
-        assert problem.motion_cost(a, c) + problem.motion_cost(c, b) == pytest.approx(whole, rel=1e-9)
+        assert problem.motion_cost(a, c) + problem.motion_cost(c, b) == pytest.approx(
+            whole, rel=1e-9
+        )
         assert problem.motion_cost(b, a) == pytest.approx(whole, rel=1e-12)
         assert whole >= problem.distance(a, b) * (1 - 1e-12)
 
@@ -69,23 +90,33 @@ def test_a_cost_of_one_is_the_length_and_without_costs_nothing_changes():
         one, other = (planner(problem, rng=5, **how) for problem in problems)
         assert other.cost == pytest.approx(one.cost, rel=1e-9)
         np.testing.assert_array_equal(one.path, other.path)
-    assert ke.plan_on_grid(problems[1]).cost == pytest.approx(ke.plan_on_grid(problems[0]).cost, rel=1e-12)
+    assert ke.plan_on_grid(problems[1]).cost == pytest.approx(
+        ke.plan_on_grid(problems[0]).cost, rel=1e-12
+    )
 
 
 def ford():
     """A band of mud with a dry crossing at its left end."""
     cost = np.ones((40, 40))
     cost[15:25, 6:] = 9.0
-    return ke.Problem(ke.Point(), ke.Terrain(np.ones((40, 40)), cost=cost), (35.5, 5.5), (35.5, 35.5))
+    return ke.Problem(
+        ke.Point(), ke.Terrain(np.ones((40, 40)), cost=cost), (35.5, 5.5), (35.5, 35.5)
+    )
 
 
 def test_planners_go_round_where_that_costs_less():
-    """A*, PRM and RRT* find the crossing; each plan's cost is that of its path; the straight way costs more than theirs."""
+    """A*, PRM and RRT* find the crossing; each plan's cost is that of its path; the straight way
+    costs more than theirs.
+    """
     problem = ford()
     straight = ke.path_cost(problem, [problem.start, problem.goal])
     assert straight == pytest.approx(20 + 10 * 9)
     best = 2 * np.hypot(29.5, 9.5) + 10
-    plans = [ke.plan_on_grid(problem), ke.prm(problem, n=600, rng=0), ke.rrt_star(problem, max_nodes=3000, rng=0)]
+    plans = [
+        ke.plan_on_grid(problem),
+        ke.prm(problem, n=600, rng=0),
+        ke.rrt_star(problem, max_nodes=3000, rng=0),
+    ]
     for plan, factor in zip(plans, (1.0824, 1.15, 1.15)):
         assert best * (1 - 1e-9) <= plan.cost <= best * factor + 1.5, plan.planner
         assert plan.cost == pytest.approx(ke.path_cost(problem, plan.path))
@@ -96,14 +127,24 @@ def test_planners_go_round_where_that_costs_less():
 
 def test_a_disk_pays_at_its_centre_and_other_robots_are_refused():
     """No robot's cost is guessed."""
-    assert ke.plan_on_grid(ke.Problem(ke.Disk(1.0), ford().world, (35.5, 5.5), (35.5, 35.5))).cost < 80
+    assert (
+        ke.plan_on_grid(ke.Problem(ke.Disk(1.0), ford().world, (35.5, 5.5), (35.5, 35.5))).cost < 80
+    )
     square = [(-1, -1), (1, -1), (1, 1), (-1, 1)]
     with pytest.raises(InvalidParameter, match="costs"):
         ke.Problem(ke.RigidPolygon(square), ford().world, (35.5, 5.5, 0), (35.5, 35.5, 0))
 
 
 @pytest.mark.parametrize(
-    "cost", [np.zeros((2, 2)), np.full((2, 2), np.nan), np.ones((3, 2)), [[1, 2], [3]], "mud", np.full((2, 2), 1e12)]
+    "cost",
+    [
+        np.zeros((2, 2)),
+        np.full((2, 2), np.nan),
+        np.ones((3, 2)),
+        [[1, 2], [3]],
+        "mud",
+        np.full((2, 2), 1e12),
+    ],
 )
 def test_costs_that_make_no_sense_are_refused(cost):
     """Below one, not a number, of another shape, endless."""
@@ -115,7 +156,9 @@ def test_scenes_keep_costs(tmp_path):
     """Written and read again."""
     problem = ford()
     ke.write_scene(problem, tmp_path / "mud.json")
-    np.testing.assert_array_equal(ke.read_scene(tmp_path / "mud.json").world.cost, problem.world.cost)
+    np.testing.assert_array_equal(
+        ke.read_scene(tmp_path / "mud.json").world.cost, problem.world.cost
+    )
 
 
 @pytest.mark.parametrize("kind", LANDSCAPES)
@@ -125,7 +168,10 @@ def test_landscapes_are_reproducible_and_have_a_way(kind):
     np.testing.assert_array_equal(one, again)
     assert (one != other).any()
     for seed in range(4):
-        assert ke.plan_on_grid(ke.Problem(ke.Point(), landscape(kind, seed), START, GOAL)).path is not None
+        assert (
+            ke.plan_on_grid(ke.Problem(ke.Point(), landscape(kind, seed), START, GOAL)).path
+            is not None
+        )
 
 
 def test_slope_and_roughness_of_known_ground():
@@ -166,11 +212,15 @@ def test_clearance_of_cells_by_brute_force():
 def test_heights_from_a_picture(tmp_path):
     """Black is low, white is high, row 0 is the lowest."""
     (tmp_path / "h.pgm").write_text("P2 2 2 255 0 255 51 102")
-    np.testing.assert_allclose(read_heights(tmp_path / "h.pgm", highest=10.0), [[2.0, 4.0], [0.0, 10.0]])
+    np.testing.assert_allclose(
+        read_heights(tmp_path / "h.pgm", highest=10.0), [[2.0, 4.0], [0.0, 10.0]]
+    )
 
 
 def test_a_changed_roadmap_is_the_one_built_anew():
-    """Whatever moves, the edges judged anew and those kept are together what all edges judged anew would be."""
+    """Whatever moves, the edges judged anew and those kept are together what all edges judged anew
+    would be.
+    """
     rng = np.random.default_rng(4)
     for robot in (ke.Point(), ke.Disk(1.5)):
         free = np.ones((50, 50), bool)
@@ -187,7 +237,9 @@ def test_a_changed_roadmap_is_the_one_built_anew():
             np.testing.assert_array_equal(changed.is_open, whole.is_open)
             assert changed.judged < whole.judged
             plan = ke.query(after, changed.roadmap())
-            assert plan.path is None or all(after.is_free_path(a, b) for a, b in zip(plan.path, plan.path[1:]))
+            assert plan.path is None or all(
+                after.is_free_path(a, b) for a, b in zip(plan.path, plan.path[1:])
+            )
             problem, roadmap = after, changed
 
 
@@ -195,15 +247,27 @@ def test_an_unchanged_world_asks_for_nearly_nothing():
     """No cell differs: nothing but the origin is looked at."""
     problem = ke.Problem(ke.Point(), ke.Terrain(np.ones((20, 20))), (3, 3), (17, 17))
     roadmap = ke.changing_roadmap(problem, n=50, rng=0)
-    assert ke.after_change(problem, roadmap, *ke.changed_box(problem.world, problem.world)).judged == 0
+    assert (
+        ke.after_change(problem, roadmap, *ke.changed_box(problem.world, problem.world)).judged == 0
+    )
     with pytest.raises(InvalidParameter):
         ke.changed_box(problem.world, ke.Terrain(np.ones((20, 21))))
 
 
 def test_the_parameters_of_the_document():
-    """Step 20, spacing just below, the goal half of the time, at most 10,000 failures in a row; PRM with all pairs."""
+    """Step 20, spacing just below, the goal half of the time, at most 10,000 failures in a row; PRM
+    with all pairs.
+    """
     problem = ke.Problem(ke.Point(), landscape("rocks", 0), START, GOAL)
-    plan = ke.rrt(problem, step=20, goal_bias=0.5, spacing=19.999, max_failures=10_000, max_iterations=10**6, rng=1)
+    plan = ke.rrt(
+        problem,
+        step=20,
+        goal_bias=0.5,
+        spacing=19.999,
+        max_failures=10_000,
+        max_iterations=10**6,
+        rng=1,
+    )
     assert plan.path is not None
     nodes = plan.tree.nodes[:-1]
     apart = np.sqrt(((nodes[:, None] - nodes) ** 2).sum(axis=2)) + 1e9 * np.eye(len(nodes))
@@ -214,7 +278,12 @@ def test_the_parameters_of_the_document():
     failed = ke.rrt(sealed, step=6, spacing=3, max_failures=200, max_iterations=10**6, rng=0)
     assert failed.path is None and failed.stats["iterations"] < 50_000
     roadmap = ke.prm(problem, n=30, k=32, rng=0).roadmap
-    free = {(i, j) for i in range(32) for j in range(i + 1, 32) if problem.is_free_path(roadmap.nodes[i], roadmap.nodes[j])}
+    free = {
+        (i, j)
+        for i in range(32)
+        for j in range(i + 1, 32)
+        if problem.is_free_path(roadmap.nodes[i], roadmap.nodes[j])
+    }
     assert {tuple(sorted(edge)) for edge in roadmap.edges.tolist()} == free
     with pytest.raises(InvalidParameter, match="spacing"):
         ke.rrt(problem, step=5, spacing=5, rng=0)

@@ -15,7 +15,9 @@ from kinoedu.course.shapes import Number
 from kinoedu.support import time_limit
 from kinoedu.support.time_limit import TimeUp, within, within_processor_time
 
-has_clocks = pytest.mark.skipif(not hasattr(time, "pthread_getcpuclockid"), reason="no thread's processor time is told here")
+has_clocks = pytest.mark.skipif(
+    not hasattr(time, "pthread_getcpuclockid"), reason="no thread's processor time is told here"
+)
 
 
 @pytest.fixture(autouse=True)

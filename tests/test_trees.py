@@ -1,4 +1,6 @@
-"""Trees: RRT-Connect, RRT*, informed RRT*, the tree roadmap with an expansion of one's own; every path judged by shapely too."""
+"""Trees: RRT-Connect, RRT*, informed RRT*, the tree roadmap with an expansion of one's own; every
+path judged by shapely too.
+"""
 
 from itertools import pairwise
 
@@ -15,17 +17,28 @@ SQUARE = [(0, 0), (10, 0), (10, 10), (0, 10)]
 WALL = [(4, 0), (6, 0), (6, 8), (4, 8)]
 ROOM = ([(7, 4), (9, 4), (9, 7), (7, 7)], [[(7.5, 4.5), (8.5, 4.5), (8.5, 6.5), (7.5, 6.5)]])
 DISC = ((2, 5), 0.7)
-SOLIDS = [shapely.Polygon(WALL), shapely.Polygon(ROOM[0], ROOM[1]), shapely.Point(DISC[0]).buffer(DISC[1], quad_segs=64)]
+SOLIDS = [
+    shapely.Polygon(WALL),
+    shapely.Polygon(ROOM[0], ROOM[1]),
+    shapely.Point(DISC[0]).buffer(DISC[1], quad_segs=64),
+]
 WORLDS = {
     "polygons": ke.PolygonWorld(SQUARE, [WALL, DISC, ROOM]),
-    "terrain": ke.Terrain(np.kron([[1, 0, 1, 1], [1, 0, 1, 0], [1, 1, 1, 1], [1, 0, 1, 1]], np.ones((5, 5))), resolution=0.5),
+    "terrain": ke.Terrain(
+        np.kron([[1, 0, 1, 1], [1, 0, 1, 0], [1, 1, 1, 1], [1, 0, 1, 1]], np.ones((5, 5))),
+        resolution=0.5,
+    ),
 }
 ROBOTS = {"point": ke.Point(), "disk": ke.Disk(0.3)}
 PLANNERS = {
     "rrt_connect": ke.rrt_connect,
     "rrt_star": lambda problem, **given: ke.rrt_star(problem, **{"max_nodes": 800, **given}),
-    "informed_rrt_star": lambda problem, **given: ke.informed_rrt_star(problem, **{"max_nodes": 800, **given}),
-    "tree_roadmap": lambda problem, **given: ke.tree_roadmap(problem, **{"max_nodes": 3000, **given}),
+    "informed_rrt_star": lambda problem, **given: ke.informed_rrt_star(
+        problem, **{"max_nodes": 800, **given}
+    ),
+    "tree_roadmap": lambda problem, **given: ke.tree_roadmap(
+        problem, **{"max_nodes": 3000, **given}
+    ),
 }
 
 
@@ -35,7 +48,9 @@ def problem_of(world="polygons", robot="point"):
 
 
 def assert_free_by_shapely(path, radius):
-    """The whole path keeps its radius from what is solid in the world of polygons, and from the boundary."""
+    """The whole path keeps its radius from what is solid in the world of polygons, and from the
+    boundary.
+    """
     line = shapely.LineString(path)
     assert all(line.distance(solid) > radius - 1e-3 * (solid is SOLIDS[2]) for solid in SOLIDS)
     assert shapely.Polygon(SQUARE).buffer(-radius).contains(line)
@@ -45,13 +60,21 @@ def assert_free_by_shapely(path, radius):
 @pytest.mark.parametrize("robot", ROBOTS)
 @pytest.mark.parametrize("planner", PLANNERS)
 def test_a_path_is_free_all_the_way(world, robot, planner):
-    """From start to goal, judged again edge by edge and by shapely; its length is its cost; the same again by the same seed."""
+    """From start to goal, judged again edge by edge and by shapely; its length is its cost; the
+    same again by the same seed.
+    """
     problem = problem_of(world, robot)
     plan = PLANNERS[planner](problem, rng=1)
     assert plan.path is not None, plan.reason
-    assert np.array_equal(plan.path[0], problem.start) and np.array_equal(plan.path[-1], problem.goal)
-    assert all(problem.is_free_path(a, b) and problem.is_free_path(b, a) for a, b in pairwise(plan.path))
-    assert plan.cost == pytest.approx(sum(problem.distance(a, b) for a, b in pairwise(plan.path)), rel=1e-12)
+    assert np.array_equal(plan.path[0], problem.start) and np.array_equal(
+        plan.path[-1], problem.goal
+    )
+    assert all(
+        problem.is_free_path(a, b) and problem.is_free_path(b, a) for a, b in pairwise(plan.path)
+    )
+    assert plan.cost == pytest.approx(
+        sum(problem.distance(a, b) for a, b in pairwise(plan.path)), rel=1e-12
+    )
     assert np.array_equal(plan.path, PLANNERS[planner](problem, rng=1).path)
     if world == "polygons":
         assert_free_by_shapely(plan.path, ROBOTS[robot].radius)
@@ -59,9 +82,15 @@ def test_a_path_is_free_all_the_way(world, robot, planner):
 
 @pytest.mark.parametrize("planner", PLANNERS)
 def test_a_tree_is_made_of_free_steps(planner):
-    """Every node hangs on another by a free motion, at most a step long; roots are the start, and for two trees the goal."""
+    """Every node hangs on another by a free motion, at most a step long; roots are the start, and
+    for two trees the goal.
+    """
     problem = problem_of()
-    tuning = {"reach": 0.8, "expand": ke.rrt_expansion(0.8)} if planner == "tree_roadmap" else {"step": 0.8}
+    tuning = (
+        {"reach": 0.8, "expand": ke.rrt_expansion(0.8)}
+        if planner == "tree_roadmap"
+        else {"step": 0.8}
+    )
     tree = PLANNERS[planner](problem, rng=3, **tuning).tree
     roots = np.flatnonzero(tree.parent < 0).tolist()
     assert roots == ([0, 1] if planner == "rrt_connect" else [0])
@@ -91,13 +120,20 @@ def test_compiled_interpreted_and_recorded_are_one(planner, world):
 def test_the_tree_roadmap_with_the_expansion_of_rrt_is_rrt():
     """Node for node."""
     problem = problem_of()
-    generic, rrt = ke.tree_roadmap(problem, ke.rrt_expansion(), max_nodes=10_000, rng=2), ke.rrt(problem, rng=2)
-    assert np.array_equal(generic.tree.nodes, rrt.tree.nodes) and np.array_equal(generic.tree.parent, rrt.tree.parent)
+    generic, rrt = (
+        ke.tree_roadmap(problem, ke.rrt_expansion(), max_nodes=10_000, rng=2),
+        ke.rrt(problem, rng=2),
+    )
+    assert np.array_equal(generic.tree.nodes, rrt.tree.nodes) and np.array_equal(
+        generic.tree.parent, rrt.tree.parent
+    )
     assert generic.stats == rrt.stats
 
 
 def test_rrt_star_comes_near_the_shortest_path():
-    """Among polygons, over seeds: never below the optimum, within 3 % of it, and nearer than with fewer nodes and than RRT."""
+    """Among polygons, over seeds: never below the optimum, within 3 % of it, and nearer than with
+    fewer nodes and than RRT.
+    """
     world = ke.PolygonWorld(SQUARE, [WALL, ROOM])
     problem = ke.Problem(ke.Point(), world, (1, 1), (9, 1))
     least = ke.plan_by_visibility(problem).cost
@@ -124,7 +160,9 @@ def test_costs_of_the_whole_tree_are_those_of_its_ways():
     problem = problem_of()
     tree = empty_tree(801, problem.space.lo, problem.space.hi)
     costs = empty_costs(tree)
-    grow_shortest(problem, costs, Everywhere(0.05), 1.0, np.full(803, 1.0), 5000, np.random.default_rng(0))
+    grow_shortest(
+        problem, costs, Everywhere(0.05), 1.0, np.full(803, 1.0), 5000, np.random.default_rng(0)
+    )
     for node in range(1, tree.size[0]):
         way, at = 0.0, node
         while tree.parent[at] >= 0:
@@ -186,7 +224,11 @@ class Ball:
 @pytest.mark.parametrize("planner", PLANNERS)
 def test_a_readers_own_problem_is_planned_on(planner):
     """In a space that this package knows nothing of."""
-    tuning = {"reach": 0.7, "expand": ke.rrt_expansion(0.7)} if planner == "tree_roadmap" else {"step": 0.7, "max_nodes": 300}
+    tuning = (
+        {"reach": 0.7, "expand": ke.rrt_expansion(0.7)}
+        if planner == "tree_roadmap"
+        else {"step": 0.7, "max_nodes": 300}
+    )
     plan = PLANNERS[planner](Ball(), rng=0, **tuning)
     assert plan.path is not None, plan.reason
     assert all(Ball().is_free_path(a, b) for a, b in pairwise(plan.path))
@@ -204,7 +246,16 @@ def test_no_path_is_an_answer_with_a_reason(planner):
 
 @pytest.mark.parametrize("planner", ["rrt_connect", "rrt_star", "informed_rrt_star"])
 @pytest.mark.parametrize(
-    "options", [{"step": 0}, {"step": np.nan}, {"max_nodes": 0}, {"max_nodes": 2.5}, {"max_iterations": -1}, {"rng": -1}], ids=str
+    "options",
+    [
+        {"step": 0},
+        {"step": np.nan},
+        {"max_nodes": 0},
+        {"max_nodes": 2.5},
+        {"max_iterations": -1},
+        {"rng": -1},
+    ],
+    ids=str,
 )
 def test_tuning_outside_its_range_is_refused(planner, options):
     """By InvalidParameter, with the argument's name."""
@@ -220,7 +271,17 @@ def test_rrt_star_refuses_tuning_of_its_own(options):
 
 
 @pytest.mark.parametrize(
-    "answer", [None, 3, (0,), (-1, (1.0, 1.0)), (99, (1.0, 1.0)), (0, (1.0,)), (True, (1.0, 1.0)), (0, "here")]
+    "answer",
+    [
+        None,
+        3,
+        (0,),
+        (-1, (1.0, 1.0)),
+        (99, (1.0, 1.0)),
+        (0, (1.0,)),
+        (True, (1.0, 1.0)),
+        (0, "here"),
+    ],
 )
 def test_an_expansion_that_answers_wrongly_is_refused(answer):
     """By a named error; what is no function too."""

@@ -1,4 +1,6 @@
-"""Whole motions of robots that turn, bend or slide, against shapely at fine steps and against fractions of the very same motion."""
+"""Whole motions of robots that turn, bend or slide, against shapely at fine steps and against
+fractions of the very same motion.
+"""
 
 from typing import Any
 
@@ -6,7 +8,17 @@ import numpy as np
 import pytest
 import shapely
 
-from kinoedu import Plan, PolygonWorld, Problem, RigidPolygon, Terrain, TranslatingPolygon, TwoLinkArm, prm, rrt
+from kinoedu import (
+    Plan,
+    PolygonWorld,
+    Problem,
+    RigidPolygon,
+    Terrain,
+    TranslatingPolygon,
+    TwoLinkArm,
+    prm,
+    rrt,
+)
 from kinoedu.collision import is_free_path, is_semi_free_path
 from kinoedu.compiled import compiled
 from kinoedu.geometry.separation import dividing_line, insides_meet, pieces_distance, pieces_meet
@@ -18,46 +30,74 @@ NEEDLE = [(-1.5, -0.01), (1.5, -0.01), (1.5, 0.01), (-1.5, 0.01)]
 THIN = [(5, 0.5), (5.0000001, 0.5), (5.0000001, 3.5), (5, 3.5)]
 AMONG = PolygonWorld(
     [(0, 0), (10, 0), (10, 10), (5, 9), (0, 10)],
-    [THIN, [(1, 4), (2, 3.6), (2.4, 4.9), (1.4, 5.2)], [(6, 6), (8, 6), (7, 7.5)], ((2.5, 7.5), 0.6), ((8, 2), 0.4)],
+    [
+        THIN,
+        [(1, 4), (2, 3.6), (2.4, 4.9), (1.4, 5.2)],
+        [(6, 6), (8, 6), (7, 7.5)],
+        ((2.5, 7.5), 0.6),
+        ((8, 2), 0.4),
+    ],
 )
 CELLS = Terrain(np.random.default_rng(2).random((20, 20)) > 0.06, resolution=0.5)
-ROBOTS = [RigidPolygon(L_SHAPE), RigidPolygon(NEEDLE), TwoLinkArm(2.4, 2.0, 0.12, base=(4.3, 4.9)), TranslatingPolygon(L_SHAPE)]
+ROBOTS = [
+    RigidPolygon(L_SHAPE),
+    RigidPolygon(NEEDLE),
+    TwoLinkArm(2.4, 2.0, 0.12, base=(4.3, 4.9)),
+    TranslatingPolygon(L_SHAPE),
+]
 NAMES = ["turning", "needle", "arm", "sliding"]
 
 
 def scenery(world: Any) -> tuple[Any, Any, Any]:
     """What is solid but for the discs, the discs, and the room, as shapely sees them."""
     if isinstance(world, type(CELLS)):
-        boxes = [shapely.box(i / 2, j / 2, i / 2 + 0.5, j / 2 + 0.5) for j, i in np.argwhere(~world.free)]
+        boxes = [
+            shapely.box(i / 2, j / 2, i / 2 + 0.5, j / 2 + 0.5) for j, i in np.argwhere(~world.free)
+        ]
         return shapely.union_all(boxes), [], shapely.box(*world.lo, *world.hi)
     from kinoedu.worlds.polygon_world import discs_of, rings_of
 
     (outline,), *solids = rings_of(world)
-    return shapely.union_all([shapely.Polygon(rings[0]) for rings in solids]), discs_of(world), shapely.Polygon(outline)
+    return (
+        shapely.union_all([shapely.Polygon(rings[0]) for rings in solids]),
+        discs_of(world),
+        shapely.Polygon(outline),
+    )
 
 
 def gaps(robot: Any, scene: Any, qs: Any) -> Any:
-    """How far the robot at each q is from what is solid; zero or less in contact. Its body is placed by numpy."""
+    """How far the robot at each q is from what is solid; zero or less in contact. Its body is
+    placed by numpy.
+    """
     solid, discs, room = scene
     if hasattr(robot, "lengths"):
         angles = np.cumsum(qs, axis=1)
         steps = robot.lengths[:, None] * np.stack([np.cos(angles), np.sin(angles)], -1)
-        bodies = shapely.linestrings(np.concatenate([np.zeros((len(qs), 1, 2)), np.cumsum(steps, axis=1)], axis=1) + robot.base)
+        bodies = shapely.linestrings(
+            np.concatenate([np.zeros((len(qs), 1, 2)), np.cumsum(steps, axis=1)], axis=1)
+            + robot.base
+        )
         radius = robot.shape.radius[0]
     else:
         theta = qs[:, 2:3] if qs.shape[1] == 3 else np.zeros((len(qs), 1))
         (x, y), cos, sin = robot.outline.T, np.cos(theta), np.sin(theta)
-        bodies = shapely.polygons(np.stack([cos * x - sin * y + qs[:, :1], sin * x + cos * y + qs[:, 1:2]], -1))
+        bodies = shapely.polygons(
+            np.stack([cos * x - sin * y + qs[:, :1], sin * x + cos * y + qs[:, 1:2]], -1)
+        )
         radius = 0.0
     apart = shapely.distance(bodies, solid)
     for x, y, r in discs:
         apart = np.minimum(apart, shapely.distance(bodies, shapely.Point(x, y)) - r)
     inside = shapely.contains_properly(room, bodies)
-    return np.minimum(apart, np.where(inside, shapely.distance(bodies, room.exterior), -1.0)) - radius
+    return (
+        np.minimum(apart, np.where(inside, shapely.distance(bodies, room.exterior), -1.0)) - radius
+    )
 
 
 def least_gap(robot: Any, scene: Any, a: Any, b: Any) -> float:
-    """The least gap on the motion from a to b: 200 steps, and then ever finer ones round the closest."""
+    """The least gap on the motion from a to b: 200 steps, and then ever finer ones round the
+    closest.
+    """
     angles = np.arange(len(a)) >= (0 if hasattr(robot, "lengths") else 2)
     change = np.where(angles, (b - a + np.pi) % (2 * np.pi) - np.pi, b - a)
     t, h = np.linspace(0, 1, 201), 1 / 200
@@ -66,7 +106,9 @@ def least_gap(robot: Any, scene: Any, a: Any, b: Any) -> float:
     for _ in range(6):
         if least <= 0:
             break
-        t = np.clip(np.concatenate([t[k] + np.linspace(-h, h, 41) for k in np.argsort(found)[:6]]), 0, 1)
+        t = np.clip(
+            np.concatenate([t[k] + np.linspace(-h, h, 41) for k in np.argsort(found)[:6]]), 0, 1
+        )
         found, h = gaps(robot, scene, a + t[:, None] * change), h / 20
         least = min(least, found.min())
     return float(least)
@@ -84,12 +126,16 @@ def judged(robot: Any, world: Any, a: Any, b: Any) -> Any:
 @pytest.mark.parametrize("world", [AMONG, CELLS], ids=["polygons", "terrain"])
 @pytest.mark.parametrize("robot", ROBOTS, ids=NAMES)
 def test_no_false_free_and_no_false_hit(robot: Any, world: Any) -> None:
-    """120 motions from free places, many of them across a wall of a ten-millionth; a few also interpreted. Deterministic."""
+    """120 motions from free places, many of them across a wall of a ten-millionth; a few also
+    interpreted. Deterministic.
+    """
     scene, rng = scenery(world), np.random.default_rng(7)
-    angles = np.arange(len(robot.lengths) if hasattr(robot, "lengths") else 2 + hasattr(robot, "turn_weight")) >= (
-        0 if hasattr(robot, "lengths") else 2
+    angles = np.arange(
+        len(robot.lengths) if hasattr(robot, "lengths") else 2 + hasattr(robot, "turn_weight")
+    ) >= (0 if hasattr(robot, "lengths") else 2)
+    places = rng.uniform(
+        np.where(angles, -np.pi, 0.3), np.where(angles, np.pi, 9.7), (3000, len(angles))
     )
-    places = rng.uniform(np.where(angles, -np.pi, 0.3), np.where(angles, np.pi, 9.7), (3000, len(angles)))
     places = places[gaps(robot, scene, places) > 0]
     a = places[rng.integers(len(places), size=120)]
     b = a + rng.normal(0, 0.7, a.shape)
@@ -106,7 +152,9 @@ def test_no_false_free_and_no_false_hit(robot: Any, world: Any) -> None:
 
 
 def test_needle_does_not_jump_a_wall() -> None:
-    """Half a turn of a needle across a wall thinner than any step, though both ends are free; without the wall it is free."""
+    """Half a turn of a needle across a wall thinner than any step, though both ends are free;
+    without the wall it is free.
+    """
     wall = [(3, 1), (3 + 1e-12, 1), (3 + 1e-12, 1.4), (3, 1.4)]
     box = [(-5, -5), (5, -5), (5, 5), (-5, 5)]
     robot = RigidPolygon([(2.9, -0.01), (3.2, -0.01), (3.2, 0.01), (2.9, 0.01)])
@@ -121,7 +169,12 @@ def test_motions_go_the_short_way_round() -> None:
     box = [(-5, -5), (5, -5), (5, 5), (-5, 5)]
     a, b = np.array([3.0, 0.0]), np.array([-3.0, 0.0])
     for x, free in ((1.0, True), (-1.0, False)):
-        assert bool(is_free_path(TwoLinkArm(1, 1, 0.1), PolygonWorld(box, [((x, 0), 0.05)]), a, b, 0.0)) is free
+        assert (
+            bool(
+                is_free_path(TwoLinkArm(1, 1, 0.1), PolygonWorld(box, [((x, 0), 0.05)]), a, b, 0.0)
+            )
+            is free
+        )
 
 
 class TestContact:
@@ -130,7 +183,9 @@ class TestContact:
     world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 4), (4, 4)]])
     square = ((-1, -1), (1, -1), (1, 1), (-1, 1))
 
-    @pytest.mark.parametrize("robot", [TranslatingPolygon(square), RigidPolygon(square)], ids=["sliding", "turning"])
+    @pytest.mark.parametrize(
+        "robot", [TranslatingPolygon(square), RigidPolygon(square)], ids=["sliding", "turning"]
+    )
     @pytest.mark.parametrize(
         ("a", "b", "free", "semi"),
         [
@@ -153,10 +208,15 @@ class TestContact:
 
 
 def test_pieces_against_shapely() -> None:
-    """Meeting, distance and dividing line of points, segments and polygons on a small lattice, where touching is common."""
+    """Meeting, distance and dividing line of points, segments and polygons on a small lattice,
+    where touching is common.
+    """
     rng = np.random.default_rng(4)
     for _ in range(1500):
-        P, Q = (shapely.MultiPoint(rng.integers(0, 7, (rng.integers(1, 6), 2)) + at).convex_hull for at in (0, rng.integers(0, 4)))
+        P, Q = (
+            shapely.MultiPoint(rng.integers(0, 7, (rng.integers(1, 6), 2)) + at).convex_hull
+            for at in (0, rng.integers(0, 4))
+        )
         p, q = (corners(piece) for piece in (P, Q))
         assert bool(pieces_meet(p, 0, len(p), q, 0, len(q))) is bool(P.intersects(Q))
         apart = pieces_distance(p, 0, len(p), q, 0, len(q))
@@ -166,7 +226,9 @@ def test_pieces_against_shapely() -> None:
         if apart > 0:
             assert ((p - [x, y]) @ [nx, ny]).min() == pytest.approx(apart, rel=1e-9)
         if len(p) > 2 and len(q) > 2:
-            assert bool(insides_meet(p, 0, len(p), q, 0, len(q))) is bool(P.intersection(Q).area > 0)
+            assert bool(insides_meet(p, 0, len(p), q, 0, len(q))) is bool(
+                P.intersection(Q).area > 0
+            )
 
 
 def corners(shape: Any) -> Any:
@@ -177,23 +239,39 @@ def corners(shape: Any) -> Any:
 
 
 def path_is_free(plan: Plan) -> bool:
-    """Whether a path keeps off everything at 100 places of each of its motions, as shapely sees it."""
+    """Whether a path keeps off everything at 100 places of each of its motions, as shapely sees
+    it.
+    """
     problem, scene = plan.problem, scenery(plan.problem.world)
     assert plan.path is not None
-    places = [interpolate(problem.space, a, b, t) for a, b in zip(plan.path, plan.path[1:]) for t in np.linspace(0, 1, 100)]
+    places = [
+        interpolate(problem.space, a, b, t)
+        for a, b in zip(plan.path, plan.path[1:])
+        for t in np.linspace(0, 1, 100)
+    ]
     return bool((gaps(problem.robot, scene, np.array(places)) > 0).all())
 
 
 @pytest.mark.parametrize("world", [AMONG, CELLS], ids=["polygons", "terrain"])
 @pytest.mark.parametrize(
     "robot",
-    [RigidPolygon(np.array(L_SHAPE) / 3), TranslatingPolygon(np.array(L_SHAPE) / 3), TwoLinkArm(1.2, 1.0, 0.1, base=(4.3, 5.2))],
+    [
+        RigidPolygon(np.array(L_SHAPE) / 3),
+        TranslatingPolygon(np.array(L_SHAPE) / 3),
+        TwoLinkArm(1.2, 1.0, 0.1, base=(4.3, 5.2)),
+    ],
     ids=["turning", "sliding", "arm"],
 )
 def test_planners_plan(robot: Any, world: Any) -> None:
-    """RRT and PRM find paths that shapely finds free, whose ends are start and goal and whose length is their distances' sum."""
+    """RRT and PRM find paths that shapely finds free, whose ends are start and goal and whose
+    length is their distances' sum.
+    """
     rng = np.random.default_rng(3)
-    lo, hi = (np.full(2, -np.pi), np.full(2, np.pi)) if hasattr(robot, "lengths") else (np.full(2, 0.5), np.full(2, 9.5))
+    lo, hi = (
+        (np.full(2, -np.pi), np.full(2, np.pi))
+        if hasattr(robot, "lengths")
+        else (np.full(2, 0.5), np.full(2, 9.5))
+    )
     qs = rng.uniform(lo, hi, (400, 2))
     if hasattr(robot, "turn_weight"):
         qs = np.hstack([qs, rng.uniform(-np.pi, np.pi, (400, 1))])
@@ -203,10 +281,14 @@ def test_planners_plan(robot: Any, world: Any) -> None:
         assert plan.path is not None
         assert (plan.path[0] == problem.start).all() and (plan.path[-1] == problem.goal).all()
         assert path_is_free(plan)
-        assert plan.cost == pytest.approx(sum(distance(problem.space, a, b) for a, b in zip(plan.path, plan.path[1:])))
+        assert plan.cost == pytest.approx(
+            sum(distance(problem.space, a, b) for a, b in zip(plan.path, plan.path[1:]))
+        )
 
 
 def test_placed_turns_about_the_reference_point() -> None:
     """A quarter of a turn of a polygon about a point outside it."""
     body = placed(RigidPolygon([(1, 0), (2, 0), (2, 1)]), np.array([5.0, 5.0, np.pi / 2]))
-    np.testing.assert_allclose(body.points[np.lexsort(body.points.T)], [(5, 6), (4, 7), (5, 7)], atol=1e-15)
+    np.testing.assert_allclose(
+        body.points[np.lexsort(body.points.T)], [(5, 6), (4, 7), (5, 7)], atol=1e-15
+    )

@@ -1,4 +1,6 @@
-"""Scattered worlds, free headings, and plans by cells with headings: against brute force, by other searches, and where they end."""
+"""Scattered worlds, free headings, and plans by cells with headings: against brute force, by other
+searches, and where they end.
+"""
 
 import numpy as np
 import pytest
@@ -34,14 +36,23 @@ def drawn_world(seed):
 
 @pytest.mark.parametrize("seed", range(12))
 def test_free_headings_equal_asking_for_thousands(seed):
-    """Whatever robot, world and place: a random heading is free exactly when it lies in an interval."""
+    """Whatever robot, world and place: a random heading is free exactly when it lies in an
+    interval.
+    """
     world, rng = drawn_world(seed), np.random.default_rng(seed)
     for place in rng.uniform(1, 19, (6, 2)):
         for robot in (BAR, HOOK):
             rows = free_headings(robot, world, place)
             theta = rng.uniform(-np.pi, np.pi, 1000)
-            far = np.abs(np.mod(theta[:, None] - rows.ravel() + np.pi, 2 * np.pi) - np.pi).min(axis=1, initial=1.0) > 1e-6
-            truth = free_configurations(robot, world, np.column_stack([np.tile(place, (1000, 1)), theta]))
+            far = (
+                np.abs(np.mod(theta[:, None] - rows.ravel() + np.pi, 2 * np.pi) - np.pi).min(
+                    axis=1, initial=1.0
+                )
+                > 1e-6
+            )
+            truth = free_configurations(
+                robot, world, np.column_stack([np.tile(place, (1000, 1)), theta])
+            )
             assert (within(rows, theta) == truth)[far].all()
             assert ((rows[:, 0] < rows[:, 1]) & (-np.pi <= rows[:, 0]) & (rows[:, 0] < np.pi)).all()
 
@@ -52,12 +63,16 @@ def test_a_heading_that_only_a_narrow_gap_leaves_is_found():
     rows = free_headings(BAR, gap, (10, 0.40005))
     assert len(rows) == 2
     assert (np.diff(rows) < 1e-3).all()
-    assert free_configurations(BAR, gap, [(10, 0.40005, free_heading(BAR, gap, (10, 0.40005)))]).all()
+    assert free_configurations(
+        BAR, gap, [(10, 0.40005, free_heading(BAR, gap, (10, 0.40005)))]
+    ).all()
 
 
 def test_no_heading_and_every_heading():
     """None inside an obstacle, outside the world, too near a wall; all in the open, as one row."""
-    world = ke.PolygonWorld([(0, 0), (20, 0), (20, 20), (0, 20)], [[(4, 4), (6, 4), (6, 6), (4, 6)]])
+    world = ke.PolygonWorld(
+        [(0, 0), (20, 0), (20, 20), (0, 20)], [[(4, 4), (6, 4), (6, 6), (4, 6)]]
+    )
     for place in ((5, 5), (-3, 2), (1e9, 0), (4, 5)):
         assert free_heading(BAR, world, place) is None
     assert free_headings(BAR, world, (12, 12)).tolist() == [[-np.pi, np.pi]]
@@ -75,7 +90,9 @@ def test_what_does_not_turn_has_no_free_headings():
 
 @pytest.mark.parametrize("seed", range(5))
 def test_scattered_obstacles_keep_their_distance(seed):
-    """By shapely: apart by the gap, off what is kept free, inside the square, convex; fewer are the first of more."""
+    """By shapely: apart by the gap, off what is kept free, inside the square, convex; fewer are the
+    first of more.
+    """
     import shapely
 
     world = scattered(12, radius=1.2, gap=0.3, keep_free=[(2, 2, 1.5)], rng=seed)
@@ -107,19 +124,28 @@ def test_worlds_that_cannot_be_scattered_are_refused(wrong):
 
 
 def test_every_search_finds_a_path_of_free_motions_or_none_does():
-    """Along the same roadmap; the shortest is shortest, breadth first has the fewest motions; all motions are free."""
+    """Along the same roadmap; the shortest is shortest, breadth first has the fewest motions; all
+    motions are free.
+    """
     found = 0
     for seed in range(6):
         world = scattered(10, radius=2.2, keep_free=[(2, 2, 1.6), (18, 18, 1.6)], rng=seed)
         problem = ke.Problem(STICK, world, (2, 2, 0), (18, 18, 0))
         roadmap = ke.cells_with_headings(problem, neighbours=ke.Radius(6))
-        plans = [ke.plan_on_roadmap(problem, roadmap, search) for search in (dijkstra_path, ke.bfs_path, ke.dfs_path)]
+        plans = [
+            ke.plan_on_roadmap(problem, roadmap, search)
+            for search in (dijkstra_path, ke.bfs_path, ke.dfs_path)
+        ]
         assert len({plan.path is None for plan in plans}) == 1
         if plans[0].path is not None:
             found += 1
             assert plans[0].cost <= min(plan.cost for plan in plans) + 1e-9
             assert len(plans[1].path) == min(len(plan.path) for plan in plans)
-            assert all(problem.is_free_path(a, b) for plan in plans for a, b in zip(plan.path, plan.path[1:]))
+            assert all(
+                problem.is_free_path(a, b)
+                for plan in plans
+                for a, b in zip(plan.path, plan.path[1:])
+            )
         assert all(problem.is_free(q) for q in roadmap.nodes)
         assert all(free_heading(STICK, world, place) is None for place in roadmap.empty)
     assert found > 0
@@ -129,7 +155,10 @@ def test_a_recorder_and_the_problem_get_the_same_roadmap():
     """Interpreted and compiled."""
     world = ke.PolygonWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [[(3, 0), (6, 0), (6, 4), (3, 4)]])
     problem = ke.Problem(STICK, world, (1.5, 1.5, 0), (7.5, 1.5, 0))
-    for a, b in zip(ke.cells_with_headings(problem, headings=3), ke.cells_with_headings(ke.Recorder(problem), headings=3)):
+    for a, b in zip(
+        ke.cells_with_headings(problem, headings=3),
+        ke.cells_with_headings(ke.Recorder(problem), headings=3),
+    ):
         assert np.array_equal(a, b)
 
 

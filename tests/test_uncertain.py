@@ -1,4 +1,6 @@
-"""Obstacles whose places are uncertain: margins, bounds and estimates, against quadrature, scipy, shapely and worlds made anew."""
+"""Obstacles whose places are uncertain: margins, bounds and estimates, against quadrature, scipy,
+shapely and worlds made anew.
+"""
 
 import numpy as np
 import pytest
@@ -27,16 +29,22 @@ ROBOTS = [Point(), Disk(0.3), TranslatingPolygon([(-0.3, -0.2), (0.4, -0.2), (0,
 
 
 def test_a_margin_is_the_quantile_of_chi_square():
-    """The square of the offset over the variance has two degrees of freedom; each uncertain obstacle has an equal share."""
+    """The square of the offset over the variance has two degrees of freedom; each uncertain
+    obstacle has an equal share.
+    """
     from scipy.stats import chi2
 
     for delta in (0.5, 0.05, 1e-6):
         sigma = np.array([0.1, 0.0, 0.3])
-        assert chance_margins(sigma, delta) == pytest.approx(sigma * np.sqrt(chi2.ppf(1 - delta / 2, 2)))
+        assert chance_margins(sigma, delta) == pytest.approx(
+            sigma * np.sqrt(chi2.ppf(1 - delta / 2, 2))
+        )
 
 
 def test_one_disc_and_one_segment_by_quadrature():
-    """The offset must bring the centre within the radius of the segment: the Gaussian, integrated over that stadium."""
+    """The offset must bring the centre within the radius of the segment: the Gaussian, integrated
+    over that stadium.
+    """
     from scipy.integrate import quad
     from scipy.stats import norm
 
@@ -53,8 +61,13 @@ def test_one_disc_and_one_segment_by_quadrature():
     assert abs(chance.estimate - truth) < 4 * np.sqrt(truth * (1 - truth) / 40_000)
     assert chance.low < truth < chance.high
     assert collision_bound(Point(), world, [(x0, y0), (x1, y0)]) > truth
-    reached = [collision_probability(Point(), world, [(x0, y0), (x1, y0)], n=400, rng=seed) for seed in range(200)]
-    assert np.mean([c.low <= truth <= c.high for c in reached]) > 0.9  # 95 percent of the intervals hold it
+    reached = [
+        collision_probability(Point(), world, [(x0, y0), (x1, y0)], n=400, rng=seed)
+        for seed in range(200)
+    ]
+    assert (
+        np.mean([c.low <= truth <= c.high for c in reached]) > 0.9
+    )  # 95 percent of the intervals hold it
 
 
 @pytest.mark.parametrize("robot", ROBOTS, ids=range(len(ROBOTS)))
@@ -65,8 +78,15 @@ def test_each_scenario_is_a_world(robot):
     gaps = part_gaps(robot, world.parts, path)
     hit = hit_scenarios(robot, world.parts, world.owner, gaps, path, offsets)
     for offset, was_hit in zip(offsets, hit):
-        shapes = [(np.add((3, 4), offset[0]), 0.8), np.add(L_SHAPE, offset[1]), np.add(OBSTACLES[2], offset[2])]
-        for scenario in (PolygonWorld([(-9, -9), (30, -9), (30, 30), (-9, 30)], shapes), as_it_is(world, offset)):
+        shapes = [
+            (np.add((3, 4), offset[0]), 0.8),
+            np.add(L_SHAPE, offset[1]),
+            np.add(OBSTACLES[2], offset[2]),
+        ]
+        for scenario in (
+            PolygonWorld([(-9, -9), (30, -9), (30, 30), (-9, 30)], shapes),
+            as_it_is(world, offset),
+        ):
             ask = Problem(robot, scenario, path[0], path[0]) if not was_hit else None
             free = ask and all(ask.is_free_path(a, b) for a, b in zip(path, path[1:]))
             assert free or was_hit
@@ -75,13 +95,17 @@ def test_each_scenario_is_a_world(robot):
             ask = Problem(robot, lone, (-8, -8), (-8, -8))
             assert not all(ask.is_free_path(a, b) for a, b in zip(path, path[1:]))
     assert 10 < hit.sum() < 140
-    assert np.array_equal(hit, hit_scenarios.py_func(robot, world.parts, world.owner, gaps, path, offsets))
+    assert np.array_equal(
+        hit, hit_scenarios.py_func(robot, world.parts, world.owner, gaps, path, offsets)
+    )
 
 
 @pytest.mark.parametrize("robot", ROBOTS[:2], ids=("point", "disk"))
 @pytest.mark.parametrize("delta", [0.3, 0.05])
 def test_a_path_that_is_free_with_the_margins_is_hit_as_seldom_as_promised(robot, delta):
-    """Union bound: planned in the inflated world, never hit more often than delta, and less often than the bound says."""
+    """Union bound: planned in the inflated world, never hit more often than delta, and less often
+    than the bound says.
+    """
     world = UncertainWorld(BOX, OBSTACLES, [0.1, 0.2, 0.15])
     for seed in range(4):
         plan = prm(Problem(robot, inflated(world, delta), (1, 1), (11, 7)), n=150, rng=seed)
@@ -92,15 +116,23 @@ def test_a_path_that_is_free_with_the_margins_is_hit_as_seldom_as_promised(robot
 
 
 def test_the_inflated_world_holds_all_that_is_within_the_margin():
-    """Points sampled within the margin of an obstacle are not free; points a hundredth of it farther out are."""
+    """Points sampled within the margin of an obstacle are not free; points a hundredth of it
+    farther out are.
+    """
     import shapely
 
     world = UncertainWorld(BOX, OBSTACLES, [0.1, 0.2, 0.0])
     margins = chance_margins(world.sigma, 0.1)
-    shapes = [shapely.Point(3, 4).buffer(0.8, 256), shapely.Polygon(L_SHAPE), shapely.Polygon(OBSTACLES[2])]
+    shapes = [
+        shapely.Point(3, 4).buffer(0.8, 256),
+        shapely.Polygon(L_SHAPE),
+        shapely.Polygon(OBSTACLES[2]),
+    ]
     ask = Problem(Point(), inflated(world, 0.1), (0.2, 0.2), (0.2, 0.2))
     for x, y in np.random.default_rng(0).uniform((0, 0), (12, 8), (3000, 2)):
-        over = [shape.distance(shapely.Point(x, y)) - margin for shape, margin in zip(shapes, margins)]
+        over = [
+            shape.distance(shapely.Point(x, y)) - margin for shape, margin in zip(shapes, margins)
+        ]
         if min(over) <= 0.0:
             assert not ask.is_free(np.array([x, y]))
         elif min(over) > 0.006 * max(margins) + 1e-4:
@@ -108,25 +140,39 @@ def test_the_inflated_world_holds_all_that_is_within_the_margin():
 
 
 def test_scenarios_are_common_random_numbers():
-    """The same seed draws the same offsets, as spread as was said, and the nearer path is hit more often."""
+    """The same seed draws the same offsets, as spread as was said, and the nearer path is hit more
+    often.
+    """
     world = UncertainWorld(BOX, OBSTACLES, [0.1, 0.2, 0.0])
     offsets = scenarios(world, 20_000, rng=4)
     assert np.array_equal(offsets, scenarios(world, 20_000, rng=np.random.default_rng(4)))
     assert np.std(offsets, axis=(0, 2)) == pytest.approx([0.1, 0.2, 0.0], rel=0.02)
     single = UncertainWorld(BOX, [((6, 4), 1)], 0.6)
-    near, far = (collision_probability(Point(), single, [(1, y), (11, y)], n=500, rng=9).hits for y in (2.4, 2.2))
+    near, far = (
+        collision_probability(Point(), single, [(1, y), (11, y)], n=500, rng=9).hits
+        for y in (2.4, 2.2)
+    )
     assert near >= far
 
 
 def test_certain_obstacles_and_the_boundary():
-    """Sigma 0: never hit where the path is clear, always where it touches; a path that leaves the boundary is always hit."""
+    """Sigma 0: never hit where the path is clear, always where it touches; a path that leaves the
+    boundary is always hit.
+    """
     world = UncertainWorld(BOX, [((6, 4), 1)], 0.0)
     assert collision_probability(Point(), world, [(1, 1), (11, 1)], n=50, rng=0)[:1] == (0.0,)
     assert collision_probability(Point(), world, [(1, 3), (11, 3)], n=50, rng=0).estimate == 1.0
     assert collision_bound(Point(), world, [(1, 1), (11, 1)]) == 0.0
     assert collision_bound(Point(), world, [(1, 3), (11, 3)]) == 1.0
-    assert collision_probability(Point(), UncertainWorld(BOX, [], 1.0), [(1, 1), (13, 1)], n=7, rng=0).hits == 7
-    assert collision_probability(Point(), UncertainWorld(BOX, [], 1.0), [(1, 1)], n=7, rng=0).hits == 0
+    assert (
+        collision_probability(
+            Point(), UncertainWorld(BOX, [], 1.0), [(1, 1), (13, 1)], n=7, rng=0
+        ).hits
+        == 7
+    )
+    assert (
+        collision_probability(Point(), UncertainWorld(BOX, [], 1.0), [(1, 1)], n=7, rng=0).hits == 0
+    )
     assert path_clearances(Disk(0.5), world, [(1, 1), (11, 1)]) == pytest.approx([1.5])
     assert path_clearances(Disk(0.5), world, [(6, 4)]) == pytest.approx([0.0])
 

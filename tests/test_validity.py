@@ -1,4 +1,6 @@
-"""A share of the ten thousand random problems of benchmarks/validity.py, and whether its judge would see an invalid path."""
+"""A share of the ten thousand random problems of benchmarks/validity.py, and whether its judge
+would see an invalid path.
+"""
 
 import sys
 from dataclasses import replace
@@ -19,14 +21,18 @@ from validity import KINDS, outcome
 @pytest.mark.parametrize("planner", ["RRT", "RRT-Connect"])
 def test_no_path_of_a_few_hundred_is_invalid(planner):
     """All robots, all worlds; most are solved."""
-    outcomes = [one for seed in range(1_000_000, 1_000_150) if (one := outcome(seed, [planner])) is not None]
+    outcomes = [
+        one for seed in range(1_000_000, 1_000_150) if (one := outcome(seed, [planner])) is not None
+    ]
     assert len(outcomes) > 130 and [one for one in outcomes if not one.valid] == []
     assert sum(one.solved for one in outcomes) > 75
 
 
 def test_no_exact_path_is_invalid():
     """A point among polygons that lie over each other; visibility's paths may touch."""
-    outcomes = [outcome(seed, ["visibility", "decomposition"]) for seed in range(0, 100 * KINDS, KINDS)]
+    outcomes = [
+        outcome(seed, ["visibility", "decomposition"]) for seed in range(0, 100 * KINDS, KINDS)
+    ]
     assert [one for one in outcomes if not one.valid] == []
     assert sum(one.solved for one in outcomes) > 50
 
@@ -34,7 +40,9 @@ def test_no_exact_path_is_invalid():
 @pytest.mark.parametrize("planner", ["hybrid A*", "kinodynamic RRT"])
 def test_no_drive_of_a_car_is_invalid(planner):
     """Cars that go both ways, and some that only go forward."""
-    outcomes = [one for seed in range(2_000_000, 2_000_240) if (one := outcome(seed, [planner])) is not None]
+    outcomes = [
+        one for seed in range(2_000_000, 2_000_240) if (one := outcome(seed, [planner])) is not None
+    ]
     assert len(outcomes) == 40 and [one for one in outcomes if not one.valid] == []
     assert sum(one.solved for one in outcomes) > 8
 
@@ -52,12 +60,20 @@ ROBOTS = [
 ]
 
 
-@pytest.mark.parametrize(("robot", "start", "goal"), ROBOTS, ids=["point", "disk", "sliding", "turning", "arm"])
+@pytest.mark.parametrize(
+    ("robot", "start", "goal"), ROBOTS, ids=["point", "disk", "sliding", "turning", "arm"]
+)
 def test_the_judge_sees_a_wall_a_hair_thin(robot, start, goal):
-    """The straight motion through it, which no fixed step would find, and a cost or an end that is not the plan's own."""
+    """The straight motion through it, which no fixed step would find, and a cost or an end that is
+    not the plan's own.
+    """
     world = ke.PolygonWorld(SQUARE, [SLIVER if hasattr(robot, "lengths") else HAIR])
     problem = ke.Problem(robot, world, start, goal)
-    straight = ke.Plan(np.array([problem.start, problem.goal]), problem.distance(problem.start, problem.goal), problem=problem)
+    straight = ke.Plan(
+        np.array([problem.start, problem.goal]),
+        problem.distance(problem.start, problem.goal),
+        problem=problem,
+    )
     assert not is_valid(straight)
     free = ke.rrt_connect(problem, rng=0)
     assert is_valid(free)
@@ -66,16 +82,25 @@ def test_the_judge_sees_a_wall_a_hair_thin(robot, start, goal):
 
 
 def test_the_judge_sees_what_is_wrong_with_a_drive():
-    """Through a wall a hair thin; not as long as it says; another way than its controls lead; a goal that it does not reach."""
+    """Through a wall a hair thin; not as long as it says; another way than its controls lead; a
+    goal that it does not reach.
+    """
     car, world = ke.Car(1.2, 0.5, 0.8), ke.PolygonWorld(SQUARE, [HAIR])
-    problem, open_problem = (ke.Problem(car, place, (1, 1, 0), (8, 1, 0)) for place in (world, ke.PolygonWorld(SQUARE)))
+    problem, open_problem = (
+        ke.Problem(car, place, (1, 1, 0), (8, 1, 0)) for place in (world, ke.PolygonWorld(SQUARE))
+    )
     through, free = ke.hybrid_astar(open_problem), ke.hybrid_astar(problem)
     assert is_valid(through) and is_valid(free) and is_valid(ke.rrt(problem, rng=0))
     assert not is_valid(replace(through, problem=problem))
     assert not is_valid(replace(free, cost=free.cost * 1.001))
     assert not is_valid(replace(free, path=free.path + np.array([0.0, 1e-3, 0.0])))
     assert not is_valid(replace(free, problem=ke.Problem(car, world, (1, 1, 0), (8, 1, 0.1))))
-    assert not is_valid(replace(free, problem=ke.Problem(ke.Car(1.2, 0.5, 0.8, speeds=[2.0]), world, (1, 1, 0), (8, 1, 0))))
+    assert not is_valid(
+        replace(
+            free,
+            problem=ke.Problem(ke.Car(1.2, 0.5, 0.8, speeds=[2.0]), world, (1, 1, 0), (8, 1, 0)),
+        )
+    )
 
 
 def test_touching_is_semi_free_and_not_free():

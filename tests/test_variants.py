@@ -1,4 +1,6 @@
-"""Contracts of one's own: each is accepted by its own judge and rejected by the other's, said where it is asked, graded as said."""
+"""Contracts of one's own: each is accepted by its own judge and rejected by the other's, said where
+it is asked, graded as said.
+"""
 
 import json
 from pathlib import Path
@@ -68,7 +70,9 @@ def judged(exercise, function, seed=0):
 
 @pytest.mark.parametrize("name", ["bfs_tree", "bug1", "bug2"])
 def test_a_contract_accepts_its_own_and_no_other(name):
-    """Every contract's program is right by itself and in the exercise without contracts, and wrong by every other contract."""
+    """Every contract's program is right by itself and in the exercise without contracts, and wrong
+    by every other contract.
+    """
     variants = EXERCISES[name].variants
     assert len(variants) > 1
     for mine in variants:
@@ -76,19 +80,29 @@ def test_a_contract_accepts_its_own_and_no_other(name):
         for other in variants:
             report = judged(find(name, other), PROGRAMS[name, mine])
             assert report.is_right == (mine == other), (mine, other, report.failure)
-            if mine != other:  # all that is wrong is the contract, and no misconception is made of that
+            if (
+                mine != other
+            ):  # all that is wrong is the contract, and no misconception is made of that
                 assert (report.failure.verdict.rule, report.failure.slip) == ("contract", "")
 
 
 @pytest.mark.parametrize("variant", ["smallest", "largest"])
 def test_a_tree_by_no_contract_is_no_misconception(variant):
-    """Who takes the parent that comes first misses the contract, and is told nothing else, whichever cases are drawn."""
+    """Who takes the parent that comes first misses the contract, and is told nothing else,
+    whichever cases are drawn.
+    """
     for seed in range(20):
-        report = judged(find("bfs_tree", variant), lambda neighbours, start: first_in(neighbours, start)[0], seed)
+        report = judged(
+            find("bfs_tree", variant),
+            lambda neighbours, start: first_in(neighbours, start)[0],
+            seed,
+        )
         assert (report.failure.verdict.rule, report.failure.slip) == ("contract", "")
 
 
-@pytest.mark.parametrize("exercise", [one for one in EXERCISES.values() if one.variants], ids=lambda one: one.name)
+@pytest.mark.parametrize(
+    "exercise", [one for one in EXERCISES.values() if one.variants], ids=lambda one: one.name
+)
 def test_every_contract_has_words_of_its_own(exercise):
     """And is said where a program breaks it."""
     words = [find(exercise.name, variant).contract for variant in exercise.variants]
@@ -98,7 +112,9 @@ def test_every_contract_has_words_of_its_own(exercise):
         said = check(PROGRAMS[exercise.name, other], exercise.name, variant=mine)
         assert "Your contract" in repr(said) and find(exercise.name, mine).contract in repr(said)
         assert said.picture() is not None
-        assert "right, for all" in repr(check(PROGRAMS[exercise.name, mine], exercise.name, variant=mine))
+        assert "right, for all" in repr(
+            check(PROGRAMS[exercise.name, mine], exercise.name, variant=mine)
+        )
 
 
 def test_an_unknown_contract_is_refused():
@@ -110,33 +126,50 @@ def test_an_unknown_contract_is_refused():
 
 
 def test_contracts_follow_from_secret_and_student():
-    """The same for the same, whatever the capitals; about as many of each; others for another secret; none where there are none."""
+    """The same for the same, whatever the capitals; about as many of each; others for another
+    secret; none where there are none.
+    """
     students = [f"student{n}" for n in range(400)]
     first = [choice(EXERCISES["bug2"], SECRET, student) for student in students]
-    assert first == [choice(EXERCISES["bug2"], SECRET, f" {student.upper()} ") for student in students]
+    assert first == [
+        choice(EXERCISES["bug2"], SECRET, f" {student.upper()} ") for student in students
+    ]
     assert 150 < first.count("left") < 250
     assert first != [choice(EXERCISES["bug2"], b"another", student) for student in students]
     assert first != [choice(EXERCISES["bug1"], SECRET, student) for student in students]
     assert choices(assignment("01_geometry"), SECRET, "ann") == ()
     task = with_variants(assignment(GRAPHS), (("bfs_tree", "largest"),))
-    assert [one.exercise.variant for one in task.questions if one.exercise.name == "bfs_tree"] == ["largest"]
-    assert [one.points for one in task.questions] == [one.points for one in assignment(GRAPHS).questions]
+    assert [one.exercise.variant for one in task.questions if one.exercise.name == "bfs_tree"] == [
+        "largest"
+    ]
+    assert [one.points for one in task.questions] == [
+        one.points for one in assignment(GRAPHS).questions
+    ]
 
 
 def test_hidden_cases_and_results_know_the_contract():
-    """Results of the same bytes under other contracts are other results; without contracts they are where they always were."""
+    """Results of the same bytes under other contracts are other results; without contracts they are
+    where they always were.
+    """
     one = Submission("ann", GRAPHS, "x.ipynb", b"{}")
-    keys = {key_of(one._replace(variants=(("bfs_tree", variant),)), SECRET) for variant in ("smallest", "largest")}
+    keys = {
+        key_of(one._replace(variants=(("bfs_tree", variant),)), SECRET)
+        for variant in ("smallest", "largest")
+    }
     assert len(keys | {key_of(one, SECRET)}) == 3
     assert cases_of("bfs_tree", SECRET, "largest").cases != cases_of("bfs_tree", SECRET).cases
     assert personal(one, SECRET).variants == choices(assignment(GRAPHS), SECRET, "ann")
 
 
 def test_each_student_gets_their_own_notebook(tmp_path):
-    """The statement says the contract before the answer, the check names it, all else is as it was; a table says whose is which."""
+    """The statement says the contract before the answer, the check names it, all else is as it was;
+    a table says whose is which.
+    """
     students = [f"s{n}" for n in range(12)]
     assert write_variants([GRAPHS], students, SECRET, tmp_path) == 12
-    plain = json.loads((Path(__file__).parent.parent / "exercises" / f"{GRAPHS}.ipynb").read_text(encoding="utf-8"))
+    plain = json.loads(
+        (Path(__file__).parent.parent / "exercises" / f"{GRAPHS}.ipynb").read_text(encoding="utf-8")
+    )
     for student in students:
         mine = choice(EXERCISES["bfs_tree"], SECRET, student)
         book = json.loads((tmp_path / student / f"{GRAPHS}.ipynb").read_text(encoding="utf-8"))
@@ -156,8 +189,13 @@ def test_each_student_gets_their_own_notebook(tmp_path):
 
 
 def test_who_forgets_the_contracts_is_told(tmp_path):
-    """Most notebooks give one, and nobody said so: refused; a student who writes so alone stops nobody."""
-    given, plain = (Submission(str(n), GRAPHS, "x", data) for n, data in enumerate((b'check(bfs_tree, variant="largest")', b"{}")))
+    """Most notebooks give one, and nobody said so: refused; a student who writes so alone stops
+    nobody.
+    """
+    given, plain = (
+        Submission(str(n), GRAPHS, "x", data)
+        for n, data in enumerate((b'check(bfs_tree, variant="largest")', b"{}"))
+    )
     refuse_forgotten([given, plain])
     with pytest.raises(InvalidParameter, match="--variants"):
         refuse_forgotten([given, given, plain])
@@ -181,10 +219,15 @@ def bfs_tree(neighbours, start):
 
 @needs_sandbox
 def test_a_copy_of_anothers_contract_does_not_pass(tmp_path, capsys):
-    """By the commands: two students with other contracts hand in the same program; it is right for one. Regraded it stays so."""
+    """By the commands: two students with other contracts hand in the same program; it is right for
+    one. Regraded it stays so.
+    """
     secret = tmp_path / "secret"
     secret.write_text(SECRET.hex())
-    names = {choice(EXERCISES["bfs_tree"], SECRET, name): name for name in ("ann", "bob", "cy", "dan", "eve")}
+    names = {
+        choice(EXERCISES["bfs_tree"], SECRET, name): name
+        for name in ("ann", "bob", "cy", "dan", "eve")
+    }
     (tmp_path / "students.txt").write_text("\n".join(names.values()) + "\n")
     command = [
         "release",
@@ -198,21 +241,41 @@ def test_a_copy_of_anothers_contract_does_not_pass(tmp_path, capsys):
     ]
     assert main(command) == 0
     for student in names.values():
-        book = json.loads((tmp_path / "hand" / student / f"{GRAPHS}.ipynb").read_text(encoding="utf-8"))
+        book = json.loads(
+            (tmp_path / "hand" / student / f"{GRAPHS}.ipynb").read_text(encoding="utf-8")
+        )
         for cell in book["cells"]:
             if cell["metadata"].get("nbgrader", {}).get("grade_id") == "bfs_tree":
                 cell["source"] = ANSWER.replace("CHOOSE", "max")
         (tmp_path / "in" / student).mkdir(parents=True)
         (tmp_path / "in" / student / f"{GRAPHS}.ipynb").write_text(json.dumps(book))
-    grade = ["grade", str(tmp_path / "in"), "--out", str(tmp_path / "out"), "--secret", str(secret), "--workers", "1"]
+    grade = [
+        "grade",
+        str(tmp_path / "in"),
+        "--out",
+        str(tmp_path / "out"),
+        "--secret",
+        str(secret),
+        "--workers",
+        "1",
+    ]
     assert main(grade) == 2
     assert "--variants" in capsys.readouterr().err
     assert main([*grade, "--variants"]) == 0
     table = (tmp_path / "out" / "grades.csv").read_text(encoding="utf-8")
-    scores = {line.split(",")[0]: line.split(",")[3] for line in table.splitlines() if ",bfs_tree," in line}
+    scores = {
+        line.split(",")[0]: line.split(",")[3]
+        for line in table.splitlines()
+        if ",bfs_tree," in line
+    }
     assert float(scores[names["largest"]]) == 4.0
     assert float(scores[names["smallest"]]) < 4.0
-    page = next((tmp_path / "out" / "feedback" / names["smallest"]).iterdir()).read_text(encoding="utf-8")
+    page = next((tmp_path / "out" / "feedback" / names["smallest"]).iterdir()).read_text(
+        encoding="utf-8"
+    )
     assert find("bfs_tree", "smallest").contract in page
-    assert main(["regrade", str(tmp_path / "out"), "--out", str(tmp_path / "new"), "--workers", "1"]) == 0
+    assert (
+        main(["regrade", str(tmp_path / "out"), "--out", str(tmp_path / "new"), "--workers", "1"])
+        == 0
+    )
     assert "0 scores changed" in capsys.readouterr().out

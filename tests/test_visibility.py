@@ -1,4 +1,6 @@
-"""Visibility roadmaps against brute force over degenerate worlds, and shortest paths against networkx on all vertices."""
+"""Visibility roadmaps against brute force over degenerate worlds, and shortest paths against
+networkx on all vertices.
+"""
 
 from itertools import combinations, pairwise
 
@@ -8,7 +10,13 @@ import pytest
 import shapely
 
 import kinoedu as ke
-from kinoedu.errors import InvalidParameter, InvalidPolygon, InvalidStart, InvalidWorld, KinoeduError
+from kinoedu.errors import (
+    InvalidParameter,
+    InvalidPolygon,
+    InvalidStart,
+    InvalidWorld,
+    KinoeduError,
+)
 from kinoedu.geometry.rings import as_ring
 from kinoedu.planners.exact.corners import corners_of
 from kinoedu.planners.exact.visibility import pairs_in_sight
@@ -37,12 +45,16 @@ WORLDS = {
     "one in another": ke.PolygonWorld(SQUARE, [box(2, 2, 4, 4), box(3, 3)]),
     "twice the same": ke.PolygonWorld(SQUARE, [box(2, 2), box(2, 2)]),
     "four round a corner": ke.PolygonWorld(SQUARE, [box(3, 3), box(5, 3), box(3, 5), box(5, 5)]),
-    "corners in a row": ke.PolygonWorld(SQUARE, [box(1, 1, 1, 1), box(3, 1, 1, 1), box(5, 1, 1, 1), box(3, 4, 1, 1)]),
+    "corners in a row": ke.PolygonWorld(
+        SQUARE, [box(1, 1, 1, 1), box(3, 1, 1, 1), box(5, 1, 1, 1), box(3, 4, 1, 1)]
+    ),
 }
 
 
 def random_world(seed):
-    """A few obstacles, mostly with whole coordinates, so that they touch, overlap and line up; and the generator."""
+    """A few obstacles, mostly with whole coordinates, so that they touch, overlap and line up; and
+    the generator.
+    """
     rng = np.random.default_rng(seed)
     lattice, obstacles = rng.random() < 0.8, []
     for _ in range(rng.integers(1, 9)):
@@ -60,7 +72,13 @@ def random_world(seed):
 def slides(world):
     """The house's own judge of semi-free motions, which knows nothing of sweeps."""
     return ke.problems.ProblemRecord(
-        ke.Point(), world, ke.spaces.RealSpace(world.lo, world.hi), world.lo, world.hi, 0.0, np.zeros(2, np.int64)
+        ke.Point(),
+        world,
+        ke.spaces.RealSpace(world.lo, world.hi),
+        world.lo,
+        world.hi,
+        0.0,
+        np.zeros(2, np.int64),
     ).is_semi_free_path
 
 
@@ -77,7 +95,9 @@ def random_problem(seed):
 
 def shortest_by_brute_force(problem):
     """Dijkstra by networkx over all vertices that are not inside a solid, every pair judged."""
-    vertices = np.unique(np.concatenate([problem.world.edges[:, :2], [problem.start, problem.goal]]), axis=0)
+    vertices = np.unique(
+        np.concatenate([problem.world.edges[:, :2], [problem.start, problem.goal]]), axis=0
+    )
     free = [v for v in vertices if problem.is_semi_free_path(v, v)]
     graph = networkx.Graph()
     graph.add_nodes_from(tuple(v) for v in free)
@@ -94,7 +114,11 @@ def assert_all_pairs(world):
     """The roadmap has exactly the edges that the judge of motions allows between its nodes."""
     roadmap = ke.visibility_roadmap(world)
     judge = slides(world)
-    expected = {(i, j) for i, j in combinations(range(len(roadmap.nodes)), 2) if judge(roadmap.nodes[i], roadmap.nodes[j])}
+    expected = {
+        (i, j)
+        for i, j in combinations(range(len(roadmap.nodes)), 2)
+        if judge(roadmap.nodes[i], roadmap.nodes[j])
+    }
     assert {tuple(sorted(edge)) for edge in roadmap.edges.tolist()} == expected
     assert len(roadmap.edges) == len(expected)
 
@@ -113,7 +137,9 @@ def test_edges_are_those_of_brute_force(seed):
 
 @pytest.mark.parametrize("seed", range(100, 160))
 def test_paths_are_the_shortest(seed):
-    """As long as the shortest over all vertices, so no node is missing; never through the inside of an obstacle, by shapely."""
+    """As long as the shortest over all vertices, so no node is missing; never through the inside of
+    an obstacle, by shapely.
+    """
     problem = random_problem(seed)
     if problem is None:
         return
@@ -122,7 +148,9 @@ def test_paths_are_the_shortest(seed):
     if plan.path is None:
         assert "no path" in plan.reason
         return
-    assert np.array_equal(plan.path[0], problem.start) and np.array_equal(plan.path[-1], problem.goal)
+    assert np.array_equal(plan.path[0], problem.start) and np.array_equal(
+        plan.path[-1], problem.goal
+    )
     world = problem.world
     rings = ke.worlds.polygon_world.rings_of(world)
     solid = shapely.union_all([shapely.Polygon(outer, rooms) for outer, *rooms in rings[1:]])
@@ -134,7 +162,9 @@ def test_paths_are_the_shortest(seed):
 
 
 def test_the_numbers_of_known_worlds():
-    """Convex corners of an obstacle, reflex ones of a boundary and a room, none where nothing turns."""
+    """Convex corners of an obstacle, reflex ones of a boundary and a room, none where nothing
+    turns.
+    """
     assert len(ke.visibility_roadmap(WORLDS["nothing"]).nodes) == 0
     assert len(ke.visibility_roadmap(WORLDS["a reflex boundary"]).nodes) == 1
     assert len(ke.visibility_roadmap(WORLDS["a room"]).nodes) == 4
@@ -149,7 +179,9 @@ def test_a_world_of_any_size(scale):
     """Scaled by a power far from one, the same edges."""
     obstacles = [np.array(box(2, 2)) * scale, np.array(box(5, 3)) * scale]
     small = ke.visibility_roadmap(ke.PolygonWorld(np.array(SQUARE) * scale, obstacles))
-    assert np.array_equal(small.edges, ke.visibility_roadmap(ke.PolygonWorld(SQUARE, [box(2, 2), box(5, 3)])).edges)
+    assert np.array_equal(
+        small.edges, ke.visibility_roadmap(ke.PolygonWorld(SQUARE, [box(2, 2), box(5, 3)])).edges
+    )
 
 
 def test_compiled_and_interpreted_see_the_same():
@@ -163,16 +195,30 @@ def test_start_at_the_goal_and_in_sight():
     """No way at no cost; one straight motion where nothing is between."""
     there = ke.plan_by_visibility(ke.Problem(ke.Point(), WORLDS["a room"], (1, 1), (1, 1)))
     assert there.cost == 0.0 and len(there.path) == 2
-    assert ke.plan_by_visibility(ke.Problem(ke.Point(), WORLDS["a room"], (1, 1), (1, 9))).path.tolist() == [[1, 1], [1, 9]]
+    assert ke.plan_by_visibility(
+        ke.Problem(ke.Point(), WORLDS["a room"], (1, 1), (1, 9))
+    ).path.tolist() == [[1, 1], [1, 9]]
 
 
 def test_a_closed_room_is_out_of_reach_and_a_touching_corner_is_not():
-    """A wall all round leaves no way; two obstacles that meet in a point leave one, two that share an edge do not."""
+    """A wall all round leaves no way; two obstacles that meet in a point leave one, two that share
+    an edge do not.
+    """
     closed = ke.plan_by_visibility(ke.Problem(ke.Point(), WORLDS["a room"], (1, 1), (5, 5)))
-    assert closed.path is None and closed.cost == np.inf and closed.reason and closed.roadmap is not None
+    assert (
+        closed.path is None
+        and closed.cost == np.inf
+        and closed.reason
+        and closed.roadmap is not None
+    )
     for height, found in ((5, True), (6, False)):
-        halves = [box(0, 5, 5, 1), [(5, 5), (10, 5), (10, height), (5, 6)] if height == 6 else [(5, 5), (10, 4), (10, 5)]]
-        plan = ke.plan_by_visibility(ke.Problem(ke.Point(), ke.PolygonWorld(SQUARE, halves), (5.5, 1), (7, 9)))
+        halves = [
+            box(0, 5, 5, 1),
+            [(5, 5), (10, 5), (10, height), (5, 6)] if height == 6 else [(5, 5), (10, 4), (10, 5)],
+        ]
+        plan = ke.plan_by_visibility(
+            ke.Problem(ke.Point(), ke.PolygonWorld(SQUARE, halves), (5.5, 1), (7, 9))
+        )
         assert (plan.path is not None) == found
 
 

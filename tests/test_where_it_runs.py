@@ -1,4 +1,6 @@
-"""Where the course runs: what it stands on may be used; without network; in an image; in a browser."""
+"""Where the course runs: what it stands on may be used; without network; in an image; in a
+browser.
+"""
 
 import json
 import os
@@ -24,7 +26,8 @@ def course(tmp_path):
     return Course(tmp_path)
 
 
-# --- licences -------------------------------------------------------------------------------------------------------
+# --- licences
+# -------------------------------------------------------------------------------------------------------
 
 
 def load(path: Path):
@@ -41,7 +44,11 @@ def test_every_pinned_package_has_a_licence():
     assert HOUSE / "environment.txt" in script.environments() and len(script.environments()) >= 3
     for file in script.environments():
         table = page.partition(f"### `{file.relative_to(HOUSE).as_posix()}`")[2].partition("###")[0]
-        told = {row[1]: row[0].split(" | ")[1].strip() for row in script.ROW.finditer(table) if row[1] != "package"}
+        told = {
+            row[1]: row[0].split(" | ")[1].strip()
+            for row in script.ROW.finditer(table)
+            if row[1] != "package"
+        }
         assert script.pinned(file) == sorted(told), "run python docs/licences.py"
         assert all(re.search("[A-Z]", licence) for licence in told.values()), told
 
@@ -50,19 +57,29 @@ def test_every_folder_of_data_has_a_licence():
     """And every licence that lies beside data is linked."""
     page = (DOCS / "licences.md").read_text(encoding="utf-8").partition("## Packages")[0]
     rooms = [HOUSE / "notebooks", HOUSE / "tests" / "data"]
-    folders = [folder for room in rooms for folder in sorted(room.iterdir()) if folder.is_dir() and folder.name[0] not in "._"]
+    folders = [
+        folder
+        for room in rooms
+        for folder in sorted(room.iterdir())
+        if folder.is_dir() and folder.name[0] not in "._"
+    ]
     assert len(folders) >= 12
     for folder in folders:
-        assert re.search(rf"^\| \[?{folder.relative_to(HOUSE).as_posix()}\b", page, re.MULTILINE), folder
+        assert re.search(rf"^\| \[?{folder.relative_to(HOUSE).as_posix()}\b", page, re.MULTILINE), (
+            folder
+        )
         for licence in folder.glob("LICENSE*"):
             assert f"../{licence.relative_to(HOUSE).as_posix()})" in page, licence
 
 
-# --- without network ------------------------------------------------------------------------------------------------
+# --- without network
+# ------------------------------------------------------------------------------------------------
 
 
 def test_a_wheelhouse_is_gathered_and_set_up_from(course, tmp_path, monkeypatch):
-    """What pip and uv are asked: to download all that was set up; to install from nothing but the folder."""
+    """What pip and uv are asked: to download all that was set up; to install from nothing but the
+    folder.
+    """
     start = load(course.home / "start.py")
     asked = []
     monkeypatch.setattr(start, "finish", lambda line, *_: asked.append(line) or True)
@@ -71,7 +88,9 @@ def test_a_wheelhouse_is_gathered_and_set_up_from(course, tmp_path, monkeypatch)
     assert start.main(["wheelhouse", str(wheels)]) == 0
     install, *_, download = (" ".join(line) for line in asked)
     assert "--no-index" not in install and "--no-index" not in download
-    assert f"pip download --dest {wheels} " in download and download.endswith("--no-deps --only-binary :all: -r environment.txt")
+    assert f"pip download --dest {wheels} " in download and download.endswith(
+        "--no-deps --only-binary :all: -r environment.txt"
+    )
 
     wheels.mkdir()
     monkeypatch.chdir(tmp_path)
@@ -82,7 +101,9 @@ def test_a_wheelhouse_is_gathered_and_set_up_from(course, tmp_path, monkeypatch)
 
 
 def test_a_folder_of_wheels_is_named_and_is_there(course, tmp_path):
-    """One line says which folder is missing; --wheels takes nothing from the command that follows it."""
+    """One line says which folder is missing; --wheels takes nothing from the command that follows
+    it.
+    """
     (tmp_path / "wheels").mkdir()
     ended = course.run("--wheels", "wheels", "exit", "7", cwd=tmp_path)
     assert ended.status == 7 and ended.seen[0]["arguments"] == ["exit", "7"]
@@ -102,8 +123,14 @@ def wheels(tmp_path):
     (tmp_path / "wheels").mkdir()
     with zipfile.ZipFile(tmp_path / "wheels" / "only_here-1.0-py3-none-any.whl", "w") as wheel:
         wheel.writestr("only_here.py", "told = 42\n")
-        wheel.writestr("only_here-1.0.dist-info/METADATA", "Metadata-Version: 2.1\nName: only-here\nVersion: 1.0\n")
-        wheel.writestr("only_here-1.0.dist-info/WHEEL", "Wheel-Version: 1.0\nRoot-Is-Purelib: true\nTag: py3-none-any\n")
+        wheel.writestr(
+            "only_here-1.0.dist-info/METADATA",
+            "Metadata-Version: 2.1\nName: only-here\nVersion: 1.0\n",
+        )
+        wheel.writestr(
+            "only_here-1.0.dist-info/WHEEL",
+            "Wheel-Version: 1.0\nRoot-Is-Purelib: true\nTag: py3-none-any\n",
+        )
         wheel.writestr("only_here-1.0.dist-info/RECORD", "")
     return tmp_path / "wheels"
 
@@ -113,7 +140,9 @@ def test_wheels_in_a_folder_are_enough(course, tmp_path, wheels):
     (course.home / "environment.txt").write_text("only-here==1.0\n")
     ended = course.run("--wheels", "wheels", "plan", cwd=tmp_path, uv="refuse")
     assert ended.status == 0, ended.complaints
-    assert [path.read_text() for path in course.venv.glob("[Ll]ib/**/only_here.py")] == ["told = 42\n"]
+    assert [path.read_text() for path in course.venv.glob("[Ll]ib/**/only_here.py")] == [
+        "told = 42\n"
+    ]
 
 
 @pytest.mark.parametrize("lost", ["METADATA", "RECORD", None])
@@ -132,24 +161,62 @@ def test_pip_makes_a_half_written_package_whole(course, wheels, lost):
     assert package.read_text() == "told = 42\n"
 
 
-# --- a course that nobody writes to ---------------------------------------------------------------------------------
+# --- a course that nobody writes to
+# ---------------------------------------------------------------------------------
 
 
 def test_where_only_the_home_can_be_written_the_course_plans(tmp_path):
-    """All else of the disk is read-only: kinoedu plans, draws, and keeps compiled code at home, begun with what all users share."""
-    shut_in = ["bwrap", "--ro-bind", "/", "/", "--dev", "/dev", "--proc", "/proc", "--bind", str(tmp_path), str(tmp_path)]
-    if shutil.which("bwrap") is None or subprocess.run([*shut_in, "true"], capture_output=True).returncode:
+    """All else of the disk is read-only: kinoedu plans, draws, and keeps compiled code at home,
+    begun with what all users share.
+    """
+    shut_in = [
+        "bwrap",
+        "--ro-bind",
+        "/",
+        "/",
+        "--dev",
+        "/dev",
+        "--proc",
+        "/proc",
+        "--bind",
+        str(tmp_path),
+        str(tmp_path),
+    ]
+    if (
+        shutil.which("bwrap") is None
+        or subprocess.run([*shut_in, "true"], capture_output=True).returncode
+    ):
         pytest.skip("bubblewrap cannot be used here")
-    kept = {name: value for name, value in os.environ.items() if not name.startswith(("XDG_", "KINOEDU_", "MPL"))}
-    home = {"HOME": str(tmp_path), "TMPDIR": str(tmp_path), "KINOEDU_WARMED": str(user_cache()), "KINOEDU_MACHINE_CODE": "first"}
-    town = ["notebooks/maps/Paris_1_256.map", "--query", "324", "--planner", "rrt", "--out", str(tmp_path / "plan.png")]
+    kept = {
+        name: value
+        for name, value in os.environ.items()
+        if not name.startswith(("XDG_", "KINOEDU_", "MPL"))
+    }
+    home = {
+        "HOME": str(tmp_path),
+        "TMPDIR": str(tmp_path),
+        "KINOEDU_WARMED": str(user_cache()),
+        "KINOEDU_MACHINE_CODE": "first",
+    }
+    town = [
+        "notebooks/maps/Paris_1_256.map",
+        "--query",
+        "324",
+        "--planner",
+        "rrt",
+        "--out",
+        str(tmp_path / "plan.png"),
+    ]
     command = [*shut_in, sys.executable, "-m", "kinoedu", "plan", *town]
-    run = subprocess.run(command, cwd=HOUSE, env=kept | home, capture_output=True, text=True, timeout=300)
+    run = subprocess.run(
+        command, cwd=HOUSE, env=kept | home, capture_output=True, text=True, timeout=300
+    )
     assert run.returncode == 0 and run.stdout.startswith("found"), run.stdout + run.stderr
     assert (tmp_path / "plan.png").is_file() and list(tmp_path.glob(".cache/kinoedu/*/*"))
 
 
-# --- an image -------------------------------------------------------------------------------------------------------
+# --- an image
+# -------------------------------------------------------------------------------------------------------
 
 
 def instructions() -> list[tuple[str, str]]:
@@ -160,7 +227,9 @@ def instructions() -> list[tuple[str, str]]:
 
 def test_the_image_copies_what_is_there_and_sent():
     """Every source of a COPY exists, and .containerignore lets it and nothing else through."""
-    copied = {source for word, rest in instructions() if word == "COPY" for source in rest.split()[:-1]}
+    copied = {
+        source for word, rest in instructions() if word == "COPY" for source in rest.split()[:-1]
+    }
     assert copied >= {"start.py", "environment.txt", "kinoedu", "notebooks"}
     assert all((HOUSE / source).exists() for source in copied)
     ignored = (HOUSE / ".containerignore").read_text(encoding="utf-8").splitlines()
@@ -168,11 +237,15 @@ def test_the_image_copies_what_is_there_and_sent():
 
 
 def test_the_image_installs_what_start_installs_and_nothing_else():
-    """start.py does it, from environment.txt; pip brings JupyterHub alone, and only where a version is asked for."""
+    """start.py does it, from environment.txt; pip brings JupyterHub alone, and only where a version
+    is asked for.
+    """
     runs = [rest for word, rest in instructions() if word == "RUN"]
     start = load(HOUSE / "start.py")
     assert start.COURSE == "environment.txt" and "release" in start.TEACHING_COMMANDS
-    assert [re.findall(r"start\.py ([^&]+?) *(?:&|$)", run) for run in runs if "start.py" in run] == [
+    assert [
+        re.findall(r"start\.py ([^&]+?) *(?:&|$)", run) for run in runs if "start.py" in run
+    ] == [
         ["warm --all"],
         ["release --help"],
     ]
@@ -188,13 +261,22 @@ def test_students_and_the_grader_are_not_root_and_the_solutions_stay_with_the_gr
         stages[-1].append((word, rest))
     base, grader, course = stages
     assert [stage[0][1].rpartition(" AS ")[2] for stage in stages] == ["base", "grader", "course"]
-    assert all([rest for word, rest in stage if word == "USER"] == ["student"] for stage in (grader, course))
-    assert any("solutions" in rest for _, rest in grader) and not any("solutions" in rest for _, rest in base + course)
+    assert all(
+        [rest for word, rest in stage if word == "USER"] == ["student"]
+        for stage in (grader, course)
+    )
+    assert any("solutions" in rest for _, rest in grader) and not any(
+        "solutions" in rest for _, rest in base + course
+    )
 
 
 def test_what_the_image_tells_jupyter_is_python_that_runs(monkeypatch):
-    """The configuration that is written leads to the lessons, and opens the tour; so it does in a hub that says nothing else."""
-    (run,) = [rest for word, rest in instructions() if word == "RUN" and "jupyter_server_config" in rest]
+    """The configuration that is written leads to the lessons, and opens the tour; so it does in a
+    hub that says nothing else.
+    """
+    (run,) = [
+        rest for word, rest in instructions() if word == "RUN" and "jupyter_server_config" in rest
+    ]
     lines = re.findall(r'"([^"]+)"', run)
 
     class Any:
@@ -205,11 +287,14 @@ def test_what_the_image_tells_jupyter_is_python_that_runs(monkeypatch):
         config.ServerApp, config.LabApp = Any(), Any()
         monkeypatch.setenv("JUPYTERHUB_DEFAULT_URL", hub)
         exec("\n".join(lines), {"c": config})
-        assert (Path(config.ServerApp.root_dir) / config.LabApp.default_url.removeprefix("/lab/tree/")).is_file()
+        assert (
+            Path(config.ServerApp.root_dir) / config.LabApp.default_url.removeprefix("/lab/tree/")
+        ).is_file()
         assert config.ServerApp.default_url == opened
 
 
-# --- a browser ------------------------------------------------------------------------------------------------------
+# --- a browser
+# ------------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("lesson", ["01_geometry", "02_bug_algorithms"])
@@ -221,46 +306,84 @@ def test_a_lesson_shows_the_same_in_a_browsers_python(lesson):
     assert run.returncode == 0, run.stdout[-2000:] + run.stderr[-2000:]
     told = json.loads(run.stdout.splitlines()[-1])
     assert "numba" in told["asked"]
-    cells = [cell for cell in json.loads(notebook.read_text(encoding="utf-8"))["cells"] if cell["cell_type"] == "code"]
+    cells = [
+        cell
+        for cell in json.loads(notebook.read_text(encoding="utf-8"))["cells"]
+        if cell["cell_type"] == "code"
+    ]
     assert len(cells) == len(told["texts"])
     for cell, text in zip(cells, told["texts"]):
         outputs = cell["outputs"]
-        printed = ["".join(out["text"]) for out in outputs if out["output_type"] == "stream" and out["name"] == "stdout"]
-        returned = ["".join(out["data"].get("text/plain", "")) for out in outputs if out["output_type"] == "execute_result"]
+        printed = [
+            "".join(out["text"])
+            for out in outputs
+            if out["output_type"] == "stream" and out["name"] == "stdout"
+        ]
+        returned = [
+            "".join(out["data"].get("text/plain", ""))
+            for out in outputs
+            if out["output_type"] == "execute_result"
+        ]
         assert "".join([*printed, "\n", *returned]).split() == text.split()
 
 
 def test_work_is_done_where_there_are_no_threads():
     """A student's function, and what it raises: in a browser nothing bounds its time."""
-    code = "import like_pyodide as p; from kinoedu.support.time_limit import within, within_processor_time; "
+    code = (
+        "import like_pyodide as p; from kinoedu.support.time_limit import within, "
+        "within_processor_time; "
+    )
     code += "p.refuse_processes_and_threads(); print(within(1.0, lambda: 42), within_processor_time(1.0, lambda: 43))"
-    run = subprocess.run([sys.executable, "-c", code], cwd=HOUSE / "tests", capture_output=True, text=True, timeout=100)
+    run = subprocess.run(
+        [sys.executable, "-c", code],
+        cwd=HOUSE / "tests",
+        capture_output=True,
+        text=True,
+        timeout=100,
+    )
     assert run.stdout == "42 43\n", run.stderr
 
 
 def test_the_browsers_lessons_bring_what_they_need(tmp_path):
-    """The first cell names all that kinoedu stands on but what a browser cannot have; nothing else of a lesson changes."""
+    """The first cell names all that kinoedu stands on but what a browser cannot have; nothing else
+    of a lesson changes.
+    """
     build = load(HOUSE / "jupyterlite" / "build.py")
     wanted = build.packages()
-    assert {"numpy", "anywidget", "shapely", "trimesh"} <= set(wanted) and not build.ELSEWHERE & set(wanted)
+    assert {"numpy", "anywidget", "shapely", "trimesh"} <= set(
+        wanted
+    ) and not build.ELSEWHERE & set(wanted)
     build.copy_lessons(tmp_path)
-    assert (tmp_path / "notebooks" / "maps" / "Paris_1_256.map").is_file() and not (tmp_path / "solutions").exists()
+    assert (tmp_path / "notebooks" / "maps" / "Paris_1_256.map").is_file() and not (
+        tmp_path / "solutions"
+    ).exists()
     for room in ("notebooks", "exercises"):
         for file in (HOUSE / room).glob("*.ipynb"):
-            book, copy = (json.loads((place / room / file.name).read_text(encoding="utf-8")) for place in (HOUSE, tmp_path))
+            book, copy = (
+                json.loads((place / room / file.name).read_text(encoding="utf-8"))
+                for place in (HOUSE, tmp_path)
+            )
             assert copy["cells"][1:] == book["cells"]
-            assert copy["cells"][0]["source"].endswith(" kinoedu") and " numpy " in copy["cells"][0]["source"]
+            assert (
+                copy["cells"][0]["source"].endswith(" kinoedu")
+                and " numpy " in copy["cells"][0]["source"]
+            )
 
 
-# --- the boards' page -----------------------------------------------------------------------------------------------
+# --- the boards' page
+# -----------------------------------------------------------------------------------------------
 
 
 def test_every_board_has_its_picture_and_its_line():
-    """Small enough to be sent, wide enough to be read; the line that opens it names what is there, as does the lesson."""
+    """Small enough to be sent, wide enough to be read; the line that opens it names what is there,
+    as does the lesson.
+    """
     import kinoedu.boards
 
     page = (DOCS / "boards.md").read_text(encoding="utf-8")
-    entries = re.findall(r"!\[(.+?)\]\(boards/(\w+)\.png\)\n\n(.+?)\n\n```python\n(.+?)\n```", page, re.DOTALL)
+    entries = re.findall(
+        r"!\[(.+?)\]\(boards/(\w+)\.png\)\n\n(.+?)\n\n```python\n(.+?)\n```", page, re.DOTALL
+    )
     boards = {name for name in kinoedu.boards.__all__ if name == "board" or name.endswith("_board")}
     assert {name for _, name, _, _ in entries} == boards and len(entries) == len(boards)
     assert {file.stem for file in (DOCS / "boards").iterdir()} == boards
@@ -270,4 +393,6 @@ def test_every_board_has_its_picture_and_its_line():
             assert 400 <= image.width <= 1280 and picture.stat().st_size < 80_000
         assert len(alt) > 20 and f"{name}(" in code
         for lesson in re.findall(r"\]\((.+?\.ipynb)\)", text):
-            assert f"{name}(" in (DOCS / lesson).read_text(encoding="utf-8"), f"{name} is not in {lesson}"
+            assert f"{name}(" in (DOCS / lesson).read_text(encoding="utf-8"), (
+                f"{name} is not in {lesson}"
+            )

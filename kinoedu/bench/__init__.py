@@ -1,4 +1,6 @@
-"""The speed table: rows that are scripts beside the package, run one after another, and what came out as one table."""
+"""The speed table: rows that are scripts beside the package, run one after another, and what came
+out as one table.
+"""
 
 from .pages import as_markdown, as_table, totals
 from .peers import install_peer, named_peers

@@ -15,8 +15,14 @@ kinoedu's, the more the better. The median over the rounds, with the middle half
 
 
 def as_markdown(ratios: Sequence[Ratio], outcomes: Sequence[Outcome], around: Sequence[str]) -> str:
-    """All ratios, how each row ended and what it took, and `around`: lines that say what the numbers depend on."""
-    blocks = ["# Ratios, side by side", "\n".join(f"- {line}" for line in around), f"{totals(ratios, outcomes)}\n{WHAT}"]
+    """All ratios, how each row ended and what it took, and `around`: lines that say what the
+    numbers depend on.
+    """
+    blocks = [
+        "# Ratios, side by side",
+        "\n".join(f"- {line}" for line in around),
+        f"{totals(ratios, outcomes)}\n{WHAT}",
+    ]
     for title, compared in groupby(ratios, key=lambda ratio: ratio.title):
         blocks.append(f"### {title}\n\n{as_table(compared)}")
     blocks.append("\n".join([ROWS, *map(ending_of, outcomes)]))
@@ -48,9 +54,14 @@ def as_table(compared: Iterable[Ratio]) -> str:
 
 def line_of(ratio: Ratio) -> str:
     """A line of it."""
-    middle = "" if ratio.ratio is None else f"{ratio.ratio:.3g} ({ratio.low:.3g} to {ratio.high:.3g})"
+    middle = (
+        "" if ratio.ratio is None else f"{ratio.ratio:.3g} ({ratio.low:.3g} to {ratio.high:.3g})"
+    )
     verdict = "**missed**" if ratio.holds == MISSED else ratio.holds
-    return f"| {ratio.contestant.replace('|', '/')} | {ratio.median_ms:.3g} | {middle} | {ratio.goal} | {verdict} |"
+    return (
+        f"| {ratio.contestant.replace('|', '/')} | {ratio.median_ms:.3g} | {middle} | "
+        f"{ratio.goal} | {verdict} |"
+    )
 
 
 def ending_of(outcome: Outcome) -> str:
@@ -59,5 +70,12 @@ def ending_of(outcome: Outcome) -> str:
     processor = "" if outcome.processor is None else duration(outcome.processor)
     memory = "" if outcome.memory is None else f"{outcome.memory / 1e6:.0f} MB"
     ended = f"{outcome.ended}: {outcome.reason}" if outcome.reason else outcome.ended
-    cells = [f"[{name}]({name}.md)", ended, duration(outcome.seconds), processor, memory, "; ".join(outcome.left_out)]
+    cells = [
+        f"[{name}]({name}.md)",
+        ended,
+        duration(outcome.seconds),
+        processor,
+        memory,
+        "; ".join(outcome.left_out),
+    ]
     return f"| {' | '.join(cell.replace('|', '/') for cell in cells)} |"

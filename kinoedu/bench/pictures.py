@@ -13,7 +13,9 @@ BY_RULER = "kinoedu's time by the other's: the less, the better"
 
 
 def draw_folder(folder: Path) -> None:
-    """Draw a folder's ratios.csv into pictures beside it; nothing where it has none. Raises OSError."""
+    """Draw a folder's ratios.csv into pictures beside it; nothing where it has none. Raises
+    OSError.
+    """
     ratios = [ratio for ratio in read_ratios(folder / "ratios.csv") if ratio.ratio is not None]
     panels: dict[str, Sequence[Any]] = {
         label: [mark_of(ratio) for ratio in ratios if ratio.goal.startswith("<") == by_ruler]

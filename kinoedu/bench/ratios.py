@@ -11,9 +11,11 @@ HELD, MISSED, NO_GOAL = "holds", "missed", ""
 
 
 class Ratio(NamedTuple):
-    """A contestant in a comparison: its median time, and the ratio with the middle half of the rounds; blank for kinoedu itself.
+    """A contestant in a comparison: its median time, and the ratio with the middle half of the
+    rounds; blank for kinoedu itself.
 
-    `goal` is what is to hold, such as "<= 1.2": our time by a ruler's; or ">= 4": a peer's time by ours.
+    `goal` is what is to hold, such as "<= 1.2": our time by a ruler's; or ">= 4": a peer's time by
+    ours.
     """
 
     row: str
@@ -34,7 +36,10 @@ def append_ratios(file: Path, ratios: Iterable[Ratio]) -> None:
     with file.open("a", newline="", encoding="utf-8") as table:
         lines = csv.writer(table)
         lines.writerows([Ratio._fields] if is_new else [])
-        lines.writerows([f"{cell:.6g}" if isinstance(cell, float) else cell for cell in ratio] for ratio in ratios)
+        lines.writerows(
+            [f"{cell:.6g}" if isinstance(cell, float) else cell for cell in ratio]
+            for ratio in ratios
+        )
 
 
 def read_ratios(file: Path) -> list[Ratio]:
@@ -44,7 +49,9 @@ def read_ratios(file: Path) -> list[Ratio]:
     with file.open(newline="", encoding="utf-8") as table:
         heading, *lines = [*csv.reader(table)] or [[]]
     if tuple(heading) != Ratio._fields:
-        raise UnreadableScene(f"{file} is no table of ratios: its heading should be {','.join(Ratio._fields)}")
+        raise UnreadableScene(
+            f"{file} is no table of ratios: its heading should be {','.join(Ratio._fields)}"
+        )
     return [ratio_of(line) for line in lines]
 
 

@@ -4,13 +4,26 @@ import os
 import platform
 from importlib.metadata import PackageNotFoundError, version
 
-WITH = ("numpy", "numba", "scipy", "shapely", "triangle", "ompl", "pathplanning", "roboticstoolbox-python", "rsplan")
+WITH = (
+    "numpy",
+    "numba",
+    "scipy",
+    "shapely",
+    "triangle",
+    "ompl",
+    "pathplanning",
+    "roboticstoolbox-python",
+    "rsplan",
+)
 
 
 def surroundings() -> str:
     """Python, the packages that are timed, the processor and how busy it is, in a line."""
     versions = [f"{name} {found}" for name in WITH if (found := installed(name))]
-    return f"Python {platform.python_version()}, {', '.join(versions)}, {platform.machine()}, {os.cpu_count()} cores, {load()}"
+    return (
+        f"Python {platform.python_version()}, {', '.join(versions)}, {platform.machine()}, "
+        f"{os.cpu_count()} cores, {load()}"
+    )
 
 
 def load() -> str:

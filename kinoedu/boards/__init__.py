@@ -1,4 +1,6 @@
-"""Boards: problems to play with in a notebook. `board` for planners; `Canvas`, `Drawing` and its layers for a lesson's own."""
+"""Boards: problems to play with in a notebook. `board` for planners; `Canvas`, `Drawing` and its
+layers for a lesson's own.
+"""
 
 from .arm.arm import ArmBoard, arm_board
 from .arm.reach import reach_board, torus_board

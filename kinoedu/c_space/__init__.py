@@ -1,4 +1,6 @@
-"""Configuration space: what the obstacles of a workspace are to the one point that a robot's configuration is."""
+"""Configuration space: what the obstacles of a workspace are to the one point that a robot's
+configuration is.
+"""
 
 from .disk import free_regions, grown_obstacles, shrunk_workspace
 from .rounded import Rounded

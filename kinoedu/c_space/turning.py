@@ -1,9 +1,12 @@
-"""A polygon that turns as well: its C-obstacle is a solid in (x, y, theta), a screw-like pile of slices. LaValle, section 4.3.3.
+"""A polygon that turns as well: its C-obstacle is a solid in (x, y, theta), a screw-like pile of
+slices. LaValle, section 4.3.3.
 
-At each theta the slice is the Minkowski difference of the obstacle and the turned robot. Its corners are differences of one corner
-each, i of the obstacle and j of the robot, and which pairs i, j they are changes only at the *critical* angles, where an edge of
-the robot runs against one of the obstacle: there one corner slides into an edge and another out of it. Between two critical angles
-every corner moves along a smooth curve, and a face is swept by an edge on a vertex ("EV") or a vertex on an edge ("VE").
+At each theta the slice is the Minkowski difference of the obstacle and the turned robot. Its
+corners are differences of one corner each, i of the obstacle and j of the robot, and which pairs i,
+j they are changes only at the *critical* angles, where an edge of the robot runs against one of the
+obstacle: there one corner slides into an edge and another out of it. Between two critical angles
+every corner moves along a smooth curve, and a face is swept by an edge on a vertex ("EV") or a
+vertex on an edge ("VE").
 """
 
 from itertools import pairwise
@@ -34,20 +37,26 @@ class Slice(NamedTuple):
     pairs: Pairs
 
 
-def turning_obstacle(robot_vertices: ArrayLike, obstacle: ArrayLike, *, n_angles: int = 72) -> "Trimesh":
-    """The C-obstacle of a polygon that moves and turns, as a closed triangle mesh in (x, y, theta), theta from -pi to pi.
+def turning_obstacle(
+    robot_vertices: ArrayLike, obstacle: ArrayLike, *, n_angles: int = 72
+) -> "Trimesh":
+    """The C-obstacle of a polygon that moves and turns, as a closed triangle mesh in (x, y, theta),
+    theta from -pi to pi.
 
     Parameters
     ----------
-    robot_vertices : (n, 2), a simple polygon, convex or not; it turns about its reference point, the origin.
+    robot_vertices : (n, 2), a simple polygon, convex or not; it turns about its reference point,
+    the origin.
     obstacle : (m, 2), a simple polygon, convex or not.
-    n_angles : slices no farther apart than 2 pi / n_angles, besides those at the critical angles and between them.
+    n_angles : slices no farther apart than 2 pi / n_angles, besides those at the critical angles
+    and between them.
 
-    Slices are exact to rounding. Between them, with d = 2 pi / n_angles, the mesh lies within R d^2 / 8 + L d / 16 of the solid:
-    R is the distance of the robot's farthest vertex from its reference point, L the length of its longest edge. The solid is
-    periodic: its flat ends at -pi and pi are the same place. Where a shape is not convex, the mesh has one closed body for each
-    pair of convex parts; they overlap, and together are the C-obstacle.
-    `mesh.export("solid.stl")` or `.glb` writes it to a file. Raises InvalidPolygon, InvalidPoint, InvalidParameter.
+    Slices are exact to rounding. Between them, with d = 2 pi / n_angles, the mesh lies within R d^2
+    / 8 + L d / 16 of the solid: R is the distance of the robot's farthest vertex from its reference
+    point, L the length of its longest edge. The solid is periodic: its flat ends at -pi and pi are
+    the same place. Where a shape is not convex, the mesh has one closed body for each pair of
+    convex parts; they overlap, and together are the C-obstacle. `mesh.export("solid.stl")` or
+    `.glb` writes it to a file. Raises InvalidPolygon, InvalidPoint, InvalidParameter.
 
     >>> robot, obstacle = [(0, 0), (2, 0), (0, 1)], [(2, 2), (4, 2), (4, 3), (2, 3)]
     >>> mesh = turning_obstacle(robot, obstacle)
@@ -71,14 +80,18 @@ def turning_obstacle(robot_vertices: ArrayLike, obstacle: ArrayLike, *, n_angles
 
 
 def turning_volume(robot_vertices: ArrayLike, obstacle: ArrayLike) -> float:
-    """The volume, in area times radians, of the C-obstacle of two convex polygons: 2 pi (A + B) + a b, with their areas A and B
-    and perimeters a and b. Source: Santaló, Integral Geometry and Geometric Probability, chapter 6. Raises InvalidPolygon.
+    """The volume, in area times radians, of the C-obstacle of two convex polygons: 2 pi (A + B) + a
+    b, with their areas A and B and perimeters a and b. Source: Santaló, Integral Geometry and
+    Geometric Probability, chapter 6. Raises InvalidPolygon.
 
     >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
     >>> turning_volume(square, square) == 4 * np.pi + 16
     True
     """
-    (A, a), (B, b) = size_of(as_convex_ring(robot_vertices, "robot")), size_of(as_convex_ring(obstacle, "obstacle"))
+    (A, a), (B, b) = (
+        size_of(as_convex_ring(robot_vertices, "robot")),
+        size_of(as_convex_ring(obstacle, "obstacle")),
+    )
     return 2.0 * np.pi * (A + B) + a * b
 
 
@@ -90,29 +103,44 @@ def size_of(ring: Array) -> tuple[float, float]:
 
 
 def solid_of(robot: Array, obstacle: Array, step: float) -> tuple[Array, Any]:
-    """The solid of two strictly convex polygons: vertices (n, 3), triangles (m, 3) whose outside is where they turn left."""
+    """The solid of two strictly convex polygons: vertices (n, 3), triangles (m, 3) whose outside is
+    where they turn left.
+    """
     slices = slices_of(robot, obstacle, step)
     first = np.cumsum([0, *(len(slice_.pairs) for slice_ in slices)])
-    levels = [obstacle[i] - turned_corners(robot, theta)[j] for theta, pairs in slices for i, j in [np.array(pairs).T]]
+    levels = [
+        obstacle[i] - turned_corners(robot, theta)[j]
+        for theta, pairs in slices
+        for i, j in [np.array(pairs).T]
+    ]
     heights = np.repeat([slice_.theta for slice_ in slices], np.diff(first))
     points = np.column_stack([np.concatenate(levels), heights])
-    numbers = [dict(zip(pairs, range(begin, begin + len(pairs)))) for (_, pairs), begin in zip(slices, first.tolist())]
+    numbers = [
+        dict(zip(pairs, range(begin, begin + len(pairs))))
+        for (_, pairs), begin in zip(slices, first.tolist())
+    ]
     bottom, top = list(numbers[0].values()), list(numbers[-1].values())
-    faces = [(bottom[0], b, a) for a, b in pairwise(bottom[1:])] + [(top[0], a, b) for a, b in pairwise(top[1:])]
+    faces = [(bottom[0], b, a) for a, b in pairwise(bottom[1:])] + [
+        (top[0], a, b) for a, b in pairwise(top[1:])
+    ]
     twisted: list[tuple[int, ...]] = []
     for low, high in pairwise(numbers):
         stitch(low, high, faces, twisted)
     quads = np.array(twisted)
     middles = len(points) + np.arange(len(quads))
     fans = [np.column_stack([quads[:, k], quads[:, (k + 1) % 4], middles]) for k in range(4)]
-    return np.concatenate([points, points[quads].mean(axis=1)]), np.concatenate([np.array(faces), *fans])
+    return np.concatenate([points, points[quads].mean(axis=1)]), np.concatenate(
+        [np.array(faces), *fans]
+    )
 
 
 def slices_of(robot: Array, obstacle: Array, step: float) -> list[Slice]:
-    """Slices from -pi to pi: at the ends, at every critical angle, and between two such at least one, no more than a step apart.
+    """Slices from -pi to pi: at the ends, at every critical angle, and between two such at least
+    one, no more than a step apart.
 
-    At a critical angle the corner that goes and the one that comes both lie inside an edge: the slice has what is left, the pairs
-    that the slices on either side share. So every neighbouring two have pairs of one another, and nothing between them folds.
+    At a critical angle the corner that goes and the one that comes both lie inside an edge: the
+    slice has what is left, the pairs that the slices on either side share. So every neighbouring
+    two have pairs of one another, and nothing between them folds.
     """
     stops = critical_angles(robot, obstacle)
     pieces = [pairs_at(robot, obstacle, (a + b) / 2.0) for a, b in pairwise(stops)]
@@ -126,26 +154,36 @@ def slices_of(robot: Array, obstacle: Array, step: float) -> list[Slice]:
 
 
 def critical_angles(robot: Array, obstacle: Array) -> list[float]:
-    """The angles from -pi to pi, both included, at which an edge of the robot runs against an edge of the obstacle."""
-    ours, theirs = (np.arctan2(*(np.roll(ring, -1, axis=0) - ring).T[::-1]) for ring in (robot, obstacle))
+    """The angles from -pi to pi, both included, at which an edge of the robot runs against an edge
+    of the obstacle.
+    """
+    ours, theirs = (
+        np.arctan2(*(np.roll(ring, -1, axis=0) - ring).T[::-1]) for ring in (robot, obstacle)
+    )
     angles = np.sort(np.mod(theirs[:, None] - ours[None, :], 2.0 * np.pi).ravel() - np.pi)
     inner = angles[(angles > -np.pi + SAME) & (angles < np.pi - SAME)]
     return [-np.pi, *inner[np.diff(inner, prepend=-np.inf) > SAME].tolist(), np.pi]
 
 
 def pairs_at(robot: Array, obstacle: Array, theta: float) -> Pairs:
-    """The pairs of corners i, j that make the corners of the slice at an angle that is not critical."""
+    """The pairs of corners i, j that make the corners of the slice at an angle that is not
+    critical.
+    """
     mirrored = -turned_corners(robot, theta)
     left = [leftmost(obstacle), leftmost(mirrored)]
     pairs = corner_pairs(np.roll(obstacle, -left[0], axis=0), np.roll(mirrored, -left[1], axis=0))
     return [(i, j) for i, j in ((pairs + left) % [len(obstacle), len(robot)]).tolist()]
 
 
-def stitch(low: Numbers, high: Numbers, faces: list[tuple[int, int, int]], twisted: list[tuple[int, ...]]) -> None:
-    """Add the faces between two slices, given as the vertex number of each pair in order; one has all the pairs of the other.
+def stitch(
+    low: Numbers, high: Numbers, faces: list[tuple[int, int, int]], twisted: list[tuple[int, ...]]
+) -> None:
+    """Add the faces between two slices, given as the vertex number of each pair in order; one has
+    all the pairs of the other.
 
-    What is swept by an edge of the obstacle is flat, two triangles. An edge of the robot turns as it goes: its four corners are not
-    in one plane, and are kept for a fan round their middle, which lies on the solid as neither diagonal does.
+    What is swept by an edge of the obstacle is flat, two triangles. An edge of the robot turns as
+    it goes: its four corners are not in one plane, and are kept for a fan round their middle, which
+    lies on the solid as neither diagonal does.
     """
     ring = list(low if len(low) >= len(high) else high)
     begin = next(k for k, pair in enumerate(ring) if pair in low and pair in high)

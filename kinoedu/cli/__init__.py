@@ -1,5 +1,5 @@
-"""The command line: kinoedu plan | experiment | lab | warm | release | grade | regrade | export | hand-in | similar |
-new-exercise | autograde | bench."""
+"""The command line: kinoedu plan | experiment | lab | warm | release | grade | regrade | export |
+hand-in | similar | new-exercise | autograde | bench."""
 
 import argparse
 import io
@@ -27,13 +27,19 @@ def main(argv: Sequence[str] | None = None) -> int:
     """Run one command; returns the exit status."""
     arguments = parser().parse_args(argv)
     if isinstance(sys.stdout, io.TextIOWrapper):
-        sys.stdout.reconfigure(errors="backslashreplace")  # a name that the terminal cannot show is no reason to fail
+        sys.stdout.reconfigure(
+            errors="backslashreplace"
+        )  # a name that the terminal cannot show is no reason to fail
     try:
         return int(arguments.run(arguments))
     except (KinoeduError, OSError) as error:
         print(f"kinoedu: {' '.join(str(error).split())}", file=sys.stderr)
     except MemoryError:
-        print("kinoedu: this computer's memory is not enough for that; ask for fewer nodes or a coarser grid", file=sys.stderr)
+        print(
+            "kinoedu: this computer's memory is not enough for that; ask for fewer nodes or a "
+            "coarser grid",
+            file=sys.stderr,
+        )
     except KeyboardInterrupt:
         return 130
     return 2
@@ -57,13 +63,25 @@ def parser() -> argparse.ArgumentParser:
     commands = top.add_subparsers(title="commands", required=True, metavar="COMMAND")
     add_plan(commands)
     add_experiment(commands)
-    lab = commands.add_parser("lab", help="open the course in JupyterLab", description="Open the course in JupyterLab.")
-    lab.add_argument("--no-browser", action="store_true", help="print the address instead of opening a browser")
+    lab = commands.add_parser(
+        "lab", help="open the course in JupyterLab", description="Open the course in JupyterLab."
+    )
+    lab.add_argument(
+        "--no-browser", action="store_true", help="print the address instead of opening a browser"
+    )
     lab.set_defaults(run=run_lab)
-    warm = commands.add_parser("warm", help="compile what the course uses, once", description="Compile what the course uses, once.")
+    warm = commands.add_parser(
+        "warm",
+        help="compile what the course uses, once",
+        description="Compile what the course uses, once.",
+    )
     how = warm.add_mutually_exclusive_group()
     how.add_argument("--all", action="store_true", help="what all lessons use, not only the first")
-    how.add_argument("--behind", action="store_true", help="the same, giving way to whatever else runs; the lab does so")
+    how.add_argument(
+        "--behind",
+        action="store_true",
+        help="the same, giving way to whatever else runs; the lab does so",
+    )
     warm.set_defaults(run=run_warm)
     add_release(commands)
     add_grade(commands)

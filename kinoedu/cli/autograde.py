@@ -20,11 +20,19 @@ def add_autograde(commands: Any) -> None:
         description=AUTOGRADE_HELP,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    autograde.add_argument("root", metavar="ROOT", type=Path, help="/autograder, or a folder laid out like it")
-    autograde.add_argument("--assignment", required=True, metavar="NAME", help="such as 01_geometry")
-    autograde.add_argument("--secret", required=True, metavar="FILE", type=Path, help="the course's secret")
     autograde.add_argument(
-        "--trust-container", action="store_true", help="where no sandbox can be made, run programs WITHOUT ONE, as an ordinary user"
+        "root", metavar="ROOT", type=Path, help="/autograder, or a folder laid out like it"
+    )
+    autograde.add_argument(
+        "--assignment", required=True, metavar="NAME", help="such as 01_geometry"
+    )
+    autograde.add_argument(
+        "--secret", required=True, metavar="FILE", type=Path, help="the course's secret"
+    )
+    autograde.add_argument(
+        "--trust-container",
+        action="store_true",
+        help="where no sandbox can be made, run programs WITHOUT ONE, as an ordinary user",
     )
     autograde.set_defaults(run=run_autograde)
 
@@ -35,8 +43,12 @@ def run_autograde(arguments: argparse.Namespace) -> int:
     from ..grading.questions import course_secret
 
     if not arguments.secret.is_file():
-        raise InvalidParameter(f"there is no secret in {arguments.secret}: pack the autograder again")
+        raise InvalidParameter(
+            f"there is no secret in {arguments.secret}: pack the autograder again"
+        )
     secret = course_secret(arguments.secret)
-    results = autograde(arguments.root, arguments.assignment, secret, container_is_wall=arguments.trust_container)
+    results = autograde(
+        arguments.root, arguments.assignment, secret, container_is_wall=arguments.trust_container
+    )
     print(f"score {results['score']}; {results['output']}")
     return 0

@@ -57,11 +57,31 @@ def add_bench(commands: Any) -> None:
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     bench.add_argument("rows", nargs="*", metavar="ROW", help="such as rrt (default: all)")
-    bench.add_argument("--list", action="store_true", help="say which rows there are and how long they take, and run none")
-    bench.add_argument("--peers", action="store_true", help="install the libraries of benchmarks/environment.txt first")
-    bench.add_argument("--pythonrobotics", type=Path, metavar="PATH", help="a checkout of PythonRobotics, to run it as well")
-    bench.add_argument("--repeats", type=int, metavar="N", help="rounds of each row that counts them (default: its own number)")
-    bench.add_argument("--out", type=Path, metavar="FOLDER", help="where results go (default: benchmarks/results)")
+    bench.add_argument(
+        "--list",
+        action="store_true",
+        help="say which rows there are and how long they take, and run none",
+    )
+    bench.add_argument(
+        "--peers",
+        action="store_true",
+        help="install the libraries of benchmarks/environment.txt first",
+    )
+    bench.add_argument(
+        "--pythonrobotics",
+        type=Path,
+        metavar="PATH",
+        help="a checkout of PythonRobotics, to run it as well",
+    )
+    bench.add_argument(
+        "--repeats",
+        type=int,
+        metavar="N",
+        help="rounds of each row that counts them (default: its own number)",
+    )
+    bench.add_argument(
+        "--out", type=Path, metavar="FOLDER", help="where results go (default: benchmarks/results)"
+    )
     bench.set_defaults(run=run_bench)
 
 
@@ -74,14 +94,25 @@ def run_bench(arguments: argparse.Namespace) -> int:
     if arguments.repeats is not None and arguments.repeats < 1:
         raise InvalidParameter(f"--repeats is a number from 1, got {arguments.repeats}")
     if arguments.pythonrobotics is not None and not arguments.pythonrobotics.is_dir():
-        raise InvalidParameter(f"--pythonrobotics {arguments.pythonrobotics}: is no folder; give a checkout of PythonRobotics")
+        raise InvalidParameter(
+            f"--pythonrobotics {arguments.pythonrobotics}: is no folder; give a checkout of "
+            "PythonRobotics"
+        )
     if arguments.peers:
         peers_installed()
-    options = {"repeats": arguments.repeats, "pythonrobotics": arguments.pythonrobotics and arguments.pythonrobotics.resolve()}
+    options = {
+        "repeats": arguments.repeats,
+        "pythonrobotics": arguments.pythonrobotics and arguments.pythonrobotics.resolve(),
+    }
     folder = BENCHMARKS / "results" if arguments.out is None else arguments.out
     folder.mkdir(parents=True, exist_ok=True)
-    outcomes = all_run(rows, folder, {name: value for name, value in options.items() if value is not None})
-    print(f"{totals(read_ratios(folder / 'ratios.csv'), outcomes)} The table is {folder / 'ratios.md'}")
+    outcomes = all_run(
+        rows, folder, {name: value for name, value in options.items() if value is not None}
+    )
+    print(
+        f"{totals(read_ratios(folder / 'ratios.csv'), outcomes)} The table is "
+        f"{folder / 'ratios.md'}"
+    )
     return int(any(outcome.ended == "failed" for outcome in outcomes))
 
 
@@ -89,7 +120,10 @@ def listed(rows: Sequence[Row]) -> None:
     """A line for each row."""
     width = max(len(row.name) for row in rows)
     for row in rows:
-        print(f"{row.name:<{width}}  {duration(row.seconds):>6}  {shorten(row.about, 100, placeholder=' ...')}")
+        print(
+            f"{row.name:<{width}}  {duration(row.seconds):>6}  "
+            f"{shorten(row.about, 100, placeholder=' ...')}"
+        )
     print(f"{len(rows)} rows, about {duration(sum(row.seconds for row in rows))} in all")
 
 
@@ -103,7 +137,9 @@ def peers_installed() -> None:
 
 
 def all_run(rows: Sequence[Row], folder: Path, options: dict[str, Any]) -> list[Outcome]:
-    """Run one row after another. The table is written after each, the picture in the end, also where somebody stops it."""
+    """Run one row after another. The table is written after each, the picture in the end, also
+    where somebody stops it.
+    """
     for old in ("ratios.csv", "ratios.md", *PICTURES):
         (folder / old).unlink(missing_ok=True)
     outcomes: list[Outcome] = []
@@ -113,7 +149,11 @@ def all_run(rows: Sequence[Row], folder: Path, options: dict[str, Any]) -> list[
             with stage(f"{number} of {len(rows)}: {row.name}, about {duration(row.seconds)}"):
                 outcomes.append(run_row(row, folder, options))
             print(told(outcomes[-1]), flush=True)
-            around = [began, f"at the end: {surroundings()}", f"{len(outcomes)} of {len(rows)} rows were run"]
+            around = [
+                began,
+                f"at the end: {surroundings()}",
+                f"{len(outcomes)} of {len(rows)} rows were run",
+            ]
             text = as_markdown(read_ratios(folder / "ratios.csv"), outcomes, around)
             (folder / "ratios.md").write_text(text, encoding="utf-8")
     finally:

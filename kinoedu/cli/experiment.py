@@ -36,12 +36,24 @@ def add_experiment(commands: Any) -> None:
     )
     experiment.add_argument("file", metavar="FILE", type=Path, help="the experiment, a .toml")
     experiment.add_argument(
-        "--out", type=Path, metavar="FOLDER", help="where results go (default: a folder named like the file, here)"
+        "--out",
+        type=Path,
+        metavar="FOLDER",
+        help="where results go (default: a folder named like the file, here)",
     )
-    experiment.add_argument("--plots", action="store_true", help="draw medians, shares of runs, and growth, into .png")
+    experiment.add_argument(
+        "--plots", action="store_true", help="draw medians, shares of runs, and growth, into .png"
+    )
     where = experiment.add_mutually_exclusive_group()
-    where.add_argument("--workers", type=int, metavar="N", help="so many processes (default: one for each processor)")
-    where.add_argument("--dask", metavar="ADDRESS", help="run on the Dask cluster whose scheduler is there")
+    where.add_argument(
+        "--workers",
+        type=int,
+        metavar="N",
+        help="so many processes (default: one for each processor)",
+    )
+    where.add_argument(
+        "--dask", metavar="ADDRESS", help="run on the Dask cluster whose scheduler is there"
+    )
     experiment.set_defaults(run=run_experiment)
 
 
@@ -50,14 +62,21 @@ def run_experiment(arguments: argparse.Namespace) -> int:
     folder = Path(arguments.file.stem) if arguments.out is None else arguments.out
     if arguments.file.suffix.lower() != ".toml":
         raise InvalidParameter(f"{arguments.file}: an experiment ends in .toml")
-    from ..experiments import as_text, read_experiment, run, summary  # imported here so that --help is quick
+    from ..experiments import (
+        as_text,
+        read_experiment,
+        run,
+        summary,
+    )  # imported here so that --help is quick
     from ..support.whole_files import written_whole
 
     with stage(f"reading {arguments.file.name}"):
         experiment = read_experiment(arguments.file)
     with counted(f"running {experiment.name}") as progress:
         where = "local" if arguments.dask is None else arguments.dask
-        table = run(experiment, where=where, out=folder, workers=arguments.workers, progress=progress)
+        table = run(
+            experiment, where=where, out=folder, workers=arguments.workers, progress=progress
+        )
     text = as_text(summary(table))
     with written_whole(folder / "summary.txt") as part:
         part.write_text(text + "\n", encoding="utf-8")
@@ -68,5 +87,9 @@ def run_experiment(arguments: argparse.Namespace) -> int:
             save_plots(table, folder)
     print(f"{text}\n{repr(table)[8:-1]}; in {folder}")
     reasons = sorted({f"{row.label}: {row.reason}" for row in table if row.status == "not run"})
-    print(*(f"not run: {' '.join(reason.split())}" for reason in reasons), sep="\n", end="\n" if reasons else "")
+    print(
+        *(f"not run: {' '.join(reason.split())}" for reason in reasons),
+        sep="\n",
+        end="\n" if reasons else "",
+    )
     return 1 if reasons else 0

@@ -28,7 +28,10 @@ examples:
   python start.py export --gradescope-autograder autograder.zip --assignment 01_geometry
 """
 
-TRUST_CONTAINER = "gradescope-autograder: where no sandbox can be made there, run programs WITHOUT ONE, as an ordinary user"
+TRUST_CONTAINER = (
+    "gradescope-autograder: where no sandbox can be made there, run programs WITHOUT ONE, as an "
+    "ordinary user"
+)
 
 
 def add_export(commands: Any) -> None:
@@ -40,18 +43,45 @@ def add_export(commands: Any) -> None:
         epilog=EXPORT_EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    export.add_argument("grades", metavar="GRADES", type=Path, nargs="?", help="the folder that kinoedu grade made")
+    export.add_argument(
+        "grades", metavar="GRADES", type=Path, nargs="?", help="the folder that kinoedu grade made"
+    )
     what = export.add_mutually_exclusive_group(required=True)
     what.add_argument("--to", choices=tuple(EXPORTS), help="for whom")
-    what.add_argument("--from-nbgrader", metavar="FOLDER", type=Path, help="bring scores back that people gave in formgrader")
-    what.add_argument("--gradescope-autograder", metavar="ZIP", type=Path, help="pack the judges of --assignment for Gradescope")
-    export.add_argument("--out", metavar="PATH", type=Path, help="the file or folder to write (default: in GRADES)")
-    export.add_argument("--template", metavar="FILE", type=Path, help="canvas: the export of its gradebook to start from")
+    what.add_argument(
+        "--from-nbgrader",
+        metavar="FOLDER",
+        type=Path,
+        help="bring scores back that people gave in formgrader",
+    )
+    what.add_argument(
+        "--gradescope-autograder",
+        metavar="ZIP",
+        type=Path,
+        help="pack the judges of --assignment for Gradescope",
+    )
     export.add_argument(
-        "--column", default="", metavar="NAME", help="canvas: the column of the assignment, where it is named otherwise"
+        "--out", metavar="PATH", type=Path, help="the file or folder to write (default: in GRADES)"
+    )
+    export.add_argument(
+        "--template",
+        metavar="FILE",
+        type=Path,
+        help="canvas: the export of its gradebook to start from",
+    )
+    export.add_argument(
+        "--column",
+        default="",
+        metavar="NAME",
+        help="canvas: the column of the assignment, where it is named otherwise",
     )
     export.add_argument("--assignment", default="", metavar="NAME", help="only this one")
-    export.add_argument("--secret", metavar="FILE", type=Path, help="gradescope-autograder: the course's secret, which goes there")
+    export.add_argument(
+        "--secret",
+        metavar="FILE",
+        type=Path,
+        help="gradescope-autograder: the course's secret, which goes there",
+    )
     export.add_argument("--trust-container", action="store_true", help=TRUST_CONTAINER)
     export.set_defaults(run=run_export)
 
@@ -69,7 +99,11 @@ def run_export(arguments: argparse.Namespace) -> int:
     of = read_class(arguments.grades)
     if arguments.from_nbgrader is not None:
         return from_nbgrader(of, arguments.from_nbgrader)
-    rows = [row for row in class_rows(of, read_decisions(of.out)) if arguments.assignment in ("", row.assignment)]
+    rows = [
+        row
+        for row in class_rows(of, read_decisions(of.out))
+        if arguments.assignment in ("", row.assignment)
+    ]
     if not rows:
         raise InvalidParameter(f"{of.out} has no grades for {arguments.assignment or 'anything'}")
     print(EXPORTS[arguments.to](arguments, of, rows))
@@ -92,7 +126,8 @@ def to_canvas(arguments: argparse.Namespace, of: Any, rows: Any) -> str:
 
     if arguments.template is None:
         raise InvalidParameter(
-            "--to canvas needs --template FILE, your export of Canvas's gradebook (Grades, Export Entire Gradebook)"
+            "--to canvas needs --template FILE, your export of Canvas's gradebook (Grades, Export "
+            "Entire Gradebook)"
         )
     file = arguments.out or of.out / "canvas.csv"
     unknown = export_canvas(rows, arguments.template, file, arguments.column)
@@ -116,12 +151,17 @@ def to_autograder(arguments: argparse.Namespace) -> int:
     from .grade import secret_of
 
     if not arguments.assignment:
-        raise InvalidParameter("an autograder is for one assignment: name it with --assignment, such as 01_geometry")
+        raise InvalidParameter(
+            "an autograder is for one assignment: name it with --assignment, such as 01_geometry"
+        )
     secret = course_secret(secret_of(arguments, ""))
     file, wall = arguments.gradescope_autograder, arguments.trust_container
     with stage(f"packing {file}"):
         count = pack_autograder(file, arguments.assignment, secret, container_is_wall=wall)
-    print(f"packed {count} files in {file}; it holds the course's secret, so give it to Gradescope and to nobody else")
+    print(
+        f"packed {count} files in {file}; it holds the course's secret, so give it to Gradescope "
+        "and to nobody else"
+    )
     return 0
 
 
@@ -134,7 +174,10 @@ def to_nbgrader(arguments: argparse.Namespace, of: Any, rows: Any) -> str:
     entries = [entry for entry in of.entries if arguments.assignment in ("", entry.assignment)]
     with stage("writing the gradebook"):
         count = export_nbgrader(of._replace(entries=entries), rows, folder)
-    return f"wrote {count} notebooks in {folder}; in that folder: jupyter lab, then Nbgrader, Formgrader, Manual Grading"
+    return (
+        f"wrote {count} notebooks in {folder}; in that folder: jupyter lab, then Nbgrader, "
+        "Formgrader, Manual Grading"
+    )
 
 
 def from_nbgrader(of: Any, folder: Path) -> int:
@@ -144,11 +187,16 @@ def from_nbgrader(of: Any, folder: Path) -> int:
     from ..grading.writing import write_all
 
     if not (folder / "gradebook.db").exists():
-        raise InvalidParameter(f"{folder} holds no gradebook.db; it should be what kinoedu export --to nbgrader made")
+        raise InvalidParameter(
+            f"{folder} holds no gradebook.db; it should be what kinoedu export --to nbgrader made"
+        )
     with stage("reading the gradebook"):
         count = scores_from_nbgrader(of, folder)
         write_all(of)
-    print(f"brought {count} scores into {of.out / 'by_hand.csv'}, grades.csv, the report and the pages")
+    print(
+        f"brought {count} scores into {of.out / 'by_hand.csv'}, grades.csv, the report and the "
+        "pages"
+    )
     return 0
 
 

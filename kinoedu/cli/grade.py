@@ -44,18 +44,40 @@ def add_grade(commands: Any) -> None:
     """The commands and their options."""
     raw = argparse.RawDescriptionHelpFormatter
     grade = commands.add_parser(
-        "grade", help="grade a class's submissions", description=GRADE_HELP, epilog=GRADE_EXAMPLES, formatter_class=raw
+        "grade",
+        help="grade a class's submissions",
+        description=GRADE_HELP,
+        epilog=GRADE_EXAMPLES,
+        formatter_class=raw,
     )
-    grade.add_argument("submissions", metavar="SUBMISSIONS", type=Path, help="the folder or zip of what was handed in")
-    grade.add_argument("--out", metavar="GRADES", type=Path, required=True, help="the folder of the grades")
-    grade.add_argument("--assignment", default="", metavar="NAME", help="only this one, such as 01_geometry")
+    grade.add_argument(
+        "submissions",
+        metavar="SUBMISSIONS",
+        type=Path,
+        help="the folder or zip of what was handed in",
+    )
+    grade.add_argument(
+        "--out", metavar="GRADES", type=Path, required=True, help="the folder of the grades"
+    )
+    grade.add_argument(
+        "--assignment", default="", metavar="NAME", help="only this one, such as 01_geometry"
+    )
     add_how(grade)
     grade.set_defaults(run=run_grade)
-    regrade = commands.add_parser("regrade", help="grade a class once more, and compare", description=REGRADE_HELP)
-    regrade.add_argument("old", metavar="OLD", type=Path, help="the folder of the grades to compare with")
-    regrade.add_argument("--out", metavar="NEW", type=Path, required=True, help="the folder of the new grades")
+    regrade = commands.add_parser(
+        "regrade", help="grade a class once more, and compare", description=REGRADE_HELP
+    )
     regrade.add_argument(
-        "--submissions", metavar="FOLDER", type=Path, help="where the submissions are now (default: where they were)"
+        "old", metavar="OLD", type=Path, help="the folder of the grades to compare with"
+    )
+    regrade.add_argument(
+        "--out", metavar="NEW", type=Path, required=True, help="the folder of the new grades"
+    )
+    regrade.add_argument(
+        "--submissions",
+        metavar="FOLDER",
+        type=Path,
+        help="where the submissions are now (default: where they were)",
     )
     add_how(regrade)
     regrade.set_defaults(run=run_regrade)
@@ -64,11 +86,31 @@ def add_grade(commands: Any) -> None:
 def add_how(command: argparse.ArgumentParser) -> None:
     """What both have in common."""
     where = command.add_mutually_exclusive_group()
-    where.add_argument("--workers", type=int, metavar="N", help="so many processes (default: one for each processor)")
-    where.add_argument("--dask", metavar="ADDRESS", help="grade on the Dask cluster whose scheduler is there")
-    command.add_argument("--secret", metavar="FILE", type=Path, help="the course's secret, from which hidden cases are drawn")
-    command.add_argument("--variants", action="store_true", help="each student has contracts of their own (release --variants)")
-    command.add_argument("--trust", action="store_true", help="run submissions WITHOUT A SANDBOX: they may do whatever you may")
+    where.add_argument(
+        "--workers",
+        type=int,
+        metavar="N",
+        help="so many processes (default: one for each processor)",
+    )
+    where.add_argument(
+        "--dask", metavar="ADDRESS", help="grade on the Dask cluster whose scheduler is there"
+    )
+    command.add_argument(
+        "--secret",
+        metavar="FILE",
+        type=Path,
+        help="the course's secret, from which hidden cases are drawn",
+    )
+    command.add_argument(
+        "--variants",
+        action="store_true",
+        help="each student has contracts of their own (release --variants)",
+    )
+    command.add_argument(
+        "--trust",
+        action="store_true",
+        help="run submissions WITHOUT A SANDBOX: they may do whatever you may",
+    )
 
 
 def run_grade(arguments: argparse.Namespace) -> int:
@@ -92,13 +134,24 @@ def run_regrade(arguments: argparse.Namespace) -> int:
 
     secret_file = secret_of(arguments, read_class(arguments.old).secret_file)
     with counted("grading") as grading, counted("writing pages") as writing:
-        of, changes = regrade(arguments.old, arguments.out, run_of(arguments, secret_file, grading, writing), arguments.submissions)
+        of, changes = regrade(
+            arguments.old,
+            arguments.out,
+            run_of(arguments, secret_file, grading, writing),
+            arguments.submissions,
+        )
     status = sum_up(of, class_rows(of, {}))
-    print(f"{len(changes)} scores changed" + (f"; all of them in {of.out / 'changes.csv'}" if changes else ""))
+    print(
+        f"{len(changes)} scores changed"
+        + (f"; all of them in {of.out / 'changes.csv'}" if changes else "")
+    )
     for one in changes[:MOST_LISTED]:
         kept = f" (yours holds: {one.kept})" if one.kept else ""
         scores = f"{number(one.before) or '-'} -> {number(one.after) or '-'}"
-        print(f"  {one_line(f'{one.student} {one.assignment} {one.question}: {scores}{kept}; {one.why}')}")
+        print(
+            "  "
+            f"{one_line(f'{one.student} {one.assignment} {one.question}: {scores}{kept}; {one.why}')}"
+        )
     return status
 
 
@@ -108,7 +161,11 @@ def secret_of(arguments: argparse.Namespace, before: str) -> Path:
 
     file = arguments.secret or (Path(before) if before else usual_secret())
     if not file.exists() and not before:
-        print(f"kinoedu: the course's secret is made, once, in {file}; keep it, and keep it to yourself", file=sys.stderr)
+        print(
+            f"kinoedu: the course's secret is made, once, in {file}; keep it, and keep it to "
+            "yourself",
+            file=sys.stderr,
+        )
     return Path(file)
 
 
@@ -133,10 +190,15 @@ def sum_up(of: Any, rows: Any) -> int:
     bad = {row[:2]: row for row in rows if row.status in (UNREADABLE, NOT_GRADED)}
     lost = [entry for entry in of.entries if (entry.student, entry.assignment) in bad]
     unreadable = sum(bad[entry.student, entry.assignment].status == UNREADABLE for entry in lost)
-    counts = f"{len(of.entries) - len(lost)} graded, {len(lost) - unreadable} not graded, {unreadable} unreadable"
+    counts = (
+        f"{len(of.entries) - len(lost)} graded, {len(lost) - unreadable} not graded, {unreadable} "
+        "unreadable"
+    )
     late = sum(entry.late for entry in of.entries)
     marked = f", {late} of them handed in late" if late else ""
-    print(f"{counts}{marked}; look at {of.out / 'report.html'}; scores are in {of.out / 'grades.csv'}")
+    print(
+        f"{counts}{marked}; look at {of.out / 'report.html'}; scores are in {of.out / 'grades.csv'}"
+    )
     for entry in lost[:MOST_LISTED]:
         row = bad[entry.student, entry.assignment]
         print(f"  {one_line(f'{entry.student}, {entry.file}: {row.status}: {row.message}')}")

@@ -22,7 +22,12 @@ def add_hand_in(commands: Any) -> None:
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     hand_in.add_argument("file", metavar="FILE", type=Path, help="your notebook, saved")
-    hand_in.add_argument("--out", metavar="ZIP", type=Path, help="the zip to write (default: here, named like the notebook)")
+    hand_in.add_argument(
+        "--out",
+        metavar="ZIP",
+        type=Path,
+        help="the zip to write (default: here, named like the notebook)",
+    )
     hand_in.set_defaults(run=run_hand_in)
 
 
@@ -32,5 +37,8 @@ def run_hand_in(arguments: argparse.Namespace) -> int:
 
     zip_file = arguments.out or Path(f"{arguments.file.stem}.zip")
     receipt = hand_in(arguments.file, zip_file, datetime.now(UTC))
-    print(f"{receipt}\nYour zip: {zip_file}. Nothing was sent: upload it yourself. What you had not saved is not in it.")
+    print(
+        f"{receipt}\nYour zip: {zip_file}. Nothing was sent: upload it yourself. What you had not "
+        "saved is not in it."
+    )
     return 0

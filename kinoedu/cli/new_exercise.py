@@ -28,8 +28,15 @@ def add_new_exercise(commands: Any) -> None:
         description=NEW_EXERCISE_HELP,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    new.add_argument("name", metavar="NAME", help="the function that it asks for, such as closest_wall")
-    new.add_argument("--lesson", metavar="NN_topic", required=True, help="the notebook that asks for it, new or there already")
+    new.add_argument(
+        "name", metavar="NAME", help="the function that it asks for, such as closest_wall"
+    )
+    new.add_argument(
+        "--lesson",
+        metavar="NN_topic",
+        required=True,
+        help="the notebook that asks for it, new or there already",
+    )
     new.set_defaults(run=run_new_exercise)
 
 
@@ -37,7 +44,9 @@ def run_new_exercise(arguments: argparse.Namespace) -> int:
     """Write it, and say what to do next."""
     from ..course.new_exercise import new_exercise
 
-    with stage(f"writing {arguments.name}, and running the solutions of {arguments.lesson} with it"):
+    with stage(
+        f"writing {arguments.name}, and running the solutions of {arguments.lesson} with it"
+    ):
         files = new_exercise(arguments.name, arguments.lesson)
     print("\n".join(f"  {file}" for file in files))
     print(NEXT.format(name=arguments.name, lesson=arguments.lesson), end="")

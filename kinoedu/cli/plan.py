@@ -14,7 +14,9 @@ from ..support.progress import stage
 
 
 class Choice(NamedTuple):
-    """A planner: its function in kinoedu.planners, what it is, its options here and in the function, and whether it draws lots."""
+    """A planner: its function in kinoedu.planners, what it is, its options here and in the
+    function, and whether it draws lots.
+    """
 
     function: str
     about: str
@@ -23,16 +25,51 @@ class Choice(NamedTuple):
 
 
 PLANNERS = {
-    "rrt": Choice("rrt", "a tree that grows at random; any scene", {"step": "step", "nodes": "max_nodes"}, True),
-    "rrt-connect": Choice("rrt_connect", "a tree from either end; any scene", {"step": "step", "nodes": "max_nodes"}, True),
-    "rrt-star": Choice("rrt_star", "a tree whose paths become shortest; any scene", {"step": "step", "nodes": "max_nodes"}, True),
-    "prm": Choice("prm", "a roadmap of random samples; any scene", {"nodes": "n", "neighbours": "k"}, True),
-    "astar": Choice("plan_on_grid", "a search on a grid; for a point or a disk", {"spacing": "spacing"}, False),
-    "kinodynamic-rrt": Choice("kinodynamic_rrt", "a tree of drives, for a car", {"iterations": "max_iterations"}, True),
-    "sst": Choice("sst", "a sparse tree of ever shorter drives, for a car", {"iterations": "max_iterations"}, True),
-    "hybrid-astar": Choice("hybrid_astar", "a search among short drives, for a car", {"spacing": "spacing"}, False),
-    "visibility": Choice("plan_by_visibility", "from corner to corner; the shortest path, but only for a point *", {}, False),
-    "decomposition": Choice("plan_by_decomposition", "cells of the free space; exact, but only for a point *", {}, False),
+    "rrt": Choice(
+        "rrt",
+        "a tree that grows at random; any scene",
+        {"step": "step", "nodes": "max_nodes"},
+        True,
+    ),
+    "rrt-connect": Choice(
+        "rrt_connect",
+        "a tree from either end; any scene",
+        {"step": "step", "nodes": "max_nodes"},
+        True,
+    ),
+    "rrt-star": Choice(
+        "rrt_star",
+        "a tree whose paths become shortest; any scene",
+        {"step": "step", "nodes": "max_nodes"},
+        True,
+    ),
+    "prm": Choice(
+        "prm", "a roadmap of random samples; any scene", {"nodes": "n", "neighbours": "k"}, True
+    ),
+    "astar": Choice(
+        "plan_on_grid", "a search on a grid; for a point or a disk", {"spacing": "spacing"}, False
+    ),
+    "kinodynamic-rrt": Choice(
+        "kinodynamic_rrt", "a tree of drives, for a car", {"iterations": "max_iterations"}, True
+    ),
+    "sst": Choice(
+        "sst",
+        "a sparse tree of ever shorter drives, for a car",
+        {"iterations": "max_iterations"},
+        True,
+    ),
+    "hybrid-astar": Choice(
+        "hybrid_astar", "a search among short drives, for a car", {"spacing": "spacing"}, False
+    ),
+    "visibility": Choice(
+        "plan_by_visibility",
+        "from corner to corner; the shortest path, but only for a point *",
+        {},
+        False,
+    ),
+    "decomposition": Choice(
+        "plan_by_decomposition", "cells of the free space; exact, but only for a point *", {}, False
+    ),
 }
 
 PLAN_HELP = f"""\
@@ -79,32 +116,86 @@ def add_plan(commands: Any) -> None:
 def add_plan_options(plan: argparse.ArgumentParser) -> None:
     """The options of `kinoedu plan`."""
     plan.add_argument("scene", metavar="SCENE", type=Path, help="the file to plan in")
-    plan.add_argument("--planner", choices=tuple(PLANNERS), default="rrt", help="default: %(default)s")
-    plan.add_argument("--seed", type=int, default=0, metavar="N", help="of the random numbers; same seed, same plan (default: 0)")
-    plan.add_argument("--out", type=Path, metavar="FILE", help="draw the plan into a picture: .png, .svg or .pdf")
-    plan.add_argument("--save", type=Path, metavar="FILE", help="write the plan as .json, or its path alone as .csv")
-    where = plan.add_argument_group("where")
-    where.add_argument("--query", type=int, metavar="K", help="the K-th query, from 0, of a map's scenario (default: 0)")
+    plan.add_argument(
+        "--planner", choices=tuple(PLANNERS), default="rrt", help="default: %(default)s"
+    )
+    plan.add_argument(
+        "--seed",
+        type=int,
+        default=0,
+        metavar="N",
+        help="of the random numbers; same seed, same plan (default: 0)",
+    )
+    plan.add_argument(
+        "--out", type=Path, metavar="FILE", help="draw the plan into a picture: .png, .svg or .pdf"
+    )
+    plan.add_argument(
+        "--save",
+        type=Path,
+        metavar="FILE",
+        help="write the plan as .json, or its path alone as .csv",
+    )
+    add_where(plan.add_argument_group("where"))
+    add_how(plan.add_argument_group("how"))
+
+
+def add_where(where: argparse._ArgumentGroup) -> None:
+    """Options for the robot, its start and its goal."""
+    where.add_argument(
+        "--query",
+        type=int,
+        metavar="K",
+        help="the K-th query, from 0, of a map's scenario (default: 0)",
+    )
     where.add_argument("--start", type=numbers, metavar="X,Y", help="where the robot starts")
     where.add_argument("--goal", type=numbers, metavar="X,Y", help="where it is to go")
-    where.add_argument("--radius", type=float, metavar="R", help="the robot is a disk of this radius (default: a point)")
-    where.add_argument("--clearance", type=float, default=0.0, metavar="C", help="keep this far from obstacles (default: 0)")
-    how = plan.add_argument_group("how")
-    how.add_argument("--step", type=float, metavar="D", help="rrt and its kin: the longest edge (a twentieth of the world)")
+    where.add_argument(
+        "--radius",
+        type=float,
+        metavar="R",
+        help="the robot is a disk of this radius (default: a point)",
+    )
+    where.add_argument(
+        "--clearance",
+        type=float,
+        default=0.0,
+        metavar="C",
+        help="keep this far from obstacles (default: 0)",
+    )
+
+
+def add_how(how: argparse._ArgumentGroup) -> None:
+    """Options for the planners' parameters."""
+    how.add_argument(
+        "--step",
+        type=float,
+        metavar="D",
+        help="rrt and its kin: the longest edge (a twentieth of the world)",
+    )
     how.add_argument(
         "--nodes",
         type=int,
         metavar="N",
         help="rrt and its kin: stop at so many nodes (10,000; rrt-star 5,000); prm: sample so many (1,000)",
     )
-    how.add_argument("--neighbours", type=int, metavar="K", help="prm: how many neighbours each node is tried with (default: 10)")
+    how.add_argument(
+        "--neighbours",
+        type=int,
+        metavar="K",
+        help="prm: how many neighbours each node is tried with (default: 10)",
+    )
     how.add_argument(
         "--spacing",
         type=float,
         metavar="D",
         help="the side of a cell; astar: (the map's own, or a hundredth of the world); hybrid-astar: (a quarter of the wheelbase)",
     )
-    how.add_argument("--iterations", type=int, metavar="N", help="kinodynamic-rrt, sst: stop after so many (1,000; sst 20,000)")
+    how.add_argument(
+        "--iterations",
+        type=int,
+        metavar="N",
+        help="kinodynamic-rrt, sst: stop after so many (1,000; sst 20,000)",
+    )
 
 
 def numbers(text: str) -> list[float]:
@@ -147,8 +238,14 @@ def run_plan(arguments: argparse.Namespace) -> int:
 
             write_plan(plan, arguments.save)
     counts = ", ".join(f"{count:,} {name}" for name, count in plan.stats.items())
-    answer = f"found: length {plan.cost:.8g}" if plan.path is not None else f"no path: {plan.reason}"
-    files = "".join(f"; {done} in {file}" for done, file in (("drawn", arguments.out), ("saved", arguments.save)) if file)
+    answer = (
+        f"found: length {plan.cost:.8g}" if plan.path is not None else f"no path: {plan.reason}"
+    )
+    files = "".join(
+        f"; {done} in {file}"
+        for done, file in (("drawn", arguments.out), ("saved", arguments.save))
+        if file
+    )
     print(f"{answer}; {seconds:.3f} s, {counts}{files}")
     return 0 if plan.path is not None else 1
 
@@ -177,11 +274,16 @@ def interruptible(work: Callable[[], Any]) -> Any:
 
 
 def planned(problem: Any, arguments: argparse.Namespace) -> Any:
-    """Ask the planner that was named, with the options that were given; one that it does not have is refused."""
+    """Ask the planner that was named, with the options that were given; one that it does not have
+    is refused.
+    """
     from .. import planners
 
     choice = PLANNERS[arguments.planner]
-    given = {name: getattr(arguments, name) for name in ("step", "nodes", "neighbours", "spacing", "iterations")}
+    given = {
+        name: getattr(arguments, name)
+        for name in ("step", "nodes", "neighbours", "spacing", "iterations")
+    }
     given = {name: value for name, value in given.items() if value is not None}
     for name in given:
         if name not in choice.options:
@@ -193,7 +295,9 @@ def planned(problem: Any, arguments: argparse.Namespace) -> Any:
 
 
 def check_writable(option: str, path: Path | None, scene: Path, endings: str) -> None:
-    """Refuse a file that could not be written, before any work is done; `endings` says how its name must end."""
+    """Refuse a file that could not be written, before any work is done; `endings` says how its name
+    must end.
+    """
     if path is None:
         return
     if path.suffix.lower() not in re.findall(r"\.\w+", endings):

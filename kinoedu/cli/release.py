@@ -30,11 +30,27 @@ def add_release(commands: Any) -> None:
         description=RELEASE_HELP,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    release.add_argument("assignments", nargs="*", metavar="NAME", help="such as 01_geometry (default: all)")
-    release.add_argument("--zip", type=Path, metavar="FILE", help="pack the course for students into this file")
-    release.add_argument("--variants", type=Path, metavar="STUDENTS", help="write each student's own exercises, as released before")
-    release.add_argument("--out", type=Path, metavar="FOLDER", help="variants: the folder to write them to")
-    release.add_argument("--secret", type=Path, metavar="FILE", help="variants: the course's secret, from which they are drawn")
+    release.add_argument(
+        "assignments", nargs="*", metavar="NAME", help="such as 01_geometry (default: all)"
+    )
+    release.add_argument(
+        "--zip", type=Path, metavar="FILE", help="pack the course for students into this file"
+    )
+    release.add_argument(
+        "--variants",
+        type=Path,
+        metavar="STUDENTS",
+        help="write each student's own exercises, as released before",
+    )
+    release.add_argument(
+        "--out", type=Path, metavar="FOLDER", help="variants: the folder to write them to"
+    )
+    release.add_argument(
+        "--secret",
+        type=Path,
+        metavar="FILE",
+        help="variants: the course's secret, from which they are drawn",
+    )
     release.set_defaults(run=run_release)
 
 
@@ -65,11 +81,20 @@ def release_variants(arguments: argparse.Namespace) -> int:
     from .grade import secret_of
 
     if arguments.out is None or not arguments.assignments:
-        raise InvalidParameter("--variants needs the names of assignments before it, and --out FOLDER")
+        raise InvalidParameter(
+            "--variants needs the names of assignments before it, and --out FOLDER"
+        )
     lines = arguments.variants.read_text(encoding="utf-8-sig").splitlines()
     students = list(dict.fromkeys(line.strip() for line in lines if line.strip()))
     if not students:
-        raise InvalidParameter(f"{arguments.variants} names no student; it should have an id on each line")
-    count = write_variants(arguments.assignments, students, course_secret(secret_of(arguments, "")), arguments.out)
-    print(f"wrote {count} notebooks in {arguments.out}; variants.csv says who has which. Grade them with --variants")
+        raise InvalidParameter(
+            f"{arguments.variants} names no student; it should have an id on each line"
+        )
+    count = write_variants(
+        arguments.assignments, students, course_secret(secret_of(arguments, "")), arguments.out
+    )
+    print(
+        f"wrote {count} notebooks in {arguments.out}; variants.csv says who has which. Grade them "
+        "with --variants"
+    )
     return 0

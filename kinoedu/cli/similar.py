@@ -25,10 +25,28 @@ def add_similar(commands: Any) -> None:
         description=SIMILAR_HELP,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    similar.add_argument("submissions", metavar="SUBMISSIONS", type=Path, help="the folder or zip of what was handed in")
-    similar.add_argument("--out", metavar="FOLDER", type=Path, required=True, help="the folder of the pages")
-    similar.add_argument("--assignment", default="", metavar="NAME", help="take every notebook for this one, such as 01_geometry")
-    similar.add_argument("--most", type=int, default=100, metavar="N", help="pairs of either kind to list (default: %(default)s)")
+    similar.add_argument(
+        "submissions",
+        metavar="SUBMISSIONS",
+        type=Path,
+        help="the folder or zip of what was handed in",
+    )
+    similar.add_argument(
+        "--out", metavar="FOLDER", type=Path, required=True, help="the folder of the pages"
+    )
+    similar.add_argument(
+        "--assignment",
+        default="",
+        metavar="NAME",
+        help="take every notebook for this one, such as 01_geometry",
+    )
+    similar.add_argument(
+        "--most",
+        type=int,
+        default=100,
+        metavar="N",
+        help="pairs of either kind to list (default: %(default)s)",
+    )
     similar.set_defaults(run=run_similar)
 
 
@@ -40,12 +58,19 @@ def run_similar(arguments: argparse.Namespace) -> int:
 
     if arguments.most < 1:
         raise InvalidParameter(f"--most is a number from 1, got {arguments.most}")
-    submissions = [one for one in collect(arguments.submissions, arguments.assignment) if one.assignment]
+    submissions = [
+        one for one in collect(arguments.submissions, arguments.assignment) if one.assignment
+    ]
     if not submissions:
-        raise InvalidParameter(f"{arguments.submissions} holds no notebooks that answer an assignment")
+        raise InvalidParameter(
+            f"{arguments.submissions} holds no notebooks that answer an assignment"
+        )
     submissions.sort(key=lambda one: one.assignment)
     with stage(f"comparing {len(submissions)} submissions"):
-        found = [similar(name, mine, arguments.most) for name, mine in groupby(submissions, key=lambda one: one.assignment)]
+        found = [
+            similar(name, mine, arguments.most)
+            for name, mine in groupby(submissions, key=lambda one: one.assignment)
+        ]
         count = write_similar(found, arguments.out)
     left_out = len(submissions) - sum(len(one.programs) for one in found)
     unread = f"; {left_out} submissions could not be read" if left_out else ""

@@ -1,4 +1,6 @@
-"""Which link of an arm is in contact: at one configuration, or painted over all of them. Bullo & Smith, chapter 4."""
+"""Which link of an arm is in contact: at one configuration, or painted over all of them. Bullo &
+Smith, chapter 4.
+"""
 
 import math
 from typing import Any
@@ -19,14 +21,18 @@ from ..worlds.checks import check_world
 from ..worlds.nearby import obstacles_near, rim
 from .turning import contact_size, first_in_contact, meets_part, piece_in_contact
 
-DOUBT = 1e-3  # radians from the end of an interval within which cells are judged; an end is known far better, but where it grazes
+# radians from the end of an interval within which cells are judged; an end is known far better, but
+# where it grazes
+DOUBT = 1e-3
 
 
 def link_in_contact(arm: ArmRobot, q: ArrayLike, world: Any) -> int:
-    """The first link that touches or enters an obstacle, or the outside of the world, counted from 1; 0 where none does.
+    """The first link that touches or enters an obstacle, or the outside of the world, counted from
+    1; 0 where none does.
 
-    arm : TwoLinkArm(...) or ArmChain(...). q : its angles, shape (n,). Contact is what `is_free` takes for contact: it is decided
-    to 1e-9 of the world's size. Raises InvalidRobot, InvalidPoint.
+    arm : TwoLinkArm(...) or ArmChain(...). q : its angles, shape (n,). Contact is what `is_free`
+        takes for contact: it is decided to 1e-9 of the world's size. Raises InvalidRobot,
+        InvalidPoint.
 
     >>> from kinoedu import PolygonWorld, TwoLinkArm
     >>> world = PolygonWorld([(-4, -4), (4, -4), (4, 4), (-4, 4)], [((2, 1), 0.5)])
@@ -38,14 +44,18 @@ def link_in_contact(arm: ArmRobot, q: ArrayLike, world: Any) -> int:
     check_world(world)
     angles = as_array(q, "q")
     if angles.shape != arm.lengths.shape:
-        raise InvalidPoint(f"q must be {len(arm.lengths)} angles, one for each link, got {shortened(q)}")
+        raise InvalidPoint(
+            f"q must be {len(arm.lengths)} angles, one for each link, got {shortened(q)}"
+        )
     return int(contact_link(arm, world, angles, contact_size(world.lo, world.hi)))
 
 
 def check_arm(arm: Any) -> None:
     """Raise InvalidRobot for what is no arm."""
     if not isinstance(arm, ArmRobot):
-        raise InvalidRobot(f"expected an arm such as TwoLinkArm(1.5, 1.2, 0.2), got {shortened(arm)}")
+        raise InvalidRobot(
+            f"expected an arm such as TwoLinkArm(1.5, 1.2, 0.2), got {shortened(arm)}"
+        )
 
 
 @compiled
@@ -55,15 +65,17 @@ def contact_link(arm: ArmRobot, world: Any, q: Array, contact: float) -> int:
 
 
 def paint_configuration_space(arm: ArmRobot, world: Any, n: int = 360) -> NDArray[np.int8]:
-    """`link_in_contact` of a two-link arm all over its configuration space, as an image of shape (n, n), int8.
+    """`link_in_contact` of a two-link arm all over its configuration space, as an image of shape
+    (n, n), int8.
 
-    image[i2, i1] belongs to theta1 = angles[i1] and theta2 = angles[i2], where angles = -pi + (i + 1/2) * 2 pi / n are the centres
-    of n equal cells: theta1 to the right, theta2 up when row 0 is drawn lowest.
+    image[i2, i1] belongs to theta1 = angles[i1] and theta2 = angles[i2], where angles = -pi + (i +
+    1/2) * 2 pi / n are the centres of n equal cells: theta1 to the right, theta2 up when row 0 is
+    drawn lowest.
 
-    Link 1 depends on theta1 alone. Link 2 turns about the elbow: the directions in which it meets a convex obstacle are one
-    interval round the direction of the obstacle's nearest point, whose ends are known in closed form: only cells close to
-    an end are judged. O(n (n + k)) for k corners within reach, instead of O(n^2 k). Raises InvalidRobot,
-    InvalidParameter.
+    Link 1 depends on theta1 alone. Link 2 turns about the elbow: the directions in which it meets a
+    convex obstacle are one interval round the direction of the obstacle's nearest point, whose ends
+    are known in closed form: only cells close to an end are judged. O(n (n + k)) for k corners
+    within reach, instead of O(n^2 k). Raises InvalidRobot, InvalidParameter.
 
     >>> from kinoedu import PolygonWorld, TwoLinkArm
     >>> world = PolygonWorld([(-4, -4), (4, -4), (4, 4), (-4, 4)], [((2, 1), 0.5)])
@@ -72,10 +84,15 @@ def paint_configuration_space(arm: ArmRobot, world: Any, n: int = 360) -> NDArra
     """
     check_arm(arm)
     if len(arm.lengths) != 2:
-        raise InvalidRobot(f"a picture has two axes: it is for an arm of two links, this one has {len(arm.lengths)}")
+        raise InvalidRobot(
+            "a picture has two axes: it is for an arm of two links, this one has "
+            f"{len(arm.lengths)}"
+        )
     if isinstance(n, bool) or not isinstance(n, int | np.integer) or not 1 <= n <= 20_000:
         raise InvalidParameter(f"n must be a whole number from 1 to 20,000, got {n!r}")
-    return painted(arm, world, np.zeros((int(n), int(n)), np.int8), contact_size(world.lo, world.hi))
+    return painted(
+        arm, world, np.zeros((int(n), int(n)), np.int8), contact_size(world.lo, world.hi)
+    )
 
 
 @algorithm
@@ -98,7 +115,9 @@ def painted(arm: ArmRobot, world: Any, image: NDArray[np.int8], contact: float) 
 
 @compiled
 def rim_parts(ring: Array) -> Parts:
-    """The edges of a ring as parts of two points each: what starts inside the ring leaves it through one of them."""
+    """The edges of a ring as parts of two points each: what starts inside the ring leaves it
+    through one of them.
+    """
     n = len(ring)
     points = np.empty((2 * n, 2))
     for i in range(n):
@@ -122,24 +141,32 @@ def paint_second_link(
     corners: Array,
     column: NDArray[np.int8],
 ) -> None:
-    """Paint the angles of link 2 at which it meets one of the parts near its elbow, which touches none of them."""
+    """Paint the angles of link 2 at which it meets one of the parts near its elbow, which touches
+    none of them.
+    """
     n, still = len(column), np.zeros(2)
     reach = arm.lengths[1] + arm.shape.radius[1] + 2.0 * contact
     for j in near:
         q[1] = 0.0
         place(arm, 1, q, still, 0.0, corners)
         x, y = corners[2, X], corners[2, Y]
-        _, a, b, apart = nearest_corner(corners, 2, 3, parts.points, parts.first[j], parts.first[j + 1])
+        _, a, b, apart = nearest_corner(
+            corners, 2, 3, parts.points, parts.first[j], parts.first[j + 1]
+        )
         if apart > reach + parts.radius[j]:
             continue
-        _, _, nx, ny = line_towards(x, y, parts.points[a, X], parts.points[a, Y], parts.points[b, X], parts.points[b, Y])
+        _, _, nx, ny = line_towards(
+            x, y, parts.points[a, X], parts.points[a, Y], parts.points[b, X], parts.points[b, Y]
+        )
         facing = math.atan2(-ny, -nx)
         ahead = wrapped(facing - q[0])
         below = math.floor((ahead + math.pi) / (FULL_TURN / n) - 0.5)
         for begin, step in ((below, -1), (below + 1, 1)):
             kept = arm.shape.radius[1] + parts.radius[j] + contact
             turn = ahead + step * last_contact(parts, j, x, y, arm.lengths[1], kept, facing, step)
-            count = cells_in_contact(arm, q, still, corners, parts, j, contact, begin, step, n, turn)
+            count = cells_in_contact(
+                arm, q, still, corners, parts, j, contact, begin, step, n, turn
+            )
             for k in range(count):
                 column[(begin + k * step) % n] = 2
 
@@ -158,7 +185,8 @@ def cells_in_contact(
     n: int,
     turn: float,
 ) -> int:
-    """How many cells from `begin` on meet part j, which link 2 meets up to the angle `turn`: cells near that end are judged.
+    """How many cells from `begin` on meet part j, which link 2 meets up to the angle `turn`: cells
+    near that end are judged.
 
     Beyond a right angle from the part's nearest point none does.
     """
@@ -169,17 +197,23 @@ def cells_in_contact(
     count = min(max(math.floor(to_end - doubt) + 1, 0), most)
     while count < most and count <= to_end + doubt:
         q[1] = centre_of((begin + count * step) % n, n)
-        if not meets_part(arm, 1, q, still, corners, parts, j, arm.shape.radius[1] + contact, contact):
+        if not meets_part(
+            arm, 1, q, still, corners, parts, j, arm.shape.radius[1] + contact, contact
+        ):
             break
         count += 1
     return count
 
 
 @compiled
-def last_contact(parts: Parts, j: int, x: float, y: float, length: float, kept: float, facing: float, side: int) -> float:
-    """How far a link that turns about (x, y), from facing part j's nearest point to one side, 1 or -1, comes within `kept` of it.
+def last_contact(
+    parts: Parts, j: int, x: float, y: float, length: float, kept: float, facing: float, side: int
+) -> float:
+    """How far a link that turns about (x, y), from facing part j's nearest point to one side, 1 or
+    -1, comes within `kept` of it.
 
-    There its end or its flank touches a circle round a corner, or its end crosses a line beside an edge. Radians, zero or more.
+    There its end or its flank touches a circle round a corner, or its end crosses a line beside an
+    edge. Radians, zero or more.
     """
     begin, end, last = parts.first[j], parts.first[j + 1], 0.0
     before = end - 1
@@ -187,14 +221,18 @@ def last_contact(parts: Parts, j: int, x: float, y: float, length: float, kept: 
         ax, ay = parts.points[before, X] - x, parts.points[before, Y] - y
         bx, by = parts.points[k, X] - x, parts.points[k, Y] - y
         before = k
-        last = max(last, side * wrapped(math.atan2(by, bx) - facing) + beside_corner(bx, by, length, kept))
+        last = max(
+            last, side * wrapped(math.atan2(by, bx) - facing) + beside_corner(bx, by, length, kept)
+        )
         last = max(last, past_edge(ax, ay, bx, by, length, kept, facing, side))
     return last
 
 
 @compiled
 def beside_corner(x: float, y: float, length: float, kept: float) -> float:
-    """The angle between a corner's direction and a link from the origin that touches the circle round it; -inf out of its reach."""
+    """The angle between a corner's direction and a link from the origin that touches the circle
+    round it; -inf out of its reach.
+    """
     squared = x * x + y * y
     d = math.sqrt(squared)
     if not kept <= d <= length + kept:
@@ -205,15 +243,20 @@ def beside_corner(x: float, y: float, length: float, kept: float) -> float:
 
 
 @compiled
-def past_edge(ax: float, ay: float, bx: float, by: float, length: float, kept: float, facing: float, side: int) -> float:
-    """The angle, from `facing` to one side, at which the end of a link from the origin crosses the line beside the edge a-b, on the
-    side of the origin; -inf where it passes beyond the edge's ends.
+def past_edge(
+    ax: float, ay: float, bx: float, by: float, length: float, kept: float, facing: float, side: int
+) -> float:
+    """The angle, from `facing` to one side, at which the end of a link from the origin crosses the
+    line beside the edge a-b, on the side of the origin; -inf where it passes beyond the edge's
+    ends.
     """
     ex, ey = bx - ax, by - ay
     size = math.sqrt(ex * ex + ey * ey)
     if size == 0.0:
         return -np.inf
-    apart = (ax * ey - ay * ex) / size  # signed: the foot of the perpendicular on the edge's line is (ey, -ex) * apart / size
+    apart = (
+        ax * ey - ay * ex
+    ) / size  # signed: the foot of the perpendicular on the edge's line is (ey, -ex) * apart / size
     if not 0.0 <= abs(apart) - kept <= length:
         return -np.inf
     straight, half = math.atan2(-ex * apart, ey * apart), math.acos((abs(apart) - kept) / length)

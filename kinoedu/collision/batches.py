@@ -15,22 +15,31 @@ from ..robots.round import RoundRobot
 from .asks import coordinates, is_free, is_free_path
 
 
-def free_configurations(robot: Any, world: Any, qs: ArrayLike, *, clearance: float = 0.0) -> NDArray[np.bool_]:
-    """Whether the robot at each of many configurations, shape (n, d), stays more than `clearance` away from every obstacle.
+def free_configurations(
+    robot: Any, world: Any, qs: ArrayLike, *, clearance: float = 0.0
+) -> NDArray[np.bool_]:
+    """Whether the robot at each of many configurations, shape (n, d), stays more than `clearance`
+    away from every obstacle.
 
-    The answer has shape (n,). Touching is contact, and outside the world nothing is free: for a point among polygons it tells
-    which points lie in no polygon. Raises InvalidPoint, InvalidParameter.
+    The answer has shape (n,). Touching is contact, and outside the world nothing is free: for a
+    point among polygons it tells which points lie in no polygon. Raises InvalidPoint,
+    InvalidParameter.
 
     >>> from kinoedu import Point, PolygonWorld
     >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
     >>> free_configurations(Point(), world, [(1, 1), (5, 5), (6, 5), (11, 5)])
     array([ True, False, False, False])
     """
-    return judge_configurations(robot, world, as_configurations(qs, robot, "qs"), none_or_more(clearance, "clearance"))
+    return judge_configurations(
+        robot, world, as_configurations(qs, robot, "qs"), none_or_more(clearance, "clearance")
+    )
 
 
-def free_motions(robot: Any, world: Any, a: ArrayLike, b: ArrayLike, *, clearance: float = 0.0) -> NDArray[np.bool_]:
-    """Whether each of many straight motions, from a[i] to b[i], stays more than `clearance` away from every obstacle, all the way.
+def free_motions(
+    robot: Any, world: Any, a: ArrayLike, b: ArrayLike, *, clearance: float = 0.0
+) -> NDArray[np.bool_]:
+    """Whether each of many straight motions, from a[i] to b[i], stays more than `clearance` away
+    from every obstacle, all the way.
 
     a and b have shape (n, d), the answer (n,). Raises InvalidPoint, InvalidParameter.
 
@@ -41,7 +50,9 @@ def free_motions(robot: Any, world: Any, a: ArrayLike, b: ArrayLike, *, clearanc
     """
     starts, ends = as_configurations(a, robot, "a"), as_configurations(b, robot, "b")
     if len(starts) != len(ends):
-        raise InvalidPoint(f"a and b must hold equally many configurations, got {len(starts)} and {len(ends)}")
+        raise InvalidPoint(
+            f"a and b must hold equally many configurations, got {len(starts)} and {len(ends)}"
+        )
     return judge_motions(robot, world, starts, ends, none_or_more(clearance, "clearance"))
 
 
@@ -75,7 +86,9 @@ def judge_configurations(robot: Any, world: Any, qs: Array, clearance: float) ->
 
 
 @algorithm
-def judge_motions(robot: Any, world: Any, a: Array, b: Array, clearance: float) -> NDArray[np.bool_]:
+def judge_motions(
+    robot: Any, world: Any, a: Array, b: Array, clearance: float
+) -> NDArray[np.bool_]:
     """The answer to `is_free_path` for each pair of rows, shape (n,)."""
     free = np.empty(len(a), np.bool_)
     for i in range(len(a)):
@@ -89,5 +102,8 @@ def as_configurations(value: ArrayLike, robot: Any, name: str) -> Array:
     if qs.shape == (0,):
         return qs.reshape(0, size)
     if qs.ndim != 2 or qs.shape[1] != size:
-        raise InvalidPoint(f"{name} must hold configurations of {size} numbers each, shape (n, {size}), got shape {qs.shape}")
+        raise InvalidPoint(
+            f"{name} must hold configurations of {size} numbers each, shape (n, {size}), got "
+            f"shape {qs.shape}"
+        )
     return qs

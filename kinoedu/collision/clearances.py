@@ -17,9 +17,11 @@ from ..worlds.nearby import obstacles_near, rim
 
 
 def clearance_of(robot: Any, world: Any, q: ArrayLike) -> float:
-    """The distance from the robot at q to what is solid, be it an obstacle or the world's rim; 0 in contact, inside or outside.
+    """The distance from the robot at q to what is solid, be it an obstacle or the world's rim; 0 in
+    contact, inside or outside.
 
-    Good to 1e-12 of itself, but for what rounding makes of the place of a body that turns. Raises InvalidPoint.
+    Good to 1e-12 of itself, but for what rounding makes of the place of a body that turns. Raises
+    InvalidPoint.
 
     >>> from kinoedu import PolygonWorld, RigidPolygon
     >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [((7, 5), 1)])
@@ -36,7 +38,9 @@ def clearance_of(robot: Any, world: Any, q: ArrayLike) -> float:
 
 @compiled
 def least_distance(body: Parts, world: Any) -> float:
-    """The least distance of any piece of a body; only obstacles in a box as wide as the least so far are looked at."""
+    """The least distance of any piece of a body; only obstacles in a box as wide as the least so
+    far are looked at.
+    """
     best = np.inf
     for i in range(len(body.radius)):
         begin, end = body.first[i], body.first[i + 1]
@@ -45,9 +49,13 @@ def least_distance(body: Parts, world: Any) -> float:
             return 0.0
         reach = best + body.radius[i]
         x, y = body.points[begin:end, 0], body.points[begin:end, 1]
-        parts, near = obstacles_near(world, x.min() - reach, y.min() - reach, x.max() + reach, y.max() + reach)
+        parts, near = obstacles_near(
+            world, x.min() - reach, y.min() - reach, x.max() + reach, y.max() + reach
+        )
         for j in near:
-            apart = pieces_distance(body.points, begin, end, parts.points, parts.first[j], parts.first[j + 1])
+            apart = pieces_distance(
+                body.points, begin, end, parts.points, parts.first[j], parts.first[j + 1]
+            )
             best = min(best, apart - body.radius[i] - parts.radius[j])
     return max(best, 0.0)
 

@@ -1,7 +1,7 @@
 """What a motion costs: its length, or on a terrain with costs their integral along it.
 
-J. S. B. Mitchell, C. H. Papadimitriou, "The weighted region problem: finding shortest paths through a weighted planar subdivision"
-(1991).
+J. S. B. Mitchell, C. H. Papadimitriou, "The weighted region problem: finding shortest paths through
+a weighted planar subdivision" (1991).
 """
 
 import math
@@ -37,18 +37,25 @@ def cost_on_terrain(robot: Any, world: TerrainRecord, space: Any, a: Array, b: A
 
 
 def check_cost(robot: Any, world: Any) -> None:
-    """Raise InvalidParameter where a terrain has costs, and the robot no single place at which they count."""
+    """Raise InvalidParameter where a terrain has costs, and the robot no single place at which they
+    count.
+    """
     on_costs = isinstance(world, TerrainRecord) and world.cost.size
     if on_costs and not isinstance(robot, RoundRobot | TranslatingPolygonRobot):
-        raise InvalidParameter("a terrain with costs is for Point(), Disk(r) and TranslatingPolygon(...); leave out cost=")
+        raise InvalidParameter(
+            "a terrain with costs is for Point(), Disk(r) and TranslatingPolygon(...); leave out "
+            "cost="
+        )
 
 
 @compiled
 def integral(cost: Array, ax: float, ay: float, bx: float, by: float) -> float:
-    """The integral of the cells' costs along the segment a-b, from cell to cell as it crosses their sides; O(cells crossed).
+    """The integral of the cells' costs along the segment a-b, from cell to cell as it crosses their
+    sides; O(cells crossed).
 
-    Along a common side of two cells the cheaper one counts, which lets cheapest paths exist. Outside all cells it is infinite.
-    J. Amanatides, A. Woo, "A fast voxel traversal algorithm for ray tracing" (1987).
+    Along a common side of two cells the cheaper one counts, which lets cheapest paths exist.
+    Outside all cells it is infinite. J. Amanatides, A. Woo, "A fast voxel traversal algorithm for
+    ray tracing" (1987).
     """
     dx, dy = bx - ax, by - ay
     i, j, t, total = first_cell(ax, dx), first_cell(ay, dy), 0.0, 0.0
@@ -84,7 +91,9 @@ def crossing(x: float, dx: float, i: int) -> float:
 
 @compiled
 def cheapest(cost: Array, i: int, j: int, on_left: bool, on_bottom: bool) -> float:
-    """What cell (i, j) costs, and where a motion runs along its left or bottom side, the cheaper of the cells beside it."""
+    """What cell (i, j) costs, and where a motion runs along its left or bottom side, the cheaper of
+    the cells beside it.
+    """
     rows, columns = cost.shape
     least = np.inf
     for row in range(j - 1 if on_bottom else j, j + 1):

@@ -1,8 +1,10 @@
-"""When to leave: the moments at which a place, or a way that begins then, is met by something that moves.
+"""When to leave: the moments at which a place, or a way that begins then, is met by something that
+moves.
 
-A way from a place at a constant speed, begun at the time t, is at the share s of its duration at the time t + s. In the plane of s
-and that time, what a convex piece in straight motion meets is convex: the robot seen from the piece is a point among grown
-obstacles, and its place depends linearly on both. So each piece, in each of its stretches, forbids one interval of departures.
+A way from a place at a constant speed, begun at the time t, is at the share s of its duration at
+the time t + s. In the plane of s and that time, what a convex piece in straight motion meets is
+convex: the robot seen from the piece is a point among grown obstacles, and its place depends
+linearly on both. So each piece, in each of its stretches, forbids one interval of departures.
 """
 
 from typing import Any
@@ -20,9 +22,11 @@ from ..worlds.moving import MovingWorldRecord, place_at
 PAUSE = 1e-9  # of the horizon: so long before and after contact a place counts as met
 
 
-def seen_from_movers(robot: Any, world: MovingWorldRecord, clearance: float) -> tuple[Parts, NDArray[np.int64]]:
-    """Where the robot's reference point must not be, in the frame of each moving piece: convex polygons, what is round a little
-    larger than the truth; and the `knots` of each.
+def seen_from_movers(
+    robot: Any, world: MovingWorldRecord, clearance: float
+) -> tuple[Parts, NDArray[np.int64]]:
+    """Where the robot's reference point must not be, in the frame of each moving piece: convex
+    polygons, what is round a little larger than the truth; and the `knots` of each.
     """
     shapes = world.shapes
     pieces: list[Any] = []
@@ -35,14 +39,22 @@ def seen_from_movers(robot: Any, world: MovingWorldRecord, clearance: float) -> 
     for i in range(len(shapes.radius)):
         piece = shapes.points[shapes.first[i] : shapes.first[i + 1]]
         for body_piece in bodies:
-            pieces.append(grown(summed_with(piece, -body_piece), float(shapes.radius[i]) + more + clearance))
+            pieces.append(
+                grown(summed_with(piece, -body_piece), float(shapes.radius[i]) + more + clearance)
+            )
             own.append(i)
     return make_parts(pieces, [0.0] * len(pieces)), world.knots[own].reshape(-1, 2)
 
 
 def summed_with(piece: Array, other: Array) -> Array:
     """The hull of sums of two pieces; a point moves the other."""
-    return piece + other[0] if len(other) == 1 else other + piece[0] if len(piece) == 1 else summed(piece, other)
+    return (
+        piece + other[0]
+        if len(other) == 1
+        else other + piece[0]
+        if len(piece) == 1
+        else summed(piece, other)
+    )
 
 
 @compiled
@@ -50,7 +62,9 @@ def met_departures(
     hulls: Parts, knots: NDArray[np.int64], times: Array, places: Array, horizon: float,
     a: Array, vx: float, vy: float, duration: float,
 ) -> Array:  # fmt: skip
-    """The closed intervals of departures from a with the velocity v, held for a duration, that are met; (k, 2), unsorted."""
+    """The closed intervals of departures from a with the velocity v, held for a duration, that are
+    met; (k, 2), unsorted.
+    """
     met, size = np.empty((stretches(knots), 2)), 0
     for i in range(len(knots)):
         begin, end = knots[i, 0], knots[i, 1]
@@ -64,7 +78,9 @@ def met_departures(
             if begin < k < end:
                 wx = (places[k, 0] - places[k - 1, 0]) / (times[k] - times[k - 1])
                 wy = (places[k, 1] - places[k - 1, 1]) / (times[k] - times[k - 1])
-            low, high = met_between(hulls, i, a[0] - x, a[1] - y, vx, vy, wx, wy, duration, first, last)
+            low, high = met_between(
+                hulls, i, a[0] - x, a[1] - y, vx, vy, wx, wy, duration, first, last
+            )
             if low <= high:
                 met[size, 0], met[size, 1] = low - PAUSE * horizon, high + PAUSE * horizon
                 size += 1
@@ -73,16 +89,29 @@ def met_departures(
 
 @compiled
 def stretches(knots: NDArray[np.int64]) -> int:
-    """How many straight motions all pieces make together: those between their knots, and a rest before and after."""
+    """How many straight motions all pieces make together: those between their knots, and a rest
+    before and after.
+    """
     return int((knots[:, 1] - knots[:, 0] + 1).sum())
 
 
 @compiled
 def met_between(
-    hulls: Parts, i: int, x: float, y: float, vx: float, vy: float, wx: float, wy: float, duration: float, first: float, last: float
+    hulls: Parts,
+    i: int,
+    x: float,
+    y: float,
+    vx: float,
+    vy: float,
+    wx: float,
+    wy: float,
+    duration: float,
+    first: float,
+    last: float,
 ) -> tuple[float, float]:
-    """The least and the greatest departure t - s such that (x, y) + s v - (t - first) w lies in hull i for some 0 <= s <= duration
-    and first <= t <= last: the rectangle of s and t, clipped by the hull's edges. The first is larger where there is none.
+    """The least and the greatest departure t - s such that (x, y) + s v - (t - first) w lies in
+    hull i for some 0 <= s <= duration and first <= t <= last: the rectangle of s and t, clipped by
+    the hull's edges. The first is larger where there is none.
     """
     begin, end = hulls.first[i], hulls.first[i + 1]
     if is_beyond(hulls.points[begin:end, 0], x, duration * vx, (last - first) * wx) or is_beyond(
@@ -110,14 +139,18 @@ def met_between(
 
 @compiled
 def is_beyond(points: Array, x: float, by_s: float, by_t: float) -> bool:
-    """Whether no coordinate from x on, as far as by_s and minus by_t bring it, is within what points span: then nothing is met."""
+    """Whether no coordinate from x on, as far as by_s and minus by_t bring it, is within what
+    points span: then nothing is met.
+    """
     low, high = x + min(by_s, 0.0) - max(by_t, 0.0), x + max(by_s, 0.0) - min(by_t, 0.0)
     return high < points.min() or low > points.max()
 
 
 @compiled
 def clipped(region: Array, size: int, c: float, a: float, b: float) -> tuple[Array, int]:
-    """The part of a convex region, its first `size` rows, where c + a s + b t >= 0 (Sutherland and Hodgman, 1974)."""
+    """The part of a convex region, its first `size` rows, where c + a s + b t >= 0 (Sutherland and
+    Hodgman, 1974).
+    """
     kept, n = np.empty_like(region), 0
     for k in range(size):
         s0, t0 = region[k - 1 if k > 0 else size - 1, 0], region[k - 1 if k > 0 else size - 1, 1]
@@ -147,7 +180,9 @@ def first_departure(met: Array, t: float) -> float:
 
 @compiled
 def between_meetings(met: Array, horizon: float) -> Array:
-    """The intervals of [0, horizon] that lie between the closed intervals met, (k, 2), in order; shape (m, 2)."""
+    """The intervals of [0, horizon] that lie between the closed intervals met, (k, 2), in order;
+    shape (m, 2).
+    """
     order, free, size, t = np.argsort(met[:, 0]), np.empty((len(met) + 1, 2)), 0, 0.0
     for i in order:
         if met[i, 0] > t:
@@ -164,12 +199,24 @@ def between_meetings(met: Array, horizon: float) -> Array:
 
 @algorithm
 def all_safe_intervals(
-    hulls: Parts, knots: NDArray[np.int64], times: Array, places: Array, horizon: float, nodes: Array
+    hulls: Parts,
+    knots: NDArray[np.int64],
+    times: Array,
+    places: Array,
+    horizon: float,
+    nodes: Array,
 ) -> tuple[Array, NDArray[np.int64]]:
-    """The safe intervals (k, 2) of all nodes, one node's after another's; those of node i are rows first[i]:first[i + 1]."""
-    safe, first = np.empty((len(nodes) * (stretches(knots) + 1), 2)), np.zeros(len(nodes) + 1, np.int64)
+    """The safe intervals (k, 2) of all nodes, one node's after another's; those of node i are rows
+    first[i]:first[i + 1].
+    """
+    safe, first = (
+        np.empty((len(nodes) * (stretches(knots) + 1), 2)),
+        np.zeros(len(nodes) + 1, np.int64),
+    )
     for i in range(len(nodes)):
-        own = between_meetings(met_departures(hulls, knots, times, places, horizon, nodes[i], 0.0, 0.0, 0.0), horizon)
+        own = between_meetings(
+            met_departures(hulls, knots, times, places, horizon, nodes[i], 0.0, 0.0, 0.0), horizon
+        )
         safe[first[i] : first[i] + len(own)] = own
         first[i + 1] = first[i] + len(own)
     return safe[: first[-1]].copy(), first

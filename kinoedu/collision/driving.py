@@ -1,4 +1,6 @@
-"""Cars, in any world: an arc is judged whole, and so is a curve of arcs, by conservative advancement."""
+"""Cars, in any world: an arc is judged whole, and so is a curve of arcs, by conservative
+advancement.
+"""
 
 import math
 from typing import Any
@@ -18,7 +20,9 @@ from .turning import contact_size, first_in_contact
 
 @is_free_drive.register(CarRobot, PolygonWorldRecord)
 @is_free_drive.register(CarRobot, TerrainRecord)
-def driving_freely(robot: CarRobot, world: Any, pose: Array, distance: float, curvature: float, clearance: float) -> bool:
+def driving_freely(
+    robot: CarRobot, world: Any, pose: Array, distance: float, curvature: float, clearance: float
+) -> bool:
     """Nothing is touched on the arc."""
     contact = contact_size(world.lo, world.hi)
     change = np.array([distance, distance * curvature])
@@ -34,20 +38,27 @@ def standing_freely(robot: CarRobot, world: Any, q: Array, clearance: float) -> 
 
 @is_free_path.register(CarRobot, PolygonWorldRecord)
 @is_free_path.register(CarRobot, TerrainRecord)
-def driving_the_curve_freely(robot: CarRobot, world: Any, a: Array, b: Array, clearance: float) -> bool:
+def driving_the_curve_freely(
+    robot: CarRobot, world: Any, a: Array, b: Array, clearance: float
+) -> bool:
     """Every piece of the shortest curve from a to b."""
     turns, lengths = pieces_between(a, b, robot.radius, robot.both_ways)
     pose = np.array([a[0], a[1], a[2]])
     for i in range(len(turns)):
         curvature = turns[i] / robot.radius
-        if lengths[i] != 0.0 and not is_free_drive(robot, world, pose, lengths[i], curvature, clearance):
+        if lengths[i] != 0.0 and not is_free_drive(
+            robot, world, pose, lengths[i], curvature, clearance
+        ):
             return False
         pose[0], pose[1], pose[2] = driven(pose[0], pose[1], pose[2], lengths[i], curvature)
     return is_free_drive(robot, world, b, 0.0, 0.0, clearance)
 
 
-def is_free_trajectory(robot: CarRobot, world: Any, trajectory: TrajectoryRecord, clearance: float = 0.0) -> bool:
-    """Whether a car that follows a trajectory stays more than `clearance` away from every obstacle all the way: no contact.
+def is_free_trajectory(
+    robot: CarRobot, world: Any, trajectory: TrajectoryRecord, clearance: float = 0.0
+) -> bool:
+    """Whether a car that follows a trajectory stays more than `clearance` away from every obstacle
+    all the way: no contact.
 
     Each control drives an arc, which is judged whole.
 

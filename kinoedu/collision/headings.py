@@ -1,8 +1,10 @@
-"""At which headings a robot that turns is free at a place: exact intervals, with nothing tried at random.
+"""At which headings a robot that turns is free at a place: exact intervals, with nothing tried at
+random.
 
-As the robot turns on the spot, it can come into contact or out of it only at a *critical* heading, where a corner of the robot is
-on an edge of an obstacle, or a corner of an obstacle on an edge of the robot. These are finitely many, each where a segment meets
-a circle round the place. Between two of them that follow each other all headings are free or none is, so one is asked for all.
+As the robot turns on the spot, it can come into contact or out of it only at a *critical* heading,
+where a corner of the robot is on an edge of an obstacle, or a corner of an obstacle on an edge of
+the robot. These are finitely many, each where a segment meets a circle round the place. Between two
+of them that follow each other all headings are free or none is, so one is asked for all.
 
 LaValle, section 4.3.3: contacts of the types VE and EV; here for one fixed place.
 """
@@ -20,20 +22,24 @@ from ..spaces.angles import wrapped
 from ..worlds.nearby import obstacles_near, rim
 from .batches import free_configurations
 
-SLACK = 1e-9  # of an edge: how far past its ends a circle may meet it; a heading too many is harmless, one too few is not
+# of an edge: how far past its ends a circle may meet it; a heading too many is harmless, one too
+# few is not
+SLACK = 1e-9
 
 
 def free_headings(robot: Any, world: Any, point: ArrayLike) -> Array:
-    """The open intervals of headings at which a robot is free with its reference point at `point`, as rows low, high; (k, 2).
+    """The open intervals of headings at which a robot is free with its reference point at `point`,
+    as rows low, high; (k, 2).
 
     Parameters
     ----------
     robot : a RigidPolygon. world : a PolygonWorld or a Terrain. point : (2,).
 
-    -pi <= low < pi, and low < high <= low + 2 pi, so an interval may reach across pi; if no heading is in contact the one row is
-    -pi, pi. Exact but for rounding: what is free over less than collision's tolerance of 1e-9 may be left out. O(k log k) for k
-    critical headings, at most 4 for each pair of an edge of the robot and one of an obstacle near it, and a question for each.
-    Raises InvalidPoint, InvalidParameter.
+    -pi <= low < pi, and low < high <= low + 2 pi, so an interval may reach across pi; if no heading
+    is in contact the one row is
+    -pi, pi. Exact but for rounding: what is free over less than collision's tolerance of 1e-9 may
+    be left out. O(k log k) for k critical headings, at most 4 for each pair of an edge of the robot
+    and one of an obstacle near it, and a question for each. Raises InvalidPoint, InvalidParameter.
 
     >>> from kinoedu import PolygonWorld, RigidPolygon
     >>> corridor = PolygonWorld([(0, 0), (20, 0), (20, 2), (0, 2)])
@@ -42,19 +48,25 @@ def free_headings(robot: Any, world: Any, point: ArrayLike) -> Array:
            [ 2.88 ,  3.403]])
     """
     if not isinstance(robot, RigidPolygonRobot):
-        raise InvalidParameter("free headings are those of a RigidPolygon; other robots do not turn, or look the same turned")
+        raise InvalidParameter(
+            "free headings are those of a RigidPolygon; other robots do not turn, or look the "
+            "same turned"
+        )
     place = as_point(point)
     stops = np.unique([wrapped(float(theta)) for theta in critical_headings(robot, world, place)])
     if not len(stops):
         stops = np.array([-np.pi])
     ends = np.append(stops, stops[0] + 2.0 * np.pi)
     tried = np.concatenate([(ends[:-1] + ends[1:]) / 2.0, stops])
-    free = free_configurations(robot, world, np.column_stack([np.tile(place, (len(tried), 1)), tried]))
+    free = free_configurations(
+        robot, world, np.column_stack([np.tile(place, (len(tried), 1)), tried])
+    )
     return joined(ends, free[: len(stops)], free[len(stops) :])
 
 
 def free_heading(robot: Any, world: Any, point: ArrayLike) -> float | None:
-    """The middle of the widest free interval of headings at a point, in [-pi, pi); None where there is none. See `free_headings`.
+    """The middle of the widest free interval of headings at a point, in [-pi, pi); None where there
+    is none. See `free_headings`.
 
     >>> from kinoedu import PolygonWorld, RigidPolygon
     >>> corridor = PolygonWorld([(0, 0), (20, 0), (20, 2), (0, 2)])
@@ -70,7 +82,9 @@ def free_heading(robot: Any, world: Any, point: ArrayLike) -> float | None:
 
 
 def joined(ends: Array, between: NDArray[np.bool_], at: NDArray[np.bool_]) -> Array:
-    """The free intervals, from stretches ends[i] to ends[i + 1] and from whether each stretch, and its first end, is free."""
+    """The free intervals, from stretches ends[i] to ends[i + 1] and from whether each stretch, and
+    its first end, is free.
+    """
     if between.all() and at.all():
         return np.array([[-np.pi, np.pi]])
     begins = np.flatnonzero(between & ~(at & np.roll(between, 1)))
@@ -85,7 +99,9 @@ def joined(ends: Array, between: NDArray[np.bool_], at: NDArray[np.bool_]) -> Ar
 
 
 def critical_headings(robot: RigidPolygonRobot, world: Any, place: Array) -> Array:
-    """Headings at which the robot may touch something: all at which it comes into contact or out of it, and some more; (k,)."""
+    """Headings at which the robot may touch something: all at which it comes into contact or out of
+    it, and some more; (k,).
+    """
     reach = np.hypot(*robot.shape.points.T).max()
     parts, near = obstacles_near(world, *(place - reach), *(place + reach))
     rings = [ring_of(parts, j) - place for j in near] + [rim(world) - place]
@@ -97,15 +113,19 @@ def critical_headings(robot: RigidPolygonRobot, world: Any, place: Array) -> Arr
     for off in (radius, -radius) if radius.any() else (radius,):
         found.append(angle(theirs)[..., None] - meetings(theirs, moved_out(sides, off)))
     discs = radius[:, 0] > 0.0
-    found.append(angle(theirs[discs])[..., None] - round_meetings(theirs[discs], ours[:, 0], radius[discs]))
+    found.append(
+        angle(theirs[discs])[..., None] - round_meetings(theirs[discs], ours[:, 0], radius[discs])
+    )
     headings = np.concatenate([angles.ravel() for angles in found])
     return headings[np.isfinite(headings)]
 
 
 def meetings(corners: Array, edges: Array) -> Array:
-    """The directions in which edges (..., 2, 2) meet the circles round the origin on which corners (..., 2) turn.
+    """The directions in which edges (..., 2, 2) meet the circles round the origin on which corners
+    (..., 2) turn.
 
-    Shape (..., 2): a line meets a circle twice at the most. nan where it does not, or beyond the edge's ends.
+    Shape (..., 2): a line meets a circle twice at the most. nan where it does not, or beyond the
+    edge's ends.
     """
     a, u = edges[..., 0, :], edges[..., 1, :] - edges[..., 0, :]
     square, size = (u * u).sum(axis=-1), (corners * corners).sum(axis=-1)
@@ -119,7 +139,8 @@ def meetings(corners: Array, edges: Array) -> Array:
 
 
 def round_meetings(centres: Array, corners: Array, radius: Array) -> Array:
-    """The directions of the places a radius away from corners (n, 2) on the circles round the origin through centres (m, 1, 2).
+    """The directions of the places a radius away from corners (n, 2) on the circles round the
+    origin through centres (m, 1, 2).
 
     Shape (m, n, 2), nan where there are none; radius (m, 1).
     """
@@ -131,7 +152,9 @@ def round_meetings(centres: Array, corners: Array, radius: Array) -> Array:
 
 
 def moved_out(edges: Array, off: Array) -> Array:
-    """Edges, (n, 2, 2), moved to their right by each of some distances (m, 1); shape (m, n, 2, 2)."""
+    """Edges, (n, 2, 2), moved to their right by each of some distances (m, 1); shape (m, n, 2,
+    2).
+    """
     u = edges[:, 1] - edges[:, 0]
     right = np.column_stack([u[:, 1], -u[:, 0]]) / np.hypot(*u.T)[:, None]
     return edges + off[..., None, None] * right[:, None]

@@ -1,7 +1,9 @@
-"""Motions in time among obstacles that move. A configuration is (x, y, t); a motion is straight, at a constant speed.
+"""Motions in time among obstacles that move. A configuration is (x, y, t); a motion is straight, at
+a constant speed.
 
-Between two of a mover's times both move straight: seen from the mover, the robot moves straight past a piece that stands. So each
-such stretch is judged whole, by the same test as among obstacles that stand still.
+Between two of a mover's times both move straight: seen from the mover, the robot moves straight
+past a piece that stands. So each such stretch is judged whole, by the same test as among obstacles
+that stand still.
 """
 
 from typing import Any
@@ -17,8 +19,12 @@ from .passing import touches
 
 @is_free_path.register(RoundRobot, MovingWorldRecord)
 @is_free_path.register(TranslatingPolygonRobot, MovingWorldRecord)
-def free_in_time(robot: Any, world: MovingWorldRecord, a: Array, b: Array, clearance: float) -> bool:
-    """Off all that stands and all that moves, at every moment; never back in time, nor anywhere in no time."""
+def free_in_time(
+    robot: Any, world: MovingWorldRecord, a: Array, b: Array, clearance: float
+) -> bool:
+    """Off all that stands and all that moves, at every moment; never back in time, nor anywhere in
+    no time.
+    """
     if b[2] < a[2] or (b[2] == a[2] and (b[0] != a[0] or b[1] != a[1])):
         return False
     if not is_free_path(robot, world.still, a[:2], b[:2], clearance):
@@ -30,8 +36,12 @@ def free_in_time(robot: Any, world: MovingWorldRecord, a: Array, b: Array, clear
 
 
 @inlined
-def is_met(robot: Any, world: MovingWorldRecord, i: int, a: Array, b: Array, clearance: float) -> bool:
-    """Whether moving piece i touches the robot on its way from a to b, stretch by stretch between the mover's times."""
+def is_met(
+    robot: Any, world: MovingWorldRecord, i: int, a: Array, b: Array, clearance: float
+) -> bool:
+    """Whether moving piece i touches the robot on its way from a to b, stretch by stretch between
+    the mover's times.
+    """
     k, end = world.knots[i, 0], world.knots[i, 1]
     while k < end and world.times[k] <= a[2]:
         k += 1

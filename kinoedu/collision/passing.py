@@ -1,6 +1,7 @@
 """A robot that moves straight past one convex piece: whether it touches it, and how near it comes.
 
-What moves, and what is not quite where it was expected, is passed in its own frame: there the robot moves and the piece stands.
+What moves, and what is not quite where it was expected, is passed in its own frame: there the robot
+moves and the piece stands.
 """
 
 from typing import Any
@@ -17,8 +18,12 @@ from .translating import hull_touches, swept_hull
 
 
 @generic(1)
-def touches(robot: Any, ax: float, ay: float, bx: float, by: float, parts: Parts, j: int, margin: float) -> bool:
-    """Whether the robot, moved from (ax, ay) to (bx, by) without turning, comes as near to part j as a margin."""
+def touches(
+    robot: Any, ax: float, ay: float, bx: float, by: float, parts: Parts, j: int, margin: float
+) -> bool:
+    """Whether the robot, moved from (ax, ay) to (bx, by) without turning, comes as near to part j
+    as a margin.
+    """
     raise TypeError("this robot cannot pass a moving or an uncertain obstacle")
 
 
@@ -29,7 +34,16 @@ def gap(robot: Any, a: Array, b: Array, parts: Parts, j: int) -> float:
 
 
 @touches.register(RoundRobot)
-def touches_round(robot: RoundRobot, ax: float, ay: float, bx: float, by: float, parts: Parts, j: int, margin: float) -> bool:
+def touches_round(
+    robot: RoundRobot,
+    ax: float,
+    ay: float,
+    bx: float,
+    by: float,
+    parts: Parts,
+    j: int,
+    margin: float,
+) -> bool:
     """The segment of its centre, and both radii."""
     return motion_touches_part(ax, ay, bx, by, robot.radius + margin, parts, j)
 
@@ -42,7 +56,14 @@ def gap_round(robot: RoundRobot, a: Array, b: Array, parts: Parts, j: int) -> fl
 
 @touches.register(TranslatingPolygonRobot)
 def touches_polygon(
-    robot: TranslatingPolygonRobot, ax: float, ay: float, bx: float, by: float, parts: Parts, j: int, margin: float
+    robot: TranslatingPolygonRobot,
+    ax: float,
+    ay: float,
+    bx: float,
+    by: float,
+    parts: Parts,
+    j: int,
+    margin: float,
 ) -> bool:
     """The hulls that its pieces sweep."""
     a, b = np.array([ax, ay]), np.array([bx, by])
@@ -58,5 +79,8 @@ def gap_polygon(robot: TranslatingPolygonRobot, a: Array, b: Array, parts: Parts
     least = np.inf
     for i in range(len(robot.shape.radius)):
         hull = swept_hull(robot.shape, i, a, b)
-        least = min(least, pieces_distance(hull, 0, len(hull), parts.points, parts.first[j], parts.first[j + 1]))
+        least = min(
+            least,
+            pieces_distance(hull, 0, len(hull), parts.points, parts.first[j], parts.first[j + 1]),
+        )
     return least - parts.radius[j]

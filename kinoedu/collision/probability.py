@@ -1,4 +1,6 @@
-"""The chance that a path is hit by obstacles whose places are uncertain: bounded by its distances, and estimated by scenarios."""
+"""The chance that a path is hit by obstacles whose places are uncertain: bounded by its distances,
+and estimated by scenarios.
+"""
 
 from typing import Any, NamedTuple
 
@@ -22,7 +24,9 @@ SURE = 1e-9  # an offset shorter than a gap by this share of it cannot close it
 
 
 class Chance(NamedTuple):
-    """A chance that was tried: the share of the n scenarios with a contact, and the ends of Wilson's 95 percent interval."""
+    """A chance that was tried: the share of the n scenarios with a contact, and the ends of
+    Wilson's 95 percent interval.
+    """
 
     estimate: float
     low: float
@@ -32,17 +36,25 @@ class Chance(NamedTuple):
 
 
 def collision_probability(
-    robot: Any, world: UncertainWorldRecord, path: ArrayLike, *, n: int = 10_000, rng: int | np.random.Generator
+    robot: Any,
+    world: UncertainWorldRecord,
+    path: ArrayLike,
+    *,
+    n: int = 10_000,
+    rng: int | np.random.Generator,
 ) -> Chance:
-    """The chance that the robot touches an obstacle anywhere along a path, estimated by n scenarios.
+    """The chance that the robot touches an obstacle anywhere along a path, estimated by n
+    scenarios.
 
     Parameters
     ----------
     robot : Point(), Disk(radius) or TranslatingPolygon(vertices). world : an UncertainWorld.
-    path : (k, 2), k >= 1, its stretches judged whole. rng : a seed or a Generator; the same one draws the same scenarios for
+    path : (k, 2), k >= 1, its stretches judged whole. rng : a seed or a Generator; the same one
+    draws the same scenarios for
         another path, so that what two paths differ by is not chance.
 
-    A path that touches the boundary, which is certain, is hit in all. O(n m k). Raises InvalidPoint, InvalidParameter.
+    A path that touches the boundary, which is certain, is hit in all. O(n m k). Raises
+    InvalidPoint, InvalidParameter.
 
     >>> from ..robots import Point
     >>> from ..worlds.uncertain import UncertainWorld
@@ -55,15 +67,22 @@ def collision_probability(
     offsets = scenarios(world, n, rng=rng)
     if len(offsets) == 0:
         raise InvalidParameter("a chance is estimated from at least one scenario, n >= 1")
-    if any(not is_free_path(body_of, world.empty, a, b, 0.0) for a, b in zip(way, [*way[1:], way[-1]])):
+    if any(
+        not is_free_path(body_of, world.empty, a, b, 0.0) for a, b in zip(way, [*way[1:], way[-1]])
+    ):
         return Chance(1.0, 1.0, 1.0, len(offsets), len(offsets))
-    hits = int(hit_scenarios(body_of, world.parts, world.owner, part_gaps(body_of, world.parts, way), way, offsets).sum())
+    hits = int(
+        hit_scenarios(
+            body_of, world.parts, world.owner, part_gaps(body_of, world.parts, way), way, offsets
+        ).sum()
+    )
     low, high = wilson(hits, len(offsets))
     return Chance(hits / len(offsets), float(low), float(high), hits, len(offsets))
 
 
 def path_clearances(robot: Any, world: UncertainWorldRecord, path: ArrayLike) -> Array:
-    """How near a path comes to each obstacle where it is expected, shape (m,); 0 where it touches. Raises as above.
+    """How near a path comes to each obstacle where it is expected, shape (m,); 0 where it touches.
+    Raises as above.
 
     >>> from ..robots import Point
     >>> from ..worlds.uncertain import UncertainWorld
@@ -71,15 +90,20 @@ def path_clearances(robot: Any, world: UncertainWorldRecord, path: ArrayLike) ->
     >>> path_clearances(Point(), world, [(1, 1), (8, 1)])
     array([1.])
     """
-    gaps, nearest = part_gaps(as_mover(robot), world.parts, as_path(path)), np.full(len(world.sigma), np.inf)
+    gaps, nearest = (
+        part_gaps(as_mover(robot), world.parts, as_path(path)),
+        np.full(len(world.sigma), np.inf),
+    )
     np.minimum.at(nearest, world.owner, gaps)
     return np.maximum(nearest, 0.0)
 
 
 def collision_bound(robot: Any, world: UncertainWorldRecord, path: ArrayLike) -> float:
-    """A number that the chance to be hit does not exceed: the sum of exp(-d^2 / (2 sigma^2)) over the obstacles, at most 1.
+    """A number that the chance to be hit does not exceed: the sum of exp(-d^2 / (2 sigma^2)) over
+    the obstacles, at most 1.
 
-    d is how near the path comes to an obstacle: an offset shorter than that cannot reach it. Raises as above.
+    d is how near the path comes to an obstacle: an offset shorter than that cannot reach it. Raises
+    as above.
 
     >>> from ..robots import Point
     >>> from ..worlds.uncertain import UncertainWorld
@@ -97,7 +121,9 @@ def collision_bound(robot: Any, world: UncertainWorldRecord, path: ArrayLike) ->
 
 @algorithm
 def part_gaps(robot: Any, parts: Parts, path: Array) -> Array:
-    """How near the path comes to each part, shape (k,); negative where it is inside what is round."""
+    """How near the path comes to each part, shape (k,); negative where it is inside what is
+    round.
+    """
     least = np.full(len(parts.radius), np.inf)
     for j in range(len(parts.radius)):
         for i in range(len(path)):
@@ -111,7 +137,8 @@ def hit_scenarios(
 ) -> NDArray[np.bool_]:
     """Whether the path touches some obstacle in each scenario, offsets (n, m, 2); shape (n,).
 
-    An obstacle moved by e is passed as the path moved by -e passes it where it is expected. gaps are the `part_gaps`.
+    An obstacle moved by e is passed as the path moved by -e passes it where it is expected. gaps
+    are the `part_gaps`.
     """
     hit = np.zeros(len(offsets), np.bool_)
     for s in range(len(offsets)):
@@ -132,7 +159,10 @@ def hit_scenarios(
 def as_mover(robot: Any) -> Any:
     """A robot that does not turn, or InvalidParameter."""
     if not isinstance(robot, RoundRobot | TranslatingPolygonRobot):
-        raise InvalidParameter(f"expected Point(), Disk(radius) or TranslatingPolygon(vertices), got {shortened(robot)}")
+        raise InvalidParameter(
+            "expected Point(), Disk(radius) or TranslatingPolygon(vertices), got "
+            f"{shortened(robot)}"
+        )
     return robot
 
 

@@ -13,25 +13,35 @@ from ..worlds.parts_index import motion_touches_any, point_touches_any
 from ..worlds.polygon_world import PolygonWorldRecord
 from .asks import is_free, is_free_path, is_semi_free_path
 
-ROUND = 1e-12  # contact of what is round is decided to this share of its radius; shorter stretches of a motion count as contact
+# contact of what is round is decided to this share of its radius; shorter stretches of a motion
+# count as contact
+ROUND = 1e-12
 
 
 @is_free_path.register(RoundRobot, PolygonWorldRecord)
-def round_among_polygons(robot: RoundRobot, world: PolygonWorldRecord, a: Array, b: Array, clearance: float) -> bool:
-    """Both ends inside the hull of the boundary, and no part touched on the way. A point's motion is judged exactly."""
+def round_among_polygons(
+    robot: RoundRobot, world: PolygonWorldRecord, a: Array, b: Array, clearance: float
+) -> bool:
+    """Both ends inside the hull of the boundary, and no part touched on the way. A point's motion
+    is judged exactly.
+    """
     radius = robot.radius + clearance
     if not (is_in_box(a, world) and is_in_box(b, world)):
         return False
     found = known_between(a[0], a[1], b[0], b[1], radius, world.known)
     if found in (FREE, SOLID):
         return found == FREE
-    if (found == RIM or radius > 0.0) and not (is_inside(a, radius, world.hull) and is_inside(b, radius, world.hull)):
+    if (found == RIM or radius > 0.0) and not (
+        is_inside(a, radius, world.hull) and is_inside(b, radius, world.hull)
+    ):
         return False
     return not motion_touches_any(a[0], a[1], b[0], b[1], radius, world.obstacles, world.cells)
 
 
 @is_free.register(RoundRobot, PolygonWorldRecord)
-def round_in_place(robot: RoundRobot, world: PolygonWorldRecord, q: Array, clearance: float) -> bool:
+def round_in_place(
+    robot: RoundRobot, world: PolygonWorldRecord, q: Array, clearance: float
+) -> bool:
     """A motion that stays where it is; but a point is looked for in one cell of the index only."""
     x, y, radius = q[0], q[1], robot.radius + clearance
     if not is_in_box(q, world):
@@ -67,8 +77,12 @@ def is_inside(q: Array, radius: float, ring: Array) -> bool:
 
 
 @is_semi_free_path.register(RoundRobot, PolygonWorldRecord)
-def round_sliding_on_polygons(robot: RoundRobot, world: PolygonWorldRecord, a: Array, b: Array, clearance: float) -> bool:
-    """A disc slides where its centre keeps the radius; a point where it never passes through the inside of what is solid."""
+def round_sliding_on_polygons(
+    robot: RoundRobot, world: PolygonWorldRecord, a: Array, b: Array, clearance: float
+) -> bool:
+    """A disc slides where its centre keeps the radius; a point where it never passes through the
+    inside of what is solid.
+    """
     radius = robot.radius + clearance
     return disc_slides(world, a, b, radius) if radius > 0.0 else point_slides(world, a, b)
 
@@ -92,12 +106,15 @@ def disc_slides(world: PolygonWorldRecord, a: Array, b: Array, radius: float) ->
 def point_slides(world: PolygonWorldRecord, a: Array, b: Array) -> bool:
     """Whether the motion of a point from a to b stays out of the inside of what is solid.
 
-    Between two neighbouring contacts a motion is inside a solid, outside, or along edges. It penetrates where both its left and
-    its right are solid, be it the same obstacle or two that touch.
+    Between two neighbouring contacts a motion is inside a solid, outside, or along edges. It
+    penetrates where both its left and its right are solid, be it the same obstacle or two that
+    touch.
     """
     parts = world.obstacles
     for i in range(len(parts.radius)):
-        if parts.radius[i] > 0.0 and segment_part_distance(a[0], a[1], b[0], b[1], parts, i) < parts.radius[i] * (1.0 - ROUND):
+        if parts.radius[i] > 0.0 and segment_part_distance(
+            a[0], a[1], b[0], b[1], parts, i
+        ) < parts.radius[i] * (1.0 - ROUND):
             return False
     if a[0] == b[0] and a[1] == b[1]:
         return not is_within(world, a)
@@ -109,14 +126,18 @@ def point_slides(world: PolygonWorldRecord, a: Array, b: Array) -> bool:
 
 @compiled
 def is_within(world: PolygonWorldRecord, q: Array) -> bool:
-    """Whether all round a point is solid: along every edge that passes through it, on both sides, as soon as it is left."""
+    """Whether all round a point is solid: along every edge that passes through it, on both sides,
+    as soon as it is left.
+    """
     touched = False
     for edge in world.edges:
         if segment_distance(q[0], q[1], edge[0], edge[1], edge[2], edge[3]) > 0.0:
             continue
         touched = True
         for end in (edge[0:2], edge[2:4]):
-            if (end[0] != q[0] or end[1] != q[1]) and not is_inside_solid(world, q, end, stretches(world, q, end)[0]):
+            if (end[0] != q[0] or end[1] != q[1]) and not is_inside_solid(
+                world, q, end, stretches(world, q, end)[0]
+            ):
                 return False
     anywhere = np.array([q[0] + 1.0, q[1]])
     return touched or is_inside_solid(world, q, anywhere, 0.0)
@@ -131,7 +152,9 @@ def is_inside_solid(world: PolygonWorldRecord, a: Array, b: Array, t: float) -> 
 
 @compiled
 def stretches(world: PolygonWorldRecord, a: Array, b: Array) -> Array:
-    """The middles, as fractions of the motion a-b, of its stretches between neighbouring contacts."""
+    """The middles, as fractions of the motion a-b, of its stretches between neighbouring
+    contacts.
+    """
     contacts = np.sort(contacts_along(world, a, b))
     middles, size = np.empty(len(contacts)), 0
     for i in range(len(contacts) - 1):
@@ -150,7 +173,9 @@ def contacts_along(world: PolygonWorldRecord, a: Array, b: Array) -> Array:
     whole = length(b[0] - a[0], b[1] - a[1])
     for edge in world.edges:
         for i in range(shared_points(a, b, edge[0:2], edge[2:4], points)):
-            found[size] = length(points[i, 0] - a[0], points[i, 1] - a[1]) / whole if whole > 0.0 else 0.0
+            found[size] = (
+                length(points[i, 0] - a[0], points[i, 1] - a[1]) / whole if whole > 0.0 else 0.0
+            )
             size += 1
     return found[:size]
 
@@ -159,13 +184,23 @@ def contacts_along(world: PolygonWorldRecord, a: Array, b: Array) -> Array:
 def solid_sides(world: PolygonWorldRecord, a: Array, b: Array, t: float) -> tuple[bool, bool]:
     """Whether what lies just left, and just right, of the motion a-b at its fraction t is solid.
 
-    Solid by solid: by the edge that the motion runs along, or else by how often the solid's rings wind round the point.
+    Solid by solid: by the edge that the motion runs along, or else by how often the solid's rings
+    wind round the point.
     """
     x, y = a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])
     left, right = False, False
-    winding, along = 1, 0  # the outside winds once round everything, and its clockwise ring takes that back
+    winding, along = (
+        1,
+        0,
+    )  # the outside winds once round everything, and its clockwise ring takes that back
     for i in range(len(world.edges)):
-        cx, cy, dx, dy, solid = world.edges[i, 0], world.edges[i, 1], world.edges[i, 2], world.edges[i, 3], world.edges[i, 4]
+        cx, cy, dx, dy, solid = (
+            world.edges[i, 0],
+            world.edges[i, 1],
+            world.edges[i, 2],
+            world.edges[i, 3],
+            world.edges[i, 4],
+        )
         if edge_runs_along(a, b, cx, cy, dx, dy, x, y):
             along = 1 if (dx - cx) * (b[0] - a[0]) + (dy - cy) * (b[1] - a[1]) > 0.0 else -1
         elif (cy > y) != (dy > y):
@@ -179,7 +214,9 @@ def solid_sides(world: PolygonWorldRecord, a: Array, b: Array, t: float) -> tupl
 
 
 @compiled
-def edge_runs_along(a: Array, b: Array, cx: float, cy: float, dx: float, dy: float, x: float, y: float) -> bool:
+def edge_runs_along(
+    a: Array, b: Array, cx: float, cy: float, dx: float, dy: float, x: float, y: float
+) -> bool:
     """Whether the edge c-d lies on the line a-b and reaches past (x, y) on both sides."""
     if turn(a[0], a[1], b[0], b[1], cx, cy) != 0 or turn(a[0], a[1], b[0], b[1], dx, dy) != 0:
         return False

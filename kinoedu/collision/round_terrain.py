@@ -1,4 +1,6 @@
-"""Round robots on terrains. Motions are judged in cells; exactly for a point when positions in cells are exact."""
+"""Round robots on terrains. Motions are judged in cells; exactly for a point when positions in
+cells are exact.
+"""
 
 import math
 
@@ -18,29 +20,47 @@ SLACK = 1e-3  # of a cell: rows are looked up a little beyond the motion
 
 
 @is_free_path.register(RoundRobot, TerrainRecord)
-def round_on_terrain(robot: RoundRobot, world: TerrainRecord, a: Array, b: Array, clearance: float) -> bool:
+def round_on_terrain(
+    robot: RoundRobot, world: TerrainRecord, a: Array, b: Array, clearance: float
+) -> bool:
     """Inside the terrain and touching no blocked cell, not even its corner."""
     ax, ay, bx, by = in_cells(world, a, b)
     radius = (robot.radius + clearance) / world.resolution
     rows, columns = world.free.shape
-    if not (min(ax, bx) > radius and max(ax, bx) < columns - radius and min(ay, by) > radius and max(ay, by) < rows - radius):
+    if not (
+        min(ax, bx) > radius
+        and max(ax, bx) < columns - radius
+        and min(ay, by) > radius
+        and max(ay, by) < rows - radius
+    ):
         return False
     return not meets_blocked(world.free, ax, ay, bx, by, radius, True)
 
 
 @is_semi_free_path.register(RoundRobot, TerrainRecord)
-def round_sliding_on_terrain(robot: RoundRobot, world: TerrainRecord, a: Array, b: Array, clearance: float) -> bool:
-    """Entering no blocked cell; a point does not pass between two blocked cells that share an edge either."""
+def round_sliding_on_terrain(
+    robot: RoundRobot, world: TerrainRecord, a: Array, b: Array, clearance: float
+) -> bool:
+    """Entering no blocked cell; a point does not pass between two blocked cells that share an edge
+    either.
+    """
     ax, ay, bx, by = in_cells(world, a, b)
     radius = (robot.radius + clearance) / world.resolution * (1.0 - ROUND)
     rows, columns = world.free.shape
-    if not (min(ax, bx) >= radius and max(ax, bx) <= columns - radius and min(ay, by) >= radius and max(ay, by) <= rows - radius):
+    if not (
+        min(ax, bx) >= radius
+        and max(ax, bx) <= columns - radius
+        and min(ay, by) >= radius
+        and max(ay, by) <= rows - radius
+    ):
         return False
     if meets_blocked(world.free, ax, ay, bx, by, radius, False):
         return False
     if radius == 0.0 and ax == bx and ay == by:
         return has_free_neighbour(world.free, ax, ay)
-    return radius > 0.0 or not (runs_in_wall(world.free, ax, bx, ay, by) or runs_in_wall(world.free.T, ay, by, ax, bx))
+    return radius > 0.0 or not (
+        runs_in_wall(world.free, ax, bx, ay, by) or runs_in_wall(world.free.T, ay, by, ax, bx)
+    )
 
 
 @inlined
@@ -51,8 +71,11 @@ def in_cells(world: TerrainRecord, a: Array, b: Array) -> tuple[float, float, fl
 
 
 @compiled
-def meets_blocked(free: np.ndarray, ax: float, ay: float, bx: float, by: float, radius: float, closed: bool) -> bool:
-    """Whether a disc moved along a-b meets a blocked cell. Row by row, every cell within reach is looked up.
+def meets_blocked(
+    free: np.ndarray, ax: float, ay: float, bx: float, by: float, radius: float, closed: bool
+) -> bool:
+    """Whether a disc moved along a-b meets a blocked cell. Row by row, every cell within reach is
+    looked up.
 
     `closed` cells include their edges and corners; otherwise only their insides count.
     """
@@ -60,7 +83,10 @@ def meets_blocked(free: np.ndarray, ax: float, ay: float, bx: float, by: float, 
     low, high = min(ay, by) - radius, max(ay, by) + radius
     for j in range(max(math.ceil(low) - 1, 0), min(math.floor(high), rows - 1) + 1):
         left, right = stretch_in_band(ax, ay, bx, by, j - radius - SLACK, j + 1 + radius + SLACK)
-        begin, end = max(math.floor(left - radius) - 1, 0), min(math.floor(right + radius) + 1, columns - 1)
+        begin, end = (
+            max(math.floor(left - radius) - 1, 0),
+            min(math.floor(right + radius) + 1, columns - 1),
+        )
         for i in range(begin, end + 1):
             if not free[j, i] and meets_cell(ax, ay, bx, by, radius, i, j, closed):
                 return True
@@ -68,8 +94,12 @@ def meets_blocked(free: np.ndarray, ax: float, ay: float, bx: float, by: float, 
 
 
 @compiled
-def meets_cell(ax: float, ay: float, bx: float, by: float, radius: float, i: int, j: int, closed: bool) -> bool:
-    """Whether a disc moved along a-b meets the cell [i, i + 1] x [j, j + 1]: exactly for a point, to rounding for a disc."""
+def meets_cell(
+    ax: float, ay: float, bx: float, by: float, radius: float, i: int, j: int, closed: bool
+) -> bool:
+    """Whether a disc moved along a-b meets the cell [i, i + 1] x [j, j + 1]: exactly for a point,
+    to rounding for a disc.
+    """
     if radius > 0.0:
         gap = cell_distance(ax, ay, bx, by, i, j)
         return gap <= radius if closed else gap < radius
@@ -82,8 +112,16 @@ def meets_cell(ax: float, ay: float, bx: float, by: float, radius: float, i: int
     if ax == bx or ay == by:
         return True
     # the corners farthest to either side of the motion's line
-    lower = turn(ax, ay, bx, by, i + 1.0, float(j)) if (bx > ax) == (by > ay) else turn(ax, ay, bx, by, float(i), float(j))
-    upper = turn(ax, ay, bx, by, float(i), j + 1.0) if (bx > ax) == (by > ay) else turn(ax, ay, bx, by, i + 1.0, j + 1.0)
+    lower = (
+        turn(ax, ay, bx, by, i + 1.0, float(j))
+        if (bx > ax) == (by > ay)
+        else turn(ax, ay, bx, by, float(i), float(j))
+    )
+    upper = (
+        turn(ax, ay, bx, by, float(i), j + 1.0)
+        if (bx > ax) == (by > ay)
+        else turn(ax, ay, bx, by, i + 1.0, j + 1.0)
+    )
     return lower * upper <= 0 if closed else lower * upper < 0
 
 
@@ -93,14 +131,21 @@ def cell_distance(ax: float, ay: float, bx: float, by: float, i: int, j: int) ->
     if (i <= ax <= i + 1 and j <= ay <= j + 1) or (i <= bx <= i + 1 and j <= by <= j + 1):
         return 0.0
     x0, y0, x1, y1 = float(i), float(j), i + 1.0, j + 1.0
-    across = min(segments_distance(ax, ay, bx, by, x0, y0, x1, y0), segments_distance(ax, ay, bx, by, x0, y1, x1, y1))
-    upright = min(segments_distance(ax, ay, bx, by, x0, y0, x0, y1), segments_distance(ax, ay, bx, by, x1, y0, x1, y1))
+    across = min(
+        segments_distance(ax, ay, bx, by, x0, y0, x1, y0),
+        segments_distance(ax, ay, bx, by, x0, y1, x1, y1),
+    )
+    upright = min(
+        segments_distance(ax, ay, bx, by, x0, y0, x0, y1),
+        segments_distance(ax, ay, bx, by, x1, y0, x1, y1),
+    )
     return min(across, upright)
 
 
 @compiled
 def runs_in_wall(free: np.ndarray, ax: float, bx: float, ay: float, by: float) -> bool:
-    """Whether a motion along a grid line y = const has blocked cells on both sides somewhere, as has all that is outside.
+    """Whether a motion along a grid line y = const has blocked cells on both sides somewhere, as
+    has all that is outside.
 
     For a line x = const hand over free.T, and y for x.
     """

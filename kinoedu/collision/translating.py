@@ -1,4 +1,6 @@
-"""Polygons that move without turning, in any world: exact, by the hull that each convex piece sweeps."""
+"""Polygons that move without turning, in any world: exact, by the hull that each convex piece
+sweeps.
+"""
 
 from typing import Any
 
@@ -21,7 +23,9 @@ ROUND = 1e-12  # what is round may be slid along where the distance is kept but 
 
 @is_free_path.register(TranslatingPolygonRobot, PolygonWorldRecord)
 @is_free_path.register(TranslatingPolygonRobot, TerrainRecord)
-def translating_freely(robot: TranslatingPolygonRobot, world: Any, a: Array, b: Array, clearance: float) -> bool:
+def translating_freely(
+    robot: TranslatingPolygonRobot, world: Any, a: Array, b: Array, clearance: float
+) -> bool:
     """The hull of each piece at both ends lies inside the rim and touches nothing."""
     ring = rim(world)
     for i in range(len(robot.shape.radius)):
@@ -37,7 +41,9 @@ def translating_freely(robot: TranslatingPolygonRobot, world: Any, a: Array, b: 
 
 @is_semi_free_path.register(TranslatingPolygonRobot, PolygonWorldRecord)
 @is_semi_free_path.register(TranslatingPolygonRobot, TerrainRecord)
-def translating_in_contact(robot: TranslatingPolygonRobot, world: Any, a: Array, b: Array, clearance: float) -> bool:
+def translating_in_contact(
+    robot: TranslatingPolygonRobot, world: Any, a: Array, b: Array, clearance: float
+) -> bool:
     """The inside of that hull stays out of the inside of what is solid."""
     ring = rim(world)
     for i in range(len(robot.shape.radius)):
@@ -65,7 +71,9 @@ def swept_hull(shape: Parts, i: int, a: Array, b: Array) -> Array:
 
 @compiled
 def hull_of(points: Array) -> Array:
-    """The convex hull of a few points, which are put in order; at least two rows, even where all are equal."""
+    """The convex hull of a few points, which are put in order; at least two rows, even where all
+    are equal.
+    """
     for i in range(1, len(points)):
         x, y, k = points[i, 0], points[i, 1], i
         while k > 0 and (points[k - 1, 0] > x or (points[k - 1, 0] == x and points[k - 1, 1] > y)):
@@ -79,7 +87,12 @@ def hull_of(points: Array) -> Array:
 @compiled
 def box_round(hull: Array, margin: float) -> tuple[float, float, float, float]:
     """The bounding box of points, grown by a margin."""
-    return hull[:, 0].min() - margin, hull[:, 1].min() - margin, hull[:, 0].max() + margin, hull[:, 1].max() + margin
+    return (
+        hull[:, 0].min() - margin,
+        hull[:, 1].min() - margin,
+        hull[:, 0].max() + margin,
+        hull[:, 1].max() + margin,
+    )
 
 
 @compiled
@@ -88,7 +101,9 @@ def hull_within(hull: Array, margin: float, ring: Array) -> bool:
     for i in range(len(ring)):
         px, py, qx, qy = ring[i - 1, 0], ring[i - 1, 1], ring[i, 0], ring[i, 1]
         for x, y in hull:
-            if turn(px, py, qx, qy, x, y) <= 0 or (margin > 0.0 and height(px, py, qx, qy, x, y) <= margin):
+            if turn(px, py, qx, qy, x, y) <= 0 or (
+                margin > 0.0 and height(px, py, qx, qy, x, y) <= margin
+            ):
                 return False
     return True
 
@@ -99,14 +114,18 @@ def hull_slides_within(hull: Array, margin: float, ring: Array) -> bool:
     for i in range(len(ring)):
         px, py, qx, qy = ring[i - 1, 0], ring[i - 1, 1], ring[i, 0], ring[i, 1]
         for x, y in hull:
-            if turn(px, py, qx, qy, x, y) < 0 or (margin > 0.0 and height(px, py, qx, qy, x, y) < margin * (1.0 - ROUND)):
+            if turn(px, py, qx, qy, x, y) < 0 or (
+                margin > 0.0 and height(px, py, qx, qy, x, y) < margin * (1.0 - ROUND)
+            ):
                 return False
     return True
 
 
 @inlined
 def hull_touches(hull: Array, parts: Parts, j: int, margin: float) -> bool:
-    """Whether a hull comes as near to part j as a margin: exact for polygons without one, to 1e-12 where something is round."""
+    """Whether a hull comes as near to part j as a margin: exact for polygons without one, to 1e-12
+    where something is round.
+    """
     begin, end, reach = parts.first[j], parts.first[j + 1], margin + parts.radius[j]
     if reach == 0.0:
         return pieces_meet(hull, 0, len(hull), parts.points, begin, end)

@@ -1,11 +1,13 @@
 """Robots that turn or bend, in any world: conservative advancement.
 
-At some time of the motion a line divides a piece of the robot from an obstacle. From how far off that line each corner of the piece
-is, how fast it comes nearer, and how sharply it can bend towards it, follows a time before which no contact can be. Then the next
-line is drawn. No fixed resolution: a needle cannot jump a wall of any thinness.
+At some time of the motion a line divides a piece of the robot from an obstacle. From how far off
+that line each corner of the piece is, how fast it comes nearer, and how sharply it can bend towards
+it, follows a time before which no contact can be. Then the next line is drawn. No fixed resolution:
+a needle cannot jump a wall of any thinness.
 
-Contact is decided to 1e-9 of the world's size. Source: B. Mirtich, "Impulse-based dynamic simulation of rigid body systems" (1996),
-section 2.3.2, here with each corner's own direction and acceleration; LaValle, section 5.3.4.
+Contact is decided to 1e-9 of the world's size. Source: B. Mirtich, "Impulse-based dynamic
+simulation of rigid body systems" (1996), section 2.3.2, here with each corner's own direction and
+acceleration; LaValle, section 5.3.4.
 """
 
 import math
@@ -47,7 +49,9 @@ def turning_freely(robot: Any, world: Any, a: Array, b: Array, clearance: float)
 def turning_in_contact(robot: Any, world: Any, a: Array, b: Array, clearance: float) -> bool:
     """No piece reaches deeper than twice the tolerance into what is solid."""
     contact = contact_size(world.lo, world.hi)
-    return first_in_contact(robot, world, a, way(robot, a, b), clearance - 2.0 * contact, contact) < 0
+    return (
+        first_in_contact(robot, world, a, way(robot, a, b), clearance - 2.0 * contact, contact) < 0
+    )
 
 
 @compiled
@@ -59,7 +63,9 @@ def contact_size(lo: Array, hi: Array) -> float:
 
 
 @compiled
-def first_in_contact(robot: Any, world: Any, a: Array, change: Array, margin: float, contact: float) -> int:
+def first_in_contact(
+    robot: Any, world: Any, a: Array, change: Array, margin: float, contact: float
+) -> int:
     """The first piece that does not keep `margin` on the way from a to a + change, or -1."""
     corners = np.empty((len(robot.shape.points), 5))
     for i in range(len(robot.shape.radius)):
@@ -70,10 +76,24 @@ def first_in_contact(robot: Any, world: Any, a: Array, change: Array, margin: fl
 
 @compiled
 def piece_in_contact(
-    robot: Any, i: int, world: Any, a: Array, change: Array, corners: Array, margin: float, contact: float
+    robot: Any,
+    i: int,
+    world: Any,
+    a: Array,
+    change: Array,
+    corners: Array,
+    margin: float,
+    contact: float,
 ) -> bool:
-    """Whether piece i does not keep `margin` from the rim or an obstacle on the way from a to a + change."""
-    begin, end, kept, ring = robot.shape.first[i], robot.shape.first[i + 1], robot.shape.radius[i] + margin, rim(world)
+    """Whether piece i does not keep `margin` from the rim or an obstacle on the way from a to a +
+    change.
+    """
+    begin, end, kept, ring = (
+        robot.shape.first[i],
+        robot.shape.first[i + 1],
+        robot.shape.radius[i] + margin,
+        rim(world),
+    )
     place(robot, i, a, change, 0.5, corners)
     x0, y0, x1, y1 = swept_box(corners, begin, end, kept)
     for edge in range(0 if box_within(x0, y0, x1, y1, ring) else len(ring)):
@@ -88,14 +108,24 @@ def piece_in_contact(
 
 @compiled
 def meets_part(
-    robot: Any, i: int, a: Array, change: Array, corners: Array, parts: Parts, j: int, kept: float, contact: float
+    robot: Any,
+    i: int,
+    a: Array,
+    change: Array,
+    corners: Array,
+    parts: Parts,
+    j: int,
+    kept: float,
+    contact: float,
 ) -> bool:
     """Whether piece i does not keep its distance from part j on the way."""
     begin, end, least = robot.shape.first[i], robot.shape.first[i + 1], kept + parts.radius[j]
     t = 0.0
     while True:
         place(robot, i, a, change, t, corners)
-        x, y, nx, ny = dividing_line(corners, begin, end, parts.points, parts.first[j], parts.first[j + 1])
+        x, y, nx, ny = dividing_line(
+            corners, begin, end, parts.points, parts.first[j], parts.first[j + 1]
+        )
         room, time = clear_time(corners, begin, end, x, y, nx, ny, least)
         t += time
         if room <= 0.0 or t > 1.0:
@@ -106,15 +136,27 @@ def meets_part(
 
 @compiled
 def crosses_edge(
-    robot: Any, i: int, a: Array, change: Array, corners: Array, p: Array, q: Array, kept: float, contact: float
+    robot: Any,
+    i: int,
+    a: Array,
+    change: Array,
+    corners: Array,
+    p: Array,
+    q: Array,
+    kept: float,
+    contact: float,
 ) -> bool:
-    """Whether piece i does not keep its distance from the outer side of the edge p-q of the world's rim."""
+    """Whether piece i does not keep its distance from the outer side of the edge p-q of the world's
+    rim.
+    """
     size = length(q[0] - p[0], q[1] - p[1])
     nx, ny = (p[1] - q[1]) / size, (q[0] - p[0]) / size
     t = 0.0
     while True:
         place(robot, i, a, change, t, corners)
-        room, time = clear_time(corners, robot.shape.first[i], robot.shape.first[i + 1], p[0], p[1], nx, ny, kept)
+        room, time = clear_time(
+            corners, robot.shape.first[i], robot.shape.first[i + 1], p[0], p[1], nx, ny, kept
+        )
         t += time
         if room <= 0.0 or t > 1.0:
             return room <= 0.0
@@ -123,8 +165,12 @@ def crosses_edge(
 
 
 @compiled
-def clear_time(corners: Array, begin: int, end: int, x: float, y: float, nx: float, ny: float, kept: float) -> tuple[float, float]:
-    """The least room that corners have ahead of a line, beyond what is to be kept, and for how long they surely have some."""
+def clear_time(
+    corners: Array, begin: int, end: int, x: float, y: float, nx: float, ny: float, kept: float
+) -> tuple[float, float]:
+    """The least room that corners have ahead of a line, beyond what is to be kept, and for how long
+    they surely have some.
+    """
     least, time = np.inf, np.inf
     for k in range(begin, end):
         room = (corners[k, X] - x) * nx + (corners[k, Y] - y) * ny - kept
@@ -135,7 +181,9 @@ def clear_time(corners: Array, begin: int, end: int, x: float, y: float, nx: flo
 
 @compiled
 def time_across(room: float, speed: float, bend: float) -> float:
-    """The first t > 0 at which speed * t + bend * t^2 / 2 is as large as room; infinite where it never is, 0 without room."""
+    """The first t > 0 at which speed * t + bend * t^2 / 2 is as large as room; infinite where it
+    never is, 0 without room.
+    """
     if room <= 0.0:
         return 0.0
     root = math.sqrt(speed * speed + 2.0 * bend * room)
@@ -145,8 +193,12 @@ def time_across(room: float, speed: float, bend: float) -> float:
 
 
 @compiled
-def swept_box(corners: Array, begin: int, end: int, kept: float) -> tuple[float, float, float, float]:
-    """A box round all that corners can reach in half a unit of time, back and forth, grown by `kept`."""
+def swept_box(
+    corners: Array, begin: int, end: int, kept: float
+) -> tuple[float, float, float, float]:
+    """A box round all that corners can reach in half a unit of time, back and forth, grown by
+    `kept`.
+    """
     x0, y0, x1, y1 = np.inf, np.inf, -np.inf, -np.inf
     for k in range(begin, end):
         off = kept + corners[k, BEND] / 8.0

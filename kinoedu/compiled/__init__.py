@@ -15,8 +15,8 @@ costs too much that way is compiled by another process, and later calls find its
 | compiler.py, worker.py | make machine code with numba, in a process of their own |
 
 `compiled` is for kernels, `inlined` for short ones that are handed records, `algorithm` for whole
-algorithms that Python starts. `generic` makes a question that each kind of record answers in its own
-way; `record` lets compiled code call a record's methods. A *record* is a NamedTuple of arrays,
+algorithms that Python starts. `generic` makes a question that each kind of record answers in its
+own way; `record` lets compiled code call a record's methods. A *record* is a NamedTuple of arrays,
 numbers and records: the one kind of object that Python and machine code share.
 
 Without numba, or under NUMBA_DISABLE_JIT=1, the decorators leave functions as they are.

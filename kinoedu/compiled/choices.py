@@ -46,7 +46,10 @@ def generic(records: int) -> Callable[[Callable[..., Any]], Any]:
             def keep(answer: F) -> F:
                 if kinds in answers:
                     names = ", ".join(kind.__name__ for kind in kinds)
-                    raise DuplicateKind(f"{default.__name__} already has an answer for ({names}); register a kind of your own")
+                    raise DuplicateKind(
+                        f"{default.__name__} already has an answer for ({names}); register a kind "
+                        "of your own"
+                    )
                 answers[kinds] = answer
                 return answer
 

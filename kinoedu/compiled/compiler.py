@@ -110,7 +110,9 @@ def executable(self: Any, library: Any, description: Any, environment: Any) -> A
     if not isinstance(library, LeanLibrary) or library.is_entry:
         return executable_of_numba(self, library, description, environment)
     name = description.qualname.rpartition(".")[2]
-    return _dynfunc.make_function(description.lookup_module(), name, name, 0, environment, (library,))
+    return _dynfunc.make_function(
+        description.lookup_module(), name, name, 0, environment, (library,)
+    )
 
 
 def entry_from_python(self: Any, release_gil: bool) -> None:
@@ -155,11 +157,13 @@ def replaced(owner: Any, name: str, value: Any) -> Iterator[None]:
 def shorten_message_about_shapes() -> None:
     """Let an assignment to a row of another length fail in few words.
 
-    numba's message tells both shapes. Making the text of it took a third of the time and of the code
-    of whatever assigns a row.
+    numba's message tells both shapes. Making the text of it took a third of the time and of the
+    code of whatever assigns a row.
     """
     numba.core.registry.cpu_target.typing_context.refresh()
-    kind = numba.core.registry.cpu_target.typing_context.resolve_value_type(raise_with_shape_context)
+    kind = numba.core.registry.cpu_target.typing_context.resolve_value_type(
+        raise_with_shape_context
+    )
     for template in kind.templates:
         template._overload_func = staticmethod(fail_by_shape)
 
@@ -223,7 +227,9 @@ def borrowed(typing_context: Any, value: Any) -> Any:
             return array._getvalue()
         if isinstance(kind, types.BaseTuple):
             items = zip(kind, cgutils.unpack_tuple(builder, item), strict=True)
-            return context.make_tuple(builder, kind, [disowned(context, builder, k, i) for k, i in items])
+            return context.make_tuple(
+                builder, kind, [disowned(context, builder, k, i) for k, i in items]
+            )
         context.nrt.incref(builder, kind, item)
         return item
 

@@ -21,7 +21,8 @@ from numba.np.numpy_support import from_dtype
 from .kinds import NOTHING, RNG, Kind, is_tuple_kind
 
 # error_model: a float divided by zero is inf, without a check at every division. forceinline: said
-# of every function, or numba would pass it on from a function that is taken in to all that it calls.
+# of every function, or numba would pass it on from a function that is taken in to all that it
+# calls.
 OPTIONS: dict[str, Any] = {"nogil": True, "error_model": "numpy", "forceinline": False}
 RNG_TYPE = numba.typeof(np.random.default_rng(0))
 

@@ -69,7 +69,9 @@ def compile_all(
                 failures += has_failed(slot)
                 start_worker(place, slot, gives_way=gives_way)
             time.sleep(AGAIN)
-            missing = [one for one in missing if not is_there(place, one) and not is_refused(place, one)]
+            missing = [
+                one for one in missing if not is_there(place, one) and not is_refused(place, one)
+            ]
     except BaseException:
         for slot in slots:
             stop_worker(slot)

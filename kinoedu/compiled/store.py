@@ -166,7 +166,9 @@ def want(place: Path, wanted: Wanted) -> None:
 
 
 def lock_taken(lock: IO[bytes]) -> bool:
-    """Take the lock on a file; whether nobody had it. The system frees it when this process ends."""
+    """Take the lock on a file; whether nobody had it. The system frees it when this process
+    ends.
+    """
     try:
         if os.name == "nt":
             import msvcrt

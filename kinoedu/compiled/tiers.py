@@ -64,7 +64,9 @@ interpreted = Spent()  # by all threads together
 class Tiered:
     """A function that runs in the one way or the other."""
 
-    def __init__(self, function: Callable[..., Any], *, is_algorithm: bool = False, **options: bool):
+    def __init__(
+        self, function: Callable[..., Any], *, is_algorithm: bool = False, **options: bool
+    ):
         functools.update_wrapper(self, function)
         self.__name__, self.__qualname__ = function.__name__, function.__qualname__
         self.py_func = function
@@ -115,7 +117,9 @@ class Specialization:
         self.spent = 0.0
         self.is_loaded = self.is_requested = self.is_tried = False
         self.is_generator = inspect.isgeneratorfunction(function.py_func)
-        self.is_never_stored = self.is_generator or not function.can_be_stored or not store.are_digested(kinds)
+        self.is_never_stored = (
+            self.is_generator or not function.can_be_stored or not store.are_digested(kinds)
+        )
         self.looked = -np.inf
 
     def run(self, args: tuple[Any, ...]) -> Any:
@@ -174,7 +178,9 @@ class Specialization:
         from .machine import new_dispatcher
 
         if self.function.machine is None:
-            self.function.machine = new_dispatcher(self.function.py_func, self.function.without_machine_code)
+            self.function.machine = new_dispatcher(
+                self.function.py_func, self.function.without_machine_code
+            )
         return self.function.machine
 
     def request(self) -> None:
@@ -193,8 +199,8 @@ class Specialization:
         self.is_never_stored = place is None or not have_compiled(place, self.wanted)
 
     def compile_now(self) -> None:
-        """Compile it and wait: in another process, or here what cannot be kept on the disk. Once: what
-        numba cannot compile stays interpreted."""
+        """Compile it and wait: in another process, or here what cannot be kept on the disk. Once:
+        what numba cannot compile stays interpreted."""
         from .keeper import KEEPER
         from .requests import wait_for
 

@@ -1,9 +1,9 @@
 """The process that compiles: python -m kinoedu.compiled.worker FOLDER SLOT [gives-way].
 
-It takes what is wanted, the oldest first, compiles it, and leaves the machine code in the folder. It
-ends when nothing is wanted any more, or when who started it has ended and the one at hand is done.
-Each slot has one worker at a time; what a worker was killed over is tried again by the next one,
-ATTEMPTS times.
+It takes what is wanted, the oldest first, compiles it, and leaves the machine code in the folder.
+It ends when nothing is wanted any more, or when who started it has ended and the one at hand is
+done. Each slot has one worker at a time; what a worker was killed over is tried again by the next
+one, ATTEMPTS times.
 """
 
 import contextlib
@@ -62,7 +62,9 @@ def give_way() -> None:
 
 
 def recover(place: Path, taken: Path) -> None:
-    """What the last worker of this slot did not finish is wanted again, unless that was too often."""
+    """What the last worker of this slot did not finish is wanted again, unless that was too
+    often.
+    """
     taken.mkdir(exist_ok=True)
     for file in taken.iterdir():
         with contextlib.suppress(Exception):

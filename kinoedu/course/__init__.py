@@ -5,4 +5,14 @@ from .exercise import Case, Exercise, Slip, ValueExercise, Verdict
 from .lessons import EXERCISES, find
 from .showing import show
 
-__all__ = ["EXERCISES", "Case", "Exercise", "Slip", "ValueExercise", "Verdict", "check", "find", "show"]
+__all__ = [
+    "EXERCISES",
+    "Case",
+    "Exercise",
+    "Slip",
+    "ValueExercise",
+    "Verdict",
+    "check",
+    "find",
+    "show",
+]

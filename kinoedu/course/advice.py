@@ -19,7 +19,9 @@ COMPLAINTS = (
 
 
 def advice_on(outcome: Outcome) -> str:
-    """The key of the words that explain an outcome, under `advice` in the catalogue; "" where nothing common was recognised."""
+    """The key of the words that explain an outcome, under `advice` in the catalogue; "" where
+    nothing common was recognised.
+    """
     if isinstance(outcome, Raised):
         for key, kind, message in COMPLAINTS:
             if kind in outcome.kinds and re.search(message, outcome.message):

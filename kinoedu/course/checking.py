@@ -17,7 +17,9 @@ from .lessons import find
 from .outcomes import Outcome
 from .plain import described
 
-PASSED: set[str] = set()  # the exercises that were right in this session: their sources are no secret any more
+PASSED: set[str] = (
+    set()
+)  # the exercises that were right in this session: their sources are no secret any more
 
 
 class Printed(io.StringIO):
@@ -29,14 +31,17 @@ class Printed(io.StringIO):
         return len(text)
 
 
-def check(function: Callable[..., Any], exercise: str = "", *, variant: str = "", staged: bool = False) -> Feedback:
+def check(
+    function: Callable[..., Any], exercise: str = "", *, variant: str = "", staged: bool = False
+) -> Feedback:
     """Judge a function; the answer shows itself in a notebook.
 
     Parameters
     ----------
     function : yours. Its name says which exercise it answers; or say it with `exercise`.
     variant : the name of your own contract, where your notebook gives you one.
-    staged : tell only the rule that was broken at first; with each further try that is wrong in another way also the smallest case,
+    staged : tell only the rule that was broken at first; with each further try that is wrong in
+    another way also the smallest case,
         then its picture, then a hint.
 
     >>> from kinoedu.geometry import point_line_distance
@@ -56,8 +61,12 @@ def check(function: Callable[..., Any], exercise: str = "", *, variant: str = ""
     return Feedback(report, stage_of(report) if staged else ALL, said)
 
 
-def attempts(exercise: Exercise, function: Callable[..., Any], cases: list[Case], printed: list[Printed]) -> Iterator[Outcome]:
-    """The outcome of each case, run when it is asked for; what the function prints is kept apart, warnings are not shown."""
+def attempts(
+    exercise: Exercise, function: Callable[..., Any], cases: list[Case], printed: list[Printed]
+) -> Iterator[Outcome]:
+    """The outcome of each case, run when it is asked for; what the function prints is kept apart,
+    warnings are not shown.
+    """
     for case in cases:
         printed.append(Printed())
         with redirect_stdout(printed[-1]), np.errstate(all="ignore"), warnings.catch_warnings():

@@ -1,4 +1,6 @@
-"""The problems that exercises on driving hand out: a car that is asked where controls lead; and how such problems travel."""
+"""The problems that exercises on driving hand out: a car that is asked where controls lead; and how
+such problems travel.
+"""
 
 import math
 from functools import partial
@@ -20,10 +22,13 @@ REGION = 2.5  # wheelbases round the goal
 
 
 class Drivable(Asked):
-    """A car's problem as a student's planner meets it. What it answers beyond `start`, `goal` and `sample(rng)` stands here.
+    """A car's problem as a student's planner meets it. What it answers beyond `start`, `goal` and
+    `sample(rng)` stands here.
 
-    distance(a, b) : of two poses, a radian counting `radian` units of length, a quarter of the wheelbase.
-    longest : for how long a control is held at most. tolerance, turn_tolerance : how near the goal is near enough.
+    distance(a, b) : of two poses, a radian counting `radian` units of length, a quarter of the
+    wheelbase.
+    longest : for how long a control is held at most. tolerance, turn_tolerance : how near the goal
+    is near enough.
     """
 
     def __init__(self, problem: ProblemRecord) -> None:
@@ -39,26 +44,53 @@ class Drivable(Asked):
 
     def move(self, q: Any, v: float, phi: float, t: float) -> Array:
         """The pose after the control (v, phi) has been held for a time t, from q."""
-        return np.array(driven(float(q[0]), float(q[1]), float(q[2]), v * t, math.tan(phi) / self.problem.robot.wheelbase))
+        return np.array(
+            driven(
+                float(q[0]),
+                float(q[1]),
+                float(q[2]),
+                v * t,
+                math.tan(phi) / self.problem.robot.wheelbase,
+            )
+        )
 
     def is_free_drive(self, q: Any, v: float, phi: float, t: float) -> bool:
-        """Whether the car touches nothing all the way, driven from q by the control (v, phi) for a time t."""
+        """Whether the car touches nothing all the way, driven from q by the control (v, phi) for a
+        time t.
+        """
         return self.problem.is_free_drive(np.asarray(q, float), float(v), float(phi), float(t))
 
     def near_goal(self, rng: np.random.Generator) -> Array:
-        """A pose by chance from the region round the goal: at most 2.5 wheelbases away, at most 90 degrees askew."""
-        off, towards, askew = REGION * self.problem.robot.wheelbase * rng.random(), *rng.uniform(-1.0, 1.0, 2)
+        """A pose by chance from the region round the goal: at most 2.5 wheelbases away, at most 90
+        degrees askew.
+        """
+        off, towards, askew = (
+            REGION * self.problem.robot.wheelbase * rng.random(),
+            *rng.uniform(-1.0, 1.0, 2),
+        )
         x, y, theta = self.problem.goal
         towards *= math.pi
-        return np.array([x + off * math.cos(towards), y + off * math.sin(towards), theta + 0.5 * math.pi * askew])
+        return np.array(
+            [
+                x + off * math.cos(towards),
+                y + off * math.sin(towards),
+                theta + 0.5 * math.pi * askew,
+            ]
+        )
 
-    def best_drive(self, q: Any, target: Any, rng: np.random.Generator) -> tuple[float, float, float] | None:
-        """The best of twenty random controls, (v, phi, t), cut where it comes closest to the target. Where it is not free twenty
-        others are tried, four times in all; then None."""
+    def best_drive(
+        self, q: Any, target: Any, rng: np.random.Generator
+    ) -> tuple[float, float, float] | None:
+        """The best of twenty random controls, (v, phi, t), cut where it comes closest to the
+        target. Where it is not free twenty others are tried, four times in all; then None."""
         for _ in range(BATCHES):
             controls = np.array([self.problem.control(rng) for _ in range(TRIALS)])
             times = self.longest * np.arange(1, STEPS + 1) / STEPS
-            off = apart(self.poses_after(np.asarray(q, float), controls, times), np.asarray(target, float), self.radian)
+            off = apart(
+                self.poses_after(np.asarray(q, float), controls, times),
+                np.asarray(target, float),
+                self.radian,
+            )
             i, k = np.unravel_index(int(np.argmin(off)), off.shape)
             v, phi, t = float(controls[i, 0]), float(controls[i, 1]), float(times[k])
             if self.is_free_drive(q, v, phi, t):
@@ -66,15 +98,25 @@ class Drivable(Asked):
         return None
 
     def poses_after(self, q: Array, controls: Array, times: Array) -> Array:
-        """Where each of some controls (m, 2) has led from q after each of some times (n,): x, y and theta, shape (3, m, n)."""
+        """Where each of some controls (m, 2) has led from q after each of some times (n,): x, y and
+        theta, shape (3, m, n).
+        """
         far = controls[:, :1] * times
         half = 0.5 * far * np.tan(controls[:, 1:]) / self.problem.robot.wheelbase
         chord = far * np.sinc(half / np.pi)
-        return np.array([q[0] + chord * np.cos(q[2] + half), q[1] + chord * np.sin(q[2] + half), q[2] + 2.0 * half])
+        return np.array(
+            [
+                q[0] + chord * np.cos(q[2] + half),
+                q[1] + chord * np.sin(q[2] + half),
+                q[2] + 2.0 * half,
+            ]
+        )
 
 
 def apart(a: Any, b: Any, radian: float) -> Any:
-    """How far two poses are apart, their headings the short way; the three numbers may be arrays."""
+    """How far two poses are apart, their headings the short way; the three numbers may be
+    arrays.
+    """
     turn = (b[2] - a[2] + math.pi) % (2.0 * math.pi) - math.pi
     return ((b[0] - a[0]) ** 2 + (b[1] - a[1]) ** 2 + (radian * turn) ** 2) ** 0.5
 

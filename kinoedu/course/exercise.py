@@ -1,7 +1,8 @@
 """What an exercise is: cases, a call, a judge.
 
-`cases` and `judge` know the truth and never meet student code. `call` runs student code and knows nothing. A check in a notebook,
-the project's tests and the grader run the same three; only where `call` runs differs.
+`cases` and `judge` know the truth and never meet student code. `call` runs student code and knows
+nothing. A check in a notebook, the project's tests and the grader run the same three; only where
+`call` runs differs.
 """
 
 from abc import ABC, abstractmethod
@@ -25,7 +26,8 @@ class Case(NamedTuple):
 class Verdict(NamedTuple):
     """What the judge says of one outcome.
 
-    score : 1.0 for right, 0.0 for wrong. rule : the key of the rule that was broken, or "". wanted : in words, what was right.
+    score : 1.0 for right, 0.0 for wrong. rule : the key of the rule that was broken, or "". wanted
+        : in words, what was right.
     """
 
     score: float
@@ -39,24 +41,31 @@ class Verdict(NamedTuple):
 
 
 RIGHT = Verdict(1.0)
-CONTRACT = "contract"  # the rule that is broken where an answer is right but for the student's own contract
+# the rule that is broken where an answer is right but for the student's own contract
+CONTRACT = "contract"
 
 
 class Slip(NamedTuple):
-    """A known misconception: its key in the catalogue, and what a program that has it answers to a case's arguments."""
+    """A known misconception: its key in the catalogue, and what a program that has it answers to a
+    case's arguments.
+    """
 
     key: str
     answer: Callable[..., Any]
 
 
 class Exercise(ABC):
-    """One function to write. Subclasses declare what is below, and are listed in `kinoedu.course.lessons`.
+    """One function to write. Subclasses declare what is below, and are listed in
+    `kinoedu.course.lessons`.
 
-    name : what the function is called. lesson : the notebook that asks for it. kinds : the kinds of input, each worth the same.
-    given, answer : the shapes of a case's arguments and of the answer. seconds : the time for one call.
-    slips : known misconceptions. shared : whose words it uses where it has none of its own. source : the library's own function,
-    withheld when graded; None where there is none. shown : the lines of the library that a student may compare with in the end;
-    those of `source` where they are None. variants : names of contracts, of which each student may be given one.
+    name : what the function is called. lesson : the notebook that asks for it. kinds : the kinds of
+        input, each worth the same.
+    given, answer : the shapes of a case's arguments and of the answer. seconds : the time for one
+        call.
+    slips : known misconceptions. shared : whose words it uses where it has none of its own. source
+        : the library's own function, withheld when graded; None where there is none. shown : the
+        lines of the library that a student may compare with in the end; those of `source` where
+        they are None. variants : names of contracts, of which each student may be given one.
     """
 
     name: ClassVar[str]
@@ -84,7 +93,9 @@ class Exercise(ABC):
         """Cases from small to large, some of every kind; the same for the same rng."""
 
     def call(self, function: Callable[..., Any], given: dict[str, Any]) -> Any:
-        """Run the student's function on a case's arguments, in the order in which they are declared."""
+        """Run the student's function on a case's arguments, in the order in which they are
+        declared.
+        """
         return function(*given.values())
 
     def right_answer(self, *given: Any) -> Any:
@@ -100,7 +111,9 @@ class Exercise(ABC):
         """Judge what became of a call."""
         if isinstance(outcome, Answer):
             return self.value_verdict(case, outcome.value)
-        rule = {Misshapen: "shape", Changed: "changed", Raised: "raised", Late: "late"}[type(outcome)]
+        rule = {Misshapen: "shape", Changed: "changed", Raised: "raised", Late: "late"}[
+            type(outcome)
+        ]
         return Verdict(0.0, rule, self.wanted(case))
 
     @abstractmethod
@@ -116,20 +129,28 @@ class Exercise(ABC):
         """Draw a case, what was answered and what is true, into matplotlib axes."""
 
     def table_with(self, key: str) -> str:
-        """The first table of words that has a key, of this exercise's own and those it shares; "" where none has."""
-        return next((table for table in (self.name, *self.shared) if has_words(f"{table}.{key}")), "")
+        """The first table of words that has a key, of this exercise's own and those it shares; ""
+        where none has.
+        """
+        return next(
+            (table for table in (self.name, *self.shared) if has_words(f"{table}.{key}")), ""
+        )
 
     def words(self, key: str, **values: Any) -> str:
         """This exercise's words for a key, or those that it shares with others."""
         return say(f"{self.table_with(key) or self.shared[-1]}.{key}", **values)
 
 
-TRUTHS: dict[tuple[int, int], tuple[Exercise, Case, Any]] = {}  # by what they are the truths of, which is kept with them
+TRUTHS: dict[
+    tuple[int, int], tuple[Exercise, Case, Any]
+] = {}  # by what they are the truths of, which is kept with them
 MOST_TRUTHS = 4096
 
 
 class ValueExercise(Exercise):
-    """An exercise whose answers are numbers that equal the reference's up to rounding, or a ValueError that it must raise."""
+    """An exercise whose answers are numbers that equal the reference's up to rounding, or a
+    ValueError that it must raise.
+    """
 
     tolerance: ClassVar[float] = 1e-6
 
@@ -139,7 +160,9 @@ class ValueExercise(Exercise):
         """The true answer, or a ValueError where there is none."""
 
     def truth(self, case: Case) -> Any:
-        """The true answer, or the ValueError; kept, since a whole class is judged by the same cases."""
+        """The true answer, or the ValueError; kept, since a whole class is judged by the same
+        cases.
+        """
         kept = TRUTHS.get((id(self), id(case)))
         if kept is None or kept[0] is not self or kept[1] is not case:
             try:
@@ -152,7 +175,9 @@ class ValueExercise(Exercise):
         return kept[2]
 
     def judge(self, case: Case, outcome: Outcome) -> Verdict:
-        """Where the reference refuses the input, a ValueError is the right answer and anything else is not."""
+        """Where the reference refuses the input, a ValueError is the right answer and anything else
+        is not.
+        """
         if not isinstance(self.truth(case), ValueError):
             return super().judge(case, outcome)
         if isinstance(outcome, Raised) and "ValueError" in outcome.kinds:
@@ -162,7 +187,11 @@ class ValueExercise(Exercise):
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
         """Right where the value is the reference's."""
-        return RIGHT if self.same(value, self.truth(case)) else Verdict(0.0, case.kind, self.wanted(case))
+        return (
+            RIGHT
+            if self.same(value, self.truth(case))
+            else Verdict(0.0, case.kind, self.wanted(case))
+        )
 
     def same(self, value: Any, truth: Any) -> bool:
         """Whether two answers are the same but for rounding; nan is the same as nan."""
@@ -199,7 +228,11 @@ def spoken(value: Any) -> str:
     if isinstance(value, tuple):
         return "(" + ", ".join(map(spoken, value)) + ("," if len(value) == 1 else "") + ")"
     if isinstance(value, list):
-        most = MOST_SHOWN if any(isinstance(row, list | tuple | np.ndarray) for row in value) else MOST_NUMBERS
+        most = (
+            MOST_SHOWN
+            if any(isinstance(row, list | tuple | np.ndarray) for row in value)
+            else MOST_NUMBERS
+        )
         if len(value) > most:
             return say("exercise.and_more", shown=spoken(value[:most])[:-1], more=len(value) - most)
         return "[" + ", ".join(map(spoken, value)) + "]"

@@ -31,8 +31,8 @@ def reach_out(problem: Any, nodes: Array, rng: np.random.Generator) -> tuple[int
 
 @dataclass(frozen=True)
 class Expansion:
-    """A rule for the next edge: called with the problem, the nodes so far (n, d) and a generator, it gives the number of the node
-    to expand, and a configuration near it."""
+    """A rule for the next edge: called with the problem, the nodes so far (n, d) and a generator,
+    it gives the number of the node to expand, and a configuration near it."""
 
     name: str
 
@@ -43,7 +43,9 @@ class Expansion:
         return f'EXPANSIONS["{self.name}"]'
 
 
-RULES: dict[str, Callable[..., tuple[int, Array]]] = {rule.__name__: rule for rule in (wander, leap, reach_out)}
+RULES: dict[str, Callable[..., tuple[int, Array]]] = {
+    rule.__name__: rule for rule in (wander, leap, reach_out)
+}
 EXPANSIONS = {name: Expansion(name) for name in RULES}
 
 

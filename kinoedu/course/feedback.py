@@ -14,11 +14,15 @@ from .outcomes import Answer, Changed, Late, Misshapen, Outcome, Raised
 
 RULE, CASE, PICTURE, ALL = 1, 2, 3, 4  # the stages: each shows what those before it show, and more
 LONG, SHOWN = 400, 60  # letters: of a line that is longer than that so many are shown at first
-TRIES: dict[str, list[int]] = {}  # for each exercise the failures so far in this session, different ones
+TRIES: dict[
+    str, list[int]
+] = {}  # for each exercise the failures so far in this session, different ones
 
 
 class Feedback:
-    """A report, told up to a stage. Shows itself in a notebook: words, then the picture of the smallest case that failed."""
+    """A report, told up to a stage. Shows itself in a notebook: words, then the picture of the
+    smallest case that failed.
+    """
 
     def __init__(self, report: Report, stage: int = ALL, printed: str = "") -> None:
         self.report = report
@@ -34,12 +38,18 @@ class Feedback:
 
     def _repr_html_(self) -> str:
         """The same words, laid out."""
-        sign = "unanswered" if self.report.unwritten else "right" if self.report.is_right else "wrong"
+        sign = (
+            "unanswered" if self.report.unwritten else "right" if self.report.is_right else "wrong"
+        )
         rows = [row(title, text) for title, text in self.told()]
-        return f"<div class='kinoedu-check kinoedu-{sign}' style='{STYLE[sign]}'>{''.join(rows)}</div>"
+        return (
+            f"<div class='kinoedu-check kinoedu-{sign}' style='{STYLE[sign]}'>{''.join(rows)}</div>"
+        )
 
     def picture(self) -> bytes | None:
-        """The smallest failing case as a PNG; None where nothing failed or it is not to be shown yet."""
+        """The smallest failing case as a PNG; None where nothing failed or it is not to be shown
+        yet.
+        """
         failure = self.report.failure
         if failure is None or self.report.unwritten or self.stage < PICTURE:
             return None
@@ -56,15 +66,34 @@ class Feedback:
 
 
 def told(report: Report, stage: int, printed: str) -> list[tuple[str, str]]:
-    """What is said up to a stage, as pairs of a title and a text; `printed` is what the program wrote in the case that failed."""
+    """What is said up to a stage, as pairs of a title and a text; `printed` is what the program
+    wrote in the case that failed.
+    """
     exercise, failure = report.exercise, report.failure
     if report.unwritten:
         other = report.unwritten != exercise.name
-        return [("", say("check.unwritten" if other else "check.unanswered", name=exercise.name, called=report.unwritten))]
+        return [
+            (
+                "",
+                say(
+                    "check.unwritten" if other else "check.unanswered",
+                    name=exercise.name,
+                    called=report.unwritten,
+                ),
+            )
+        ]
     if failure is None:
         return told_right(report)
     lines = [
-        ("", say("check.wrong", name=exercise.name, right=len(exercise.kinds) - len(report.failed), total=len(exercise.kinds)))
+        (
+            "",
+            say(
+                "check.wrong",
+                name=exercise.name,
+                right=len(exercise.kinds) - len(report.failed),
+                total=len(exercise.kinds),
+            ),
+        )
     ]
     lines.append((say("check.rule"), rule_words(exercise, failure)))
     if stage >= CASE:
@@ -81,7 +110,9 @@ def told(report: Report, stage: int, printed: str) -> list[tuple[str, str]]:
 def told_right(report: Report) -> list[tuple[str, str]]:
     """What a right answer survived, and what to wonder about."""
     exercise = report.exercise
-    survived = "; ".join(f"{exercise.words(f'kinds.{kind}')} ({report.survived[kind]})" for kind in exercise.kinds)
+    survived = "; ".join(
+        f"{exercise.words(f'kinds.{kind}')} ({report.survived[kind]})" for kind in exercise.kinds
+    )
     lines = [("", exercise.words("right", name=exercise.name, cases=sum(report.survived.values())))]
     if exercise.given.fields:
         lines.append((say("check.survived"), survived))
@@ -95,7 +126,12 @@ def told_case(exercise: Exercise, failure: Judged, printed: str) -> list[tuple[s
     """The call that failed, what came of it, and what should have."""
     given = [f"{name} = {as_code(value)}" for name, value in failure.case.given.items()]
     lines = [(say("check.contract"), exercise.contract)] if exercise.contract else []
-    lines += [(say("check.call"), "\n".join([*given, f"{exercise.name}({', '.join(failure.case.given)})"]))]
+    lines += [
+        (
+            say("check.call"),
+            "\n".join([*given, f"{exercise.name}({', '.join(failure.case.given)})"]),
+        )
+    ]
     lines.append((say("check.yours"), outcome_words(exercise, failure)))
     if printed:
         lines.append((say("check.printed"), printed))
@@ -115,7 +151,9 @@ def outcome_words(exercise: Exercise, failure: Judged) -> str:
     if isinstance(outcome, Changed):
         return say("check.changed", names=", ".join(outcome.names))
     if isinstance(outcome, Raised):
-        return say("check.raised", kind=outcome.kinds[0] if outcome.kinds else "", message=outcome.message)
+        return say(
+            "check.raised", kind=outcome.kinds[0] if outcome.kinds else "", message=outcome.message
+        )
     return late_words(outcome)
 
 
@@ -155,7 +193,9 @@ def rule_words(exercise: Exercise, failure: Judged) -> str:
 
 
 def hint_words(exercise: Exercise, failure: Judged) -> str:
-    """The hint of the misconception that was recognised, of the error that Python raised, else that of the rule."""
+    """The hint of the misconception that was recognised, of the error that Python raised, else that
+    of the rule.
+    """
     advice = advice_on(failure.outcome)
     if advice:
         return say(f"advice.{advice}")
@@ -173,7 +213,9 @@ def is_slow(outcome: Outcome) -> bool:
 
 
 def stage_of(report: Report) -> int:
-    """How much a student who asked for hints bit by bit has earned: one stage more for each different failure."""
+    """How much a student who asked for hints bit by bit has earned: one stage more for each
+    different failure.
+    """
     if report.failure is None:
         return ALL
     tries = TRIES.setdefault(report.exercise.name, [])
@@ -200,7 +242,10 @@ def folded(line: str) -> str:
     """A line as HTML; of one that is very long the beginning, and all of it on a click."""
     if len(line) <= LONG:
         return escape(line)
-    return f"<details style='display:inline-block'><summary>{escape(line[:SHOWN])} …</summary>{escape(line)}</details>"
+    return (
+        f"<details style='display:inline-block'><summary>{escape(line[:SHOWN])} "
+        f"…</summary>{escape(line)}</details>"
+    )
 
 
 def row(title: str, text: str) -> str:
@@ -208,14 +253,22 @@ def row(title: str, text: str) -> str:
     body = "<br>".join(folded(line) for line in text.splitlines())
     if not title:
         return f"<p style='margin:0 0 .4em'><b>{body}</b></p>"
-    kind = "code" if title in (say("check.call"), say("check.yours"), say("check.where"), say("check.printed")) else "span"
+    kind = (
+        "code"
+        if title
+        in (say("check.call"), say("check.yours"), say("check.where"), say("check.printed"))
+        else "span"
+    )
     return (
-        f"<div style='display:flex;gap:.8em;margin:.15em 0'><span style='flex:0 0 9em;opacity:.75'>{escape(title)}</span>"
+        "<div style='display:flex;gap:.8em;margin:.15em 0'><span style='flex:0 0 "
+        f"9em;opacity:.75'>{escape(title)}</span>"
         f"<{kind} style='flex:1;white-space:pre-wrap;overflow-wrap:anywhere'>{body}</{kind}></div>"
     )
 
 
-BOX = "border-left:6px solid {colour};padding:.5em 1em;max-width:60em;line-height:1.45;font-size:14px"
+BOX = (
+    "border-left:6px solid {colour};padding:.5em 1em;max-width:60em;line-height:1.45;font-size:14px"
+)
 STYLE: dict[str, Any] = {
     "right": BOX.format(colour="#007A5E"),
     "wrong": BOX.format(colour="#C44E00"),

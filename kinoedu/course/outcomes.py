@@ -1,7 +1,7 @@
 """What became of one call of a student's function, and how that travels as JSON.
 
-An answer of the declared shape; an answer of another shape; an exception; or no answer in time. Only this leaves the place where
-student code runs.
+An answer of the declared shape; an answer of another shape; an exception; or no answer in time.
+Only this leaves the place where student code runs.
 """
 
 import linecache
@@ -38,8 +38,8 @@ class Changed(NamedTuple):
 
 
 class Raised(NamedTuple):
-    """It raised an exception: the names of its class and of the classes above, its message, the student's lines on the way, and the
-    name of the student's function that raised it.
+    """It raised an exception: the names of its class and of the classes above, its message, the
+    student's lines on the way, and the name of the student's function that raised it.
     """
 
     kinds: list[str]
@@ -57,8 +57,8 @@ class Late(NamedTuple):
     """It did not end within its time; `left_running` if it could not even be stopped.
 
     used, allowed : seconds of computing; how many were allowed on that computer, 0 where it is not
-    known. passed : seconds on the wall. lines : a few lines of the student's, if it was seen in them
-    alone for a long time.
+        known. passed : seconds on the wall. lines : a few lines of the student's, if it was seen in
+        them alone for a long time.
     """
 
     left_running: bool
@@ -93,7 +93,9 @@ Outcome = Answer | Misshapen | Changed | Raised | Late
 SHAPES: dict[type, Record] = {
     Misshapen: Record(message=Text()),
     Changed: Record(names=Listed(Text(), MOST)),
-    Raised: Record(kinds=Listed(Text(), MOST), message=Text(), lines=Listed(Text(), 5), function=Text()),
+    Raised: Record(
+        kinds=Listed(Text(), MOST), message=Text(), lines=Listed(Text(), 5), function=Text()
+    ),
     Late: Record(
         left_running=Truth(),
         used=Seconds(),
@@ -119,7 +121,8 @@ def outcome_of(
             raise
         except WrongShape as misfit:
             return Misshapen(str(misfit))
-        except BaseException as error:  # whatever a program can raise is an outcome; its message may be code of its own
+        # whatever a program can raise is an outcome; its message may be code of its own
+        except BaseException as error:
             return raised(error)
 
     try:
@@ -130,7 +133,9 @@ def outcome_of(
 
 def late(over: TimeUp) -> Late:
     """A time-out as plain data."""
-    used, allowed, passed = (float(min(seconds, MOST_SECONDS)) for seconds in (over.used, over.allowed, over.passed))
+    used, allowed, passed = (
+        float(min(seconds, MOST_SECONDS)) for seconds in (over.used, over.allowed, over.passed)
+    )
     lines = [] if over.seen is None else seen_lines(over.seen)
     return Late(over.left_running, used, allowed, passed, lines)
 
@@ -161,19 +166,38 @@ def message_of(error: BaseException) -> str:
 
 
 def own_steps(trace: TracebackType | None) -> list[tuple[FrameType, int]]:
-    """The student's own functions that an exception passed, outermost first, each with the number of the line."""
-    return [(frame, number) for frame, number in traceback.walk_tb(trace) if is_students(frame.f_code.co_filename)]
+    """The student's own functions that an exception passed, outermost first, each with the number
+    of the line.
+    """
+    return [
+        (frame, number)
+        for frame, number in traceback.walk_tb(trace)
+        if is_students(frame.f_code.co_filename)
+    ]
 
 
 def lines_of(steps: list[tuple[FrameType, int]]) -> list[str]:
-    """Lines of code as "line 3: return 1 / 0"; a line that calls itself again and again only once."""
-    lines = [f"line {number}: {linecache.getline(frame.f_code.co_filename, number).strip()}" for frame, number in steps]
-    return [line for line, after in zip(lines, [*lines[1:], ""]) if line != after and not line.endswith(": ")][-5:]
+    """Lines of code as "line 3: return 1 / 0"; a line that calls itself again and again only
+    once.
+    """
+    lines = [
+        f"line {number}: {linecache.getline(frame.f_code.co_filename, number).strip()}"
+        for frame, number in steps
+    ]
+    return [
+        line
+        for line, after in zip(lines, [*lines[1:], ""])
+        if line != after and not line.endswith(": ")
+    ][-5:]
 
 
 def is_students(file: str) -> bool:
     """Whether a file holds neither kinoedu nor an installed library."""
-    return not file.startswith((HERE, "<")) and "site-packages" not in file and not file.startswith(STANDARD)
+    return (
+        not file.startswith((HERE, "<"))
+        and "site-packages" not in file
+        and not file.startswith(STANDARD)
+    )
 
 
 STANDARD = str(Path(traceback.__file__).resolve().parent)
@@ -192,5 +216,7 @@ def decode_outcome(data: Any, shape: Shape) -> Outcome:
         return Answer(shape.decode(data["value"]))
     for kind, fields in SHAPES.items():
         if isinstance(data, dict) and data.get("kind") == kind.__name__:
-            return kind(**fields.decode({name: value for name, value in data.items() if name != "kind"}))
+            return kind(
+                **fields.decode({name: value for name, value in data.items() if name != "kind"})
+            )
     raise WrongShape("not an outcome")

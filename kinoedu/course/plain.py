@@ -1,4 +1,6 @@
-"""Numbers as plain data: what a stranger's program returned, copied before anybody looks at it, or refused in words."""
+"""Numbers as plain data: what a stranger's program returned, copied before anybody looks at it, or
+refused in words.
+"""
 
 import math
 from typing import Any, Protocol
@@ -29,7 +31,9 @@ def numeric(value: Any, dimensions: tuple[int | str, ...], wanted: Worded) -> np
         raise wrong(wanted.words, value) from None
     if array.size == 0:
         array = array.astype(float)
-        if array.shape == (0,) and dimensions and isinstance(dimensions[0], str):  # an empty list is an array of no rows
+        if (
+            array.shape == (0,) and dimensions and isinstance(dimensions[0], str)
+        ):  # an empty list is an array of no rows
             array = np.empty([length if isinstance(length, int) else 0 for length in dimensions])
     if array.dtype.kind not in "iuf" or not fits(array.shape, dimensions):
         raise wrong(wanted.words, value)
@@ -53,7 +57,9 @@ def wrong(words: str, value: Any) -> WrongShape:
 
 
 def described(value: Any) -> str:
-    """What a value is, safe and short, for a message: nothing of a stranger's own code is run but its class is named."""
+    """What a value is, safe and short, for a message: nothing of a stranger's own code is run but
+    its class is named.
+    """
     kind = class_name(type(value))
     if type(value) is int and abs(value) >= 10**50:
         return say("shape.long_number")
@@ -68,7 +74,9 @@ def described(value: Any) -> str:
 
 
 def class_name(kind: type) -> str:
-    """A class's name, by Python's own means and not by what the class may say; at most a hundred characters."""
+    """A class's name, by Python's own means and not by what the class may say; at most a hundred
+    characters.
+    """
     return str(type.__dict__["__name__"].__get__(kind))[:100]
 
 
@@ -83,7 +91,9 @@ def nested(data: Any) -> Any:
 
 
 def unnested(data: Any, wanted: Worded, depth: int) -> Any:
-    """Nested lists of floats from JSON, so many lists deep; deeper ones are refused before they are looked into."""
+    """Nested lists of floats from JSON, so many lists deep; deeper ones are refused before they are
+    looked into.
+    """
     if depth == 0 or not isinstance(data, list):
         return read_number(data, wanted)
     return [unnested(item, wanted, depth - 1) for item in data]
@@ -91,6 +101,10 @@ def unnested(data: Any, wanted: Worded, depth: int) -> Any:
 
 def read_number(data: Any, wanted: Worded) -> float:
     """A float from JSON."""
-    if type(data) is float or (type(data) is int and abs(data) < 2**53) or (type(data) is str and data in ("nan", "inf", "-inf")):
+    if (
+        type(data) is float
+        or (type(data) is int and abs(data) < 2**53)
+        or (type(data) is str and data in ("nan", "inf", "-inf"))
+    ):
         return float(data)
     raise wrong(wanted.words, data)

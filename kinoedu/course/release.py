@@ -1,6 +1,8 @@
-"""From solutions to exercises: nbgrader takes the answers out, every cell is run, and what a student sees is stored.
+"""From solutions to exercises: nbgrader takes the answers out, every cell is run, and what a
+student sees is stored.
 
-A solution notebook is the only source of its assignment. Its outputs are cleared first of all, since they would tell the answers.
+A solution notebook is the only source of its assignment. Its outputs are cleared first of all,
+since they would tell the answers.
 """
 
 import os
@@ -13,9 +15,23 @@ from ..errors import InvalidParameter
 from ..support.whole_files import written_whole
 
 HOUSE = Path(__file__).resolve().parent.parent.parent
-FOR_STUDENTS = ("README.md", "LICENSE", "CHANGELOG.md", "start.py", "pyproject.toml", "environment.txt")
+FOR_STUDENTS = (
+    "README.md",
+    "LICENSE",
+    "CHANGELOG.md",
+    "start.py",
+    "pyproject.toml",
+    "environment.txt",
+)
 ROOMS_FOR_STUDENTS = ("kinoedu", "notebooks", "exercises", "docs")
-LONG_AGO = (2020, 1, 1, 0, 0, 0)  # the date of every file in a zip, so that the same course makes the same zip
+LONG_AGO = (
+    2020,
+    1,
+    1,
+    0,
+    0,
+    0,
+)  # the date of every file in a zip, so that the same course makes the same zip
 
 
 def assignments(house: Path = HOUSE) -> list[str]:
@@ -24,7 +40,9 @@ def assignments(house: Path = HOUSE) -> list[str]:
 
 
 def release(name: str, house: Path = HOUSE) -> Path:
-    """Make exercises/NAME.ipynb from solutions/NAME.ipynb, run it, and store it. Raises InvalidParameter."""
+    """Make exercises/NAME.ipynb from solutions/NAME.ipynb, run it, and store it. Raises
+    InvalidParameter.
+    """
     import nbformat
 
     book = without_answers(solution(name, house))
@@ -38,7 +56,9 @@ def solution(name: str, house: Path = HOUSE) -> Path:
     """Where an assignment's solution is."""
     file = house / "solutions" / f"{name}.ipynb"
     if not file.is_file():
-        raise InvalidParameter(f"there is no assignment {name!r}; there are: {', '.join(assignments(house)) or 'none'}")
+        raise InvalidParameter(
+            f"there is no assignment {name!r}; there are: {', '.join(assignments(house)) or 'none'}"
+        )
     return file
 
 
@@ -58,32 +78,58 @@ def without_answers(file: Path) -> Any:
 
 
 def is_model_answer(cell: Any) -> bool:
-    """Whether a code cell is an answer as a whole, for instructors alone: nothing but a solution, and not marked for nbgrader."""
+    """Whether a code cell is an answer as a whole, for instructors alone: nothing but a solution,
+    and not marked for nbgrader.
+    """
     lines = cell.source.strip().splitlines() or [""]
     whole = "BEGIN SOLUTION" in lines[0] and "END SOLUTION" in lines[-1]
     return whole and cell.cell_type == "code" and "nbgrader" not in cell.metadata
 
 
 def run(book: Any, folder: Path) -> Any:
-    """Run a notebook as if it lay in a folder; its outputs stay, its timestamps do not. Raises InvalidParameter."""
+    """Run a notebook as if it lay in a folder; its outputs stay, its timestamps do not. Raises
+    InvalidParameter.
+    """
     from nbclient import NotebookClient
     from nbclient.exceptions import CellExecutionError
 
-    client = NotebookClient(book, kernel_name="python3", resources={"metadata": {"path": str(folder)}}, record_timing=False)
+    client = NotebookClient(
+        book,
+        kernel_name="python3",
+        resources={"metadata": {"path": str(folder)}},
+        record_timing=False,
+    )
     client.extra_arguments = ["--log-level=ERROR"]
     try:
         client.execute()
     except CellExecutionError as error:
-        raise InvalidParameter(f"an exercise must run without errors before it is answered: {error}") from error
+        raise InvalidParameter(
+            f"an exercise must run without errors before it is answered: {error}"
+        ) from error
     book.metadata = {"kernelspec": book.metadata["kernelspec"]}
     return book
 
 
 def pack(zip_file: str | os.PathLike[str], house: Path = HOUSE) -> int:
-    """Pack what students get into a zip: no solutions, no bank, no tests. Returns the number of files."""
-    rooms = [file for room in ROOMS_FOR_STUDENTS for file in sorted((house / room).rglob("*")) if file.is_file()]
-    files = [house / name for name in FOR_STUDENTS] + [file for file in rooms if not is_by_product(file)]
-    write_zip(zip_file, (Packed(f"kinoedu-course/{file.relative_to(house).as_posix()}", file.read_bytes()) for file in files))
+    """Pack what students get into a zip: no solutions, no bank, no tests. Returns the number of
+    files.
+    """
+    rooms = [
+        file
+        for room in ROOMS_FOR_STUDENTS
+        for file in sorted((house / room).rglob("*"))
+        if file.is_file()
+    ]
+    files = [house / name for name in FOR_STUDENTS] + [
+        file for file in rooms if not is_by_product(file)
+    ]
+    write_zip(
+        zip_file,
+        (
+            Packed(f"kinoedu-course/{file.relative_to(house).as_posix()}", file.read_bytes())
+            for file in files
+        ),
+    )
     return len(files)
 
 
@@ -97,7 +143,10 @@ class Packed(NamedTuple):
 
 def write_zip(zip_file: str | os.PathLike[str], files: Iterable[Packed]) -> None:
     """Write a zip, whole or not at all: the same bytes for the same files."""
-    with written_whole(zip_file) as part, zipfile.ZipFile(part, "w", zipfile.ZIP_DEFLATED) as archive:
+    with (
+        written_whole(zip_file) as part,
+        zipfile.ZipFile(part, "w", zipfile.ZIP_DEFLATED) as archive,
+    ):
         for file in files:
             entry = zipfile.ZipInfo(file.place, LONG_AGO)
             entry.compress_type = zipfile.ZIP_DEFLATED
@@ -107,4 +156,6 @@ def write_zip(zip_file: str | os.PathLike[str], files: Iterable[Packed]) -> None
 
 def is_by_product(file: Path) -> bool:
     """Whether a file is one that running the course left behind."""
-    return any(part in ("__pycache__", ".ipynb_checkpoints") for part in file.parts) or file.suffix in (".pyc", ".part")
+    return any(
+        part in ("__pycache__", ".ipynb_checkpoints") for part in file.parts
+    ) or file.suffix in (".pyc", ".part")

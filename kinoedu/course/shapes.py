@@ -1,10 +1,12 @@
 """Shapes that cases and answers have, and how they travel as JSON.
 
-A shape turns a value into plain JSON data (`encode`) and back (`decode`), and refuses what does not fit it with WrongShape, whose
-message a student can read. So a case can go to another process and its answer come back, and nothing but numbers, words and truth
-values ever passes: what a student's program returns is copied into such data before anybody looks at it.
+A shape turns a value into plain JSON data (`encode`) and back (`decode`), and refuses what does not
+fit it with WrongShape, whose message a student can read. So a case can go to another process and
+its answer come back, and nothing but numbers, words and truth values ever passes: what a student's
+program returns is copied into such data before anybody looks at it.
 
-Numbers that JSON has no word for travel as "nan", "inf" and "-inf"; every float comes back as it was, to the last bit.
+Numbers that JSON has no word for travel as "nan", "inf" and "-inf"; every float comes back as it
+was, to the last bit.
 """
 
 from collections.abc import Mapping
@@ -49,7 +51,8 @@ class Number(NamedTuple):
 
 
 class Numbers(NamedTuple):
-    """An array of numbers. A dimension given by a letter may have any length; the same letter, the same length.
+    """An array of numbers. A dimension given by a letter may have any length; the same letter, the
+    same length.
 
     >>> Numbers((2,)).decode([1.0, "nan"])
     array([ 1., nan])

@@ -1,4 +1,6 @@
-"""Show the library's own lines in a notebook: they are what runs, so nothing is ever pasted into a lesson."""
+"""Show the library's own lines in a notebook: they are what runs, so nothing is ever pasted into a
+lesson.
+"""
 
 import inspect
 from collections.abc import Callable
@@ -28,12 +30,17 @@ class Source:
         from pygments.formatters import HtmlFormatter
         from pygments.lexers import PythonLexer
 
-        body = highlight(self.text, PythonLexer(), HtmlFormatter(noclasses=True, nobackground=True, style="friendly"))
+        body = highlight(
+            self.text,
+            PythonLexer(),
+            HtmlFormatter(noclasses=True, nobackground=True, style="friendly"),
+        )
         return f"<div style='opacity:.75'>{escape(self.place)}</div>{body}"
 
 
 def show(function: Callable[..., Any] | str) -> Source:
-    """The lines of one of kinoedu's functions, as they run; also by the name of an exercise that has passed its check here.
+    """The lines of one of kinoedu's functions, as they run; also by the name of an exercise that
+    has passed its check here.
 
     >>> from kinoedu.course.lessons.geometry.polygons import turned
     >>> print(show(turned).text.splitlines()[0])

@@ -13,9 +13,16 @@ from .plain import WrongShape, wrong
 
 
 class Asked(Recorder):
-    """A problem as a student's planner meets it: it writes down what it is asked, and reads as the line that makes it."""
+    """A problem as a student's planner meets it: it writes down what it is asked, and reads as the
+    line that makes it.
+    """
 
-    QUESTIONS = ("sample", "steer", "is_free", "is_free_path")  # distances are asked too often to be written down
+    QUESTIONS = (
+        "sample",
+        "steer",
+        "is_free",
+        "is_free_path",
+    )  # distances are asked too often to be written down
 
     def __init__(self, problem: ProblemRecord) -> None:
         super().__init__(problem)
@@ -24,7 +31,11 @@ class Asked(Recorder):
     def __repr__(self) -> str:
         scene = scene_of(self.problem)
         rows = scene["world"].get("rows")
-        return f"problem_of({scene})" if rows is None else f"problem_of({scene})".replace(repr(rows), in_runs(rows))
+        return (
+            f"problem_of({scene})"
+            if rows is None
+            else f"problem_of({scene})".replace(repr(rows), in_runs(rows))
+        )
 
     def anew(self) -> "Asked":
         """The same problem, of which nothing has been asked."""

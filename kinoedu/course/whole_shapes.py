@@ -9,7 +9,8 @@ from .plain import numeric, unnested, wrong
 
 
 class Whole(NamedTuple):
-    """One whole number, such as the number of a node: Python's or numpy's; True, 1.0 and "1" are none.
+    """One whole number, such as the number of a node: Python's or numpy's; True, 1.0 and "1" are
+    none.
 
     >>> Whole().encode(np.int64(3))
     3
@@ -22,7 +23,10 @@ class Whole(NamedTuple):
 
     def encode(self, value: Any) -> int:
         """An int or numpy's, of at most fifteen digits."""
-        if not (type(value) is int or isinstance(value, np.integer)) or not -(10**15) < value < 10**15:
+        if (
+            not (type(value) is int or isinstance(value, np.integer))
+            or not -(10**15) < value < 10**15
+        ):
             raise wrong(self.words, value)
         return int(value)
 
@@ -32,7 +36,8 @@ class Whole(NamedTuple):
 
 
 class WholeNumbers(NamedTuple):
-    """An array of whole numbers, such as the numbers of things; its dimensions as those of `Numbers`.
+    """An array of whole numbers, such as the numbers of things; its dimensions as those of
+    `Numbers`.
 
     >>> WholeNumbers(("n", 2)).encode([(0, 1), (1.0, 2)])
     [[0, 1], [1, 2]]

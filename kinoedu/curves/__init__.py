@@ -1,4 +1,6 @@
-"""Curves: the shortest ways of a car that turns no tighter than a radius, forward only (Dubins) or both ways (Reeds and Shepp)."""
+"""Curves: the shortest ways of a car that turns no tighter than a radius, forward only (Dubins) or
+both ways (Reeds and Shepp).
+"""
 
 from .curve import Curve
 from .dubins import dubins_path

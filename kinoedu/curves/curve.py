@@ -1,4 +1,6 @@
-"""A curve of arcs and straight lines, each driven forward or back. LaValle, Planning Algorithms, section 15.3."""
+"""A curve of arcs and straight lines, each driven forward or back. LaValle, Planning Algorithms,
+section 15.3.
+"""
 
 import math
 from typing import NamedTuple
@@ -17,8 +19,8 @@ LETTERS = {1: "L", 0: "S", -1: "R"}
 
 
 class Curve(NamedTuple):
-    """A way driven from `start` (x, y, theta): piece i turns left (1), right (-1) or not (0), for lengths[i] of the world's unit,
-    backwards where it is negative; arcs have the one `radius`."""
+    """A way driven from `start` (x, y, theta): piece i turns left (1), right (-1) or not (0), for
+    lengths[i] of the world's unit, backwards where it is negative; arcs have the one `radius`."""
 
     start: Array
     radius: float
@@ -36,7 +38,8 @@ class Curve(NamedTuple):
         return "".join(LETTERS[turn] for turn in self.turns.tolist())
 
     def at(self, s: ArrayLike) -> Array:
-        """The pose (x, y, theta) after a distance s driven, shape (3,); for many, shape (m,), the poses (m, 3).
+        """The pose (x, y, theta) after a distance s driven, shape (3,); for many, shape (m,), the
+        poses (m, 3).
 
         s is kept between 0 and the whole length. Raises InvalidPoint where it is not numbers.
         """
@@ -46,7 +49,9 @@ class Curve(NamedTuple):
 
 
 @compiled
-def poses_along(start: Array, radius: float, turns: NDArray[np.int64], lengths: Array, along: Array) -> Array:
+def poses_along(
+    start: Array, radius: float, turns: NDArray[np.int64], lengths: Array, along: Array
+) -> Array:
     """The poses after each distance, shape (m, 3)."""
     poses = np.empty((len(along), 3))
     for i in range(len(along)):
@@ -72,12 +77,19 @@ def as_radius(value: ArrayLike) -> float:
     """A turning radius, positive; or InvalidParameter."""
     radius = as_array(value, "radius")
     if radius.ndim or radius <= 0.0:
-        raise InvalidParameter(f"the turning radius must be one positive length, got {shortened(value)}")
+        raise InvalidParameter(
+            f"the turning radius must be one positive length, got {shortened(value)}"
+        )
     return float(radius)
 
 
 @compiled
 def seen_from(q0: Array, q1: Array, radius: float) -> tuple[float, float, float]:
     """q1 in the frame of q0, lengths in turning radii."""
-    dx, dy, c, s = (q1[0] - q0[0]) / radius, (q1[1] - q0[1]) / radius, math.cos(q0[2]), math.sin(q0[2])
+    dx, dy, c, s = (
+        (q1[0] - q0[0]) / radius,
+        (q1[1] - q0[1]) / radius,
+        math.cos(q0[2]),
+        math.sin(q0[2]),
+    )
     return c * dx + s * dy, c * dy - s * dx, wrapped(q1[2] - q0[2])

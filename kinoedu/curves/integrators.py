@@ -1,7 +1,9 @@
-"""How a car's motion is computed: step by step with Euler's rule or Runge's and Kutta's, or in closed form.
+"""How a car's motion is computed: step by step with Euler's rule or Runge's and Kutta's, or in
+closed form.
 
-x' = v cos theta, y' = v sin theta, theta' = v kappa, with a speed v and a curvature kappa that are held. Euler's error falls like
-the step, that of the classical Runge-Kutta rule like its fourth power; the closed form has none. LaValle, section 14.3.2.
+x' = v cos theta, y' = v sin theta, theta' = v kappa, with a speed v and a curvature kappa that are
+held. Euler's error falls like the step, that of the classical Runge-Kutta rule like its fourth
+power; the closed form has none. LaValle, section 14.3.2.
 """
 
 import math
@@ -29,7 +31,9 @@ def euler_step(pose: Array, v: float, curvature: float, h: float) -> Array:
 
 
 def runge_kutta_step(pose: Array, v: float, curvature: float, h: float) -> Array:
-    """With the rates at the beginning, twice in the middle and at the end, weighed 1 : 2 : 2 : 1."""
+    """With the rates at the beginning, twice in the middle and at the end, weighed 1 : 2 : 2 :
+    1.
+    """
     k1 = rates(pose, v, curvature)
     k2 = rates(pose + 0.5 * h * k1, v, curvature)
     k3 = rates(pose + 0.5 * h * k2, v, curvature)
@@ -43,7 +47,8 @@ def exact_step(pose: Array, v: float, curvature: float, h: float) -> Array:
 
 
 def euler(pose: ArrayLike, v: float, curvature: float, t: float, steps: int) -> Array:
-    """The poses at steps + 1 even times from 0 to t by Euler's rule, shape (steps + 1, 3). InvalidPoint, InvalidParameter.
+    """The poses at steps + 1 even times from 0 to t by Euler's rule, shape (steps + 1, 3).
+    InvalidPoint, InvalidParameter.
 
     >>> euler((0, 0, 0), 1, 1, 1, 2)[-1]
     array([0.93879128, 0.23971277, 1.        ])
@@ -69,7 +74,9 @@ def exact(pose: ArrayLike, v: float, curvature: float, t: float, steps: int) -> 
     return integrated(exact_step, pose, v, curvature, t, steps)
 
 
-def integrated(rule: Rule, pose: ArrayLike, v: float, curvature: float, t: float, steps: int) -> Array:
+def integrated(
+    rule: Rule, pose: ArrayLike, v: float, curvature: float, t: float, steps: int
+) -> Array:
     """Step after step by a rule; headings are wrapped. Raises InvalidPoint, InvalidParameter."""
     n = whole(steps, "steps", least=1)
     speed, bend, time = as_array((v, curvature, t), "v, curvature and t")

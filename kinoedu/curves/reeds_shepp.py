@@ -1,8 +1,8 @@
-"""Reeds and Shepp's shortest curves: forward and back. J. A. Reeds and L. A. Shepp, "Optimal paths for a car that goes both
-forwards and backwards" (1990), section 8; LaValle, section 15.3.2.
+"""Reeds and Shepp's shortest curves: forward and back. J. A. Reeds and L. A. Shepp, "Optimal paths
+for a car that goes both forwards and backwards" (1990), section 8; LaValle, section 15.3.2.
 
-Nine base words begin with an arc to the left driven forward. All others are these in a mirror, driven the other way, or, for words
-that are not the same from behind, from the end to the start.
+Nine base words begin with an arc to the left driven forward. All others are these in a mirror,
+driven the other way, or, for words that are not the same from behind, from the end to the start.
 """
 
 import math
@@ -35,9 +35,11 @@ TIE = 1e-10
 
 
 def reeds_shepp_path(q0: ArrayLike, q1: ArrayLike, radius: float) -> Curve:
-    """The shortest way from pose q0 to pose q1, shapes (3,) as (x, y, theta), forward and back, turning no tighter than `radius`.
+    """The shortest way from pose q0 to pose q1, shapes (3,) as (x, y, theta), forward and back,
+    turning no tighter than `radius`.
 
-    Negative lengths are driven backwards. The length is good to 1e-9 of the radius. Raises InvalidPoint, InvalidParameter.
+    Negative lengths are driven backwards. The length is good to 1e-9 of the radius. Raises
+    InvalidPoint, InvalidParameter.
 
     >>> curve = reeds_shepp_path((0, 0, 0), (-3, 0, 0), 1.0)
     >>> curve.word, curve.length, curve.lengths
@@ -51,7 +53,9 @@ def reeds_shepp_path(q0: ArrayLike, q1: ArrayLike, radius: float) -> Curve:
 
 @compiled
 def shortest(x: float, y: float, phi: float) -> tuple[NDArray[np.int64], Array]:
-    """The turns and signed lengths of the shortest word from (0, 0, 0) to (x, y, phi), radius 1: up to five pieces."""
+    """The turns and signed lengths of the shortest word from (0, 0, 0) to (x, y, phi), radius 1: up
+    to five pieces.
+    """
     turns, lengths, best = np.zeros(5, np.int64), np.zeros(5), np.inf
     back_x, back_y = x * math.cos(phi) + y * math.sin(phi), x * math.sin(phi) - y * math.cos(phi)
     pieces = np.empty(5)
@@ -61,7 +65,13 @@ def shortest(x: float, y: float, phi: float) -> tuple[NDArray[np.int64], Array]:
             for gear in (1, -1):
                 for mirror in (1, -1):
                     found = solve(word, gear * from_x, mirror * from_y, gear * mirror * phi, pieces)
-                    total = np.abs(pieces[0]) + np.abs(pieces[1]) + np.abs(pieces[2]) + np.abs(pieces[3]) + np.abs(pieces[4])
+                    total = (
+                        np.abs(pieces[0])
+                        + np.abs(pieces[1])
+                        + np.abs(pieces[2])
+                        + np.abs(pieces[3])
+                        + np.abs(pieces[4])
+                    )
                     if found and total < best - TIE:
                         best = total
                         write(word, gear, mirror, reverse, pieces, turns, lengths)
@@ -69,7 +79,15 @@ def shortest(x: float, y: float, phi: float) -> tuple[NDArray[np.int64], Array]:
 
 
 @compiled
-def write(word: int, gear: int, mirror: int, reverse: int, pieces: Array, turns: NDArray[np.int64], lengths: Array) -> None:
+def write(
+    word: int,
+    gear: int,
+    mirror: int,
+    reverse: int,
+    pieces: Array,
+    turns: NDArray[np.int64],
+    lengths: Array,
+) -> None:
     """Write down a word's pieces as they are driven."""
     for i in range(5):
         j = 4 - i if reverse else i
@@ -78,7 +96,9 @@ def write(word: int, gear: int, mirror: int, reverse: int, pieces: Array, turns:
 
 @compiled
 def solve(word: int, x: float, y: float, phi: float, pieces: Array) -> bool:
-    """Write the signed lengths of one base word into pieces (5,); whether it exists, its first arc driven forward."""
+    """Write the signed lengths of one base word into pieces (5,); whether it exists, its first arc
+    driven forward.
+    """
     pieces[:] = 0.0
     if word == 0:
         found, t, u, v = lsl(x, y, phi)
@@ -89,12 +109,16 @@ def solve(word: int, x: float, y: float, phi: float, pieces: Array) -> bool:
     if word == 2:
         found, t, u, v = lrl(x, y, phi)
         return found and keep(pieces, t, u, v, -1, 0)
-    return four_arcs(word, x, y, phi, pieces) if word <= 4 else with_quarter(word, x, y, phi, pieces)
+    return (
+        four_arcs(word, x, y, phi, pieces) if word <= 4 else with_quarter(word, x, y, phi, pieces)
+    )
 
 
 @compiled
 def keep(pieces: Array, t: float, u: float, v: float, u_sign: int, v_sign: int) -> bool:
-    """Write three pieces; False where the first goes back, or another the wrong way. A sign of 0 leaves both ways open."""
+    """Write three pieces; False where the first goes back, or another the wrong way. A sign of 0
+    leaves both ways open.
+    """
     t, v = without_rounding(wrapped(t)), without_rounding(wrapped(v))
     pieces[0], pieces[1], pieces[2] = t, u, v
     return t >= 0.0 and u_sign * u >= -ROUNDING and v_sign * v >= 0.0
@@ -110,7 +134,9 @@ def without_rounding(angle: float) -> float:
 
 @compiled
 def four_arcs(word: int, x: float, y: float, phi: float, pieces: Array) -> bool:
-    """L R | L R and L | R L | R, formulas 8.7 and 8.8: the two arcs in the middle are of one length."""
+    """L R | L R and L | R L | R, formulas 8.7 and 8.8: the two arcs in the middle are of one
+    length.
+    """
     ex, ey = x + math.sin(phi), y - 1.0 - math.cos(phi)
     squared = ex * ex + ey * ey
     cosine = 0.25 * (2.0 + math.sqrt(squared)) if word == 3 else (20.0 - squared) / 16.0
@@ -131,7 +157,9 @@ def four_arcs(word: int, x: float, y: float, phi: float, pieces: Array) -> bool:
 
 @compiled
 def with_quarter(word: int, x: float, y: float, phi: float, pieces: Array) -> bool:
-    """L | R quarter and on, formulas 8.9 to 8.11: a straight piece driven back, with a quarter before it or on both sides."""
+    """L | R quarter and on, formulas 8.9 to 8.11: a straight piece driven back, with a quarter
+    before it or on both sides.
+    """
     if word == 5:
         apart, direction = left_centre(x, y, phi)
         side = math.sqrt(max(apart * apart - 4.0, 0.0))

@@ -1,6 +1,8 @@
-"""The space of a car's poses, as far apart as the shortest curve between them is long. LaValle, Planning Algorithms, section 15.3.
+"""The space of a car's poses, as far apart as the shortest curve between them is long. LaValle,
+Planning Algorithms, section 15.3.
 
-So any planner that asks a space for distances and steps steers a car along curves that it can drive.
+So any planner that asks a space for distances and steps steers a car along curves that it can
+drive.
 """
 
 from typing import Any, NamedTuple
@@ -18,10 +20,11 @@ from .reeds_shepp import shortest
 
 
 class CurveSpace(NamedTuple):
-    """Poses (x, y, theta) between lo and hi, shapes (3,), theta from -pi to pi, and a turning radius.
+    """Poses (x, y, theta) between lo and hi, shapes (3,), theta from -pi to pi, and a turning
+    radius.
 
-    both_ways : whether the car drives back as well, along Reeds and Shepp's curves, or only forward, along Dubins'; then the
-    distance from a to b is not that from b to a.
+    both_ways : whether the car drives back as well, along Reeds and Shepp's curves, or only
+        forward, along Dubins'; then the distance from a to b is not that from b to a.
     """
 
     lo: Array
@@ -31,11 +34,14 @@ class CurveSpace(NamedTuple):
 
 
 @compiled
-def pieces_between(a: Array, b: Array, radius: float, both_ways: bool) -> tuple[NDArray[np.int64], Array]:
+def pieces_between(
+    a: Array, b: Array, radius: float, both_ways: bool
+) -> tuple[NDArray[np.int64], Array]:
     """The turns and signed lengths of the pieces of the shortest curve from a to b.
 
-    Poses between which several curves are as short are no rarity. Driven both ways a curve is the same from either end, for a
-    planner that judges an edge from one may drive it from the other: it is chosen from the pose that comes first in order.
+    Poses between which several curves are as short are no rarity. Driven both ways a curve is the
+    same from either end, for a planner that judges an edge from one may drive it from the other: it
+    is chosen from the pose that comes first in order.
     """
     if both_ways and comes_before(b, a):
         x, y, phi = seen_from(b, a, radius)
@@ -91,7 +97,9 @@ def box_and_turn(space: CurveSpace) -> float:
 
 @nearest.register(CurveSpace)
 def nearest_by_curve(space: CurveSpace, tree: Any, q: Array) -> int:
-    """The node from which q is nearest, the first among equals. Curves are found only where one could be shorter than the best."""
+    """The node from which q is nearest, the first among equals. Curves are found only where one
+    could be shorter than the best.
+    """
     best, least = 0, np.inf
     for node in range(tree.size[0]):
         if at_least(space, tree.nodes[node], q) < least:
@@ -103,10 +111,15 @@ def nearest_by_curve(space: CurveSpace, tree: Any, q: Array) -> int:
 
 @near.register(CurveSpace)
 def near_by_curve(space: CurveSpace, tree: Any, q: Array, radius: float) -> NDArray[np.int64]:
-    """Those from which q is no farther than a radius, by asking; curves are found only where one could be short enough."""
+    """Those from which q is no farther than a radius, by asking; curves are found only where one
+    could be short enough.
+    """
     found, size = np.empty(tree.size[0], np.int64), 0
     for node in range(tree.size[0]):
-        if at_least(space, tree.nodes[node], q) <= radius and distance(space, tree.nodes[node], q) <= radius:
+        if (
+            at_least(space, tree.nodes[node], q) <= radius
+            and distance(space, tree.nodes[node], q) <= radius
+        ):
             found[size] = node
             size += 1
     return found[:size].copy()

@@ -1,7 +1,9 @@
-"""Between two turning circles of radius 1: how words of three pieces join the pose (0, 0, 0) to a pose (x, y, phi).
+"""Between two turning circles of radius 1: how words of three pieces join the pose (0, 0, 0) to a
+pose (x, y, phi).
 
-Each begins with an arc to the left; the others are their mirror images. Angles come back as they are computed, not wrapped.
-J. A. Reeds and L. A. Shepp, "Optimal paths for a car that goes both forwards and backwards" (1990), formulas 8.1 to 8.4.
+Each begins with an arc to the left; the others are their mirror images. Angles come back as they
+are computed, not wrapped. J. A. Reeds and L. A. Shepp, "Optimal paths for a car that goes both
+forwards and backwards" (1990), formulas 8.1 to 8.4.
 """
 
 import math
@@ -13,7 +15,9 @@ SLACK = 1e-12  # circles that touch to rounding have their tangent
 
 @compiled
 def left_centre(x: float, y: float, phi: float) -> tuple[float, float]:
-    """The distance and direction from the first circle's centre to that of the last, both to the left."""
+    """The distance and direction from the first circle's centre to that of the last, both to the
+    left.
+    """
     ex, ey = x - math.sin(phi), y - 1.0 + math.cos(phi)
     return math.sqrt(ex * ex + ey * ey), math.atan2(ey, ex)
 
@@ -45,7 +49,9 @@ def lsr(x: float, y: float, phi: float) -> tuple[bool, float, float, float]:
 
 @compiled
 def lrl(x: float, y: float, phi: float) -> tuple[bool, float, float, float]:
-    """Left, right round a circle that touches both, backwards and less than half of it, left: where the two are near."""
+    """Left, right round a circle that touches both, backwards and less than half of it, left: where
+    the two are near.
+    """
     apart, direction = left_centre(x, y, phi)
     if apart > 4.0 + SLACK:
         return False, 0.0, 0.0, 0.0

@@ -1,13 +1,16 @@
-"""What happens on the sweep line at one x: what ends there is merged with what begins there, from the bottom upwards.
+"""What happens on the sweep line at one x: what ends there is merged with what begins there, from
+the bottom upwards.
 
-The line is walked in *stretches*: from a place where both its left and its right side are solid to the next such place. On the way
-there are points, at which edges end and begin, and edges that pass; each point and each passing edge is a level. Edges that end or
-pass bound the cells to the left, those that begin or pass the cells to the right, and two cells share a wall where their levels
+The line is walked in *stretches*: from a place where both its left and its right side are solid to
+the next such place. On the way there are points, at which edges end and begin, and edges that pass;
+each point and each passing edge is a level. Edges that end or pass bound the cells to the left,
+those that begin or pass the cells to the right, and two cells share a wall where their levels
 overlap. So a vertical edge needs no treatment: it is where one side is solid and the other free.
 
-Every comparison is exact, so the order on the line is never wrong: either all edges are apart, or a vertex is found on the wrong
-side of an edge next to it, and then two have crossed (M. I. Shamos, D. Hoey, "Geometric intersection problems", 1976); or edges
-overlap; or floors and ceilings do not take turns, because one obstacle lies in another.
+Every comparison is exact, so the order on the line is never wrong: either all edges are apart, or a
+vertex is found on the wrong side of an edge next to it, and then two have crossed (M. I. Shamos, D.
+Hoey, "Geometric intersection problems", 1976); or edges overlap; or floors and ceilings do not take
+turns, because one obstacle lies in another.
 """
 
 from typing import Any
@@ -22,23 +25,35 @@ from .slopes import line_up
 from .status import ABOVE, BELOW, CELL, HIGH, LOW, NOBODY
 
 CROSSED = -1  # instead of an answer: edges cross or overlap, or one obstacle lies in another
-# where Sweep.walk is: the next vertex; the next edge, as a node's floor or ceiling; cells ended, edges begun, levels passed
+# where Sweep.walk is: the next vertex; the next edge, as a node's floor or ceiling; cells ended,
+# edges begun, levels passed
 MET, NODE, ON_CEILING, ENDED, BEGUN, LEVEL = range(6)
 
 
 @inlined
 def cross(sweep: Any, met: int, stop: int) -> int:
-    """Cross the lowest stretch that holds vertices order[met:stop], all of one x; returns how many are met then, or CROSSED."""
+    """Cross the lowest stretch that holds vertices order[met:stop], all of one x; returns how many
+    are met then, or CROSSED.
+    """
     node, walk, x = lowest_touched(sweep, met), sweep.walk, sweep.vertices[sweep.order[met], 0]
     if node == CROSSED:
         return CROSSED
     below = sweep.nodes[node, BELOW]
-    walk[MET], walk[NODE], walk[ON_CEILING], walk[ENDED], walk[BEGUN], walk[LEVEL] = met, node, 0, 0, 0, 0
+    walk[MET], walk[NODE], walk[ON_CEILING], walk[ENDED], walk[BEGUN], walk[LEVEL] = (
+        met,
+        node,
+        0,
+        0,
+        0,
+        0,
+    )
     while walk[MET] == met or walk[ON_CEILING] == 1 or walk[BEGUN] % 2 == 1:
         y = sweep.vertices[sweep.order[walk[MET]], 1] if walk[MET] < stop else np.inf
         edge = next_edge(sweep)
         if edge >= 0 and (walk[MET] == stop or side(sweep.ends, edge, x, y) > 0):
-            ordered = pass_edge(sweep, edge, x, y) and not (walk[MET] == met and walk[ON_CEILING] == 0)
+            ordered = pass_edge(sweep, edge, x, y) and not (
+                walk[MET] == met and walk[ON_CEILING] == 0
+            )
         else:
             ordered = walk[MET] < stop and meet_point(sweep, x, y, stop)
         if not ordered:
@@ -50,7 +65,11 @@ def cross(sweep: Any, met: int, stop: int) -> int:
 @inlined
 def next_edge(sweep: Any) -> int:
     """The next edge of the status on the walk up the line, -1 above the last."""
-    return border(sweep, sweep.walk[NODE], sweep.walk[ON_CEILING]) if sweep.walk[NODE] != NOBODY else -1
+    return (
+        border(sweep, sweep.walk[NODE], sweep.walk[ON_CEILING])
+        if sweep.walk[NODE] != NOBODY
+        else -1
+    )
 
 
 @inlined
@@ -66,7 +85,9 @@ def pass_edge(sweep: Any, edge: int, x: float, y: float) -> bool:
 
 @inlined
 def meet_point(sweep: Any, x: float, y: float, stop: int) -> bool:
-    """Take all that ends in a point, passes through it or begins at it; False where that does not fit what is below and above."""
+    """Take all that ends in a point, passes through it or begins at it; False where that does not
+    fit what is below and above.
+    """
     walk, ends = sweep.walk, sweep.ends
     first, through, unfound = walk[BEGUN], 0, 0
     sweep.heights[walk[LEVEL]] = y
@@ -93,7 +114,9 @@ def meet_point(sweep: Any, x: float, y: float, stop: int) -> bool:
 
 @inlined
 def leave_edge(sweep: Any) -> None:
-    """Go on from an edge of the status: from a floor to its ceiling, from a ceiling to the floor of the next cell."""
+    """Go on from an edge of the status: from a floor to its ceiling, from a ceiling to the floor of
+    the next cell.
+    """
     walk, ended = sweep.walk, sweep.ended
     if walk[ON_CEILING] == 0:
         ended[walk[ENDED], 0], ended[walk[ENDED], 1] = walk[NODE], walk[LEVEL]
@@ -113,7 +136,8 @@ def begin_edge(sweep: Any, edge: int) -> None:
 
 @inlined
 def lowest_touched(sweep: Any, met: int) -> int:
-    """The lowest node whose cell has vertex order[met] on it or below its ceiling, NOBODY where all are below; or CROSSED.
+    """The lowest node whose cell has vertex order[met] on it or below its ceiling, NOBODY where all
+    are below; or CROSSED.
 
     An edge that ends at the vertex leads there at once; otherwise it is found in O(log n).
     """
@@ -155,4 +179,8 @@ def height_at(ends: Array, edge: int, x: float) -> float:
     """The height of an edge at x, reckoned from its nearer end."""
     slope = (ends[edge, 3] - ends[edge, 1]) / (ends[edge, 2] - ends[edge, 0])
     from_left, from_right = x - ends[edge, 0], ends[edge, 2] - x
-    return ends[edge, 1] + from_left * slope if from_left <= from_right else ends[edge, 3] - from_right * slope
+    return (
+        ends[edge, 1] + from_left * slope
+        if from_left <= from_right
+        else ends[edge, 3] - from_right * slope
+    )

@@ -1,4 +1,6 @@
-"""The roadmap that a decomposition makes: a node in each cell, a node on each wall. Bullo & Smith, chapter 2."""
+"""The roadmap that a decomposition makes: a node in each cell, a node on each wall. Bullo & Smith,
+chapter 2.
+"""
 
 from typing import Any
 
@@ -14,9 +16,10 @@ def decomposition_roadmap(world: Any) -> Roadmap:
 
     world : a PolygonWorld, cut into trapezoids here; or its `trapezoidation` or `triangulation`.
 
-    For n cells, node i is the centre of cell i, node n + j the middle of wall j; wall j gives edges 2j and 2j + 1. Cells are
-    convex, so an edge stays in its cell, and walls have length, so it touches no obstacle. From every point of a cell there is a
-    free motion to its centre, so the roadmap misses no connection: where it has no path, there is none. O(n log n) for n vertices.
+    For n cells, node i is the centre of cell i, node n + j the middle of wall j; wall j gives edges
+    2j and 2j + 1. Cells are convex, so an edge stays in its cell, and walls have length, so it
+    touches no obstacle. From every point of a cell there is a free motion to its centre, so the
+    roadmap misses no connection: where it has no path, there is none. O(n log n) for n vertices.
     Raises InvalidWorld.
 
     >>> from kinoedu.worlds import PolygonWorld
@@ -27,5 +30,7 @@ def decomposition_roadmap(world: Any) -> Roadmap:
     cut = world if isinstance(world, Trapezoidation | Triangulation) else trapezoidation(world)
     centres, n = cut.centres, len(cut.areas)
     middle = n + np.arange(len(cut.adjacency))
-    edges = np.column_stack([cut.adjacency[:, 0], middle, middle, cut.adjacency[:, 1]]).reshape(-1, 2)
+    edges = np.column_stack([cut.adjacency[:, 0], middle, middle, cut.adjacency[:, 1]]).reshape(
+        -1, 2
+    )
     return Roadmap(np.concatenate([centres, cut.walls.sum(axis=1) / 2.0]), edges)

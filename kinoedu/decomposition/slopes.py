@@ -1,4 +1,6 @@
-"""Edges that leave one point to the right, put in order of slope: heapsort (J. W. J. Williams, 1964), which needs no space."""
+"""Edges that leave one point to the right, put in order of slope: heapsort (J. W. J. Williams,
+1964), which needs no space.
+"""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,8 +11,12 @@ from ..geometry.exact import turn
 
 
 @compiled
-def line_up(begun: NDArray[np.int64], ends: Array, first: int, stop: int, x: float, y: float) -> bool:
-    """Put begun[first:stop, 0], edges from (x, y), in order from the lowest up; False where two overlap. O(d log d) for d edges."""
+def line_up(
+    begun: NDArray[np.int64], ends: Array, first: int, stop: int, x: float, y: float
+) -> bool:
+    """Put begun[first:stop, 0], edges from (x, y), in order from the lowest up; False where two
+    overlap. O(d log d) for d edges.
+    """
     for i in range((stop - first) // 2 - 1, -1, -1):
         sink(begun, ends, first, i, stop - first, x, y)
     for last in range(stop - first - 1, 0, -1):
@@ -23,11 +29,16 @@ def line_up(begun: NDArray[np.int64], ends: Array, first: int, stop: int, x: flo
 
 
 @compiled
-def sink(begun: NDArray[np.int64], ends: Array, first: int, i: int, size: int, x: float, y: float) -> None:
+def sink(
+    begun: NDArray[np.int64], ends: Array, first: int, i: int, size: int, x: float, y: float
+) -> None:
     """Let entry i of the heap begun[first:first + size] sink below those above it in slope."""
     while 2 * i + 1 < size:
         child = 2 * i + 1
-        if child + 1 < size and above(ends, begun[first + child + 1, 0], begun[first + child, 0], x, y) > 0:
+        if (
+            child + 1 < size
+            and above(ends, begun[first + child + 1, 0], begun[first + child, 0], x, y) > 0
+        ):
             child += 1
         if above(ends, begun[first + child, 0], begun[first + i, 0], x, y) <= 0:
             return

@@ -1,10 +1,13 @@
-"""The status of a sweep: the open cells that the line crosses, from bottom to top, held so that one is found in O(log n).
+"""The status of a sweep: the open cells that the line crosses, from bottom to top, held so that one
+is found in O(log n).
 
-A treap (C. R. Aragon, R. G. Seidel, "Randomized search trees", 1989) in one flat array, threaded from bottom to top. Row i of
-`nodes` is one place in that order: the places next below and above it, its children on the low and the high side, its parent, and
-the open cell that stands there. Row 0 is nobody: the parent of the root, below the lowest place and above the highest.
+A treap (C. R. Aragon, R. G. Seidel, "Randomized search trees", 1989) in one flat array, threaded
+from bottom to top. Row i of `nodes` is one place in that order: the places next below and above it,
+its children on the low and the high side, its parent, and the open cell that stands there. Row 0 is
+nobody: the parent of the root, below the lowest place and above the highest.
 
-Priorities are a hash of the row's number, so that a sweep is the same every time; depths are O(log n) as if they were drawn.
+Priorities are a hash of the row's number, so that a sweep is the same every time; depths are O(log
+n) as if they were drawn.
 """
 
 import numpy as np
@@ -18,13 +21,17 @@ BELOW, ABOVE, LOW, HIGH, PARENT, CELL = range(6)
 
 @compiled
 def priority(node: int) -> int:
-    """The node nearer to the root is the one with more of it; nobody has none. Fibonacci hashing (Knuth, volume 3, section 6.4)."""
+    """The node nearer to the root is the one with more of it; nobody has none. Fibonacci hashing
+    (Knuth, volume 3, section 6.4).
+    """
     return (node * 2654435769) & 0xFFFFFFFF if node != NOBODY else -1
 
 
 @compiled
 def insert_above(nodes: NDArray[np.int64], below: int, node: int) -> None:
-    """Give a new node its place next above `below`; above NOBODY is the bottom. O(log n) expected, O(1) rotations."""
+    """Give a new node its place next above `below`; above NOBODY is the bottom. O(log n) expected,
+    O(1) rotations.
+    """
     above = nodes[below, ABOVE]
     nodes[node, BELOW], nodes[node, ABOVE] = below, above
     nodes[below, ABOVE] = nodes[above, BELOW] = node
@@ -38,7 +45,9 @@ def insert_above(nodes: NDArray[np.int64], below: int, node: int) -> None:
 
 @compiled
 def remove(nodes: NDArray[np.int64], node: int) -> None:
-    """Take a node out: rotate it down to where it has no children. O(log n) expected, O(1) rotations."""
+    """Take a node out: rotate it down to where it has no children. O(log n) expected, O(1)
+    rotations.
+    """
     while nodes[node, LOW] != NOBODY or nodes[node, HIGH] != NOBODY:
         low, high = nodes[node, LOW], nodes[node, HIGH]
         rotate_up(nodes, low if priority(low) > priority(high) else high)

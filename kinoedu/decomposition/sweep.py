@@ -1,11 +1,13 @@
-"""A vertical line sweeps a polygonal world from left to right: where it meets vertices, cells end and others begin.
+"""A vertical line sweeps a polygonal world from left to right: where it meets vertices, cells end
+and others begin.
 
-Bullo & Smith, chapter 2, the sweeping trapezoidation algorithm; M. de Berg, O. Cheong, M. van Kreveld, M. Overmars, Computational
-Geometry, sections 2.1 and 6.1. The line's status is the list S of the edges that it crosses, here in pairs: a floor and the ceiling
-above it, with an open cell between them.
+Bullo & Smith, chapter 2, the sweeping trapezoidation algorithm; M. de Berg, O. Cheong, M. van
+Kreveld, M. Overmars, Computational Geometry, sections 2.1 and 6.1. The line's status is the list S
+of the edges that it crosses, here in pairs: a floor and the ceiling above it, with an open cell
+between them.
 
-An *event* is all the vertices of one x. Each sends a wall up and one down, as far as all is free. What that does to the cells tells
-the type of the vertex (the six types of the book):
+An *event* is all the vertices of one x. Each sends a wall up and one down, as far as all is free.
+What that does to the cells tells the type of the vertex (the six types of the book):
 
 | its edges lead | closes | opens | the vertex is |
 |---|---|---|---|
@@ -33,17 +35,20 @@ from .status import NOBODY
 class Sweep(NamedTuple):
     """The state of a sweep over n vertices; edge i leaves vertex i, with what is solid to its left.
 
-    vertices (n, 2); order (n,), they from left to right, and upwards; incoming (n,), the edge that ends in each. ends (n, 4), each
-    edge's left end and right end; floor (n,), whether it has the free space above it.
+    vertices (n, 2); order (n,), they from left to right, and upwards; incoming (n,), the edge that
+    ends in each. ends (n, 4), each edge's left end and right end; floor (n,), whether it has the
+    free space above it.
 
-    cells, rows x_left, x_right, then the heights of floor and ceiling on the left and on the right; sides, each cell's floor and
-    ceiling edge; closed, the cells in the order they were closed; pairs and walls, which cells share a wall, its x, its ends.
+    cells, rows x_left, x_right, then the heights of floor and ceiling on the left and on the right;
+    sides, each cell's floor and ceiling edge; closed, the cells in the order they were closed;
+    pairs and walls, which cells share a wall, its x, its ends.
 
-    nodes, the status (status.py); place (n,), the node of the cell that each edge in the status borders; sizes, how many cells,
-    closed cells, walls and nodes there are.
+    nodes, the status (status.py); place (n,), the node of the cell that each edge in the status
+    borders; sizes, how many cells, closed cells, walls and nodes there are.
 
-    walk, ended, begun, heights: one stretch of the line (crossing.py): where the walk up is; the cells that end there, as rows
-    node, level of the floor, level of the ceiling; the edges that lead on, with their levels; each level's height.
+    walk, ended, begun, heights: one stretch of the line (crossing.py): where the walk up is; the
+    cells that end there, as rows node, level of the floor, level of the ceiling; the edges that
+    lead on, with their levels; each level's height.
     """
 
     vertices: Array
@@ -92,7 +97,9 @@ def new_sweep(edges: Array) -> Sweep:
 
 @compiled
 def edges_into_vertices(edges: Array) -> NDArray[np.int64]:
-    """The edge that ends in each vertex, (n,): the one before it, but a ring's first vertex ends its last edge."""
+    """The edge that ends in each vertex, (n,): the one before it, but a ring's first vertex ends
+    its last edge.
+    """
     incoming = np.empty(len(edges), np.int64)
     first = 0
     for i in range(len(edges)):
@@ -104,7 +111,9 @@ def edges_into_vertices(edges: Array) -> NDArray[np.int64]:
 
 @compiled
 def events(sweep: Sweep) -> Iterator[int]:
-    """Move the line from event to event; yields how many vertices it has met, or CROSSED, and then stops, where two edges cross."""
+    """Move the line from event to event; yields how many vertices it has met, or CROSSED, and then
+    stops, where two edges cross.
+    """
     vertices, order, met = sweep.vertices, sweep.order, 0
     while met < len(order):
         stop = met + 1

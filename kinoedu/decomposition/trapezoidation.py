@@ -1,7 +1,8 @@
-"""Trapezoids: the free space of a polygonal world cut by a vertical wall up and down from every vertex.
+"""Trapezoids: the free space of a polygonal world cut by a vertical wall up and down from every
+vertex.
 
-Bullo & Smith, chapter 2; M. de Berg, O. Cheong, M. van Kreveld, M. Overmars, Computational Geometry, sections 6.1 and 13.2. The
-algorithm is in sweep.py.
+Bullo & Smith, chapter 2; M. de Berg, O. Cheong, M. van Kreveld, M. Overmars, Computational
+Geometry, sections 6.1 and 13.2. The algorithm is in sweep.py.
 """
 
 from collections.abc import Iterator
@@ -22,15 +23,17 @@ from .sweep import Sweep, events, new_sweep
 
 
 class Trapezoidation(NamedTuple):
-    """A world cut into trapezoids, in the order in which the sweep line enters them; of those it enters together, the one it
-    leaves first comes first, then the lower.
+    """A world cut into trapezoids, in the order in which the sweep line enters them; of those it
+    enters together, the one it leaves first comes first, then the lower.
 
-    trapezoids : (n, 6), rows x_left, x_right, the heights of floor and ceiling at x_left, and those at x_right. Where the two
-        heights of one side are equal, the cell is a triangle.
-    adjacency : (m, 2), pairs (i, j) with a wall of positive length between them, i on the left; in increasing order.
+    trapezoids : (n, 6), rows x_left, x_right, the heights of floor and ceiling at x_left, and those
+        at x_right. Where the two heights of one side are equal, the cell is a triangle.
+    adjacency : (m, 2), pairs (i, j) with a wall of positive length between them, i on the left; in
+        increasing order.
     walls : (m, 2, 2), those walls: their lower and upper ends.
     sides : (n, 2), each cell's floor and ceiling, as rows of edges.
-    edges : (k, 4), the edges round the free space, each from its left end to its right end. world : what was cut.
+    edges : (k, 4), the edges round the free space, each from its left end to its right end. world :
+        what was cut.
     """
 
     trapezoids: Array
@@ -58,7 +61,9 @@ class Trapezoidation(NamedTuple):
         return corners_of(self.trapezoids)
 
     def cells_at(self, q: ArrayLike) -> NDArray[np.int64]:
-        """The cells that hold the point q: one, those on both sides of a wall that it lies on, or none. Exact, O(n)."""
+        """The cells that hold the point q: one, those on both sides of a wall that it lies on, or
+        none. Exact, O(n).
+        """
         x, y = as_point(q, "q").tolist()
         return np.flatnonzero(holding(self.trapezoids, self.sides, self.edges, x, y))
 
@@ -69,8 +74,12 @@ def corners_of(trapezoids: Array) -> Array:
 
 
 @compiled
-def holding(trapezoids: Array, sides: NDArray[np.int64], edges: Array, x: float, y: float) -> NDArray[np.bool_]:
-    """Whether each closed cell holds a point, (n,): between its walls, not below its floor, not above its ceiling."""
+def holding(
+    trapezoids: Array, sides: NDArray[np.int64], edges: Array, x: float, y: float
+) -> NDArray[np.bool_]:
+    """Whether each closed cell holds a point, (n,): between its walls, not below its floor, not
+    above its ceiling.
+    """
     holds = np.zeros(len(sides), np.bool_)
     for i in range(len(sides)):
         if trapezoids[i, 0] <= x <= trapezoids[i, 1]:
@@ -91,10 +100,12 @@ class Step(NamedTuple):
     """One event of the sweep, and what it leaves.
 
     x : where the line is. vertices : (k, 2), those on it, from bottom to top.
-    closed : (c, 6), the trapezoids that end here, from bottom to top, as rows of `Trapezoidation.trapezoids`.
-    opened : (o, 3), the left walls of the cells that begin here: x, and the heights of floor and ceiling.
-    status : (s, 4), the edges that cross the line just right of x, from bottom to top: floor, ceiling, floor, ceiling, ...; each
-        from its left end to its right end.
+    closed : (c, 6), the trapezoids that end here, from bottom to top, as rows of
+        `Trapezoidation.trapezoids`.
+    opened : (o, 3), the left walls of the cells that begin here: x, and the heights of floor and
+        ceiling.
+    status : (s, 4), the edges that cross the line just right of x, from bottom to top: floor,
+        ceiling, floor, ceiling, ...; each from its left end to its right end.
     """
 
     x: float
@@ -116,9 +127,10 @@ class Step(NamedTuple):
 def trapezoidation(world: Any) -> Trapezoidation:
     """Cut the free space of a PolygonWorld into trapezoids by a sweep line.
 
-    Obstacles may touch each other and the boundary; where they overlap they are united first, and the points where their edges
-    cross are rounded. Everything else is exact, but for the heights of walls inside an edge, which are good to 1e-15 of the world.
-    A wall stands at every vertex, straight ones too.
+    Obstacles may touch each other and the boundary; where they overlap they are united first, and
+    the points where their edges cross are rounded. Everything else is exact, but for the heights of
+    walls inside an edge, which are good to 1e-15 of the world. A wall stands at every vertex,
+    straight ones too.
 
     O(n log n) expected for n vertices. Raises InvalidWorld for round obstacles and for terrains.
 
@@ -138,7 +150,8 @@ def trapezoidation(world: Any) -> Trapezoidation:
 
 
 def sweep(world: Any) -> Iterator[Step]:
-    """Yield what the sweep line does at each event, from left to right: the steps of `trapezoidation`, which drains them.
+    """Yield what the sweep line does at each event, from left to right: the steps of
+    `trapezoidation`, which drains them.
 
     Raises InvalidWorld as it does, before the first step.
 
@@ -161,7 +174,10 @@ def swept(world: Any) -> tuple[Sweep, Array]:
         state = new_sweep(edges)
         if drain(state):
             return state, edges
-    raise InvalidWorld("these obstacles overlap in a way that could not be united; move them a little, or join them yourself")
+    raise InvalidWorld(
+        "these obstacles overlap in a way that could not be united; move them a little, or join "
+        "them yourself"
+    )
 
 
 @algorithm
@@ -178,9 +194,16 @@ def steps(state: Sweep) -> Iterator[Step]:
     met = cells = closed = 0
     for now in events(state):
         vertices = state.vertices[state.order[met:now]]
-        ending, beginning = state.closed[closed : state.sizes[CLOSED]], state.cells[cells : state.sizes[CELLS], [0, 2, 3]]
+        ending, beginning = (
+            state.closed[closed : state.sizes[CLOSED]],
+            state.cells[cells : state.sizes[CELLS], [0, 2, 3]],
+        )
         yield Step(
-            float(vertices[0, 0]), vertices, state.cells[ending], beginning, state.ends[edges_on_line(state.nodes, state.sides)]
+            float(vertices[0, 0]),
+            vertices,
+            state.cells[ending],
+            beginning,
+            state.ends[edges_on_line(state.nodes, state.sides)],
         )
         met, cells, closed = now, int(state.sizes[CELLS]), int(state.sizes[CLOSED])
 
@@ -198,7 +221,9 @@ def edges_on_line(nodes: NDArray[np.int64], sides: NDArray[np.int64]) -> NDArray
 def in_order(
     cells: Array, closed: NDArray[np.int64], pairs: NDArray[np.int64]
 ) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.int64]]:
-    """From the numbers in which cells were opened to the final ones: which cells (n,), which walls (m,), pairs (m, 2)."""
+    """From the numbers in which cells were opened to the final ones: which cells (n,), which walls
+    (m,), pairs (m, 2).
+    """
     n = len(cells)
     entered = np.zeros(n, np.int64)
     for i in range(1, n):

@@ -1,7 +1,7 @@
 """Triangles: the other way to cut a polygonal world into convex cells, without walls inside edges.
 
-Bullo & Smith, chapter 2; de Berg et al., chapters 3 and 9. The constrained Delaunay triangulation, whose triangles are as little
-slender as the edges allow, is shapely's.
+Bullo & Smith, chapter 2; de Berg et al., chapters 3 and 9. The constrained Delaunay triangulation,
+whose triangles are as little slender as the edges allow, is shapely's.
 """
 
 from typing import Any, NamedTuple
@@ -18,8 +18,9 @@ from .free_space import as_polygons, free_polygons
 class Triangulation(NamedTuple):
     """A world cut into triangles.
 
-    triangles : (n, 3, 2), counter-clockwise. adjacency : (m, 2), pairs (i, j), i < j, with an edge between them, in increasing
-    order. walls : (m, 2, 2), the ends of those edges. world : what was cut.
+    triangles : (n, 3, 2), counter-clockwise. adjacency : (m, 2), pairs (i, j), i < j, with an edge
+        between them, in increasing order. walls : (m, 2, 2), the ends of those edges. world : what
+        was cut.
     """
 
     triangles: Array
@@ -30,7 +31,10 @@ class Triangulation(NamedTuple):
     @property
     def areas(self) -> Array:
         """The area of each cell, (n,)."""
-        (ax, ay), (bx, by) = (self.triangles[:, 1] - self.triangles[:, 0]).T, (self.triangles[:, 2] - self.triangles[:, 0]).T
+        (ax, ay), (bx, by) = (
+            (self.triangles[:, 1] - self.triangles[:, 0]).T,
+            (self.triangles[:, 2] - self.triangles[:, 0]).T,
+        )
         return (ax * by - ay * bx) / 2.0
 
     @property
@@ -44,7 +48,9 @@ class Triangulation(NamedTuple):
         return self.triangles
 
     def cells_at(self, q: ArrayLike) -> NDArray[np.int64]:
-        """The cells that hold the point q, those on both sides of an edge that it lies on, or none. Exact, O(n)."""
+        """The cells that hold the point q, those on both sides of an edge that it lies on, or none.
+        Exact, O(n).
+        """
         x, y = as_point(q, "q").tolist()
         return np.flatnonzero(rings_holding(self.triangles, x, y))
 
@@ -59,7 +65,8 @@ def rings_holding(rings: Array, x: float, y: float) -> NDArray[np.bool_]:
 
 
 def triangulation(world: Any) -> Triangulation:
-    """Cut the free space of a PolygonWorld into triangles by a constrained Delaunay triangulation, from its vertices alone.
+    """Cut the free space of a PolygonWorld into triangles by a constrained Delaunay triangulation,
+    from its vertices alone.
 
     Raises InvalidWorld for round obstacles and for terrains.
 
@@ -71,9 +78,16 @@ def triangulation(world: Any) -> Triangulation:
     cells: list[Array] = []
     polygons, unit = free_polygons(as_polygons(world))
     for part in polygons:
-        cells += triangles(np.array(part.exterior.coords)[:-1], [np.array(hole.coords)[:-1] for hole in part.interiors])
-    left_of = {edge: i for i, cell in enumerate(cells) for edge in sides(corners(cell))}  # an edge is shared by its reverse
-    shared = sorted((i, j, a, b) for (a, b), i in left_of.items() if i < (j := left_of.get((b, a), -1)))
+        cells += triangles(
+            np.array(part.exterior.coords)[:-1],
+            [np.array(hole.coords)[:-1] for hole in part.interiors],
+        )
+    left_of = {
+        edge: i for i, cell in enumerate(cells) for edge in sides(corners(cell))
+    }  # an edge is shared by its reverse
+    shared = sorted(
+        (i, j, a, b) for (a, b), i in left_of.items() if i < (j := left_of.get((b, a), -1))
+    )
     pairs = np.array([(i, j) for i, j, _, _ in shared], np.int64).reshape(-1, 2)
     walls = np.array([(a, b) for _, _, a, b in shared]).reshape(-1, 2, 2)
     return Triangulation(unit * np.array(cells).reshape(-1, 3, 2), pairs, unit * walls, world)

@@ -1,4 +1,6 @@
-"""Experiments: planners x problems x seeds, run on all cores or a cluster, resumed where they stopped, as one table."""
+"""Experiments: planners x problems x seeds, run on all cores or a cluster, resumed where they
+stopped, as one table.
+"""
 
 from .experiment import Experiment
 from .files import read_experiment

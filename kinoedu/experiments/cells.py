@@ -18,7 +18,9 @@ FOUND, NO_PATH, OUT_OF_TIME, NOT_RUN = "found", "no path", "out of time", "not r
 
 
 class Cell(NamedTuple):
-    """One planner on one problem with one seed, or None where it draws no lots; `kind` is a digest of all but the seed."""
+    """One planner on one problem with one seed, or None where it draws no lots; `kind` is a digest
+    of all but the seed.
+    """
 
     problem_name: str
     planner_name: str
@@ -37,7 +39,9 @@ class Cell(NamedTuple):
 
 
 class Outcome(NamedTuple):
-    """What came out: one of found, no path, out of time, not run. Counts that a planner does not have are None."""
+    """What came out: one of found, no path, out of time, not run. Counts that a planner does not
+    have are None.
+    """
 
     status: str
     cost: float = math.inf
@@ -52,7 +56,9 @@ class Outcome(NamedTuple):
 
 @running(COMPILED_FIRST)
 def run_cell(cell: Cell) -> Outcome:
-    """Plan as often as the cell says; what came out, with the median of the times. An error of the planner is an outcome."""
+    """Plan as often as the cell says; what came out, with the median of the times. An error of the
+    planner is an outcome.
+    """
     random, seconds = {} if cell.seed is None else {"rng": cell.seed}, []
     try:
         for _ in range(cell.repeat):
@@ -90,4 +96,6 @@ def digest_of(path: Any) -> str:
 
 def out_of_time(cell: Cell) -> Outcome:
     """The outcome of a run that was stopped."""
-    return Outcome(OUT_OF_TIME, seconds=cell.time_limit, reason=f"stopped after {cell.time_limit:g} s")
+    return Outcome(
+        OUT_OF_TIME, seconds=cell.time_limit, reason=f"stopped after {cell.time_limit:g} s"
+    )

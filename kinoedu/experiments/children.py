@@ -1,7 +1,9 @@
-"""Processes in which runs are made, one after another. Each can be stopped whatever it is doing, and may crash: the others go on.
+"""Processes in which runs are made, one after another. Each can be stopped whatever it is doing,
+and may crash: the others go on.
 
-A watchdog inside the process ends it when a run takes too long. It is a thread of C that needs no lock of Python's, so compiled
-code cannot keep it from its work, and it works as well where nobody is left to watch from outside.
+A watchdog inside the process ends it when a run takes too long. It is a thread of C that needs no
+lock of Python's, so compiled code cannot keep it from its work, and it works as well where nobody
+is left to watch from outside.
 """
 
 import faulthandler
@@ -20,7 +22,9 @@ from ..compiled.tiers import BEGUN, DONE
 from .cells import NOT_RUN, Cell, Outcome, out_of_time, run_cell
 from .digests import version
 
-START = "import sys; sys.path[:] = {path!r}; from kinoedu.experiments.children import serve; serve()"
+START = (
+    "import sys; sys.path[:] = {path!r}; from kinoedu.experiments.children import serve; serve()"
+)
 LENGTH = struct.Struct("<Q")
 LOADING, COMPILING = 10.0, 300.0  # seconds that the first run may take longer, and a compiled one
 IDLE = 60.0  # seconds that a process waits for work
@@ -119,7 +123,9 @@ HERE = Children()  # of this process; where it is a cluster's worker, nobody els
 
 
 def in_child(cell: Cell) -> Outcome:
-    """The outcome of one run in a process beside this one: what an executor's worker calls. Raises Ended."""
+    """The outcome of one run in a process beside this one: what an executor's worker calls. Raises
+    Ended.
+    """
     return HERE.ask(cell)
 
 
@@ -161,14 +167,21 @@ def serve() -> None:
 
 
 def answer(questions: BinaryIO, known: set[str]) -> Outcome:
-    """The outcome of the next cell; the first of its kind is run once more before, untimed, to load and compile what it needs."""
+    """The outcome of the next cell; the first of its kind is run once more before, untimed, to load
+    and compile what it needs.
+    """
     (length,) = LENGTH.unpack(read(questions, LENGTH.size))
     message = read(questions, length)
     faulthandler.cancel_dump_traceback_later()
     try:
         theirs, cell = pickle.loads(message)
-    except Exception as error:  # a planner of the reader's own in a module that is not there raises anything
-        return Outcome(NOT_RUN, reason=f"the planner cannot be loaded in another process: {type(error).__name__}: {error}")
+    except (
+        Exception
+    ) as error:  # a planner of the reader's own in a module that is not there raises anything
+        return Outcome(
+            NOT_RUN,
+            reason=f"the planner cannot be loaded in another process: {type(error).__name__}: {error}",
+        )
     if theirs != version():
         return Outcome(NOT_RUN, reason="the worker has another version of kinoedu")
     if cell.kind not in known:

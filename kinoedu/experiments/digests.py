@@ -23,7 +23,8 @@ def version() -> str:
 
 
 def digest(value: Any) -> str:
-    """32 hexadecimal digits; equal for equal values, whatever process or computer asks. Raises InvalidParameter.
+    """32 hexadecimal digits; equal for equal values, whatever process or computer asks. Raises
+    InvalidParameter.
 
     >>> digest({"step": 2.0}) == digest({"step": 2.0}), digest({"step": 2.0}) == digest({"step": 2})
     (True, False)
@@ -52,11 +53,16 @@ def spelled(value: Any) -> Iterator[bytes]:
     elif inspect.isfunction(value):
         yield from spelled(("function", value.__module__, value.__qualname__, *own_source(value)))
     else:
-        raise InvalidParameter(f"an experiment takes functions, records, arrays, numbers and words, got {shortened(value)}")
+        raise InvalidParameter(
+            "an experiment takes functions, records, arrays, numbers and words, got "
+            f"{shortened(value)}"
+        )
 
 
 def own_source(function: Any) -> tuple[Any, ...]:
-    """A reader's function by its lines and what it holds from outside; the package's own are told by its version."""
+    """A reader's function by its lines and what it holds from outside; the package's own are told
+    by its version.
+    """
     if function.__module__.partition(".")[0] == PACKAGE.name:
         return ()
     held = [cell.cell_contents for cell in function.__closure__ or ()]

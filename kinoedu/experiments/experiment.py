@@ -16,7 +16,9 @@ Planner = Callable[..., Any]
 
 
 class Contestant(NamedTuple):
-    """A planner with its arguments: the name it goes by, in words what tells it from others of that name, and the function."""
+    """A planner with its arguments: the name it goes by, in words what tells it from others of that
+    name, and the function.
+    """
 
     name: str
     tuning: str
@@ -49,8 +51,10 @@ def Experiment(
     Parameters
     ----------
     problems : Problems by the names they go by.
-    planners : functions of a problem by the names they go by, such as `rrt` or `functools.partial(rrt, step=2.0)`; or several in a
-        list, which differ in an argument. Those that draw lots have an argument `rng`, and get the seed; the others run once.
+    planners : functions of a problem by the names they go by, such as `rrt` or
+    `functools.partial(rrt, step=2.0)`; or several in a
+        list, which differ in an argument. Those that draw lots have an argument `rng`, and get the
+        seed; the others run once.
     seeds : how many, from 0; or which.
     repeat : each run is made so often, for its median time; its path is the same each time.
     time_limit : seconds after which a run is stopped.
@@ -64,14 +68,33 @@ def Experiment(
     51
     """
     for kind, things in (("problem", problems), ("planner", planners)):
-        if not isinstance(things, Mapping) or not things or not all(isinstance(key, str) and key for key in things):
-            raise InvalidParameter(f"{kind}s must be a dict of at least one {kind} by its name, got {shortened(things)}")
+        if (
+            not isinstance(things, Mapping)
+            or not things
+            or not all(isinstance(key, str) and key for key in things)
+        ):
+            raise InvalidParameter(
+                f"{kind}s must be a dict of at least one {kind} by its name, got "
+                f"{shortened(things)}"
+            )
     for label, problem in problems.items():
         if not isinstance(problem, tuple) or not hasattr(problem, "asked"):
-            raise InvalidParameter(f"problem {label!r} must be a Problem(robot, world, start, goal), got {shortened(problem)}")
-    contestants = [contestant for label, given in planners.items() for contestant in contestants_of(label, given)]
+            raise InvalidParameter(
+                f"problem {label!r} must be a Problem(robot, world, start, goal), got "
+                f"{shortened(problem)}"
+            )
+    contestants = [
+        contestant
+        for label, given in planners.items()
+        for contestant in contestants_of(label, given)
+    ]
     return ExperimentRecord(
-        str(name), dict(problems), tuple(contestants), as_seeds(seeds), whole(repeat, "repeat", least=1), as_limit(time_limit)
+        str(name),
+        dict(problems),
+        tuple(contestants),
+        as_seeds(seeds),
+        whole(repeat, "repeat", least=1),
+        as_limit(time_limit),
     )
 
 
@@ -80,10 +103,14 @@ def as_seeds(seeds: Any) -> tuple[int, ...]:
     if is_real(seeds):
         return tuple(range(whole(seeds, "seeds", least=1)))
     if not isinstance(seeds, Iterable) or isinstance(seeds, str | Mapping):
-        raise InvalidParameter(f"seeds must be how many there are, or a list of them, got {shortened(seeds)}")
+        raise InvalidParameter(
+            f"seeds must be how many there are, or a list of them, got {shortened(seeds)}"
+        )
     chosen = tuple(whole(seed, "each of the seeds", least=0) for seed in seeds)
     if not chosen or len(set(chosen)) < len(chosen):
-        raise InvalidParameter(f"seeds must be at least one, each once, got {shortened(list(chosen))}")
+        raise InvalidParameter(
+            f"seeds must be at least one, each once, got {shortened(list(chosen))}"
+        )
     return chosen
 
 
@@ -91,7 +118,9 @@ def as_limit(seconds: Any) -> float:
     """A time limit, at most a week. Raises InvalidParameter."""
     limit = positive(seconds, "time_limit")
     if limit > 604_800.0:
-        raise InvalidParameter(f"time_limit must be at most 604800 seconds, a week, got {shortened(seconds)}")
+        raise InvalidParameter(
+            f"time_limit must be at most 604800 seconds, a week, got {shortened(seconds)}"
+        )
     return limit
 
 
@@ -102,8 +131,14 @@ def contestants_of(name: str, given: Planner | Sequence[Planner]) -> list[Contes
         check_planner(name, function)
     tunings = differences([getattr(function, "keywords", {}) for function in functions])
     if not functions or len(set(tunings)) < len(tunings):
-        raise InvalidParameter(f"planners {name!r} must differ in an argument, given by functools.partial, got {shortened(given)}")
-    return [Contestant(name, tuning, function, is_seeded(function)) for tuning, function in zip(tunings, functions)]
+        raise InvalidParameter(
+            f"planners {name!r} must differ in an argument, given by functools.partial, got "
+            f"{shortened(given)}"
+        )
+    return [
+        Contestant(name, tuning, function, is_seeded(function))
+        for tuning, function in zip(tunings, functions)
+    ]
 
 
 def check_planner(name: str, planner: Any) -> None:
@@ -111,14 +146,21 @@ def check_planner(name: str, planner: Any) -> None:
     function = getattr(planner, "func", planner)
     if not inspect.isfunction(function):
         raise InvalidParameter(
-            f"planner {name!r} must be a function such as rrt, or partial(rrt, step=2.0), got {shortened(planner)}"
+            f"planner {name!r} must be a function such as rrt, or partial(rrt, step=2.0), got "
+            f"{shortened(planner)}"
         )
     known = inspect.signature(function).parameters
     for argument in getattr(planner, "keywords", {}):
         if argument not in known:
             close = difflib.get_close_matches(argument, known, 1)
-            hint = f"did you mean {close[0]!r}?" if close else f"it has {', '.join(list(known)[1:]) or 'none'}"
-            raise InvalidParameter(f"planner {name!r}: {function.__name__} has no argument {argument!r}; {hint}")
+            hint = (
+                f"did you mean {close[0]!r}?"
+                if close
+                else f"it has {', '.join(list(known)[1:]) or 'none'}"
+            )
+            raise InvalidParameter(
+                f"planner {name!r}: {function.__name__} has no argument {argument!r}; {hint}"
+            )
 
 
 def is_seeded(planner: Planner) -> bool:
@@ -134,7 +176,10 @@ def differences(arguments: list[dict[str, Any]]) -> list[str]:
     """
     names = list(dict.fromkeys(name for given in arguments for name in given))
     different = [name for name in names if len({repr(given.get(name)) for given in arguments}) > 1]
-    return [", ".join(f"{name}={given[name]!r}" for name in different if name in given) for given in arguments]
+    return [
+        ", ".join(f"{name}={given[name]!r}" for name in different if name in given)
+        for given in arguments
+    ]
 
 
 def cells_of(experiment: ExperimentRecord) -> list[Cell]:
@@ -146,7 +191,9 @@ def cells_of(experiment: ExperimentRecord) -> list[Cell]:
             kind = digest((version(), fresh, function, experiment.repeat))
             for seed in experiment.seeds if seeded else (None,):
                 about = (problem_name, name, tuning, seed)
-                cells.append(Cell(*about, fresh, function, experiment.repeat, experiment.time_limit, kind))
+                cells.append(
+                    Cell(*about, fresh, function, experiment.repeat, experiment.time_limit, kind)
+                )
     return cells
 
 

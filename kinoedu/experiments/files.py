@@ -45,12 +45,16 @@ PLAIN = (bool, int, float, str)  # what a file can say
 
 
 def read_experiment(path: str | os.PathLike[str]) -> ExperimentRecord:
-    """The experiment in a TOML file. Raises UnreadableScene or another named error, with the file's name and the key at fault."""
+    """The experiment in a TOML file. Raises UnreadableScene or another named error, with the file's
+    name and the key at fault.
+    """
     file = Path(path)
     try:
         return experiment_from(Field("experiment", parsed(read_text(file)), file.parent), file.stem)
     except KinoeduError as error:
-        raise type(error)(f"{file}: {error}" if str(file) not in str(error) else str(error)) from error
+        raise type(error)(
+            f"{file}: {error}" if str(file) not in str(error) else str(error)
+        ) from error
 
 
 def parsed(text: str) -> Any:
@@ -68,7 +72,13 @@ def experiment_from(whole: Field, name: str) -> ExperimentRecord:
     contestants = {key: planners_from(field) for key, field in named(fields["planners"]).items()}
     given = {key: fields[key].value for key in ("repeat", "time_limit") if key in fields}
     seeds = fields["seeds"].value if "seeds" in fields else 10
-    return Experiment(problems, contestants, seeds, name=fields["name"].text() if "name" in fields else name, **given)
+    return Experiment(
+        problems,
+        contestants,
+        seeds,
+        name=fields["name"].text() if "name" in fields else name,
+        **given,
+    )
 
 
 def named(table: Field) -> dict[str, Field]:
@@ -83,7 +93,9 @@ def problem_from(field: Field) -> Any:
     if isinstance(field.value, dict) and "world" in field.value:
         kind = field.value["world"]
         if not isinstance(kind, str) or kind not in MADE:
-            raise field._replace(name=f"{field.name}.world", value=kind).wrong(f"one of {', '.join(map(repr, MADE))}")
+            raise field._replace(name=f"{field.name}.world", value=kind).wrong(
+                f"one of {', '.join(map(repr, MADE))}"
+            )
         makes = MADE[kind]
         seed = {"seed": "rng"} if "rng" in inspect.signature(makes).parameters else {}
         return makes(**arguments_from(field, makes, ("world",), seed))
@@ -106,14 +118,21 @@ def planners_from(field: Field) -> list[Callable[..., Any]]:
     name = field.value.get("planner") if isinstance(field.value, dict) else None
     known = planners_by_name()
     if not isinstance(name, str) or name not in known:
-        raise field._replace(name=f"{field.name}.planner", value=name).wrong(f"one of {', '.join(known)}")
+        raise field._replace(name=f"{field.name}.planner", value=name).wrong(
+            f"one of {', '.join(known)}"
+        )
     lists = {key: value for key, value in field.value.items() if isinstance(value, list)}
     for key, value in lists.items():
         if not value:
-            raise field._replace(name=f"{field.name}.{key}", value=value).wrong("a value, or a list of at least one")
+            raise field._replace(name=f"{field.name}.{key}", value=value).wrong(
+                "a value, or a list of at least one"
+            )
     variants = [dict(zip(lists, values)) for values in itertools.product(*lists.values())]
     given = [field._replace(value={**field.value, **variant}) for variant in variants]
-    return [tuned(known[name], arguments_from(variant, known[name], ("planner",), {})) for variant in given]
+    return [
+        tuned(known[name], arguments_from(variant, known[name], ("planner",), {}))
+        for variant in given
+    ]
 
 
 def planners_by_name() -> dict[str, Callable[..., Any]]:
@@ -122,22 +141,43 @@ def planners_by_name() -> dict[str, Callable[..., Any]]:
     for name in planners.__all__:
         signature = inspect.signature(getattr(planners, name))
         first, *rest = signature.parameters.values()
-        needed = [parameter.name for parameter in rest if parameter.default is inspect.Parameter.empty]
-        if first.name == "problem" and signature.return_annotation is Plan and set(needed) <= {"rng"}:
+        needed = [
+            parameter.name for parameter in rest if parameter.default is inspect.Parameter.empty
+        ]
+        if (
+            first.name == "problem"
+            and signature.return_annotation is Plan
+            and set(needed) <= {"rng"}
+        ):
             found[name] = getattr(planners, name)
     return found
 
 
-def arguments_from(field: Field, function: Callable[..., Any], said: tuple[str, ...], renamed: dict[str, str]) -> dict[str, Any]:
-    """A function's arguments as a table gives them, by its signature: known ones, of the right type; `said` is read already."""
+def arguments_from(
+    field: Field, function: Callable[..., Any], said: tuple[str, ...], renamed: dict[str, str]
+) -> dict[str, Any]:
+    """A function's arguments as a table gives them, by its signature: known ones, of the right
+    type; `said` is read already.
+    """
     parameters = inspect.signature(function).parameters
-    sayable = {name: kinds_of(parameter.annotation) for name, parameter in parameters.items() if name not in ("problem", "rng")}
+    sayable = {
+        name: kinds_of(parameter.annotation)
+        for name, parameter in parameters.items()
+        if name not in ("problem", "rng")
+    }
     sayable = {name: kinds for name, kinds in sayable.items() if kinds}
     fields = field.members((*said, *renamed), tuple(sayable))
     for name, kinds in sayable.items():
-        if name in fields and not (type(fields[name].value) in kinds or (type(fields[name].value) is int and float in kinds)):
+        if name in fields and not (
+            type(fields[name].value) in kinds
+            or (type(fields[name].value) is int and float in kinds)
+        ):
             raise fields[name].wrong(" or ".join(WORDS[kind] for kind in kinds))
-    return {renamed.get(name, name): argument.value for name, argument in fields.items() if name not in said}
+    return {
+        renamed.get(name, name): argument.value
+        for name, argument in fields.items()
+        if name not in said
+    }
 
 
 WORDS = {bool: "true or false", int: "a whole number", float: "a number", str: "a string"}

@@ -1,4 +1,6 @@
-"""Where runs are made: in processes of this computer, in this very process, or by any executor, such as a Dask cluster's."""
+"""Where runs are made: in processes of this computer, in this very process, or by any executor,
+such as a Dask cluster's.
+"""
 
 import os
 import pickle
@@ -20,13 +22,21 @@ HandOver = Callable[[Cell], "Future[Outcome]"]
 
 @contextmanager
 def place(where: Any, workers: int | None) -> Iterator[HandOver]:
-    """What hands over a cell and gives its future outcome; whoever worked is gone when the block ends. Raises InvalidParameter."""
+    """What hands over a cell and gives its future outcome; whoever worked is gone when the block
+    ends. Raises InvalidParameter.
+    """
     if not isinstance(where, Executor | str):
-        raise InvalidParameter(f'where must be "local", "here", a Dask scheduler\'s address or an Executor, got {shortened(where)}')
+        raise InvalidParameter(
+            f'where must be "local", "here", a Dask scheduler\'s address or an Executor, got {shortened(where)}'
+        )
     if workers is not None and where != "local":
-        raise InvalidParameter('workers are counted where="local"; here there is one, and an executor or a cluster has its own')
+        raise InvalidParameter(
+            'workers are counted where="local"; here there is one, and an executor or a cluster has its own'
+        )
     if where == "local":
-        with local(os.cpu_count() or 1 if workers is None else whole(workers, "workers", least=1)) as hand_over:
+        with local(
+            os.cpu_count() or 1 if workers is None else whole(workers, "workers", least=1)
+        ) as hand_over:
             yield hand_over
     elif where == "here":
         with ThreadPoolExecutor(1) as one:
@@ -55,20 +65,32 @@ def cluster(address: str) -> Iterator[Executor]:
     try:
         from dask.distributed import Client
     except ImportError:
-        raise InvalidParameter("a Dask cluster needs the package distributed: pip install distributed") from None
+        raise InvalidParameter(
+            "a Dask cluster needs the package distributed: pip install distributed"
+        ) from None
     try:
         client = Client(address, timeout=10, set_as_default=False)
     except (OSError, ValueError) as error:
-        raise InvalidParameter(f"no Dask scheduler answers at {shortened(address)}: {error}") from error
+        raise InvalidParameter(
+            f"no Dask scheduler answers at {shortened(address)}: {error}"
+        ) from error
     with client:
         yield client.get_executor(pure=False)
 
 
 def in_this_process(cell: Cell) -> Outcome:
-    """The outcome of one run, made twice: first to load and compile what it needs. Compiled code cannot be stopped here."""
+    """The outcome of one run, made twice: first to load and compile what it needs. Compiled code
+    cannot be stopped here.
+    """
     try:
-        first = within(cell.time_limit * cell.repeat + LOADING, lambda: run_cell(cell._replace(repeat=1)))
-        return within(cell.time_limit * cell.repeat, lambda: run_cell(cell)) if first.path or not first.reason else first
+        first = within(
+            cell.time_limit * cell.repeat + LOADING, lambda: run_cell(cell._replace(repeat=1))
+        )
+        return (
+            within(cell.time_limit * cell.repeat, lambda: run_cell(cell))
+            if first.path or not first.reason
+            else first
+        )
     except TimeUp:
         return out_of_time(cell)
 

@@ -1,4 +1,6 @@
-"""The pictures of an experiment: for each problem its medians, its shares of runs, and costs as trees grow."""
+"""The pictures of an experiment: for each problem its medians, its shares of runs, and costs as
+trees grow.
+"""
 
 import os
 import re
@@ -11,20 +13,35 @@ from .table import Table
 
 def save_plots(table: Table, folder: str | os.PathLike[str]) -> list[Path]:
     """Draw a table into PNG files of a folder; returns their names. Raises OSError."""
-    from ..figures import draw_convergence, draw_ecdf, draw_medians, save_panels  # matplotlib is for those who want pictures
+    from ..figures import (
+        draw_convergence,
+        draw_ecdf,
+        draw_medians,
+        save_panels,
+    )  # matplotlib is for those who want pictures
 
     saved: list[Path] = []
     for number, problem in enumerate(table.problems(), start=1):
         runs = table.of(problem)
         bars = [
-            partial(draw_medians, runs.values(what), label=say(f"comparisons.{what}")) for what in ("cost", "motions", "seconds")
+            partial(draw_medians, runs.values(what), label=say(f"comparisons.{what}"))
+            for what in ("cost", "motions", "seconds")
         ]
-        shares = [partial(draw_ecdf, runs.values(what), label=say(f"comparisons.{what}")) for what in ("cost", "seconds")]
+        shares = [
+            partial(draw_ecdf, runs.values(what), label=say(f"comparisons.{what}"))
+            for what in ("cost", "seconds")
+        ]
         growth = [partial(draw_convergence, runs.growth(), label=say("comparisons.cost"))]
         safe = re.sub(r"[^\w-]+", "_", problem)
         height = 1.6 + 0.55 * len(runs.values("cost"))
-        for kind, panels, size in (("medians", bars, (6.4, height)), ("ecdf", shares, (7.6, 4.8)), ("growth", growth, (8.0, 4.8))):
+        for kind, panels, size in (
+            ("medians", bars, (6.4, height)),
+            ("ecdf", shares, (7.6, 4.8)),
+            ("growth", growth, (8.0, 4.8)),
+        ):
             if runs.values("cost") and (kind != "growth" or runs.growth()):
                 saved.append(Path(folder) / f"{number}_{safe}_{kind}.png")
-                save_panels(panels, saved[-1], size=size, title=say(f"comparisons.{kind}", problem=problem))
+                save_panels(
+                    panels, saved[-1], size=size, title=say(f"comparisons.{kind}", problem=problem)
+                )
     return saved

@@ -32,16 +32,21 @@ def run(
 
     Parameters
     ----------
-    where : "local", processes of this computer; "here", this process, for a planner defined in a notebook (compiled code cannot be
-        stopped then); the address of a Dask scheduler, such as "tcp://10.0.0.1:8786"; or an Executor of concurrent.futures.
-    out : a folder for what was run and `results.csv`. Stopped at any time, even killed, and called again with the same folder, only
-        what is missing is run; what is there holds for the same planners, arguments, problems, seeds and sources of kinoedu.
+    where : "local", processes of this computer; "here", this process, for a planner defined in a
+    notebook (compiled code cannot be
+        stopped then); the address of a Dask scheduler, such as "tcp://10.0.0.1:8786"; or an
+        Executor of concurrent.futures.
+    out : a folder for what was run and `results.csv`. Stopped at any time, even killed, and called
+    again with the same folder, only
+        what is missing is run; what is there holds for the same planners, arguments, problems,
+        seeds and sources of kinoedu.
     workers : how many processes, where "local"; by default one for each processor.
     progress : is called with how many runs are done and how many there are.
 
-    Returns a Table, a row for each run in the experiment's order whoever ran it; but for seconds it is the same for any number of
-    workers. Each run has a process that others do not share at the time, and is made once untimed before the first of its kind, so
-    that seconds hold no compiling. A run that takes too long is stopped; one whose process crashes is tried once more, and then
+    Returns a Table, a row for each run in the experiment's order whoever ran it; but for seconds it
+    is the same for any number of workers. Each run has a process that others do not share at the
+    time, and is made once untimed before the first of its kind, so that seconds hold no compiling.
+    A run that takes too long is stopped; one whose process crashes is tried once more, and then
     listed as "not run", like one whose planner raises an error, with the reason.
 
     Raises InvalidParameter, and OSError where `out` cannot be written.
@@ -53,7 +58,9 @@ def run(
     ['found']
     """
     if not isinstance(experiment, ExperimentRecord):
-        raise InvalidParameter(f"run takes an Experiment(...) or read_experiment(file), got {shortened(experiment)}")
+        raise InvalidParameter(
+            f"run takes an Experiment(...) or read_experiment(file), got {shortened(experiment)}"
+        )
     cells, store = cells_of(experiment), Store(out)
     if where != "here":
         check_portable(cells)
@@ -74,7 +81,9 @@ def run(
 
 
 def outcomes(cells: Iterable[Cell], hand_over: HandOver) -> Iterator[tuple[Cell, Outcome]]:
-    """Every cell with its outcome, as they come; a run whose worker is lost is handed over again."""
+    """Every cell with its outcome, as they come; a run whose worker is lost is handed over
+    again.
+    """
     left, arrivals, tries = iter(cells), Arrivals[Cell](), dict[str, int]()
 
     def start(cell: Cell) -> None:
@@ -88,7 +97,12 @@ def outcomes(cells: Iterable[Cell], hand_over: HandOver) -> Iterator[tuple[Cell,
         if lost is not None and tries[cell.key] < TRIES:
             start(cell)
             continue
-        yield cell, future.result() if lost is None else Outcome(NOT_RUN, reason=f"{type(lost).__name__}: {lost}")
+        yield (
+            cell,
+            future.result()
+            if lost is None
+            else Outcome(NOT_RUN, reason=f"{type(lost).__name__}: {lost}"),
+        )
         for following in left:
             start(following)
             break
@@ -96,4 +110,11 @@ def outcomes(cells: Iterable[Cell], hand_over: HandOver) -> Iterator[tuple[Cell,
 
 def row(cell: Cell, outcome: Outcome) -> Row:
     """A run and its outcome."""
-    return Row(cell.problem_name, cell.planner_name, cell.tuning, cell.seed, outcome.status == FOUND, *outcome)
+    return Row(
+        cell.problem_name,
+        cell.planner_name,
+        cell.tuning,
+        cell.seed,
+        outcome.status == FOUND,
+        *outcome,
+    )

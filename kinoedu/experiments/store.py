@@ -1,4 +1,6 @@
-"""Outcomes kept in a folder, a file for each run, each written whole or not at all: what was stopped can be gone on with."""
+"""Outcomes kept in a folder, a file for each run, each written whole or not at all: what was
+stopped can be gone on with.
+"""
 
 import json
 import os
@@ -10,7 +12,9 @@ from .cells import NOT_RUN, OUT_OF_TIME, Cell, Outcome
 
 
 class Store:
-    """The outcomes in a folder; without a folder there are none, and none are kept. Raises OSError where it cannot be written."""
+    """The outcomes in a folder; without a folder there are none, and none are kept. Raises OSError
+    where it cannot be written.
+    """
 
     def __init__(self, folder: str | os.PathLike[str] | None) -> None:
         self.folder = None if folder is None else Path(folder) / "runs"
@@ -19,14 +23,20 @@ class Store:
             tempfile.TemporaryFile(dir=self.folder).close()
 
     def read(self, cell: Cell) -> Outcome | None:
-        """The outcome of a run made before; None where there is none, it is damaged, or the run had less time than it has now."""
+        """The outcome of a run made before; None where there is none, it is damaged, or the run had
+        less time than it has now.
+        """
         if self.folder is None:
             return None
         try:
-            outcome = Outcome(**json.loads((self.folder / f"{cell.key}.json").read_text(encoding="utf-8")))
+            outcome = Outcome(
+                **json.loads((self.folder / f"{cell.key}.json").read_text(encoding="utf-8"))
+            )
         except (OSError, ValueError, TypeError):
             return None
-        return None if outcome.status == OUT_OF_TIME and outcome.seconds < cell.time_limit else outcome
+        return (
+            None if outcome.status == OUT_OF_TIME and outcome.seconds < cell.time_limit else outcome
+        )
 
     def write(self, cell: Cell, outcome: Outcome) -> None:
         """Keep an outcome; a run that was not run is tried again another time. Raises OSError."""

@@ -1,4 +1,6 @@
-"""The results of an experiment as one tidy table: a row for each run, a column for each thing that was measured."""
+"""The results of an experiment as one tidy table: a row for each run, a column for each thing that
+was measured.
+"""
 
 import csv
 import os
@@ -19,11 +21,14 @@ from .cells import FOUND, NOT_RUN, OUT_OF_TIME
 class Row(NamedTuple):
     """One run.
 
-    problem, planner, tuning : names; tuning tells planners of one name apart, such as "max_nodes=500", and is often empty.
+    problem, planner, tuning : names; tuning tells planners of one name apart, such as
+        "max_nodes=500", and is often empty.
     seed : None for a planner that draws no lots.
     found, status : whether there is a path; "found", "no path", "out of time" or "not run".
-    cost : the path's length, infinite without a path. seconds : the median of the repeated runs' times.
-    motions, places : how many were judged (`is_free_path`, `is_free`). nodes, iterations : None where the planner has none.
+    cost : the path's length, infinite without a path. seconds : the median of the repeated runs'
+        times.
+    motions, places : how many were judged (`is_free_path`, `is_free`). nodes, iterations : None
+        where the planner has none.
     reason : why there is no path. path : a digest of the path, equal for equal paths.
     """
 
@@ -68,13 +73,21 @@ class Table:
         return self.rows[i]
 
     def __repr__(self) -> str:
-        counts = {status: sum(row.status == status for row in self) for status in (FOUND, OUT_OF_TIME, NOT_RUN)}
-        return f"<Table: {len(self)} runs; {', '.join(f'{n} {status}' for status, n in counts.items() if n or status == FOUND)}>"
+        counts = {
+            status: sum(row.status == status for row in self)
+            for status in (FOUND, OUT_OF_TIME, NOT_RUN)
+        }
+        return (
+            f"<Table: {len(self)} runs; "
+            f"{', '.join(f'{n} {status}' for status, n in counts.items() if n or status == FOUND)}>"
+        )
 
     def column(self, name: str) -> list[Any]:
         """One column. Raises InvalidParameter for a name that is none."""
         if name not in Row._fields:
-            raise InvalidParameter(f"a table has the columns {', '.join(Row._fields)}, got {shortened(name)}")
+            raise InvalidParameter(
+                f"a table has the columns {', '.join(Row._fields)}, got {shortened(name)}"
+            )
         return [getattr(row, name) for row in self]
 
     def problems(self) -> list[str]:
@@ -84,24 +97,31 @@ class Table:
     def of(self, problem: str) -> "Table":
         """The rows of one problem. Raises InvalidParameter where there are none."""
         if problem not in self.problems():
-            raise InvalidParameter(f"problem must be one of {', '.join(map(repr, self.problems()))}, got {shortened(problem)}")
+            raise InvalidParameter(
+                f"problem must be one of {', '.join(map(repr, self.problems()))}, got "
+                f"{shortened(problem)}"
+            )
         return Table(tuple(row for row in self if row.problem == problem))
 
     def values(self, column: str) -> dict[str, Array]:
-        """A column of numbers for each planner with its tuning: what the figures compare. What was not run is left out. A run that
-        found no path has cost and seconds inf, since it never came to its end; so has what a planner does not count."""
+        """A column of numbers for each planner with its tuning: what the figures compare. What was
+        not run is left out. A run that found no path has cost and seconds inf, since it never came
+        to its end; so has what a planner does not count."""
         self.column(column)
         groups: dict[str, list[float]] = {}
         for row in self:
             if row.status != NOT_RUN:
                 value = getattr(row, column)
                 never = column in ("cost", "seconds") and not row.found
-                groups.setdefault(row.label, []).append(np.inf if never or value is None else float(value))
+                groups.setdefault(row.label, []).append(
+                    np.inf if never or value is None else float(value)
+                )
         return {label: np.array(values) for label, values in groups.items()}
 
     def growth(self) -> dict[str, tuple[Array, Array]]:
-        """For each planner of several tunings, from few nodes to many: the median of nodes (m,), and costs (m, seeds). One that
-        never found a path with half of the seeds is left out: there is no median to draw."""
+        """For each planner of several tunings, from few nodes to many: the median of nodes (m,),
+        and costs (m, seeds). One that never found a path with half of the seeds is left out: there
+        is no median to draw."""
         grown: dict[str, dict[str, list[Row]]] = {}
         for row in self:
             if row.status != NOT_RUN and row.nodes is not None:
@@ -109,15 +129,21 @@ class Table:
         curves = {}
         for planner, tunings in grown.items():
             columns = sorted(
-                (float(np.median([row.nodes for row in rows])), [row.cost for row in rows]) for rows in tunings.values()
+                (float(np.median([row.nodes for row in rows])), [row.cost for row in rows])
+                for rows in tunings.values()
             )
             whole = len(columns) > 1 and len({len(costs) for _, costs in columns}) == 1
             if whole and any(2 * np.isfinite(costs).sum() >= len(costs) for _, costs in columns):
-                curves[planner] = np.array([n for n, _ in columns]), np.array([costs for _, costs in columns])
+                curves[planner] = (
+                    np.array([n for n, _ in columns]),
+                    np.array([costs for _, costs in columns]),
+                )
         return curves
 
     def write(self, path: str | os.PathLike[str]) -> None:
-        """Write it, whole or not at all, as .csv, or as .parquet where pyarrow is installed. Raises UnknownFormat, OSError."""
+        """Write it, whole or not at all, as .csv, or as .parquet where pyarrow is installed. Raises
+        UnknownFormat, OSError.
+        """
         file = Path(path)
         writers = {".csv": self._write_csv, ".parquet": self._write_parquet}
         if file.suffix.lower() not in writers:
@@ -137,9 +163,18 @@ class Table:
             from pyarrow import parquet
         except ImportError:
             raise InvalidParameter(
-                "a .parquet file needs the package pyarrow: pip install pyarrow; or end the name in .csv"
+                "a .parquet file needs the package pyarrow: pip install pyarrow; or end the name "
+                "in .csv"
             ) from None
-        types = {"str": pyarrow.string(), "float": pyarrow.float64(), "bool": pyarrow.bool_(), "int | None": pyarrow.int64()}
-        named = {name: types[getattr(kind, "__name__", str(kind))] for name, kind in Row.__annotations__.items()}
+        types = {
+            "str": pyarrow.string(),
+            "float": pyarrow.float64(),
+            "bool": pyarrow.bool_(),
+            "int | None": pyarrow.int64(),
+        }
+        named = {
+            name: types[getattr(kind, "__name__", str(kind))]
+            for name, kind in Row.__annotations__.items()
+        }
         columns = {name: pyarrow.array(self.column(name), kind) for name, kind in named.items()}
         parquet.write_table(pyarrow.table(columns), file)

@@ -6,7 +6,15 @@ from .bug_flowcharts import draw_bug_base_flowchart
 from .c_space import draw_c_obstacle, draw_grown, draw_turning_obstacle
 from .comparisons import draw_convergence, draw_ecdf, draw_medians
 from .decomposition import draw_decomposition, draw_sweep
-from .drawing import draw_path, draw_plan, draw_problem, draw_roadmap, draw_robot, draw_tree, draw_world
+from .drawing import (
+    draw_path,
+    draw_plan,
+    draw_problem,
+    draw_roadmap,
+    draw_robot,
+    draw_tree,
+    draw_world,
+)
 from .driving_steps import draw_driving_steps
 from .graphs import draw_graph
 from .headings import draw_cells_with_headings, draw_headings

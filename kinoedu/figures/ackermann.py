@@ -1,4 +1,6 @@
-"""A car that turns, with the one point round which all of it turns: Ackermann's geometry. LaValle, section 13.1.2.1."""
+"""A car that turns, with the one point round which all of it turns: Ackermann's geometry. LaValle,
+section 13.1.2.1.
+"""
 
 import math
 
@@ -16,11 +18,15 @@ from . import palette
 from .robots import outline_at, wheels_at
 
 
-def draw_ackermann(car: CarRobot, pose: ArrayLike, phi: float, ax: Axes | None = None) -> list[Artist]:
-    """Draw a car with its wheels turned, each wheel's axis as far as the centre of rotation, and the rear axle's circle round it.
+def draw_ackermann(
+    car: CarRobot, pose: ArrayLike, phi: float, ax: Axes | None = None
+) -> list[Artist]:
+    """Draw a car with its wheels turned, each wheel's axis as far as the centre of rotation, and
+    the rear axle's circle round it.
 
-    pose : (x, y, theta) of the rear axle's middle; phi : the steering angle. Returns the artists. Raises InvalidParameter where
-    the car cannot steer so far, or drives straight on and so turns round nothing; InvalidPoint.
+    pose : (x, y, theta) of the rear axle's middle; phi : the steering angle. Returns the artists.
+        Raises InvalidParameter where the car cannot steer so far, or drives straight on and so
+        turns round nothing; InvalidPoint.
 
     >>> from kinoedu import Car
     >>> artists = draw_ackermann(Car(30, 10, 20), (0, 0, 0.3), 0.5)
@@ -28,17 +34,44 @@ def draw_ackermann(car: CarRobot, pose: ArrayLike, phi: float, ax: Axes | None =
     """
     centre = car.turning_centre(pose, phi)
     if math.isinf(centre[0]):
-        raise InvalidParameter(f"with phi = {shortened(phi)} the car drives straight on; give a steering angle other than 0")
+        raise InvalidParameter(
+            f"with phi = {shortened(phi)} the car drives straight on; give a steering angle other "
+            "than 0"
+        )
     if ax is None:
         _, ax = plt.subplots(figsize=(6.5, 6.0), dpi=72, layout="constrained")
     place = car.ahead(pose, 0.0)
-    body = ax.add_patch(Polygon(outline_at(car, place), facecolor=f"{palette.ROBOT}33", edgecolor=palette.ROBOT, linewidth=1.8))
+    body = ax.add_patch(
+        Polygon(
+            outline_at(car, place),
+            facecolor=f"{palette.ROBOT}33",
+            edgecolor=palette.ROBOT,
+            linewidth=1.8,
+        )
+    )
     drawn: list[Artist] = [body]
     for wheel in steered_wheels(car, place, phi):
-        drawn += ax.plot(*zip(wheel.mean(axis=0), centre), color=palette.TREE, linewidth=1.3, linestyle="--", zorder=2)
+        drawn += ax.plot(
+            *zip(wheel.mean(axis=0), centre),
+            color=palette.TREE,
+            linewidth=1.3,
+            linestyle="--",
+            zorder=2,
+        )
         drawn.append(ax.add_patch(Polygon(wheel, facecolor=palette.INK, zorder=4)))
     radius = math.dist(centre, place[:2])
-    drawn.append(ax.add_patch(Circle((centre[0], centre[1]), radius, fill=False, edgecolor=palette.PATH, linewidth=2.4, zorder=1)))
+    drawn.append(
+        ax.add_patch(
+            Circle(
+                (centre[0], centre[1]),
+                radius,
+                fill=False,
+                edgecolor=palette.PATH,
+                linewidth=2.4,
+                zorder=1,
+            )
+        )
+    )
     drawn += ax.plot(*centre, "o", color=palette.GOAL, markersize=9, zorder=5)
     ax.set_aspect("equal")
     ax.autoscale_view()
@@ -47,7 +80,8 @@ def draw_ackermann(car: CarRobot, pose: ArrayLike, phi: float, ax: Axes | None =
 
 
 def steered_wheels(car: CarRobot, pose: ArrayLike, phi: float) -> list[Array]:
-    """The outlines of a car's four wheels, shape (4, 2) each, the rear two first, each across the line to the centre of rotation.
+    """The outlines of a car's four wheels, shape (4, 2) each, the rear two first, each across the
+    line to the centre of rotation.
 
     Raises InvalidPoint, InvalidParameter.
 
@@ -62,8 +96,14 @@ def steered_wheels(car: CarRobot, pose: ArrayLike, phi: float) -> list[Array]:
     if math.isinf(centre[0]):
         return wheels
     middles = [wheel.mean(axis=0) for wheel in wheels]
-    across = [math.atan2(y - centre[1], x - centre[0]) + math.copysign(0.5 * math.pi, phi) for x, y in middles]
-    return [turned(wheel, middle, angle - place[2]) for wheel, middle, angle in zip(wheels, middles, across)]
+    across = [
+        math.atan2(y - centre[1], x - centre[0]) + math.copysign(0.5 * math.pi, phi)
+        for x, y in middles
+    ]
+    return [
+        turned(wheel, middle, angle - place[2])
+        for wheel, middle, angle in zip(wheels, middles, across)
+    ]
 
 
 def turned(outline: Array, middle: Array, angle: float) -> Array:

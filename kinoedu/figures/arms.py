@@ -1,4 +1,6 @@
-"""An arm in its workspace, and its configuration space: sampled or painted. Bullo & Smith, chapter 4."""
+"""An arm in its workspace, and its configuration space: sampled or painted. Bullo & Smith, chapter
+4.
+"""
 
 from typing import Any
 
@@ -22,28 +24,42 @@ MARKERS = ("o", "s", "^")  # free, link 1, link 2: told apart without colours to
 TICKS = np.array([-1.0, -0.5, 0.0, 0.5, 1.0]) * np.pi
 TICK_NAMES = (r"$-\pi$", r"$-\pi/2$", "0", r"$\pi/2$", r"$\pi$")
 
-ANSWERS = palette.FREE_LINK, palette.INK, palette.HIT  # free, link 1, link 2: the colours of the square
+ANSWERS = (
+    palette.FREE_LINK,
+    palette.INK,
+    palette.HIT,
+)  # free, link 1, link 2: the colours of the square
 LINK_WORDS = "figure.link_0", "figure.link_1", "figure.link_2"
 
 
-def plot_environment(arm: ArmRobot, q: ArrayLike, world: Any, ax: Axes | None = None) -> list[Artist]:
-    """Draw a world and the arm in it: base, links with their width, joints, all in the colour of the answer: blue free,
-    black link 1 in contact, red link 2."""
+def plot_environment(
+    arm: ArmRobot, q: ArrayLike, world: Any, ax: Axes | None = None
+) -> list[Artist]:
+    """Draw a world and the arm in it: base, links with their width, joints, all in the colour of
+    the answer: blue free, black link 1 in contact, red link 2."""
     ax = axes_for(world, ax)
     angles = as_array(q, "q")
     hit = link_in_contact(arm, angles, world)
     artists = draw_world(world, ax) + draw_robot(arm, angles, ax, ANSWERS[hit])
     base = ax.plot(*arm.base, "s", color=palette.INK, markersize=11, zorder=7)
-    ax.set_title(say("figure.link_in_contact", link=hit) if hit else say("figure.no_link_in_contact"), fontsize=palette.TEXT_SIZE)
+    ax.set_title(
+        say("figure.link_in_contact", link=hit) if hit else say("figure.no_link_in_contact"),
+        fontsize=palette.TEXT_SIZE,
+    )
     return [*artists, *base]
 
 
-def plot_configuration_space(arm: ArmRobot, world: Any, samples: ArrayLike, ax: Axes | None = None) -> list[Artist]:
-    """Draw samples of a two-link arm's configuration space, shape (n, 2) in radians, in the book's colours: black squares where
-    link 1 hits, red triangles where link 2 does, blue dots where the arm is free. Raises InvalidPoint."""
+def plot_configuration_space(
+    arm: ArmRobot, world: Any, samples: ArrayLike, ax: Axes | None = None
+) -> list[Artist]:
+    """Draw samples of a two-link arm's configuration space, shape (n, 2) in radians, in the book's
+    colours: black squares where link 1 hits, red triangles where link 2 does, blue dots where the
+    arm is free. Raises InvalidPoint."""
     points = as_array(samples, "samples")
     if points.ndim != 2 or points.shape[1] != 2:
-        raise InvalidPoint(f"samples must be angles of two links, shape (n, 2), got shape {points.shape}")
+        raise InvalidPoint(
+            f"samples must be angles of two links, shape (n, 2), got shape {points.shape}"
+        )
     ax = torus_axes(ax)
     links = np.array([link_in_contact(arm, q, world) for q in points], int)
     wrapped = (points + np.pi) % (2.0 * np.pi) - np.pi
@@ -51,18 +67,50 @@ def plot_configuration_space(arm: ArmRobot, world: Any, samples: ArrayLike, ax: 
     drawn: list[Artist] = []
     for link, (marker, colour) in enumerate(zip(MARKERS, palette.LINKS)):
         shown = wrapped[links == link]
-        drawn += ax.plot(*shown.T, marker, color=colour, markersize=size, linestyle="none", label=say(LINK_WORDS[link]))
-    ax.legend(loc="upper center", bbox_to_anchor=(0.5, 1.11), ncols=3, fontsize=palette.TEXT_SIZE, frameon=False, handletextpad=0.2)
+        drawn += ax.plot(
+            *shown.T,
+            marker,
+            color=colour,
+            markersize=size,
+            linestyle="none",
+            label=say(LINK_WORDS[link]),
+        )
+    ax.legend(
+        loc="upper center",
+        bbox_to_anchor=(0.5, 1.11),
+        ncols=3,
+        fontsize=palette.TEXT_SIZE,
+        frameon=False,
+        handletextpad=0.2,
+    )
     return drawn
 
 
 def draw_configuration_space(image: NDArray[np.int8], ax: Axes | None = None) -> list[Artist]:
-    """Draw what `paint_configuration_space` painted: theta1 to the right, theta2 up, each region named where it is widest."""
+    """Draw what `paint_configuration_space` painted: theta1 to the right, theta2 up, each region
+    named where it is widest.
+    """
     ax = torus_axes(ax)
     extent = (-np.pi, np.pi, -np.pi, np.pi)
     colours = ListedColormap(palette.LINKS_LIGHT)
-    picture = ax.imshow(image, origin="lower", extent=extent, cmap=colours, vmin=0, vmax=2, interpolation="nearest", zorder=1)
-    return [picture, *(text for link in range(3) for text in name_region(image == link, say(LINK_WORDS[link]), ax))]
+    picture = ax.imshow(
+        image,
+        origin="lower",
+        extent=extent,
+        cmap=colours,
+        vmin=0,
+        vmax=2,
+        interpolation="nearest",
+        zorder=1,
+    )
+    return [
+        picture,
+        *(
+            text
+            for link in range(3)
+            for text in name_region(image == link, say(LINK_WORDS[link]), ax)
+        ),
+    ]
 
 
 def name_region(region: NDArray[np.bool_], name: str, ax: Axes) -> list[Artist]:
@@ -74,18 +122,30 @@ def name_region(region: NDArray[np.bool_], name: str, ax: Axes) -> list[Artist]:
     margin = 0.22 * np.pi
     inside = min(max(x, margin - np.pi), np.pi - margin)
     text = ax.text(
-        inside, y, name, ha="center", va="center", fontsize=palette.TEXT_SIZE, color=palette.INK, path_effects=HALO, zorder=5
+        inside,
+        y,
+        name,
+        ha="center",
+        va="center",
+        fontsize=palette.TEXT_SIZE,
+        color=palette.INK,
+        path_effects=HALO,
+        zorder=5,
     )
     return [text]
 
 
 def where_widest(region: NDArray[np.bool_]) -> tuple[float, float] | None:
-    """The angles at which a region of such an image is widest; None where it is too small to hold a name."""
+    """The angles at which a region of such an image is widest; None where it is too small to hold a
+    name.
+    """
     from scipy.ndimage import distance_transform_edt
 
     depth = distance_transform_edt(np.pad(region, 1))[1:-1, 1:-1]
     widest = np.argwhere(depth > depth.max() - 0.5)
-    row, column = widest[np.abs(widest - len(region) / 2).sum(axis=1).argmin()]  # of a stripe, the middle
+    row, column = widest[
+        np.abs(widest - len(region) / 2).sum(axis=1).argmin()
+    ]  # of a stripe, the middle
     if depth[row, column] < 0.03 * len(region):
         return None
     x, y = ((float(index) + 0.5) * 2.0 * np.pi / len(region) - np.pi for index in (column, row))

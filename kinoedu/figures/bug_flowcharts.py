@@ -21,4 +21,6 @@ def draw_bug_base_flowchart(ax: Axes | None = None) -> list[Artist]:
     yes, no = say("flowchart.yes"), say("flowchart.no")
     arrows = [("start", "at", ""), ("at", "reached", yes), ("at", "near", no)]
     arrows += [("near", "hit", yes), ("near", "move", no), ("move", "at", "")]
-    return draw_flowchart(steps, arrows, ax or plt.subplots(figsize=(8, 6), dpi=72, layout="constrained")[1])
+    return draw_flowchart(
+        steps, arrows, ax or plt.subplots(figsize=(8, 6), dpi=72, layout="constrained")[1]
+    )

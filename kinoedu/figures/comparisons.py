@@ -1,6 +1,8 @@
-"""Many runs of planners beside each other: medians with their spread, shares of runs, and costs that fall as a tree grows.
+"""Many runs of planners beside each other: medians with their spread, shares of runs, and costs
+that fall as a tree grows.
 
-Each takes numbers by the planners' names, in one order and so in one colour; a run that never found a path is infinite.
+Each takes numbers by the planners' names, in one order and so in one colour; a run that never found
+a path is infinite.
 """
 
 from collections.abc import Mapping
@@ -25,13 +27,19 @@ WIDE = 20.0  # values whose largest is so many times the smallest are drawn on a
 
 
 def draw_medians(
-    values: Mapping[str, ArrayLike], ax: Axes | None = None, *, label: str = "", colours: int = len(COLOURS)
+    values: Mapping[str, ArrayLike],
+    ax: Axes | None = None,
+    *,
+    label: str = "",
+    colours: int = len(COLOURS),
 ) -> list[Artist]:
-    """Draw a bar as long as the median of each planner's values (runs,), with a line over the middle half of them, and its number.
+    """Draw a bar as long as the median of each planner's values (runs,), with a line over the
+    middle half of them, and its number.
 
-    Infinite values count neither there nor there: how many of the runs are finite is written beside the number. `label` is what
-    the numbers are. After so many `colours`, at least 1, the first comes again: 2 where two planners take turns on
-    several problems. Returns the artists. Raises InvalidPoint, InvalidParameter.
+    Infinite values count neither there nor there: how many of the runs are finite is written beside
+    the number. `label` is what the numbers are. After so many `colours`, at least 1, the first
+    comes again: 2 where two planners take turns on several problems. Returns the artists. Raises
+    InvalidPoint, InvalidParameter.
 
     >>> artists = draw_medians({"RRT": [12.0, 14.0, np.inf], "PRM": [11.0, 11.5, 12.0]}, label="length")
     >>> plt.close()
@@ -39,19 +47,44 @@ def draw_medians(
     runs, colours = as_runs(values), whole(colours, "colours", least=1)
     ax = axes_of(ax, (7.0, 1.0 + 0.6 * len(runs)))
     finite = [given[np.isfinite(given)] for given in runs.values()]
-    spreads = np.array([np.quantile(some, (0.25, 0.5, 0.75)) if len(some) else np.full(3, np.nan) for some in finite])
+    spreads = np.array(
+        [
+            np.quantile(some, (0.25, 0.5, 0.75)) if len(some) else np.full(3, np.nan)
+            for some in finite
+        ]
+    )
     artists: list[Artist] = []
     paint = [COLOURS[i % colours % len(COLOURS)] for i in range(len(runs))]
     for i, ((low, median, high), some, given) in enumerate(zip(spreads, finite, runs.values())):
         artists += ax.barh(i, np.nan_to_num(median), height=0.62, color=paint[i], alpha=0.45)
-        artists += ax.plot([low, high], [i, i], color=palette.INK, linewidth=2.4, solid_capstyle="butt")
-        artists += ax.plot([median, median], [i - 0.31, i + 0.31], color=paint[i], linewidth=3.0, solid_capstyle="butt")
+        artists += ax.plot(
+            [low, high], [i, i], color=palette.INK, linewidth=2.4, solid_capstyle="butt"
+        )
+        artists += ax.plot(
+            [median, median],
+            [i - 0.31, i + 0.31],
+            color=paint[i],
+            linewidth=3.0,
+            solid_capstyle="butt",
+        )
         place = np.nan_to_num(high)
-        artists.append(ax.annotate(number(median, some, given), (place, i), xytext=(6, 0), textcoords="offset points", **TEXT))
+        artists.append(
+            ax.annotate(
+                number(median, some, given),
+                (place, i),
+                xytext=(6, 0),
+                textcoords="offset points",
+                **TEXT,
+            )
+        )
     ax.set_yticks(range(len(runs)), list(runs))
     ax.set_ylim(len(runs) - 0.5, -0.5)
     tallest = np.nanmax(spreads[:, 2]) if np.isfinite(spreads).any() else 1.0
-    ax.set_xlim(0.0, (tallest or 1.0) * (1.75 if any(len(s) < len(g) for s, g in zip(finite, runs.values())) else 1.3))
+    ax.set_xlim(
+        0.0,
+        (tallest or 1.0)
+        * (1.75 if any(len(s) < len(g) for s, g in zip(finite, runs.values())) else 1.3),
+    )
     return [*artists, *dressed(ax, label, grid="x")]
 
 
@@ -63,11 +96,19 @@ def number(median: float, finite: Array, runs: Array) -> str:
     if not len(finite):
         return say("comparisons.never")
     words = "comparisons.all" if len(finite) == len(runs) else "comparisons.count"
-    return say(words, median=f"{median:.3g}" if median < 1000 else f"{median:,.0f}", found=len(finite), runs=len(runs))
+    return say(
+        words,
+        median=f"{median:.3g}" if median < 1000 else f"{median:,.0f}",
+        found=len(finite),
+        runs=len(runs),
+    )
 
 
-def draw_ecdf(values: Mapping[str, ArrayLike], ax: Axes | None = None, *, label: str = "") -> list[Artist]:
-    """Draw for each planner what share of its runs (runs,) have a value of at most x; where some are infinite it ends below 1.
+def draw_ecdf(
+    values: Mapping[str, ArrayLike], ax: Axes | None = None, *, label: str = ""
+) -> list[Artist]:
+    """Draw for each planner what share of its runs (runs,) have a value of at most x; where some
+    are infinite it ends below 1.
 
     The axis is logarithmic where values are far apart. Returns the artists. Raises InvalidPoint.
 
@@ -84,13 +125,22 @@ def draw_ecdf(values: Mapping[str, ArrayLike], ax: Axes | None = None, *, label:
         share = np.arange(len(some) + 1) / len(runs[name])
         x, y = np.concatenate([[low], some, [high]]), np.concatenate([share, share[-1:]])
         artists += ax.step(x, y, LINES[i % 4], where="post", color=COLOURS[i % 6], linewidth=2.4)
-        ends.append((name, float(share[-1]), COLOURS[i % 6], float(np.median(some)) if len(some) else np.inf))
+        ends.append(
+            (
+                name,
+                float(share[-1]),
+                COLOURS[i % 6],
+                float(np.median(some)) if len(some) else np.inf,
+            )
+        )
     if wide:
         ax.set_xscale("log")
     ax.set_xlim(low, high)
     ax.set_ylim(0.0, 1.03)
     ax.set_ylabel(say("comparisons.share"), fontsize=palette.TEXT_SIZE)
-    named = [(name, height, colour) for name, height, colour, _ in sorted(ends, key=lambda end: -end[3])]
+    named = [
+        (name, height, colour) for name, height, colour, _ in sorted(ends, key=lambda end: -end[3])
+    ]
     return [*artists, *name_ends(high, named, ax), *dressed(ax, label)]
 
 
@@ -105,10 +155,14 @@ def limits(values: Array) -> tuple[float, float, bool]:
     return least - room, most + room, False
 
 
-def draw_convergence(curves: Mapping[str, tuple[ArrayLike, ArrayLike]], ax: Axes | None = None, *, label: str = "") -> list[Artist]:
-    """Draw for each planner numbers of nodes n (m,) and costs (m, seeds): the median over the seeds, in a band of the middle half.
+def draw_convergence(
+    curves: Mapping[str, tuple[ArrayLike, ArrayLike]], ax: Axes | None = None, *, label: str = ""
+) -> list[Artist]:
+    """Draw for each planner numbers of nodes n (m,) and costs (m, seeds): the median over the
+    seeds, in a band of the middle half.
 
-    A seed without a path has infinite cost, and a curve begins where half of the seeds have one. Raises InvalidPoint.
+    A seed without a path has infinite cost, and a curve begins where half of the seeds have one.
+    Raises InvalidPoint.
 
     >>> artists = draw_convergence({"RRT*": ([100, 200], [[14.0, 13.0, np.inf], [13.0, 12.5, 12.8]])}, label="length")
     >>> plt.close()
@@ -118,12 +172,33 @@ def draw_convergence(curves: Mapping[str, tuple[ArrayLike, ArrayLike]], ax: Axes
     ends = []
     for i, (name, (n, costs)) in enumerate(curves.items()):
         sizes, spread = np.asarray(n, float), np.asarray(costs, float)
-        if sizes.ndim != 1 or spread.ndim != 2 or len(spread) != len(sizes) or not spread.size or np.isnan(spread).any():
-            raise InvalidPoint(f"{name!r} needs nodes (m,) and costs (m, seeds), got shapes {sizes.shape} and {spread.shape}")
+        if (
+            sizes.ndim != 1
+            or spread.ndim != 2
+            or len(spread) != len(sizes)
+            or not spread.size
+            or np.isnan(spread).any()
+        ):
+            raise InvalidPoint(
+                f"{name!r} needs nodes (m,) and costs (m, seeds), got shapes {sizes.shape} and "
+                f"{spread.shape}"
+            )
         low, median, high = np.quantile(spread, (0.25, 0.5, 0.75), axis=1, method="inverted_cdf")
         median[np.isinf(median)] = np.nan
-        artists.append(ax.fill_between(sizes, low, high, where=np.isfinite(high), color=COLOURS[i % 6], alpha=0.2, linewidth=0))
-        artists += ax.plot(sizes, median, LINES[i % 4], color=COLOURS[i % 6], linewidth=2.4, marker="o^sD"[i % 4])
+        artists.append(
+            ax.fill_between(
+                sizes,
+                low,
+                high,
+                where=np.isfinite(high),
+                color=COLOURS[i % 6],
+                alpha=0.2,
+                linewidth=0,
+            )
+        )
+        artists += ax.plot(
+            sizes, median, LINES[i % 4], color=COLOURS[i % 6], linewidth=2.4, marker="o^sD"[i % 4]
+        )
         if np.isfinite(median).any():
             ends.append((name, float(median[np.isfinite(median)][-1]), COLOURS[i % 6]))
     ax.set_xlabel(say("comparisons.nodes"), fontsize=palette.TEXT_SIZE)
@@ -136,11 +211,16 @@ def draw_convergence(curves: Mapping[str, tuple[ArrayLike, ArrayLike]], ax: Axes
 def as_runs(values: Mapping[str, ArrayLike]) -> dict[str, Array]:
     """Numbers by names, at least one of each, no NaN. Raises InvalidPoint."""
     if not isinstance(values, Mapping) or not values:
-        raise InvalidPoint(f"values must be a dict of numbers by planners' names, got {shortened(values)}")
+        raise InvalidPoint(
+            f"values must be a dict of numbers by planners' names, got {shortened(values)}"
+        )
     runs = {str(name): np.asarray(given, float) for name, given in values.items()}
     for name, given in runs.items():
         if given.ndim != 1 or not len(given) or np.isnan(given).any():
-            raise InvalidPoint(f"{name!r} must have at least one number, (runs,), inf for never, got {shortened(given)}")
+            raise InvalidPoint(
+                f"{name!r} must have at least one number, (runs,), inf for never, got "
+                f"{shortened(given)}"
+            )
     return runs
 
 

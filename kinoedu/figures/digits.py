@@ -1,4 +1,6 @@
-"""Van der Corput's sequence, digit by digit: each number's digits, and the place to which their mirror image leads."""
+"""Van der Corput's sequence, digit by digit: each number's digits, and the place to which their
+mirror image leads.
+"""
 
 from typing import Any
 
@@ -15,7 +17,8 @@ LETTERS = "0123456789abcdefghijklmnopqrstuvwxyz"
 
 
 def digits_of(i: int, base: int) -> str:
-    """A whole number in a base from 2 on, as it is written; digits beyond 9 are letters, and beyond z stand apart.
+    """A whole number in a base from 2 on, as it is written; digits beyond 9 are letters, and beyond
+    z stand apart.
 
     >>> digits_of(6, 2), digits_of(11, 3), digits_of(0, 2), digits_of(75, 40)
     ('110', '102', '0', '1 35')
@@ -23,7 +26,11 @@ def digits_of(i: int, base: int) -> str:
     found = [i % base]
     while i := i // base:
         found.append(i % base)
-    return "".join(LETTERS[d] for d in found[::-1]) if base <= len(LETTERS) else " ".join(map(str, found[::-1]))
+    return (
+        "".join(LETTERS[d] for d in found[::-1])
+        if base <= len(LETTERS)
+        else " ".join(map(str, found[::-1]))
+    )
 
 
 def mirrored_digits(i: int, base: int) -> str:
@@ -37,7 +44,8 @@ def mirrored_digits(i: int, base: int) -> str:
 
 
 def draw_van_der_corput(n: int, base: int = 2, ax: Axes | None = None) -> list[Artist]:
-    """Draw numbers 1 to n of the sequence, one below the other: i, its digits, their mirror image, and the place between 0 and 1.
+    """Draw numbers 1 to n of the sequence, one below the other: i, its digits, their mirror image,
+    and the place between 0 and 1.
 
     Those that came before are small and grey. Returns the artists. Raises InvalidParameter.
 
@@ -48,11 +56,20 @@ def draw_van_der_corput(n: int, base: int = 2, ax: Axes | None = None) -> list[A
     if ax is None:
         _, ax = plt.subplots(figsize=(8.0, 0.8 + 0.36 * n), dpi=72, layout="constrained")
     artists: list[Artist] = []
-    mono: Any = {"fontsize": palette.TEXT_SIZE, "fontfamily": "monospace", "va": "center", "color": palette.INK}
+    mono: Any = {
+        "fontsize": palette.TEXT_SIZE,
+        "fontfamily": "monospace",
+        "va": "center",
+        "color": palette.INK,
+    }
     for i, place in enumerate(places, start=1):
         artists += ax.plot([0, 1], [-i, -i], "-", color=palette.OUTSIDE, linewidth=1.2, zorder=1)
-        artists += ax.plot(places[: i - 1], np.full(i - 1, -i), "o", color=palette.OUTSIDE, markersize=6, zorder=2)
-        artists += ax.plot(place, -i, "o", color=palette.TREE, markersize=11, markeredgecolor="white", zorder=3)
+        artists += ax.plot(
+            places[: i - 1], np.full(i - 1, -i), "o", color=palette.OUTSIDE, markersize=6, zorder=2
+        )
+        artists += ax.plot(
+            place, -i, "o", color=palette.TREE, markersize=11, markeredgecolor="white", zorder=3
+        )
         words = f"{i:>3} = {digits_of(i, base):>6} -> {mirrored_digits(i, base)}"
         artists.append(ax.text(-0.52, -i, words, ha="left", **mono))
     ax.set_xlim(-0.54, 1.03)

@@ -1,4 +1,6 @@
-"""Worlds, problems and plans as matplotlib figures. Each function takes ax=None and returns the artists it drew."""
+"""Worlds, problems and plans as matplotlib figures. Each function takes ax=None and returns the
+artists it drew.
+"""
 
 from functools import singledispatch
 from typing import Any
@@ -23,7 +25,16 @@ from ..worlds.open_world import OpenWorld
 from ..worlds.polygon_world import PolygonWorldRecord, discs_of, rings_of
 from ..worlds.terrain import TerrainRecord
 from . import palette
-from .robots import draw_along, draw_driven, draw_robot, driven_tracks, even_times, place_of, track_of, tracks
+from .robots import (
+    draw_along,
+    draw_driven,
+    draw_robot,
+    driven_tracks,
+    even_times,
+    place_of,
+    track_of,
+    tracks,
+)
 from .walks import draw_walk
 
 POINT = Point()
@@ -62,8 +73,16 @@ def draw_world(world: Any, ax: Axes | None = None) -> list[Artist]:
 def _(world: PolygonWorldRecord, ax: Axes | None = None) -> list[Artist]:
     ax = axes_for(world, ax)
     (outline,), *solids = rings_of(world)
-    outside = PathPatch(compound([frame(world), outline]), facecolor=palette.OUTSIDE, edgecolor=palette.OBSTACLE, zorder=1)
-    polygons = [PathPatch(compound(rings), facecolor=palette.OBSTACLE, edgecolor=palette.OBSTACLE, zorder=1) for rings in solids]
+    outside = PathPatch(
+        compound([frame(world), outline]),
+        facecolor=palette.OUTSIDE,
+        edgecolor=palette.OBSTACLE,
+        zorder=1,
+    )
+    polygons = [
+        PathPatch(compound(rings), facecolor=palette.OBSTACLE, edgecolor=palette.OBSTACLE, zorder=1)
+        for rings in solids
+    ]
     discs = [Circle((x, y), r, facecolor=palette.OBSTACLE, zorder=1) for x, y, r in discs_of(world)]
     ax.set_facecolor(palette.FREE)
     return [ax.add_patch(patch) for patch in (outside, *polygons, *discs)]
@@ -77,20 +96,35 @@ def frame(world: PolygonWorldRecord) -> Array:
 
 def compound(rings: list[Array]) -> Outline:
     """One outline of rings, those of opposite sense cut out of each other."""
-    return Outline.make_compound_path(*(Outline(np.vstack([ring, ring[:1]]), closed=True) for ring in rings))
+    return Outline.make_compound_path(
+        *(Outline(np.vstack([ring, ring[:1]]), closed=True) for ring in rings)
+    )
 
 
 @draw_world.register
 def _(world: TerrainRecord, ax: Axes | None = None) -> list[Artist]:
     ax = axes_for(world, ax)
     (x0, y0), (x1, y1) = world.lo, world.hi
-    look: dict[str, Any] = {"origin": "lower", "extent": (x0, x1, y0, y1), "interpolation": "nearest", "zorder": 1}
+    look: dict[str, Any] = {
+        "origin": "lower",
+        "extent": (x0, x1, y0, y1),
+        "interpolation": "nearest",
+        "zorder": 1,
+    }
     ax.set_facecolor(palette.OUTSIDE)
     if world.cost.size:
         ground = LinearSegmentedColormap.from_list("ground", [palette.FREE, palette.DEAR])
         ground.set_bad(palette.OBSTACLE)
         costs = np.ma.masked_invalid(world.cost)
-        return [ax.imshow(costs, cmap=ground, vmin=1.0, vmax=float(np.quantile(costs.compressed(), 0.98)) + 1e-9, **look)]
+        return [
+            ax.imshow(
+                costs,
+                cmap=ground,
+                vmin=1.0,
+                vmax=float(np.quantile(costs.compressed(), 0.98)) + 1e-9,
+                **look,
+            )
+        ]
     colours = ListedColormap([palette.OBSTACLE, palette.FREE])
     return [ax.imshow(world.free, cmap=colours, vmin=0, vmax=1, **look)]
 
@@ -99,8 +133,15 @@ def _(world: TerrainRecord, ax: Axes | None = None) -> list[Artist]:
 def _(world: OpenWorld, ax: Axes | None = None) -> list[Artist]:
     ax = axes_for(world, ax)
     ax.set_facecolor(palette.FREE)
-    walls = [PathPatch(compound(world.walls), facecolor=palette.OUTSIDE, edgecolor="none", zorder=1)] if world.walls else []
-    polygons = [PathPatch(compound([ring]), facecolor=palette.OBSTACLE, edgecolor="none", zorder=1) for ring in world.obstacles]
+    walls = (
+        [PathPatch(compound(world.walls), facecolor=palette.OUTSIDE, edgecolor="none", zorder=1)]
+        if world.walls
+        else []
+    )
+    polygons = [
+        PathPatch(compound([ring]), facecolor=palette.OBSTACLE, edgecolor="none", zorder=1)
+        for ring in world.obstacles
+    ]
     return [ax.add_patch(patch) for patch in (*walls, *polygons)]
 
 
@@ -108,15 +149,28 @@ def draw_problem(problem: ProblemRecord, ax: Axes | None = None) -> list[Artist]
     """Draw the world, and the robot at start and goal."""
     ax = axes_for(problem.world, ax)
     artists = draw_world(problem.world, ax)
-    for q, name, colour, marker in ((problem.start, "start", palette.START, "o"), (problem.goal, "goal", palette.GOAL, "*")):
+    for q, name, colour, marker in (
+        (problem.start, "start", palette.START, "o"),
+        (problem.goal, "goal", palette.GOAL, "*"),
+    ):
         artists += draw_robot(problem.robot, q, ax, colour)
         size = 9 if marker == "o" else 15
         at = place_of(problem.robot, q)
-        artists += ax.plot(*at, marker, color=colour, markersize=size, markeredgecolor="white", markeredgewidth=1.2, zorder=7)
+        artists += ax.plot(
+            *at,
+            marker,
+            color=colour,
+            markersize=size,
+            markeredgecolor="white",
+            markeredgewidth=1.2,
+            zorder=7,
+        )
         artists.append(label_beside(at, name, colour, problem.world, ax))
     start, goal = (place_of(problem.robot, q) for q in (problem.start, problem.goal))
     if abs(goal - start).max() < CLOSE * abs(problem.world.hi - problem.world.lo).max():
-        artists[-1].set(position=(0, -9), ha="center", va="top")  # below, where the other name is not
+        artists[-1].set(
+            position=(0, -9), ha="center", va="top"
+        )  # below, where the other name is not
     return artists
 
 
@@ -139,14 +193,24 @@ def label_beside(q: Array, name: str, colour: str, world: Any, ax: Axes) -> Arti
     )
 
 
-def draw_edges(segments: ArrayLike, ax: Axes, colour: str, *, width: float, zorder: float) -> list[Artist]:
+def draw_edges(
+    segments: ArrayLike, ax: Axes, colour: str, *, width: float, zorder: float
+) -> list[Artist]:
     """Draw segments, shape (m, 2, 2), or polylines, shape (m, k, 2)."""
     lines = list(np.asarray(segments))
-    return [ax.add_collection(LineCollection(lines, colors=colour, linewidths=width, zorder=zorder), autolim=False)]
+    return [
+        ax.add_collection(
+            LineCollection(lines, colors=colour, linewidths=width, zorder=zorder), autolim=False
+        )
+    ]
 
 
-def draw_tree(tree: Tree | DrivenTree, ax: Axes, *, upto: int | None = None, robot: Any = POINT) -> list[Artist]:
-    """Draw a tree, or its first `upto` nodes: the tree as it was then. An arm's tree is drawn by the way of its tip."""
+def draw_tree(
+    tree: Tree | DrivenTree, ax: Axes, *, upto: int | None = None, robot: Any = POINT
+) -> list[Artist]:
+    """Draw a tree, or its first `upto` nodes: the tree as it was then. An arm's tree is drawn by
+    the way of its tip.
+    """
     grown = np.arange(1, len(tree.nodes) if upto is None else max(upto, 1))
     grown = grown[tree.parent[grown] >= 0]
     begins, ends = tree.nodes[tree.parent[grown]], tree.nodes[grown]
@@ -157,11 +221,17 @@ def draw_tree(tree: Tree | DrivenTree, ax: Axes, *, upto: int | None = None, rob
     return draw_edges(lines, ax, palette.TREE, width=line_width(len(tree.nodes)), zorder=3)
 
 
-def draw_roadmap(roadmap: Roadmap | DrivenRoadmap, ax: Axes, *, upto: int | None = None, robot: Any = POINT) -> list[Artist]:
-    """Draw a roadmap's nodes, and its edges or the first `upto` of them. An arm's are drawn by the way of its tip."""
+def draw_roadmap(
+    roadmap: Roadmap | DrivenRoadmap, ax: Axes, *, upto: int | None = None, robot: Any = POINT
+) -> list[Artist]:
+    """Draw a roadmap's nodes, and its edges or the first `upto` of them. An arm's are drawn by the
+    way of its tip.
+    """
     edges = roadmap.edges[:upto]
     places = np.array([place_of(robot, q) for q in roadmap.nodes])
-    dots = ax.plot(*places.T, ".", color=palette.TREE, markersize=dot_size(len(roadmap.nodes)), zorder=3.5)
+    dots = ax.plot(
+        *places.T, ".", color=palette.TREE, markersize=dot_size(len(roadmap.nodes)), zorder=3.5
+    )
     begins, ends = roadmap.nodes[edges[:, 0]], roadmap.nodes[edges[:, 1]]
     if isinstance(roadmap, DrivenRoadmap):
         lines = driven_tracks(robot, begins, roadmap.controls[:upto], roadmap.durations[:upto])
@@ -182,15 +252,24 @@ def dot_size(n: int) -> float:
 
 def draw_path(path: Array, ax: Axes) -> list[Artist]:
     """Draw a path, shape (n, d), on a dark casing that keeps it visible on anything."""
-    casing = ax.plot(*path[:, :2].T, color=palette.INK, linewidth=5.0, solid_capstyle="round", zorder=4)
-    return [*casing, *ax.plot(*path[:, :2].T, color=palette.PATH, linewidth=3.0, solid_capstyle="round", zorder=5)]
+    casing = ax.plot(
+        *path[:, :2].T, color=palette.INK, linewidth=5.0, solid_capstyle="round", zorder=4
+    )
+    return [
+        *casing,
+        *ax.plot(
+            *path[:, :2].T, color=palette.PATH, linewidth=3.0, solid_capstyle="round", zorder=5
+        ),
+    ]
 
 
-def draw_plan(plan: Plan, ax: Axes | None = None, *, upto: int | None = None, title: str | None = None) -> list[Artist]:
+def draw_plan(
+    plan: Plan, ax: Axes | None = None, *, upto: int | None = None, title: str | None = None
+) -> list[Artist]:
     """Draw a plan: its problem, what was built on the way, and the path.
 
-    upto : show only the first so many nodes of the tree, edges of the roadmap or points of the walk, and the path only when all are
-        there.
+    upto : show only the first so many nodes of the tree, edges of the roadmap or points of the
+        walk, and the path only when all are there.
     """
     ax = axes_for(plan.problem.world, ax)
     artists = draw_problem(plan.problem, ax)
@@ -204,11 +283,17 @@ def draw_plan(plan: Plan, ax: Axes | None = None, *, upto: int | None = None, ti
         artists += draw_walk(plan.walk, ax, upto=upto, found=plan.path is not None)
     whole = upto is None or upto >= total
     if plan.trajectory is not None and whole:
-        artists += draw_driven(robot, plan.trajectory, ax) + draw_path(plan.trajectory.at(even_times(plan.trajectory))[:, :2], ax)
+        artists += draw_driven(robot, plan.trajectory, ax) + draw_path(
+            plan.trajectory.at(even_times(plan.trajectory))[:, :2], ax
+        )
     elif plan.path is not None and plan.walk is None and whole:
-        artists += draw_along(robot, plan.problem.space, plan.path, ax) + draw_path(track_of(robot, plan.path), ax)
+        artists += draw_along(robot, plan.problem.space, plan.path, ax) + draw_path(
+            track_of(robot, plan.path), ax
+        )
     ax.set_title(
-        summary(plan, total if whole or upto is None else upto) if title is None else title, fontsize=palette.TEXT_SIZE, wrap=True
+        summary(plan, total if whole or upto is None else upto) if title is None else title,
+        fontsize=palette.TEXT_SIZE,
+        wrap=True,
     )
     return artists
 

@@ -12,8 +12,15 @@ GAP = 0.062  # of the axes' height, from a name to the next
 
 
 def name_ends(x: float, ends: list[tuple[str, float, str]], ax: Axes) -> list[Artist]:
-    """Write names beside x; `ends` are names, heights and colours, in the order in which equal heights are written upwards."""
-    look: dict[str, Any] = {"fontsize": palette.TEXT_SIZE, "fontweight": "bold", "va": "center", "path_effects": HALO}
+    """Write names beside x; `ends` are names, heights and colours, in the order in which equal
+    heights are written upwards.
+    """
+    look: dict[str, Any] = {
+        "fontsize": palette.TEXT_SIZE,
+        "fontweight": "bold",
+        "va": "center",
+        "path_effects": HALO,
+    }
     ax.get_ylim()  # the limits are settled when they are asked for
     to_share = ax.transData + ax.transAxes.inverted()
     sorted_ends = sorted(ends, key=lambda end: end[1])
@@ -28,7 +35,8 @@ def name_ends(x: float, ends: list[tuple[str, float, str]], ax: Axes) -> list[Ar
 
 
 def spread_out(places: list[float]) -> list[float]:
-    """Places from low to high, moved up where two are close, and all that pass the top moved down again.
+    """Places from low to high, moved up where two are close, and all that pass the top moved down
+    again.
 
     >>> [round(place, 3) for place in spread_out([0.0, 0.03, 1.0, 1.0])]
     [0.0, 0.062, 0.938, 1.0]

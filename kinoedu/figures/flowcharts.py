@@ -1,4 +1,6 @@
-"""Flowcharts: what an algorithm does in boxes, what it asks in diamonds, what comes next in arrows."""
+"""Flowcharts: what an algorithm does in boxes, what it asks in diamonds, what comes next in
+arrows.
+"""
 
 from typing import NamedTuple
 
@@ -12,7 +14,9 @@ WIDE, HIGH = 3.4, 0.9  # of a box; columns are 4.4 apart, rows 1.6
 
 
 class Step(NamedTuple):
-    """One place of a flowchart: "do", "ask" or "end", its words, its column and its row from the top."""
+    """One place of a flowchart: "do", "ask" or "end", its words, its column and its row from the
+    top.
+    """
 
     kind: str
     words: str
@@ -30,8 +34,12 @@ class Step(NamedTuple):
         return (WIDE / 2 + 0.35, 0.68) if self.kind == "ask" else (WIDE / 2, HIGH / 2)
 
 
-def draw_flowchart(steps: dict[str, Step], arrows: list[tuple[str, str, str]], ax: Axes) -> list[Artist]:
-    """Draw steps by name, and arrows (from, to, words) between them; level, straight down, or back up."""
+def draw_flowchart(
+    steps: dict[str, Step], arrows: list[tuple[str, str, str]], ax: Axes
+) -> list[Artist]:
+    """Draw steps by name, and arrows (from, to, words) between them; level, straight down, or back
+    up.
+    """
     artists: list[Artist] = []
     for step in steps.values():
         artists += draw_step(step, ax)
@@ -48,13 +56,34 @@ def draw_step(step: Step, ax: Axes) -> list[Artist]:
     (x, y), (w, h) = step.middle, step.half
     if step.kind == "ask":
         corners = [(x - w, y), (x, y - h), (x + w, y), (x, y + h)]
-        shape: Artist = ax.add_patch(Polygon(corners, facecolor="#E5F0FA", edgecolor=palette.TREE, linewidth=1.8))
+        shape: Artist = ax.add_patch(
+            Polygon(corners, facecolor="#E5F0FA", edgecolor=palette.TREE, linewidth=1.8)
+        )
     else:
         style = "round,pad=0,rounding_size=0.44" if step.kind == "end" else "square,pad=0"
         colour = palette.START if step.kind == "end" else palette.OBSTACLE
-        box = FancyBboxPatch((x - w, y - h), WIDE, HIGH, boxstyle=style, facecolor="white", edgecolor=colour, linewidth=1.8)
+        box = FancyBboxPatch(
+            (x - w, y - h),
+            WIDE,
+            HIGH,
+            boxstyle=style,
+            facecolor="white",
+            edgecolor=colour,
+            linewidth=1.8,
+        )
         shape = ax.add_patch(box)
-    return [shape, ax.text(x, y, step.words, ha="center", va="center", fontsize=palette.TEXT_SIZE - 1, color=palette.INK)]
+    return [
+        shape,
+        ax.text(
+            x,
+            y,
+            step.words,
+            ha="center",
+            va="center",
+            fontsize=palette.TEXT_SIZE - 1,
+            color=palette.INK,
+        ),
+    ]
 
 
 def draw_arrow(begin: Step, end: Step, words: str, ax: Axes) -> list[Artist]:
@@ -63,11 +92,17 @@ def draw_arrow(begin: Step, end: Step, words: str, ax: Axes) -> list[Artist]:
     (w0, h0), (w1, h1) = begin.half, end.half
     if y0 == y1:
         way = 1.0 if x1 > x0 else -1.0
-        points, label = [(x0 + way * w0, y0), (x1 - way * w1, y1)], (x0 + way * (w0 + 0.35), y0 + 0.28)
+        points, label = (
+            [(x0 + way * w0, y0), (x1 - way * w1, y1)],
+            (x0 + way * (w0 + 0.35), y0 + 0.28),
+        )
     elif y1 < y0:
         points, label = [(x0, y0 - h0), (x1, y1 + h1)], (x0 + 0.35, (y0 - h0 + y1 + h1) / 2)
     else:
-        points, label = [(x0 - w0, y0), (x0 - 2.4, y0), (x0 - 2.4, y1), (x1 - w1, y1)], (x0 - w0, y0 + 0.28)
+        points, label = (
+            [(x0 - w0, y0), (x0 - 2.4, y0), (x0 - 2.4, y1), (x1 - w1, y1)],
+            (x0 - w0, y0 + 0.28),
+        )
     properties = {"arrowstyle": "-|>", "color": palette.INK, "shrinkA": 0, "shrinkB": 0}
     style = {"fontsize": palette.TEXT_SIZE - 2, "fontweight": "bold", "color": palette.TREE}
     return [

@@ -1,4 +1,6 @@
-"""Graphs: nodes, edges, numbers, weights, paths and trees on them. A node's state shows by its colour and by its marker."""
+"""Graphs: nodes, edges, numbers, weights, paths and trees on them. A node's state shows by its
+colour and by its marker.
+"""
 
 from typing import Any
 
@@ -43,14 +45,16 @@ def draw_graph(
     parents: ArrayLike | None = None,
     frontier: ArrayLike = (),
 ) -> list[Artist]:
-    """Draw a graph where its nodes are, by their first two coordinates; one that is in no space on a circle.
+    """Draw a graph where its nodes are, by their first two coordinates; one that is in no space on
+    a circle.
 
     Parameters
     ----------
-    labels : write each node's number in it; by default up to 60 nodes. weights : write each edge's weight beside it.
-    highlight, highlight_edges : nodes (k,) and edges (j, 2) to be seen first.
+    labels : write each node's number in it; by default up to 60 nodes. weights : write each edge's
+    weight beside it. highlight, highlight_edges : nodes (k,) and edges (j, 2) to be seen first.
     path : nodes (k,) along which a path is drawn.
-    parents : (n,) as a search gives them, drawn as arrows from each parent to its child; -1 for none.
+    parents : (n,) as a search gives them, drawn as arrows from each parent to its child; -1 for
+    none.
     frontier : nodes (k,) that are drawn as waiting.
 
     Directed edges are arrows. Returns the artists.
@@ -69,9 +73,19 @@ def draw_graph(
     if weights:
         artists += write_weights(graph, places, ax)
     if parents is not None:
-        artists += draw_parents(graph, np.asarray(parents), places, ax, gap=node_size(graph, numbered) / 2)
+        artists += draw_parents(
+            graph, np.asarray(parents), places, ax, gap=node_size(graph, numbered) / 2
+        )
     for u, v in np.asarray(highlight_edges, np.int64).reshape(-1, 2):
-        artists += link(places[u], places[v], ax, palette.PATH, arrow=graph.directed, width=4.0, bend=bend(graph, u, v))
+        artists += link(
+            places[u],
+            places[v],
+            ax,
+            palette.PATH,
+            arrow=graph.directed,
+            width=4.0,
+            bend=bend(graph, u, v),
+        )
     if len(along) > 1:
         artists += draw_path(places[along], ax)
     return artists + draw_nodes(graph, places, states, ax, numbered)
@@ -92,7 +106,9 @@ def numbers(nodes: ArrayLike) -> list[int]:
 
 
 def axes_round(graph: Graph, places: Array, ax: Axes | None) -> Axes:
-    """The axes given, or new ones that show all nodes; without scales where the places mean nothing."""
+    """The axes given, or new ones that show all nodes; without scales where the places mean
+    nothing.
+    """
     if ax is None:
         _, ax = plt.subplots(figsize=(7.0, 5.0), dpi=72, layout="constrained")
         frame(places[list(graph)] if len(graph) else np.zeros((1, 2)), ax)
@@ -104,7 +120,9 @@ def axes_round(graph: Graph, places: Array, ax: Axes | None) -> Axes:
 def node_size(graph: Graph, numbered: bool) -> float:
     """The diameter of a node in points."""
     return float(
-        np.clip(28.0 - 0.2 * len(graph), 16.0, 25.0) if numbered else np.clip(12.0 - 3.0 * np.log10(len(graph) + 1), 2.5, 9.0)
+        np.clip(28.0 - 0.2 * len(graph), 16.0, 25.0)
+        if numbered
+        else np.clip(12.0 - 3.0 * np.log10(len(graph) + 1), 2.5, 9.0)
     )
 
 
@@ -129,10 +147,23 @@ def draw_links(graph: Graph, places: Array, ax: Axes, *, gap: float) -> list[Art
         width = float(np.clip(2.6 - 0.4 * np.log10(len(edges) + 1), 0.5, 2.0))
         return [
             *artists,
-            ax.add_collection(LineCollection(list(places[apart]), colors=LINK, linewidths=width, zorder=2), autolim=False),
+            ax.add_collection(
+                LineCollection(list(places[apart]), colors=LINK, linewidths=width, zorder=2),
+                autolim=False,
+            ),
         ]
     for u, v in apart:
-        artists += link(places[u], places[v], ax, LINK, arrow=True, width=1.6, gap=gap, bend=bend(graph, u, v), zorder=2)
+        artists += link(
+            places[u],
+            places[v],
+            ax,
+            LINK,
+            arrow=True,
+            width=1.6,
+            gap=gap,
+            bend=bend(graph, u, v),
+            zorder=2,
+        )
     return artists
 
 
@@ -158,21 +189,41 @@ def link(
     return [ax.add_patch(patch)]
 
 
-def draw_parents(graph: Graph, parents: NDArray[np.int64], places: Array, ax: Axes, *, gap: float) -> list[Artist]:
+def draw_parents(
+    graph: Graph, parents: NDArray[np.int64], places: Array, ax: Axes, *, gap: float
+) -> list[Artist]:
     """Arrows from parents to children; where there are many, lines."""
     children = np.flatnonzero(parents >= 0)
     if len(parents) > MOST_LABELS:
         segments = list(np.stack([places[parents[children]], places[children]], axis=1))
-        return [ax.add_collection(LineCollection(segments, colors=palette.TREE, linewidths=2.0, zorder=3), autolim=False)]
+        return [
+            ax.add_collection(
+                LineCollection(segments, colors=palette.TREE, linewidths=2.0, zorder=3),
+                autolim=False,
+            )
+        ]
     artists: list[Artist] = []
     for child in children.tolist():
         aside = bend(graph, int(parents[child]), child)
-        artists += link(places[parents[child]], places[child], ax, palette.TREE, arrow=True, width=2.6, gap=gap, bend=aside)
+        artists += link(
+            places[parents[child]],
+            places[child],
+            ax,
+            palette.TREE,
+            arrow=True,
+            width=2.6,
+            gap=gap,
+            bend=aside,
+        )
     return artists
 
 
-def draw_nodes(graph: Graph, places: Array, states: dict[int, str], ax: Axes, numbered: bool) -> list[Artist]:
-    """Each node by its state, with its number in it: one over the other where they are near, number and all."""
+def draw_nodes(
+    graph: Graph, places: Array, states: dict[int, str], ax: Axes, numbered: bool
+) -> list[Artist]:
+    """Each node by its state, with its number in it: one over the other where they are near, number
+    and all.
+    """
     artists: list[Artist] = []
     size = node_size(graph, numbered)
     if not numbered:
@@ -181,19 +232,40 @@ def draw_nodes(graph: Graph, places: Array, states: dict[int, str], ax: Axes, nu
             artists += dots(places[here], marker, factor * size, face, 0.6, 6, ax)
         return artists
     for rank, u in enumerate(graph):
-        (x, y), (marker, factor, face, ink), zorder = places[u], STATES[states[u]], 6 + rank / len(graph)
+        (x, y), (marker, factor, face, ink), zorder = (
+            places[u],
+            STATES[states[u]],
+            6 + rank / len(graph),
+        )
         artists += dots(places[u], marker, factor * size, face, 1.4, zorder, ax)
         artists.append(
-            ax.text(x, y, str(u), color=ink, fontsize=palette.TEXT_SIZE, ha="center", va="center_baseline", zorder=zorder)
+            ax.text(
+                x,
+                y,
+                str(u),
+                color=ink,
+                fontsize=palette.TEXT_SIZE,
+                ha="center",
+                va="center_baseline",
+                zorder=zorder,
+            )
         )
     return artists
 
 
-def dots(at: Array, marker: str, size: float, face: str, rim: float, zorder: float, ax: Axes) -> list[Artist]:
+def dots(
+    at: Array, marker: str, size: float, face: str, rim: float, zorder: float, ax: Axes
+) -> list[Artist]:
     """Markers at one place (2,) or several (k, 2)."""
     return [
         *ax.plot(
-            *at.T, marker, markersize=size, markerfacecolor=face, markeredgecolor=palette.INK, markeredgewidth=rim, zorder=zorder
+            *at.T,
+            marker,
+            markersize=size,
+            markerfacecolor=face,
+            markeredgecolor=palette.INK,
+            markeredgewidth=rim,
+            zorder=zorder,
         )
     ]
 
@@ -203,12 +275,20 @@ def write_weights(graph: Graph, places: Array, ax: Axes) -> list[Artist]:
     artists: list[Artist] = []
     for (u, v), weight in zip(graph.edges, graph.weights):
         along = places[v] - places[u]
-        middle = (places[u] + places[v]) / 2 + bend(graph, u, v) / 2 * np.array([along[1], -along[0]])
-        artists.append(beside(middle, f"{weight:.3g}", ax, (0, -5) if u != v else (0, 20), palette.INK, "center"))
+        middle = (places[u] + places[v]) / 2 + bend(graph, u, v) / 2 * np.array(
+            [along[1], -along[0]]
+        )
+        artists.append(
+            beside(
+                middle, f"{weight:.3g}", ax, (0, -5) if u != v else (0, 20), palette.INK, "center"
+            )
+        )
     return artists
 
 
-def beside(at: Array, words: str, ax: Axes, offset: tuple[float, float], colour: str, ha: Any = "left") -> Artist:
+def beside(
+    at: Array, words: str, ax: Axes, offset: tuple[float, float], colour: str, ha: Any = "left"
+) -> Artist:
     """Small words near a place, offset in points."""
     return ax.annotate(
         words, (at[0], at[1]), xytext=offset, textcoords="offset points", fontsize=palette.TEXT_SIZE - 1, color=colour, ha=ha,

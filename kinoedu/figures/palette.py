@@ -1,4 +1,5 @@
-"""The colours of the course: each means the same on every page, and stays apart for colour-blind eyes and on a projector.
+"""The colours of the course: each means the same on every page, and stays apart for colour-blind
+eyes and on a projector.
 
 After M. Okabe and K. Ito, "Color universal design" (2008). Line styles and markers differ as well.
 """
@@ -21,13 +22,21 @@ FRONTIER = "#F0E442"  # seen by a search, and waiting
 INK = "#111827"
 FREE_LINK = "#0072B2"
 HIT = "#D32F2F"
-LINKS = ("#2F7FD0", "#111827", "#D32F2F")  # an arm is free, its link 1 hits, its link 2 does: the book's blue, black and red
+LINKS = (
+    "#2F7FD0",
+    "#111827",
+    "#D32F2F",
+)  # an arm is free, its link 1 hits, its link 2 does: the book's blue, black and red
 FREE_AREA, HIT_1_AREA, HIT_2_AREA = "#CFE3F7", "#3B4250", "#E8837F"
 LINKS_LIGHT = (FREE_AREA, HIT_1_AREA, HIT_2_AREA)  # the same as areas
 
 TEXT_SIZE = 13
 
-NAMED = {name.lower(): colour for name, colour in list(globals().items()) if name.isupper() and isinstance(colour, str)}
+NAMED = {
+    name.lower(): colour
+    for name, colour in list(globals().items())
+    if name.isupper() and isinstance(colour, str)
+}
 
 
 def hex_of(colour: Any) -> str:

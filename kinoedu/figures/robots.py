@@ -1,4 +1,6 @@
-"""Robots as figures: a body at a configuration, its bodies along a path, and where a motion leads in the plane."""
+"""Robots as figures: a body at a configuration, its bodies along a path, and where a motion leads
+in the plane.
+"""
 
 from functools import singledispatch
 from typing import Any
@@ -36,19 +38,37 @@ def draw_robot(robot: Any, q: Array, ax: Axes, colour: str = palette.ROBOT) -> l
 def _(robot: RoundRobot, q: Array, ax: Axes, colour: str = palette.ROBOT) -> list[Artist]:
     if robot.radius == 0.0:
         return []
-    return [ax.add_patch(Circle((q[0], q[1]), robot.radius, facecolor=colour, alpha=0.35, edgecolor=colour, zorder=6))]
+    return [
+        ax.add_patch(
+            Circle(
+                (q[0], q[1]), robot.radius, facecolor=colour, alpha=0.35, edgecolor=colour, zorder=6
+            )
+        )
+    ]
 
 
 @draw_robot.register(TranslatingPolygonRobot)
 @draw_robot.register(RigidPolygonRobot)
 def _(robot: Any, q: Array, ax: Axes, colour: str = palette.ROBOT) -> list[Artist]:
-    return [ax.add_patch(Polygon(outline_at(robot, q), facecolor=f"{colour}59", edgecolor=colour, linewidth=1.5, zorder=6))]
+    return [
+        ax.add_patch(
+            Polygon(
+                outline_at(robot, q),
+                facecolor=f"{colour}59",
+                edgecolor=colour,
+                linewidth=1.5,
+                zorder=6,
+            )
+        )
+    ]
 
 
 @draw_robot.register
 def _(robot: CarRobot, q: Array, ax: Axes, colour: str = palette.ROBOT) -> list[Artist]:
     wheels = [Polygon(wheel, facecolor=palette.INK, zorder=6.2) for wheel in wheels_at(robot, q)]
-    body = Polygon(outline_at(robot, q), facecolor=f"{colour}59", edgecolor=colour, linewidth=1.5, zorder=6)
+    body = Polygon(
+        outline_at(robot, q), facecolor=f"{colour}59", edgecolor=colour, linewidth=1.5, zorder=6
+    )
     return [ax.add_patch(patch) for patch in (body, *wheels)]
 
 
@@ -57,7 +77,9 @@ def _(robot: ArmRobot, q: Array, ax: Axes, colour: str = palette.ROBOT) -> list[
     places = np.vstack([robot.base, *robot.joints(q)])
     links = zip(places, places[1:], robot.shape.radius)
     bars = [bar for a, b, r in links for bar in draw_bar(a, b, r, ax, colour, alpha=0.35, zorder=6)]
-    joints = ax.plot(*places[:-1].T, "o", color=colour, markersize=6, markeredgecolor="white", zorder=6.5)
+    joints = ax.plot(
+        *places[:-1].T, "o", color=colour, markersize=6, markeredgecolor="white", zorder=6.5
+    )
     return [*bars, *joints]
 
 
@@ -79,7 +101,9 @@ def wheels_at(car: CarRobot, q: Array) -> list[Array]:
 
 @singledispatch
 def place_of(robot: Any, q: Array) -> Array:
-    """The point of the plane that stands for a configuration: the reference point, or an arm's tip."""
+    """The point of the plane that stands for a configuration: the reference point, or an arm's
+    tip.
+    """
     return q[:2]
 
 
@@ -90,7 +114,9 @@ def _(robot: ArmRobot, q: Array) -> Array:
 
 @singledispatch
 def tracks(robot: Any, a: Array, b: Array) -> Array:
-    """The ways of that point on motions between configurations, shapes (m, d), as polylines of shape (m, k, 2)."""
+    """The ways of that point on motions between configurations, shapes (m, d), as polylines of
+    shape (m, k, 2).
+    """
     return np.stack([a, b], axis=1)[:, :, :2]
 
 
@@ -108,19 +134,30 @@ def _(robot: ArmRobot, a: Array, b: Array) -> Array:
 @tracks.register
 def _(robot: CarRobot, a: Array, b: Array) -> Array:
     share = np.linspace(0.0, 1.0, CURVED + 1)
-    curves = [Curve(p, robot.radius, *pieces_between(p, q, robot.radius, robot.both_ways)) for p, q in zip(a, b)]
-    return np.array([curve.at(share * curve.length)[:, :2] for curve in curves]).reshape(-1, CURVED + 1, 2)
+    curves = [
+        Curve(p, robot.radius, *pieces_between(p, q, robot.radius, robot.both_ways))
+        for p, q in zip(a, b)
+    ]
+    return np.array([curve.at(share * curve.length)[:, :2] for curve in curves]).reshape(
+        -1, CURVED + 1, 2
+    )
 
 
 def driven_tracks(car: CarRobot, begins: Array, controls: Array, durations: Array) -> Array:
-    """The ways (m, k, 2) of drives from poses (m, 3), each by one control (m, 2) for its duration (m,)."""
+    """The ways (m, k, 2) of drives from poses (m, 3), each by one control (m, 2) for its duration
+    (m,).
+    """
     times = durations[:, None] * np.linspace(0.0, 1.0, BENDS + 1)
     which = np.repeat(np.arange(len(begins)), BENDS + 1)
-    return on_the_way(begins, controls, car.wheelbase, which, times.ravel())[:, :2].reshape(-1, BENDS + 1, 2)
+    return on_the_way(begins, controls, car.wheelbase, which, times.ravel())[:, :2].reshape(
+        -1, BENDS + 1, 2
+    )
 
 
 def even_times(trajectory: TrajectoryRecord) -> Array:
-    """Times at which a trajectory is drawn as a polyline: a dozen for each control, and both ends."""
+    """Times at which a trajectory is drawn as a polyline: a dozen for each control, and both
+    ends.
+    """
     return np.linspace(0.0, trajectory.duration, BENDS * len(trajectory.durations) + 2)
 
 
@@ -132,7 +169,9 @@ def track_of(robot: Any, path: Array) -> Array:
 
 @singledispatch
 def draw_along(robot: Any, space: Any, path: Array, ax: Axes) -> list[Artist]:
-    """Draw a robot's bodies along a path, evenly apart; nothing for a robot that looks the same everywhere."""
+    """Draw a robot's bodies along a path, evenly apart; nothing for a robot that looks the same
+    everywhere.
+    """
     return []
 
 
@@ -140,7 +179,10 @@ def draw_along(robot: Any, space: Any, path: Array, ax: Axes) -> list[Artist]:
 @draw_along.register(RigidPolygonRobot)
 @draw_along.register(CarRobot)
 def _(robot: Any, space: Any, path: Array, ax: Axes) -> list[Artist]:
-    bodies = [Polygon(outline_at(robot, q), facecolor="none", edgecolor=palette.ROBOT, linewidth=1.2) for q in spread(space, path)]
+    bodies = [
+        Polygon(outline_at(robot, q), facecolor="none", edgecolor=palette.ROBOT, linewidth=1.2)
+        for q in spread(space, path)
+    ]
     return [ax.add_patch(body) for body in bodies]
 
 
@@ -157,7 +199,10 @@ def _(robot: ArmRobot, space: Any, path: Array, ax: Axes) -> list[Artist]:
 def draw_driven(car: Any, trajectory: TrajectoryRecord, ax: Axes) -> list[Artist]:
     """Draw a car's bodies along a trajectory, evenly in time."""
     poses = trajectory.at(np.linspace(0.0, trajectory.duration, GHOSTS + 2)[1:-1])
-    bodies = [Polygon(outline_at(car, q), facecolor="none", edgecolor=palette.ROBOT, linewidth=1.2) for q in poses]
+    bodies = [
+        Polygon(outline_at(car, q), facecolor="none", edgecolor=palette.ROBOT, linewidth=1.2)
+        for q in poses
+    ]
     return [ax.add_patch(body) for body in bodies]
 
 
@@ -169,5 +214,9 @@ def spread(space: Any, path: Array, n: int = GHOSTS) -> list[Array]:
     found = []
     for target in np.linspace(0.0, passed[-1], n + 2)[1:-1]:
         k = min(int(np.searchsorted(passed, target, side="right")), len(path) - 1)
-        found.append(interpolate(space, path[k - 1], path[k], (target - passed[k - 1]) / (passed[k] - passed[k - 1])))
+        found.append(
+            interpolate(
+                space, path[k - 1], path[k], (target - passed[k - 1]) / (passed[k] - passed[k - 1])
+            )
+        )
     return found

@@ -16,10 +16,14 @@ from .flowcharts import Step, draw_flowchart
 from .plane import dot, label, stretch
 
 
-def draw_rrt_steps(problem: ProblemRecord, tree: Tree, sample: Array, step: float, axes: Any = None) -> list[Artist]:
-    """Draw what one iteration does to a tree: the sample, its nearest node, the step towards it, and whether the motion is free.
+def draw_rrt_steps(
+    problem: ProblemRecord, tree: Tree, sample: Array, step: float, axes: Any = None
+) -> list[Artist]:
+    """Draw what one iteration does to a tree: the sample, its nearest node, the step towards it,
+    and whether the motion is free.
 
-    problem : of a point in the plane. sample : q_rand, shape (2,). axes : four axes; by default those of a new figure.
+    problem : of a point in the plane. sample : q_rand, shape (2,). axes : four axes; by default
+        those of a new figure.
 
     >>> from matplotlib import pyplot as plt
     >>> from kinoedu import Point, PolygonWorld, Problem, rrt
@@ -28,13 +32,22 @@ def draw_rrt_steps(problem: ProblemRecord, tree: Tree, sample: Array, step: floa
     >>> artists = draw_rrt_steps(problem, tree, np.array([6.0, 2.0]), 1.0)
     >>> plt.close()
     """
-    panels = plt.subplots(2, 2, figsize=(9.6, 6.4), dpi=72, layout="constrained")[1].ravel() if axes is None else axes
+    panels = (
+        plt.subplots(2, 2, figsize=(9.6, 6.4), dpi=72, layout="constrained")[1].ravel()
+        if axes is None
+        else axes
+    )
     q_rand = np.asarray(sample, float)
     near = int(np.argmin([problem.distance(q, q_rand) for q in tree.nodes]))
     q_near, q_new = tree.nodes[near], problem.steer(tree.nodes[near], q_rand, step)
     free = problem.is_free_path(q_near, q_new)
     artists: list[Artist] = []
-    titles = say("rrt_steps.sample"), say("rrt_steps.nearest"), say("rrt_steps.steer"), say("rrt_steps.check")
+    titles = (
+        say("rrt_steps.sample"),
+        say("rrt_steps.nearest"),
+        say("rrt_steps.steer"),
+        say("rrt_steps.check"),
+    )
     for number, (ax, title) in enumerate(zip(panels, titles)):
         artists += [*draw_problem(problem, ax), *draw_tree(tree, ax)]
         artists += ax.plot(*tree.nodes.T, "o", color=palette.TREE, markersize=5, zorder=4)
@@ -71,6 +84,14 @@ def draw_rrt_flowchart(ax: Axes | None = None) -> list[Artist]:
         "done": Step("end", say("rrt_flowchart.done"), 1, 5),
     }
     yes, no = say("rrt_flowchart.yes"), say("rrt_flowchart.no")
-    arrows = [("start", "sample", ""), ("sample", "steer", ""), ("steer", "free", ""), ("free", "add", yes), ("free", "sample", no)]
+    arrows = [
+        ("start", "sample", ""),
+        ("sample", "steer", ""),
+        ("steer", "free", ""),
+        ("free", "add", yes),
+        ("free", "sample", no),
+    ]
     arrows += [("add", "near", ""), ("near", "done", yes), ("near", "sample", no)]
-    return draw_flowchart(steps, arrows, ax or plt.subplots(figsize=(6.6, 7), dpi=72, layout="constrained")[1])
+    return draw_flowchart(
+        steps, arrows, ax or plt.subplots(figsize=(6.6, 7), dpi=72, layout="constrained")[1]
+    )

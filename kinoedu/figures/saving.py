@@ -17,7 +17,9 @@ from .drawing import axes_for, draw_plan, figure_size
 
 
 def save_plan(plan: Plan, path: str | os.PathLike[str], *, dpi: int = 120) -> None:
-    """Draw a plan into a file whose name ends in .png, .svg or .pdf. Raises OSError where it cannot be written."""
+    """Draw a plan into a file whose name ends in .png, .svg or .pdf. Raises OSError where it cannot
+    be written.
+    """
     file = Path(path)
     figure = Figure(figsize=figure_size(plan.problem.world), layout="constrained")
     FigureCanvasAgg(figure)
@@ -27,9 +29,16 @@ def save_plan(plan: Plan, path: str | os.PathLike[str], *, dpi: int = 120) -> No
 
 
 def save_panels(
-    panels: Sequence[Callable[[Axes], Any]], path: str | os.PathLike[str], *, size: tuple[float, float], title: str, dpi: int = 120
+    panels: Sequence[Callable[[Axes], Any]],
+    path: str | os.PathLike[str],
+    *,
+    size: tuple[float, float],
+    title: str,
+    dpi: int = 120,
 ) -> None:
-    """Draw panels of one height axis, each `size` inches, side by side under a title, into a .png, .svg or .pdf. Raises OSError."""
+    """Draw panels of one height axis, each `size` inches, side by side under a title, into a .png,
+    .svg or .pdf. Raises OSError.
+    """
     file = Path(path)
     figure = Figure(figsize=(size[0] * len(panels), size[1]), layout="constrained")
     FigureCanvasAgg(figure)

@@ -24,13 +24,19 @@ from .plane import title
 
 
 def draw_search(
-    moment: Expansion, graph: Graph, ax: Axes | None = None, *, weights: bool = False, costs: bool = False
+    moment: Expansion,
+    graph: Graph,
+    ax: Axes | None = None,
+    *,
+    weights: bool = False,
+    costs: bool = False,
 ) -> list[Artist]:
     """Draw one moment of a search, as `bfs_expansions` and its like yield them.
 
-    A black hexagon is the node that is being expanded, blue squares were expanded before it, yellow diamonds wait in the frontier,
-    white circles are unseen; arrows lead from parents to children. A depth-first search comes back to the nodes on its stack: they
-    are drawn as waiting. costs : write each node's cost so far beside it.
+    A black hexagon is the node that is being expanded, blue squares were expanded before it, yellow
+    diamonds wait in the frontier, white circles are unseen; arrows lead from parents to children. A
+    depth-first search comes back to the nodes on its stack: they are drawn as waiting. costs :
+    write each node's cost so far beside it.
 
     >>> from matplotlib import pyplot as plt
     >>> from kinoedu.graphs import bfs_expansions
@@ -39,21 +45,40 @@ def draw_search(
     >>> plt.close()
     """
     states = dict.fromkeys(graph, "unseen")
-    for nodes, state in ((moment.expanded, "expanded"), (moment.frontier, "frontier"), ([moment.node], "expanding")):
+    for nodes, state in (
+        (moment.expanded, "expanded"),
+        (moment.frontier, "frontier"),
+        ([moment.node], "expanding"),
+    ):
         states.update(dict.fromkeys(numbers(nodes), state))
     places = layout(graph)
     ax = axes_round(graph, places, ax)
     numbered = len(graph) <= MOST_LABELS
     gap = node_size(graph, numbered) / 2
-    artists = draw_links(graph, places, ax, gap=gap) + draw_parents(graph, moment.parent, places, ax, gap=gap)
+    artists = draw_links(graph, places, ax, gap=gap) + draw_parents(
+        graph, moment.parent, places, ax, gap=gap
+    )
     if weights:
         artists += write_weights(graph, places, ax)
     artists += draw_nodes(graph, places, states, ax, numbered)
     if costs:
         known = [u for u in graph if np.isfinite(moment.cost[u])]
-        artists += [beside(places[u], f"{moment.cost[u]:.3g}", ax, (0, gap + 3), palette.TREE, "center") for u in known]
-    waiting = ", ".join(map(str, moment.frontier)) if len(moment.frontier) <= 8 else f"{len(moment.frontier)} nodes"
-    artists.append(title(f"{len(moment.expanded)} nodes expanded, now node {moment.node}; waiting: {waiting or 'none'}", ax))
+        artists += [
+            beside(places[u], f"{moment.cost[u]:.3g}", ax, (0, gap + 3), palette.TREE, "center")
+            for u in known
+        ]
+    waiting = (
+        ", ".join(map(str, moment.frontier))
+        if len(moment.frontier) <= 8
+        else f"{len(moment.frontier)} nodes"
+    )
+    artists.append(
+        title(
+            f"{len(moment.expanded)} nodes expanded, now node {moment.node}; waiting: "
+            f"{waiting or 'none'}",
+            ax,
+        )
+    )
     return [*artists, legend(ax)]
 
 
@@ -74,5 +99,10 @@ def legend(ax: Axes) -> Artist:
         for marker, factor, face, _ in [STATES[state]]
     ]
     return ax.legend(
-        handles=marks, loc="upper center", bbox_to_anchor=(0.5, -0.1), ncols=4, fontsize=palette.TEXT_SIZE - 1, frameon=False
+        handles=marks,
+        loc="upper center",
+        bbox_to_anchor=(0.5, -0.1),
+        ncols=4,
+        fontsize=palette.TEXT_SIZE - 1,
+        frameon=False,
     )

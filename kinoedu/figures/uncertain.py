@@ -1,4 +1,6 @@
-"""Obstacles whose places are uncertain: where they are expected, where they might be, and how far to stay away."""
+"""Obstacles whose places are uncertain: where they are expected, where they might be, and how far
+to stay away.
+"""
 
 from typing import Any
 
@@ -17,12 +19,18 @@ from .moving import outline_of
 
 
 def outlines(world: UncertainWorldRecord) -> list[tuple[int, Array]]:
-    """The number of each obstacle and its outline (k, 2) where it is expected, a disc's of 24 corners: polygons first."""
+    """The number of each obstacle and its outline (k, 2) where it is expected, a disc's of 24
+    corners: polygons first.
+    """
     is_round = np.zeros(len(world.sigma), bool)
     is_round[world.owner[world.parts.radius > 0.0]] = True
     rings = [solid[0] for solid in rings_of(world.expected)[1:]]
     discs = [outline_of(row[None, :2], row[2]) for row in discs_of(world.expected)]
-    return list(zip([*np.flatnonzero(~is_round).tolist(), *np.flatnonzero(is_round).tolist()], rings + discs))
+    return list(
+        zip(
+            [*np.flatnonzero(~is_round).tolist(), *np.flatnonzero(is_round).tolist()], rings + discs
+        )
+    )
 
 
 def margin_rings(world: UncertainWorldRecord, delta: float) -> list[Array]:
@@ -31,16 +39,26 @@ def margin_rings(world: UncertainWorldRecord, delta: float) -> list[Array]:
 
     margins, parts = chance_margins(world.sigma, delta)[world.owner], world.parts
     pieces = [parts.points[a:b] for a, b in zip(parts.first[:-1], parts.first[1:])]
-    grown_pieces = [shapely.Polygon(grown(piece, float(own + more))) for piece, own, more in zip(pieces, parts.radius, margins)]
-    wholes = [shapely.union_all([grown_pieces[k] for k in np.flatnonzero(world.owner == i)]) for i in range(len(world.sigma))]
+    grown_pieces = [
+        shapely.Polygon(grown(piece, float(own + more)))
+        for piece, own, more in zip(pieces, parts.radius, margins)
+    ]
+    wholes = [
+        shapely.union_all([grown_pieces[k] for k in np.flatnonzero(world.owner == i)])
+        for i in range(len(world.sigma))
+    ]
     return [shapely.get_coordinates(shapely.get_exterior_ring(whole))[:-1] for whole in wholes]
 
 
 def draw_uncertain(
-    world: UncertainWorldRecord, ax: Axes | None = None, *, offsets: Array | None = None, delta: float | None = None
+    world: UncertainWorldRecord,
+    ax: Axes | None = None,
+    *,
+    offsets: Array | None = None,
+    delta: float | None = None,
 ) -> list[Artist]:
-    """The world as it is expected; dashed the margins for a chance delta; and faint, where the obstacles are in the scenarios given
-    by offsets (n, m, 2).
+    """The world as it is expected; dashed the margins for a chance delta; and faint, where the
+    obstacles are in the scenarios given by offsets (n, m, 2).
 
     >>> from kinoedu import UncertainWorld
     >>> from kinoedu.worlds import scenarios
@@ -51,11 +69,28 @@ def draw_uncertain(
     """
     ax = axes_for(world.expected, ax)
     drawn = draw_world(world.expected, ax)
-    faint: dict[str, Any] = {"facecolors": "none", "edgecolors": palette.HIT, "alpha": 0.35, "linewidths": 0.9, "zorder": 2}
-    ghosts = [] if offsets is None else [ring + by for number, ring in outlines(world) for by in offsets[:, number]]
+    faint: dict[str, Any] = {
+        "facecolors": "none",
+        "edgecolors": palette.HIT,
+        "alpha": 0.35,
+        "linewidths": 0.9,
+        "zorder": 2,
+    }
+    ghosts = (
+        []
+        if offsets is None
+        else [ring + by for number, ring in outlines(world) for by in offsets[:, number]]
+    )
     if ghosts:
         drawn.append(ax.add_collection(PolyCollection(ghosts, **faint)))
     if delta is not None:
-        dashed: dict[str, Any] = {"facecolors": "none", "edgecolors": palette.INK, "linestyles": "--", "linewidths": 1.8}
-        drawn.append(ax.add_collection(PolyCollection(margin_rings(world, delta), zorder=2.5, **dashed)))
+        dashed: dict[str, Any] = {
+            "facecolors": "none",
+            "edgecolors": palette.INK,
+            "linestyles": "--",
+            "linewidths": 1.8,
+        }
+        drawn.append(
+            ax.add_collection(PolyCollection(margin_rings(world, delta), zorder=2.5, **dashed))
+        )
     return drawn

@@ -1,4 +1,6 @@
-"""Geometry of the plane: lines, segments, polygons, convex polygons. Every relation is exact, every distance good to 1e-12."""
+"""Geometry of the plane: lines, segments, polygons, convex polygons. Every relation is exact, every
+distance good to 1e-12.
+"""
 
 from .convex import convex_hull, convex_polygons_intersect, point_in_convex_polygon
 from .convex_pairs import ConvexPolygons, convex_pairs_intersect
@@ -6,7 +8,12 @@ from .displacements import configuration, displaced, displacement, inverse, rota
 from .lines import line_through_points, orientation, point_line_distance
 from .minkowski import erosion, minkowski_difference, minkowski_sum
 from .polygons import point_in_polygon, point_polygon_distance, polygon_tangent
-from .segments import closest_point_on_segment, point_segment_distance, segment_intersection, segments_intersect
+from .segments import (
+    closest_point_on_segment,
+    point_segment_distance,
+    segment_intersection,
+    segments_intersect,
+)
 
 __all__ = [
     "ConvexPolygons",

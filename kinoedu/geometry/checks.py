@@ -1,5 +1,5 @@
-"""Where points and numbers enter: each becomes a checked float64 array, a plain number or a Generator, or a named error says what
-is wrong with it.
+"""Where points and numbers enter: each becomes a checked float64 array, a plain number or a
+Generator, or a named error says what is wrong with it.
 """
 
 from numbers import Real
@@ -23,12 +23,19 @@ def as_array(value: ArrayLike, name: str) -> Array:
     except (TypeError, ValueError, OverflowError):
         array = None
     if array is None or isinstance(value, np.ma.MaskedArray):
-        raise InvalidPoint(f"{name} must be real numbers in a regular array, got {shortened(value)}")
-    if array.size == 0 or (array.min() >= -LIMIT and array.max() <= LIMIT):  # neither where there is a NaN
+        raise InvalidPoint(
+            f"{name} must be real numbers in a regular array, got {shortened(value)}"
+        )
+    if array.size == 0 or (
+        array.min() >= -LIMIT and array.max() <= LIMIT
+    ):  # neither where there is a NaN
         return array
     if not np.all(np.isfinite(array)):
         raise InvalidPoint(f"{name} must be finite, got {shortened(value)}")
-    raise InvalidPoint(f"{name} must not exceed 1e150 in size, got {np.abs(array).max():g}; choose a larger unit of length")
+    raise InvalidPoint(
+        f"{name} must not exceed 1e150 in size, got {np.abs(array).max():g}; choose a larger unit "
+        "of length"
+    )
 
 
 def as_point(value: ArrayLike, name: str = "point") -> Array:
@@ -62,7 +69,9 @@ def as_things(value: Any, name: str) -> list[Any]:
 
 
 def one_or_many(value: ArrayLike, answers: NDArray[Any]) -> Any:
-    """A plain number or row where one point was asked about, the array of answers where many were."""
+    """A plain number or row where one point was asked about, the array of answers where many
+    were.
+    """
     if np.ndim(value) > 1:
         return answers
     return answers[0].item() if answers.ndim == 1 else answers[0]
@@ -75,21 +84,33 @@ def positive(value: Any, name: str) -> float:
     2.0
     """
     if not is_real(value) or not 0.0 < value <= LIMIT or float(value) == 0.0:
-        raise InvalidParameter(f"{name} must be a positive number, at most 1e150, got {shortened(value)}")
+        raise InvalidParameter(
+            f"{name} must be a positive number, at most 1e150, got {shortened(value)}"
+        )
     return float(value)
 
 
 def none_or_more(value: Any, name: str) -> float:
     """A finite number, zero or more."""
     if not is_real(value) or not 0.0 <= value <= LIMIT:
-        raise InvalidParameter(f"{name} must be a number, zero or more, at most 1e150, got {shortened(value)}")
+        raise InvalidParameter(
+            f"{name} must be a number, zero or more, at most 1e150, got {shortened(value)}"
+        )
     return float(value)
 
 
 def whole(value: Any, name: str, *, least: int) -> int:
-    """A whole number, not less than `least`; at most ten million, which is what memory holds nodes for."""
-    if isinstance(value, bool) or not isinstance(value, int | np.integer) or not least <= value <= 10_000_000:
-        raise InvalidParameter(f"{name} must be a whole number from {least} to 10,000,000, got {value!r}")
+    """A whole number, not less than `least`; at most ten million, which is what memory holds nodes
+    for.
+    """
+    if (
+        isinstance(value, bool)
+        or not isinstance(value, int | np.integer)
+        or not least <= value <= 10_000_000
+    ):
+        raise InvalidParameter(
+            f"{name} must be a whole number from {least} to 10,000,000, got {value!r}"
+        )
     return int(value)
 
 
@@ -107,5 +128,7 @@ def as_generator(rng: int | np.random.Generator) -> np.random.Generator:
     if isinstance(rng, np.random.Generator):
         return rng
     if isinstance(rng, bool) or not isinstance(rng, int | np.integer) or rng < 0:
-        raise InvalidParameter(f"the seed (rng) must be 0, 1, 2, ... or a numpy Generator, got {rng!r}")
+        raise InvalidParameter(
+            f"the seed (rng) must be 0, 1, 2, ... or a numpy Generator, got {rng!r}"
+        )
     return np.random.default_rng(int(rng))

@@ -15,10 +15,11 @@ Corner = tuple[float, float]
 
 
 def point_in_convex_polygon(q: ArrayLike, P: ArrayLike) -> bool:
-    """Whether q lies in the convex polygon P, shape (n, 2), or on its boundary: never to the right of an edge. Exact. O(n) a
-    point, after an O(n^2) check that the polygon is simple.
+    """Whether q lies in the convex polygon P, shape (n, 2), or on its boundary: never to the right
+    of an edge. Exact. O(n) a point, after an O(n^2) check that the polygon is simple.
 
-    q may be many points, shape (m, 2): then the answer has shape (m,). Raises InvalidPolygon where P is not convex, InvalidPoint.
+    q may be many points, shape (m, 2): then the answer has shape (m,). Raises InvalidPolygon where
+    P is not convex, InvalidPoint.
 
     >>> point_in_convex_polygon((1, 1), [(0, 0), (4, 0), (0, 4)]), point_in_convex_polygon((3, 2), [(0, 0), (4, 0), (0, 4)])
     (True, False)
@@ -28,11 +29,11 @@ def point_in_convex_polygon(q: ArrayLike, P: ArrayLike) -> bool:
 
 
 def convex_polygons_intersect(P1: ArrayLike, P2: ArrayLike) -> bool:
-    """Whether two convex polygons, shapes (n, 2) and (m, 2), share a point; touching counts. Exact. O(n m), after an
-    O(n^2 + m^2) check that both are simple.
+    """Whether two convex polygons, shapes (n, 2) and (m, 2), share a point; touching counts. Exact.
+    O(n m), after an O(n^2 + m^2) check that both are simple.
 
-    They are apart exactly when all of one lies strictly to the right of an edge of the other (separating axis theorem).
-    Raises InvalidPolygon where one is not convex, InvalidPoint.
+    They are apart exactly when all of one lies strictly to the right of an edge of the other
+    (separating axis theorem). Raises InvalidPolygon where one is not convex, InvalidPoint.
 
     >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
     >>> convex_polygons_intersect(square, [(1, 1), (2, 1), (2, 2)]), convex_polygons_intersect(square, [(2, 0), (3, 0), (3, 1)])
@@ -43,10 +44,12 @@ def convex_polygons_intersect(P1: ArrayLike, P2: ArrayLike) -> bool:
 
 
 def convex_hull(points: ArrayLike) -> Array:
-    """The corners of the smallest convex set that holds the points, counter-clockwise from the leftmost; shape (k, 2).
+    """The corners of the smallest convex set that holds the points, counter-clockwise from the
+    leftmost; shape (k, 2).
 
-    Points on an edge of the hull are left out; points of one line give its two ends, equal points give one. O(n log n), exact.
-    Source: A. M. Andrew, "Another efficient algorithm for convex hulls in two dimensions" (1979). Raises InvalidPoint.
+    Points on an edge of the hull are left out; points of one line give its two ends, equal points
+    give one. O(n log n), exact. Source: A. M. Andrew, "Another efficient algorithm for convex hulls
+    in two dimensions" (1979). Raises InvalidPoint.
 
     >>> convex_hull([(0, 0), (1, 0), (2, 0), (1, 1), (2, 2), (0, 2)])
     array([[0., 0.],
@@ -66,7 +69,18 @@ def chain(points: Array) -> Array:
     kept = np.empty_like(points)
     size = 0
     for p in points:
-        while size > 1 and turn(kept[size - 2, 0], kept[size - 2, 1], kept[size - 1, 0], kept[size - 1, 1], p[0], p[1]) <= 0:
+        while (
+            size > 1
+            and turn(
+                kept[size - 2, 0],
+                kept[size - 2, 1],
+                kept[size - 1, 0],
+                kept[size - 1, 1],
+                p[0],
+                p[1],
+            )
+            <= 0
+        ):
             size -= 1
         kept[size] = p
         size += 1
@@ -96,7 +110,8 @@ def has_separating_edge(P: Array, Q: Array) -> bool:
     """Whether all of Q lies strictly to the right of one edge of P."""
     n, m = len(P), len(Q)
     ax, ay = P[n - 1, 0], P[n - 1, 1]
-    witness = 0  # a corner of Q that is not to the right of one edge often is not to the right of the next
+    # a corner of Q that is not to the right of one edge often is not to the right of the next
+    witness = 0
     for i in range(n):
         bx, by = P[i, 0], P[i, 1]
         beyond = 0
@@ -110,10 +125,12 @@ def has_separating_edge(P: Array, Q: Array) -> bool:
 
 
 def convex_parts(ring: Array, holes: Sequence[Array] = ()) -> list[Array]:
-    """Convex polygons, made of the ring's own vertices, that together are exactly the ring without its holes.
+    """Convex polygons, made of the ring's own vertices, that together are exactly the ring without
+    its holes.
 
-    A constrained Delaunay triangulation whose triangles are joined, one after another, while they stay convex (after Hertel and
-    Mehlhorn, 1983: at most four times as many parts as needed). The ring is as `as_ring` returns it; so is each hole.
+    A constrained Delaunay triangulation whose triangles are joined, one after another, while they
+    stay convex (after Hertel and Mehlhorn, 1983: at most four times as many parts as needed). The
+    ring is as `as_ring` returns it; so is each hole.
     """
     if not holes and first_reflex(ring) < 0:
         return [ring]
@@ -121,21 +138,35 @@ def convex_parts(ring: Array, holes: Sequence[Array] = ()) -> list[Array]:
 
 
 def triangles(ring: Array, holes: Sequence[Array]) -> list[Array]:
-    """A constrained Delaunay triangulation of a ring with holes: counter-clockwise triangles, shape (3, 2) each."""
+    """A constrained Delaunay triangulation of a ring with holes: counter-clockwise triangles, shape
+    (3, 2) each.
+    """
     import shapely
 
     polygon = shapely.Polygon(ring, holes)
     if not polygon.is_valid:
-        raise InvalidPolygon(f"a room must lie inside its polygon, apart from other rooms: {shapely.is_valid_reason(polygon)}")
-    corners = [np.array(t.exterior.coords)[:3] for t in shapely.constrained_delaunay_triangles(polygon).geoms]
+        raise InvalidPolygon(
+            "a room must lie inside its polygon, apart from other rooms: "
+            f"{shapely.is_valid_reason(polygon)}"
+        )
+    corners = [
+        np.array(t.exterior.coords)[:3]
+        for t in shapely.constrained_delaunay_triangles(polygon).geoms
+    ]
     turns = [ring_turn(t) for t in corners]
-    return [t if sign > 0 else t[::-1].copy() for t, sign in zip(corners, turns, strict=True) if sign]
+    return [
+        t if sign > 0 else t[::-1].copy() for t, sign in zip(corners, turns, strict=True) if sign
+    ]
 
 
 def joined(parts: list[Array]) -> list[Array]:
-    """The same region in fewer convex parts: two that share an edge become one where the result is convex."""
+    """The same region in fewer convex parts: two that share an edge become one where the result is
+    convex.
+    """
     whole = {number: corners(part) for number, part in enumerate(parts)}
-    beyond = {edge: number for number, part in whole.items() for edge in sides(part)}  # an edge is shared by its reverse
+    beyond = {
+        edge: number for number, part in whole.items() for edge in sides(part)
+    }  # an edge is shared by its reverse
     for number in range(len(parts)):
         open_edges = sides(whole[number]) if number in whole else []
         while open_edges:
@@ -144,7 +175,9 @@ def joined(parts: list[Array]) -> list[Array]:
             if other is None or other == number:
                 continue
             union = joined_at_edge(whole[number], whole[other], a, b)
-            if not (turns_right(union, 0) or turns_right(union, len(whole[number]) - 1)):  # at b and a; the rest stays as it was
+            if not (
+                turns_right(union, 0) or turns_right(union, len(whole[number]) - 1)
+            ):  # at b and a; the rest stays as it was
                 beyond.update(dict.fromkeys(sides(whole.pop(other)), number))
                 whole[number] = union
                 open_edges = sides(union)
@@ -162,7 +195,9 @@ def sides(ring: list[Corner]) -> list[tuple[Corner, Corner]]:
 
 
 def joined_at_edge(P: list[Corner], Q: list[Corner], a: Corner, b: Corner) -> list[Corner]:
-    """The ring round two parts of which P has the edge a-b and Q the edge b-a: from b along P to a, and back along Q."""
+    """The ring round two parts of which P has the edge a-b and Q the edge b-a: from b along P to a,
+    and back along Q.
+    """
     i, j = P.index(b), Q.index(a)
     return P[i:] + P[:i] + (Q[j:] + Q[:j])[1:-1]
 

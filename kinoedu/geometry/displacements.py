@@ -1,7 +1,8 @@
-"""Rigid motions of the plane as matrices: rotations (2, 2), and displacements (3, 3) that rotate and then move. Bullo & Smith,
-chapters 3 and 6; LaValle, section 3.2.
+"""Rigid motions of the plane as matrices: rotations (2, 2), and displacements (3, 3) that rotate
+and then move. Bullo & Smith, chapters 3 and 6; LaValle, section 3.2.
 
-Displacements are composed with `@`: (A @ B) does B first, or puts a frame B that is given in frame A into the world.
+Displacements are composed with `@`: (A @ B) does B first, or puts a frame B that is given in frame
+A into the world.
 """
 
 import math
@@ -14,7 +15,8 @@ from .checks import Array, as_array, as_points
 
 
 def rotation(theta: float) -> Array:
-    """The rotation by theta radians about the origin, counter-clockwise, shape (2, 2). By 0 it is the identity, exactly.
+    """The rotation by theta radians about the origin, counter-clockwise, shape (2, 2). By 0 it is
+    the identity, exactly.
 
     >>> rotation(math.pi / 2).round(12) + 0.0
     array([[ 0., -1.],
@@ -28,7 +30,8 @@ def rotation(theta: float) -> Array:
 def displacement(x: float, y: float, theta: float) -> Array:
     """The displacement that turns by theta about the origin, then moves by (x, y), shape (3, 3).
 
-    It takes a point of a robot's body to where it is when the robot is at the configuration (x, y, theta).
+    It takes a point of a robot's body to where it is when the robot is at the configuration (x, y,
+    theta).
 
     >>> displacement(3, 4, 0).tolist()
     [[1.0, 0.0, 3.0], [0.0, 1.0, 4.0], [0.0, 0.0, 1.0]]
@@ -52,7 +55,8 @@ def displaced(points: ArrayLike, by: ArrayLike) -> Array:
 
 
 def inverse(of: ArrayLike) -> Array:
-    """The displacement that undoes another: its rotation transposed, and the way back seen from there.
+    """The displacement that undoes another: its rotation transposed, and the way back seen from
+    there.
 
     >>> (inverse(displacement(1, 2, 3)) @ displacement(1, 2, 3)).round(12).tolist() == np.eye(3).tolist()
     True
@@ -81,9 +85,12 @@ def as_displacement(value: ArrayLike) -> Array:
     if matrix.shape != (3, 3):
         raise InvalidPoint(f"a displacement must have shape (3, 3), got {matrix.shape}")
     (a, b), (c, d) = matrix[:2, :2]
-    if not np.allclose([a * a + c * c, a, b, *matrix[2]], [1.0, d, -c, 0.0, 0.0, 1.0], rtol=0.0, atol=1e-9):
+    if not np.allclose(
+        [a * a + c * c, a, b, *matrix[2]], [1.0, d, -c, 0.0, 0.0, 1.0], rtol=0.0, atol=1e-9
+    ):
         raise InvalidPoint(
-            "a displacement must be a rotation, a shift and the last row (0, 0, 1); make it with displacement(x, y, theta)"
+            "a displacement must be a rotation, a shift and the last row (0, 0, 1); make it with "
+            "displacement(x, y, theta)"
         )
     return matrix
 

@@ -1,10 +1,11 @@
 """Signs and values that rounding cannot spoil.
 
-The arithmetic behind every geometric decision: where the ordinary floating-point result is too close to zero to be trusted, the
-exact one is computed. Nothing here knows what a polygon is.
+The arithmetic behind every geometric decision: where the ordinary floating-point result is too
+close to zero to be trusted, the exact one is computed. Nothing here knows what a polygon is.
 
-Source: J. R. Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric predicates", Discrete &
-Computational Geometry 18 (1997); T. J. Dekker, "A floating-point technique for extending the available precision" (1971).
+Source: J. R. Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric
+predicates", Discrete & Computational Geometry 18 (1997); T. J. Dekker, "A floating-point technique
+for extending the available precision" (1971).
 """
 
 import math
@@ -14,7 +15,8 @@ import numpy as np
 from ..compiled import compiled
 
 SPLITTER = 134217729.0  # 2^27 + 1: cuts a 53-bit number into two halves whose products are exact
-ROUNDING = 3.3306690738754716e-16  # (3 + 16 eps) eps with eps = 2^-53: bounds the relative error of a computed cross product
+# (3 + 16 eps) eps with eps = 2^-53: bounds the relative error of a computed cross product
+ROUNDING = 3.3306690738754716e-16
 SAFE = 1e-270  # above it a product's rounding error is a normal number
 HUGE = 1e302  # below it a handful of products can be added
 WINDOW = 800  # exponents that can be summed at once without underflow
@@ -32,7 +34,9 @@ def two_sum(a: float, b: float) -> tuple[float, float]:
 
 @compiled
 def two_product(a: float, b: float) -> tuple[float, float]:
-    """The rounded product of two numbers and its rounding error: together exactly a * b (Dekker, Veltkamp)."""
+    """The rounded product of two numbers and its rounding error: together exactly a * b (Dekker,
+    Veltkamp).
+    """
     product = a * b
     c = SPLITTER * a
     a_high = c - (c - a)
@@ -40,12 +44,16 @@ def two_product(a: float, b: float) -> tuple[float, float]:
     c = SPLITTER * b
     b_high = c - (c - b)
     b_low = b - b_high
-    return product, a_low * b_low - (((product - a_high * b_high) - a_low * b_high) - a_high * b_low)
+    return product, a_low * b_low - (
+        ((product - a_high * b_high) - a_low * b_high) - a_high * b_low
+    )
 
 
 @compiled
 def sum_of_products(x: np.ndarray, y: np.ndarray) -> tuple[float, int]:
-    """The exact sum of x[i] * y[i]: (m, e) with the sum m * 2^e, m rounded once and of the right sign. Any finite numbers."""
+    """The exact sum of x[i] * y[i]: (m, e) with the sum m * 2^e, m rounded once and of the right
+    sign. Any finite numbers.
+    """
     expansion = np.empty(2 * len(x))
     size = 0
     for i in range(len(x)):
@@ -59,10 +67,11 @@ def sum_of_products(x: np.ndarray, y: np.ndarray) -> tuple[float, int]:
 
 @compiled
 def scaled_sum_of_products(x: np.ndarray, y: np.ndarray) -> tuple[float, int]:
-    """The same where products overflow or underflow: each becomes two terms m * 2^e with an exponent of its own.
+    """The same where products overflow or underflow: each becomes two terms m * 2^e with an
+    exponent of its own.
 
-    The largest terms, as many as fit one window of exponents, are summed exactly; while what is left could still change the
-    result, that sum joins the rest and it begins again.
+    The largest terms, as many as fit one window of exponents, are summed exactly; while what is
+    left could still change the result, that sum joins the rest and it begins again.
     """
     k = len(x)
     m, e = np.zeros(6 * k), np.zeros(6 * k, np.int64)
@@ -118,7 +127,9 @@ def largest_exponent(m: np.ndarray, e: np.ndarray) -> int:
 
 @compiled
 def add_exactly(expansion: np.ndarray, size: int, term: float) -> int:
-    """Add a term to an expansion of `size` components, smallest first, without error; returns its new size."""
+    """Add a term to an expansion of `size` components, smallest first, without error; returns its
+    new size.
+    """
     kept = 0
     for i in range(size):
         term, error = two_sum(term, expansion[i])
@@ -132,23 +143,33 @@ def add_exactly(expansion: np.ndarray, size: int, term: float) -> int:
 
 
 @compiled
-def exact_cross(ax: float, ay: float, bx: float, by: float, cx: float, cy: float) -> tuple[float, int]:
+def exact_cross(
+    ax: float, ay: float, bx: float, by: float, cx: float, cy: float
+) -> tuple[float, int]:
     """(b - a) x (c - a), exactly, as (m, e)."""
-    return sum_of_products(np.array([ax, -ay, bx, -by, cx, -cy]), np.array([by, bx, cy, cx, ay, ax]))
+    return sum_of_products(
+        np.array([ax, -ay, bx, -by, cx, -cy]), np.array([by, bx, cy, cx, ay, ax])
+    )
 
 
 @compiled
-def exact_dot(ax: float, ay: float, bx: float, by: float, cx: float, cy: float) -> tuple[float, int]:
+def exact_dot(
+    ax: float, ay: float, bx: float, by: float, cx: float, cy: float
+) -> tuple[float, int]:
     """(b - a) . (c - a), exactly, as (m, e)."""
-    return sum_of_products(np.array([bx, -bx, -ax, ax, by, -by, -ay, ay]), np.array([cx, ax, cx, ax, cy, ay, cy, ay]))
+    return sum_of_products(
+        np.array([bx, -bx, -ax, ax, by, -by, -ay, ay]), np.array([cx, ax, cx, ax, cy, ay, cy, ay])
+    )
 
 
 @compiled
 def turn(ax: float, ay: float, bx: float, by: float, cx: float, cy: float) -> int:
-    """The sign of (b - a) x (c - a) = (a - c) x (b - c): 1 where a, b, c turn left, -1 right, 0 on one line. Never wrong.
+    """The sign of (b - a) x (c - a) = (a - c) x (b - c): 1 where a, b, c turn left, -1 right, 0 on
+    one line. Never wrong.
 
-    Three steps, each for what the one before cannot decide: the rounded value; the exact difference of the two products, when the
-    coordinate differences are exact (points on a lattice); the exact value.
+    Three steps, each for what the one before cannot decide: the rounded value; the exact difference
+    of the two products, when the coordinate differences are exact (points on a lattice); the exact
+    value.
     """
     left, right = (ax - cx) * (by - cy), (ay - cy) * (bx - cx)
     det = left - right
@@ -169,7 +190,8 @@ def turn_exactly(ax: float, ay: float, bx: float, by: float, cx: float, cy: floa
         left, left_error = two_product(acx, bcy)
         right, right_error = two_product(acy, bcx)
         if abs(left) > SAFE and abs(right) > SAFE:
-            # rounding keeps order, so the rounded products decide unless they are equal, and then their errors do
+            # rounding keeps order, so the rounded products decide unless they are equal, and then
+            # their errors do
             difference = left - right if left != right else left_error - right_error
             return int(difference > 0.0) - int(difference < 0.0)
         if (acx == 0.0 or bcy == 0.0) and (acy == 0.0 or bcx == 0.0):
@@ -180,7 +202,9 @@ def turn_exactly(ax: float, ay: float, bx: float, by: float, cx: float, cy: floa
 
 @compiled
 def height(ax: float, ay: float, bx: float, by: float, px: float, py: float) -> float:
-    """The signed distance of p from the line a-b, positive on its left, to within 1e-12 of itself, however near to zero."""
+    """The signed distance of p from the line a-b, positive on its left, to within 1e-12 of itself,
+    however near to zero.
+    """
     left, right = (ax - px) * (by - py), (ay - py) * (bx - px)
     det, base = left - right, length(bx - ax, by - ay)
     if abs(det) > 1e-3 * (abs(left) + abs(right)) and abs(det) > SAFE:
@@ -203,7 +227,9 @@ def length(x: float, y: float) -> float:
 
 @compiled
 def facing(ax: float, ay: float, bx: float, by: float, cx: float, cy: float) -> int:
-    """The sign of (b - a) . (c - a): 1 where c lies ahead of a as b does, -1 behind, 0 at a right angle. Never wrong."""
+    """The sign of (b - a) . (c - a): 1 where c lies ahead of a as b does, -1 behind, 0 at a right
+    angle. Never wrong.
+    """
     along, across = (bx - ax) * (cx - ax), (by - ay) * (cy - ay)
     dot = along + across
     if abs(dot) > ROUNDING * (abs(along) + abs(across)) and abs(dot) > SAFE:
@@ -213,8 +239,12 @@ def facing(ax: float, ay: float, bx: float, by: float, cx: float, cy: float) -> 
 
 
 @compiled
-def bend(ax: float, ay: float, bx: float, by: float, cx: float, cy: float, dx: float, dy: float) -> int:
-    """The sign of (b - a) x (d - c): 1 where the direction of c-d is left of that of a-b, -1 right, 0 parallel. Never wrong."""
+def bend(
+    ax: float, ay: float, bx: float, by: float, cx: float, cy: float, dx: float, dy: float
+) -> int:
+    """The sign of (b - a) x (d - c): 1 where the direction of c-d is left of that of a-b, -1 right,
+    0 parallel. Never wrong.
+    """
     left, right = (bx - ax) * (dy - cy), (by - ay) * (dx - cx)
     det = left - right
     if abs(det) > ROUNDING * (abs(left) + abs(right)) and abs(det) > SAFE:

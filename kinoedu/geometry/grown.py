@@ -11,7 +11,8 @@ SIDES = 32  # of the polygon that stands for a disc: it reaches half a percent b
 
 
 def round_disc(radius: float) -> Array:
-    """A regular polygon that holds the disc of a radius round the origin, and touches it; the origin alone for 0. Shape (k, 2).
+    """A regular polygon that holds the disc of a radius round the origin, and touches it; the
+    origin alone for 0. Shape (k, 2).
 
     >>> round_disc(0.0)
     array([[0., 0.]])
@@ -26,10 +27,14 @@ def round_disc(radius: float) -> Array:
 
 
 def summed(P: Array, Q: Array) -> Array:
-    """The convex hull of all sums of a point of P, shape (n, 2), and one of Q, (k, 2): counter-clockwise."""
+    """The convex hull of all sums of a point of P, shape (n, 2), and one of Q, (k, 2):
+    counter-clockwise.
+    """
     return convex_hull((P[:, None] + Q[None]).reshape(-1, 2))
 
 
 def grown(piece: Array, radius: float) -> Array:
-    """A convex polygon that holds all that is within a radius of the convex hull of points (n, 2), and little more."""
+    """A convex polygon that holds all that is within a radius of the convex hull of points (n, 2),
+    and little more.
+    """
     return summed(piece, round_disc(radius))

@@ -1,7 +1,7 @@
 """How far one walk follows another: a student's path beside the exact one.
 
-Two walkers go forward, each on its own path, joined by a leash of a given length. T. Eiter, H. Mannila, "Computing discrete Fréchet
-distance" (1994).
+Two walkers go forward, each on its own path, joined by a leash of a given length. T. Eiter, H.
+Mannila, "Computing discrete Fréchet distance" (1994).
 """
 
 import numpy as np
@@ -12,8 +12,8 @@ from .checks import Array, as_points
 
 
 def followed(path: ArrayLike, guide: ArrayLike, leash: float) -> int:
-    """How many points of a path, shape (n, 2), can be walked while a guide walks another, shape (m, 2), never farther away than the
-    leash. All n only if the guide arrives too. O(n m).
+    """How many points of a path, shape (n, 2), can be walked while a guide walks another, shape (m,
+    2), never farther away than the leash. All n only if the guide arrives too. O(n m).
 
     >>> guide = [(0, 0), (1, 0), (2, 0), (3, 0)]
     >>> followed([(0, 0.1), (3, 0.1)], guide, 0.5), followed([(0, 0), (1, 0.2), (2, -0.2), (3, 0)], guide, 0.5)
@@ -26,7 +26,9 @@ def followed(path: ArrayLike, guide: ArrayLike, leash: float) -> int:
 def steps_on_leash(path: Array, guide: Array, square: float) -> int:
     """The same for arrays and the square of the leash's length."""
     n, m = len(path), len(guide)
-    possible = np.zeros(m, np.bool_)  # where the guide can be when the path has been walked to its point i
+    possible = np.zeros(
+        m, np.bool_
+    )  # where the guide can be when the path has been walked to its point i
     for i in range(n):
         behind = False  # whether the guide could be at j - 1 before the path's last step
         for j in range(m):
@@ -41,7 +43,8 @@ def steps_on_leash(path: Array, guide: Array, square: float) -> int:
 
 
 def at_most_apart(path: ArrayLike, spacing: float) -> Array:
-    """The same path, shape (n, 2), with points added so that no two neighbours are farther apart than the spacing.
+    """The same path, shape (n, 2), with points added so that no two neighbours are farther apart
+    than the spacing.
 
     >>> at_most_apart([(0, 0), (1, 0)], 0.5)
     array([[0. , 0. ],

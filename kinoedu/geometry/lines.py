@@ -1,4 +1,6 @@
-"""Lines, and which side of one a point lies on. Bullo & Smith, Lectures on Robotic Planning and Kinematics, chapter 1."""
+"""Lines, and which side of one a point lies on. Bullo & Smith, Lectures on Robotic Planning and
+Kinematics, chapter 1.
+"""
 
 import math
 
@@ -11,7 +13,8 @@ from .exact import height, length, sum_of_products, turn
 
 
 def orientation(a: ArrayLike, b: ArrayLike, c: ArrayLike) -> int:
-    """Whether a, b, c turn left (1), turn right (-1) or lie on one line (0). Exact for every finite input.
+    """Whether a, b, c turn left (1), turn right (-1) or lie on one line (0). Exact for every finite
+    input.
 
     Parameters are points of shape (2,). Raises InvalidPoint.
 
@@ -25,8 +28,8 @@ def orientation(a: ArrayLike, b: ArrayLike, c: ArrayLike) -> int:
 def line_through_points(p1: ArrayLike, p2: ArrayLike) -> tuple[float, float, float]:
     """The line {(x, y): a x + b y + c = 0} through two distinct points, with a^2 + b^2 = 1.
 
-    (a, b) points to the left of the way from p1 to p2, so a x + b y + c is the signed distance of (x, y), positive on the left.
-    Raises InvalidSegment where the points coincide, InvalidPoint.
+    (a, b) points to the left of the way from p1 to p2, so a x + b y + c is the signed distance of
+    (x, y), positive on the left. Raises InvalidSegment where the points coincide, InvalidPoint.
 
     >>> line_through_points((0, 1), (5, 1))
     (0.0, 1.0, -1.0)
@@ -39,7 +42,8 @@ def line_through_points(p1: ArrayLike, p2: ArrayLike) -> tuple[float, float, flo
 
 
 def point_line_distance(q: ArrayLike, p1: ArrayLike, p2: ArrayLike) -> float:
-    """The distance from q to the line through p1 and p2. Raises InvalidSegment where p1 and p2 coincide, InvalidPoint.
+    """The distance from q to the line through p1 and p2. Raises InvalidSegment where p1 and p2
+    coincide, InvalidPoint.
 
     >>> point_line_distance((3, 4), (0, 0), (1, 0))
     4.0

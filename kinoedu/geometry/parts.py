@@ -31,9 +31,10 @@ The record table (every record is a NamedTuple; compiled code reads its fields):
 | `Grid`; `Cells`, `Motions` | a grid's place and size; what its moves are judged by (planners/grid.py) |
 | `RadixHeap`, `Known` | a search's queue, and what it knows of each node (graphs/radix_heap.py, graphs/search.py) |
 
-One vertex with a radius is a disc, two a rounded bar such as an arm's link, three or more a convex polygon, counter-clockwise; a
-non-convex polygon is several parts. So one distance routine judges them all. Records hold few arrays: compiled code counts a
-reference to each of them wherever a record is handed on.
+One vertex with a radius is a disc, two a rounded bar such as an arm's link, three or more a convex
+polygon, counter-clockwise; a non-convex polygon is several parts. So one distance routine judges
+them all. Records hold few arrays: compiled code counts a reference to each of them wherever a
+record is handed on.
 """
 
 from collections.abc import Sequence
@@ -68,7 +69,9 @@ def make_parts(pieces: Sequence[Array], radius: Sequence[float]) -> Parts:
 
 def part_boxes(parts: Parts) -> Array:
     """The bounding box (x0, y0, x1, y1) of each part with its radius, shape (k, 4)."""
-    lo, hi = (ufunc.reduceat(parts.points, parts.first[:-1], axis=0) for ufunc in (np.minimum, np.maximum))
+    lo, hi = (
+        ufunc.reduceat(parts.points, parts.first[:-1], axis=0) for ufunc in (np.minimum, np.maximum)
+    )
     return np.hstack([lo - parts.radius[:, None], hi + parts.radius[:, None]])
 
 
@@ -76,8 +79,9 @@ def part_boxes(parts: Parts) -> Array:
 def segment_meets_part(ax: float, ay: float, bx: float, by: float, parts: Parts, i: int) -> bool:
     """Whether the closed segment a-b shares a point with part i, its radius left aside. Exact.
 
-    A segment and a polygon are apart exactly when the segment's line has the polygon strictly on one side, or the segment lies
-    strictly to the right of an edge (separating axis theorem). The segment may be a single point.
+    A segment and a polygon are apart exactly when the segment's line has the polygon strictly on
+    one side, or the segment lies strictly to the right of an edge (separating axis theorem). The
+    segment may be a single point.
     """
     points, begin, end = parts.points, parts.first[i], parts.first[i + 1]
     if end - begin == 1:
@@ -97,7 +101,9 @@ def segment_meets_part(ax: float, ay: float, bx: float, by: float, parts: Parts,
 
 
 @inlined
-def segment_part_distance(ax: float, ay: float, bx: float, by: float, parts: Parts, i: int) -> float:
+def segment_part_distance(
+    ax: float, ay: float, bx: float, by: float, parts: Parts, i: int
+) -> float:
     """The distance between the segment a-b and part i, its radius left aside; 0 where they meet."""
     if segment_meets_part(ax, ay, bx, by, parts, i):
         return 0.0
@@ -107,15 +113,21 @@ def segment_part_distance(ax: float, ay: float, bx: float, by: float, parts: Par
     for k in range(begin, end):
         px, py, qx, qy = points[last, 0], points[last, 1], points[k, 0], points[k, 1]
         to_corner = segment_distance(qx, qy, ax, ay, bx, by)
-        to_edge = min(segment_distance(ax, ay, px, py, qx, qy), segment_distance(bx, by, px, py, qx, qy))
+        to_edge = min(
+            segment_distance(ax, ay, px, py, qx, qy), segment_distance(bx, by, px, py, qx, qy)
+        )
         best = min(best, min(to_corner, to_edge))
         last = k
     return best
 
 
 @inlined
-def motion_touches_part(ax: float, ay: float, bx: float, by: float, radius: float, parts: Parts, i: int) -> bool:
-    """Whether a disc moved along a-b touches part i: exact for a point against a polygon, to 1e-12 where something is round."""
+def motion_touches_part(
+    ax: float, ay: float, bx: float, by: float, radius: float, parts: Parts, i: int
+) -> bool:
+    """Whether a disc moved along a-b touches part i: exact for a point against a polygon, to 1e-12
+    where something is round.
+    """
     reach = radius + parts.radius[i]
     if reach == 0.0:
         return segment_meets_part(ax, ay, bx, by, parts, i)

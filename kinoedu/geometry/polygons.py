@@ -1,4 +1,5 @@
-"""Simple polygons: which points they hold, how far a point is from one, and the way round it. Bullo & Smith, chapter 1.
+"""Simple polygons: which points they hold, how far a point is from one, and the way round it. Bullo
+& Smith, chapter 1.
 
 A polygon is a closed set: its boundary belongs to it.
 """
@@ -14,10 +15,11 @@ from .segments import between, closest_on_segment, segment_distance
 
 
 def point_in_polygon(q: ArrayLike, polygon: ArrayLike) -> bool:
-    """Whether q lies in a simple polygon, shape (n, 2), or on its boundary. Exact. O(n) a point, after an O(n^2) check that
-    the polygon is simple.
+    """Whether q lies in a simple polygon, shape (n, 2), or on its boundary. Exact. O(n) a point,
+    after an O(n^2) check that the polygon is simple.
 
-    q may be many points, shape (m, 2): then the answer has shape (m,). Raises InvalidPolygon, InvalidPoint.
+    q may be many points, shape (m, 2): then the answer has shape (m,). Raises InvalidPolygon,
+    InvalidPoint.
 
     >>> corner = [(0, 0), (4, 0), (4, 4), (2, 4), (2, 2), (0, 2)]
     >>> point_in_polygon((1, 1), corner), point_in_polygon((1, 3), corner), point_in_polygon((1, 2), corner)
@@ -27,10 +29,11 @@ def point_in_polygon(q: ArrayLike, polygon: ArrayLike) -> bool:
 
 
 def point_polygon_distance(q: ArrayLike, polygon: ArrayLike) -> float:
-    """The distance from q to a simple polygon, shape (n, 2); 0 inside and on the boundary. O(n) a point, after
-    an O(n^2) check that the polygon is simple.
+    """The distance from q to a simple polygon, shape (n, 2); 0 inside and on the boundary. O(n) a
+    point, after an O(n^2) check that the polygon is simple.
 
-    q may be many points, shape (m, 2): then the answer has shape (m,). Raises InvalidPolygon, InvalidPoint.
+    q may be many points, shape (m, 2): then the answer has shape (m,). Raises InvalidPolygon,
+    InvalidPoint.
 
     >>> point_polygon_distance((7, 8), [(0, 0), (4, 0), (4, 4), (0, 4)])
     5.0
@@ -39,11 +42,13 @@ def point_polygon_distance(q: ArrayLike, polygon: ArrayLike) -> float:
 
 
 def polygon_tangent(q: ArrayLike, polygon: ArrayLike) -> Array:
-    """The unit vector in which a robot at q starts to circle a polygon counter-clockwise, shape (2,).
+    """The unit vector in which a robot at q starts to circle a polygon counter-clockwise, shape
+    (2,).
 
-    Where the nearest boundary point is inside an edge, it is the direction of that edge; where it is a vertex, the tangent to the
-    circle round that vertex through q, in the sense in which the edges go on there; at the vertex itself, the direction of the edge
-    that leaves it. Among equally near edges the first counts. Raises InvalidPolygon, InvalidPoint.
+    Where the nearest boundary point is inside an edge, it is the direction of that edge; where it
+    is a vertex, the tangent to the circle round that vertex through q, in the sense in which the
+    edges go on there; at the vertex itself, the direction of the edge that leaves it. Among equally
+    near edges the first counts. Raises InvalidPolygon, InvalidPoint.
 
     >>> polygon_tangent((2, -1), [(0, 0), (4, 0), (4, 4), (0, 4)])
     array([1., 0.])
@@ -62,7 +67,9 @@ def polygon_tangent(q: ArrayLike, polygon: ArrayLike) -> Array:
 
 @compiled
 def place(x: float, y: float, ring: Array) -> int:
-    """Where a point is: 1 inside the ring, 0 on it, -1 outside. Counts the edges that a ray to the right crosses; exact."""
+    """Where a point is: 1 inside the ring, 0 on it, -1 outside. Counts the edges that a ray to the
+    right crosses; exact.
+    """
     inside = False
     j = len(ring) - 1
     for i in range(len(ring)):
@@ -104,7 +111,9 @@ def distances_to_ring(points: Array, ring: Array) -> Array:
 
 @compiled
 def nearest_on_ring(x: float, y: float, ring: Array) -> tuple[int, float, float, int]:
-    """The boundary point nearest to (x, y): its edge (i leaves vertex i), itself, and its region on that edge as in segments."""
+    """The boundary point nearest to (x, y): its edge (i leaves vertex i), itself, and its region on
+    that edge as in segments.
+    """
     n = len(ring)
     nearest, best = 0, np.inf
     for i in range(n):

@@ -1,4 +1,6 @@
-"""Segments: the nearest point on one, the distance to it, and where two of them meet. Bullo & Smith, chapter 1."""
+"""Segments: the nearest point on one, the distance to it, and where two of them meet. Bullo &
+Smith, chapter 1.
+"""
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -11,8 +13,8 @@ from .exact import facing, height, length, turn
 def closest_point_on_segment(q: ArrayLike, p1: ArrayLike, p2: ArrayLike) -> tuple[Array, int]:
     """The point of the segment p1-p2 nearest to q, and the region that q lies in.
 
-    Region 0: the nearest point is inside the segment; 1: it is p1; 2: it is p2. Where p1 = p2 the region is 1.
-    Raises InvalidPoint.
+    Region 0: the nearest point is inside the segment; 1: it is p1; 2: it is p2. Where p1 = p2 the
+    region is 1. Raises InvalidPoint.
 
     >>> closest_point_on_segment((1, 2), (0, 0), (4, 0))
     (array([1., 0.]), 0)
@@ -25,7 +27,8 @@ def closest_point_on_segment(q: ArrayLike, p1: ArrayLike, p2: ArrayLike) -> tupl
 
 
 def point_segment_distance(q: ArrayLike, p1: ArrayLike, p2: ArrayLike) -> float:
-    """The distance from q to the segment p1-p2, which may be a single point; to 1e-12 of itself. Raises InvalidPoint.
+    """The distance from q to the segment p1-p2, which may be a single point; to 1e-12 of itself.
+    Raises InvalidPoint.
 
     q may be many points, shape (m, 2): then the answer has shape (m,).
 
@@ -37,7 +40,8 @@ def point_segment_distance(q: ArrayLike, p1: ArrayLike, p2: ArrayLike) -> float:
 
 
 def segments_intersect(p1: ArrayLike, p2: ArrayLike, p3: ArrayLike, p4: ArrayLike) -> bool:
-    """Whether the closed segments p1-p2 and p3-p4 share a point; a segment may be a single point. Exact. Raises InvalidPoint.
+    """Whether the closed segments p1-p2 and p3-p4 share a point; a segment may be a single point.
+    Exact. Raises InvalidPoint.
 
     Each argument may be many points, shape (m, 2): then the answer has shape (m,).
 
@@ -52,10 +56,11 @@ def segments_intersect(p1: ArrayLike, p2: ArrayLike, p3: ArrayLike, p4: ArrayLik
 
 
 def segment_intersection(p1: ArrayLike, p2: ArrayLike, p3: ArrayLike, p4: ArrayLike) -> Array:
-    """What the closed segments p1-p2 and p3-p4 share: no point, one, or the two ends of an overlap in the order from p1
-    to p2; shape (k, 2), k = 0, 1, 2.
+    """What the closed segments p1-p2 and p3-p4 share: no point, one, or the two ends of an overlap
+    in the order from p1 to p2; shape (k, 2), k = 0, 1, 2.
 
-    How many points there are is decided exactly; a point where one segment ends is that very end. Raises InvalidPoint.
+    How many points there are is decided exactly; a point where one segment ends is that very end.
+    Raises InvalidPoint.
 
     >>> segment_intersection((0, 0), (4, 4), (0, 4), (4, 0))
     array([[2., 2.]])
@@ -69,7 +74,9 @@ def segment_intersection(p1: ArrayLike, p2: ArrayLike, p3: ArrayLike, p4: ArrayL
 
 
 @compiled
-def closest_on_segment(px: float, py: float, ax: float, ay: float, bx: float, by: float) -> tuple[float, float, int]:
+def closest_on_segment(
+    px: float, py: float, ax: float, ay: float, bx: float, by: float
+) -> tuple[float, float, int]:
     """The point of a-b nearest to p as x, y, and the region of p: 0 inside, 1 at a, 2 at b."""
     if facing(ax, ay, bx, by, px, py) <= 0:
         return ax, ay, 1
@@ -91,9 +98,18 @@ def between(ax: float, ay: float, bx: float, by: float, px: float, py: float) ->
 
 
 @compiled
-def segments_meet(ax: float, ay: float, bx: float, by: float, cx: float, cy: float, dx: float, dy: float) -> bool:
-    """Whether the closed segments a-b and c-d share a point; either may be a single point. Exact."""
-    if max(ax, bx) < min(cx, dx) or max(cx, dx) < min(ax, bx) or max(ay, by) < min(cy, dy) or max(cy, dy) < min(ay, by):
+def segments_meet(
+    ax: float, ay: float, bx: float, by: float, cx: float, cy: float, dx: float, dy: float
+) -> bool:
+    """Whether the closed segments a-b and c-d share a point; either may be a single point.
+    Exact.
+    """
+    if (
+        max(ax, bx) < min(cx, dx)
+        or max(cx, dx) < min(ax, bx)
+        or max(ay, by) < min(cy, dy)
+        or max(cy, dy) < min(ay, by)
+    ):
         return False
     a_side, b_side = turn(cx, cy, dx, dy, ax, ay), turn(cx, cy, dx, dy, bx, by)
     c_side, d_side = turn(ax, ay, bx, by, cx, cy), turn(ax, ay, bx, by, dx, dy)
@@ -118,7 +134,9 @@ def segment_distance(px: float, py: float, ax: float, ay: float, bx: float, by: 
 
 
 @compiled
-def segments_distance(ax: float, ay: float, bx: float, by: float, cx: float, cy: float, dx: float, dy: float) -> float:
+def segments_distance(
+    ax: float, ay: float, bx: float, by: float, cx: float, cy: float, dx: float, dy: float
+) -> float:
     """The distance between the segments a-b and c-d, 0 where they meet."""
     if segments_meet(ax, ay, bx, by, cx, cy, dx, dy):
         return 0.0
@@ -142,7 +160,9 @@ def pairs_meet(a: Array, b: Array, c: Array, d: Array) -> NDArray[np.bool_]:
     """Whether segment i of the first kind meets segment i of the second, shape (m,)."""
     meet = np.empty(len(a), np.bool_)
     for i in range(len(a)):
-        meet[i] = segments_meet(a[i, 0], a[i, 1], b[i, 0], b[i, 1], c[i, 0], c[i, 1], d[i, 0], d[i, 1])
+        meet[i] = segments_meet(
+            a[i, 0], a[i, 1], b[i, 0], b[i, 1], c[i, 0], c[i, 1], d[i, 0], d[i, 1]
+        )
     return meet
 
 
@@ -151,8 +171,14 @@ def shared_points(a: Array, b: Array, c: Array, d: Array, out: Array) -> int:
     """Write what two segments share into out, shape (2, 2), and return how many points it is."""
     if not segments_meet(a[0], a[1], b[0], b[1], c[0], c[1], d[0], d[1]):
         return 0
-    a_side, b_side = turn(c[0], c[1], d[0], d[1], a[0], a[1]), turn(c[0], c[1], d[0], d[1], b[0], b[1])
-    c_side, d_side = turn(a[0], a[1], b[0], b[1], c[0], c[1]), turn(a[0], a[1], b[0], b[1], d[0], d[1])
+    a_side, b_side = (
+        turn(c[0], c[1], d[0], d[1], a[0], a[1]),
+        turn(c[0], c[1], d[0], d[1], b[0], b[1]),
+    )
+    c_side, d_side = (
+        turn(a[0], a[1], b[0], b[1], c[0], c[1]),
+        turn(a[0], a[1], b[0], b[1], d[0], d[1]),
+    )
     if a_side == 0 and b_side == 0 and c_side == 0 and d_side == 0:
         return shared_stretch(a, b, c, d, out)
     if a_side == 0:
@@ -170,7 +196,9 @@ def shared_points(a: Array, b: Array, c: Array, d: Array, out: Array) -> int:
 
 @compiled
 def proper_crossing(a: Array, b: Array, c: Array, d: Array) -> Array:
-    """Where a-b and c-d cross, both in their insides: the point that divides a-b as its ends' distances from c-d do."""
+    """Where a-b and c-d cross, both in their insides: the point that divides a-b as its ends'
+    distances from c-d do.
+    """
     from_a = abs(height(c[0], c[1], d[0], d[1], a[0], a[1]))
     from_b = abs(height(c[0], c[1], d[0], d[1], b[0], b[1]))
     if from_a <= from_b:
@@ -186,7 +214,9 @@ def before(p: Array, q: Array) -> bool:
 
 @compiled
 def shared_stretch(a: Array, b: Array, c: Array, d: Array, out: Array) -> int:
-    """What two meeting segments of one line share, from the end nearer to a to the end nearer to b."""
+    """What two meeting segments of one line share, from the end nearer to a to the end nearer
+    to b.
+    """
     if before(b, a) != before(d, c):
         c, d = d, c
     forward = before(a, b) or ((a == b).all() and before(c, d))

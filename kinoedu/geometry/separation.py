@@ -1,7 +1,7 @@
 """Two convex pieces: whether they meet, how far apart they are, and the line that keeps them apart.
 
-A piece is the rows begin..end of an array of points, the first two columns x and y: one point, two ends of a segment, or a convex
-polygon, counter-clockwise. Radii are left aside.
+A piece is the rows begin..end of an array of points, the first two columns x and y: one point, two
+ends of a segment, or a convex polygon, counter-clockwise. Radii are left aside.
 """
 
 import numpy as np
@@ -18,18 +18,28 @@ def pieces_meet(P: Array, p: int, p_end: int, Q: Array, q: int, q_end: int) -> b
     if p_end - p <= 2 and q_end - q <= 2:
         a, b, c, d = P[p], P[p_end - 1], Q[q], Q[q_end - 1]
         return segments_meet(a[0], a[1], b[0], b[1], c[0], c[1], d[0], d[1])
-    return not (lies_beyond_edge(P, p, p_end, Q, q, q_end, 0) or lies_beyond_edge(Q, q, q_end, P, p, p_end, 0))
+    return not (
+        lies_beyond_edge(P, p, p_end, Q, q, q_end, 0)
+        or lies_beyond_edge(Q, q, q_end, P, p, p_end, 0)
+    )
 
 
 @compiled
 def insides_meet(P: Array, p: int, p_end: int, Q: Array, q: int, q_end: int) -> bool:
     """Whether the insides of two polygons share a point; touching does not count. Exact."""
-    return not (lies_beyond_edge(P, p, p_end, Q, q, q_end, 1) or lies_beyond_edge(Q, q, q_end, P, p, p_end, 1))
+    return not (
+        lies_beyond_edge(P, p, p_end, Q, q, q_end, 1)
+        or lies_beyond_edge(Q, q, q_end, P, p, p_end, 1)
+    )
 
 
 @compiled
-def lies_beyond_edge(P: Array, p: int, p_end: int, Q: Array, q: int, q_end: int, least: int) -> bool:
-    """Whether all of Q turns less than `least` at one edge of P: with 0 it lies strictly to its right, with 1 it may touch it."""
+def lies_beyond_edge(
+    P: Array, p: int, p_end: int, Q: Array, q: int, q_end: int, least: int
+) -> bool:
+    """Whether all of Q turns less than `least` at one edge of P: with 0 it lies strictly to its
+    right, with 1 it may touch it.
+    """
     last = p_end - 1
     for i in range(p, p_end):
         beyond = True
@@ -54,8 +64,12 @@ def pieces_distance(P: Array, p: int, p_end: int, Q: Array, q: int, q_end: int) 
 
 
 @compiled
-def nearest_corner(P: Array, p: int, p_end: int, Q: Array, q: int, q_end: int) -> tuple[int, int, int, float]:
-    """The corner of P nearest to an edge of Q, the two ends of that edge, and the distance between them."""
+def nearest_corner(
+    P: Array, p: int, p_end: int, Q: Array, q: int, q_end: int
+) -> tuple[int, int, int, float]:
+    """The corner of P nearest to an edge of Q, the two ends of that edge, and the distance between
+    them.
+    """
     corner, tail, head, best = p, q, q, np.inf
     for i in range(p, p_end):
         last = q_end - 1
@@ -68,11 +82,14 @@ def nearest_corner(P: Array, p: int, p_end: int, Q: Array, q: int, q_end: int) -
 
 
 @compiled
-def dividing_line(P: Array, p: int, p_end: int, Q: Array, q: int, q_end: int) -> tuple[float, float, float, float]:
-    """A line (x, y, nx, ny) through (x, y) with the unit normal (nx, ny): Q does not cross it, and P lies as far ahead as can be.
+def dividing_line(
+    P: Array, p: int, p_end: int, Q: Array, q: int, q_end: int
+) -> tuple[float, float, float, float]:
+    """A line (x, y, nx, ny) through (x, y) with the unit normal (nx, ny): Q does not cross it, and
+    P lies as far ahead as can be.
 
-    Where the pieces are apart that is their distance. Where they meet, P reaches behind the line by the least depth that any edge
-    shows: nowhere where they only touch.
+    Where the pieces are apart that is their distance. Where they meet, P reaches behind the line by
+    the least depth that any edge shows: nowhere where they only touch.
     """
     if pieces_meet(P, p, p_end, Q, q, q_end):
         return shallowest_line(P, p, p_end, Q, q, q_end)
@@ -86,8 +103,12 @@ def dividing_line(P: Array, p: int, p_end: int, Q: Array, q: int, q_end: int) ->
 
 
 @compiled
-def line_towards(px: float, py: float, ax: float, ay: float, bx: float, by: float) -> tuple[float, float, float, float]:
-    """The point of the segment a-b nearest to p, and the unit vector from there to p, which is apart from it."""
+def line_towards(
+    px: float, py: float, ax: float, ay: float, bx: float, by: float
+) -> tuple[float, float, float, float]:
+    """The point of the segment a-b nearest to p, and the unit vector from there to p, which is
+    apart from it.
+    """
     x, y, region = closest_on_segment(px, py, ax, ay, bx, by)
     if region > 0:
         size = length(px - x, py - y)
@@ -97,11 +118,15 @@ def line_towards(px: float, py: float, ax: float, ay: float, bx: float, by: floa
 
 
 @compiled
-def shallowest_line(P: Array, p: int, p_end: int, Q: Array, q: int, q_end: int) -> tuple[float, float, float, float]:
+def shallowest_line(
+    P: Array, p: int, p_end: int, Q: Array, q: int, q_end: int
+) -> tuple[float, float, float, float]:
     """Among the lines along the edges of two pieces that meet, the one that P crosses least."""
     best, x, y, nx, ny = -np.inf, Q[q, 0], Q[q, 1], 1.0, 0.0
     for swapped in (False, True):
-        R, r, r_end, S, s, s_end = (P, p, p_end, Q, q, q_end) if swapped else (Q, q, q_end, P, p, p_end)
+        R, r, r_end, S, s, s_end = (
+            (P, p, p_end, Q, q, q_end) if swapped else (Q, q, q_end, P, p, p_end)
+        )
         last = r_end - 1
         for i in range(r, r_end):
             ax, ay, bx, by = R[last, 0], R[last, 1], R[i, 0], R[i, 1]

@@ -1,8 +1,10 @@
-"""From a student's cells to the outcomes of their functions: ask the sandbox, and where a program broke off, again for the rest.
+"""From a student's cells to the outcomes of their functions: ask the sandbox, and where a program
+broke off, again for the rest.
 
-What comes back is a stranger's word. Each line is read by the shapes that the exercise declares; a line that does not fit counts as
-no answer, and one that was not asked for as nothing at all. A sandbox is asked in three parts: the cells, the cases that everybody
-has seen, and the hidden ones. So what a student may read, such as an exception's message, was said before a hidden case was there.
+What comes back is a stranger's word. Each line is read by the shapes that the exercise declares; a
+line that does not fit counts as no answer, and one that was not asked for as nothing at all. A
+sandbox is asked in three parts: the cells, the cases that everybody has seen, and the hidden ones.
+So what a student may read, such as an exception's message, was said before a hidden case was there.
 """
 
 import time
@@ -26,7 +28,11 @@ CELL_SECONDS = 10.0
 GRACE = 2.0  # seconds in which what inside.py stops itself must be heard of
 DRAWING = ("kinoedu.figures.plane", "matplotlib.pyplot")  # to be loaded once, not by each program
 BROKEN_CELLS = 3  # after so many cells that could not even be stopped the others are not run
-KNOWN = {name for module in (shapes, whole_shapes, drawn, tasks, drivable, expansions) for name in vars(module)}
+KNOWN = {
+    name
+    for module in (shapes, whole_shapes, drawn, tasks, drivable, expansions)
+    for name in vars(module)
+}
 
 
 class Cell(NamedTuple):
@@ -50,8 +56,8 @@ class Question(NamedTuple):
 
 
 class Answers(NamedTuple):
-    """What came of each question, its outcomes in the order of its cases, or None where there is no such function; and of each cell
-    that failed.
+    """What came of each question, its outcomes in the order of its cases, or None where there is no
+    such function; and of each cell that failed.
     """
 
     outcomes: dict[str, list[Outcome] | None]
@@ -62,13 +68,18 @@ CELLS, SHOWN, HIDDEN = range(3)  # the parts
 
 
 def answers(
-    sandbox: Sandbox, cells: list[Cell], questions: list[Question], lent: tuple[str, ...] = (), *, patience: float = 1.0
+    sandbox: Sandbox,
+    cells: list[Cell],
+    questions: list[Question],
+    lent: tuple[str, ...] = (),
+    *,
+    patience: float = 1.0,
 ) -> Answers:
     """Run the cells and ask the questions, as many times as it takes. Raises NoSandbox.
 
-    lent : what the assignment takes from the exercises' own modules, as "module:name". patience : how many times its usual
-    time everything is given; a slow computer gives more. What is not asked when all that time is over, however often it broke
-    off, counts as late.
+    lent : what the assignment takes from the exercises' own modules, as "module:name". patience :
+        how many times its usual time everything is given; a slow computer gives more. What is not
+        asked when all that time is over, however often it broke off, counts as late.
     """
     patience *= speed()
     found = Answers({}, {})
@@ -76,9 +87,13 @@ def answers(
     until = time.monotonic() + LONGEST * patience
     while questions:
         if time.monotonic() > until:
-            found.outcomes.update({question.name: [Late(left_running=False)] for question in questions})
+            found.outcomes.update(
+                {question.name: [Late(left_running=False)] for question in questions}
+            )
             break
-        longest = max([CELL_SECONDS, *(question.exercise.seconds for question in questions)]) * patience
+        longest = (
+            max([CELL_SECONDS, *(question.exercise.seconds for question in questions)]) * patience
+        )
         drawn = any(own_call(question.exercise) for question in questions)
         request = request_for(cells, questions, patience)
         request[CELLS]["lent"] = lent
@@ -90,23 +105,44 @@ def answers(
     return found
 
 
-def request_for(cells: list[Cell], questions: list[Question], patience: float) -> list[dict[str, Any]]:
+def request_for(
+    cells: list[Cell], questions: list[Question], patience: float
+) -> list[dict[str, Any]]:
     """What inside.py reads, in its parts."""
     sources = [question.exercise.source for question in questions]
-    seconds = sum(CELL_SECONDS for _ in cells) + sum(len(q.cases) * q.exercise.seconds for q in questions)
+    seconds = sum(CELL_SECONDS for _ in cells) + sum(
+        len(q.cases) * q.exercise.seconds for q in questions
+    )
     first = {
         "cells": [{**cell._asdict(), "seconds": CELL_SECONDS * patience} for cell in cells],
         "questions": [question_for(question.exercise, patience) for question in questions],
-        "withheld": [f"{source.__module__}:{source.__name__}" for source in sources if source is not None],
-        "limits": {"memory": MEMORY, "cpu": int(min(seconds, LONGEST) * patience) + 1, "files": FILES},
+        "withheld": [
+            f"{source.__module__}:{source.__name__}" for source in sources if source is not None
+        ],
+        "limits": {
+            "memory": MEMORY,
+            "cpu": int(min(seconds, LONGEST) * patience) + 1,
+            "files": FILES,
+        },
     }
-    return [first, *({question.name: given_in(question, part) for question in questions} for part in (SHOWN, HIDDEN))]
+    return [
+        first,
+        *(
+            {question.name: given_in(question, part) for question in questions}
+            for part in (SHOWN, HIDDEN)
+        ),
+    ]
 
 
 def question_for(exercise: Exercise, patience: float) -> dict[str, Any]:
-    """One question without its cases: of an exercise only the shapes go there, and its way to call. Raises InvalidParameter."""
+    """One question without its cases: of an exercise only the shapes go there, and its way to call.
+    Raises InvalidParameter.
+    """
     if not (is_known(exercise.given) and is_known(exercise.answer)):
-        raise InvalidParameter(f"{exercise.name} has a shape of its own; only those of kinoedu.course are known where it is graded")
+        raise InvalidParameter(
+            f"{exercise.name} has a shape of its own; only those of kinoedu.course are known "
+            "where it is graded"
+        )
     return {
         "name": exercise.name,
         "call": own_call(exercise),
@@ -129,13 +165,25 @@ def given_in(question: Question, part: int) -> list[Any]:
 
 
 def is_known(shape: Any) -> bool:
-    """Whether a shape is made of those that every exercise shares, so that its repr says all of it."""
-    parts = shape.fields.values() if isinstance(shape, shapes.Record) else shape if isinstance(shape, tuple) else ()
-    return type(shape).__name__ in KNOWN and all(is_known(part) for part in parts if hasattr(part, "encode"))
+    """Whether a shape is made of those that every exercise shares, so that its repr says all of
+    it.
+    """
+    parts = (
+        shape.fields.values()
+        if isinstance(shape, shapes.Record)
+        else shape
+        if isinstance(shape, tuple)
+        else ()
+    )
+    return type(shape).__name__ in KNOWN and all(
+        is_known(part) for part in parts if hasattr(part, "encode")
+    )
 
 
 def take(reply: Reply, questions: list[Question], found: Answers) -> None:
-    """Keep what a reply says of the cells and questions that were asked, in their order, each in its part."""
+    """Keep what a reply says of the cells and questions that were asked, in their order, each in
+    its part.
+    """
     asked = {question.name: question for question in questions}
     for part, lines in enumerate(reply.parts):
         for line in lines:
@@ -147,7 +195,11 @@ def take(reply: Reply, questions: list[Question], found: Answers) -> None:
                 take_outcome(line, asked[name], part, found)
     if reply.end == "done":
         found.outcomes.update({name: found.outcomes.get(name) for name in asked})
-        for outcomes in (found.outcomes[question.name] for question in questions if is_open(question, found, HIDDEN)):
+        for outcomes in (
+            found.outcomes[question.name]
+            for question in questions
+            if is_open(question, found, HIDDEN)
+        ):
             if outcomes is not None:  # it said that it is done, and was not asked all
                 outcomes.append(Misshapen(say("grading.no_outcome")))
 
@@ -172,8 +224,12 @@ def outcome_in(data: Any, shape: Shape) -> Outcome:
         return Misshapen(say("grading.no_outcome"))
 
 
-def what_remains(reply: Reply, cells: list[Cell], questions: list[Question], found: Answers) -> tuple[list[Cell], list[Question]]:
-    """After a program broke a sandbox off: which it was is said, and left out; the rest is asked again."""
+def what_remains(
+    reply: Reply, cells: list[Cell], questions: list[Question], found: Answers
+) -> tuple[list[Cell], list[Question]]:
+    """After a program broke a sandbox off: which it was is said, and left out; the rest is asked
+    again.
+    """
     end = ending(reply)
     part = len(reply.parts) - 1
     if part == CELLS:
@@ -185,22 +241,34 @@ def what_remains(reply: Reply, cells: list[Cell], questions: list[Question], fou
     at = next((question for question in questions if is_open(question, found, part)), questions[0])
     if is_open(at, found, HIDDEN):
         found.outcomes[at.name] = [*(found.outcomes.get(at.name) or []), end]
-    left = [question for question in questions if question is not at and is_open(question, found, HIDDEN)]
+    left = [
+        question
+        for question in questions
+        if question is not at and is_open(question, found, HIDDEN)
+    ]
     for question in left:
         found.outcomes.pop(question.name, None)
     return cells, left
 
 
 def without(culprit: Cell, cells: list[Cell], done: set[int], found: Answers) -> list[Cell]:
-    """The cells to run without one that could not be stopped; after several of that kind no more than were ever done."""
-    broken = sum(isinstance(trouble, Late) or is_stopped(trouble) for trouble in found.troubles.values())
-    return [cell for cell in cells if cell != culprit and (broken < BROKEN_CELLS or cell.number in done)]
+    """The cells to run without one that could not be stopped; after several of that kind no more
+    than were ever done.
+    """
+    broken = sum(
+        isinstance(trouble, Late) or is_stopped(trouble) for trouble in found.troubles.values()
+    )
+    return [
+        cell for cell in cells if cell != culprit and (broken < BROKEN_CELLS or cell.number in done)
+    ]
 
 
 def is_open(question: Question, found: Answers, part: int) -> bool:
     """Whether a question still has cases up to a part that may be asked."""
     outcomes = found.outcomes.get(question.name, [])
-    if outcomes is None or (outcomes and (isinstance(outcomes[-1], Late) or is_unwritten(outcomes[-1]))):
+    if outcomes is None or (
+        outcomes and (isinstance(outcomes[-1], Late) or is_unwritten(outcomes[-1]))
+    ):
         return False
     return len(outcomes) < (len(question.cases) if part == HIDDEN else question.shown)
 
@@ -209,7 +277,13 @@ def ending(reply: Reply) -> Outcome:
     """How a sandbox ended, as the outcome of what was running then."""
     if reply.end == "late":
         return Late(left_running=False)
-    key = "grading.flood" if reply.end == "flood" else "grading.ended" if reply.status >= 0 else "grading.stopped"
+    key = (
+        "grading.flood"
+        if reply.end == "flood"
+        else "grading.ended"
+        if reply.status >= 0
+        else "grading.stopped"
+    )
     return Raised([STOPPED], say(key, status=reply.status), [], "")
 
 

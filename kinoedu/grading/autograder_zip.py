@@ -1,5 +1,6 @@
-"""The zip that Gradescope makes an autograder of: setup.sh, run_autograder, the library with its judges, the questions of one
-assignment without their answers, and the secret from which hidden cases are drawn.
+"""The zip that Gradescope makes an autograder of: setup.sh, run_autograder, the library with its
+judges, the questions of one assignment without their answers, and the secret from which hidden
+cases are drawn.
 
     setup.sh         run once, as root, when the container is built     kinoedu-course/   the library, start.py, the questions
     run_autograder   run, as root, for each submission                  course_secret     for root's eyes only
@@ -48,13 +49,21 @@ exec "${{KINOEDU_PYTHON:-$course/.venv/bin/python}}" -P -m kinoedu \\
 
 
 def pack_autograder(
-    zip_file: str | os.PathLike[str], name: str, secret: bytes, *, container_is_wall: bool = False, house: Path = HOUSE
+    zip_file: str | os.PathLike[str],
+    name: str,
+    secret: bytes,
+    *,
+    container_is_wall: bool = False,
+    house: Path = HOUSE,
 ) -> int:
-    """Write the zip for an assignment. Who has it has the secret. Returns the number of files; raises InvalidParameter.
+    """Write the zip for an assignment. Who has it has the secret. Returns the number of files;
+    raises InvalidParameter.
 
     container_is_wall : where no sandbox can be made there, run programs without one.
     """
-    run = RUN.replace("ASSIGNMENT", name).replace("CONTAINER", " --trust-container" if container_is_wall else "")
+    run = RUN.replace("ASSIGNMENT", name).replace(
+        "CONTAINER", " --trust-container" if container_is_wall else ""
+    )
     files = [
         Packed("setup.sh", SETUP.encode(), 0o755),
         Packed("run_autograder", run.encode(), 0o755),

@@ -1,4 +1,6 @@
-"""Tables for spreadsheets: a cell that begins as a formula would is made harmless, and nothing in a cell breaks its row."""
+"""Tables for spreadsheets: a cell that begins as a formula would is made harmless, and nothing in a
+cell breaks its row.
+"""
 
 import csv
 import io
@@ -29,7 +31,8 @@ def one_line(text: str) -> str:
 
 
 def harmless(text: str) -> str:
-    """Text as a cell that no spreadsheet takes for a formula: on one line, and with an apostrophe before = + - @.
+    """Text as a cell that no spreadsheet takes for a formula: on one line, and with an apostrophe
+    before = + - @.
 
     >>> harmless("=cmd|' /C calc'!A0"), harmless("two\\nlines"), harmless("-1")
     ("'=cmd|' /C calc'!A0", 'two lines', "'-1")

@@ -16,8 +16,8 @@ from .writing import write_all
 
 
 class Run(NamedTuple):
-    """How a class is graded: where its secret is, where the work is done, whether without a sandbox, who hears of it, and
-    whether each student has contracts of their own.
+    """How a class is graded: where its secret is, where the work is done, whether without a
+    sandbox, who hears of it, and whether each student has contracts of their own.
     """
 
     secret_file: Path
@@ -33,13 +33,15 @@ def require_sandbox(trusted: bool) -> None:
     reason = "" if trusted else why_not()
     if reason:
         raise InvalidParameter(
-            f"submissions are strangers' programs, and cannot be shut in here: {reason}. If every one of them may do on this "
+            f"submissions are strangers' programs, and cannot be shut in here: {reason}. If every "
+            "one of them may do on this "
             "computer what you may, --trust runs them without a sandbox"
         )
 
 
 def grade_class(folder: Path, only: str, out: Path, run: Run) -> Class:
-    """Grade what is in a folder or zip, keep it beside what GRADES has of other folders, and write what people read.
+    """Grade what is in a folder or zip, keep it beside what GRADES has of other folders, and write
+    what people read.
 
     Raises InvalidParameter, and OSError where nothing can be written.
     """
@@ -55,7 +57,8 @@ def grade_found(sources: list[tuple[Path, str, list[Submission]]], out: Path, ru
     secret = course_secret(run.secret_file)
     if earlier is not None and earlier.secret_mark != mark_of(secret):
         raise InvalidParameter(
-            f"{out} was graded with another secret, that of {earlier.secret_file}; name that one, or another folder"
+            f"{out} was graded with another secret, that of {earlier.secret_file}; name that one, "
+            "or another folder"
         )
     read_decisions(out)
     variants = run.variants or (earlier is not None and earlier.variants)
@@ -65,8 +68,16 @@ def grade_found(sources: list[tuple[Path, str, list[Submission]]], out: Path, ru
     else:
         refuse_forgotten(submissions)
     out.mkdir(parents=True, exist_ok=True)
-    graded = iter(grade_all(submissions, out, secret, place=run.place, progress=run.grading, trusted=run.trusted))
-    entries = [entry_of(one, folder, only, secret) for folder, only, found in sources for one in islice(graded, len(found))]
+    graded = iter(
+        grade_all(
+            submissions, out, secret, place=run.place, progress=run.grading, trusted=run.trusted
+        )
+    )
+    entries = [
+        entry_of(one, folder, only, secret)
+        for folder, only, found in sources
+        for one in islice(graded, len(found))
+    ]
     kept = with_earlier(entries, earlier.entries if earlier is not None else ())
     of = Class(out, str(run.secret_file.resolve()), mark_of(secret), run.trusted, kept, variants)
     write_class(of)

@@ -1,4 +1,5 @@
-"""What is kept of a graded class: who handed in what, from where, and which result is whose; in GRADES/class.json.
+"""What is kept of a graded class: who handed in what, from where, and which result is whose; in
+GRADES/class.json.
 
 class.json        this list                     results/     a file for each notebook graded, named by its content
 grades.csv        a row for each question       report.html  the class at a glance
@@ -24,9 +25,10 @@ FILE = "class.json"
 class Entry(NamedTuple):
     """One submission of a graded class.
 
-    file : where it was in `folder`, the folder or zip that was collected, of one assignment where `only` names it. digest : of its
-    bytes. key : its result's name; "" where it could not be read, and then `trouble` says why. Where there is a key and no result,
-    `trouble` is the machine's. late : Canvas marked the file so.
+    file : where it was in `folder`, the folder or zip that was collected, of one assignment where
+        `only` names it. digest : of its bytes. key : its result's name; "" where it could not be
+        read, and then `trouble` says why. Where there is a key and no result, `trouble` is the
+        machine's. late : Canvas marked the file so.
     """
 
     student: str
@@ -41,8 +43,9 @@ class Entry(NamedTuple):
 
 
 class Class(NamedTuple):
-    """A graded class: its folder, the secret's file and what tells that secret from others, whether the sandbox was left out, the
-    entries, by student and assignment, and whether each student has contracts of their own.
+    """A graded class: its folder, the secret's file and what tells that secret from others, whether
+    the sandbox was left out, the entries, by student and assignment, and whether each student has
+    contracts of their own.
     """
 
     out: Path
@@ -72,9 +75,18 @@ def mark_of(secret: bytes) -> str:
 
 
 def with_earlier(entries: list[Entry], earlier: Iterable[Entry]) -> list[Entry]:
-    """New entries, and the earlier ones of other folders that are not of the same students and assignments."""
-    sources, pairs = {(one.folder, one.only) for one in entries}, {(one.student, one.assignment) for one in entries}
-    others = [one for one in earlier if (one.folder, one.only) not in sources and (one.student, one.assignment) not in pairs]
+    """New entries, and the earlier ones of other folders that are not of the same students and
+    assignments.
+    """
+    sources, pairs = (
+        {(one.folder, one.only) for one in entries},
+        {(one.student, one.assignment) for one in entries},
+    )
+    others = [
+        one
+        for one in earlier
+        if (one.folder, one.only) not in sources and (one.student, one.assignment) not in pairs
+    ]
     return sorted([*entries, *others], key=lambda one: (one.student, one.assignment, one.file))
 
 
@@ -92,9 +104,13 @@ def read_class(out: Path) -> Class:
         data = json.loads((out / FILE).read_text(encoding="ascii"))
         return Class(out, **{**data, "entries": [Entry(**entry) for entry in data["entries"]]})
     except OSError as error:
-        raise InvalidParameter(f"{out} holds no graded class: there is no {FILE}; grade into it first") from error
+        raise InvalidParameter(
+            f"{out} holds no graded class: there is no {FILE}; grade into it first"
+        ) from error
     except (ValueError, TypeError, KeyError) as error:
-        raise InvalidParameter(f"{out / FILE} is damaged; grade again, which takes the results that are there") from error
+        raise InvalidParameter(
+            f"{out / FILE} is damaged; grade again, which takes the results that are there"
+        ) from error
 
 
 def record_of(entry: Entry, out: Path) -> Grade | None:

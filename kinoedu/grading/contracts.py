@@ -1,7 +1,8 @@
-"""Each student has a contract of their own: which way a bug turns, which of two parents a node takes. What is right for one is
-wrong for another, so a copy does not pass.
+"""Each student has a contract of their own: which way a bug turns, which of two parents a node
+takes. What is right for one is wrong for another, so a copy does not pass.
 
-Which contract is whose follows from the course's secret and the student's id, at release and at grading alike.
+Which contract is whose follows from the course's secret and the student's id, at release and at
+grading alike.
 """
 
 import hashlib
@@ -35,16 +36,28 @@ def with_variants(task: Assignment, chosen: Choices) -> Assignment:
     """An assignment with a student's contracts."""
     mine = dict(chosen)
     named = ((one, one.exercise.name) for one in task.questions)
-    return task._replace(questions=tuple(one._replace(exercise=find(name, mine.get(name, ""))) for one, name in named))
+    return task._replace(
+        questions=tuple(
+            one._replace(exercise=find(name, mine.get(name, ""))) for one, name in named
+        )
+    )
 
 
 def personal(one: Submission, secret: bytes) -> Submission:
     """A submission with its student's contracts."""
-    return one._replace(variants=choices(assignment(one.assignment), secret, one.student)) if one.assignment else one
+    return (
+        one._replace(variants=choices(assignment(one.assignment), secret, one.student))
+        if one.assignment
+        else one
+    )
 
 
 def refuse_forgotten(submissions: Iterable[Submission]) -> None:
-    """Raise InvalidParameter where most notebooks give their student a contract, and nobody said so."""
+    """Raise InvalidParameter where most notebooks give their student a contract, and nobody said
+    so.
+    """
     readable = [one for one in submissions if not one.trouble]
     if 2 * sum(MARK in one.data for one in readable) > len(readable):
-        raise InvalidParameter("these notebooks give each student contracts of their own: grade them with --variants")
+        raise InvalidParameter(
+            "these notebooks give each student contracts of their own: grade them with --variants"
+        )

@@ -1,7 +1,9 @@
-"""What people decide: scores that overrule the grader's, and those of answers that only people can grade.
+"""What people decide: scores that overrule the grader's, and those of answers that only people can
+grade.
 
-Both stand in a small table, GRADES/overrides.csv and GRADES/by_hand.csv, with the columns student, assignment, question, score,
-comment. No command of kinoedu writes to the first; the second is what nbgrader's gradebook says. Where both speak, the first holds.
+Both stand in a small table, GRADES/overrides.csv and GRADES/by_hand.csv, with the columns student,
+assignment, question, score, comment. No command of kinoedu writes to the first; the second is what
+nbgrader's gradebook says. Where both speak, the first holds.
 """
 
 import csv
@@ -18,7 +20,9 @@ COLUMNS = ("student", "assignment", "question", "score", "comment")
 
 
 class Decision(NamedTuple):
-    """A score, or None where only a comment is given; and where it is said, such as "overrides.csv, line 2"."""
+    """A score, or None where only a comment is given; and where it is said, such as "overrides.csv,
+    line 2".
+    """
 
     score: float | None
     comment: str
@@ -46,10 +50,17 @@ def decisions_in(file: Path) -> Decisions:
         reader = csv.DictReader(io.StringIO(file.read_text(encoding="utf-8-sig"), newline=""))
         missing = [name for name in COLUMNS[:4] if name not in (reader.fieldnames or ())]
         if missing:
-            raise InvalidParameter(f"{file} has no column {missing[0]!r}; its first line should be {','.join(COLUMNS)}")
-        rows = [(reader.line_num, {name: unharmed((row.get(name) or "").strip()) for name in COLUMNS}) for row in reader]
+            raise InvalidParameter(
+                f"{file} has no column {missing[0]!r}; its first line should be {','.join(COLUMNS)}"
+            )
+        rows = [
+            (reader.line_num, {name: unharmed((row.get(name) or "").strip()) for name in COLUMNS})
+            for row in reader
+        ]
     except (UnicodeDecodeError, csv.Error) as error:
-        raise InvalidParameter(f"{file} cannot be read: {error}; save it as CSV in UTF-8") from error
+        raise InvalidParameter(
+            f"{file} cannot be read: {error}; save it as CSV in UTF-8"
+        ) from error
     found: Decisions = {}
     for number, row in rows:
         said_in = f"{file.name}, line {number}"
@@ -57,7 +68,10 @@ def decisions_in(file: Path) -> Decisions:
         if not any(row.values()):
             continue
         if whose in found:
-            raise InvalidParameter(f"{said_in}: {' '.join(whose)} has a line already, in {found[whose].said_in}; leave one")
+            raise InvalidParameter(
+                f"{said_in}: {' '.join(whose)} has a line already, in {found[whose].said_in}; "
+                "leave one"
+            )
         found[whose] = Decision(score_in(row["score"], said_in), row["comment"], said_in)
     return found
 
@@ -71,5 +85,8 @@ def score_in(text: str, said_in: str) -> float | None:
     except ValueError:
         score = math.nan
     if not 0.0 <= score < math.inf:
-        raise InvalidParameter(f"{said_in}: a score is a number from 0, with a point and no comma, or empty; got {text[:40]!r}")
+        raise InvalidParameter(
+            f"{said_in}: a score is a number from 0, with a point and no comma, or empty; got "
+            f"{text[:40]!r}"
+        )
     return score

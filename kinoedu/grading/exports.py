@@ -14,11 +14,18 @@ from .cells_of_csv import harmless, number, write_rows
 from .feedback_page import file_name
 from .rows import Row, Total, totals
 
-IDENTITIES = ("Student", "ID", "SIS User ID", "SIS Login ID")  # Canvas's columns that tell who a student is
+IDENTITIES = (
+    "Student",
+    "ID",
+    "SIS User ID",
+    "SIS Login ID",
+)  # Canvas's columns that tell who a student is
 
 
 def export_csv(rows: list[Row], file: Path) -> None:
-    """A line for each student, a column for each assignment; empty where a total is not whole yet."""
+    """A line for each student, a column for each assignment; empty where a total is not whole
+    yet.
+    """
     found = totals(rows)
     names = sorted({name for _, name in found if name})
     lines = [
@@ -34,8 +41,9 @@ def whole_score(total: Total | None) -> str:
 
 
 def export_canvas(rows: list[Row], template: Path, file: Path, column: str = "") -> list[str]:
-    """The instructor's own export from Canvas with the assignments' columns filled in: those that are named like an assignment, or
-    for the only assignment that there is `column`. Cells of students without a whole total stay as they are.
+    """The instructor's own export from Canvas with the assignments' columns filled in: those that
+    are named like an assignment, or for the only assignment that there is `column`. Cells of
+    students without a whole total stay as they are.
 
     Returns the students of the grades whom Canvas does not have. Raises InvalidParameter.
     """
@@ -52,17 +60,25 @@ def export_canvas(rows: list[Row], template: Path, file: Path, column: str = "")
             line += [""] * (len(head) - len(line))
             line[places[assignment]] = whole_score(total)
     stream = io.StringIO(newline="")
-    csv.writer(stream, lineterminator="\n").writerows(lines)  # names as Canvas spells them, by which it knows its students
+    csv.writer(stream, lineterminator="\n").writerows(
+        lines
+    )  # names as Canvas spells them, by which it knows its students
     with written_whole(file) as part:
         part.write_text(stream.getvalue(), encoding="utf-8")
     return sorted(set(missing))
 
 
 def canvas_students(lines: list[list[str]]) -> dict[str, list[str]]:
-    """Each student's line by every name that is theirs alone: id, login, and what Canvas puts before a file, as in doejane_1234."""
+    """Each student's line by every name that is theirs alone: id, login, and what Canvas puts
+    before a file, as in doejane_1234.
+    """
     head, names = lines[0], dict[str, list[list[str]]]()
     for line in lines[1:]:
-        cells = {name: line[at].strip().lower() for at, name in enumerate(head) if name in IDENTITIES and at < len(line)}
+        cells = {
+            name: line[at].strip().lower()
+            for at, name in enumerate(head)
+            if name in IDENTITIES and at < len(line)
+        }
         called = re.sub(r"\W", "", cells.get("Student", ""))
         for name in {*cells.values(), f"{called}_{cells.get('ID', '')}"} - {"", "_"}:
             names.setdefault(name, []).append(line)
@@ -76,52 +92,85 @@ def canvas_lines(template: Path) -> list[list[str]]:
     except (UnicodeDecodeError, csv.Error) as error:
         raise InvalidParameter(f"{template} cannot be read as CSV: {error}") from error
     if not lines or not {"Student", "ID"} <= set(lines[0]):
-        raise InvalidParameter(f"{template} is no export of Canvas's gradebook: its first line has no columns Student and ID")
+        raise InvalidParameter(
+            f"{template} is no export of Canvas's gradebook: its first line has no columns "
+            "Student and ID"
+        )
     return lines
 
 
-def canvas_columns(head: list[str], names: list[str], column: str, template: Path) -> dict[str, int]:
-    """The place of each assignment's column. Canvas writes "01 Geometry (12345)" for 01_geometry."""
+def canvas_columns(
+    head: list[str], names: list[str], column: str, template: Path
+) -> dict[str, int]:
+    """The place of each assignment's column. Canvas writes "01 Geometry (12345)" for
+    01_geometry.
+    """
     plain = [re.sub(r"[^a-z0-9]", "", re.sub(r"\(\d+\)\s*$", "", name).lower()) for name in head]
     if column:
-        at = [place for place, name in enumerate(head) if column in (name, re.sub(r"\s*\(\d+\)\s*$", "", name))]
+        at = [
+            place
+            for place, name in enumerate(head)
+            if column in (name, re.sub(r"\s*\(\d+\)\s*$", "", name))
+        ]
         if len(names) != 1:
-            raise InvalidParameter(f"--column is for one assignment; say with --assignment which of {', '.join(names)}")
+            raise InvalidParameter(
+                f"--column is for one assignment; say with --assignment which of {', '.join(names)}"
+            )
         if len(at) != 1:
-            raise InvalidParameter(f"{len(at)} columns of {template} are named {column!r}; there are: {', '.join(head)}")
+            raise InvalidParameter(
+                f"{len(at)} columns of {template} are named {column!r}; there are: "
+                f"{', '.join(head)}"
+            )
         return {names[0]: at[0]}
-    places = {name: plain.index(key) for name in names if (key := re.sub(r"[^a-z0-9]", "", name.lower())) in plain}
+    places = {
+        name: plain.index(key)
+        for name in names
+        if (key := re.sub(r"[^a-z0-9]", "", name.lower())) in plain
+    }
     if not places:
         raise InvalidParameter(
-            f"no column of {template} is named like {' or '.join(names)}; say which with --assignment and --column"
+            f"no column of {template} is named like {' or '.join(names)}; say which with "
+            "--assignment and --column"
         )
     return places
 
 
 def export_gradescope(rows: list[Row], folder: Path) -> int:
-    """A results.json for each submission, as Gradescope's autograders write it. Returns how many."""
+    """A results.json for each submission, as Gradescope's autograders write it. Returns how
+    many.
+    """
     folder.mkdir(parents=True, exist_ok=True)
     count = 0
     for (student, assignment), group in groupby(rows, key=lambda row: row[:2]):
         if assignment:
             file = folder / f"{file_name(student)}.{file_name(assignment)}.json"
             with written_whole(file) as part:
-                part.write_text(json.dumps(gradescope_results(group), indent=1) + "\n", encoding="ascii")
+                part.write_text(
+                    json.dumps(gradescope_results(group), indent=1) + "\n", encoding="ascii"
+                )
             count += 1
     return count
 
 
 def gradescope_results(rows: Iterable[Row]) -> dict[str, object]:
-    """What Gradescope reads of one submission; a question without a score yet has no points, and says so."""
+    """What Gradescope reads of one submission; a question without a score yet has no points, and
+    says so.
+    """
     tests = [
         {
             "name": row.question,
             "score": round(row.score or 0.0, 6),
             "max_score": row.max_score,
-            "status": "passed" if row.score is not None and row.score >= row.max_score else "failed",
+            "status": "passed"
+            if row.score is not None and row.score >= row.max_score
+            else "failed",
             "output": f"{row.status}: {row.message}" if row.message else row.status,
             "output_format": "text",
         }
         for row in rows
     ]
-    return {"score": round(sum(float(str(test["score"])) for test in tests), 6), "visibility": "visible", "tests": tests}
+    return {
+        "score": round(sum(float(str(test["score"])) for test in tests), 6),
+        "visibility": "visible",
+        "tests": tests,
+    }

@@ -1,4 +1,6 @@
-"""A kept failure as the judge saw it, to be told and drawn again; each picture is drawn once, however many students it is for."""
+"""A kept failure as the judge saw it, to be told and drawn again; each picture is drawn once,
+however many students it is for.
+"""
 
 import functools
 import hashlib
@@ -24,7 +26,9 @@ DRAWING = 20.0  # seconds
 
 
 def failure_of(question: Grade) -> tuple[Exercise, Judged] | None:
-    """The exercise and the case that failed, from a question's record; None where there is none, or the course has changed."""
+    """The exercise and the case that failed, from a question's record; None where there is none, or
+    the course has changed.
+    """
     kept: Any = question.get("failure")
     if kept is None:
         return None
@@ -32,14 +36,16 @@ def failure_of(question: Grade) -> tuple[Exercise, Judged] | None:
         exercise = find(question["question"], question.get("variant", ""))
         case = Case(kept["case"]["kind"], exercise.given.decode(kept["case"]["given"]))
         outcome = decode_outcome(kept["outcome"], exercise.answer)
-        return exercise, Judged(case, outcome, exercise.judge(case, outcome), kept["slip"], kept["number"])
+        return exercise, Judged(
+            case, outcome, exercise.judge(case, outcome), kept["slip"], kept["number"]
+        )
     except (KinoeduError, WrongShape, KeyError, TypeError):
         return None
 
 
 def told_of(question: Grade) -> list[tuple[str, str]]:
-    """What a failure's student may know beside the rule, as pairs of a title and a text: the case, if everybody has seen it, the
-    hint, and what to read again.
+    """What a failure's student may know beside the rule, as pairs of a title and a text: the case,
+    if everybody has seen it, the hint, and what to read again.
     """
     found = failure_of(question)
     told = told_case(*found, "") if found is not None else []
@@ -51,7 +57,9 @@ def told_of(question: Grade) -> list[tuple[str, str]]:
 
 
 def picture_for(question: Grade, folder: Path) -> bytes | None:
-    """The failing case of a question as a PNG, from `folder`, drawn now where it is not there; None where none can be drawn."""
+    """The failing case of a question as a PNG, from `folder`, drawn now where it is not there; None
+    where none can be drawn.
+    """
     found = failure_of(question)
     if found is None or shows_nothing(*found):
         return None
@@ -73,7 +81,12 @@ def shows_nothing(exercise: Exercise, failure: Judged) -> bool:
 
 def name_of(question: Grade) -> str:
     """The same for the same exercise, contract, case, answer and sources."""
-    what = [question["question"], question.get("variant", ""), question["failure"]["case"], question["failure"]["outcome"]]
+    what = [
+        question["question"],
+        question.get("variant", ""),
+        question["failure"]["case"],
+        question["failure"]["outcome"],
+    ]
     said = json.dumps(what, sort_keys=True)
     return hashlib.sha256((sources() + said).encode()).hexdigest()[:40]
 
@@ -85,7 +98,9 @@ def sources() -> str:
 
 
 def drawn(exercise: Exercise, failure: Judged) -> bytes | None:
-    """A picture; None where the exercise cannot draw what a program answered, which may be anything of the right shape."""
+    """A picture; None where the exercise cannot draw what a program answered, which may be anything
+    of the right shape.
+    """
     try:
         return within(DRAWING, lambda: picture_of(exercise, failure))
     except (Exception, TimeUp):

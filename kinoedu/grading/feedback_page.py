@@ -1,5 +1,5 @@
-"""A student's page: what each answer is worth and why, the smallest case that failed as code and as a picture, and cells that
-failed. No hidden case is on it: the record of a grade holds none.
+"""A student's page: what each answer is worth and why, the smallest case that failed as code and as
+a picture, and cells that failed. No hidden case is on it: the record of a grade holds none.
 """
 
 import base64
@@ -75,7 +75,10 @@ def section(row: Row, question: Grade | None, pictures: Path) -> Iterator[str]:
     )
     yield f'<section class="{kind}"><h2><span>{escape(row.question)}</span><span class="n">{score}</span></h2>'
     if row.score is None or row.status in (BY_HAND, DECIDED):
-        yield paragraph(say(f"grades.status.{row.status.replace(' ', '_')}") + (f": {row.message}" if row.message else "."))
+        yield paragraph(
+            say(f"grades.status.{row.status.replace(' ', '_')}")
+            + (f": {row.message}" if row.message else ".")
+        )
     if question is not None and question["status"] != RIGHT:
         if row.status != DECIDED:
             yield paragraph(question["message"])
@@ -92,8 +95,15 @@ def explained(question: Grade, pictures: Path) -> Iterator[str]:
     told = told_of(question)
     if told:
         plain = (say("check.wanted"), say("check.hint"), say("check.read"))
-        pairs = [(title, escape(text) if title in plain else f"<code>{escape(text)}</code>") for title, text in told]
-        yield "<dl>" + "".join(f"<dt>{escape(title)}</dt><dd>{text}</dd>" for title, text in pairs) + "</dl>"
+        pairs = [
+            (title, escape(text) if title in plain else f"<code>{escape(text)}</code>")
+            for title, text in told
+        ]
+        yield (
+            "<dl>"
+            + "".join(f"<dt>{escape(title)}</dt><dd>{text}</dd>" for title, text in pairs)
+            + "</dl>"
+        )
     picture = picture_for(question, pictures)
     if picture is not None:
         alt = escape(say("check.picture", name=question["question"]))

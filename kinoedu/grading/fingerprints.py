@@ -1,9 +1,12 @@
-"""A program's fingerprints: numbers that stay the same when names, comments, layout and the order of functions change.
+"""A program's fingerprints: numbers that stay the same when names, comments, layout and the order
+of functions change.
 
-The program is read as Python's own syntax tree. Names that it binds itself are all one word, annotations, imports and documentation
-are left out. Of every run of so many words one number is made, and of neighbouring numbers the smallest is kept, so that whatever
-two programs share, if it is long enough, is seen in both. Where Python cannot read a cell, its lines count as they are.
-Nothing is run. Source: Schleimer, Wilkerson, Aiken, Winnowing: local algorithms for document fingerprinting, SIGMOD 2003.
+The program is read as Python's own syntax tree. Names that it binds itself are all one word,
+annotations, imports and documentation are left out. Of every run of so many words one number is
+made, and of neighbouring numbers the smallest is kept, so that whatever two programs share, if it
+is long enough, is seen in both. Where Python cannot read a cell, its lines count as they are.
+Nothing is run. Source: Schleimer, Wilkerson, Aiken, Winnowing: local algorithms for document
+fingerprinting, SIGMOD 2003.
 """
 
 import ast
@@ -22,7 +25,9 @@ Lines = tuple[int, int]  # the first and the last
 
 
 class Piece(NamedTuple):
-    """A function, a class, or some statements in a row: its lines, and where in them, from 0, each fingerprint is from."""
+    """A function, a class, or some statements in a row: its lines, and where in them, from 0, each
+    fingerprint is from.
+    """
 
     lines: list[str]
     prints: dict[int, Lines]
@@ -36,7 +41,8 @@ class Cell(NamedTuple):
 
 
 def pieces(sources: Iterable[str], window: int = WINDOW) -> list[Piece]:
-    """The pieces of a program given as cells, those without fingerprints left out. window : 1 keeps every fingerprint.
+    """The pieces of a program given as cells, those without fingerprints left out. window : 1 keeps
+    every fingerprint.
 
     >>> text = "def {0}({1}):\\n    {2} = {1} + 1  # {0}\\n    return [{2} * {1} for _ in range({2}) if {1} > {2}]"
     >>> one, other = (pieces([text.format(*names)]) for names in ("fgh", "uvw"))
@@ -45,7 +51,11 @@ def pieces(sources: Iterable[str], window: int = WINDOW) -> list[Piece]:
     """
     cells = [Cell(source.splitlines(), tree_of(source)) for source in sources]
     own = {name for cell in cells if cell.tree is not None for name in bound(cell.tree)}
-    found = [piece for cell in cells for piece in (by_lines(cell) if cell.tree is None else by_syntax(cell, own, window))]
+    found = [
+        piece
+        for cell in cells
+        for piece in (by_lines(cell) if cell.tree is None else by_syntax(cell, own, window))
+    ]
     return [piece for piece in found if piece.prints]
 
 
@@ -75,22 +85,35 @@ def bound(tree: ast.Module) -> Iterator[str]:
 def by_lines(cell: Cell) -> Iterator[Piece]:
     """A cell that Python cannot read: each line that is not short."""
     lines = {at: "".join(line.partition("#")[0].split()) for at, line in enumerate(cell.lines)}
-    yield Piece(cell.lines, {crc("line " + line): (at, at) for at, line in lines.items() if len(line) >= SHORTEST})
+    yield Piece(
+        cell.lines,
+        {crc("line " + line): (at, at) for at, line in lines.items() if len(line) >= SHORTEST},
+    )
 
 
 def by_syntax(cell: Cell, own: set[str], window: int) -> Iterator[Piece]:
     """Each function and each class of a cell, and what stands between them."""
     assert cell.tree is not None
     numbered = enumerate(cell.tree.body)
-    for _, group in groupby(numbered, lambda one: one[0] if isinstance(one[1], ast.FunctionDef | ast.ClassDef) else None):
+    for _, group in groupby(
+        numbered, lambda one: one[0] if isinstance(one[1], ast.FunctionDef | ast.ClassDef) else None
+    ):
         nodes = [node for _, node in group]
-        first = min(node.lineno for node in (nodes[0], *getattr(nodes[0], "decorator_list", ()))) - 1
-        yield Piece(cell.lines[first : nodes[-1].end_lineno], prints(list(words(nodes, own, first)), window))
+        first = (
+            min(node.lineno for node in (nodes[0], *getattr(nodes[0], "decorator_list", ()))) - 1
+        )
+        yield Piece(
+            cell.lines[first : nodes[-1].end_lineno], prints(list(words(nodes, own, first)), window)
+        )
 
 
 def prints(said: list[tuple[int, int]], window: int) -> dict[int, Lines]:
-    """The fingerprints of words, each with its line: of every window of neighbours the smallest, the last of equal ones."""
-    runs = [hash(tuple(word for word, _ in said[at : at + RUN])) for at in range(len(said) - RUN + 1)]
+    """The fingerprints of words, each with its line: of every window of neighbours the smallest,
+    the last of equal ones.
+    """
+    runs = [
+        hash(tuple(word for word, _ in said[at : at + RUN])) for at in range(len(said) - RUN + 1)
+    ]
     kept: dict[int, Lines] = {}
     for at in range(min(len(runs), max(1, len(runs) - window + 1))):
         _, back = min((run, -place) for place, run in enumerate(runs[at : at + window]))
@@ -100,7 +123,9 @@ def prints(said: list[tuple[int, int]], window: int) -> dict[int, Lines]:
 
 
 def words(nodes: list[ast.stmt], own: set[str], first: int) -> Iterator[tuple[int, int]]:
-    """What a syntax tree says, word by word from the top, each as a number and with its line after the first."""
+    """What a syntax tree says, word by word from the top, each as a number and with its line after
+    the first.
+    """
     line, left = first, list[ast.AST](reversed(nodes))
     while left:
         node = left.pop()
@@ -109,7 +134,9 @@ def words(nodes: list[ast.stmt], own: set[str], first: int) -> Iterator[tuple[in
             continue
         yield crc(word(node, own)), line - first
         below = [value for name, value in ast.iter_fields(node) if name not in UNSAID]
-        children = [child for value in below for child in (value if isinstance(value, list) else [value])]
+        children = [
+            child for value in below for child in (value if isinstance(value, list) else [value])
+        ]
         left += [child for child in reversed(children) if isinstance(child, ast.AST)]
 
 

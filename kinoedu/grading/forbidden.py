@@ -1,8 +1,9 @@
-"""Calls of Linux that a student's program may not make: they start processes, reach others, open networks and shared memory, or ask
-the kernel for more than a calculation needs.
+"""Calls of Linux that a student's program may not make: they start processes, reach others, open
+networks and shared memory, or ask the kernel for more than a calculation needs.
 
-Most are stopped by something else as well. This is the wall where there is none other: memory that no limit counts (System V's,
-memfd), and new user namespaces, in which everybody is root. Linux filters calls by a small program, see seccomp(2).
+Most are stopped by something else as well. This is the wall where there is none other: memory that
+no limit counts (System V's, memfd), and new user namespaces, in which everybody is root. Linux
+filters calls by a small program, see seccomp(2).
 """
 
 import ctypes
@@ -15,17 +16,59 @@ LOAD, JUMP_IF_EQUAL, JUMP_IF_AT_LEAST, RETURN = 0x20, 0x15, 0x35, 0x06
 ALLOW, KILL, REFUSE = 0x7FFF_0000, 0x8000_0000, 0x0005_0000 | errno.EPERM
 OTHER_CALLS = 0x4000_0000  # from here on x86_64 has each call once more
 
-NEW = (425, 427, 428, 429, 430, 432, 433, 434, 435, 442)  # io_uring, mounts, pidfd_open, clone3: the same number everywhere
-CALLS: dict[str, tuple[int, int, tuple[int, ...]]] = {  # the machine: its mark, clone, and what is refused
+NEW = (
+    425,
+    427,
+    428,
+    429,
+    430,
+    432,
+    433,
+    434,
+    435,
+    442,
+)  # io_uring, mounts, pidfd_open, clone3: the same number everywhere
+CALLS: dict[
+    str, tuple[int, int, tuple[int, ...]]
+] = {  # the machine: its mark, clone, and what is refused
     "x86_64": (
         0xC000_003E,
         56,
         (
             *(56, 57, 58, 59, 322),  # clone, fork, vfork, execve, execveat
-            *(41, 53, 101, 310, 311, 312),  # socket, socketpair, ptrace, process_vm_readv, process_vm_writev, kcmp
-            *(29, 64, 68, 240, 319, 447),  # shmget, semget, msgget, mq_open, memfd_create, memfd_secret
-            *(135, 155, 161, 165, 166, 272, 308),  # personality, pivot_root, chroot, mount, umount2, unshare, setns
-            *(248, 249, 250, 298, 321, 323),  # add_key, request_key, keyctl, perf_event_open, bpf, userfaultfd
+            *(
+                41,
+                53,
+                101,
+                310,
+                311,
+                312,
+            ),  # socket, socketpair, ptrace, process_vm_readv, process_vm_writev, kcmp
+            *(
+                29,
+                64,
+                68,
+                240,
+                319,
+                447,
+            ),  # shmget, semget, msgget, mq_open, memfd_create, memfd_secret
+            *(
+                135,
+                155,
+                161,
+                165,
+                166,
+                272,
+                308,
+            ),  # personality, pivot_root, chroot, mount, umount2, unshare, setns
+            *(
+                248,
+                249,
+                250,
+                298,
+                321,
+                323,
+            ),  # add_key, request_key, keyctl, perf_event_open, bpf, userfaultfd
         ),
     ),
     "aarch64": (  # the same, without fork and vfork, which it has not
@@ -50,7 +93,9 @@ class Filter(ctypes.Structure):
 
 
 def filtering() -> Filter:
-    """The filter of this machine. Its steps: is it this machine's way to call, and is the call one of those refused?"""
+    """The filter of this machine. Its steps: is it this machine's way to call, and is the call one
+    of those refused?
+    """
     refused = REFUSED + NEW
     steps = [(LOAD, 0, 0, 4), (JUMP_IF_EQUAL, 1, 0, MARK), (RETURN, 0, 0, KILL), (LOAD, 0, 0, 0)]
     steps += [(JUMP_IF_AT_LEAST, len(refused) + 1, 0, OTHER_CALLS)]

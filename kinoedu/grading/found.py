@@ -1,5 +1,5 @@
-"""The files that were handed in: of a folder, of zips in it, and of a zip. A zip is read in memory, no further than it may be long,
-and nothing of it is ever unpacked to the disk.
+"""The files that were handed in: of a folder, of zips in it, and of a zip. A zip is read in memory,
+no further than it may be long, and nothing of it is ever unpacked to the disk.
 """
 
 import io
@@ -16,7 +16,15 @@ MOST_MEMBERS = 10_000
 MOST_UNPACKED = 2 * 2**30  # bytes of all notebooks of a class, and here of one student
 MOST_OF_ONE, MOST_UNPACKED_OF_ONE = 100, 4 * MOST_BYTES
 PACKED = (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)  # others take what memory the file says
-UNREADABLE = (zipfile.BadZipFile, zlib.error, OSError, ValueError, NotImplementedError, RuntimeError, EOFError)
+UNREADABLE = (
+    zipfile.BadZipFile,
+    zlib.error,
+    OSError,
+    ValueError,
+    NotImplementedError,
+    RuntimeError,
+    EOFError,
+)
 
 
 class Found(NamedTuple):
@@ -28,13 +36,17 @@ class Found(NamedTuple):
 
 
 def files_in(folder: Path) -> Iterator[Found]:
-    """Every file in a folder, also those in its zips; in a stable order. What is no plain file has that trouble."""
+    """Every file in a folder, also those in its zips; in a stable order. What is no plain file has
+    that trouble.
+    """
     if folder.is_file():
         yield from unpacked(Found((folder.name,), read_bytes(folder)), top=True)
         return
     for file in sorted(folder.rglob("*")):
         place = file.relative_to(folder).parts
-        if any(part.startswith(".") or part == "__MACOSX" for part in place) or (file.is_dir() and not file.is_symlink()):
+        if any(part.startswith(".") or part == "__MACOSX" for part in place) or (
+            file.is_dir() and not file.is_symlink()
+        ):
             continue
         try:
             data = read_bytes(file) if is_read(file.name) else b""
@@ -45,12 +57,16 @@ def files_in(folder: Path) -> Iterator[Found]:
 
 
 def is_read(name: str) -> bool:
-    """Whether a file is opened at all: what else lies beside a notebook takes no memory and is no trouble, whatever it is."""
+    """Whether a file is opened at all: what else lies beside a notebook takes no memory and is no
+    trouble, whatever it is.
+    """
     return name.lower().endswith((".ipynb", ".zip")) or name == METADATA
 
 
 def unpacked(file: Found, *, top: bool = False) -> Iterator[Found]:
-    """A file, or what is in it where it is a zip; a zip in a zip only where the first is a whole class."""
+    """A file, or what is in it where it is a zip; a zip in a zip only where the first is a whole
+    class.
+    """
     if not file.place[-1].lower().endswith(".zip"):
         yield file
         return
@@ -68,11 +84,20 @@ def unpacked(file: Found, *, top: bool = False) -> Iterator[Found]:
 def members_of(archive: zipfile.ZipFile, *, top: bool) -> list[zipfile.ZipInfo]:
     """The files of a class's zip, or the notebooks of a student's. Raises UnreadableSubmission."""
     most, most_bytes = (MOST_MEMBERS, MOST_UNPACKED) if top else (MOST_OF_ONE, MOST_UNPACKED_OF_ONE)
-    members = [one for one in archive.infolist() if not one.is_dir() and (top or one.filename.lower().endswith(".ipynb"))]
-    if len(members) > most or sum(one.file_size for one in members if is_read(one.filename)) > most_bytes:
+    members = [
+        one
+        for one in archive.infolist()
+        if not one.is_dir() and (top or one.filename.lower().endswith(".ipynb"))
+    ]
+    if (
+        len(members) > most
+        or sum(one.file_size for one in members if is_read(one.filename)) > most_bytes
+    ):
         raise UnreadableSubmission("the zip holds too much")
     if not (members or top):
-        raise UnreadableSubmission("it holds no notebook, unless that is in another zip; hand in the notebook itself")
+        raise UnreadableSubmission(
+            "it holds no notebook, unless that is in another zip; hand in the notebook itself"
+        )
     return members
 
 
@@ -86,4 +111,8 @@ def member_of(archive: zipfile.ZipFile, member: zipfile.ZipInfo, place: tuple[st
         return Found(place, b"", "it was packed in an unusual way; pack it with an ordinary zip")
     with archive.open(member) as stream:
         data = stream.read(MOST_BYTES + 1)
-    return Found(place, data) if len(data) <= MOST_BYTES else Found(place, b"", "the file is too large")
+    return (
+        Found(place, data)
+        if len(data) <= MOST_BYTES
+        else Found(place, b"", "the file is too large")
+    )

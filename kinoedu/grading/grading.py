@@ -1,4 +1,6 @@
-"""One submission graded: the sandbox runs it, the judges judge what comes out, and a record says what it is worth and why."""
+"""One submission graded: the sandbox runs it, the judges judge what comes out, and a record says
+what it is worth and why.
+"""
 
 from collections.abc import Sequence
 from typing import Any
@@ -13,15 +15,24 @@ from .notebook import UnreadableSubmission, cells_in
 from .questions import Asked, Assignment, Cases, cases_of
 from .sandbox import Sandbox
 
-RIGHT, PARTLY, WRONG, UNANSWERED, LATE, STOPPED = "right", "partly right", "wrong", "not answered", "too late", "stopped"
+RIGHT, PARTLY, WRONG, UNANSWERED, LATE, STOPPED = (
+    "right",
+    "partly right",
+    "wrong",
+    "not answered",
+    "too late",
+    "stopped",
+)
 Grade = dict[str, Any]  # JSON data: what is kept of a graded submission
 
 
-def grade(data: bytes, task: Assignment, secret: bytes, sandbox: Sandbox, *, patience: float = 1.0) -> Grade:
+def grade(
+    data: bytes, task: Assignment, secret: bytes, sandbox: Sandbox, *, patience: float = 1.0
+) -> Grade:
     """Grade the bytes of a notebook. Raises NoSandbox, and nothing else.
 
-    Returns {"status", "message", "questions", "cells"}: for each question its score, what the student may read, and the case that
-    failed, where everybody has seen that case.
+    Returns {"status", "message", "questions", "cells"}: for each question its score, what the
+    student may read, and the case that failed, where everybody has seen that case.
     """
     try:
         cells = cells_in(data)
@@ -32,11 +43,19 @@ def grade(data: bytes, task: Assignment, secret: bytes, sandbox: Sandbox, *, pat
             "questions": [blank(asked) for asked in task.questions],
             "cells": [],
         }
-    asked = {one.exercise.name: (one, cases_of(one.exercise.name, secret, one.exercise.variant)) for one in task.questions}
+    asked = {
+        one.exercise.name: (one, cases_of(one.exercise.name, secret, one.exercise.variant))
+        for one in task.questions
+    }
     to_ask = [Question(one.exercise, *known) for one, known in asked.values()]
     found = answers(sandbox, cells, to_ask, task.lent, patience=patience)
     questions = [judged(one, known, found.outcomes[name]) for name, (one, known) in asked.items()]
-    return {"status": "graded", "message": "", "questions": questions, "cells": troubles(found, cells)}
+    return {
+        "status": "graded",
+        "message": "",
+        "questions": questions,
+        "cells": troubles(found, cells),
+    }
 
 
 def blank(asked: Asked) -> Grade:
@@ -79,11 +98,19 @@ def status_of(report: Report) -> str:
     if report.score > 0.0:
         return PARTLY
     outcome = report.failure.outcome if report.failure is not None else None
-    return LATE if isinstance(outcome, Late) else STOPPED if outcome is not None and is_stopped(outcome) else WRONG
+    return (
+        LATE
+        if isinstance(outcome, Late)
+        else STOPPED
+        if outcome is not None and is_stopped(outcome)
+        else WRONG
+    )
 
 
 def told(asked: Asked, report: Report, *, hidden: bool) -> Grade:
-    """What a student may know of a failure: the rule and the hint; and the case, unless it is a hidden one."""
+    """What a student may know of a failure: the rule and the hint; and the case, unless it is a
+    hidden one.
+    """
     failure, exercise = report.failure, asked.exercise
     assert failure is not None
     shown = None if hidden else shown_failure(report)
@@ -98,7 +125,9 @@ def told(asked: Asked, report: Report, *, hidden: bool) -> Grade:
 
 
 def reason_of(failure: Judged) -> str:
-    """The key of the misconception that was recognised, or of the rule that was broken: what instructors count."""
+    """The key of the misconception that was recognised, or of the rule that was broken: what
+    instructors count.
+    """
     return f"slips.{failure.slip}" if failure.slip else f"rules.{failure.verdict.rule}"
 
 

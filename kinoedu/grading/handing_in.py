@@ -1,4 +1,6 @@
-"""What a student hands in: one zip with the notebook as it is and a receipt that says what is in it. Nothing is run."""
+"""What a student hands in: one zip with the notebook as it is and a receipt that says what is in
+it. Nothing is run.
+"""
 
 import ast
 import hashlib
@@ -18,8 +20,9 @@ UNTOUCHED = "YOUR ANSWER HERE"
 
 
 class Receipt(NamedTuple):
-    """What was packed: the assignment, the notebook's SHA-256, when, and for each question whether there is an answer and what its
-    check said last, or why Python cannot read it ("" where there is nothing to say).
+    """What was packed: the assignment, the notebook's SHA-256, when, and for each question whether
+    there is an answer and what its check said last, or why Python cannot read it ("" where there is
+    nothing to say).
     """
 
     assignment: str
@@ -42,16 +45,24 @@ class Receipt(NamedTuple):
 
 
 def hand_in(file: Path, zip_file: Path, now: datetime) -> Receipt:
-    """Check a notebook and pack it. Raises UnreadableSubmission where it could not be graded, InvalidParameter for no exercise."""
+    """Check a notebook and pack it. Raises UnreadableSubmission where it could not be graded,
+    InvalidParameter for no exercise.
+    """
     data, assignment = read_bytes(file), assignment_of(file)
     answers = answers_in(data, assignment)
-    asked = {EXERCISES[name].lesson for name in marks_in(notebook_in(data)["cells"]) if name in EXERCISES}
+    asked = {
+        EXERCISES[name].lesson for name in marks_in(notebook_in(data)["cells"]) if name in EXERCISES
+    }
     if asked and assignment not in asked:
         raise InvalidParameter(
-            f"{file.name} is named like {assignment}, but its cells are those of {min(asked)}: is it the wrong file?"
+            f"{file.name} is named like {assignment}, but its cells are those of {min(asked)}: is "
+            "it the wrong file?"
         )
     receipt = Receipt(assignment, hashlib.sha256(data).hexdigest(), now, answers)
-    with written_whole(zip_file) as part, zipfile.ZipFile(part, "w", zipfile.ZIP_DEFLATED) as archive:
+    with (
+        written_whole(zip_file) as part,
+        zipfile.ZipFile(part, "w", zipfile.ZIP_DEFLATED) as archive,
+    ):
         archive.writestr(f"{receipt.assignment}.ipynb", data)
         archive.writestr("receipt.txt", f"{receipt}\n")
     return receipt
@@ -62,18 +73,26 @@ def assignment_of(file: Path) -> str:
     lessons = sorted({exercise.lesson for exercise in EXERCISES.values()})
     found = [lesson for lesson in lessons if file.stem.lower().startswith(lesson)]
     if file.suffix.lower() != ".ipynb" or not found:
-        raise InvalidParameter(f"{file.name} is named like no exercise; its name should begin with one of: {', '.join(lessons)}")
+        raise InvalidParameter(
+            f"{file.name} is named like no exercise; its name should begin with one of: "
+            f"{', '.join(lessons)}"
+        )
     return max(found, key=len)
 
 
 def answers_in(data: bytes, assignment: str) -> dict[str, tuple[bool, str]]:
-    """For each question whether it is answered, and what its check said last. Raises UnreadableSubmission."""
+    """For each question whether it is answered, and what its check said last. Raises
+    UnreadableSubmission.
+    """
     sources = [cell.source for cell in cells_in(data)]
     written, broken = written_functions(sources), broken_functions(sources)
     book = notebook_in(data)["cells"]
     said = said_by_checks(book)
     asked = [name for name, exercise in EXERCISES.items() if exercise.lesson == assignment]
-    answers = {name: (True, said.get(name, "")) if written.get(name) else (False, broken.get(name, "")) for name in asked}
+    answers = {
+        name: (True, said.get(name, "")) if written.get(name) else (False, broken.get(name, ""))
+        for name in asked
+    }
     return answers | {name: (is_touched, "") for name, is_touched in by_hand(book)}
 
 
@@ -92,7 +111,9 @@ def broken_functions(sources: list[str]) -> dict[str, str]:
 
 
 def written_functions(sources: list[str]) -> dict[str, bool]:
-    """The functions that a notebook defines, and whether each has more in it than what it was given with."""
+    """The functions that a notebook defines, and whether each has more in it than what it was given
+    with.
+    """
     found = {}
     for source in sources:
         try:
@@ -101,10 +122,16 @@ def written_functions(sources: list[str]) -> dict[str, bool]:
             continue
         for node in body:
             if isinstance(node, ast.FunctionDef):
-                steps = [step for step in node.body if not (isinstance(step, ast.Expr) and isinstance(step.value, ast.Constant))]
+                steps = [
+                    step
+                    for step in node.body
+                    if not (isinstance(step, ast.Expr) and isinstance(step.value, ast.Constant))
+                ]
                 found[node.name] = bool(steps) and not is_stub(steps[0])
             elif isinstance(node, ast.Assign):
-                found |= {target.id: True for target in node.targets if isinstance(target, ast.Name)}
+                found |= {
+                    target.id: True for target in node.targets if isinstance(target, ast.Name)
+                }
     return found
 
 
@@ -121,14 +148,20 @@ def said_by_checks(cells: list[Any]) -> dict[str, str]:
         called = re.match(r"\s*check\((\w+)", joined(table(cell).get("source")))
         if called and isinstance(outputs, list) and outputs:
             text = joined(table(table(outputs[0]).get("data")).get("text/plain")).partition("\n")[0]
-            stale = text == say("check.unanswered", name=called[1])  # the exercise as it was handed out
-            said[called[1]] = say("hand_in.unchecked") if stale else text.removeprefix(f"{called[1]}: ")
+            stale = text == say(
+                "check.unanswered", name=called[1]
+            )  # the exercise as it was handed out
+            said[called[1]] = (
+                say("hand_in.unchecked") if stale else text.removeprefix(f"{called[1]}: ")
+            )
     return said
 
 
 def marks_in(cells: list[Any]) -> set[str]:
     """The names that nbgrader's marks give to cells."""
-    found = (table(table(table(cell).get("metadata")).get("nbgrader")).get("grade_id") for cell in cells)
+    found = (
+        table(table(table(cell).get("metadata")).get("nbgrader")).get("grade_id") for cell in cells
+    )
     return {str(name) for name in found if name}
 
 

@@ -1,8 +1,10 @@
-"""What runs in the sandbox: a student's cells, and then their functions on cases. Nothing else ever runs a student's program.
+"""What runs in the sandbox: a student's cells, and then their functions on cases. Nothing else ever
+runs a student's program.
 
-`python inside.py SOCKET [MODULE...]`, started by `sandbox.py`, loads the library once, and those modules too, and waits.
-For each request it forks a process that shuts itself in, runs what it can, and writes a line of JSON for each cell and each case as
-soon as it is done; whoever reads believes none of it. A request comes as two files, one to read and one to write lines to:
+`python inside.py SOCKET [MODULE...]`, started by `sandbox.py`, loads the library once, and those
+modules too, and waits. For each request it forks a process that shuts itself in, runs what it can,
+and writes a line of JSON for each cell and each case as soon as it is done; whoever reads believes
+none of it. A request comes as two files, one to read and one to write lines to:
 
     cells      the source of each cell, its number in the notebook, and its seconds
     questions  each with its name, the shapes of what is given and answered, its seconds, and where it has a call of its own, which
@@ -10,7 +12,8 @@ soon as it is done; whoever reads believes none of it. A request comes as two fi
     lent       functions of the exercises' own modules that the assignment uses, named so too
     limits     bytes of memory, seconds of processor, bytes of files, and the user to become
 
-and then, each on a line when what was asked before is done, cases for each question: so what was said before could not know them.
+and then, each on a line when what was asked before is done, cases for each question: so what was
+said before could not know them.
 """
 
 import builtins
@@ -63,7 +66,9 @@ def main() -> None:
 
 
 def practise() -> None:
-    """Do once what every request does: Python is quicker in what it has done before, and words are read from their files once."""
+    """Do once what every request does: Python is quicker in what it has done before, and words are
+    read from their files once.
+    """
     import numpy as np
 
     from kinoedu.course.shapes import Number, Numbers, Record
@@ -71,7 +76,12 @@ def practise() -> None:
     def length(q: Any, ring: Any, r: float) -> Any:
         return np.linalg.norm(np.roll(ring, 1, axis=0) @ q) + np.hypot(*q) + (ring - q).min() + r
 
-    exercise = Asked(Record(q=Numbers((2,)), ring=Numbers(("n", 2)), r=Number()), Number(), 1.0, library.own_call(""))
+    exercise = Asked(
+        Record(q=Numbers((2,)), ring=Numbers(("n", 2)), r=Number()),
+        Number(),
+        1.0,
+        library.own_call(""),
+    )
     cases = [{"q": [0.0, 1.0], "ring": [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]], "r": 1.0}] * PRACTICE
     with open(os.devnull, "w", encoding="utf-8") as nowhere:
         for function in (length, str, float):  # an answer, something of another shape, an exception
@@ -123,29 +133,45 @@ class Asked(NamedTuple):
 
 
 def run(requests: Iterator[dict[str, Any]], channel: Channel) -> None:
-    """Give up every right, then run the cells and ask the questions, a part of their cases at a time."""
+    """Give up every right, then run the cells and ask the questions, a part of their cases at a
+    time.
+    """
     request = next(requests)
     library.withhold(request["withheld"])
     questions = {question["name"]: asked(question) for question in request["questions"]}
     names = {cell["number"]: f"cell {cell['number']}" for cell in request["cells"]}
     for cell in request["cells"]:
-        linecache.cache[names[cell["number"]]] = (len(cell["source"]), None, cell["source"].splitlines(True), names[cell["number"]])
+        linecache.cache[names[cell["number"]]] = (
+            len(cell["source"]),
+            None,
+            cell["source"].splitlines(True),
+            names[cell["number"]],
+        )
     shut_in.without_rights(**request["limits"], hidden=library.without_judges(request["lent"]))
     channel.say(ready=True)
-    space: dict[str, Any] = {"__name__": "__main__", "__builtins__": builtins, "display": silent, "get_ipython": silent}
+    space: dict[str, Any] = {
+        "__name__": "__main__",
+        "__builtins__": builtins,
+        "display": silent,
+        "get_ipython": silent,
+    }
     for cell in request["cells"]:
         run_cell(cell, names[cell["number"]], space, channel)
     channel.say(done=True)
     counts = dict.fromkeys(questions, 0)
     for part in requests:
         for name, cases in part.items():
-            if name in counts and not answered(name, questions[name], cases, counts, space.get(name), channel):
+            if name in counts and not answered(
+                name, questions[name], cases, counts, space.get(name), channel
+            ):
                 del counts[name]
         channel.say(done=True)
 
 
 def asked(question: dict[str, Any]) -> Asked:
-    """What a question's calls need: shapes that stand in the request as Python writes them, and its way to call."""
+    """What a question's calls need: shapes that stand in the request as Python writes them, and its
+    way to call.
+    """
     known: dict[str, Any] = {}
     planned = ("tasks", "drivable", "expansions") if "Task()" in question["given"] else ()
     for name in ("shapes", "whole_shapes", "drawn", *planned):
@@ -160,12 +186,24 @@ def run_cell(cell: dict[str, Any], name: str, space: dict[str, Any], channel: Ch
     from kinoedu.course.shapes import Maybe, Truth
 
     nothing = Maybe(Truth())
-    outcome = outcome_of(lambda: exec(compile(cell["source"], name, "exec"), space), nothing, cell["seconds"], by_alarm)
+    outcome = outcome_of(
+        lambda: exec(compile(cell["source"], name, "exec"), space),
+        nothing,
+        cell["seconds"],
+        by_alarm,
+    )
     trouble = None if isinstance(outcome, Answer) else encode_outcome(outcome, nothing)
     channel.say(cell=cell["number"], trouble=trouble)
 
 
-def answered(name: str, exercise: Asked, cases: list[Any], counts: dict[str, int], function: Any, channel: Channel) -> bool:
+def answered(
+    name: str,
+    exercise: Asked,
+    cases: list[Any],
+    counts: dict[str, int],
+    function: Any,
+    channel: Channel,
+) -> bool:
     """Run a function on some cases, until one takes too long; whether it may be asked more."""
     from kinoedu.course.judging import attempted, is_unwritten
     from kinoedu.course.outcomes import Late, encode_outcome
@@ -175,7 +213,9 @@ def answered(name: str, exercise: Asked, cases: list[Any], counts: dict[str, int
         return False
     for case in cases:
         outcome = attempted(exercise, function, case, by_alarm)  # type: ignore[arg-type]
-        channel.say(question=name, case=counts[name], outcome=encode_outcome(outcome, exercise.answer))
+        channel.say(
+            question=name, case=counts[name], outcome=encode_outcome(outcome, exercise.answer)
+        )
         counts[name] += 1
         if isinstance(outcome, Late) or is_unwritten(outcome):
             return False
@@ -187,9 +227,9 @@ def silent(*_: Any, **__: Any) -> None:
 
 
 def by_alarm(seconds: float, work: Callable[[], Any]) -> Any:
-    """What work() returns or raises; TimeUp where it computes for longer than `seconds` of processor
-    time, or WAITING times that pass on the wall. No thread may be started here, so alarms ring,
-    again and again until Python code stops; what does not hear them is ended from outside.
+    """What work() returns or raises; TimeUp where it computes for longer than `seconds` of
+    processor time, or WAITING times that pass on the wall. No thread may be started here, so alarms
+    ring, again and again until Python code stops; what does not hear them is ended from outside.
     """
     from kinoedu.support.time_limit import WAITING, TimeUp
 

@@ -1,15 +1,21 @@
-"""Which assignment a file answers: by its name, else by the marks that nbgrader left in its cells."""
+"""Which assignment a file answers: by its name, else by the marks that nbgrader left in its
+cells.
+"""
 
 import re
 from pathlib import PurePosixPath
 
 from .notebook import UnreadableSubmission, notebook_in
 
-COPIED = re.compile(r"([ _-]?\(\d+\)|-\d+|[ _-]copy\d*)+$", re.IGNORECASE)  # what a download or a second try adds to a name
+COPIED = re.compile(
+    r"([ _-]?\(\d+\)|-\d+|[ _-]copy\d*)+$", re.IGNORECASE
+)  # what a download or a second try adds to a name
 
 
 def assignment_of(name: str, place: tuple[str, ...], data: bytes, known: list[str]) -> str:
-    """The assignment that a file answers: by its name, by its folder, else by the marks of its cells; "" where none fits."""
+    """The assignment that a file answers: by its name, by its folder, else by the marks of its
+    cells; "" where none fits.
+    """
     stem = COPIED.sub("", PurePosixPath(name).stem)
     for candidate in (stem, *map(unzipped, reversed(place[:-1]))):
         if candidate in known:
@@ -25,14 +31,27 @@ def shared_marks(data: bytes, known: list[str]) -> dict[str, int]:
     from .questions import assignment
 
     marks = marks_in(data)
-    return {name: sum(asked.exercise.name in marks for asked in assignment(name).questions) for name in known} if marks else {}
+    return (
+        {
+            name: sum(asked.exercise.name in marks for asked in assignment(name).questions)
+            for name in known
+        }
+        if marks
+        else {}
+    )
 
 
 def marks_in(data: bytes) -> set[str]:
-    """The names that nbgrader gave a notebook's cells; none where it cannot be read, or was made elsewhere."""
+    """The names that nbgrader gave a notebook's cells; none where it cannot be read, or was made
+    elsewhere.
+    """
     try:
         cells = notebook_in(data)["cells"]
-        return {cell["metadata"]["nbgrader"]["grade_id"] for cell in cells if "nbgrader" in cell.get("metadata", {})}
+        return {
+            cell["metadata"]["nbgrader"]["grade_id"]
+            for cell in cells
+            if "nbgrader" in cell.get("metadata", {})
+        }
     except (UnreadableSubmission, KeyError, TypeError, AttributeError):
         return set()
 

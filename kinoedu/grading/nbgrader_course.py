@@ -1,8 +1,9 @@
-"""nbgrader's gradebook, for the answers that people grade: scores go there, formgrader shows the answers, and its scores come back.
+"""nbgrader's gradebook, for the answers that people grade: scores go there, formgrader shows the
+answers, and its scores come back.
 
-A course folder is made that `nbgrader` knows: gradebook.db, nbgrader_config.py, an empty folder in source/ for each assignment, as
-formgrader lists no other, and in autograded/ the notebooks. What a notebook
-shows there is cleaned first: text and pictures stay, and no tag of HTML does.
+A course folder is made that `nbgrader` knows: gradebook.db, nbgrader_config.py, an empty folder in
+source/ for each assignment, as formgrader lists no other, and in autograded/ the notebooks. What a
+notebook shows there is cleaned first: text and pictures stay, and no tag of HTML does.
 """
 
 import json
@@ -38,7 +39,8 @@ Marks = dict[str, dict[str, Any]]  # nbgrader's metadata of a cell, by its name
 
 
 def export_nbgrader(of: Class, rows: Iterable[Row], folder: Path) -> int:
-    """Write scores into the gradebook and notebooks beside it; what was graded there stays. Returns how many notebooks.
+    """Write scores into the gradebook and notebooks beside it; what was graded there stays. Returns
+    how many notebooks.
 
     Raises InvalidParameter where a folder of submissions is gone.
     """
@@ -84,7 +86,11 @@ def readable(entries: list[Entry]) -> Iterator[tuple[Entry, bytes]]:
 def marks_of(name: str) -> Marks:
     """An assignment's marks, as its solution has them."""
     book = json.loads(solution(name).read_text(encoding="utf-8"))
-    marked = [(cell, cell["metadata"]["nbgrader"]) for cell in book["cells"] if "nbgrader" in cell["metadata"]]
+    marked = [
+        (cell, cell["metadata"]["nbgrader"])
+        for cell in book["cells"]
+        if "nbgrader" in cell["metadata"]
+    ]
     return {mark["grade_id"]: {**mark, "cell_type": cell["cell_type"]} for cell, mark in marked}
 
 
@@ -94,7 +100,9 @@ def add_assignment(gradebook: Any, name: str) -> None:
     gradebook.update_or_create_notebook(name, name)
     for cell, mark in marks_of(name).items():
         if mark["grade"]:
-            gradebook.update_or_create_grade_cell(cell, name, name, max_score=mark["points"], cell_type=mark["cell_type"])
+            gradebook.update_or_create_grade_cell(
+                cell, name, name, max_score=mark["points"], cell_type=mark["cell_type"]
+            )
         if mark["solution"]:
             gradebook.update_or_create_solution_cell(cell, name, name)
 
@@ -127,7 +135,9 @@ def printed(text: Any) -> str:
 
 
 def add_score(gradebook: Any, row: Row) -> None:
-    """A score of the grader's, or a person's in its place; what people grade is marked as theirs until they have."""
+    """A score of the grader's, or a person's in its place; what people grade is marked as theirs
+    until they have.
+    """
     from nbgrader.api import MissingEntry
 
     by_hand = row.question in assignment(row.assignment).by_hand
@@ -147,8 +157,14 @@ def add_score(gradebook: Any, row: Row) -> None:
 def cleaned(book: dict[str, Any], marks: Marks) -> dict[str, Any]:
     """A notebook that is safe to look at, with the solution's marks and no others, each once."""
     left = dict(marks)
-    cells = [clean_cell(cell, left) for cell in book["cells"] if isinstance(cell, dict)] if isinstance(book["cells"], list) else []
-    cells += [markdown(NO_ANSWER, mark) for mark in left.values() if mark["grade"] and mark["solution"]]
+    cells = (
+        [clean_cell(cell, left) for cell in book["cells"] if isinstance(cell, dict)]
+        if isinstance(book["cells"], list)
+        else []
+    )
+    cells += [
+        markdown(NO_ANSWER, mark) for mark in left.values() if mark["grade"] and mark["solution"]
+    ]
     return {"nbformat": 4, "nbformat_minor": 4, "metadata": {}, "cells": cells}
 
 
@@ -161,13 +177,22 @@ def clean_cell(cell: dict[str, Any], left: Marks) -> dict[str, Any]:
     source = printed(cell.get("source"))
     if cell.get("cell_type") != "code":
         return markdown(TAG.sub("&lt;", source), mark)
-    return {**markdown(source, mark), "cell_type": "code", "execution_count": None, "outputs": list(clean_outputs(cell))}
+    return {
+        **markdown(source, mark),
+        "cell_type": "code",
+        "execution_count": None,
+        "outputs": list(clean_outputs(cell)),
+    }
 
 
 def markdown(source: str, mark: dict[str, Any] | None) -> dict[str, Any]:
     """A cell of text."""
     kept = {key: value for key, value in (mark or {}).items() if key != "cell_type"}
-    return {"cell_type": "markdown", "metadata": {"nbgrader": kept} if mark else {}, "source": source}
+    return {
+        "cell_type": "markdown",
+        "metadata": {"nbgrader": kept} if mark else {},
+        "source": source,
+    }
 
 
 def clean_outputs(cell: dict[str, Any]) -> Iterator[dict[str, Any]]:
@@ -179,13 +204,19 @@ def clean_outputs(cell: dict[str, Any]) -> Iterator[dict[str, Any]]:
         if output.get("output_type") == "stream":
             yield {"output_type": "stream", "name": "stdout", "text": printed(output.get("text"))}
         data = output.get("data")
-        shown = {kind: printed(value) for kind, value in data.items() if kind in SHOWN} if isinstance(data, dict) else {}
+        shown = (
+            {kind: printed(value) for kind, value in data.items() if kind in SHOWN}
+            if isinstance(data, dict)
+            else {}
+        )
         if shown:
             yield {"output_type": "display_data", "metadata": {}, "data": shown}
 
 
 def scores_from_nbgrader(of: Class, folder: Path) -> int:
-    """Bring what people graded in formgrader back, scores and comments, into GRADES/by_hand.csv. Returns how many scores."""
+    """Bring what people graded in formgrader back, scores and comments, into GRADES/by_hand.csv.
+    Returns how many scores.
+    """
     from nbgrader.api import Gradebook, MissingEntry
 
     lines = []

@@ -1,4 +1,6 @@
-"""Pages of HTML that stand alone: one file each, no script, nothing fetched; whatever is put in is text and is escaped."""
+"""Pages of HTML that stand alone: one file each, no script, nothing fetched; whatever is put in is
+text and is escaped.
+"""
 
 import re
 from collections.abc import Iterable
@@ -65,7 +67,9 @@ def page(title: str, body: Iterable[str]) -> str:
         f'<!doctype html>\n<html lang="{say("grades.language")}">\n<meta charset="utf-8">\n'
         f'<meta http-equiv="Content-Security-Policy" content="{POLICY}">\n'
         f'<meta name="viewport" content="width=device-width, initial-scale=1">\n'
-        f"<title>{escape(title)}</title>\n<style>{STYLE}</style>\n<h1>{escape(title)}</h1>\n" + "\n".join(body) + "\n</html>\n"
+        f"<title>{escape(title)}</title>\n<style>{STYLE}</style>\n<h1>{escape(title)}</h1>\n"
+        + "\n".join(body)
+        + "\n</html>\n"
     )
 
 
@@ -79,7 +83,8 @@ def paragraph(text: str, kind: str = "") -> str:
 
 
 def breakable(text: str) -> str:
-    """Text of a cell: on a narrow page a long name of a file or a function may go on in the next line where its words end.
+    """Text of a cell: on a narrow page a long name of a file or a function may go on in the next
+    line where its words end.
 
     >>> breakable("a/b_c < d")
     'a/<wbr>b_<wbr>c &lt; d'
@@ -98,7 +103,13 @@ def table(head: Iterable[str], rows: Iterable[Iterable[str]], numbers: int = 0) 
     kinds = ["" if at < len(names) - numbers else ' class="n"' for at in range(len(names))]
     lines = ["".join(f"<td{kind}>{cell}</td>" for kind, cell in zip(kinds, row)) for row in rows]
     top = "".join(f"<th{kind}>{breakable(name)}</th>" for kind, name in zip(kinds, names))
-    return '<div class="wide"><table>\n<tr>' + top + "</tr>\n" + "".join(f"<tr>{line}</tr>\n" for line in lines) + "</table></div>"
+    return (
+        '<div class="wide"><table>\n<tr>'
+        + top
+        + "</tr>\n"
+        + "".join(f"<tr>{line}</tr>\n" for line in lines)
+        + "</table></div>"
+    )
 
 
 def write_page(file: Path, text: str) -> None:

@@ -1,4 +1,6 @@
-"""After a judge's repair: grade the same class anew beside the first, and list whose score changed and why."""
+"""After a judge's repair: grade the same class anew beside the first, and list whose score changed
+and why.
+"""
 
 import shutil
 from collections.abc import Iterator
@@ -18,7 +20,9 @@ COLUMNS = ("student", "assignment", "question", "before", "after", "why", "kept"
 
 
 class Change(NamedTuple):
-    """A score that the grader gives now and did not before, and why. kept : what a person decided, which still holds, or ""."""
+    """A score that the grader gives now and did not before, and why. kept : what a person decided,
+    which still holds, or "".
+    """
 
     student: str
     assignment: str
@@ -29,20 +33,32 @@ class Change(NamedTuple):
     kept: str
 
 
-def regrade(old: Path, out: Path, run: Run, folder: Path | None = None) -> tuple[Class, list[Change]]:
-    """Grade what `old` was made of once more, into `out`; what people decided goes along. Writes changes.csv beside the grades.
+def regrade(
+    old: Path, out: Path, run: Run, folder: Path | None = None
+) -> tuple[Class, list[Change]]:
+    """Grade what `old` was made of once more, into `out`; what people decided goes along. Writes
+    changes.csv beside the grades.
 
     folder : where the submissions are now, where they were moved. Raises InvalidParameter, OSError.
     """
     before = read_class(old)
     if out.resolve() == old.resolve():
-        raise InvalidParameter(f"{out} holds the grades to compare with; name another folder for the new ones")
-    if not run.secret_file.exists() or mark_of(course_secret(run.secret_file)) != before.secret_mark:
-        raise InvalidParameter(f"{old} was graded with the secret that was in {before.secret_file}; give it with --secret")
+        raise InvalidParameter(
+            f"{out} holds the grades to compare with; name another folder for the new ones"
+        )
+    if (
+        not run.secret_file.exists()
+        or mark_of(course_secret(run.secret_file)) != before.secret_mark
+    ):
+        raise InvalidParameter(
+            f"{old} was graded with the secret that was in {before.secret_file}; give it with "
+            "--secret"
+        )
     sources = dict.fromkeys((entry.folder, entry.only) for entry in before.entries)
     if folder is not None and len({place for place, _ in sources}) > 1:
         raise InvalidParameter(
-            f"{old} was made of several folders; put each where it was: {', '.join(place for place, _ in sources)}"
+            f"{old} was made of several folders; put each where it was: "
+            f"{', '.join(place for place, _ in sources)}"
         )
     places = [(Path(place) if folder is None else folder, only) for place, only in sources]
     found = [(place, only, collect(place, only)) for place, only in places]
@@ -59,17 +75,26 @@ def regrade(old: Path, out: Path, run: Run, folder: Path | None = None) -> tuple
 def changes_between(before: Class, after: Class, decisions: Decisions) -> Iterator[Change]:
     """Every score that is another, in the order of the table."""
     was, now = ({row[:3]: row for row in class_rows(of, {})} for of in (before, after))
-    files_before, files_after = ({(entry.student, entry.assignment): entry for entry in of.entries} for of in (before, after))
+    files_before, files_after = (
+        {(entry.student, entry.assignment): entry for entry in of.entries} for of in (before, after)
+    )
     for whose in sorted({*was, *now}):
         old, new = was.get(whose), now.get(whose)
         scores = (old.score if old else None, new.score if new else None)
         if scores[0] != scores[1] or old is None or new is None:
             why = why_changed(old, new, files_before.get(whose[:2]), files_after.get(whose[:2]))
             decision = decisions.get(whose)
-            yield Change(*whose, *scores, why, "" if decision is None or decision.score is None else number(decision.score))
+            yield Change(
+                *whose,
+                *scores,
+                why,
+                "" if decision is None or decision.score is None else number(decision.score),
+            )
 
 
-def why_changed(old: Row | None, new: Row | None, file_before: Entry | None, file_after: Entry | None) -> str:
+def why_changed(
+    old: Row | None, new: Row | None, file_before: Entry | None, file_after: Entry | None
+) -> str:
     """In words."""
     if file_after is None:
         return "the submission is no longer there"
@@ -78,7 +103,11 @@ def why_changed(old: Row | None, new: Row | None, file_before: Entry | None, fil
     if file_before.digest != file_after.digest:
         return "another file was handed in since"
     if old is None or new is None:
-        return "the assignment asks for this now" if old is None else "the assignment no longer asks for this"
+        return (
+            "the assignment asks for this now"
+            if old is None
+            else "the assignment no longer asks for this"
+        )
     return f"{said(new)}; before: {said(old)}"
 
 
@@ -89,5 +118,14 @@ def said(row: Row) -> str:
 
 def write_changes(changes: list[Change], file: Path) -> None:
     """Write the list."""
-    cells = [[*map(harmless, one[:3]), number(one.before), number(one.after), harmless(one.why), one.kept] for one in changes]
+    cells = [
+        [
+            *map(harmless, one[:3]),
+            number(one.before),
+            number(one.after),
+            harmless(one.why),
+            one.kept,
+        ]
+        for one in changes
+    ]
     write_rows(file, [COLUMNS, *cells])

@@ -12,12 +12,18 @@ from .decisions import Decision, Decisions
 from .grading import Grade
 from .questions import assignment
 
-UNREADABLE, NOT_GRADED, BY_HAND, DECIDED = "unreadable", "not graded", "to grade by hand", "set by hand"
+UNREADABLE, NOT_GRADED, BY_HAND, DECIDED = (
+    "unreadable",
+    "not graded",
+    "to grade by hand",
+    "set by hand",
+)
 COLUMNS = ("student", "assignment", "question", "score", "max_score", "status", "message")
 
 
 class Row(NamedTuple):
-    """One question of one student; `score` is None as long as there is none. late : Canvas marked what was handed in so.
+    """One question of one student; `score` is None as long as there is none. late : Canvas marked
+    what was handed in so.
     comment : a person's, or "".
     """
 
@@ -33,25 +39,35 @@ class Row(NamedTuple):
 
 
 def class_rows(of: Class, decisions: Decisions) -> list[Row]:
-    """All rows of a class, with what people decided. Raises InvalidParameter where a decision is about nothing that there is."""
+    """All rows of a class, with what people decided. Raises InvalidParameter where a decision is
+    about nothing that there is.
+    """
     rows = [row for entry in of.entries for row in entry_rows(entry, record_of(entry, of.out))]
     there = {row[:3] for row in rows}
     for whose, decision in decisions.items():
         if whose not in there:
-            raise InvalidParameter(f"{decision.said_in}: grades.csv would have no row for {' '.join(whose)}; check the names")
+            raise InvalidParameter(
+                f"{decision.said_in}: grades.csv would have no row for {' '.join(whose)}; check "
+                "the names"
+            )
     return [decided(row, decisions.get(row[:3])) for row in rows]
 
 
 def entry_rows(entry: Entry, record: Grade | None) -> list[Row]:
     """The rows of one submission, as the grader has it; where there is trouble, they say which."""
     if not entry.assignment:
-        return [Row(entry.student, "", "", None, 0.0, UNREADABLE, trouble_of(entry, record), entry.late)]
+        return [
+            Row(entry.student, "", "", None, 0.0, UNREADABLE, trouble_of(entry, record), entry.late)
+        ]
     task = assignment(entry.assignment)
     if record is None or record["status"] == UNREADABLE:
         trouble = (trouble_status(entry, record), trouble_of(entry, record))
         told = [(asked.exercise.name, None, asked.points, *trouble) for asked in task.questions]
     else:
-        told = [(one["question"], one["score"], one["max_score"], one["status"], one["message"]) for one in record["questions"]]
+        told = [
+            (one["question"], one["score"], one["max_score"], one["status"], one["message"])
+            for one in record["questions"]
+        ]
     told += [(name, None, most, BY_HAND, "") for name, most in task.by_hand.items()]
     return [Row(entry.student, entry.assignment, *rest, entry.late) for rest in told]
 
@@ -77,7 +93,9 @@ def decided(row: Row, decision: Decision | None) -> Row:
 
 
 class Total(NamedTuple):
-    """What a student has for an assignment: the sum of its scores, of how much, how many questions have no score yet, of all."""
+    """What a student has for an assignment: the sum of its scores, of how much, how many questions
+    have no score yet, of all.
+    """
 
     score: float
     max_score: float
@@ -91,7 +109,9 @@ def totals(rows: Iterable[Row]) -> dict[tuple[str, str], Total]:
     for row in rows:
         before = found.get((row.student, row.assignment), Total(0.0, 0.0, 0, 0))
         sums = (before.score + (row.score or 0.0), before.max_score + row.max_score)
-        found[row.student, row.assignment] = Total(*sums, before.waiting + (row.score is None), before.questions + 1)
+        found[row.student, row.assignment] = Total(
+            *sums, before.waiting + (row.score is None), before.questions + 1
+        )
     return found
 
 

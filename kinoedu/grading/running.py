@@ -1,7 +1,9 @@
-"""Grade a whole class: what is missing of it, on all workers, each result kept as soon as it is there.
+"""Grade a whole class: what is missing of it, on all workers, each result kept as soon as it is
+there.
 
-A result is a file named by what was handed in, what was asked, the course's secret and kinoedu's sources. A run that was stopped,
-even killed, goes on where it was; nothing is graded twice; trouble of the machine is tried again and then said, never scored.
+A result is a file named by what was handed in, what was asked, the course's secret and kinoedu's
+sources. A run that was stopped, even killed, goes on where it was; nothing is graded twice; trouble
+of the machine is tried again and then said, never scored.
 """
 
 import atexit
@@ -66,19 +68,25 @@ def grade_all(
 ) -> list[Graded]:
     """Grade submissions, in their order. Whoever works, the grades are the same.
 
-    out : the folder of the results. place : where to work, by default `local()`. trusted : run the programs without a sandbox.
+    out : the folder of the results. place : where to work, by default `local()`. trusted : run the
+        programs without a sandbox.
     Raises OSError where `out` cannot be written.
     """
     results = out / "results"
     results.mkdir(parents=True, exist_ok=True)
     readable = [one for one in submissions if not one.trouble]
-    jobs = {key: job_of(one, key, secret, trusted) for one in readable for key in [key_of(one, secret)]}
+    jobs = {
+        key: job_of(one, key, secret, trusted) for one in readable for key in [key_of(one, secret)]
+    }
     known = {key: record for key in jobs if (record := kept(results / f"{key}.json")) is not None}
     tell = progress or (lambda done, everything: None)
     tell(len(known), len(jobs))
     troubles: dict[str, str] = {}
     missing = [job for key, job in jobs.items() if key not in known]
-    for patience, alone in ((1.0, False), (PATIENT, True)):  # what was late beside others is asked again, alone and with patience
+    for patience, alone in (
+        (1.0, False),
+        (PATIENT, True),
+    ):  # what was late beside others is asked again, alone and with patience
         late = []
         for job, record, trouble in worked(missing, place or local(), 1 if alone else None):
             if record is None:
@@ -99,7 +107,9 @@ def job_of(one: Submission, key: str, secret: bytes, trusted: bool) -> Job:
     return Job(key, one.assignment, one.data, secret, trusted=trusted, variants=one.variants)
 
 
-def graded(one: Submission, known: dict[str, Grade], troubles: dict[str, str], secret: bytes) -> Graded:
+def graded(
+    one: Submission, known: dict[str, Grade], troubles: dict[str, str], secret: bytes
+) -> Graded:
     """A submission with what came of it."""
     if one.trouble:
         return Graded(one, None, one.trouble)
@@ -108,10 +118,19 @@ def graded(one: Submission, known: dict[str, Grade], troubles: dict[str, str], s
 
 
 def key_of(one: Submission, secret: bytes) -> str:
-    """The name of a result: the same for the same bytes, questions, contracts, secret and sources."""
-    parts = [one.assignment.encode(), one.data, hashlib.sha256(secret).digest(), sources(one.assignment)]
+    """The name of a result: the same for the same bytes, questions, contracts, secret and
+    sources.
+    """
+    parts = [
+        one.assignment.encode(),
+        one.data,
+        hashlib.sha256(secret).digest(),
+        sources(one.assignment),
+    ]
     parts += [repr(one.variants).encode()] if one.variants else []
-    return hashlib.sha256(b"".join(hashlib.sha256(part).digest() for part in parts)).hexdigest()[:40]
+    return hashlib.sha256(b"".join(hashlib.sha256(part).digest() for part in parts)).hexdigest()[
+        :40
+    ]
 
 
 @functools.cache
@@ -126,7 +145,11 @@ def kept(file: Path) -> Grade | None:
         record = json.loads(file.read_text(encoding="utf-8"))
     except (OSError, ValueError):
         return None
-    return record if isinstance(record, dict) and {"status", "questions", "cells"} <= set(record) else None
+    return (
+        record
+        if isinstance(record, dict) and {"status", "questions", "cells"} <= set(record)
+        else None
+    )
 
 
 def keep(file: Path, record: Grade) -> None:
@@ -144,7 +167,9 @@ def local(workers: int | None = None) -> Place:
     @contextmanager
     def place(most: int | None) -> Iterator[Executor]:
         new = multiprocessing.get_context("spawn")
-        with ProcessPoolExecutor(most or workers, mp_context=new, initializer=end_with_parent) as executor:
+        with ProcessPoolExecutor(
+            most or workers, mp_context=new, initializer=end_with_parent
+        ) as executor:
             yield executor
 
     return place
@@ -171,14 +196,19 @@ def dask(address: str) -> Place:
 
         with Client(address, timeout=10, set_as_default=False) as client:
             workers = sorted(client.scheduler_info()["workers"])
-            yield client.get_executor(pure=False, retries=TRIES, **({"workers": workers[:1]} if most == 1 else {}))
+            yield client.get_executor(
+                pure=False, retries=TRIES, **({"workers": workers[:1]} if most == 1 else {})
+            )
 
     return place
 
 
-def worked(jobs: Iterable[Job], place: Place, most: int | None) -> Iterator[tuple[Job, Grade | None, str]]:
-    """Every job with its record, as they come; one whose worker is lost or whose machine is in trouble is tried again, and alone
-    after the second time, so that whatever ends workers takes no other job with it.
+def worked(
+    jobs: Iterable[Job], place: Place, most: int | None
+) -> Iterator[tuple[Job, Grade | None, str]]:
+    """Every job with its record, as they come; one whose worker is lost or whose machine is in
+    trouble is tried again, and alone after the second time, so that whatever ends workers takes no
+    other job with it.
     """
     left, tries = list(jobs), dict[str, int]()
     while left:
@@ -192,10 +222,16 @@ def worked(jobs: Iterable[Job], place: Place, most: int | None) -> Iterator[tupl
             for job, future in arrivals:
                 trouble = future.exception()
                 if trouble is None:
-                    begun = {other.key for waiting, other in arrivals.waiting.items() if waiting.running()}
+                    begun = {
+                        other.key
+                        for waiting, other in arrivals.waiting.items()
+                        if waiting.running()
+                    }
                     yield job, future.result(), ""
                     continue
-                tries[job.key] = tries.get(job.key, 0) + (job.key in begun or not isinstance(trouble, BrokenProcessPool))
+                tries[job.key] = tries.get(job.key, 0) + (
+                    job.key in begun or not isinstance(trouble, BrokenProcessPool)
+                )
                 if tries[job.key] < TRIES:
                     left.append(job)
                 else:
@@ -203,7 +239,9 @@ def worked(jobs: Iterable[Job], place: Place, most: int | None) -> Iterator[tupl
 
 
 class Own(threading.local):
-    """Sandboxes for each thread that grades, as Dask's workers may have several: one with walls, and one for what is trusted."""
+    """Sandboxes for each thread that grades, as Dask's workers may have several: one with walls,
+    and one for what is trusted.
+    """
 
     def __init__(self) -> None:
         self.sandboxes = {False: Sandbox(), True: Sandbox(without_walls)}

@@ -1,4 +1,6 @@
-"""Where a course's secret is unless its instructor says otherwise: with the user's own data, far from every repository."""
+"""Where a course's secret is unless its instructor says otherwise: with the user's own data, far
+from every repository.
+"""
 
 from pathlib import Path
 

@@ -1,6 +1,8 @@
-"""A process shuts itself in before it runs a stranger's program: alone among processes, with files that vanish, without any right.
+"""A process shuts itself in before it runs a stranger's program: alone among processes, with files
+that vanish, without any right.
 
-Linux only; for a process that is in a sandbox already and may still make namespaces there. Linux's own calls, as Python has none.
+Linux only; for a process that is in a sandbox already and may still make namespaces there. Linux's
+own calls, as Python has none.
 """
 
 import ctypes
@@ -20,9 +22,11 @@ LIBC = ctypes.PyDLL(None, use_errno=True)  # which keeps Python's lock, as a for
 
 
 def forked_alone() -> int:
-    """Fork a process that sees no other, and whose end is the end of all that it might start: its number, and there 0.
+    """Fork a process that sees no other, and whose end is the end of all that it might start: its
+    number, and there 0.
 
-    One call of Linux, since who first makes a world of processes and then forks stands between the two, and can be killed alone.
+    One call of Linux, since who first makes a world of processes and then forks stands between the
+    two, and can be killed alone.
     """
     ctypes.pythonapi.PyOS_BeforeFork()
     child = int(LIBC.syscall(forbidden.FORK, NEW_PROCESSES | signal.SIGCHLD, 0, 0, 0, 0))
@@ -36,19 +40,38 @@ def forked_alone() -> int:
 
 
 def with_new_files(files: int, hidden: list[str]) -> None:
-    """Files of its own in /tmp, a few in /dev/shm, in all about so many bytes; nothing in /proc, /dev/pts and where to hide it."""
+    """Files of its own in /tmp, a few in /dev/shm, in all about so many bytes; nothing in /proc,
+    /dev/pts and where to hide it.
+    """
     must(LIBC.mount(None, b"/", None, AND_BELOW | PRIVATE, None))
     for place, most in ((b"/tmp", files), (b"/dev/shm", 2**20)):
-        must(LIBC.mount(b"tmpfs", place, b"tmpfs", NO_SUID | NO_DEVICES | NO_PROGRAMS, b"mode=1777,size=%d" % most))
+        must(
+            LIBC.mount(
+                b"tmpfs",
+                place,
+                b"tmpfs",
+                NO_SUID | NO_DEVICES | NO_PROGRAMS,
+                b"mode=1777,size=%d" % most,
+            )
+        )
     for folder in ("/proc", "/dev/pts", *hidden):
-        must(LIBC.mount(b"tmpfs", folder.encode(), b"tmpfs", READ_ONLY | NO_SUID | NO_DEVICES | NO_PROGRAMS, b"size=4096"))
+        must(
+            LIBC.mount(
+                b"tmpfs",
+                folder.encode(),
+                b"tmpfs",
+                READ_ONLY | NO_SUID | NO_DEVICES | NO_PROGRAMS,
+                b"size=4096",
+            )
+        )
     os.chdir("/tmp")
 
 
 def without_rights(user: int, *, memory: int, cpu: int, files: int, hidden: list[str]) -> None:
-    """From here on: no capability, nobody's files, bounded memory (bytes beyond what is mapped), processor (seconds) and files
-    (bytes), not one process or thread more, and of Linux's calls only those that a calculation needs. user : whom to become, where
-    this is root; 0 to stay who it is. hidden : folders that are empty from here on.
+    """From here on: no capability, nobody's files, bounded memory (bytes beyond what is mapped),
+    processor (seconds) and files (bytes), not one process or thread more, and of Linux's calls only
+    those that a calculation needs. user : whom to become, where this is root; 0 to stay who it is.
+    hidden : folders that are empty from here on.
     """
     mapped = int(Path("/proc/self/statm").read_text().split()[0]) * resource.getpagesize()
     with_new_files(files, hidden)
@@ -67,7 +90,11 @@ def without_rights(user: int, *, memory: int, cpu: int, files: int, hidden: list
         (resource.RLIMIT_NPROC, 0),
     ):
         resource.setrlimit(what, (most, most))
-    must(LIBC.prctl(forbidden.SECCOMP, forbidden.BY_FILTER, ctypes.byref(forbidden.filtering()), 0, 0))
+    must(
+        LIBC.prctl(
+            forbidden.SECCOMP, forbidden.BY_FILTER, ctypes.byref(forbidden.filtering()), 0, 0
+        )
+    )
 
 
 def must(result: int) -> None:

@@ -1,4 +1,6 @@
-"""What programs have in common, for a person to look at: a list of pairs as a page and as a table, and a page for each pair."""
+"""What programs have in common, for a person to look at: a list of pairs as a page and as a table,
+and a page for each pair.
+"""
 
 from collections.abc import Iterable, Iterator
 from html import escape
@@ -15,7 +17,9 @@ COLUMNS = ("assignment", "first", "second", "weight", "share_of_first", "share_o
 
 
 def write_similar(found: list[Similar], folder: Path) -> int:
-    """Write similar.html, similar.csv and pairs/*.html; pages of pairs that are gone are removed. Returns how many pairs."""
+    """Write similar.html, similar.csv and pairs/*.html; pages of pairs that are gone are removed.
+    Returns how many pairs.
+    """
     pairs = [(place, of, one) for of in found for place, one in placed(of)]
     for place, of, one in pairs:
         write_page(folder / place, pair_page(of, one))
@@ -23,11 +27,19 @@ def write_similar(found: list[Similar], folder: Path) -> int:
         if file.relative_to(folder).as_posix() not in {place for place, _, _ in pairs}:
             file.unlink()
     lines = [
-        [*map(harmless, (of.assignment, one.first.name, one.second.name)), *map(number, one[2:]), place] for place, of, one in pairs
+        [
+            *map(harmless, (of.assignment, one.first.name, one.second.name)),
+            *map(number, one[2:]),
+            place,
+        ]
+        for place, of, one in pairs
     ]
     folder.mkdir(parents=True, exist_ok=True)
     write_rows(folder / "similar.csv", [COLUMNS, *lines])
-    write_page(folder / "similar.html", page(say("similar.title"), [paragraph(say("similar.about")), *map(summary, found)]))
+    write_page(
+        folder / "similar.html",
+        page(say("similar.title"), [paragraph(say("similar.about")), *map(summary, found)]),
+    )
     return len(pairs)
 
 
@@ -41,10 +53,20 @@ def summary(of: Similar) -> str:
     """An assignment's pairs, as two tables."""
     all_placed = list(placed(of))
     parts = [paragraph(f"{of.assignment}: {say('similar.count', count=len(of.programs))}", "quiet")]
-    for key, pairs in (("each_other", all_placed[: len(of.each_other)]), ("course", all_placed[len(of.each_other) :])):
+    for key, pairs in (
+        ("each_other", all_placed[: len(of.each_other)]),
+        ("course", all_placed[len(of.each_other) :]),
+    ):
         parts.append(heading(f"{of.assignment}: {say(f'similar.{key}')}"))
-        head = [say(f"similar.{column}") for column in ("first", "second", "of_first", "of_second", "weight")]
-        parts.append(table(head, map(row, pairs), numbers=3) if pairs else paragraph(say("similar.nothing"), "quiet"))
+        head = [
+            say(f"similar.{column}")
+            for column in ("first", "second", "of_first", "of_second", "weight")
+        ]
+        parts.append(
+            table(head, map(row, pairs), numbers=3)
+            if pairs
+            else paragraph(say("similar.nothing"), "quiet")
+        )
     return "\n".join(parts)
 
 
@@ -52,7 +74,13 @@ def row(pair: tuple[str, Likeness]) -> list[str]:
     """A pair's cells, in HTML."""
     place, one = pair
     first = f'<a href="{place}">{breakable(one.first.name)}</a>'
-    return [first, breakable(one.second.name), percent(one.of_first), percent(one.of_second), f"{one.weight:.0f}"]
+    return [
+        first,
+        breakable(one.second.name),
+        percent(one.of_first),
+        percent(one.of_second),
+        f"{one.weight:.0f}",
+    ]
 
 
 def percent(share: float) -> str:
@@ -65,7 +93,9 @@ def percent(share: float) -> str:
 
 
 def pair_page(of: Similar, one: Likeness) -> str:
-    """Two programs beside each other: only their pieces that have something in common, and there marked what it is."""
+    """Two programs beside each other: only their pieces that have something in common, and there
+    marked what it is.
+    """
     shared = one.first.prints & one.second.prints
     shares = say("similar.shares", first=percent(one.of_first), second=percent(one.of_second))
     body = [paragraph(say("similar.about")), paragraph(shares, "quiet"), '<div class="two">']
@@ -75,8 +105,12 @@ def pair_page(of: Similar, one: Likeness) -> str:
     return page(f"{of.assignment}: {say('similar.title')}", [*body, "</div>"])
 
 
-def beside(first: Iterable[Piece], second: Iterable[Piece], shared: set[int]) -> Iterator[tuple[Piece | None, Piece | None]]:
-    """The pieces that share something, each of the first with the one of the second that shares the most with it."""
+def beside(
+    first: Iterable[Piece], second: Iterable[Piece], shared: set[int]
+) -> Iterator[tuple[Piece | None, Piece | None]]:
+    """The pieces that share something, each of the first with the one of the second that shares the
+    most with it.
+    """
     left = [piece for piece in second if shared & piece.prints.keys()]
     for piece in first:
         common = shared & piece.prints.keys()
@@ -89,11 +123,24 @@ def beside(first: Iterable[Piece], second: Iterable[Piece], shared: set[int]) ->
 
 
 def shown(piece: Piece | None, name: str, shared: set[int]) -> str:
-    """A piece, and whose it is, which a narrow page says above it; or the place where the other program has nothing like it."""
-    return "<pre></pre>" if piece is None else f'<pre title="{escape(name)}">{marked(piece, shared)}</pre>'
+    """A piece, and whose it is, which a narrow page says above it; or the place where the other
+    program has nothing like it.
+    """
+    return (
+        "<pre></pre>"
+        if piece is None
+        else f'<pre title="{escape(name)}">{marked(piece, shared)}</pre>'
+    )
 
 
 def marked(piece: Piece, shared: set[int]) -> str:
     """A piece's lines, those that are shared marked."""
-    common = {line for one in shared & piece.prints.keys() for line in range(piece.prints[one][0], piece.prints[one][1] + 1)}
-    return "\n".join(f"<mark>{escape(line)}</mark>" if at in common else escape(line) for at, line in enumerate(piece.lines))
+    common = {
+        line
+        for one in shared & piece.prints.keys()
+        for line in range(piece.prints[one][0], piece.prints[one][1] + 1)
+    }
+    return "\n".join(
+        f"<mark>{escape(line)}</mark>" if at in common else escape(line)
+        for at, line in enumerate(piece.lines)
+    )

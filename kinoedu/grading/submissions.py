@@ -1,4 +1,5 @@
-"""Which file is whose: a folder of submissions as nbgrader, Canvas, Moodle or Gradescope lay it out, or as a teacher does by hand.
+"""Which file is whose: a folder of submissions as nbgrader, Canvas, Moodle or Gradescope lay it
+out, or as a teacher does by hand.
 
     student/assignment.ipynb, student/assignment/assignment.ipynb    by hand, nbgrader
     name_12345_67890_file.ipynb, name_LATE_12345_67890_file.ipynb    Canvas
@@ -20,16 +21,18 @@ from .found import METADATA, Found, files_in
 from .marks import assignment_of, most_marks, shared_marks, unzipped
 from .notebook import MOST_BYTES
 
-CANVAS = re.compile(r"^(?P<student>[^_]+)_(?P<late>late_)?(?P<id>\d+)_\d+_(?P<file>.+)$", re.IGNORECASE)
+CANVAS = re.compile(
+    r"^(?P<student>[^_]+)_(?P<late>late_)?(?P<id>\d+)_\d+_(?P<file>.+)$", re.IGNORECASE
+)
 MOODLE = re.compile(r"^(?P<student>.+)_(?P<id>\d+)_assignsubmission_(?:file|onlinetext)_?$")
 GRADESCOPE = re.compile(r"^submission_\d+$")
 LONGEST_NAME, MOST_NAMED = 300, 5  # characters of a file's place, files in a sentence
 
 
 class Submission(NamedTuple):
-    """What a student handed in: the bytes of a notebook, or the trouble with it. `file` is where it was, for people to read.
-    `variants` are the student's own contracts, as pairs of a question and a name, where the class has such. `late` : Canvas marked
-    it so.
+    """What a student handed in: the bytes of a notebook, or the trouble with it. `file` is where it
+    was, for people to read. `variants` are the student's own contracts, as pairs of a question and
+    a name, where the class has such. `late` : Canvas marked it so.
     """
 
     student: str
@@ -42,10 +45,12 @@ class Submission(NamedTuple):
 
 
 def collect(folder: Path, only: str = "", house: Path = HOUSE) -> list[Submission]:
-    """All submissions in a folder or zip, ordered by student and assignment; of one assignment where `only` names it.
+    """All submissions in a folder or zip, ordered by student and assignment; of one assignment
+    where `only` names it.
 
-    Every file that may be a submission comes back: what cannot be read, is handed in twice or belongs to no assignment has its
-    trouble with it, and so has who handed in something and no notebook. Raises InvalidParameter.
+    Every file that may be a submission comes back: what cannot be read, is handed in twice or
+    belongs to no assignment has its trouble with it, and so has who handed in something and no
+    notebook. Raises InvalidParameter.
     """
     if not folder.exists():
         raise InvalidParameter(f"there is no folder {folder}")
@@ -56,19 +61,28 @@ def collect(folder: Path, only: str = "", house: Path = HOUSE) -> list[Submissio
     owners = gradescope_owners(found)
     submissions = [submission_of(file, owners, known, only) for file in found if is_candidate(file)]
     submissions += without_notebook(found, {one.student for one in submissions}, owners, known)
-    submissions = [*only_for(only, submissions)] if only else [*map(known_or_troubled(known), submissions)]
-    return sorted(without_doubles(submissions), key=lambda one: (one.student, one.assignment, one.file))
+    submissions = (
+        [*only_for(only, submissions)] if only else [*map(known_or_troubled(known), submissions)]
+    )
+    return sorted(
+        without_doubles(submissions), key=lambda one: (one.student, one.assignment, one.file)
+    )
 
 
 def unwrapped(files: list[Found], known: list[str]) -> list[Found]:
-    """Files without the folders that hold all of them: what stands first in a place then is the instructor's, and all after that
-    may be a student's own, who is not asked there whose it is. A folder of assignments, or of one zip, is a lone student's. What
-    Gradescope says of its folders stands beside them.
+    """Files without the folders that hold all of them: what stands first in a place then is the
+    instructor's, and all after that may be a student's own, who is not asked there whose it is. A
+    folder of assignments, or of one zip, is a lone student's. What Gradescope says of its folders
+    stands beside them.
     """
     places = [file.place for file in files if not file.place[-1].startswith(".")]
     if any(GRADESCOPE.match(place[1]) for place in places if len(place) > 2):
         places = [place for place in places if place[1:] != (METADATA,)]
-    while places and all(len(place) > 2 for place in places) and len({place[0] for place in places}) == 1:
+    while (
+        places
+        and all(len(place) > 2 for place in places)
+        and len({place[0] for place in places}) == 1
+    ):
         below = {place[1] for place in places}
         if below <= set(known) or (len(below) == 1 and min(below).lower().endswith(".zip")):
             break
@@ -79,26 +93,36 @@ def unwrapped(files: list[Found], known: list[str]) -> list[Found]:
 
 def is_candidate(file: Found) -> bool:
     """Whether a file may be a submission: a notebook, or what could not be opened."""
-    return file.place[-1].lower().endswith(".ipynb") or (bool(file.trouble) and not file.place[-1].startswith("."))
+    return file.place[-1].lower().endswith(".ipynb") or (
+        bool(file.trouble) and not file.place[-1].startswith(".")
+    )
 
 
 def submission_of(file: Found, owners: dict[str, str], known: list[str], only: str) -> Submission:
-    """Whose a file is, and which assignment it answers; "" where that cannot be known. Named like one and with the cells of another
-    it is the wrong file, unless it is the other that is asked for.
+    """Whose a file is, and which assignment it answers; "" where that cannot be known. Named like
+    one and with the cells of another it is the wrong file, unless it is the other that is asked
+    for.
     """
     student, name = owner(file.place, owners)
-    named, shared = assignment_of(name, file.place, file.data, known), shared_marks(file.data, known)
+    named, shared = (
+        assignment_of(name, file.place, file.data, known),
+        shared_marks(file.data, known),
+    )
     marked = most_marks(shared)
     one = Submission(student, named, where(file), file.data, file.trouble, late=marked_late(file))
     if not marked or not named or shared[named]:
         return one
     if only == marked:
         return one._replace(assignment=marked, trouble="")
-    return one._replace(trouble=f"it is named like {named}, but its cells are those of {marked}: is it the wrong file?")
+    return one._replace(
+        trouble=f"it is named like {named}, but its cells are those of {marked}: is it the wrong file?"
+    )
 
 
 def marked_late(file: Found) -> bool:
-    """Whether Canvas marked a file, as in doejane_LATE_1234_56789_file.ipynb; the other systems mark none."""
+    """Whether Canvas marked a file, as in doejane_LATE_1234_56789_file.ipynb; the other systems
+    mark none.
+    """
     canvas = CANVAS.match(unzipped(file.place[0]))
     return canvas is not None and canvas["late"] is not None
 
@@ -108,11 +132,15 @@ def where(file: Found) -> str:
     return one_line("/".join(file.place)[-LONGEST_NAME:])
 
 
-def without_notebook(found: list[Found], have: set[str], owners: dict[str, str], known: list[str]) -> list[Submission]:
+def without_notebook(
+    found: list[Found], have: set[str], owners: dict[str, str], known: list[str]
+) -> list[Submission]:
     """Of who handed in something and no notebook, one submission that says so."""
     rest: dict[str, list[Found]] = {}
     for file in found:
-        if not file.place[-1].startswith(".") and (len(file.place) > 1 or CANVAS.match(file.place[0])):
+        if not file.place[-1].startswith(".") and (
+            len(file.place) > 1 or CANVAS.match(file.place[0])
+        ):
             rest.setdefault(owner(file.place, owners)[0], []).append(file)
     lost = []
     for student, files in rest.items():
@@ -120,13 +148,25 @@ def without_notebook(found: list[Found], have: set[str], owners: dict[str, str],
             named = assignment_of(files[0].place[-1], files[0].place, b"", known)
             seen = some_of([where(file) for file in files])
             late = any(map(marked_late, files))
-            lost.append(Submission(student, named, seen, b"", "there is no notebook in what was handed in", late=late))
+            lost.append(
+                Submission(
+                    student,
+                    named,
+                    seen,
+                    b"",
+                    "there is no notebook in what was handed in",
+                    late=late,
+                )
+            )
     return lost
 
 
 def known_or_troubled(known: list[str]) -> Callable[[Submission], Submission]:
     """Gives a submission to no assignment its trouble."""
-    unknown = f"it answers no assignment that is known; its name should begin with one of: {', '.join(known)}"
+    unknown = (
+        "it answers no assignment that is known; its name should begin with one of: "
+        f"{', '.join(known)}"
+    )
     return lambda one: one if one.assignment or one.trouble else one._replace(trouble=unknown)
 
 
@@ -137,7 +177,11 @@ def only_for(only: str, submissions: list[Submission]) -> Iterator[Submission]:
         if one.assignment in ("", only):
             yield one._replace(assignment=only)
         elif one.student not in answered:
-            yield one._replace(assignment=only, data=b"", trouble=f"it is for {one.assignment}, and {only} is what is graded")
+            yield one._replace(
+                assignment=only,
+                data=b"",
+                trouble=f"it is for {one.assignment}, and {only} is what is graded",
+            )
 
 
 def owner(place: tuple[str, ...], owners: dict[str, str]) -> tuple[str, str]:
@@ -161,8 +205,8 @@ def owner(place: tuple[str, ...], owners: dict[str, str]) -> tuple[str, str]:
 
 
 def gradescope_owners(files: Iterable[Found]) -> dict[str, str]:
-    """Whose each folder of a Gradescope export is, by the submission_metadata.yml beside them and no other, since a student may
-    hand in one too: submission_12345 -> the first submitter's id.
+    """Whose each folder of a Gradescope export is, by the submission_metadata.yml beside them and
+    no other, since a student may hand in one too: submission_12345 -> the first submitter's id.
     """
     import yaml
 
@@ -172,14 +216,26 @@ def gradescope_owners(files: Iterable[Found]) -> dict[str, str]:
             try:
                 about = yaml.safe_load(file.data)
                 entries = {str(key): value[":submitters"][0] for key, value in about.items()}
-                owners |= {key: str(one.get(":sid") or one.get(":email") or one[":name"]) for key, one in entries.items()}
-            except (yaml.YAMLError, AttributeError, KeyError, TypeError, IndexError, RecursionError):
+                owners |= {
+                    key: str(one.get(":sid") or one.get(":email") or one[":name"])
+                    for key, one in entries.items()
+                }
+            except (
+                yaml.YAMLError,
+                AttributeError,
+                KeyError,
+                TypeError,
+                IndexError,
+                RecursionError,
+            ):
                 continue
     return owners
 
 
 def without_doubles(submissions: list[Submission]) -> Iterator[Submission]:
-    """Two files of one student for one assignment: neither is chosen, both are named; the same bytes twice are one."""
+    """Two files of one student for one assignment: neither is chosen, both are named; the same
+    bytes twice are one.
+    """
     groups: dict[tuple[str, str], list[Submission]] = {}
     for one in submissions:
         groups.setdefault((one.student, one.assignment), []).append(one)
@@ -189,7 +245,9 @@ def without_doubles(submissions: list[Submission]) -> Iterator[Submission]:
         else:
             files = some_of([one.file for one in group])
             wrong = f"handed in more than once, with differences: {files}; leave one"
-            yield group[0]._replace(data=b"", file=files, trouble=wrong, late=any(one.late for one in group))
+            yield group[0]._replace(
+                data=b"", file=files, trouble=wrong, late=any(one.late for one in group)
+            )
 
 
 def some_of(names: list[str]) -> str:

@@ -1,4 +1,6 @@
-"""To talk with a process that may say anything, say nothing, never listen, or never end: whatever it does, this ends in time."""
+"""To talk with a process that may say anything, say nothing, never listen, or never end: whatever
+it does, this ends in time.
+"""
 
 import os
 import selectors
@@ -7,7 +9,9 @@ from collections import deque
 from collections.abc import Iterator
 
 MOST_OUTPUT = 32 * 2**20  # bytes
-MOST_PARTS = 2**21  # commas and brackets, each of which may be a value, and takes far more memory than a byte
+MOST_PARTS = (
+    2**21
+)  # commas and brackets, each of which may be a value, and takes far more memory than a byte
 MOST_LINE = 2**20
 LONGEST = 300.0  # seconds for everything, however much is said
 USUAL = 42.0  # seconds of patience on a usual computer
@@ -15,7 +19,9 @@ START = 60.0  # seconds until the first line, on a slow machine
 
 
 class Talk:
-    """Lines to and from a process, by two pipes. `end` says how it ended: "late", "flood", or "died" where it said no more."""
+    """Lines to and from a process, by two pipes. `end` says how it ended: "late", "flood", or
+    "died" where it said no more.
+    """
 
     def __init__(self, asking: int, answering: int, patience: float) -> None:
         self.asking, self.answering, self.patience = asking, answering, patience
@@ -45,7 +51,12 @@ class Talk:
 
     def listen(self) -> None:
         """Wait until there is more to hear or to say."""
-        able = [key.fd for key, _ in self.ready.select(max(0.0, min(self.last, self.very_last) - time.monotonic()))]
+        able = [
+            key.fd
+            for key, _ in self.ready.select(
+                max(0.0, min(self.last, self.very_last) - time.monotonic())
+            )
+        ]
         if not able:
             self.end = "late"
         if self.asking in able:

@@ -1,7 +1,9 @@
-"""inside.py without walls, for an instructor who trusts every submission as their own program: `kinoedu grade --trust`.
+"""inside.py without walls, for an instructor who trusts every submission as their own program:
+`kinoedu grade --trust`.
 
-`python trusted.py SOCKET [...]` takes the place of `shut_in.py`, and is inside.py otherwise. A program has bounded time, memory and
-files, and starts in an empty folder; but it reads what you can read, and reaches the network. Linux and macOS.
+`python trusted.py SOCKET [...]` takes the place of `shut_in.py`, and is inside.py otherwise. A
+program has bounded time, memory and files, and starts in an empty folder; but it reads what you can
+read, and reaches the network. Linux and macOS.
 """
 
 import contextlib
@@ -26,8 +28,8 @@ def folder_of(process: int) -> Path:
 
 
 def without_rights(user: int, *, memory: int, cpu: int, files: int, hidden: object = ()) -> None:
-    """From here on: bounded memory, processor time and files, as far as the system bounds them; and where this is root, a user whom
-    the system does not know.
+    """From here on: bounded memory, processor time and files, as far as the system bounds them; and
+    where this is root, a user whom the system does not know.
     """
     folder = folder_of(os.getpid())
     folder.mkdir(mode=0o700)
@@ -37,12 +39,24 @@ def without_rights(user: int, *, memory: int, cpu: int, files: int, hidden: obje
         os.setgroups([])
         os.setresgid(user, user, user)
         os.setresuid(user, user, user)
-    with contextlib.suppress(AttributeError):  # Linux alone has it: su and its like give nobody their rights
+    with contextlib.suppress(
+        AttributeError
+    ):  # Linux alone has it: su and its like give nobody their rights
         ctypes.CDLL(None).prctl(NO_NEW_RIGHTS, 1, 0, 0, 0)
-    bounds = [(resource.RLIMIT_CPU, cpu), (resource.RLIMIT_FSIZE, files), (resource.RLIMIT_CORE, 0), (resource.RLIMIT_NPROC, 0)]
+    bounds = [
+        (resource.RLIMIT_CPU, cpu),
+        (resource.RLIMIT_FSIZE, files),
+        (resource.RLIMIT_CORE, 0),
+        (resource.RLIMIT_NPROC, 0),
+    ]
     mapped = Path("/proc/self/statm")
     if mapped.exists():
-        bounds.append((resource.RLIMIT_AS, int(mapped.read_text().split()[0]) * resource.getpagesize() + memory))
+        bounds.append(
+            (
+                resource.RLIMIT_AS,
+                int(mapped.read_text().split()[0]) * resource.getpagesize() + memory,
+            )
+        )
     for what, most in bounds:
         with contextlib.suppress(OSError, ValueError):  # macOS refuses some
             resource.setrlimit(what, (most, most))

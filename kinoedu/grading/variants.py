@@ -1,4 +1,6 @@
-"""Exercises with contracts: for each student a notebook whose statements and checks know which contract is theirs."""
+"""Exercises with contracts: for each student a notebook whose statements and checks know which
+contract is theirs.
+"""
 
 import json
 from pathlib import Path
@@ -17,9 +19,12 @@ from .questions import assignment
 COLUMNS = ("student", "assignment", "question", "variant")
 
 
-def write_variants(names: list[str], students: list[str], secret: bytes, out: Path, house: Path = HOUSE) -> int:
-    """For each student the assignments' exercises with their own contracts, OUT/STUDENT/NAME.ipynb; and who has which, as
-    OUT/variants.csv. Returns how many notebooks. Raises InvalidParameter where an assignment has no exercise with contracts.
+def write_variants(
+    names: list[str], students: list[str], secret: bytes, out: Path, house: Path = HOUSE
+) -> int:
+    """For each student the assignments' exercises with their own contracts, OUT/STUDENT/NAME.ipynb;
+    and who has which, as OUT/variants.csv. Returns how many notebooks. Raises InvalidParameter
+    where an assignment has no exercise with contracts.
     """
     books = {name: released(name, house) for name in names}
     lines = []
@@ -31,7 +36,10 @@ def write_variants(names: list[str], students: list[str], secret: bytes, out: Pa
             file = out / file_name(student) / f"{name}.ipynb"
             file.parent.mkdir(parents=True, exist_ok=True)
             with written_whole(file) as part:
-                part.write_text(json.dumps(with_contracts(book, mine), indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+                part.write_text(
+                    json.dumps(with_contracts(book, mine), indent=1, ensure_ascii=False) + "\n",
+                    encoding="utf-8",
+                )
             lines += [[harmless(student), name, *pair] for pair in mine]
     write_rows(out / "variants.csv", [COLUMNS, *lines])
     return len(books) * len(students)
@@ -53,10 +61,19 @@ def with_contracts(book: Any, chosen: Choices) -> Any:
         name = cell["metadata"].get("nbgrader", {}).get("grade_id", "")
         if name in mine:
             words = say("variants.yours", contract=find(name, mine[name]).contract)
-            cells.append({"cell_type": "markdown", "id": f"contract_{name}", "metadata": {}, "source": [words]})
+            cells.append(
+                {
+                    "cell_type": "markdown",
+                    "id": f"contract_{name}",
+                    "metadata": {},
+                    "source": [words],
+                }
+            )
         if name.removeprefix("check_") in mine and name.startswith("check_"):
             asked = name.removeprefix("check_")
-            source = "".join(cell["source"]).replace(f"check({asked}", f'check({asked}, variant="{mine[asked]}"', 1)
+            source = "".join(cell["source"]).replace(
+                f"check({asked}", f'check({asked}, variant="{mine[asked]}"', 1
+            )
             cell = {**cell, "source": source.splitlines(keepends=True)}
         cells.append(cell)
     return {**book, "cells": cells}

@@ -13,7 +13,8 @@ from .running import Progress
 
 
 def write_all(of: Class, progress: Progress | None = None) -> list[Row]:
-    """Write everything that people read; the same bytes for the same class. Returns the rows of grades.csv.
+    """Write everything that people read; the same bytes for the same class. Returns the rows of
+    grades.csv.
 
     Raises InvalidParameter where a decision is wrong, OSError where nothing can be written.
     """

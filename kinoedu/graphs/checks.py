@@ -1,4 +1,6 @@
-"""Where the parts of a graph enter: lists become checked arrays that can grow, or a named error says what is wrong with them."""
+"""Where the parts of a graph enter: lists become checked arrays that can grow, or a named error
+says what is wrong with them.
+"""
 
 from typing import Any
 
@@ -32,17 +34,24 @@ class Rows:
     def append(self, row: Any) -> None:
         """Add one at the end."""
         if self.count == len(self.room):
-            self.room = np.concatenate([self.room, np.empty((max(4, self.count), *self.room.shape[1:]), self.room.dtype)])
+            self.room = np.concatenate(
+                [self.room, np.empty((max(4, self.count), *self.room.shape[1:]), self.room.dtype)]
+            )
         self.room[self.count] = row
         self.count += 1
 
 
 def as_size(size: Any, places: int | None) -> int:
-    """How many nodes there are, from what was said and from the nodes given, which must agree; InvalidGraph otherwise."""
+    """How many nodes there are, from what was said and from the nodes given, which must agree;
+    InvalidGraph otherwise.
+    """
     if size is None:
         return places or 0
     if isinstance(size, bool) or not isinstance(size, int | np.integer) or size < 0:
-        raise InvalidGraph(f"size must be how many nodes there are, 0, 1, 2, ..., got {shortened(size)}; places go in as nodes=")
+        raise InvalidGraph(
+            f"size must be how many nodes there are, 0, 1, 2, ..., got {shortened(size)}; places "
+            "go in as nodes="
+        )
     if places is not None and size != places:
         raise InvalidGraph(f"{size} nodes need as many places, got {places}; size may be left out")
     return int(size)
@@ -53,9 +62,14 @@ def as_edges(edges: ArrayLike, size: int) -> NDArray[np.int64]:
     given = as_regular(edges, "edges must be pairs of nodes, shape (m, 2)")
     if given.size == 0 and given.ndim <= 2:
         return np.empty((0, 2), np.int64)
-    whole = given.dtype.kind in "iu" or (given.dtype.kind == "f" and (np.abs(given) < 2.0**53).all() and (given % 1 == 0).all())
+    whole = given.dtype.kind in "iu" or (
+        given.dtype.kind == "f" and (np.abs(given) < 2.0**53).all() and (given % 1 == 0).all()
+    )
     if given.ndim != 2 or given.shape[1] != 2 or not whole:
-        raise InvalidGraph(f"edges must be pairs of whole numbers, shape (m, 2), got shape {given.shape} of {given.dtype}")
+        raise InvalidGraph(
+            f"edges must be pairs of whole numbers, shape (m, 2), got shape {given.shape} of "
+            f"{given.dtype}"
+        )
     if not (0 <= given.min() and given.max() < size):
         wrong = given[((given < 0) | (given >= size)).any(axis=1)][0].tolist()
         raise InvalidGraph(f"edges must name nodes 0 to {size - 1}, got {tuple(wrong)}")
@@ -80,11 +94,15 @@ def as_regular(value: ArrayLike, expected: str) -> NDArray[Any]:
     try:
         return np.asarray(value)
     except (TypeError, ValueError):
-        raise InvalidGraph(f"{expected}, got rows of different lengths: {shortened(value)}") from None
+        raise InvalidGraph(
+            f"{expected}, got rows of different lengths: {shortened(value)}"
+        ) from None
 
 
 def as_node_places(nodes: ArrayLike, space: Any) -> Array:
-    """Where nodes are, shape (n, d), with the d of the space; none at all are in the plane. InvalidPoint otherwise."""
+    """Where nodes are, shape (n, d), with the d of the space; none at all are in the plane.
+    InvalidPoint otherwise.
+    """
     places = as_array(nodes, "nodes")
     d = len(space.lo) if hasattr(space, "lo") else None
     if places.size == 0 and places.ndim <= 2:
@@ -100,7 +118,10 @@ def as_node_place(q: ArrayLike | None, nodes: Array, space: Any) -> Array:
         raise InvalidPoint("a node of an embedded graph needs its place q")
     place = as_array(q, "q")
     if place.shape != nodes.shape[1:]:
-        raise InvalidPoint(f"q must be {nodes.shape[1]} numbers, as the nodes of this graph are, got {shortened(q)}")
+        raise InvalidPoint(
+            f"q must be {nodes.shape[1]} numbers, as the nodes of this graph are, got "
+            f"{shortened(q)}"
+        )
     return place
 
 

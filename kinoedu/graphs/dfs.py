@@ -1,4 +1,5 @@
-"""Depth-first search: on from the newest node as long as that leads to new ones, then back. LaValle, 2.2.
+"""Depth-first search: on from the newest node as long as that leads to new ones, then back.
+LaValle, 2.2.
 
     DFS(v)
     1  mark v as seen
@@ -7,8 +8,9 @@
     4          parent(u) := v
     5          DFS(u)
 
-The calls that wait are a stack. Here it is held in an array, so that a path of a million nodes needs no million calls: the order is
-that of the recursion. The path it finds is a path, and that is all: it is in general not a shortest one.
+The calls that wait are a stack. Here it is held in an array, so that a path of a million nodes
+needs no million calls: the order is that of the recursion. The path it finds is a path, and that is
+all: it is in general not a shortest one.
 
 R. Tarjan, "Depth-first search and linear graph algorithms" (1972).
 """
@@ -35,11 +37,11 @@ def depth_first(
     stack: NDArray[np.int64],
     looked_at: NDArray[np.int64],
 ) -> Iterator[int]:
-    """Yield the nodes as they are entered; goal = -1 enters all. Fills cost, parent, stack, and looked_at, which starts at zero;
-    shapes (n,).
+    """Yield the nodes as they are entered; goal = -1 enters all. Fills cost, parent, stack, and
+    looked_at, which starts at zero; shapes (n,).
 
-    A node was seen when its cost, the number of edges of its path, is finite. The stack is the path from the start to the node that
-    is being looked at; looked_at[v] of its edges have been tried.
+    A node was seen when its cost, the number of edges of its path, is finite. The stack is the path
+    from the start to the node that is being looked at; looked_at[v] of its edges have been tried.
     """
     cost[start] = 0.0
     stack[0] = start
@@ -63,8 +65,12 @@ def depth_first(
 
 
 @algorithm
-def search_depth_first(graph: Any, size: int, start: int, goal: int) -> tuple[Array, NDArray[np.int64], NDArray[np.int64], int]:
-    """Run it to its end: cost, parent, the nodes in the order they were entered, and how many edges were looked at."""
+def search_depth_first(
+    graph: Any, size: int, start: int, goal: int
+) -> tuple[Array, NDArray[np.int64], NDArray[np.int64], int]:
+    """Run it to its end: cost, parent, the nodes in the order they were entered, and how many edges
+    were looked at.
+    """
     cost, parent = np.full(size, np.inf), np.full(size, -1, np.int64)
     stack, looked_at = np.empty(size, np.int64), np.zeros(size, np.int64)
     expanded, entered, total = np.empty(size, np.int64), 0, 0
@@ -77,9 +83,11 @@ def search_depth_first(graph: Any, size: int, start: int, goal: int) -> tuple[Ar
 
 
 def dfs(graph: Any, start: int, goal: int | None = None) -> Search:
-    """Depth-first search from `start`, of all it can reach or until `goal`, with its order and its count of steps. O(n + m).
+    """Depth-first search from `start`, of all it can reach or until `goal`, with its order and its
+    count of steps. O(n + m).
 
-    cost[u] is the number of edges on the path found, in general not the least. Raises InvalidGraph where a node is not there.
+    cost[u] is the number of edges on the path found, in general not the least. Raises InvalidGraph
+    where a node is not there.
 
     >>> from kinoedu.graphs import Graph
     >>> found = dfs(Graph(4, [(0, 1), (1, 2), (2, 3), (3, 0)]), 0)
@@ -92,7 +100,8 @@ def dfs(graph: Any, start: int, goal: int | None = None) -> Search:
 
 
 def dfs_path(graph: Any, start: int, goal: int) -> NDArray[np.int64] | None:
-    """Some path between two nodes, as node numbers (k,), or None where there is none. O(n + m). InvalidGraph.
+    """Some path between two nodes, as node numbers (k,), or None where there is none. O(n + m).
+    InvalidGraph.
 
     Not a shortest one: here it goes round, though an edge leads from 0 to 3.
 
@@ -107,7 +116,8 @@ def dfs_path(graph: Any, start: int, goal: int) -> NDArray[np.int64] | None:
 def dfs_expansions(graph: Any, start: int, goal: int | None = None) -> Iterator[Expansion]:
     """The same search one expansion after another; O(n) more for each. InvalidGraph.
 
-    The frontier is the stack below the node, its parent first: nodes entered before, to whose other edges the search comes back.
+    The frontier is the stack below the node, its parent first: nodes entered before, to whose other
+    edges the search comes back.
 
     >>> from kinoedu.graphs import Graph
     >>> for moment in dfs_expansions(Graph(4, [(0, 1), (0, 2), (1, 3)]), 0):

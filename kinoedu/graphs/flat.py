@@ -1,7 +1,8 @@
 """What a search asks of a graph, and the flat arrays that answer at the speed of memory.
 
-A search asks two things: how many edges leave a node, and where each leads at what weight. A grid answers without holding edges; a
-`Graph` answers by its `GraphRecord`, compressed sparse rows as in Y. Saad, "Iterative Methods for Sparse Linear Systems", section
+A search asks two things: how many edges leave a node, and where each leads at what weight. A grid
+answers without holding edges; a `Graph` answers by its `GraphRecord`, compressed sparse rows as in
+Y. Saad, "Iterative Methods for Sparse Linear Systems", section
 3.4.
 """
 
@@ -19,7 +20,9 @@ from ..support.text import shortened
 
 @generic(1)
 def degree(graph: object, u: int) -> int:
-    """How many edges leave node u: they are numbered 0 to degree - 1. A grid counts moves that it may refuse."""
+    """How many edges leave node u: they are numbered 0 to degree - 1. A grid counts moves that it
+    may refuse.
+    """
     raise TypeError("this kind of graph cannot be searched")
 
 
@@ -31,7 +34,8 @@ def edge(graph: object, u: int, k: int) -> tuple[int, float]:
 
 @record
 class GraphRecord(NamedTuple):
-    """A graph held flat: the edges that leave u lead to to[first[u]:first[u + 1]], with the weights beside them.
+    """A graph held flat: the edges that leave u lead to to[first[u]:first[u + 1]], with the weights
+    beside them.
 
     edges (m, 2) and weights (m,) are as given: the order in which a planner found them.
     """
@@ -52,26 +56,33 @@ class GraphRecord(NamedTuple):
         return self.to[self.first[u] : self.first[u + 1]]
 
 
-def flat_graph(size: int, edges: NDArray[np.int64], weights: Array, *, directed: bool = False) -> GraphRecord:
-    """The record of a graph from edges (m, 2) and weights (m,) that are known to be right. O(n + m).
+def flat_graph(
+    size: int, edges: NDArray[np.int64], weights: Array, *, directed: bool = False
+) -> GraphRecord:
+    """The record of a graph from edges (m, 2) and weights (m,) that are known to be right. O(n +
+    m).
 
-    For planners, whose edges need no checks; a reader's own go through `Graph`. Edges that leave a node stand in the order of the
-    nodes they lead to, parallel ones in the order they were given.
+    For planners, whose edges need no checks; a reader's own go through `Graph`. Edges that leave a
+    node stand in the order of the nodes they lead to, parallel ones in the order they were given.
 
     >>> graph = flat_graph(3, np.array([(0, 2), (0, 1)]), np.array([5.0, 1.0]))
     >>> graph.neighbours(0), degree(graph, 2), edge(graph, 0, 1)
     (array([1, 2]), np.int64(1), (np.int64(2), np.float64(5.0)))
     """
-    return GraphRecord(size, edges, weights, *compressed_rows(size, edges, weights, 1 if directed else 2))
+    return GraphRecord(
+        size, edges, weights, *compressed_rows(size, edges, weights, 1 if directed else 2)
+    )
 
 
 @algorithm
 def compressed_rows(
     size: int, edges: NDArray[np.int64], weights: Array, ways: int
 ) -> tuple[NDArray[np.int64], NDArray[np.int64], Array]:
-    """Where the edges that leave each node begin, where they lead and their weights; each edge goes there, or there and back.
+    """Where the edges that leave each node begin, where they lead and their weights; each edge goes
+    there, or there and back.
 
-    Two counting sorts, by the node led to and then by the node left: the second keeps what the first has put in order.
+    Two counting sorts, by the node led to and then by the node left: the second keeps what the
+    first has put in order.
     """
     m = len(edges)
     by_target, by_source = np.zeros(size + 2, np.int64), np.zeros(size + 2, np.int64)
@@ -98,8 +109,12 @@ def compressed_rows(
 
 
 @compiled
-def counting_sort(keys: NDArray[np.int64], order: NDArray[np.int64], size: int) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """Where each key from 0 to size begins, (size + 1,), and `order` with its keys in increasing order, stable. O(n + size)."""
+def counting_sort(
+    keys: NDArray[np.int64], order: NDArray[np.int64], size: int
+) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Where each key from 0 to size begins, (size + 1,), and `order` with its keys in increasing
+    order, stable. O(n + size).
+    """
     at = np.zeros(size + 2, np.int64)
     for key in keys:
         at[key + 2] += 1
@@ -127,9 +142,13 @@ def graph_edge(graph: GraphRecord, u: int, k: int) -> tuple[int, float]:
 
 @singledispatch
 def searchable(graph: Any) -> Any:
-    """What a compiled search runs on: a record that answers `degree` and `edge`; InvalidGraph for what is none."""
+    """What a compiled search runs on: a record that answers `degree` and `edge`; InvalidGraph for
+    what is none.
+    """
     if not isinstance(graph, tuple) or not hasattr(graph, "size"):
-        raise InvalidGraph(f"expected a Graph, or a record that answers degree and edge, got {shortened(graph)}")
+        raise InvalidGraph(
+            f"expected a Graph, or a record that answers degree and edge, got {shortened(graph)}"
+        )
     return graph
 
 
@@ -137,6 +156,10 @@ def searchable(graph: Any) -> Any:
 def check_node(graph: Any, u: Any, name: str) -> int:
     """The node u as a plain number; InvalidGraph unless it is one of the graph's."""
     if isinstance(u, bool) or not isinstance(u, int | np.integer) or not 0 <= u < graph.size:
-        have = f"a node from 0 to {graph.size - 1}" if graph.size else "a node, and this graph has none"
+        have = (
+            f"a node from 0 to {graph.size - 1}"
+            if graph.size
+            else "a node, and this graph has none"
+        )
         raise InvalidGraph(f"{name} must be {have}, got {shortened(u)}")
     return int(u)

@@ -1,6 +1,8 @@
-"""The matrices of a graph, as scipy sparse arrays. F. Bullo, "Lectures on Network Systems", chapters 4, 6 and 9.
+"""The matrices of a graph, as scipy sparse arrays. F. Bullo, "Lectures on Network Systems",
+chapters 4, 6 and 9.
 
-n nodes, m edges numbered as they were added. The row of a node without edges, and of one that was deleted, is zero.
+n nodes, m edges numbered as they were added. The row of a node without edges, and of one that was
+deleted, is zero.
 """
 
 from typing import Any
@@ -12,7 +14,8 @@ from ..geometry.checks import Array
 
 
 def adjacency_matrix(size: int, edges: NDArray[np.int64], weights: Array, *, directed: bool) -> Any:
-    """A (n, n): A[u, v] is the weight of the edge from u to v, of parallel ones the sum. Symmetric unless directed.
+    """A (n, n): A[u, v] is the weight of the edge from u to v, of parallel ones the sum. Symmetric
+    unless directed.
 
     A loop stands on the diagonal once. An edge of weight zero is stored as a zero.
 
@@ -29,9 +32,11 @@ def adjacency_matrix(size: int, edges: NDArray[np.int64], weights: Array, *, dir
 
 
 def incidence_matrix(size: int, edges: NDArray[np.int64]) -> Any:
-    """B (n, m): B[u, e] is +1 where edge e leaves u and -1 where it arrives. The column of a loop is zero.
+    """B (n, m): B[u, e] is +1 where edge e leaves u and -1 where it arrives. The column of a loop
+    is zero.
 
-    Undirected edges are taken to lead from the first node given to the second; either way L = B diag(weights) B^T.
+    Undirected edges are taken to lead from the first node given to the second; either way L = B
+    diag(weights) B^T.
 
     >>> incidence_matrix(3, np.array([(0, 1), (2, 1)])).toarray()
     array([[ 1.,  0.],
@@ -42,13 +47,17 @@ def incidence_matrix(size: int, edges: NDArray[np.int64]) -> Any:
 
     numbers = np.flatnonzero(edges[:, 0] != edges[:, 1])
     signs = np.repeat([1.0, -1.0], len(numbers))
-    return coo_array((signs, (edges[numbers].T.ravel(), np.tile(numbers, 2))), shape=(size, len(edges))).tocsr()
+    return coo_array(
+        (signs, (edges[numbers].T.ravel(), np.tile(numbers, 2))), shape=(size, len(edges))
+    ).tocsr()
 
 
 def laplacian_matrix(adjacency: Any) -> Any:
-    """L = D - A (n, n), with D the diagonal of A's row sums: for a directed graph what leaves a node. Its rows sum to zero.
+    """L = D - A (n, n), with D the diagonal of A's row sums: for a directed graph what leaves a
+    node. Its rows sum to zero.
 
-    Undirected it is symmetric, and its kernel has as many dimensions as the graph has components. A loop leaves it unchanged.
+    Undirected it is symmetric, and its kernel has as many dimensions as the graph has components. A
+    loop leaves it unchanged.
 
     >>> laplacian_matrix(adjacency_matrix(2, np.array([(0, 1)]), np.array([5.0]), directed=False)).toarray()
     array([[ 5., -5.],

@@ -24,7 +24,8 @@ def cost_along(problem: Any, path: Array) -> float:
 
 
 def path_cost(problem: Any, path: ArrayLike) -> float:
-    """What a path costs in a problem: its length, or on a terrain with costs their integral along it. Free or not.
+    """What a path costs in a problem: its length, or on a terrain with costs their integral along
+    it. Free or not.
 
     problem : a Problem, a Recorder, or an object of yours; path : (n, d). Raises InvalidPoint.
 
@@ -39,17 +40,31 @@ def path_cost(problem: Any, path: ArrayLike) -> float:
     return float(cost_along(asked, places))
 
 
-def plan_along(problem: Any, nodes: Array, numbers: NDArray[np.int64] | None, reason: str, **built: Any) -> Plan:
-    """A plan along numbered nodes, shape (k,), or without a path and with the reason why where there are none."""
+def plan_along(
+    problem: Any, nodes: Array, numbers: NDArray[np.int64] | None, reason: str, **built: Any
+) -> Plan:
+    """A plan along numbered nodes, shape (k,), or without a path and with the reason why where
+    there are none.
+    """
     if numbers is None:
         return Plan(None, np.inf, reason=reason, problem=problem, **built)
     path = nodes[numbers]
     return Plan(path, float(cost_along(problem, path)), problem=problem, **built)
 
 
-def plan_from_tree(planner: str, problem: Any, tree: GrowingTree, at_goal: int, reason: str, **stats: int) -> Plan:
+def plan_from_tree(
+    planner: str, problem: Any, tree: GrowingTree, at_goal: int, reason: str, **stats: int
+) -> Plan:
     """A plan that goes from the tree's root to the node at the goal; -1 where there is none."""
     n = int(tree.size[0])
     grown = Tree(tree.nodes[:n].copy(), tree.parent[:n].copy())
     numbers = extract_path(grown.parent, at_goal) if at_goal >= 0 else None
-    return plan_along(problem, grown.nodes, numbers, reason, planner=planner, tree=grown, stats={"nodes": n, **stats})
+    return plan_along(
+        problem,
+        grown.nodes,
+        numbers,
+        reason,
+        planner=planner,
+        tree=grown,
+        stats={"nodes": n, **stats},
+    )

@@ -1,4 +1,6 @@
-"""Adapters that let a planner use any problem: one of this package, a recorder of one, or a reader's own object."""
+"""Adapters that let a planner use any problem: one of this package, a recorder of one, or a
+reader's own object.
+"""
 
 from typing import Any
 
@@ -14,7 +16,9 @@ from ..worlds.polygon_world import PolygonWorldRecord
 
 
 class OwnProblem:
-    """A reader's own problem object, every answer checked, and with what it leaves out: the nearest node, a count of checks."""
+    """A reader's own problem object, every answer checked, and with what it leaves out: the nearest
+    node, a count of checks.
+    """
 
     NEEDED = ("start", "goal", "sample", "distance", "steer", "is_free_path")
 
@@ -22,7 +26,10 @@ class OwnProblem:
         missing = [name for name in self.NEEDED if not hasattr(problem, name)]
         if missing:
             given = type(problem).__name__
-            raise InvalidParameter(f"a problem must answer {', '.join(self.NEEDED)}; this {given} lacks {', '.join(missing)}")
+            raise InvalidParameter(
+                f"a problem must answer {', '.join(self.NEEDED)}; this {given} lacks "
+                f"{', '.join(missing)}"
+            )
         self.problem = problem
         self.start = np.atleast_1d(as_array(problem.start, "start"))
         self.goal = self._configuration(problem.goal, "goal")
@@ -32,7 +39,9 @@ class OwnProblem:
         """A configuration of the start's shape."""
         q = np.atleast_1d(as_array(value, name))
         if q.shape != self.start.shape or q.ndim != 1:
-            raise InvalidPoint(f"{name} must have the start's shape {self.start.shape}, got {q.shape}")
+            raise InvalidPoint(
+                f"{name} must have the start's shape {self.start.shape}, got {q.shape}"
+            )
         return q
 
     def sample(self, rng: np.random.Generator) -> Array:
@@ -76,13 +85,17 @@ class OwnProblem:
 
 
 def askable(problem: Any) -> Any:
-    """The problem itself where it is this package's, or a recorder of one; otherwise a reader's object, checked and made whole."""
+    """The problem itself where it is this package's, or a recorder of one; otherwise a reader's
+    object, checked and made whole.
+    """
     inner = problem.problem if isinstance(problem, Recorder) else problem
     return problem if isinstance(inner, ProblemRecord) else OwnProblem(problem)
 
 
 def world_size(problem: Any) -> float:
-    """The diameter of the problem's space; for a reader's object the distance from start to goal."""
+    """The diameter of the problem's space; for a reader's object the distance from start to
+    goal.
+    """
     space = getattr(problem, "space", None)
     if space is None:
         return float(problem.distance(problem.start, problem.goal)) or 1.0
@@ -98,19 +111,28 @@ def new_tree(problem: Any, capacity: int) -> GrowingTree:
 
 
 def check_exact(problem: Any, planner: str) -> None:
-    """Raise InvalidParameter unless a point is to move among polygons, without a margin: what exact planners are for."""
+    """Raise InvalidParameter unless a point is to move among polygons, without a margin: what exact
+    planners are for.
+    """
     inner = problem.problem if isinstance(problem, Recorder) else problem
     if not isinstance(inner, ProblemRecord) or not isinstance(inner.world, PolygonWorldRecord):
-        raise InvalidParameter(f"{planner} needs a Problem(Point(), PolygonWorld(...), start, goal)")
+        raise InvalidParameter(
+            f"{planner} needs a Problem(Point(), PolygonWorld(...), start, goal)"
+        )
     if not isinstance(inner.robot, RoundRobot) or inner.robot.radius + inner.clearance > 0.0:
         raise InvalidParameter(
-            f"{planner} moves a point without clearance; for a disk or a margin grow the obstacles first, and then plan for Point()"
+            f"{planner} moves a point without clearance; for a disk or a margin grow the "
+            "obstacles first, and then plan for Point()"
         )
 
 
 def both_ways(problem: Any, planner: str) -> Any:
-    """`askable`, for a planner whose edges are used both ways. Raises InvalidParameter for a robot that only goes forward."""
+    """`askable`, for a planner whose edges are used both ways. Raises InvalidParameter for a robot
+    that only goes forward.
+    """
     asked = askable(problem)
     if not getattr(getattr(asked, "space", None), "both_ways", True):
-        raise InvalidParameter(f"{planner} uses its edges both ways, and this robot only goes forward; plan with rrt")
+        raise InvalidParameter(
+            f"{planner} uses its edges both ways, and this robot only goes forward; plan with rrt"
+        )
     return asked

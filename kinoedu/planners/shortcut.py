@@ -20,7 +20,9 @@ from .tuning import whole
 
 @algorithm
 def cut_corners(problem: Any, path: Array, tries: int, rng: np.random.Generator) -> Array:
-    """Try so many times to go straight between two random places of a path (n, d); the path that is left, (m, d)."""
+    """Try so many times to go straight between two random places of a path (n, d); the path that is
+    left, (m, d).
+    """
     kept, size = np.empty((len(path) + tries, path.shape[1])), len(path)
     kept[:size] = path
     for _ in range(tries):
@@ -32,7 +34,11 @@ def cut_corners(problem: Any, path: Array, tries: int, rng: np.random.Generator)
         q = problem.steer(kept[j], kept[j + 1], s * problem.distance(kept[j], kept[j + 1]))
         before, after = kept[i].copy(), kept[j + 1].copy()
         along = cost_between(problem, kept, i, j + 1)
-        straight = problem.motion_cost(before, p) + problem.motion_cost(p, q) + problem.motion_cost(q, after)
+        straight = (
+            problem.motion_cost(before, p)
+            + problem.motion_cost(p, q)
+            + problem.motion_cost(q, after)
+        )
         if straight >= along or not problem.is_free_path(p, q):
             continue
         if problem.is_free_path(before, p) and problem.is_free_path(q, after):
@@ -52,7 +58,8 @@ def cost_between(problem: Any, path: Array, first: int, last: int) -> float:
 
 
 def shortcut(plan: Plan, *, tries: int = 200, rng: int | np.random.Generator) -> Plan:
-    """The plan with a cheaper path: again and again two places on it are drawn, and joined where the straight motion is free.
+    """The plan with a cheaper path: again and again two places on it are drawn, and joined where
+    the straight motion is free.
 
     Parameters
     ----------
@@ -60,8 +67,9 @@ def shortcut(plan: Plan, *, tries: int = 200, rng: int | np.random.Generator) ->
     tries : how many pairs of places are drawn.
     rng : a seed or a numpy Generator.
 
-    Never dearer, and free all the way; a shortest path is not promised. What the planner built stays in the plan; its stats gain
-    the motions that were judged. O(tries) motions. Raises InvalidParameter.
+    Never dearer, and free all the way; a shortest path is not promised. What the planner built
+    stays in the plan; its stats gain the motions that were judged. O(tries) motions. Raises
+    InvalidParameter.
 
     >>> from kinoedu import Point, PolygonWorld, Problem, rrt
     >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
@@ -72,7 +80,10 @@ def shortcut(plan: Plan, *, tries: int = 200, rng: int | np.random.Generator) ->
     if not isinstance(plan, Plan):
         raise InvalidParameter(f"expected the Plan of a planner, got {shortened(plan)}")
     if plan.trajectory is not None:
-        raise InvalidParameter("a trajectory's drives cannot be cut short; give shortcut a plan of curves, such as rrt's")
+        raise InvalidParameter(
+            "a trajectory's drives cannot be cut short; give shortcut a plan of curves, such as "
+            "rrt's"
+        )
     attempts, generator = whole(tries, "tries", least=0), as_generator(rng)
     if plan.path is None or len(plan.path) < 3:
         return plan
@@ -82,5 +93,8 @@ def shortcut(plan: Plan, *, tries: int = 200, rng: int | np.random.Generator) ->
     cost = float(cost_along(asked, path))
     if cost >= plan.cost:
         return plan
-    stats = {**plan.stats, "checks": plan.stats.get("checks", 0) + int(asked.asked[MOTIONS] - before)}
+    stats = {
+        **plan.stats,
+        "checks": plan.stats.get("checks", 0) + int(asked.asked[MOTIONS] - before),
+    }
     return replace(plan, path=path, cost=cost, stats=stats)

@@ -1,4 +1,6 @@
-"""Tuning arguments, checked: each becomes a plain number, or InvalidParameter says which was wrong and what it may be."""
+"""Tuning arguments, checked: each becomes a plain number, or InvalidParameter says which was wrong
+and what it may be.
+"""
 
 from typing import Any
 
@@ -16,7 +18,9 @@ def one_of(value: Any, name: str, choices: tuple[str, ...]) -> str:
     'left'
     """
     if not isinstance(value, str) or value not in choices:
-        raise InvalidParameter(f"{name} must be {' or '.join(map(repr, choices))}, got {shortened(value)}")
+        raise InvalidParameter(
+            f"{name} must be {' or '.join(map(repr, choices))}, got {shortened(value)}"
+        )
     return value
 
 

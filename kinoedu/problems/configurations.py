@@ -1,4 +1,6 @@
-"""What a robot's configurations are in a world: their space, how one enters, and what is wrong with one that is not free."""
+"""What a robot's configurations are in a world: their space, how one enters, and what is wrong with
+one that is not free.
+"""
 
 from functools import singledispatch
 from typing import Any
@@ -43,13 +45,19 @@ def _(robot: TranslatingPolygonRobot, world: Any) -> RealSpace:
 @space_of.register
 def _(robot: RigidPolygonRobot, world: Any) -> WrappingSpace:
     off = point_polygon_distance((0.0, 0.0), robot.outline)
-    lo, hi, weight = np.append(world.lo - off, -np.pi), np.append(world.hi + off, np.pi), np.array([1.0, 1.0, robot.turn_weight])
+    lo, hi, weight = (
+        np.append(world.lo - off, -np.pi),
+        np.append(world.hi + off, np.pi),
+        np.array([1.0, 1.0, robot.turn_weight]),
+    )
     return WrappingSpace(lo, hi, np.array([False, False, True]), weight)
 
 
 @space_of.register
 def _(robot: CarRobot, world: Any) -> CurveSpace:
-    return CurveSpace(np.append(world.lo, -np.pi), np.append(world.hi, np.pi), robot.radius, robot.both_ways)
+    return CurveSpace(
+        np.append(world.lo, -np.pi), np.append(world.hi, np.pi), robot.radius, robot.both_ways
+    )
 
 
 @space_of.register
@@ -71,13 +79,19 @@ def as_configuration(value: ArrayLike, space: Any, name: str) -> Array:
 @singledispatch
 def why_not_free(robot: Any, world: Any, q: Array, clearance: float) -> str:
     """What is wrong with a configuration that is not free, and what to do, in words."""
-    return f"the robot{margin_text(clearance)} is outside, inside an obstacle or touching one there; move it into the open"
+    return (
+        f"the robot{margin_text(clearance)} is outside, inside an obstacle or touching one there; "
+        "move it into the open"
+    )
 
 
 @why_not_free.register
 def _(robot: RoundRobot, world: Any, q: Array, clearance: float) -> str:
     if (q <= world.lo).any() or (q >= world.hi).any():
-        return f"it must lie inside the world, between {tuple(world.lo.tolist())} and {tuple(world.hi.tolist())}, not on its rim"
+        return (
+            f"it must lie inside the world, between {tuple(world.lo.tolist())} and "
+            f"{tuple(world.hi.tolist())}, not on its rim"
+        )
     return why_not_free.dispatch(object)(robot, world, q, clearance)
 
 
@@ -85,7 +99,10 @@ def _(robot: RoundRobot, world: Any, q: Array, clearance: float) -> str:
 def _(robot: ArmRobot, world: Any, q: Array, clearance: float) -> str:
     link = link_in_contact(robot, q, world)
     if not link:
-        return f"the arm{margin_text(clearance)} comes too near to an obstacle or the rim of the world there; bend it away"
+        return (
+            f"the arm{margin_text(clearance)} comes too near to an obstacle or the rim of the "
+            "world there; bend it away"
+        )
     return f"link {link} touches or enters an obstacle or the rim of the world there; bend it away"
 
 

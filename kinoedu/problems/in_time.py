@@ -1,4 +1,6 @@
-"""A problem whose obstacles move: configurations are (x, y, t), the robot has a greatest speed, its goal no time."""
+"""A problem whose obstacles move: configurations are (x, y, t), the robot has a greatest speed, its
+goal no time.
+"""
 
 import math
 from typing import Any, NamedTuple
@@ -21,7 +23,9 @@ ROUNDING = 1e-9  # the share by which a motion may be faster than the greatest s
 
 @record
 class TimedProblemRecord(NamedTuple):
-    """What `TimedProblem` makes. start and goal are places, shape (2,); configurations have shape (3,), float64."""
+    """What `TimedProblem` makes. start and goal are places, shape (2,); configurations have shape
+    (3,), float64.
+    """
 
     robot: Any
     world: MovingWorldRecord
@@ -36,9 +40,13 @@ class TimedProblemRecord(NamedTuple):
         return is_free(self.robot, self.world, q, self.clearance)
 
     def is_free_path(self, a: Array, b: Array) -> bool:
-        """Whether the motion from a to b goes forward in time, is no faster than the robot, and touches nothing at any moment."""
+        """Whether the motion from a to b goes forward in time, is no faster than the robot, and
+        touches nothing at any moment.
+        """
         far = math.sqrt((b[0] - a[0]) * (b[0] - a[0]) + (b[1] - a[1]) * (b[1] - a[1]))
-        return far <= self.speed * (b[2] - a[2]) * (1.0 + ROUNDING) and is_free_path(self.robot, self.world, a, b, self.clearance)
+        return far <= self.speed * (b[2] - a[2]) * (1.0 + ROUNDING) and is_free_path(
+            self.robot, self.world, a, b, self.clearance
+        )
 
 
 def TimedProblem(
@@ -51,14 +59,16 @@ def TimedProblem(
     horizon: float | None = None,
     clearance: float = 0.0,
 ) -> TimedProblemRecord:
-    """The task: from start, at time 0, to goal, at any time up to the horizon, among obstacles that move.
+    """The task: from start, at time 0, to goal, at any time up to the horizon, among obstacles that
+    move.
 
     Parameters
     ----------
     robot : Point(), Disk(radius) or TranslatingPolygon(vertices). world : a MovingWorld.
     start, goal : places (x, y). The start must be free at time 0, the goal of what stands still.
     speed : the robot's greatest, in lengths a unit of time. clearance : as of a Problem.
-    horizon : the last moment that is planned for; by default everything has come to rest then, for as long as the robot needs for
+    horizon : the last moment that is planned for; by default everything has come to rest then, for
+    as long as the robot needs for
         four diagonals of the world.
 
     Raises InvalidStart, InvalidGoal, InvalidPoint, InvalidParameter.
@@ -72,18 +82,37 @@ def TimedProblem(
     (True, False)
     """
     if not isinstance(world, MovingWorldRecord):
-        raise InvalidParameter(f"expected a MovingWorld(PolygonWorld(...), movers), got {shortened(world)}; else use Problem")
-    space, margin, fastest = space_of(robot, world.still), none_or_more(clearance, "clearance"), positive(speed, "speed")
+        raise InvalidParameter(
+            f"expected a MovingWorld(PolygonWorld(...), movers), got {shortened(world)}; else use "
+            "Problem"
+        )
+    space, margin, fastest = (
+        space_of(robot, world.still),
+        none_or_more(clearance, "clearance"),
+        positive(speed, "speed"),
+    )
     if len(space.lo) != 2:
-        raise InvalidParameter(f"among moving obstacles a robot does not turn; expected Point, Disk, ..., got {shortened(robot)}")
+        raise InvalidParameter(
+            "among moving obstacles a robot does not turn; expected Point, Disk, ..., got "
+            f"{shortened(robot)}"
+        )
     begin, end = as_configuration(start, space, "start"), as_configuration(goal, space, "goal")
     rest = max(float(world.times.max()), 0.0) if len(world.times) else 0.0
     last = rest + 4.0 * float(np.sqrt(np.square(world.hi - world.lo).sum())) / fastest
     problem = TimedProblemRecord(
-        robot, world, begin, end, fastest, last if horizon is None else positive(horizon, "horizon"), margin
+        robot,
+        world,
+        begin,
+        end,
+        fastest,
+        last if horizon is None else positive(horizon, "horizon"),
+        margin,
     )
     if not problem.is_free(np.append(begin, 0.0)):
-        raise InvalidStart(f"the start {tuple(begin.tolist())} is not free at time 0: something stands or comes there")
+        raise InvalidStart(
+            f"the start {tuple(begin.tolist())} is not free at time 0: something stands or comes "
+            "there"
+        )
     if not is_free(robot, world.still, end, margin):
         raise InvalidGoal(f"the goal {tuple(end.tolist())} is not free: something stands there")
     return problem

@@ -1,4 +1,6 @@
-"""A plan is a planner's answer: its path, and what was built on the way, in the order it was built."""
+"""A plan is a planner's answer: its path, and what was built on the way, in the order it was
+built.
+"""
 
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
@@ -25,8 +27,9 @@ class Roadmap(NamedTuple):
 
 
 class Walk(NamedTuple):
-    """A bug's walk in its order: points (n, 2), at most a step apart; for each, shape (n,), whether it followed a wall to get
-    there, how far it had come, and how far the goal was; and the numbers of the points where it hit and left walls."""
+    """A bug's walk in its order: points (n, 2), at most a step apart; for each, shape (n,), whether
+    it followed a wall to get there, how far it had come, and how far the goal was; and the numbers
+    of the points where it hit and left walls."""
 
     points: Array
     following: NDArray[np.bool_]
@@ -52,8 +55,10 @@ class Plan:
 
     path : (n, d) from start to goal, or None where none was found; then `reason` says why.
     cost : the path's length, or on a terrain with costs what it costs; infinite without a path.
-    tree, roadmap, walk : what was built on the way, in the order it was built; the ones that the planner has.
-    trajectory : of planners that drive, the controls that lead along the path; without a path, to the pose nearest to the goal.
+    tree, roadmap, walk : what was built on the way, in the order it was built; the ones that the
+        planner has.
+    trajectory : of planners that drive, the controls that lead along the path; without a path, to
+        the pose nearest to the goal.
     stats : counts such as nodes, iterations, and checks (motions judged).
     problem : what was asked; planner : who answered.
     """
@@ -71,5 +76,9 @@ class Plan:
 
     def __repr__(self) -> str:
         counts = ", ".join(f"{value:,} {name}" for name, value in self.stats.items())
-        found = f"path of {len(self.path)} points, length {self.cost:.6g}" if self.path is not None else f"no path: {self.reason}"
+        found = (
+            f"path of {len(self.path)} points, length {self.cost:.6g}"
+            if self.path is not None
+            else f"no path: {self.reason}"
+        )
         return f"<Plan: {found}; {counts}>"

@@ -1,9 +1,11 @@
 """A problem answers a planner's questions.
 
-Planners never see robots or worlds. They ask: `problem.sample(rng)`, `.distance(a, b)`, `.steer(a, b, step)`, `.is_free(q)`,
-`.is_free_path(a, b)`, `.nearest(tree, q)`, what a path is worth by `.motion_cost(a, b)`, those that walk along obstacles
-`.is_semi_free_path(a, b)`, those that drive `.control(rng)`, `.drive(...)` and `.is_free_drive(...)`, and read `problem.start` and
-`problem.goal`. So one planner serves every robot in every world, and a reader's own object with these names as well.
+Planners never see robots or worlds. They ask: `problem.sample(rng)`, `.distance(a, b)`, `.steer(a,
+b, step)`, `.is_free(q)`, `.is_free_path(a, b)`, `.nearest(tree, q)`, what a path is worth by
+`.motion_cost(a, b)`, those that walk along obstacles `.is_semi_free_path(a, b)`, those that drive
+`.control(rng)`, `.drive(...)` and `.is_free_drive(...)`, and read `problem.start` and
+`problem.goal`. So one planner serves every robot in every world, and a reader's own object with
+these names as well.
 """
 
 from typing import Any, NamedTuple
@@ -11,7 +13,14 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..collision import check_cost, is_free, is_free_drive, is_free_path, is_semi_free_path, motion_cost
+from ..collision import (
+    check_cost,
+    is_free,
+    is_free_drive,
+    is_free_path,
+    is_semi_free_path,
+    motion_cost,
+)
 from ..compiled import record
 from ..errors import InvalidGoal, InvalidStart
 from ..geometry.checks import Array, none_or_more
@@ -20,7 +29,10 @@ from ..spaces import distance, interpolate, nearest, sample
 from ..worlds.checks import check_world
 from .configurations import as_configuration, space_of, why_not_free
 
-MOTIONS, PLACES = 0, 1  # what ProblemRecord.asked counts: is_free_path or is_semi_free_path, and is_free
+MOTIONS, PLACES = (
+    0,
+    1,
+)  # what ProblemRecord.asked counts: is_free_path or is_semi_free_path, and is_free
 
 
 @record
@@ -44,7 +56,9 @@ class ProblemRecord(NamedTuple):
         return distance(self.space, a, b)
 
     def motion_cost(self, a: Array, b: Array) -> float:
-        """What the motion from a to b costs: its length, and on a terrain with costs their integral along it."""
+        """What the motion from a to b costs: its length, and on a terrain with costs their integral
+        along it.
+        """
         return motion_cost(self.robot, self.world, self.space, a, b)
 
     def steer(self, a: Array, b: Array, step: float) -> Array:
@@ -84,20 +98,29 @@ class ProblemRecord(NamedTuple):
         drive(self.robot, q, v, phi, t, there)
 
     def is_free_drive(self, q: Array, v: float, phi: float, t: float) -> bool:
-        """Whether the robot, driven from q by the control (v, phi) for a time t, touches nothing all the way."""
+        """Whether the robot, driven from q by the control (v, phi) for a time t, touches nothing
+        all the way.
+        """
         self.asked[MOTIONS] += 1
-        return is_free_drive(self.robot, self.world, q, v * t, curvature(self.robot, phi), self.clearance)
+        return is_free_drive(
+            self.robot, self.world, q, v * t, curvature(self.robot, phi), self.clearance
+        )
 
 
-def Problem(robot: Any, world: Any, start: ArrayLike, goal: ArrayLike, *, clearance: float = 0.0) -> ProblemRecord:
+def Problem(
+    robot: Any, world: Any, start: ArrayLike, goal: ArrayLike, *, clearance: float = 0.0
+) -> ProblemRecord:
     """The task: a robot, a world, and where it is to go from where.
 
     Parameters
     ----------
-    robot : Point(), Disk(radius), TranslatingPolygon(vertices), RigidPolygon(vertices), TwoLinkArm(l1, l2, width), ...
-    world : PolygonWorld(...), Terrain(...) or what read_world(path) returns.
-    start, goal : configurations, shape (d,): (x, y); (x, y, theta) for what turns; an arm's angles. Both must be free.
-    clearance : the whole robot keeps more than this away from every obstacle, in the world's unit of length.
+    robot : Point(), Disk(radius), TranslatingPolygon(vertices), RigidPolygon(vertices),
+    TwoLinkArm(l1, l2, width), ...
+    world : PolygonWorld(...), Terrain(...) or what read_world(path) returns. start, goal :
+    configurations, shape (d,): (x, y); (x, y, theta) for what turns; an arm's angles. Both must be
+    free.
+    clearance : the whole robot keeps more than this away from every obstacle, in the world's unit
+    of length.
 
     Raises InvalidStart, InvalidGoal, InvalidPoint, InvalidParameter.
 
@@ -116,6 +139,9 @@ def Problem(robot: Any, world: Any, start: ArrayLike, goal: ArrayLike, *, cleara
     problem = ProblemRecord(robot, world, space, q_start, q_goal, margin, np.zeros(2, np.int64))
     for q, name, error in ((q_start, "start", InvalidStart), (q_goal, "goal", InvalidGoal)):
         if not problem.is_free(q):
-            raise error(f"the {name} {tuple(q.tolist())} is not free: {why_not_free(robot, world, q, margin)}")
+            raise error(
+                f"the {name} {tuple(q.tolist())} is not free: "
+                f"{why_not_free(robot, world, q, margin)}"
+            )
     problem.asked[:] = 0
     return problem

@@ -27,7 +27,16 @@ class Recorder:
     """
 
     QUESTIONS: tuple[str, ...] = (
-        *("sample", "distance", "motion_cost", "steer", "nearest", "is_free", "is_free_path", "is_semi_free_path"),
+        *(
+            "sample",
+            "distance",
+            "motion_cost",
+            "steer",
+            "nearest",
+            "is_free",
+            "is_free_path",
+            "is_semi_free_path",
+        ),
         *("control", "is_free_drive"),
     )
 
@@ -45,11 +54,17 @@ class Recorder:
         def ask(*given: Any) -> Any:
             answer = question(*given)
             kept = tuple(g.copy() if isinstance(g, np.ndarray) else g for g in given)
-            self.log.append(Question(name, kept, answer.copy() if isinstance(answer, np.ndarray) else answer))
+            self.log.append(
+                Question(name, kept, answer.copy() if isinstance(answer, np.ndarray) else answer)
+            )
             return answer
 
         return ask
 
     def counts(self) -> dict[str, int]:
         """How often each question was asked."""
-        return {name: n for name in self.QUESTIONS if (n := sum(question.name == name for question in self.log))}
+        return {
+            name: n
+            for name in self.QUESTIONS
+            if (n := sum(question.name == name for question in self.log))
+        }

@@ -18,9 +18,11 @@ RIM = 1e-12  # of the arm's length: so near to the rim of what it reaches, a tar
 
 
 class ArmRobot(NamedTuple):
-    """What `TwoLinkArm` and `ArmChain` make: lengths (n,), base (2,), and each link as a bar along the x-axis of its own frame.
+    """What `TwoLinkArm` and `ArmChain` make: lengths (n,), base (2,), and each link as a bar along
+    the x-axis of its own frame.
 
-    A configuration q has n angles: the first link's from the x-axis, and each other's from the link before it.
+    A configuration q has n angles: the first link's from the x-axis, and each other's from the link
+    before it.
     """
 
     lengths: Array
@@ -28,7 +30,8 @@ class ArmRobot(NamedTuple):
     shape: Parts
 
     def joints(self, q: ArrayLike) -> tuple[Array, ...]:
-        """Where each link ends: for two links the elbow and the tip. Forward kinematics. Raises InvalidPoint.
+        """Where each link ends: for two links the elbow and the tip. Forward kinematics. Raises
+        InvalidPoint.
 
         >>> elbow, tip = TwoLinkArm(2, 1, 0.2).joints((0, np.pi / 2))
         >>> elbow, tip.round(12)
@@ -36,18 +39,20 @@ class ArmRobot(NamedTuple):
         """
         angles = as_array(q, "q")
         if angles.shape != self.lengths.shape:
-            raise InvalidPoint(f"q must be {len(self.lengths)} angles, one for each link, got {shortened(q)}")
+            raise InvalidPoint(
+                f"q must be {len(self.lengths)} angles, one for each link, got {shortened(q)}"
+            )
         ends = np.empty((len(angles) + 1, 2))
         joints_at(self.lengths, self.base, angles, ends)
         return tuple(ends[1:])
 
     def inverse(self, p: ArrayLike) -> list[Array]:
-        """Every q that puts the tip of a two-link arm at p, angles in [-pi, pi): the one with the elbow to the right of the way
-        to p first, the one to its left second. At the rims of what it reaches there is one; beyond them none, and
-        `why_unreachable` says why. Inverse kinematics.
+        """Every q that puts the tip of a two-link arm at p, angles in [-pi, pi): the one with the
+        elbow to the right of the way to p first, the one to its left second. At the rims of what it
+        reaches there is one; beyond them none, and `why_unreachable` says why. Inverse kinematics.
 
-        Raises InvalidPoint where all angles of link 1 do, which is at the base of an arm of two equal links; InvalidRobot unless
-        there are two links.
+        Raises InvalidPoint where all angles of link 1 do, which is at the base of an arm of two
+        equal links; InvalidRobot unless there are two links.
 
         >>> arm = TwoLinkArm(2, 1, 0.2)
         >>> [q.round(6).tolist() for q in arm.inverse((2, 1))], arm.inverse((3, 0)), arm.inverse((4, 0))
@@ -55,7 +60,10 @@ class ArmRobot(NamedTuple):
         """
         l1, l2, x, y, far = two_links(self, p)
         if far == 0.0 and l1 == l2:
-            raise InvalidPoint("at its base an arm of two equal links has infinitely many solutions: q = (any angle, -pi)")
+            raise InvalidPoint(
+                "at its base an arm of two equal links has infinitely many solutions: q = (any "
+                "angle, -pi)"
+            )
         whole, heading = l1 + l2, math.atan2(y, x)
         if abs(far - whole) <= RIM * whole:
             return [np.array([wrapped(heading), 0.0])]
@@ -63,19 +71,29 @@ class ArmRobot(NamedTuple):
             return [np.array([wrapped(heading if l1 > l2 else heading + math.pi), -math.pi])]
         if far > whole or far < abs(l1 - l2):
             return []
-        # half angles of the triangle base, elbow, tip: tangents stay accurate near the rims, cosines do not
-        bend = 2.0 * math.atan2(math.sqrt((whole - far) * (whole + far)), math.sqrt((far - l1 + l2) * (far + l1 - l2)))
-        lead = 2.0 * math.atan2(math.sqrt((whole - far) * (l2 + far - l1)), math.sqrt((far + l1 - l2) * (far + whole)))
-        return [np.array([wrapped(heading - lead), wrapped(bend)]), np.array([wrapped(heading + lead), wrapped(-bend)])]
+        # half angles of the triangle base, elbow, tip: tangents stay accurate near the rims,
+        # cosines do not
+        bend = 2.0 * math.atan2(
+            math.sqrt((whole - far) * (whole + far)), math.sqrt((far - l1 + l2) * (far + l1 - l2))
+        )
+        lead = 2.0 * math.atan2(
+            math.sqrt((whole - far) * (l2 + far - l1)), math.sqrt((far + l1 - l2) * (far + whole))
+        )
+        return [
+            np.array([wrapped(heading - lead), wrapped(bend)]),
+            np.array([wrapped(heading + lead), wrapped(-bend)]),
+        ]
 
 
 def TwoLinkArm(l1: float, l2: float, width: float, *, base: ArrayLike = (0.0, 0.0)) -> ArmRobot:
-    """An arm of two links. Its configuration is q = (angle of link 1, angle of link 2 from link 1), in radians.
+    """An arm of two links. Its configuration is q = (angle of link 1, angle of link 2 from link 1),
+    in radians.
 
     Parameters
     ----------
     l1, l2 : the lengths between joints, in the world's unit.
-    width : W; each link is a bar with rounded ends, all that is within W / 2 of the line between its joints. 0 makes it a line.
+    width : W; each link is a bar with rounded ends, all that is within W / 2 of the line between
+    its joints. 0 makes it a line.
     base : where the first joint is.
 
     Raises InvalidRobot, InvalidPoint.
@@ -89,7 +107,8 @@ def TwoLinkArm(l1: float, l2: float, width: float, *, base: ArrayLike = (0.0, 0.
 
 
 def ArmChain(lengths: ArrayLike, width: float, *, base: ArrayLike = (0.0, 0.0)) -> ArmRobot:
-    """An arm of any number of links, shape (n,), each moved by the joint at its beginning; all else as in `TwoLinkArm`.
+    """An arm of any number of links, shape (n,), each moved by the joint at its beginning; all else
+    as in `TwoLinkArm`.
 
     Raises InvalidRobot, InvalidPoint.
     """
@@ -98,12 +117,15 @@ def ArmChain(lengths: ArrayLike, width: float, *, base: ArrayLike = (0.0, 0.0)) 
         raise InvalidRobot(f"an arm's links must have positive lengths, got {shortened(lengths)}")
     if across.ndim or across < 0.0:
         raise InvalidRobot(f"an arm's width must be one length, zero or more, got {width!r}")
-    links = make_parts([np.array([(0.0, 0.0), (size, 0.0)]) for size in sizes], [float(across) / 2.0] * len(sizes))
+    links = make_parts(
+        [np.array([(0.0, 0.0), (size, 0.0)]) for size in sizes], [float(across) / 2.0] * len(sizes)
+    )
     return ArmRobot(sizes, as_point(base, "base"), links)
 
 
 def why_unreachable(arm: ArmRobot, p: ArrayLike) -> str:
-    """Why a two-link arm cannot put its tip at p, in words; empty where it can. Raises InvalidPoint, InvalidRobot.
+    """Why a two-link arm cannot put its tip at p, in words; empty where it can. Raises
+    InvalidPoint, InvalidRobot.
 
     >>> why_unreachable(TwoLinkArm(2, 1, 0.2), (4, 0))
     'it is 4 from the base, and the links together reach only 3'
@@ -112,14 +134,19 @@ def why_unreachable(arm: ArmRobot, p: ArrayLike) -> str:
     if far > (l1 + l2) * (1.0 + RIM):
         return f"it is {far:g} from the base, and the links together reach only {l1 + l2:g}"
     if far < abs(l1 - l2) - RIM * (l1 + l2):
-        return f"it is {far:g} from the base, and folded up the arm still reaches {abs(l1 - l2):g} away"
+        return (
+            f"it is {far:g} from the base, and folded up the arm still reaches {abs(l1 - l2):g} "
+            "away"
+        )
     return ""
 
 
 def two_links(arm: ArmRobot, p: ArrayLike) -> tuple[float, float, float, float, float]:
     """The two lengths, and a target seen from the base: x, y and its distance."""
     if len(arm.lengths) != 2:
-        raise InvalidRobot(f"inverse kinematics is for an arm of two links, this one has {len(arm.lengths)}")
+        raise InvalidRobot(
+            f"inverse kinematics is for an arm of two links, this one has {len(arm.lengths)}"
+        )
     (l1, l2), (x, y) = arm.lengths.tolist(), (as_point(p, "p") - arm.base).tolist()
     return l1, l2, x, y, length(x, y)
 

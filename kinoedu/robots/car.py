@@ -1,7 +1,8 @@
-"""A car that steers with its front wheels. Its configuration is the pose (x, y, theta) of the middle of its rear axle.
+"""A car that steers with its front wheels. Its configuration is the pose (x, y, theta) of the
+middle of its rear axle.
 
-x' = v cos theta, y' = v sin theta, theta' = (v / L) tan phi, with the speed v, the wheelbase L and the steering angle phi.
-LaValle, Planning Algorithms, section 13.1.2.1.
+x' = v cos theta, y' = v sin theta, theta' = (v / L) tan phi, with the speed v, the wheelbase L and
+the steering angle phi. LaValle, Planning Algorithms, section 13.1.2.1.
 """
 
 import math
@@ -20,7 +21,8 @@ from .polygon import shape_of
 
 
 class CarRobot(NamedTuple):
-    """What `Car` makes: outline (4, 2) and its shape, round the rear axle's middle, heading along x.
+    """What `Car` makes: outline (4, 2) and its shape, round the rear axle's middle, heading along
+    x.
 
     radius : of the tightest circle that the rear axle's middle can drive, L / tan(max_steering).
     speeds : (k,), those that planners choose from; both_ways : whether one of them is negative.
@@ -34,30 +36,40 @@ class CarRobot(NamedTuple):
     speeds: Array
     both_ways: bool
 
-    def move(self, pose: ArrayLike, v: float, phi: float, t: float, *, reference: float = 0.0) -> Array:
-        """The pose after driving for a time t with the speed v and the steering angle phi, both held; shape (3,). Exact.
+    def move(
+        self, pose: ArrayLike, v: float, phi: float, t: float, *, reference: float = 0.0
+    ) -> Array:
+        """The pose after driving for a time t with the speed v and the steering angle phi, both
+        held; shape (3,). Exact.
 
-        reference : how far before the rear axle the point lies whose place and speed are meant, such as the centre of gravity. It
-            moves askew, by the angle beta with tan(beta) = reference tan(phi) / L, and the rear axle is slower by cos(beta).
+        reference : how far before the rear axle the point lies whose place and speed are meant,
+            such as the centre of gravity. It moves askew, by the angle beta with tan(beta) =
+            reference tan(phi) / L, and the rear axle is slower by cos(beta).
 
-        The rear axle's middle drives an arc of curvature tan(phi) / L, or a straight line. Raises InvalidPoint; InvalidParameter
-        where phi is more than the car can steer, or t is negative.
+        The rear axle's middle drives an arc of curvature tan(phi) / L, or a straight line. Raises
+        InvalidPoint; InvalidParameter where phi is more than the car can steer, or t is negative.
 
         >>> Car(30, 10, 20).move((0, 0, 0), 1, np.pi / 4, 20 * np.pi / 2).round(9)
         array([20.        , 20.        ,  1.57079633])
         """
         curvature = self.curvature(phi)
-        speed, time, lead = (as_number(value, name) for value, name in ((v, "v"), (t, "t"), (reference, "reference")))
+        speed, time, lead = (
+            as_number(value, name) for value, name in ((v, "v"), (t, "t"), (reference, "reference"))
+        )
         if time < 0.0:
-            raise InvalidParameter(f"t must be zero or more, got {time:g}; to drive backwards give a negative v")
+            raise InvalidParameter(
+                f"t must be zero or more, got {time:g}; to drive backwards give a negative v"
+            )
         axle = self.ahead(pose, -lead)
         distance = speed * time * math.cos(math.atan(lead * curvature))
         return self.ahead(driven(axle[0], axle[1], axle[2], distance, curvature), lead)
 
     def ahead(self, pose: ArrayLike, distance: float) -> Array:
-        """The pose of the point of the car's axis that lies so far ahead of the one at `pose`, shape (3,). Raises InvalidPoint.
+        """The pose of the point of the car's axis that lies so far ahead of the one at `pose`,
+        shape (3,). Raises InvalidPoint.
 
-        So a pose that is told by another point than the rear axle's middle becomes a configuration, and back.
+        So a pose that is told by another point than the rear axle's middle becomes a configuration,
+        and back.
 
         >>> Car(30, 10, 20).ahead((1, 2, 0), 10)
         array([11.,  2.,  0.])
@@ -66,14 +78,20 @@ class CarRobot(NamedTuple):
         return np.array([x + distance * math.cos(theta), y + distance * math.sin(theta), theta])
 
     def curvature(self, phi: float) -> float:
-        """tan(phi) / L, the curvature that the rear axle's middle drives. InvalidParameter where phi is more than it can steer."""
+        """tan(phi) / L, the curvature that the rear axle's middle drives. InvalidParameter where
+        phi is more than it can steer.
+        """
         steering = as_number(phi, "phi")
         if abs(steering) > self.max_steering:
-            raise InvalidParameter(f"this car steers at most {self.max_steering:g} rad either way, got phi = {steering:g}")
+            raise InvalidParameter(
+                f"this car steers at most {self.max_steering:g} rad either way, got phi = "
+                f"{steering:g}"
+            )
         return math.tan(steering) / self.wheelbase
 
     def turning_centre(self, pose: ArrayLike, phi: float) -> Array:
-        """The point round which the whole car turns, shape (2,): on the line of the rear axle. Infinite where it drives straight.
+        """The point round which the whole car turns, shape (2,): on the line of the rear axle.
+        Infinite where it drives straight.
 
         Raises InvalidPoint, InvalidParameter.
 
@@ -86,17 +104,20 @@ class CarRobot(NamedTuple):
         return np.array([x - math.sin(theta) / bend, y + math.cos(theta) / bend])
 
     def wheel_angles(self, phi: float) -> tuple[float, float]:
-        """How far the left and the right front wheel are turned, so that all four wheels roll about one centre (Ackermann).
+        """How far the left and the right front wheel are turned, so that all four wheels roll about
+        one centre (Ackermann).
 
-        phi is the angle of a single wheel midway between them; the inner one turns more. The wheels stand as far apart as the
-        body is wide. Raises InvalidParameter.
+        phi is the angle of a single wheel midway between them; the inner one turns more. The wheels
+        stand as far apart as the body is wide. Raises InvalidParameter.
 
         >>> left, right = Car(30, 10, 20).wheel_angles(0.5)
         >>> left > 0.5 > right
         True
         """
         bend, half = self.curvature(phi), 0.5 * float(np.ptp(self.outline[:, 1]))
-        left, right = (math.atan2(self.wheelbase * bend, 1.0 - side * bend) for side in (half, -half))
+        left, right = (
+            math.atan2(self.wheelbase * bend, 1.0 - side * bend) for side in (half, -half)
+        )
         return left, right
 
 
@@ -112,11 +133,13 @@ def Car(
     """A car with a rectangular body.
 
     Parameters
-    ----------
-    length, width, wheelbase : in the world's unit; the wheelbase L is the distance between the axles.
-    rear_overhang : how far the body reaches behind the rear axle; by default as far as before the front axle.
+    ---------- length, width, wheelbase : in the world's unit; the wheelbase L is the distance
+    between the axles.
+    rear_overhang : how far the body reaches behind the rear axle; by default as far as before the
+    front axle.
     max_steering : the largest steering angle either way, in radians, below pi / 2.
-    speeds : those that planners choose from, in units of length a second; all positive for a car that only goes forward.
+    speeds : those that planners choose from, in units of length a second; all positive for a car
+    that only goes forward.
 
     Raises InvalidRobot, InvalidPoint.
 
@@ -124,19 +147,37 @@ def Car(
     >>> car.radius, car.outline[0]
     (20.000000000000004, array([-5., -5.]))
     """
-    size, across, base = (as_size(value, name) for value, name in ((length, "length"), (width, "width"), (wheelbase, "wheelbase")))
-    behind = 0.5 * (size - base) if rear_overhang is None else as_number(rear_overhang, "rear_overhang")
+    size, across, base = (
+        as_size(value, name)
+        for value, name in ((length, "length"), (width, "width"), (wheelbase, "wheelbase"))
+    )
+    behind = (
+        0.5 * (size - base) if rear_overhang is None else as_number(rear_overhang, "rear_overhang")
+    )
     if not 0.0 <= behind <= size - base:
-        raise InvalidRobot(f"both axles must be under the body: {behind:g} behind, a wheelbase of {base:g}, {size:g} in all")
+        raise InvalidRobot(
+            f"both axles must be under the body: {behind:g} behind, a wheelbase of {base:g}, "
+            f"{size:g} in all"
+        )
     most = as_number(max_steering, "max_steering")
     if not 0.0 < most < 0.5 * math.pi:
         raise InvalidRobot(f"max_steering must be between 0 and pi / 2 radians, got {most:g}")
     chosen = np.atleast_1d(as_array(speeds, "speeds"))
     if chosen.ndim != 1 or not len(chosen) or (chosen == 0.0).any():
-        raise InvalidRobot(f"speeds must be one or more numbers, none of them zero, got {shortened(speeds)}")
+        raise InvalidRobot(
+            f"speeds must be one or more numbers, none of them zero, got {shortened(speeds)}"
+        )
     front, half = size - behind, 0.5 * across
     outline = np.array([(-behind, -half), (front, -half), (front, half), (-behind, half)])
-    return CarRobot(outline, shape_of(outline), base, most, base / math.tan(most), chosen, bool((chosen < 0.0).any()))
+    return CarRobot(
+        outline,
+        shape_of(outline),
+        base,
+        most,
+        base / math.tan(most),
+        chosen,
+        bool((chosen < 0.0).any()),
+    )
 
 
 def as_number(value: float, name: str) -> float:

@@ -1,6 +1,7 @@
 """What a planner that picks controls asks of a robot: a control at random, and where it leads.
 
-A control is a speed v and a steering angle phi, held for some time. Each kind of robot that is driven answers in this file.
+A control is a speed v and a steering angle phi, held for some time. Each kind of robot that is
+driven answers in this file.
 """
 
 import math

@@ -1,6 +1,8 @@
-"""Where the corners of a robot are on the way from one configuration to another, how fast, and how sharply they bend off.
+"""Where the corners of a robot are on the way from one configuration to another, how fast, and how
+sharply they bend off.
 
-That is all that judging a motion needs to know of a robot. Each piece of the robot's `shape` is placed by itself.
+That is all that judging a motion needs to know of a robot. Each piece of the robot's `shape` is
+placed by itself.
 """
 
 import math
@@ -19,7 +21,13 @@ from .car import CarRobot
 from .polygon import RigidPolygonRobot, TranslatingPolygonRobot
 from .round import RoundRobot
 
-X, Y, VX, VY, BEND = 0, 1, 2, 3, 4  # columns of corners: place, velocity, and a bound on the acceleration's size all the way
+X, Y, VX, VY, BEND = (
+    0,
+    1,
+    2,
+    3,
+    4,
+)  # columns of corners: place, velocity, and a bound on the acceleration's size all the way
 
 
 @generic(1)
@@ -30,7 +38,8 @@ def way(robot: Any, a: Array, b: Array) -> Array:
 
 @generic(1)
 def place(robot: Any, i: int, a: Array, change: Array, t: float, corners: Array) -> None:
-    """Write the corners of piece i at a + t * change, for 0 <= t <= 1, into their rows of corners, shape (n, 5).
+    """Write the corners of piece i at a + t * change, for 0 <= t <= 1, into their rows of corners,
+    shape (n, 5).
 
     The motion takes a unit of time. Velocities are those at t; BEND holds for the whole motion.
     """
@@ -61,7 +70,9 @@ def straight_way(robot: TranslatingPolygonRobot, a: Array, b: Array) -> Array:
 
 
 @place.register(TranslatingPolygonRobot)
-def place_unturned(robot: TranslatingPolygonRobot, i: int, a: Array, change: Array, t: float, corners: Array) -> None:
+def place_unturned(
+    robot: TranslatingPolygonRobot, i: int, a: Array, change: Array, t: float, corners: Array
+) -> None:
     """Straight on, all corners alike."""
     for k in range(robot.shape.first[i], robot.shape.first[i + 1]):
         corners[k, X] = robot.shape.points[k, 0] + (a[0] + t * change[0])
@@ -76,7 +87,9 @@ def way_with_turn(robot: RigidPolygonRobot, a: Array, b: Array) -> Array:
 
 
 @place.register(RigidPolygonRobot)
-def place_turned(robot: RigidPolygonRobot, i: int, a: Array, change: Array, t: float, corners: Array) -> None:
+def place_turned(
+    robot: RigidPolygonRobot, i: int, a: Array, change: Array, t: float, corners: Array
+) -> None:
     """Straight on, and round the reference point."""
     x, y, heading = a[0] + t * change[0], a[1] + t * change[1], a[2] + t * change[2]
     cos, sin, turning = math.cos(heading), math.sin(heading), change[2]
@@ -89,7 +102,9 @@ def place_turned(robot: RigidPolygonRobot, i: int, a: Array, change: Array, t: f
 
 
 @place.register(CarRobot)
-def place_driven(robot: CarRobot, i: int, a: Array, change: Array, t: float, corners: Array) -> None:
+def place_driven(
+    robot: CarRobot, i: int, a: Array, change: Array, t: float, corners: Array
+) -> None:
     """Along an arc: change is the distance driven and the turn made on it."""
     s, turning = change[0], change[1]
     x, y, heading = driven(a[0], a[1], a[2], t * s, turning / s if s != 0.0 else 0.0)
@@ -127,4 +142,10 @@ def place_link(robot: ArmRobot, i: int, a: Array, change: Array, t: float, corne
         vx, vy = vx - size * turning * sin, vy + size * turning * cos
         bend += size * turning * turning
     k = 2 * i + 1
-    corners[k, X], corners[k, Y], corners[k, VX], corners[k, VY], corners[k, BEND] = x, y, vx, vy, bend
+    corners[k, X], corners[k, Y], corners[k, VX], corners[k, VY], corners[k, BEND] = (
+        x,
+        y,
+        vx,
+        vy,
+        bend,
+    )

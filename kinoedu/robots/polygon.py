@@ -1,4 +1,6 @@
-"""Polygon robots: one that only moves, and one that turns as well. Bullo & Smith, chapter 3; LaValle, section 4.2."""
+"""Polygon robots: one that only moves, and one that turns as well. Bullo & Smith, chapter 3;
+LaValle, section 4.2.
+"""
 
 from typing import NamedTuple
 
@@ -13,14 +15,18 @@ from ..geometry.rings import as_ring
 
 
 class TranslatingPolygonRobot(NamedTuple):
-    """A polygon that moves without turning. outline (n, 2) and its convex parts stand round the reference point, the origin."""
+    """A polygon that moves without turning. outline (n, 2) and its convex parts stand round the
+    reference point, the origin.
+    """
 
     outline: Array
     shape: Parts
 
 
 class RigidPolygonRobot(NamedTuple):
-    """A polygon that moves and turns about its reference point, the origin of outline and shape; a radian is turn_weight long."""
+    """A polygon that moves and turns about its reference point, the origin of outline and shape; a
+    radian is turn_weight long.
+    """
 
     outline: Array
     shape: Parts
@@ -28,7 +34,8 @@ class RigidPolygonRobot(NamedTuple):
 
 
 def TranslatingPolygon(vertices: ArrayLike) -> TranslatingPolygonRobot:
-    """A polygon robot that never turns. Its configuration (x, y) is where the origin of its vertices' frame is.
+    """A polygon robot that never turns. Its configuration (x, y) is where the origin of its
+    vertices' frame is.
 
     vertices : (n, 2), a simple polygon, convex or not. Raises InvalidPolygon, InvalidPoint.
 
@@ -41,14 +48,18 @@ def TranslatingPolygon(vertices: ArrayLike) -> TranslatingPolygonRobot:
 
 
 def RigidPolygon(vertices: ArrayLike, *, turn_weight: float | None = None) -> RigidPolygonRobot:
-    """A polygon robot that moves and turns. Its configuration is (x, y, theta): the reference point and the heading in radians.
+    """A polygon robot that moves and turns. Its configuration is (x, y, theta): the reference point
+    and the heading in radians.
 
     Parameters
     ----------
-    vertices : (n, 2), a simple polygon, convex or not, at heading 0. The origin of their frame is the reference point, which the
+    vertices : (n, 2), a simple polygon, convex or not, at heading 0. The origin of their frame is
+    the reference point, which the
         robot turns about; it may lie outside the polygon.
-    turn_weight : how long a turn of one radian counts in distances, in lengths per radian; by default the distance of the farthest
-        vertex from the reference point, so that no point of the robot moves farther than the distance says, times sqrt(2).
+    turn_weight : how long a turn of one radian counts in distances, in lengths per radian; by
+    default the distance of the farthest
+        vertex from the reference point, so that no point of the robot moves farther than the
+        distance says, times sqrt(2).
 
     Raises InvalidPolygon, InvalidPoint; InvalidRobot for a weight that is not positive.
 
@@ -61,7 +72,9 @@ def RigidPolygon(vertices: ArrayLike, *, turn_weight: float | None = None) -> Ri
     else:
         weight = as_array(turn_weight, "turn_weight")
         if weight.ndim or weight <= 0.0:
-            raise InvalidRobot(f"turn_weight must be one positive length for each radian, got {turn_weight!r}")
+            raise InvalidRobot(
+                f"turn_weight must be one positive length for each radian, got {turn_weight!r}"
+            )
     return RigidPolygonRobot(outline, shape_of(outline), float(weight))
 
 

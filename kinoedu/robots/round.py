@@ -21,17 +21,23 @@ class RoundRobot(NamedTuple):
 
 
 def Point() -> RoundRobot:
-    """A robot without size. Its motions are judged exactly; on a terrain where positions in cells are exact, as at resolution 1."""
+    """A robot without size. Its motions are judged exactly; on a terrain where positions in cells
+    are exact, as at resolution 1.
+    """
     return RoundRobot(0.0)
 
 
 def Disk(radius: float) -> RoundRobot:
-    """A disk of the given radius, in the world's unit of length. Raises InvalidRobot unless it is positive and finite.
+    """A disk of the given radius, in the world's unit of length. Raises InvalidRobot unless it is
+    positive and finite.
 
     >>> Disk(0.5).body.radius
     array([0.5])
     """
     size = as_array(radius, "radius")
     if size.ndim or size <= 0.0:
-        raise InvalidRobot(f"a disk's radius must be one positive length, got {radius!r}; a robot without size is Point()")
+        raise InvalidRobot(
+            f"a disk's radius must be one positive length, got {radius!r}; a robot without size "
+            "is Point()"
+        )
     return RoundRobot(float(size))

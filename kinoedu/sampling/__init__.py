@@ -1,4 +1,6 @@
-"""Points that fill the unit cube evenly: grids, random points, Halton's sequence; and dispersion, which says how evenly they do."""
+"""Points that fill the unit cube evenly: grids, random points, Halton's sequence; and dispersion,
+which says how evenly they do.
+"""
 
 from .dispersion import EmptyBall, dispersion, largest_empty_ball
 from .grids import corner_grid, sukharev_bound, sukharev_grid

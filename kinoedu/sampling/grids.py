@@ -1,5 +1,5 @@
-"""Grids in the unit cube, and the bound that the best of them meets. Bullo & Smith, chapter 4; A. G. Sukharev, "Optimal
-strategies of the search for an extremum" (1971); LaValle, section 5.2.
+"""Grids in the unit cube, and the bound that the best of them meets. Bullo & Smith, chapter 4; A.
+G. Sukharev, "Optimal strategies of the search for an extremum" (1971); LaValle, section 5.2.
 """
 
 import numpy as np
@@ -11,7 +11,8 @@ POWERS = {1: "first power", 2: "square", 3: "cube"}
 
 
 def corner_grid(n: int, d: int = 2) -> Array:
-    """n = k^d points at the lower corners i/k, i = 0, ..., k-1, of k^d equal cells of the unit cube, shape (n, d).
+    """n = k^d points at the lower corners i/k, i = 0, ..., k-1, of k^d equal cells of the unit
+    cube, shape (n, d).
 
     The last coordinate changes fastest. Raises InvalidParameter where n is not a perfect power.
 
@@ -26,7 +27,8 @@ def corner_grid(n: int, d: int = 2) -> Array:
 
 
 def sukharev_grid(n: int, d: int = 2) -> Array:
-    """n = k^d points at the centres (i + 1/2)/k of the same cells, shape (n, d): in the sup norm no n points are spread better.
+    """n = k^d points at the centres (i + 1/2)/k of the same cells, shape (n, d): in the sup norm no
+    n points are spread better.
 
     >>> sukharev_grid(4)
     array([[0.25, 0.25],
@@ -39,7 +41,8 @@ def sukharev_grid(n: int, d: int = 2) -> Array:
 
 
 def sukharev_bound(n: int, d: int = 2) -> float:
-    """1 / (2 floor(n^(1/d))): no n points of the unit cube have a smaller dispersion in the sup norm (Sukharev's theorem).
+    """1 / (2 floor(n^(1/d))): no n points of the unit cube have a smaller dispersion in the sup
+    norm (Sukharev's theorem).
 
     >>> sukharev_bound(100), sukharev_bound(99)
     (0.05, 0.05555555555555555)

@@ -1,6 +1,8 @@
-"""Angles, in radians: wrapped to [-pi, pi), and the short way between two. Bullo & Smith, chapter 3; LaValle, section 5.1.
+"""Angles, in radians: wrapped to [-pi, pi), and the short way between two. Bullo & Smith, chapter
+3; LaValle, section 5.1.
 
-A full turn is the float 2 * math.pi, here and everywhere, so that pi and -pi are the same direction to the last bit.
+A full turn is the float 2 * math.pi, here and everywhere, so that pi and -pi are the same direction
+to the last bit.
 """
 
 import math
@@ -27,7 +29,9 @@ def wrapped(angle: float) -> float:
 
 @compiled
 def short_way(a: float, b: float) -> float:
-    """The turn from direction a to direction b, in [-pi, pi): half a turn goes clockwise. Rounded once for wrapped angles."""
+    """The turn from direction a to direction b, in [-pi, pi): half a turn goes clockwise. Rounded
+    once for wrapped angles.
+    """
     turn, lost = two_sum(b, -a)
     if -math.pi <= turn < math.pi:
         return turn
@@ -35,10 +39,12 @@ def short_way(a: float, b: float) -> float:
 
 
 def circle_distance(a: ArrayLike, b: ArrayLike) -> float | Array:
-    """The length of the shorter arc of the unit circle from direction a to direction b, from 0 to pi.
+    """The length of the shorter arc of the unit circle from direction a to direction b, from 0 to
+    pi.
 
-    a, b : finite angles in radians, wrapped or not; one, or shape (n,). One angle is compared with each of many. Returns a number
-    or shape (n,). Correctly rounded, for nearly equal and nearly opposite directions too. Bullo & Smith, chapter 3. Raises
+    a, b : finite angles in radians, wrapped or not; one, or shape (n,). One angle is compared with
+        each of many. Returns a number or shape (n,). Correctly rounded, for nearly equal and nearly
+        opposite directions too. Bullo & Smith, chapter 3. Raises
     InvalidPoint.
 
     >>> circle_distance(3, -3) == 2 * math.pi - 6, circle_distance(0.5, [0.5, 1.0]).tolist()
@@ -46,16 +52,20 @@ def circle_distance(a: ArrayLike, b: ArrayLike) -> float | Array:
     """
     x, y = as_array(a, "a"), as_array(b, "b")
     if max(x.ndim, y.ndim) > 1 or (x.ndim == y.ndim and x.shape != y.shape):
-        raise InvalidPoint(f"a and b must be one angle or shape (n,), n the same for both, got shapes {x.shape} and {y.shape}")
+        raise InvalidPoint(
+            f"a and b must be one angle or shape (n,), n the same for both, got shapes {x.shape} "
+            f"and {y.shape}"
+        )
     apart = arcs(x, y)
     return apart if apart.ndim else float(apart)
 
 
 def torus_distance(a: ArrayLike, b: ArrayLike) -> float | Array:
-    """The distance on the flat torus: the root of the sum of squared circle distances, an angle at a time.
+    """The distance on the flat torus: the root of the sum of squared circle distances, an angle at
+    a time.
 
-    a, b : d finite angles in radians, or many such rows, shape (n, d). One row is compared with each of many. Returns a number or
-    shape (n,). Raises InvalidPoint.
+    a, b : d finite angles in radians, or many such rows, shape (n, d). One row is compared with
+        each of many. Returns a number or shape (n,). Raises InvalidPoint.
 
     >>> torus_distance((3, 0), (3, 1)), torus_distance((math.pi, 0.25), (-math.pi, 0.25))
     (1.0, 0.0)
@@ -63,13 +73,18 @@ def torus_distance(a: ArrayLike, b: ArrayLike) -> float | Array:
     x, y = as_array(a, "a"), as_array(b, "b")
     fits = all(1 <= p.ndim <= 2 and p.shape[-1] > 0 for p in (x, y)) and x.shape[-1] == y.shape[-1]
     if not fits or (x.ndim == y.ndim and x.shape != y.shape):
-        raise InvalidPoint(f"a and b must have shape (d,) or (n, d), d and n the same for both, got {x.shape} and {y.shape}")
+        raise InvalidPoint(
+            f"a and b must have shape (d,) or (n, d), d and n the same for both, got {x.shape} "
+            f"and {y.shape}"
+        )
     apart = np.hypot.reduce(arcs(x, y), axis=-1)
     return apart if apart.ndim else float(apart)
 
 
 def arcs(a: Array, b: Array) -> Array:
-    """Circle distances, element by element. Remainders are exact, and so is what a difference of two loses."""
+    """Circle distances, element by element. Remainders are exact, and so is what a difference of
+    two loses.
+    """
     x, y = nearest_turn(a), nearest_turn(b)
     apart, lost = two_sum.py_func(np.maximum(x, y), -np.minimum(x, y))
     return np.where(apart > math.pi, np.abs((FULL_TURN - apart) - lost), apart)

@@ -1,6 +1,8 @@
-"""A growing tree whose nodes are kept in a grid of buckets over their first two coordinates, to find those near a place.
+"""A growing tree whose nodes are kept in a grid of buckets over their first two coordinates, to
+find those near a place.
 
-Nodes of any dimension may be kept so: their distance is at least that of their first two coordinates.
+Nodes of any dimension may be kept so: their distance is at least that of their first two
+coordinates.
 """
 
 import math
@@ -18,8 +20,9 @@ NODES_PER_BUCKET = 1.0
 class GrowingTree(NamedTuple):
     """A tree under construction: room for `len(nodes)` nodes, of which the first size[0] are there.
 
-    Bucket (i, j) covers (x, y) + (i, j) * cell. Its nodes are a chain: head[j * columns + i], then next[node], until -1. Nodes lie
-    in columns used[0] to used[1] and in rows used[2] to used[3] only.
+    Bucket (i, j) covers (x, y) + (i, j) * cell. Its nodes are a chain: head[j * columns + i], then
+    next[node], until -1. Nodes lie in columns used[0] to used[1] and in rows used[2] to used[3]
+    only.
     """
 
     nodes: Array
@@ -76,7 +79,9 @@ def add(tree: GrowingTree, q: Array, parent: int) -> int:
 
 @inlined
 def first_ring(tree: GrowingTree, column: int, row: int) -> int:
-    """The number of the first ring of buckets round (column, row) that is in use; from a place without nodes it may be far away."""
+    """The number of the first ring of buckets round (column, row) that is in use; from a place
+    without nodes it may be far away.
+    """
     used = tree.used
     return max(max(used[0] - column, column - used[1]), max(used[2] - row, row - used[3]))
 

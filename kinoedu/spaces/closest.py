@@ -12,7 +12,9 @@ from .rings import offer_bucket, search_near, squared_distance, squared_reach
 
 
 class Closest(NamedTuple):
-    """The search for the k nodes closest to one that is left out: found[itself], nearest first, and how far they are, squared."""
+    """The search for the k nodes closest to one that is left out: found[itself], nearest first, and
+    how far they are, squared.
+    """
 
     itself: int
     found: NDArray[np.int64]
@@ -29,7 +31,9 @@ def sorted_in(search: Closest, space: Any, tree: GrowingTree, bucket: int, q: Ar
         d = squared_distance(space, tree.nodes, node, q)
         if node != u and (d < apart[k - 1] or (d == apart[k - 1] and node < found[u, k - 1])):
             at = k - 1
-            while at > 0 and (d < apart[at - 1] or (d == apart[at - 1] and node < found[u, at - 1])):
+            while at > 0 and (
+                d < apart[at - 1] or (d == apart[at - 1] and node < found[u, at - 1])
+            ):
                 apart[at], found[u, at] = apart[at - 1], found[u, at - 1]
                 at -= 1
             apart[at], found[u, at] = d, node
@@ -52,7 +56,9 @@ def fill(tree: GrowingTree, nodes: Array) -> None:
 
 @algorithm
 def k_closest_in_buckets(space: Any, tree: GrowingTree, k: int) -> NDArray[np.int64]:
-    """The k nodes closest to each node, nearest first and the first among equals, itself left out; shape (n, k), k < n."""
+    """The k nodes closest to each node, nearest first and the first among equals, itself left out;
+    shape (n, k), k < n.
+    """
     found, apart = np.zeros((tree.size[0], k), np.int64), np.empty(k)
     for u in range(len(found)):
         apart[:] = np.inf

@@ -1,6 +1,8 @@
-"""The nearest node by Euclidean distance: the walk of rings.py for this one question, which planners in R^n ask in every step.
+"""The nearest node by Euclidean distance: the walk of rings.py for this one question, which
+planners in R^n ask in every step.
 
-It is written out because that is a sixth faster: the walk for any space hands the space on, and compiled code counts its arrays.
+It is written out because that is a sixth faster: the walk for any space hands the space on, and
+compiled code counts its arrays.
 """
 
 import numpy as np
@@ -32,7 +34,10 @@ def nearest_euclidean_node(tree: GrowingTree, q: Array) -> int:
     best, least = nearest_in_bucket(tree, row * tree.columns + column, q, -1, np.inf)
     for ring in range(max(first_ring(tree, column, row), 1), max(tree.columns, tree.rows)):
         below, above = squared_gap(y, row - ring, tree.cell), squared_gap(y, row + ring, tree.cell)
-        left, right = squared_gap(x, column - ring, tree.cell), squared_gap(x, column + ring, tree.cell)
+        left, right = (
+            squared_gap(x, column - ring, tree.cell),
+            squared_gap(x, column + ring, tree.cell),
+        )
         if least < min(min(below, above), min(left, right)):
             break
         for j, gap in ((row - ring, below), (row + ring, above)):
@@ -48,13 +53,17 @@ def nearest_euclidean_node(tree: GrowingTree, q: Array) -> int:
 
 @compiled
 def squared_gap(offset: float, number: int, cell: float) -> float:
-    """The square of how far a coordinate is from a column or row of buckets, less a little for rounding."""
+    """The square of how far a coordinate is from a column or row of buckets, less a little for
+    rounding.
+    """
     gap = max(max(number * cell - offset, offset - (number + 1) * cell) - 1e-9 * cell, 0.0)
     return gap * gap
 
 
 @inlined
-def nearest_in_bucket(tree: GrowingTree, bucket: int, q: Array, best: int, best_distance: float) -> tuple[int, float]:
+def nearest_in_bucket(
+    tree: GrowingTree, bucket: int, q: Array, best: int, best_distance: float
+) -> tuple[int, float]:
     """The better of the best node so far and those of one bucket, with its squared distance."""
     node = tree.head[bucket]
     while node >= 0:

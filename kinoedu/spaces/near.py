@@ -1,4 +1,6 @@
-"""The nodes of a growing tree within a radius: by its buckets where those bound the distance, else by asking for all of them."""
+"""The nodes of a growing tree within a radius: by its buckets where those bound the distance, else
+by asking for all of them.
+"""
 
 from typing import Any
 
@@ -15,7 +17,9 @@ from .rings import squared_distance
 
 @generic(1)
 def near(space: Any, tree: Any, q: Array, radius: float) -> NDArray[np.int64]:
-    """The numbers of the tree's nodes within a radius of q, shape (k,), in no order that means anything."""
+    """The numbers of the tree's nodes within a radius of q, shape (k,), in no order that means
+    anything.
+    """
     found, size = np.empty(tree.size[0], np.int64), 0
     for node in range(tree.size[0]):
         if distance(space, tree.nodes[node], q) <= radius:

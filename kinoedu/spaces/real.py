@@ -21,7 +21,8 @@ class RealSpace(NamedTuple):
 
 
 def Box(lo: ArrayLike, hi: ArrayLike) -> RealSpace:
-    """R^n between two opposite corners, shapes (n,), with the Euclidean distance. Raises InvalidPoint.
+    """R^n between two opposite corners, shapes (n,), with the Euclidean distance. Raises
+    InvalidPoint.
 
     >>> distance(Box((0, 0), (4, 4)), np.array([0.0, 0.0]), np.array([3.0, 4.0]))
     5.0
@@ -32,10 +33,20 @@ def Box(lo: ArrayLike, hi: ArrayLike) -> RealSpace:
 def as_bounds(lo: ArrayLike, hi: ArrayLike, d: int | None) -> tuple[Array, Array]:
     """Two opposite corners of a box of d dimensions, or of any number, the lower one first."""
     low, high = as_array(lo, "lo"), as_array(hi, "hi")
-    if low.ndim != 1 or low.shape != high.shape or len(low) == 0 or (d is not None and len(low) != d):
-        raise InvalidPoint(f"lo and hi must be {d or 'as many'} numbers each, got shapes {low.shape} and {high.shape}")
+    if (
+        low.ndim != 1
+        or low.shape != high.shape
+        or len(low) == 0
+        or (d is not None and len(low) != d)
+    ):
+        raise InvalidPoint(
+            f"lo and hi must be {d or 'as many'} numbers each, got shapes {low.shape} and "
+            f"{high.shape}"
+        )
     if not (low < high).all():
-        raise InvalidPoint(f"lo must be below hi in every coordinate, got {low.tolist()} and {high.tolist()}")
+        raise InvalidPoint(
+            f"lo must be below hi in every coordinate, got {low.tolist()} and {high.tolist()}"
+        )
     return low, high
 
 

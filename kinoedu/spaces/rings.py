@@ -1,7 +1,9 @@
-"""The nodes near a place, by the buckets of a tree: ring by ring round the place, until no farther ring can hold a nearer node.
+"""The nodes near a place, by the buckets of a tree: ring by ring round the place, until no farther
+ring can hold a nearer node.
 
-What is looked for is a record, the *search*: it is offered buckets of nodes, returns itself as it then is, and knows how far away a
-node may still be wanted. How the distance is measured is the space's answer.
+What is looked for is a record, the *search*: it is offered buckets of nodes, returns itself as it
+then is, and knows how far away a node may still be wanted. How the distance is measured is the
+space's answer.
 """
 
 from typing import Any, NamedTuple
@@ -46,7 +48,9 @@ class Nearest(NamedTuple):
 
 
 @offer_bucket.register(Nearest)
-def the_nearest_of(search: Nearest, space: Any, tree: GrowingTree, bucket: int, q: Array) -> Nearest:
+def the_nearest_of(
+    search: Nearest, space: Any, tree: GrowingTree, bucket: int, q: Array
+) -> Nearest:
     """The better of the best so far and the bucket's nodes."""
     best, least = search.node, search.squared
     node = tree.head[bucket]
@@ -66,14 +70,22 @@ def to_the_best(search: Nearest) -> float:
 
 @inlined
 def search_rings(space: Any, tree: GrowingTree, q: Array, x: float, y: float, search: Any) -> Any:
-    """The search after all wanted nodes near q were offered; q's first coordinates are x and y, or mean the same as they."""
+    """The search after all wanted nodes near q were offered; q's first coordinates are x and y, or
+    mean the same as they.
+    """
     wx, wy = weight_of(space, 0), weight_of(space, 1)
     used = tree.used
     column, row = bucket_of(tree, x, y)
     search = offer_bucket(search, space, tree, row * tree.columns + column, q)
     for ring in range(max(first_ring(tree, column, row), 1), max(tree.columns, tree.rows)):
-        below, above = squared_gap(y - tree.y, row - ring, tree.cell, wy), squared_gap(y - tree.y, row + ring, tree.cell, wy)
-        left, right = squared_gap(x - tree.x, column - ring, tree.cell, wx), squared_gap(x - tree.x, column + ring, tree.cell, wx)
+        below, above = (
+            squared_gap(y - tree.y, row - ring, tree.cell, wy),
+            squared_gap(y - tree.y, row + ring, tree.cell, wy),
+        )
+        left, right = (
+            squared_gap(x - tree.x, column - ring, tree.cell, wx),
+            squared_gap(x - tree.x, column + ring, tree.cell, wx),
+        )
         if squared_reach(search) < min(min(below, above), min(left, right)):
             break
         for j, gap in ((row - ring, below), (row + ring, above)):
@@ -89,7 +101,9 @@ def search_rings(space: Any, tree: GrowingTree, q: Array, x: float, y: float, se
 
 @compiled
 def squared_gap(offset: float, number: int, cell: float, weight: float) -> float:
-    """The square of how far a coordinate is from a column or row of buckets, less a little for rounding."""
+    """The square of how far a coordinate is from a column or row of buckets, less a little for
+    rounding.
+    """
     gap = max(max(number * cell - offset, offset - (number + 1) * cell) - 1e-9 * cell, 0.0) * weight
     return gap * gap
 

@@ -1,6 +1,8 @@
-"""Spaces of which some coordinates are angles: the circle, the torus, SE(2). Bullo & Smith, chapter 3; LaValle, section 5.1.
+"""Spaces of which some coordinates are angles: the circle, the torus, SE(2). Bullo & Smith, chapter
+3; LaValle, section 5.1.
 
-A configuration's angles lie in [-pi, pi); every distance and every motion takes the short way round.
+A configuration's angles lie in [-pi, pi); every distance and every motion takes the short way
+round.
 """
 
 import math
@@ -14,14 +16,22 @@ from .angles import FULL_TURN, short_way, wrapped
 from .asks import diameter, distance, interpolate, nearest, sample
 from .buckets import GrowingTree
 from .real import as_bounds
-from .rings import nearest_in_buckets, search_near, search_rings, squared_distance, squared_gap, squared_reach, weight_of
+from .rings import (
+    nearest_in_buckets,
+    search_near,
+    search_rings,
+    squared_distance,
+    squared_gap,
+    squared_reach,
+    weight_of,
+)
 
 
 class WrappingSpace(NamedTuple):
     """Coordinates between lo and hi, shapes (d,); those that wrap are angles, from -pi to pi.
 
-    Each coordinate counts with its weight: the distance is sqrt(sum (weight_i * difference_i)^2), so that with a weight in metres
-    a radian is comparable with a length.
+    Each coordinate counts with its weight: the distance is sqrt(sum (weight_i * difference_i)^2),
+    so that with a weight in metres a radian is comparable with a length.
     """
 
     lo: Array
@@ -40,7 +50,8 @@ def Circle() -> WrappingSpace:
 
 
 def Torus(d: int = 2) -> WrappingSpace:
-    """The flat torus: d angles, such as those of an arm's joints, a radian of each counting the same. Raises InvalidParameter.
+    """The flat torus: d angles, such as those of an arm's joints, a radian of each counting the
+    same. Raises InvalidParameter.
 
     >>> diameter(Torus(1)) == math.pi
     True
@@ -53,8 +64,9 @@ def Torus(d: int = 2) -> WrappingSpace:
 def SE2(lo: ArrayLike, hi: ArrayLike, *, turn_weight: float) -> WrappingSpace:
     """The plane's places and headings (x, y, theta), positions between lo and hi, shapes (2,).
 
-    turn_weight : how many units of length a radian counts for; a robot's radius about (x, y) is a good choice, for then its corners
-    move by at most the distance and about as far. Raises InvalidPoint, InvalidParameter.
+    turn_weight : how many units of length a radian counts for; a robot's radius about (x, y) is a
+        good choice, for then its corners move by at most the distance and about as far. Raises
+        InvalidPoint, InvalidParameter.
 
     >>> space = SE2((0, 0), (10, 10), turn_weight=2)
     >>> distance(space, np.array([1.0, 1, 3]), np.array([1.0, 1, -3])) == 2 * (FULL_TURN - 6)
@@ -62,7 +74,9 @@ def SE2(lo: ArrayLike, hi: ArrayLike, *, turn_weight: float) -> WrappingSpace:
     """
     low, high = as_bounds(lo, hi, 2)
     weight = np.array([1.0, 1.0, positive(turn_weight, "turn_weight")])
-    return WrappingSpace(np.append(low, -math.pi), np.append(high, math.pi), np.array([False, False, True]), weight)
+    return WrappingSpace(
+        np.append(low, -math.pi), np.append(high, math.pi), np.array([False, False, True]), weight
+    )
 
 
 def wrapped_configuration(space: WrappingSpace, q: ArrayLike) -> Array:
@@ -102,7 +116,11 @@ def the_short_way(space: WrappingSpace, a: Array, b: Array, t: float) -> Array:
     """Each coordinate on its own way from a to b, angles the short way."""
     q = np.empty(len(a))
     for i in range(len(a)):
-        q[i] = wrapped(a[i] + t * short_way(a[i], b[i])) if space.wraps[i] else a[i] + t * (b[i] - a[i])
+        q[i] = (
+            wrapped(a[i] + t * short_way(a[i], b[i]))
+            if space.wraps[i]
+            else a[i] + t * (b[i] - a[i])
+        )
     return q
 
 
@@ -126,7 +144,9 @@ def squared_the_short_way(space: WrappingSpace, nodes: Array, node: int, q: Arra
     """The square of the weighted distance."""
     total = 0.0
     for i in range(len(q)):
-        apart = space.weight[i] * (short_way(q[i], nodes[node, i]) if space.wraps[i] else nodes[node, i] - q[i])
+        apart = space.weight[i] * (
+            short_way(q[i], nodes[node, i]) if space.wraps[i] else nodes[node, i] - q[i]
+        )
         total += apart * apart
     return total
 
@@ -145,9 +165,15 @@ def search_images(space: WrappingSpace, tree: GrowingTree, q: Array, search: Any
     y = 0.0 if len(q) < 2 else wrapped(q[1]) if space.wraps[1] else q[1]
     for right in (0.0, FULL_TURN, -FULL_TURN):
         for up in (0.0, FULL_TURN, -FULL_TURN):
-            if (right != 0.0 and not space.wraps[0]) or (up != 0.0 and not (len(q) > 1 and space.wraps[1])):
+            if (right != 0.0 and not space.wraps[0]) or (
+                up != 0.0 and not (len(q) > 1 and space.wraps[1])
+            ):
                 continue
-            across = squared_gap(x + right - tree.x, 0, tree.cell * tree.columns, wx) if right != 0.0 else 0.0
+            across = (
+                squared_gap(x + right - tree.x, 0, tree.cell * tree.columns, wx)
+                if right != 0.0
+                else 0.0
+            )
             along = squared_gap(y + up - tree.y, 0, tree.cell * tree.rows, wy) if up != 0.0 else 0.0
             if across + along <= squared_reach(search):
                 search = search_rings(space, tree, q, x + right, y + up, search)

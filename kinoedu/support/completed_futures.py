@@ -1,5 +1,5 @@
-"""Futures as they are done. `concurrent.futures.wait` holds their locks now and then, and Ctrl-C at such a moment leaves one locked
-for ever; here a queue is waited on that Ctrl-C cannot break.
+"""Futures as they are done. `concurrent.futures.wait` holds their locks now and then, and Ctrl-C at
+such a moment leaves one locked for ever; here a queue is waited on that Ctrl-C cannot break.
 """
 
 from collections.abc import Iterator
@@ -12,7 +12,8 @@ T = TypeVar("T")
 
 
 class Arrivals(Generic[T]):
-    """Futures that are waited for, each with what it is for; more may join while those that are done are gone through.
+    """Futures that are waited for, each with what it is for; more may join while those that are
+    done are gone through.
 
     >>> from concurrent.futures import ThreadPoolExecutor
     >>> with ThreadPoolExecutor(1) as executor:
@@ -35,5 +36,7 @@ class Arrivals(Generic[T]):
     def __iter__(self) -> Iterator[tuple[T, "Future[Any]"]]:
         while self.waiting:
             with suppress(Empty):
-                future = self.done.get(timeout=0.2)  # woken now and then, so that Ctrl-C is heard on every system
+                future = self.done.get(
+                    timeout=0.2
+                )  # woken now and then, so that Ctrl-C is heard on every system
                 yield self.waiting.pop(future), future

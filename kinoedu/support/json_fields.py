@@ -14,7 +14,9 @@ Built = TypeVar("Built")
 
 
 class Field(NamedTuple):
-    """A value of the scene with its name, such as world.obstacles[2].radius, for the message where it is wrong."""
+    """A value of the scene with its name, such as world.obstacles[2].radius, for the message where
+    it is wrong.
+    """
 
     name: str
     value: Any
@@ -28,27 +30,41 @@ class Field(NamedTuple):
         """Raise UnreadableScene for an object of another version than the one that is known."""
         if isinstance(self.value, dict) and self.value.get("version") not in (known, None):
             given = shortened(self.value["version"])
-            raise UnreadableScene(f"{self.name}.version must be {known}, got {given}; this kinoedu knows no other")
+            raise UnreadableScene(
+                f"{self.name}.version must be {known}, got {given}; this kinoedu knows no other"
+            )
 
-    def members(self, needed: tuple[str, ...], optional: tuple[str, ...] = ()) -> dict[str, "Field"]:
+    def members(
+        self, needed: tuple[str, ...], optional: tuple[str, ...] = ()
+    ) -> dict[str, "Field"]:
         """The fields of an object, which has all that are needed and none that is not known."""
         if not isinstance(self.value, dict):
             raise self.wrong("an object {...}")
         for key in self.value:
             if key not in needed + optional:
                 close = difflib.get_close_matches(key, needed + optional, 1)
-                hint = f"did you mean {close[0]!r}?" if close else f"known are {', '.join(needed + optional)}"
+                hint = (
+                    f"did you mean {close[0]!r}?"
+                    if close
+                    else f"known are {', '.join(needed + optional)}"
+                )
                 raise UnreadableScene(f"{self.name} has an unknown key {key!r}; {hint}")
         for key in needed:
             if key not in self.value:
                 raise UnreadableScene(f"{self.name} lacks {key!r}")
-        return {key: self._replace(name=f"{self.name}.{key}", value=value) for key, value in self.value.items()}
+        return {
+            key: self._replace(name=f"{self.name}.{key}", value=value)
+            for key, value in self.value.items()
+        }
 
     def items(self) -> list["Field"]:
         """The elements of a list."""
         if not isinstance(self.value, list):
             raise self.wrong("a list [...]")
-        return [self._replace(name=f"{self.name}[{i}]", value=value) for i, value in enumerate(self.value)]
+        return [
+            self._replace(name=f"{self.name}[{i}]", value=value)
+            for i, value in enumerate(self.value)
+        ]
 
     def text(self) -> str:
         """A string."""
@@ -82,11 +98,15 @@ class Field(NamedTuple):
 
 
 def read_json(file: Path, name: str, build: Callable[[Field], Built]) -> Built:
-    """What is built of the whole of a file. Its own errors, and UnreadableScene, name the file and the field at fault."""
+    """What is built of the whole of a file. Its own errors, and UnreadableScene, name the file and
+    the field at fault.
+    """
     try:
         return build(Field(name, parsed(read_text(file)), file.parent))
     except KinoeduError as error:
-        raise type(error)(f"{file}: {error}" if str(file) not in str(error) else str(error)) from error
+        raise type(error)(
+            f"{file}: {error}" if str(file) not in str(error) else str(error)
+        ) from error
 
 
 def parsed(text: str) -> Any:
@@ -94,7 +114,9 @@ def parsed(text: str) -> Any:
     try:
         return json.loads(text, parse_constant=not_a_number, object_pairs_hook=without_repeats)
     except json.JSONDecodeError as error:
-        raise UnreadableScene(f"no JSON: {error.msg} in line {error.lineno}, column {error.colno}") from error
+        raise UnreadableScene(
+            f"no JSON: {error.msg} in line {error.lineno}, column {error.colno}"
+        ) from error
     except RecursionError as error:
         raise UnreadableScene("lists are nested too deeply for a scene") from error
     except KinoeduError:
@@ -113,5 +135,7 @@ def without_repeats(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     members = dict(pairs)
     if len(members) < len(pairs):
         keys = [key for key, _ in pairs]
-        raise UnreadableScene(f"a key is there twice: {next(key for key in keys if keys.count(key) > 1)!r}")
+        raise UnreadableScene(
+            f"a key is there twice: {next(key for key in keys if keys.count(key) > 1)!r}"
+        )
     return members

@@ -1,4 +1,6 @@
-"""What is being done and for how long, on standard error: a line that moves in a terminal, a line for each stage elsewhere."""
+"""What is being done and for how long, on standard error: a line that moves in a terminal, a line
+for each stage elsewhere.
+"""
 
 import logging
 import sys
@@ -28,7 +30,9 @@ def stage(what: str) -> Iterator[Notes]:
     level = logger.level
     logger.setLevel(logging.INFO)
     logger.addHandler(notes)
-    line = threading.Thread(target=move if sys.stderr.isatty() else stand, args=(what, notes, done), daemon=True)
+    line = threading.Thread(
+        target=move if sys.stderr.isatty() else stand, args=(what, notes, done), daemon=True
+    )
     line.start()
     try:
         yield notes
@@ -44,7 +48,12 @@ def move(what: str, notes: Notes, done: threading.Event) -> None:
     started = time.monotonic()
     while not done.wait(0.1):
         remark = f" ({notes.last})" if notes.last else ""
-        print(f"\r\033[K{what} ... {time.monotonic() - started:.0f} s{remark}", end="", file=sys.stderr, flush=True)
+        print(
+            f"\r\033[K{what} ... {time.monotonic() - started:.0f} s{remark}",
+            end="",
+            file=sys.stderr,
+            flush=True,
+        )
     print("\r\033[K", end="", file=sys.stderr, flush=True)
 
 
@@ -55,17 +64,28 @@ def stand(what: str, notes: Notes, done: threading.Event) -> None:
 
 @contextmanager
 def counted(what: str) -> Iterator[Callable[[int, int], None]]:
-    """A bar that fills as things are done; yields what is told how many are done, and of how many."""
+    """A bar that fills as things are done; yields what is told how many are done, and of how
+    many.
+    """
     began, first, last = time.monotonic(), -1, -1
 
     def tell(done: int, everything: int) -> None:
         nonlocal first, last
         first = done if first < 0 else first
         gone = time.monotonic() - began
-        left = f", {duration(gone / (done - first) * (everything - done))} left" if first < done < everything else ""
+        left = (
+            f", {duration(gone / (done - first) * (everything - done))} left"
+            if first < done < everything
+            else ""
+        )
         tenths = 10 * done // max(everything, 1)
         if sys.stderr is not None and sys.stderr.isatty():
-            print(f"\r\033[K{what} [{'#' * 2 * tenths:<20}] {done}/{everything}{left}", end="", file=sys.stderr, flush=True)
+            print(
+                f"\r\033[K{what} [{'#' * 2 * tenths:<20}] {done}/{everything}{left}",
+                end="",
+                file=sys.stderr,
+                flush=True,
+            )
         elif sys.stderr is not None and tenths > last:
             print(f"{what}: {done}/{everything}{left} ...", file=sys.stderr, flush=True)
         last = tenths
@@ -83,4 +103,10 @@ def duration(seconds: float) -> str:
     >>> duration(7.6), duration(125), duration(7300)
     ('8 s', '2 min', '2.0 h')
     """
-    return f"{seconds:.0f} s" if seconds < 100 else f"{seconds / 60:.0f} min" if seconds < 6000 else f"{seconds / 3600:.1f} h"
+    return (
+        f"{seconds:.0f} s"
+        if seconds < 100
+        else f"{seconds / 60:.0f} min"
+        if seconds < 6000
+        else f"{seconds / 3600:.1f} h"
+    )

@@ -13,7 +13,9 @@ class Spent:
 
 
 spent_by: dict[int, Spent] = {}  # by thread
-WAITING_FILES: set[str] = set()  # the files of the functions in which a thread waits for machine code
+WAITING_FILES: set[str] = (
+    set()
+)  # the files of the functions in which a thread waits for machine code
 
 
 def library_seconds(thread: int) -> float:

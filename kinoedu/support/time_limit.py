@@ -1,4 +1,5 @@
-"""A function that may never end, given a bounded time, so that it does not take the notebook with it.
+"""A function that may never end, given a bounded time, so that it does not take the notebook with
+it.
 
 `within` bounds a whole computation, by the clock on the wall. `within_processor_time` is for a
 student's program and is fair to it: it counts what the program itself computes.

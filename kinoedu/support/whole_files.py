@@ -9,7 +9,9 @@ from pathlib import Path
 
 @contextmanager
 def written_whole(path: str | os.PathLike[str]) -> Iterator[Path]:
-    """A new file to write beside `path`; it takes that name when the block ends, and is removed where the block fails."""
+    """A new file to write beside `path`; it takes that name when the block ends, and is removed
+    where the block fails.
+    """
     file = Path(path)
     handle, name = tempfile.mkstemp(dir=file.parent, prefix=file.stem, suffix=".part")
     os.close(handle)

@@ -1,7 +1,8 @@
-"""The messages that students read, in one catalogue: the files of the folder `en` beside this file, and `messages.toml` in each
-room of the lessons.
+"""The messages that students read, in one catalogue: the files of the folder `en` beside this file,
+and `messages.toml` in each room of the lessons.
 
-A translation is a folder beside `en`, such as `de`. `KINOEDU_LANGUAGE=de` looks there first, and in English for what is missing.
+A translation is a folder beside `en`, such as `de`. `KINOEDU_LANGUAGE=de` looks there first, and in
+English for what is missing.
 """
 
 import os
@@ -15,7 +16,8 @@ LESSONS = HERE.parent / "course" / "lessons"
 
 
 def say(key: str, /, **values: Any) -> str:
-    """The words under a dotted key, with `{name}` filled in. Raises KeyError where no catalogue has them.
+    """The words under a dotted key, with `{name}` filled in. Raises KeyError where no catalogue has
+    them.
 
     >>> say("picture.should_be", value=4)
     'should be 4'
@@ -25,7 +27,9 @@ def say(key: str, /, **values: Any) -> str:
 
 @cache
 def words_for(key: str, language: str) -> str:
-    """The words under a dotted key, before anything is filled in; English ones where a language has none. Raises KeyError."""
+    """The words under a dotted key, before anything is filled in; English ones where a language has
+    none. Raises KeyError.
+    """
     for name in (language, "en"):
         words = found(catalogue(name), key)
         if words is not None:
@@ -44,7 +48,11 @@ def catalogue(language: str) -> dict[str, Any]:
     files = sorted((HERE / language).glob("*.toml")) if language.isalpha() else []
     if language == "en":
         files += sorted(LESSONS.glob("*/*.toml"))
-    return {name: table for file in files for name, table in tomllib.loads(file.read_text(encoding="utf-8")).items()}
+    return {
+        name: table
+        for file in files
+        for name, table in tomllib.loads(file.read_text(encoding="utf-8")).items()
+    }
 
 
 def found(words: dict[str, Any], key: str) -> str | None:

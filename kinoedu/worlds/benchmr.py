@@ -1,10 +1,12 @@
-"""Maps of polygons in JSON, as drawn for bench-mr: parking lots and warehouses, y down as in the pictures they were traced from.
+"""Maps of polygons in JSON, as drawn for bench-mr: parking lots and warehouses, y down as in the
+pictures they were traced from.
 
     {"polygons": [[[x, y], ...], ...], "start": [x, y, theta], "goal": [x, y, theta], "source": "...", "note": "..."}
 
-All but `polygons` may be left out. E. Heiden, L. Palmieri et al., "Bench-MR: a motion planning benchmark for wheeled mobile
-robots" (2021). Such drawings have what a world refuses: outlines that cross themselves, corners and polygons that are there twice.
-Here they are mended, and a warning says which.
+All but `polygons` may be left out. E. Heiden, L. Palmieri et al., "Bench-MR: a motion planning
+benchmark for wheeled mobile robots" (2021). Such drawings have what a world refuses: outlines that
+cross themselves, corners and polygons that are there twice. Here they are mended, and a warning
+says which.
 """
 
 import os
@@ -23,7 +25,9 @@ from ..support.reading import regular_file
 from .outlines import rectangle
 from .polygon_world import PolygonWorld, PolygonWorldRecord
 
-SLIVER = 1e-12  # of the polygon's rectangle: what a crossing pinches off and is smaller, is rounding
+SLIVER = (
+    1e-12  # of the polygon's rectangle: what a crossing pinches off and is smaller, is rounding
+)
 
 
 class PolygonMap(NamedTuple):
@@ -41,10 +45,12 @@ def read_benchmr(path: str | os.PathLike[str], *, boundary: ArrayLike | None = N
     ----------
     boundary : (n, 2), a simple polygon, y up; by default the rectangle round all polygons.
 
-    y turns up: the lowest corner of the drawing has y = 0, x stays. A heading theta becomes -theta. An outline that crosses itself
-    becomes all that it encloses; repeated corners and polygons are left out. A warning, MendedPolygons, gives their numbers.
+    y turns up: the lowest corner of the drawing has y = 0, x stays. A heading theta becomes -theta.
+    An outline that crosses itself becomes all that it encloses; repeated corners and polygons are
+    left out. A warning, MendedPolygons, gives their numbers.
 
-    Raises UnreadableScene, with the field at fault; InvalidPolygon for one without area, by its number.
+    Raises UnreadableScene, with the field at fault; InvalidPolygon for one without area, by its
+    number.
     """
     file = regular_file(path)
     return read_json(file, "map", lambda field: map_from(field, boundary, str(file)))
@@ -52,13 +58,19 @@ def read_benchmr(path: str | os.PathLike[str], *, boundary: ArrayLike | None = N
 
 def is_polygon_map(path: str | os.PathLike[str]) -> bool:
     """Whether a JSON file is such a map, and not a scene. Raises UnreadableScene."""
-    return read_json(Path(path), "map", lambda field: isinstance(field.value, dict) and "polygons" in field.value)
+    return read_json(
+        Path(path), "map", lambda field: isinstance(field.value, dict) and "polygons" in field.value
+    )
 
 
 def read_polygons(path: str | os.PathLike[str]) -> PolygonWorldRecord:
-    """The world alone, as `read_world` gives it. Raises UnknownFormat for a scene, and all that `read_benchmr` does."""
+    """The world alone, as `read_world` gives it. Raises UnknownFormat for a scene, and all that
+    `read_benchmr` does.
+    """
     if not is_polygon_map(path):
-        raise UnknownFormat(f"{path}: expected a map with `polygons`; a scene is read by kinoedu.scenes.read_scene")
+        raise UnknownFormat(
+            f"{path}: expected a map with `polygons`; a scene is read by kinoedu.scenes.read_scene"
+        )
     return read_benchmr(path).world
 
 
@@ -76,7 +88,9 @@ def map_from(field: Field, boundary: ArrayLike | None, file: str) -> PolygonMap:
     if boundary is None:
         corners = np.concatenate(rings)
         boundary = rectangle(corners.min(axis=0), corners.max(axis=0))
-    start, goal = (turned_up(fields[name], bottom) if name in fields else None for name in ("start", "goal"))
+    start, goal = (
+        turned_up(fields[name], bottom) if name in fields else None for name in ("start", "goal")
+    )
     return PolygonMap(PolygonWorld(boundary, rings), start, goal)
 
 
@@ -129,9 +143,18 @@ def enclosed(corners: Array, error: InvalidPolygon) -> list[Array]:
 
     if len(corners) < 3:
         raise error
-    faces = shapely.polygonize(shapely.get_parts(shapely.node(shapely.linestrings(np.vstack([corners, corners[:1]])))))
+    faces = shapely.polygonize(
+        shapely.get_parts(shapely.node(shapely.linestrings(np.vstack([corners, corners[:1]]))))
+    )
     least = SLIVER * np.prod(np.ptp(corners, axis=0))
-    parts = [part for part in shapely.get_parts(shapely.union_all(shapely.get_parts(faces))) if part.area > least]
+    parts = [
+        part
+        for part in shapely.get_parts(shapely.union_all(shapely.get_parts(faces)))
+        if part.area > least
+    ]
     if not parts:
         raise error
-    return [as_ring(shapely.get_coordinates(part.exterior)[:-1], "what a mended polygon encloses") for part in parts]
+    return [
+        as_ring(shapely.get_coordinates(part.exterior)[:-1], "what a mended polygon encloses")
+        for part in parts
+    ]

@@ -26,8 +26,9 @@ _KEY_SCALE = {"1": 255, "L;2": 85, "L;4": 17}  # from 1, 2 and 4 bits to 0..255
 def read_image(path: str | os.PathLike[str]) -> TerrainRecord:
     """A terrain with one cell a pixel, side 1, the picture's lower left corner at the origin.
 
-    A pixel is free when its brightness is at least half of full scale. Colour counts by its luminance
-    (ITU-R BT.601), what is transparent is seen on white paper, an animation gives its first picture.
+    A pixel is free when its brightness is at least half of full scale. Colour counts by its
+    luminance (ITU-R BT.601), what is transparent is seen on white paper, an animation gives its
+    first picture.
 
     Parameters
     ----------
@@ -56,7 +57,9 @@ def read_image(path: str | os.PathLike[str]) -> TerrainRecord:
 
 
 def brightness(path: str | os.PathLike[str]) -> NDArray[np.float64]:
-    """How bright a picture is, 0 to 1, (rows, columns), the top row first. Files and errors as in `read_image`."""
+    """How bright a picture is, 0 to 1, (rows, columns), the top row first. Files and errors as in
+    `read_image`.
+    """
     image = load_image(path)
     deep = deep_grey(image)
     return _luminance(image) / 255.0 if deep is None else deep / 65535.0
@@ -85,29 +88,45 @@ def load_image(path: str | os.PathLike[str]) -> "Image":
     except KinoeduError:
         raise
     except Image.DecompressionBombError as error:
-        raise SceneTooLarge(f"{path}: expected at most {MAX_CELLS:,} cells: {error}; shrink it") from error
-    except Exception as error:  # on damaged bytes Pillow fails with anything from OSError to struct.error
+        raise SceneTooLarge(
+            f"{path}: expected at most {MAX_CELLS:,} cells: {error}; shrink it"
+        ) from error
+    except (
+        Exception
+    ) as error:  # on damaged bytes Pillow fails with anything from OSError to struct.error
         why = "something else" if isinstance(error, UnidentifiedImageError) else f"damage: {error}"
-        raise UnreadableScene(f"{path}: expected a PNG, BMP or PGM, got {why}; save it again") from error
+        raise UnreadableScene(
+            f"{path}: expected a PNG, BMP or PGM, got {why}; save it again"
+        ) from error
 
 
 def _check_mode(image: "ImageFile", path: Path) -> None:
-    """Refuse pixels whose brightness cannot be told: floats, and one transparent colour in 16 bits."""
+    """Refuse pixels whose brightness cannot be told: floats, and one transparent colour in 16
+    bits.
+    """
     if image.mode not in _DEEP_GREY + _SHALLOW:
-        raise UnreadableScene(f"{path}: expected 1 to 16 bits a channel, got Pillow's mode {image.mode!r}")
+        raise UnreadableScene(
+            f"{path}: expected 1 to 16 bits a channel, got Pillow's mode {image.mode!r}"
+        )
     if "transparency" in image.info and image.tile[0][3] in ("I;16B", "RGB;16B"):
-        raise UnreadableScene(f"{path}: expected 8 bits or an alpha channel, got a transparent 16-bit colour")
+        raise UnreadableScene(
+            f"{path}: expected 8 bits or an alpha channel, got a transparent 16-bit colour"
+        )
 
 
 def _scale_transparent_grey(image: "ImageFile") -> None:
-    """Bring the transparent grey of a PNG to 0..255, as Pillow brings the pixels but not always this key."""
+    """Bring the transparent grey of a PNG to 0..255, as Pillow brings the pixels but not always
+    this key.
+    """
     scale = _KEY_SCALE.get(str(image.tile[0][3]))
     if scale and "transparency" in image.info:
         image.info["transparency"] = min(255, scale * image.info["transparency"])
 
 
 def deep_grey(image: "Image") -> NDArray[Any] | None:
-    """The greys (rows, columns) in 0..65535 of a picture with more than 8 bits a pixel, else None."""
+    """The greys (rows, columns) in 0..65535 of a picture with more than 8 bits a pixel, else
+    None.
+    """
     return np.asarray(image) if image.mode in _DEEP_GREY else None
 
 

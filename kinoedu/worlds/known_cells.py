@@ -1,11 +1,14 @@
-"""Small cells known to be wholly free or wholly solid: most questions are answered by looking up a few of them.
+"""Small cells known to be wholly free or wholly solid: most questions are answered by looking up a
+few of them.
 
-A free cell also knows how far freedom reaches round it, in cells; a motion that stays within that is free without a look at any
-obstacle. What is left, near the obstacles' edges, has to be judged exactly.
+A free cell also knows how far freedom reaches round it, in cells; a motion that stays within that
+is free without a look at any obstacle. What is left, near the obstacles' edges, has to be judged
+exactly.
 
-Sources: M. Edahiro, I. Kokubo, T. Asano, "A new point-location algorithm and its practical efficiency" (1984), for cells as
-buckets; H. Samet, "The quadtree and related hierarchical data structures" (1984), for halving them; A. Rosenfeld and J. L. Pfaltz,
-"Sequential operations in digital picture processing" (1966), for the reach.
+Sources: M. Edahiro, I. Kokubo, T. Asano, "A new point-location algorithm and its practical
+efficiency" (1984), for cells as buckets; H. Samet, "The quadtree and related hierarchical data
+structures" (1984), for halving them; A. Rosenfeld and J. L. Pfaltz, "Sequential operations in
+digital picture processing" (1966), for the reach.
 """
 
 from typing import NamedTuple
@@ -20,16 +23,23 @@ from ..geometry.parts import Parts
 from .parts_index import FAR, MARGIN, PartsIndex, clip, has_margins
 
 SOLID, RIM, MIXED, FREE = -2, -1, 0, 1  # the less, the worse; FREE is the least reach as well
-FINE, ALONG = 32, 600  # small cells along the side of a cell of the index, and along the longer side of a world, at most
+FINE, ALONG = (
+    32,
+    600,
+    # small cells along the side of a cell of the index, and along the longer side of a world, at
+    # most
+)
 MOST = 16  # the greatest reach that is counted
 PIECES = 4  # of a motion, looked up one by one
 
 
 class KnownCells(NamedTuple):
-    """Cell (i, j) covers (x, y) + (i, j) * side, with per_unit = 1 / side; reach[j, i] says what all of it is.
+    """Cell (i, j) covers (x, y) + (i, j) * side, with per_unit = 1 / side; reach[j, i] says what
+    all of it is.
 
-    SOLID; or FREE, and then how far: 1 if the cell itself is, 2 if its eight neighbours are too, and so on. MIXED: inside the
-    world's hull, no more is known. RIM: not even that. Where nothing is known, there are no cells.
+    SOLID; or FREE, and then how far: 1 if the cell itself is, 2 if its eight neighbours are too,
+    and so on. MIXED: inside the world's hull, no more is known. RIM: not even that. Where nothing
+    is known, there are no cells.
     """
 
     x: float
@@ -40,10 +50,11 @@ class KnownCells(NamedTuple):
 
 
 def known_cells(hull: Array, parts: Parts, cells: PartsIndex, lo: Array, hi: Array) -> KnownCells:
-    """The small cells of a world: the cells of the index, halved and halved again as long as they are not too many.
+    """The small cells of a world: the cells of the index, halved and halved again as long as they
+    are not too many.
 
-    A cell counts with a margin round it, so that rounding cannot carry a point to a cell which it does not belong to. No cells for
-    worlds that have no room for margins.
+    A cell counts with a margin round it, so that rounding cannot carry a point to a cell which it
+    does not belong to. No cells for worlds that have no room for margins.
     """
     if not has_margins(lo, hi):
         return nothing_known()
@@ -63,25 +74,44 @@ def nothing_known() -> KnownCells:
 
 
 @algorithm
-def fill_known_cells(known: KnownCells, fine: int, hull: Array, parts: Parts, cells: PartsIndex) -> None:
-    """Judge cells of the index, then their quarters where that does not tell, and so on down to the small cells."""
+def fill_known_cells(
+    known: KnownCells, fine: int, hull: Array, parts: Parts, cells: PartsIndex
+) -> None:
+    """Judge cells of the index, then their quarters where that does not tell, and so on down to the
+    small cells.
+    """
     size = fine
     while size > 0:
         for j in range(0, known.reach.shape[0], size):
             for i in range(0, known.reach.shape[1], size):
                 if known.reach[j, i] == MIXED or known.reach[j, i] == RIM:
                     cell = j // fine * cells.columns + i // fine
-                    known.reach[j : j + size, i : i + size] = judged_block(i, j, size, known, cell, hull, parts, cells)
+                    known.reach[j : j + size, i : i + size] = judged_block(
+                        i, j, size, known, cell, hull, parts, cells
+                    )
         size //= 2
 
 
 @compiled
-def judged_block(i: int, j: int, size: int, known: KnownCells, cell: int, hull: Array, parts: Parts, cells: PartsIndex) -> int:
-    """What size * size small cells wholly are, with the margin of one: by the hull, and by the parts in their cell of the index."""
+def judged_block(
+    i: int,
+    j: int,
+    size: int,
+    known: KnownCells,
+    cell: int,
+    hull: Array,
+    parts: Parts,
+    cells: PartsIndex,
+) -> int:
+    """What size * size small cells wholly are, with the margin of one: by the hull, and by the
+    parts in their cell of the index.
+    """
     x0, x1 = known.x + (i - MARGIN) * known.side, known.x + (i + size + MARGIN) * known.side
     y0, y1 = known.y + (j - MARGIN) * known.side, known.y + (j + size + MARGIN) * known.side
     # what the block was a quarter of is MIXED if it is inside the hull
-    inside = known.reach[j, i] == MIXED or box_in_polygon(x0, y0, x1, y1, hull, 0, len(hull)) == SOLID
+    inside = (
+        known.reach[j, i] == MIXED or box_in_polygon(x0, y0, x1, y1, hull, 0, len(hull)) == SOLID
+    )
     found = FREE if inside else RIM
     for entry in range(cells.first[cell], cells.first[cell + 1]):
         part = box_in_part(x0, y0, x1, y1, parts, cells.parts[entry], cells.boxes)
@@ -92,7 +122,8 @@ def judged_block(i: int, j: int, size: int, known: KnownCells, cell: int, hull: 
 
 
 def measure_reach(reach: NDArray[np.int8]) -> None:
-    """Count for each FREE cell how many peelings it outlives, up to MOST. Each takes the outermost layer of what is free.
+    """Count for each FREE cell how many peelings it outlives, up to MOST. Each takes the outermost
+    layer of what is free.
 
     The cells along the grid's edge are never FREE: they are not wholly inside the hull.
     """
@@ -104,7 +135,9 @@ def measure_reach(reach: NDArray[np.int8]) -> None:
 
 
 @inlined
-def box_in_part(x0: float, y0: float, x1: float, y1: float, parts: Parts, i: int, boxes: Array) -> int:
+def box_in_part(
+    x0: float, y0: float, x1: float, y1: float, parts: Parts, i: int, boxes: Array
+) -> int:
     """Whether a box is SOLID inside part i, FREE of it, or neither."""
     if x1 < boxes[i, 0] or x0 > boxes[i, 2] or y1 < boxes[i, 1] or y0 > boxes[i, 3]:
         return FREE
@@ -115,7 +148,9 @@ def box_in_part(x0: float, y0: float, x1: float, y1: float, parts: Parts, i: int
 
 @compiled
 def box_in_disc(x0: float, y0: float, x1: float, y1: float, centre: Array, radius: float) -> int:
-    """Whether a box is SOLID strictly inside a disc, FREE of it, or neither; MIXED for one too large for a margin."""
+    """Whether a box is SOLID strictly inside a disc, FREE of it, or neither; MIXED for one too
+    large for a margin.
+    """
     left, right, below, above = centre[0] - x0, x1 - centre[0], centre[1] - y0, y1 - centre[1]
     if radius > FAR * (x1 - x0):
         return MIXED
@@ -125,10 +160,14 @@ def box_in_disc(x0: float, y0: float, x1: float, y1: float, centre: Array, radiu
 
 
 @compiled
-def box_in_polygon(x0: float, y0: float, x1: float, y1: float, points: Array, begin: int, end: int) -> int:
-    """Whether a box is SOLID strictly inside the convex polygon points[begin:end], FREE to the right of an edge, or neither.
+def box_in_polygon(
+    x0: float, y0: float, x1: float, y1: float, points: Array, begin: int, end: int
+) -> int:
+    """Whether a box is SOLID strictly inside the convex polygon points[begin:end], FREE to the
+    right of an edge, or neither.
 
-    The box's corner farthest to the left of an edge and the one farthest to its right decide for all four.
+    The box's corner farthest to the left of an edge and the one farthest to its right decide for
+    all four.
     """
     found = SOLID
     px, py = points[end - 1, 0], points[end - 1, 1]
@@ -146,17 +185,26 @@ def box_in_polygon(x0: float, y0: float, x1: float, y1: float, points: Array, be
 
 @inlined
 def known_at(x: float, y: float, radius: float, known: KnownCells) -> int:
-    """Whether a disc with its centre in the world's bounding box is known to be FREE, or its centre SOLID; else RIM or MIXED."""
+    """Whether a disc with its centre in the world's bounding box is known to be FREE, or its centre
+    SOLID; else RIM or MIXED.
+    """
     rows, columns = known.reach.shape
     if rows == 0:
         return RIM
-    reach = known.reach[clip((y - known.y) * known.per_unit, rows - 1), clip((x - known.x) * known.per_unit, columns - 1)]
+    reach = known.reach[
+        clip((y - known.y) * known.per_unit, rows - 1),
+        clip((x - known.x) * known.per_unit, columns - 1),
+    ]
     return FREE if reach > cells_in(radius, known) else min(reach, MIXED)
 
 
 @inlined
-def known_between(ax: float, ay: float, bx: float, by: float, radius: float, known: KnownCells) -> int:
-    """The same for a disc moved along a-b. A piece of the way is FREE where the reach of one end holds the other and the disc."""
+def known_between(
+    ax: float, ay: float, bx: float, by: float, radius: float, known: KnownCells
+) -> int:
+    """The same for a disc moved along a-b. A piece of the way is FREE where the reach of one end
+    holds the other and the disc.
+    """
     rows, columns = known.reach.shape
     if rows == 0:
         return RIM
@@ -168,7 +216,10 @@ def known_between(ax: float, ay: float, bx: float, by: float, radius: float, kno
         return FREE
     found, rest = FREE, min(min(at_a, at_b), MIXED)
     for piece in range(1, PIECES + 1):
-        k, m = clip(u + piece / PIECES * (s - u), columns - 1), clip(v + piece / PIECES * (t - v), rows - 1)
+        k, m = (
+            clip(u + piece / PIECES * (s - u), columns - 1),
+            clip(v + piece / PIECES * (t - v), rows - 1),
+        )
         at_b = known.reach[m, k]
         if at_b == SOLID:
             return SOLID

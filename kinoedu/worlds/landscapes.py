@@ -1,7 +1,8 @@
-"""Terrains of 256 x 256 cells, each made from a seed, on which planners are compared: from START to GOAL there is always a way.
+"""Terrains of 256 x 256 cells, each made from a seed, on which planners are compared: from START to
+GOAL there is always a way.
 
-J. R. Sánchez-Ibáñez, C. J. Pérez-del-Pulgar, A. García-Cerezo, "Path planning for autonomous mobile robots: a review" (2021), on
-what is asked of planners outdoors.
+J. R. Sánchez-Ibáñez, C. J. Pérez-del-Pulgar, A. García-Cerezo, "Path planning for autonomous mobile
+robots: a review" (2021), on what is asked of planners outdoors.
 """
 
 from collections.abc import Callable
@@ -29,7 +30,9 @@ def craters(rng: np.random.Generator) -> Cells:
     """Fourteen craters: a rim that is open on one side, so that each is a bag to be caught in."""
     x, y = centres()
     blocked = np.zeros((SIDE, SIDE), np.bool_)
-    for cx, cy, radius, opening in zip(*rng.uniform(24, 232, (2, 14)), rng.uniform(14, 30, 14), rng.uniform(-np.pi, np.pi, 14)):
+    for cx, cy, radius, opening in zip(
+        *rng.uniform(24, 232, (2, 14)), rng.uniform(14, 30, 14), rng.uniform(-np.pi, np.pi, 14)
+    ):
         far, turn = np.hypot(x - cx, y - cy), np.arctan2(y - cy, x - cx)
         is_open = np.cos(turn - opening) > 0.8
         blocked |= (np.abs(far - radius) < 2.5) & ~is_open
@@ -40,7 +43,9 @@ def ridges(rng: np.random.Generator) -> Cells:
     """Three ridges from rim to rim, each with one pass of ten cells."""
     x, y = centres()
     free = np.ones((SIDE, SIDE), np.bool_)
-    for middle, phase, gap in zip((64, 128, 192), rng.uniform(0, 2 * np.pi, 3), rng.uniform(30, 226, 3)):
+    for middle, phase, gap in zip(
+        (64, 128, 192), rng.uniform(0, 2 * np.pi, 3), rng.uniform(30, 226, 3)
+    ):
         crest = middle + 14.0 * np.sin(x / 28.0 + phase)
         free &= (np.abs(y - crest) > 5.0) | (np.abs(x - gap) < 5.0)
     return free
@@ -59,7 +64,9 @@ def dunes(rng: np.random.Generator) -> Cells:
 
 
 def fords(rng: np.random.Generator) -> Cells:
-    """A river that winds from corner to corner, with three fords six cells wide, and stones on both banks."""
+    """A river that winds from corner to corner, with three fords six cells wide, and stones on both
+    banks.
+    """
     x, y = centres()
     along, across = (x - y) / np.sqrt(2), (x + y - SIDE) / np.sqrt(2)
     river = np.abs(across - 22.0 * np.sin(along / 30.0 + rng.uniform(0, 2 * np.pi))) < 9.0
@@ -81,7 +88,8 @@ LANDSCAPES: dict[str, Callable[[np.random.Generator], Cells]] = {
 def landscape(kind: str, rng: int | np.random.Generator = 0, **terrain: Any) -> TerrainRecord:
     """A terrain of a kind: rocks, craters, ridges, dunes, fords or spires.
 
-    rng : a seed or a numpy Generator; what it leads to is drawn again until there is a way from START (10, 10) to GOAL (246, 246).
+    rng : a seed or a numpy Generator; what it leads to is drawn again until there is a way from
+        START (10, 10) to GOAL (246, 246).
     The rest is handed to Terrain: resolution, origin, cost. Raises InvalidParameter.
 
     >>> landscape("rocks", 0).free.shape
@@ -99,7 +107,8 @@ def landscape(kind: str, rng: int | np.random.Generator = 0, **terrain: Any) -> 
 
 
 def hills(rng: int | np.random.Generator = 0, *, highest: float = 40.0) -> Array:
-    """Heights (256, 256) from 0 to `highest`: waves of all lengths, the long ones highest, as in worn mountains.
+    """Heights (256, 256) from 0 to `highest`: waves of all lengths, the long ones highest, as in
+    worn mountains.
 
     R. F. Voss, "Random fractal forgeries" (1985). Raises InvalidParameter.
 

@@ -1,4 +1,6 @@
-"""Obstacles that move as is known: each from place to place in straight lines, at given times. Nothing turns."""
+"""Obstacles that move as is known: each from place to place in straight lines, at given times.
+Nothing turns.
+"""
 
 from collections.abc import Iterable
 from typing import Any, NamedTuple
@@ -17,7 +19,9 @@ from .polygon_world import PolygonWorldRecord, as_disc
 
 
 class Mover(NamedTuple):
-    """What `Moving` makes: an outline (n, 2) in its own frame, or a radius, and the frame's origin (k, 2) at times (k,)."""
+    """What `Moving` makes: an outline (n, 2) in its own frame, or a radius, and the frame's origin
+    (k, 2) at times (k,).
+    """
 
     outline: Array
     radius: float
@@ -32,9 +36,10 @@ class Mover(NamedTuple):
 class MovingWorldRecord(NamedTuple):
     """What `MovingWorld` makes. Configurations in it are (x, y, t).
 
-    `still` is what does not move. `shapes` are the convex pieces of what does, each in its own frame; the origin of piece i is
-    at places[k] at times[k] for knots[i, 0] <= k < knots[i, 1]. `outlines` are the movers' whole outlines, for drawing, and `owner`
-    (pieces,) tells which of them a piece belongs to. lo and hi are the corners of the bounding box.
+    `still` is what does not move. `shapes` are the convex pieces of what does, each in its own
+    frame; the origin of piece i is at places[k] at times[k] for knots[i, 0] <= k < knots[i, 1].
+    `outlines` are the movers' whole outlines, for drawing, and `owner` (pieces,) tells which of
+    them a piece belongs to. lo and hi are the corners of the bounding box.
     """
 
     still: PolygonWorldRecord
@@ -53,20 +58,27 @@ def Moving(shape: ArrayLike, times: ArrayLike, places: ArrayLike) -> Mover:
 
     Parameters
     ----------
-    shape : a simple polygon (n, 2) in its own frame, or one number: the radius of a disc round its frame's origin.
+    shape : a simple polygon (n, 2) in its own frame, or one number: the radius of a disc round its
+    frame's origin.
     times : (k,), increasing, k >= 1. places : (k, 2), where the frame's origin is then.
 
-    Before the first time it stands at the first place, after the last at the last. Raises InvalidWorld, InvalidPolygon,
-    InvalidPoint.
+    Before the first time it stands at the first place, after the last at the last. Raises
+    InvalidWorld, InvalidPolygon, InvalidPoint.
 
     >>> Moving(0.5, [0, 4], [(0, 0), (8, 0)]).at(1.0)
     array([2., 0.])
     """
     moments, where = as_array(times, "times"), as_array(places, "places")
     if moments.ndim != 1 or len(moments) == 0 or where.shape != (len(moments), 2):
-        raise InvalidWorld(f"times (k,) and places (k, 2) must be as many, k >= 1, got shapes {moments.shape} and {where.shape}")
+        raise InvalidWorld(
+            f"times (k,) and places (k, 2) must be as many, k >= 1, got shapes {moments.shape} "
+            f"and {where.shape}"
+        )
     if not (np.diff(moments) > 0.0).all():
-        raise InvalidWorld(f"times must increase from one place to the next, got {shortened(moments.tolist())}; sort them")
+        raise InvalidWorld(
+            f"times must increase from one place to the next, got {shortened(moments.tolist())}; "
+            "sort them"
+        )
     if np.ndim(shape) == 0:
         disc = as_disc((0.0, 0.0), shape, "a moving disc")  # type: ignore[arg-type]
         return Mover(np.zeros((1, 2)), float(disc[2]), moments, where)
@@ -74,7 +86,8 @@ def Moving(shape: ArrayLike, times: ArrayLike, places: ArrayLike) -> Mover:
 
 
 def MovingWorld(still: PolygonWorldRecord, movers: Iterable[Any]) -> MovingWorldRecord:
-    """A PolygonWorld with obstacles that move through it; they may pass through what stands still, and through each other.
+    """A PolygonWorld with obstacles that move through it; they may pass through what stands still,
+    and through each other.
 
     Raises InvalidWorld.
 
@@ -89,8 +102,12 @@ def MovingWorld(still: PolygonWorldRecord, movers: Iterable[Any]) -> MovingWorld
     known = as_things(movers, "movers")
     for mover in known:
         if not isinstance(mover, Mover):
-            raise InvalidWorld(f"what moves must be made by Moving(shape, times, places), got {shortened(mover)}")
-    pieces = [[mover.outline] if mover.radius > 0.0 else convex_parts(mover.outline) for mover in known]
+            raise InvalidWorld(
+                f"what moves must be made by Moving(shape, times, places), got {shortened(mover)}"
+            )
+    pieces = [
+        [mover.outline] if mover.radius > 0.0 else convex_parts(mover.outline) for mover in known
+    ]
     owner = np.repeat(np.arange(len(known)), [len(own) for own in pieces])
     ends = np.cumsum([0, *(len(mover.times) for mover in known)])
     radii = [mover.radius for mover in known]
@@ -108,12 +125,16 @@ def MovingWorld(still: PolygonWorldRecord, movers: Iterable[Any]) -> MovingWorld
 
 
 def movers_at(world: MovingWorldRecord, t: float) -> list[tuple[Array, float]]:
-    """Where what moves is at a time: for each mover its outline (n, 2), or its centre (1, 2), and its radius, 0 for a polygon."""
+    """Where what moves is at a time: for each mover its outline (n, 2), or its centre (1, 2), and
+    its radius, 0 for a polygon.
+    """
     shown, parts = [], world.outlines
     for k in range(len(parts.radius)):
         begin, end = world.knots[np.flatnonzero(world.owner == k)[0]]
         offset = place_at(world.times, world.places, int(begin), int(end), float(t))
-        shown.append((parts.points[parts.first[k] : parts.first[k + 1]] + offset, float(parts.radius[k])))
+        shown.append(
+            (parts.points[parts.first[k] : parts.first[k + 1]] + offset, float(parts.radius[k]))
+        )
     return shown
 
 

@@ -1,4 +1,5 @@
-"""What a body in a world may meet: the convex obstacles near it, and the convex ring round everything.
+"""What a body in a world may meet: the convex obstacles near it, and the convex ring round
+everything.
 
 Every kind of world answers these two questions, and so one body of collision serves them all.
 """
@@ -24,8 +25,12 @@ def rim(world: Any) -> Array:
 
 
 @generic(1)
-def obstacles_near(world: Any, x0: float, y0: float, x1: float, y1: float) -> tuple[Parts, NDArray[np.int64]]:
-    """Obstacles as convex parts, and the numbers of those whose boxes meet the box from (x0, y0) to (x1, y1), each once."""
+def obstacles_near(
+    world: Any, x0: float, y0: float, x1: float, y1: float
+) -> tuple[Parts, NDArray[np.int64]]:
+    """Obstacles as convex parts, and the numbers of those whose boxes meet the box from (x0, y0) to
+    (x1, y1), each once.
+    """
     raise TypeError("this world has no obstacles")
 
 
@@ -36,25 +41,33 @@ def rim_of_polygons(world: PolygonWorldRecord) -> Array:
 
 
 @obstacles_near.register(PolygonWorldRecord)
-def polygons_near(world: PolygonWorldRecord, x0: float, y0: float, x1: float, y1: float) -> tuple[Parts, NDArray[np.int64]]:
+def polygons_near(
+    world: PolygonWorldRecord, x0: float, y0: float, x1: float, y1: float
+) -> tuple[Parts, NDArray[np.int64]]:
     """By the index of parts."""
     return world.obstacles, parts_near(world.cells, x0, y0, x1, y1)
 
 
 @compiled
 def parts_near(cells: PartsIndex, x0: float, y0: float, x1: float, y1: float) -> NDArray[np.int64]:
-    """The numbers of the parts whose boxes meet a box. A part in several cells is taken in the first one looked up."""
+    """The numbers of the parts whose boxes meet a box. A part in several cells is taken in the
+    first one looked up.
+    """
     found, size = np.empty(len(cells.boxes), np.int64), 0
     i0, i1 = column_of(cells, x0, -MARGIN), column_of(cells, x1, MARGIN)
     j0, j1 = row_of(cells, y0, -MARGIN), row_of(cells, y1, MARGIN)
     for j in range(j0, j1 + 1):
         for i in range(i0, i1 + 1):
-            for entry in range(cells.first[j * cells.columns + i], cells.first[j * cells.columns + i + 1]):
+            for entry in range(
+                cells.first[j * cells.columns + i], cells.first[j * cells.columns + i + 1]
+            ):
                 part = cells.parts[entry]
                 left, bottom, right, top = cells.boxes[part]
                 if x1 < left or x0 > right or y1 < bottom or y0 > top:
                     continue
-                if i == max(i0, column_of(cells, left, -MARGIN)) and j == max(j0, row_of(cells, bottom, -MARGIN)):
+                if i == max(i0, column_of(cells, left, -MARGIN)) and j == max(
+                    j0, row_of(cells, bottom, -MARGIN)
+                ):
                     found[size] = part
                     size += 1
     return found[:size]
@@ -80,11 +93,16 @@ def rim_of_terrain(world: TerrainRecord) -> Array:
 
 
 @obstacles_near.register(TerrainRecord)
-def blocked_near(world: TerrainRecord, x0: float, y0: float, x1: float, y1: float) -> tuple[Parts, NDArray[np.int64]]:
+def blocked_near(
+    world: TerrainRecord, x0: float, y0: float, x1: float, y1: float
+) -> tuple[Parts, NDArray[np.int64]]:
     """Rectangles of blocked cells."""
     side, ox, oy = world.resolution, world.origin[0], world.origin[1]
     rows, columns = world.free.shape
-    i0, i1 = clip((x0 - ox) / side - MARGIN, columns - 1), clip((x1 - ox) / side + MARGIN, columns - 1)
+    i0, i1 = (
+        clip((x0 - ox) / side - MARGIN, columns - 1),
+        clip((x1 - ox) / side + MARGIN, columns - 1),
+    )
     j0, j1 = clip((y0 - oy) / side - MARGIN, rows - 1), clip((y1 - oy) / side + MARGIN, rows - 1)
     runs = blocked_runs(world.free, i0, i1, j0, j1)
     points = np.empty((4 * len(runs), 2))
@@ -101,7 +119,9 @@ def blocked_near(world: TerrainRecord, x0: float, y0: float, x1: float, y1: floa
 
 @compiled
 def blocked_runs(free: NDArray[np.bool_], i0: int, i1: int, j0: int, j1: int) -> NDArray[np.int64]:
-    """The runs of blocked cells in columns i0..i1 of rows j0..j1, as row, first column, and the column after the last."""
+    """The runs of blocked cells in columns i0..i1 of rows j0..j1, as row, first column, and the
+    column after the last.
+    """
     runs, size = np.empty(((j1 - j0 + 1) * ((i1 - i0) // 2 + 1), 3), np.int64), 0
     for j in range(j0, j1 + 1):
         begin = -1

@@ -8,7 +8,8 @@ from ..geometry.checks import Array
 class OpenWorld(NamedTuple):
     """Obstacles in the open plane, rings of shape (n, 2); what is no obstacle is free.
 
-    walls : the rings that a robot follows: those of the united obstacles, grown by its clearance; holes clockwise.
+    walls : the rings that a robot follows: those of the united obstacles, grown by its clearance;
+        holes clockwise.
     lo, hi : the corners of a frame for pictures.
     """
 

@@ -1,7 +1,8 @@
 """From triangles in space to polygons in the plane: their shadow, or a slice at one height.
 
-shapely unites them, on a grid of 2^-40 of their size: hairline cracks between triangles that should share an edge close, and what
-comes out is simple. Coordinates of single precision, as STL has them, lie on that grid already.
+shapely unites them, on a grid of 2^-40 of their size: hairline cracks between triangles that should
+share an edge close, and what comes out is simple. Coordinates of single precision, as STL has them,
+lie on that grid already.
 """
 
 import numpy as np
@@ -12,7 +13,9 @@ from ..geometry.rings import as_ring
 
 GRID = 2.0**-40
 
-Solid = tuple[Array, list[Array]]  # an outline and the outlines of its rooms, as PolygonWorld takes an obstacle
+Solid = tuple[
+    Array, list[Array]
+]  # an outline and the outlines of its rooms, as PolygonWorld takes an obstacle
 
 
 def shadow(triangles: Array) -> list[Solid]:
@@ -22,13 +25,18 @@ def shadow(triangles: Array) -> list[Solid]:
     unit = unit_of(triangles)
     flat = np.round(triangles[:, :, :2] / (unit * GRID)) * GRID
     (ax, ay), (bx, by) = (flat[:, 1] - flat[:, 0]).T, (flat[:, 2] - flat[:, 0]).T
-    return solids(shapely.set_precision(shapely.union_all(shapely.polygons(flat[ax * by != ay * bx])), GRID), unit)
+    return solids(
+        shapely.set_precision(shapely.union_all(shapely.polygons(flat[ax * by != ay * bx])), GRID),
+        unit,
+    )
 
 
 def slice_of(triangles: Array, height: float) -> list[Solid] | None:
-    """What the bodies bounded by triangles (m, 3, 3), outward side out, have just above a height; None where they are not closed.
+    """What the bodies bounded by triangles (m, 3, 3), outward side out, have just above a height;
+    None where they are not closed.
 
-    A place is solid where the outlines go round it at all: bodies may overlap, and have cavities. O(n k) for n lines in k faces.
+    A place is solid where the outlines go round it at all: bodies may overlap, and have cavities.
+    O(n k) for n lines in k faces.
     """
     import shapely
 
@@ -40,7 +48,12 @@ def slice_of(triangles: Array, height: float) -> list[Solid] | None:
     noded = shapely.union_all(shapely.linestrings(lines), grid_size=GRID)
     faces = shapely.get_parts(shapely.polygonize(shapely.get_parts(noded)))
     inside = shapely.get_coordinates(shapely.point_on_surface(faces))
-    return solids(shapely.union_all([face for face, q in zip(faces, inside) if winding(lines, q) != 0], grid_size=GRID), unit)
+    return solids(
+        shapely.union_all(
+            [face for face, q in zip(faces, inside) if winding(lines, q) != 0], grid_size=GRID
+        ),
+        unit,
+    )
 
 
 def rectangle(lo: Array, hi: Array) -> Array:
@@ -49,12 +62,15 @@ def rectangle(lo: Array, hi: Array) -> Array:
 
 
 def unit_of(triangles: Array) -> float:
-    """A power of two above the largest coordinate in the plane, so that shapely's products neither overflow nor vanish."""
+    """A power of two above the largest coordinate in the plane, so that shapely's products neither
+    overflow nor vanish.
+    """
     return float(2.0 ** np.frexp(np.abs(triangles[:, :, :2]).max())[1])
 
 
 def crossings(triangles: Array, height: float) -> Array:
-    """The lines in which triangles pass a height, (k, 2, 2), the solid to their left. A corner at the height counts as below.
+    """The lines in which triangles pass a height, (k, 2, 2), the solid to their left. A corner at
+    the height counts as below.
 
     Two triangles that share an edge get the very same point on it.
     """
@@ -86,18 +102,31 @@ def closed(lines: Array) -> bool:
 
 
 def winding(lines: Array, q: Array) -> int:
-    """How often closed lines (n, 2, 2) go round q, counter-clockwise counting positive: those that pass a ray to the right."""
+    """How often closed lines (n, 2, 2) go round q, counter-clockwise counting positive: those that
+    pass a ray to the right.
+    """
     (ax, ay), (bx, by) = lines[:, 0].T - q[:, None], lines[:, 1].T - q[:, None]
     left = ax * by - ay * bx
-    return int(((ay <= 0) & (by > 0) & (left > 0)).sum() - ((by <= 0) & (ay > 0) & (left < 0)).sum())
+    return int(
+        ((ay <= 0) & (by > 0) & (left > 0)).sum() - ((by <= 0) & (ay > 0) & (left < 0)).sum()
+    )
 
 
 def solids(shape: object, unit: float) -> list[Solid]:
-    """The polygons of a shapely geometry, in their order from left to right, without the corners that are none."""
+    """The polygons of a shapely geometry, in their order from left to right, without the corners
+    that are none.
+    """
     import shapely
 
-    parts = [part for part in shapely.get_parts(shapely.simplify(shape, GRID)) if part.geom_type == "Polygon" and not part.is_empty]
-    made = [(ring_of(part.exterior, unit), [ring_of(room, unit) for room in part.interiors]) for part in parts]
+    parts = [
+        part
+        for part in shapely.get_parts(shapely.simplify(shape, GRID))
+        if part.geom_type == "Polygon" and not part.is_empty
+    ]
+    made = [
+        (ring_of(part.exterior, unit), [ring_of(room, unit) for room in part.interiors])
+        for part in parts
+    ]
     return sorted(made, key=lambda solid: solid[0].min(axis=0).tolist())
 
 

@@ -19,13 +19,15 @@ from .parts_index import PartsIndex, index_parts
 class PolygonWorldRecord(NamedTuple):
     """What `PolygonWorld` makes; planners and figures read it, nothing writes it.
 
-    Row i of `edges` is x, y, next x, next y, solid: an edge with what is solid to its left, ring after ring. Solid 0 is the
-    outside: the first ring is the boundary, clockwise. The others are the polygonal obstacles in their order, each
-    counter-clockwise, followed by its rooms, clockwise.
+    Row i of `edges` is x, y, next x, next y, solid: an edge with what is solid to its left, ring
+    after ring. Solid 0 is the outside: the first ring is the boundary, clockwise. The others are
+    the polygonal obstacles in their order, each counter-clockwise, followed by its rooms,
+    clockwise.
 
-    For collision the same is held as convex parts: `hull` (k, 2) is the convex hull of the boundary, outside of which all is
-    solid; `obstacles` has the convex parts of every obstacle and of the pockets between boundary and hull, and last the round
-    obstacles. lo and hi are the corners of the bounding box.
+    For collision the same is held as convex parts: `hull` (k, 2) is the convex hull of the
+    boundary, outside of which all is solid; `obstacles` has the convex parts of every obstacle and
+    of the pockets between boundary and hull, and last the round obstacles. lo and hi are the
+    corners of the bounding box.
     """
 
     edges: Array
@@ -42,12 +44,15 @@ def PolygonWorld(boundary: ArrayLike, obstacles: Iterable[Any] = ()) -> PolygonW
 
     Parameters
     ----------
-    boundary : (n, 2), a simple polygon, convex or not. Outside it nothing is free, and it is itself a wall.
-    obstacles : each a simple polygon (m, 2); or a pair (centre, radius) for a round one; or a pair (polygon, rooms), where each
-        room is a simple polygon inside, free within: rooms may hold further obstacles. Obstacles are closed: touching is contact.
-        They may overlap each other and the boundary.
+    boundary : (n, 2), a simple polygon, convex or not. Outside it nothing is free, and it is itself
+    a wall.
+    obstacles : each a simple polygon (m, 2); or a pair (centre, radius) for a round one; or a pair
+    (polygon, rooms), where each
+        room is a simple polygon inside, free within: rooms may hold further obstacles. Obstacles
+        are closed: touching is contact. They may overlap each other and the boundary.
 
-    Raises InvalidWorld, InvalidPolygon or InvalidPoint; the message names the obstacle by its number.
+    Raises InvalidWorld, InvalidPolygon or InvalidPoint; the message names the obstacle by its
+    number.
 
     >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(2, 2), (4, 2), (3, 4)], ((7, 7), 1.5)])
     >>> len(world.obstacles.radius)
@@ -68,14 +73,23 @@ def PolygonWorld(boundary: ArrayLike, obstacles: Iterable[Any] = ()) -> PolygonW
                 raise InvalidPolygon(f"{name}: {error}") from error
             solids.append([ring, *(room[::-1] for room in rooms)])
     centres, radii = [disc[None, :2] for disc in discs], [float(disc[2]) for disc in discs]
-    edges = np.concatenate([edges_of(ring, solid) for solid, rings in enumerate(solids) for ring in rings])
-    parts, lo, hi = make_parts(pieces + centres, [0.0] * len(pieces) + radii), hull.min(axis=0), hull.max(axis=0)
+    edges = np.concatenate(
+        [edges_of(ring, solid) for solid, rings in enumerate(solids) for ring in rings]
+    )
+    parts, lo, hi = (
+        make_parts(pieces + centres, [0.0] * len(pieces) + radii),
+        hull.min(axis=0),
+        hull.max(axis=0),
+    )
     cells = index_parts(parts, lo, hi)
-    return PolygonWorldRecord(edges, hull, parts, cells, known_cells(hull, parts, cells, lo, hi), lo, hi)
+    return PolygonWorldRecord(
+        edges, hull, parts, cells, known_cells(hull, parts, cells, lo, hi), lo, hi
+    )
 
 
 def world_of_triangles(lo: Array, hi: Array, triangles: Array) -> PolygonWorldRecord:
-    """A box with triangles (k, 3, 2) in it, each counter-clockwise with an area: a `PolygonWorld`, unchecked and made at once.
+    """A box with triangles (k, 3, 2) in it, each counter-clockwise with an area: a `PolygonWorld`,
+    unchecked and made at once.
 
     For a few motions: what would make many questions quick takes longer to prepare than they do.
     """
@@ -83,8 +97,12 @@ def world_of_triangles(lo: Array, hi: Array, triangles: Array) -> PolygonWorldRe
     numbers = np.repeat(np.arange(1.0, len(triangles) + 1.0), 3)
     sides = np.concatenate([triangles, np.roll(triangles, -1, axis=1)], axis=2).reshape(-1, 4)
     edges = np.concatenate([edges_of(box[::-1], 0), np.column_stack([sides, numbers])])
-    parts = Parts(triangles.reshape(-1, 2), 3 * np.arange(len(triangles) + 1), np.zeros(len(triangles)))
-    return PolygonWorldRecord(edges, box, parts, index_parts(parts, lo, hi), nothing_known(), lo, hi)
+    parts = Parts(
+        triangles.reshape(-1, 2), 3 * np.arange(len(triangles) + 1), np.zeros(len(triangles))
+    )
+    return PolygonWorldRecord(
+        edges, box, parts, index_parts(parts, lo, hi), nothing_known(), lo, hi
+    )
 
 
 def edges_of(ring: Array, solid: int) -> Array:
@@ -93,11 +111,15 @@ def edges_of(ring: Array, solid: int) -> Array:
 
 
 def rings_of(world: PolygonWorldRecord) -> list[list[Array]]:
-    """The rings of each solid: the boundary's first, clockwise; then each polygonal obstacle's own and its rooms'."""
+    """The rings of each solid: the boundary's first, clockwise; then each polygonal obstacle's own
+    and its rooms'.
+    """
     solids: list[list[Array]] = [[] for _ in range(int(world.edges[-1, 4]) + 1)]
     begin = 0
     for end, (x, y, solid) in enumerate(world.edges[:, 2:].tolist(), start=1):
-        if x == world.edges[begin, 0] and y == world.edges[begin, 1]:  # the ring is closed; the next may begin at the same point
+        if (
+            x == world.edges[begin, 0] and y == world.edges[begin, 1]
+        ):  # the ring is closed; the next may begin at the same point
             solids[int(solid)].append(world.edges[begin:end, :2])
             begin = end
     return solids
@@ -107,19 +129,27 @@ def discs_of(world: PolygonWorldRecord) -> Array:
     """The round obstacles as rows x, y, radius, shape (k, 3)."""
     parts = world.obstacles
     k = int((parts.radius > 0.0).sum())
-    return np.hstack([parts.points[len(parts.points) - k :], parts.radius[len(parts.radius) - k :, None]])
+    return np.hstack(
+        [parts.points[len(parts.points) - k :], parts.radius[len(parts.radius) - k :, None]]
+    )
 
 
 def is_pair_with_radius(obstacle: Any) -> bool:
     """Whether an obstacle is written (centre, radius)."""
-    return isinstance(obstacle, Sequence | np.ndarray) and len(obstacle) == 2 and np.isscalar(obstacle[1])
+    return (
+        isinstance(obstacle, Sequence | np.ndarray)
+        and len(obstacle) == 2
+        and np.isscalar(obstacle[1])
+    )
 
 
 def as_disc(centre: ArrayLike, radius: float, name: str) -> Array:
     """A round obstacle as (x, y, radius), or InvalidWorld."""
     size = as_array(radius, f"{name}: its radius")
     if size <= 0.0:
-        raise InvalidWorld(f"{name}: a round obstacle's radius must be positive, got {float(size):g}")
+        raise InvalidWorld(
+            f"{name}: a round obstacle's radius must be positive, got {float(size):g}"
+        )
     return np.append(as_point(centre, f"{name}: its centre"), size)
 
 

@@ -1,4 +1,6 @@
-"""A range sensor: how far it is to the first wall in each direction. LaValle, section 11.1.1; Bullo & Smith, chapter 5."""
+"""A range sensor: how far it is to the first wall in each direction. LaValle, section 11.1.1; Bullo
+& Smith, chapter 5.
+"""
 
 import math
 from typing import Any, NamedTuple
@@ -17,8 +19,8 @@ from .polygon_world import PolygonWorldRecord, discs_of, rings_of
 
 
 class Scan(NamedTuple):
-    """What the sensor at `origin` sees: for each of its angles (n,) the distance to the first wall, its reach where there is none;
-    whether it hit a wall, (n,); and the point there, (n, 2).
+    """What the sensor at `origin` sees: for each of its angles (n,) the distance to the first wall,
+    its reach where there is none; whether it hit a wall, (n,); and the point there, (n, 2).
     """
 
     origin: Array
@@ -31,10 +33,12 @@ class Scan(NamedTuple):
 def scan(world: Any, q: ArrayLike, *, rays: int = 180, reach: float = math.inf) -> Scan:
     """Send out rays from q, evenly all round, the first along the x-axis.
 
-    world : a PolygonWorld; q : (x, y), in the open; rays : how many; reach : the sensor's range, in the world's unit of length.
+    world : a PolygonWorld; q : (x, y), in the open; rays : how many; reach : the sensor's range, in
+        the world's unit of length.
 
-    Whether a ray meets a wall is decided exactly, for the ray from q to the rounded point at its end; distances are accurate to
-    1e-12. O(rays * edges). Raises InvalidWorld, InvalidPoint, InvalidParameter.
+    Whether a ray meets a wall is decided exactly, for the ray from q to the rounded point at its
+    end; distances are accurate to 1e-12. O(rays * edges). Raises InvalidWorld, InvalidPoint,
+    InvalidParameter.
 
     >>> from kinoedu.worlds import PolygonWorld
     >>> world = PolygonWorld([(0, 0), (4, 0), (4, 4), (0, 4)], [((3, 2), 0.5)])
@@ -44,8 +48,14 @@ def scan(world: Any, q: ArrayLike, *, rays: int = 180, reach: float = math.inf) 
     if not isinstance(world, PolygonWorldRecord):
         raise InvalidWorld(f"the range sensor works in a PolygonWorld, got {type(world).__name__}")
     place = as_point(q, "q")
-    if isinstance(rays, bool) or not isinstance(rays, int | np.integer) or not 1 <= rays <= 1_000_000:
-        raise InvalidParameter(f"rays must be a whole number from 1 to 1,000,000, got {shortened(rays)}")
+    if (
+        isinstance(rays, bool)
+        or not isinstance(rays, int | np.integer)
+        or not 1 <= rays <= 1_000_000
+    ):
+        raise InvalidParameter(
+            f"rays must be a whole number from 1 to 1,000,000, got {shortened(rays)}"
+        )
     farthest = 2.0 * float(np.sqrt(((world.hi - world.lo) ** 2).sum()))
     most = farthest if isinstance(reach, float) and reach == math.inf else as_array(reach, "reach")
     if np.ndim(most) or most <= 0.0:
@@ -53,15 +63,25 @@ def scan(world: Any, q: ArrayLike, *, rays: int = 180, reach: float = math.inf) 
     if places(place[None], rings_of(world)[0][0])[0] <= 0:
         raise InvalidPoint(f"q must lie inside the world's boundary, got {tuple(place.tolist())}")
     angles = 2.0 * math.pi * np.arange(rays) / rays
-    distances = distances_along(world.edges, discs_of(world), place, angles, min(float(most), farthest))
+    distances = distances_along(
+        world.edges, discs_of(world), place, angles, min(float(most), farthest)
+    )
     hit = distances < np.inf
     distances = np.where(hit, distances, float(most))
-    return Scan(place, angles, distances, hit, place + distances[:, None] * np.column_stack([np.cos(angles), np.sin(angles)]))
+    return Scan(
+        place,
+        angles,
+        distances,
+        hit,
+        place + distances[:, None] * np.column_stack([np.cos(angles), np.sin(angles)]),
+    )
 
 
 @compiled
 def distances_along(edges: Array, discs: Array, q: Array, angles: Array, reach: float) -> Array:
-    """The distance from q to the first edge or disc in each direction, infinite where there is none within reach, (n,)."""
+    """The distance from q to the first edge or disc in each direction, infinite where there is none
+    within reach, (n,).
+    """
     distances, points = np.empty(len(angles)), np.empty((2, 2))
     for i in range(len(angles)):
         ux, uy = math.cos(angles[i]), math.sin(angles[i])
@@ -71,14 +91,20 @@ def distances_along(edges: Array, discs: Array, q: Array, angles: Array, reach: 
             for j in range(shared_points(q, end, edges[k, 0:2], edges[k, 2:4], points)):
                 nearest = min(nearest, length(points[j, 0] - q[0], points[j, 1] - q[1]))
         for k in range(len(discs)):
-            nearest = min(nearest, distance_to_disc(q[0], q[1], ux, uy, discs[k, 0], discs[k, 1], discs[k, 2]))
+            nearest = min(
+                nearest, distance_to_disc(q[0], q[1], ux, uy, discs[k, 0], discs[k, 1], discs[k, 2])
+            )
         distances[i] = nearest if nearest <= reach else np.inf
     return distances
 
 
 @compiled
-def distance_to_disc(x: float, y: float, ux: float, uy: float, cx: float, cy: float, radius: float) -> float:
-    """How far it is from (x, y) along the unit vector u to a disc, infinite where the ray misses it."""
+def distance_to_disc(
+    x: float, y: float, ux: float, uy: float, cx: float, cy: float, radius: float
+) -> float:
+    """How far it is from (x, y) along the unit vector u to a disc, infinite where the ray misses
+    it.
+    """
     along, across = (cx - x) * ux + (cy - y) * uy, (cx - x) * uy - (cy - y) * ux
     if along < 0.0 or abs(across) > radius:
         return math.inf

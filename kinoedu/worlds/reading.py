@@ -21,9 +21,10 @@ def read_world(path: str | os.PathLike[str]) -> TerrainRecord | PolygonWorldReco
     Parameters
     ----------
     path : str or path
-        `.png`, `.bmp`, `.pgm`: a picture (`read_image`); `.map`: a MovingAI map (`read_map`); `.yaml`,
-        `.yml`: a ROS map (`read_ros_map`); `.dae`, `.glb`, `.obj`, `.stl`: a mesh, seen from above (`mesh_world`); `.json`: a map
-        of polygons (`read_benchmr`). A scene in `.json` is read by `kinoedu.scenes.read_scene`.
+        `.png`, `.bmp`, `.pgm`: a picture (`read_image`); `.map`: a MovingAI map (`read_map`);
+        `.yaml`, `.yml`: a ROS map (`read_ros_map`); `.dae`, `.glb`, `.obj`, `.stl`: a mesh, seen
+        from above (`mesh_world`); `.json`: a map of polygons (`read_benchmr`). A scene in `.json`
+        is read by `kinoedu.scenes.read_scene`.
 
     Returns
     -------
@@ -59,4 +60,6 @@ def _unknown_format(path: Path, ending: str, known: list[str]) -> UnknownFormat:
     got, advice = ending or "no ending", "save it as one of those"
     if os.path.isdir(path):
         got, advice = "a folder", "name a file inside it"
-    return UnknownFormat(f"{path}: expected {', '.join(known[:-1])} or {known[-1]}, got {got}; {advice}")
+    return UnknownFormat(
+        f"{path}: expected {', '.join(known[:-1])} or {known[-1]}, got {got}; {advice}"
+    )

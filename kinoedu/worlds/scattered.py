@@ -20,19 +20,22 @@ def scattered(
     keep_free: Sequence[Sequence[float]] = (),
     rng: int | np.random.Generator,
 ) -> PolygonWorldRecord:
-    """A square world with n convex polygons at random places in it, for robots to find their way among.
+    """A square world with n convex polygons at random places in it, for robots to find their way
+    among.
 
     Parameters
     ----------
     n : how many obstacles; 0 or more.
     side : of the square, whose lower left corner is (0, 0).
-    radius : each obstacle has 3 to 7 corners on a circle of half this radius to the whole of it, whose centre it holds.
-    gap : how far apart the circles round two obstacles are at the least; without it they may overlap.
+    radius : each obstacle has 3 to 7 corners on a circle of half this radius to the whole of it,
+    whose centre it holds.
+    gap : how far apart the circles round two obstacles are at the least; without it they may
+    overlap.
     keep_free : discs (x, y, r) that no obstacle touches, such as those round start and goal.
     rng : a seed or a numpy Generator.
 
-    The same seed gives the same world; the first k of n obstacles are those of the world with k. Raises InvalidParameter, for n
-    that find no room as well.
+    The same seed gives the same world; the first k of n obstacles are those of the world with k.
+    Raises InvalidParameter, for n that find no room as well.
 
     >>> ten, twenty = scattered(10, rng=0), scattered(20, rng=0)
     >>> len(ten.obstacles.radius), len(twenty.obstacles.radius)
@@ -42,7 +45,9 @@ def scattered(
     """
     count, width, size = whole(n, "n", least=0), positive(side, "side"), positive(radius, "radius")
     if 2.0 * size > width:
-        raise InvalidParameter(f"an obstacle of radius {size:g} must fit into a side of {width:g}; make it smaller")
+        raise InvalidParameter(
+            f"an obstacle of radius {size:g} must fit into a side of {width:g}; make it smaller"
+        )
     apart = -np.inf if gap is None else none_or_more(gap, "gap")
     chance, placed, polygons = as_generator(rng), as_discs(keep_free), []
     kept = len(placed)
@@ -54,7 +59,13 @@ def scattered(
 
 
 def with_room(
-    placed: Array, kept: int, apart: float, side: float, radius: float, rng: np.random.Generator, number: int
+    placed: Array,
+    kept: int,
+    apart: float,
+    side: float,
+    radius: float,
+    rng: np.random.Generator,
+    number: int,
 ) -> tuple[float, float, float]:
     """A disc (x, y, r) in the square, off the first `kept` discs and `apart` from the others."""
     least = np.where(np.arange(len(placed)) < kept, 0.0, apart)
@@ -63,11 +74,16 @@ def with_room(
         x, y = rng.uniform(r, side - r, 2)
         if (np.hypot(placed[:, 0] - x, placed[:, 1] - y) - placed[:, 2] - r > least).all():
             return float(x), float(y), float(r)
-    raise InvalidParameter(f"after {TRIES:,} tries there is no room for obstacle {number}; ask for fewer or smaller ones")
+    raise InvalidParameter(
+        f"after {TRIES:,} tries there is no room for obstacle {number}; ask for fewer or smaller "
+        "ones"
+    )
 
 
 def corners_on_circle(rng: np.random.Generator) -> Array:
-    """The corners of a convex polygon on the unit circle, whose centre it holds, counter-clockwise; shape (k, 2), 3 <= k <= 7."""
+    """The corners of a convex polygon on the unit circle, whose centre it holds, counter-clockwise;
+    shape (k, 2), 3 <= k <= 7.
+    """
     k = int(rng.integers(3, 8))
     while True:
         angles = np.sort(rng.uniform(0.0, 2.0 * np.pi, k))
@@ -80,5 +96,7 @@ def as_discs(discs: Sequence[Sequence[float]]) -> Array:
     """Discs as rows x, y, r, shape (k, 3)."""
     rows = as_array(discs, "keep_free").reshape(-1, 3) if len(discs) else np.empty((0, 3))
     if (rows[:, 2] < 0.0).any():
-        raise InvalidParameter(f"keep_free takes discs (x, y, r) whose radius is not negative, got {rows.tolist()}")
+        raise InvalidParameter(
+            f"keep_free takes discs (x, y, r) whose radius is not negative, got {rows.tolist()}"
+        )
     return rows

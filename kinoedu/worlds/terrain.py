@@ -1,4 +1,6 @@
-"""A terrain: a bitmap of free and blocked cells, and where it is rough what a motion through each cell costs."""
+"""A terrain: a bitmap of free and blocked cells, and where it is rough what a motion through each
+cell costs.
+"""
 
 from typing import NamedTuple
 
@@ -12,10 +14,11 @@ MOST_COST = 1e9
 
 
 class TerrainRecord(NamedTuple):
-    """What `Terrain` makes. Cell free[j, i] covers origin + resolution * ([i, i + 1) x [j, j + 1)); lo and hi are the corners.
+    """What `Terrain` makes. Cell free[j, i] covers origin + resolution * ([i, i + 1) x [j, j + 1));
+    lo and hi are the corners.
 
-    cost : (rows, columns), what a unit of length costs in each cell, infinite where it is blocked; (0, 0) where motions cost their
-    length.
+    cost : (rows, columns), what a unit of length costs in each cell, infinite where it is blocked;
+        (0, 0) where motions cost their length.
     """
 
     free: NDArray[np.bool_]
@@ -27,22 +30,30 @@ class TerrainRecord(NamedTuple):
 
 
 def Terrain(
-    free: ArrayLike, *, cost: ArrayLike | None = None, resolution: float = 1.0, origin: ArrayLike = (0.0, 0.0)
+    free: ArrayLike,
+    *,
+    cost: ArrayLike | None = None,
+    resolution: float = 1.0,
+    origin: ArrayLike = (0.0, 0.0),
 ) -> TerrainRecord:
     """A world made of square cells.
 
     Parameters
     ----------
-    free : (rows, columns), true where a cell is free. x goes right and y up: free[j, i] is the cell i to the right and j up, so
-        row 0 is the lowest. A picture's array, whose row 0 is the top, goes in as `Terrain(picture[::-1])`; the readers of
-        `read_world` do so.
-    cost : (rows, columns), what a unit of length costs in each cell; 1, on the best ground there is, or more. So no path costs less
-        than it is long, which is what estimates and early stops rely on. What stands in blocked cells does not matter. Without it
-        a motion costs its length. See `kinoedu.worlds.heights` for what slopes and roughness cost.
+    free : (rows, columns), true where a cell is free. x goes right and y up: free[j, i] is the cell
+    i to the right and j up, so
+        row 0 is the lowest. A picture's array, whose row 0 is the top, goes in as
+        `Terrain(picture[::-1])`; the readers of `read_world` do so.
+    cost : (rows, columns), what a unit of length costs in each cell; 1, on the best ground there
+    is, or more. So no path costs less
+        than it is long, which is what estimates and early stops rely on. What stands in blocked
+        cells does not matter. Without it a motion costs its length. See `kinoedu.worlds.heights`
+        for what slopes and roughness cost.
     resolution : the side of a cell, in the world's unit of length.
     origin : the lower left corner, (x, y).
 
-    Blocked cells are closed: their edges and corners are not free. Nor is the rim of the terrain. Raises InvalidWorld.
+    Blocked cells are closed: their edges and corners are not free. Nor is the rim of the terrain.
+    Raises InvalidWorld.
 
     >>> Terrain([[True, False], [True, True]]).hi
     array([2., 2.])
@@ -50,32 +61,52 @@ def Terrain(
     try:
         cells = np.array(free)
     except ValueError as error:
-        raise InvalidWorld("a terrain needs a bitmap of shape (rows, columns), got rows of different lengths") from error
+        raise InvalidWorld(
+            "a terrain needs a bitmap of shape (rows, columns), got rows of different lengths"
+        ) from error
     if cells.ndim != 2 or cells.size == 0:
-        raise InvalidWorld(f"a terrain needs a bitmap of shape (rows, columns), got shape {cells.shape}")
+        raise InvalidWorld(
+            f"a terrain needs a bitmap of shape (rows, columns), got shape {cells.shape}"
+        )
     if cells.dtype != np.bool_ and not np.isin(cells, (0, 1)).all():
-        raise InvalidWorld(f"a terrain's cells must be true (free) or false, got values of type {cells.dtype}")
+        raise InvalidWorld(
+            f"a terrain's cells must be true (free) or false, got values of type {cells.dtype}"
+        )
     side = as_array(resolution, "resolution")
     if side.ndim or side <= 0.0:
         raise InvalidWorld(f"a terrain's resolution must be one positive length, got {resolution}")
     corner = as_point(origin, "origin")
     extent = float(side) * np.array(cells.shape[::-1], np.float64)
     if not (corner + float(side) > corner).all() or not (np.abs(corner + extent) <= LIMIT).all():
-        raise InvalidWorld(f"cells of {float(side):g} cannot be told apart at {tuple(corner.tolist())}, or reach beyond 1e150")
+        raise InvalidWorld(
+            f"cells of {float(side):g} cannot be told apart at {tuple(corner.tolist())}, or reach "
+            "beyond 1e150"
+        )
     open_cells = np.ascontiguousarray(cells, np.bool_)
-    return TerrainRecord(open_cells, float(side), corner, corner, corner + extent, cell_costs(cost, open_cells))
+    return TerrainRecord(
+        open_cells, float(side), corner, corner, corner + extent, cell_costs(cost, open_cells)
+    )
 
 
 def cell_costs(cost: ArrayLike | None, free: NDArray[np.bool_]) -> Array:
-    """The cost of each cell, infinite where it is blocked; shape (0, 0) where none is given. InvalidWorld."""
+    """The cost of each cell, infinite where it is blocked; shape (0, 0) where none is given.
+    InvalidWorld.
+    """
     if cost is None:
         return np.empty((0, 0))
     try:
         costs = np.array(cost, np.float64)
     except (TypeError, ValueError) as error:
-        raise InvalidWorld(f"a terrain's cost must be one number for each of its cells, shape {free.shape}") from error
+        raise InvalidWorld(
+            f"a terrain's cost must be one number for each of its cells, shape {free.shape}"
+        ) from error
     if costs.shape != free.shape:
-        raise InvalidWorld(f"a terrain's cost must have its bitmap's shape {free.shape}, got {costs.shape}")
+        raise InvalidWorld(
+            f"a terrain's cost must have its bitmap's shape {free.shape}, got {costs.shape}"
+        )
     if not ((costs >= 1.0) & (costs <= MOST_COST))[free].all():
-        raise InvalidWorld("a free cell must cost 1, on the best ground there is, or more, up to 1e9; scale the costs")
+        raise InvalidWorld(
+            "a free cell must cost 1, on the best ground there is, or more, up to 1e9; scale the "
+            "costs"
+        )
     return np.where(free, costs, np.inf)

@@ -1,4 +1,6 @@
-"""Obstacles whose places are uncertain: each is off from where it is expected by a Gaussian offset, the same in all directions."""
+"""Obstacles whose places are uncertain: each is off from where it is expected by a Gaussian offset,
+the same in all directions.
+"""
 
 import math
 from collections.abc import Iterable
@@ -17,10 +19,11 @@ from .polygon_world import PolygonWorld, PolygonWorldRecord, as_disc, is_pair_wi
 
 
 class UncertainWorldRecord(NamedTuple):
-    """What `UncertainWorld` makes. `expected` has every obstacle where it is expected, `empty` none.
+    """What `UncertainWorld` makes. `expected` has every obstacle where it is expected, `empty`
+    none.
 
-    `parts` are the convex pieces of the obstacles, owner (k,) tells which obstacle each belongs to, sigma (m,) how uncertain each
-    obstacle is: the standard deviation of its offset in x, and in y.
+    `parts` are the convex pieces of the obstacles, owner (k,) tells which obstacle each belongs to,
+    sigma (m,) how uncertain each obstacle is: the standard deviation of its offset in x, and in y.
     """
 
     expected: PolygonWorldRecord
@@ -30,13 +33,17 @@ class UncertainWorldRecord(NamedTuple):
     sigma: Array
 
 
-def UncertainWorld(boundary: ArrayLike, obstacles: Iterable[Any], sigma: ArrayLike) -> UncertainWorldRecord:
+def UncertainWorld(
+    boundary: ArrayLike, obstacles: Iterable[Any], sigma: ArrayLike
+) -> UncertainWorldRecord:
     """A workspace whose obstacles are about where they are said to be. Its boundary is certain.
 
     Parameters
     ----------
-    boundary : (n, 2), a simple polygon. obstacles : m simple polygons (k, 2), or pairs (centre, radius).
-    sigma : the standard deviation of each obstacle's offset along any axis, one number for all or (m,); 0 where it is certain.
+    boundary : (n, 2), a simple polygon. obstacles : m simple polygons (k, 2), or pairs (centre,
+    radius).
+    sigma : the standard deviation of each obstacle's offset along any axis, one number for all or
+    (m,); 0 where it is certain.
         Each obstacle moves as a whole; offsets are independent of each other.
 
     Raises InvalidWorld, InvalidPolygon, InvalidPoint.
@@ -49,12 +56,19 @@ def UncertainWorld(boundary: ArrayLike, obstacles: Iterable[Any], sigma: ArrayLi
     pieces = [pieces_of(obstacle, f"obstacle {number}") for number, obstacle in enumerate(given)]
     spread = as_array(sigma, "sigma")
     if (spread.ndim and spread.shape != (len(given),)) or (spread < 0.0).any():
-        raise InvalidWorld(f"sigma must be zero or more, one number or one for each of {len(given)} obstacles, got {sigma!r}")
+        raise InvalidWorld(
+            f"sigma must be zero or more, one number or one for each of {len(given)} obstacles, "
+            f"got {sigma!r}"
+        )
     owner = np.repeat(np.arange(len(given)), [len(own) for own, _ in pieces])
     radii = [radius for own, radius in pieces for _ in own]
     parts = make_parts([piece for own, _ in pieces for piece in own], radii)
     return UncertainWorldRecord(
-        PolygonWorld(boundary, given), PolygonWorld(boundary), parts, owner, np.broadcast_to(spread, (len(given),)).copy()
+        PolygonWorld(boundary, given),
+        PolygonWorld(boundary),
+        parts,
+        owner,
+        np.broadcast_to(spread, (len(given),)).copy(),
     )
 
 
@@ -67,18 +81,22 @@ def pieces_of(obstacle: Any, name: str) -> tuple[list[Array], float]:
 
 
 def chance_margins(sigma: ArrayLike, delta: float) -> Array:
-    """How far to stay away from each obstacle, so that the chance to touch any is at most delta; shape (m,).
+    """How far to stay away from each obstacle, so that the chance to touch any is at most delta;
+    shape (m,).
 
-    An offset of standard deviation sigma along each of two axes is longer than r with the chance exp(-r^2 / (2 sigma^2)): its
-    square over sigma^2 has the chi-square distribution of two degrees of freedom. Each of the m obstacles that are uncertain gets
-    an equal share delta / m of the chance (union bound): r = sigma sqrt(-2 log(delta / m)). Raises InvalidParameter.
+    An offset of standard deviation sigma along each of two axes is longer than r with the chance
+    exp(-r^2 / (2 sigma^2)): its square over sigma^2 has the chi-square distribution of two degrees
+    of freedom. Each of the m obstacles that are uncertain gets an equal share delta / m of the
+    chance (union bound): r = sigma sqrt(-2 log(delta / m)). Raises InvalidParameter.
 
     >>> chance_margins([0.1, 0.1, 0.0], 0.05).round(4)
     array([0.2716, 0.2716, 0.    ])
     """
     spread = as_array(sigma, "sigma")
     if not is_real(delta) or not 0.0 < delta < 1.0:
-        raise InvalidParameter(f"delta must be a chance between 0 and 1, both excluded, got {delta!r}")
+        raise InvalidParameter(
+            f"delta must be a chance between 0 and 1, both excluded, got {delta!r}"
+        )
     if spread.ndim != 1 or (spread < 0.0).any():
         raise InvalidParameter(f"sigma must be numbers of zero or more, shape (m,), got {sigma!r}")
     uncertain = max(int(np.count_nonzero(spread)), 1)
@@ -86,10 +104,11 @@ def chance_margins(sigma: ArrayLike, delta: float) -> Array:
 
 
 def inflated(world: UncertainWorldRecord, delta: float) -> PolygonWorldRecord:
-    """The world with every obstacle grown by its `chance_margins`: a path that is free in it is hit with a chance of at most delta.
+    """The world with every obstacle grown by its `chance_margins`: a path that is free in it is hit
+    with a chance of at most delta.
 
-    Any planner may be used there. Corners are rounded by polygons on the safe side, half a percent of a margin beyond the truth.
-    Raises InvalidParameter.
+    Any planner may be used there. Corners are rounded by polygons on the safe side, half a percent
+    of a margin beyond the truth. Raises InvalidParameter.
 
     >>> world = UncertainWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [((3, 3), 1)], 0.2)
     >>> inflated(world, 0.05).obstacles.radius.round(4)
@@ -104,16 +123,21 @@ def inflated(world: UncertainWorldRecord, delta: float) -> PolygonWorldRecord:
 
 
 def scenarios(world: UncertainWorldRecord, n: int, *, rng: int | np.random.Generator) -> Array:
-    """n draws of all obstacles' offsets, shape (n, m, 2). The same seed gives the same ones: common random numbers, so that two
-    paths are compared in the same scenarios. Raises InvalidParameter.
+    """n draws of all obstacles' offsets, shape (n, m, 2). The same seed gives the same ones: common
+    random numbers, so that two paths are compared in the same scenarios. Raises InvalidParameter.
     """
     count = whole(n, "n", least=0)
     return as_generator(rng).standard_normal((count, len(world.sigma), 2)) * world.sigma[:, None]
 
 
 def as_it_is(world: UncertainWorldRecord, offsets: ArrayLike) -> PolygonWorldRecord:
-    """One scenario as a world: every convex piece moved by its obstacle's offset, offsets (m, 2). Raises InvalidPoint."""
-    moved, parts = as_array(offsets, "offsets").reshape(len(world.sigma), 2)[world.owner], world.parts
+    """One scenario as a world: every convex piece moved by its obstacle's offset, offsets (m, 2).
+    Raises InvalidPoint.
+    """
+    moved, parts = (
+        as_array(offsets, "offsets").reshape(len(world.sigma), 2)[world.owner],
+        world.parts,
+    )
     solids: list[Any] = []
     for k, (own, by) in enumerate(zip(parts.radius, moved)):
         piece = parts.points[parts.first[k] : parts.first[k + 1]] + by

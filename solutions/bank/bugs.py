@@ -1,4 +1,6 @@
-"""Wrong answers to the exercises of lesson 2. Most walk exactly, in small steps, and do the wrong thing at one place."""
+"""Wrong answers to the exercises of lesson 2. Most walk exactly, in small steps, and do the wrong
+thing at one place.
+"""
 
 import numpy as np
 
@@ -27,7 +29,11 @@ def in_one_leap(start, goal, obstacles, step):
 def keeps_too_far_away(start, goal, obstacles, step):
     """Stops twenty steps before the wall."""
     path = bug_base(start, goal, obstacles, step).walk.points
-    return path if not len(bug_base(start, goal, obstacles, step).walk.hit) else path[: max(1, len(path) - 20)]
+    return (
+        path
+        if not len(bug_base(start, goal, obstacles, step).walk.hit)
+        else path[: max(1, len(path) - 20)]
+    )
 
 
 @wrong("bug_base")
@@ -111,7 +117,9 @@ def does_not_close_the_circle(start, goal, obstacles, step):
     points, hits, leaves = pieces(start, goal, obstacles, step)
     parts, begin = [], 0
     for hit, leave in zip(hits, leaves):
-        round_end = hit + int(np.linalg.norm(points[hit + 1 : leave] - points[leave], axis=1).argmin()) + 1
+        round_end = (
+            hit + int(np.linalg.norm(points[hit + 1 : leave] - points[leave], axis=1).argmin()) + 1
+        )
         parts += [points[begin : hit + 1], points[hit + 1 : round_end]]
         begin = leave
     return np.concatenate([*parts, points[begin:]])
@@ -123,7 +131,9 @@ def jumps_back(start, goal, obstacles, step):
     points, hits, leaves = pieces(start, goal, obstacles, step)
     parts, begin = [], 0
     for hit, leave in zip(hits, leaves):
-        home = hit + 9 + int(np.linalg.norm(points[hit + 10 : leave] - points[hit], axis=1).argmin())
+        home = (
+            hit + 9 + int(np.linalg.norm(points[hit + 10 : leave] - points[hit], axis=1).argmin())
+        )
         parts.append(points[begin:home])
         begin = leave
     return np.concatenate([*parts, points[begin:]])
@@ -175,15 +185,23 @@ def leaves_anywhere_turning_right(start, goal, obstacles, step):
 
 @wrong("bug2")
 def farther_from_the_start(start, goal, obstacles, step):
-    """Leaves where the line, endless both ways, is met farther from the start than the hit; in steps, turning right."""
+    """Leaves where the line, endless both ways, is met farther from the start than the hit; in
+    steps, turning right.
+    """
 
     def side(q):
         return np.sign(np.linalg.det([goal - start, q - start]))
 
     def in_the_way(q):
         far = [point_polygon_distance(q, wall) for wall in obstacles]
-        near = [point_polygon_distance(q + step / 10 * (goal - q) / np.linalg.norm(goal - q), wall) for wall in obstacles]
-        return next((wall for wall, a, b in zip(obstacles, far, near, strict=True) if a < step and b < a), None)
+        near = [
+            point_polygon_distance(q + step / 10 * (goal - q) / np.linalg.norm(goal - q), wall)
+            for wall in obstacles
+        ]
+        return next(
+            (wall for wall, a, b in zip(obstacles, far, near, strict=True) if a < step and b < a),
+            None,
+        )
 
     def along(q, wall):
         ahead = q + 0.7 * step * polygon_tangent(q, wall)
@@ -199,7 +217,9 @@ def farther_from_the_start(start, goal, obstacles, step):
         path.append(along(hit, wall))
         while len(path) < 5000:
             path.append(along(path[-1], wall))
-            if side(path[-2]) != side(path[-1]) and np.linalg.norm(path[-1] - start) > np.linalg.norm(hit - start):
+            if side(path[-2]) != side(path[-1]) and np.linalg.norm(
+                path[-1] - start
+            ) > np.linalg.norm(hit - start):
                 break
     return np.array(path)
 

@@ -1,4 +1,6 @@
-"""Wrong answers to the exercises of lesson 12. Each is one that students give; the slip is what a check must recognise in it."""
+"""Wrong answers to the exercises of lesson 12. Each is one that students give; the slip is what a
+check must recognise in it.
+"""
 
 import math
 from math import cos, hypot, pi, sin, tan
@@ -17,7 +19,11 @@ def by_radius(pose, v, phi, t, bend):
     if bend == 0:
         return x + v * t * cos(theta), y + v * t * sin(theta), theta
     turn = v * t * bend
-    return x + (sin(theta + turn) - sin(theta)) / bend, y - (cos(theta + turn) - cos(theta)) / bend, theta + turn
+    return (
+        x + (sin(theta + turn) - sin(theta)) / bend,
+        y - (cos(theta + turn) - cos(theta)) / bend,
+        theta + turn,
+    )
 
 
 @wrong("move", slip="small_angle")
@@ -38,7 +44,11 @@ def divides_by_zero(pose, v, phi, t, L):
     radius = L / tan(phi)
     x, y, theta = pose
     turn = v * t / radius
-    return x + radius * (sin(theta + turn) - sin(theta)), y + radius * (cos(theta) - cos(theta + turn)), theta + turn
+    return (
+        x + radius * (sin(theta + turn) - sin(theta)),
+        y + radius * (cos(theta) - cos(theta + turn)),
+        theta + turn,
+    )
 
 
 @wrong("move", slip="no_wheelbase")
@@ -228,7 +238,11 @@ def stepped(pose, v, phi, t, L, n, *, heading=lambda theta, turn: theta, bend=ta
     poses, h = [(x, y, theta)], t / n if h is None else h
     for _ in range(n):
         turn = h * v * bend(phi) / L
-        x, y, theta = x + h * v * cos(heading(theta, turn)), y + h * v * sin(heading(theta, turn)), theta + turn
+        x, y, theta = (
+            x + h * v * cos(heading(theta, turn)),
+            y + h * v * sin(heading(theta, turn)),
+            theta + turn,
+        )
         poses.append((x, y, theta))
     return poses
 
@@ -435,7 +449,9 @@ def every_turn_to_the_left(a, b, r):
     for word in ("LSL", "RSR", "LSR", "RSL"):
         s0, s1 = (1 if word[0] == "L" else -1), (1 if word[2] == "L" else -1)
         turns = iter((s0, s1))
-        lengths += word_lengths(a, b, r, turn=lambda angle, turns=turns: wrap(next(turns) * angle), words=(word,))
+        lengths += word_lengths(
+            a, b, r, turn=lambda angle, turns=turns: wrap(next(turns) * angle), words=(word,)
+        )
     return min(lengths)
 
 

@@ -1,4 +1,6 @@
-"""Wrong answers to the exercises of lesson 7. Each is one that students give; the slip is what a check must recognise in it."""
+"""Wrong answers to the exercises of lesson 7. Each is one that students give; the slip is what a
+check must recognise in it.
+"""
 
 import math
 
@@ -89,7 +91,9 @@ def counts_crossings(q, P):
     """A ray to the right, counted wrongly on the boundary."""
     inside = False
     for a, b in edges(P):
-        if (a[1] > q[1]) != (b[1] > q[1]) and q[0] < a[0] + (q[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0]):
+        if (a[1] > q[1]) != (b[1] > q[1]) and q[0] < a[0] + (q[1] - a[1]) / (b[1] - a[1]) * (
+            b[0] - a[0]
+        ):
             inside = not inside
     return inside
 
@@ -254,7 +258,9 @@ def second_in_first(P1, P2):
 @wrong("convex_polygons_intersect", slip="boxes")
 def boxes_overlap(P1, P2):
     """Compares boxes."""
-    return bool((P1.min(axis=0) <= P2.max(axis=0)).all() and (P2.min(axis=0) <= P1.max(axis=0)).all())
+    return bool(
+        (P1.min(axis=0) <= P2.max(axis=0)).all() and (P2.min(axis=0) <= P1.max(axis=0)).all()
+    )
 
 
 def separates(P, Q, strictly):
@@ -283,27 +289,36 @@ def is_apart(P1, P2):
 @wrong("convex_polygons_intersect")
 def middle_in_the_other(P1, P2):
     """Asks for the middles, and for edges strictly crossing."""
-    return point_in_convex_polygon(P1.mean(axis=0), P2) or point_in_convex_polygon(P2.mean(axis=0), P1)
+    return point_in_convex_polygon(P1.mean(axis=0), P2) or point_in_convex_polygon(
+        P2.mean(axis=0), P1
+    )
 
 
 @wrong("convex_polygons_intersect")
 def round_bodies(P1, P2):
     """Compares circles as large as the polygons are on average."""
     c, d = P1.mean(axis=0), P2.mean(axis=0)
-    return math.dist(c, d) <= np.mean([math.dist(c, p) for p in P1]) + np.mean([math.dist(d, p) for p in P2])
+    return math.dist(c, d) <= np.mean([math.dist(c, p) for p in P1]) + np.mean(
+        [math.dist(d, p) for p in P2]
+    )
 
 
 @wrong("convex_polygons_intersect")
 def without_closing_edges(P1, P2):
     """Forgets the closing edge of both, in the test for crossing."""
-    pairs = [(P1[i], P1[i + 1], P2[j], P2[j + 1]) for i in range(len(P1) - 1) for j in range(len(P2) - 1)]
+    pairs = [
+        (P1[i], P1[i + 1], P2[j], P2[j + 1]) for i in range(len(P1) - 1) for j in range(len(P2) - 1)
+    ]
     return any(segments_intersect(*pair) for pair in pairs)
 
 
 @wrong("convex_polygons_intersect")
 def points_of_the_edges(P1, P2):
     """Asks for 101 points of every edge: thin bars that cross slip between them."""
-    rows = [np.vstack([a + np.linspace(0, 1, 101)[:, None] * (b - a) for a, b in edges(P)]) for P in (P1, P2)]
+    rows = [
+        np.vstack([a + np.linspace(0, 1, 101)[:, None] * (b - a) for a, b in edges(P)])
+        for P in (P1, P2)
+    ]
     return some_in(rows[0], P2) or some_in(rows[1], P1)
 
 
@@ -343,7 +358,10 @@ def about_vertex_0(robot, obstacle):
 @wrong("c_obstacle", slip="box")
 def grows_boxes(robot, obstacle):
     """Right for boxes only."""
-    (x0, y0), (x1, y1) = obstacle.min(axis=0) - robot.max(axis=0), obstacle.max(axis=0) - robot.min(axis=0)
+    (x0, y0), (x1, y1) = (
+        obstacle.min(axis=0) - robot.max(axis=0),
+        obstacle.max(axis=0) - robot.min(axis=0),
+    )
     return [(x0, y0), (x1, y0), (x1, y1), (x0, y1)]
 
 
@@ -379,7 +397,9 @@ def one_corner_short(robot, obstacle):
 def link_by(distance, q, lengths, width, discs):
     ends = ends_of_links(q, lengths)
     for link in (1, 2):
-        if any(distance(disc[:2], ends[link - 1], ends[link]) <= width / 2 + disc[2] for disc in discs):
+        if any(
+            distance(disc[:2], ends[link - 1], ends[link]) <= width / 2 + disc[2] for disc in discs
+        ):
             return link
     return 0
 
@@ -421,7 +441,11 @@ def lines_for_links(q, lengths, width, discs):
 
 
 def beside_only(p, a, b):
-    return point_line_distance(p, a, b) if 0 <= np.dot(p - a, b - a) <= np.dot(b - a, b - a) else math.inf
+    return (
+        point_line_distance(p, a, b)
+        if 0 <= np.dot(p - a, b - a) <= np.dot(b - a, b - a)
+        else math.inf
+    )
 
 
 @wrong("link_in_contact", slip="square")
@@ -447,7 +471,10 @@ def asks_link_2_first(q, lengths, width, discs):
     """Says 2 where both touch."""
     ends = ends_of_links(q, lengths)
     for link in (2, 1):
-        if any(point_segment_distance(disc[:2], ends[link - 1], ends[link]) <= width / 2 + disc[2] for disc in discs):
+        if any(
+            point_segment_distance(disc[:2], ends[link - 1], ends[link]) <= width / 2 + disc[2]
+            for disc in discs
+        ):
             return link
     return 0
 
@@ -467,7 +494,10 @@ def touching_is_free(q, lengths, width, discs):
     """< where <= is meant."""
     ends = ends_of_links(q, lengths)
     for link in (1, 2):
-        if any(point_segment_distance(disc[:2], ends[link - 1], ends[link]) < width / 2 + disc[2] for disc in discs):
+        if any(
+            point_segment_distance(disc[:2], ends[link - 1], ends[link]) < width / 2 + disc[2]
+            for disc in discs
+        ):
             return link
     return 0
 
@@ -481,7 +511,13 @@ def says_true(q, lengths, width, discs):
 @wrong("link_in_contact", slip="open")
 def points_of_the_links(q, lengths, width, discs):
     """Measures to 101 points of each link."""
-    return link_by(lambda p, a, b: min(math.dist(p, x) for x in np.linspace(a, b, 101)), q, lengths, width, discs)
+    return link_by(
+        lambda p, a, b: min(math.dist(p, x) for x in np.linspace(a, b, 101)),
+        q,
+        lengths,
+        width,
+        discs,
+    )
 
 
 # A drawing of the arm
@@ -620,7 +656,9 @@ def exchanges_the_axes(samples, lengths, width, discs, ax):
 @wrong("plot_configuration_space", slip="only_free")
 def draws_free_ones_only(samples, lengths, width, discs, ax):
     """No dots in contact."""
-    free = FULL * np.array([s for s in samples if touched_link(FULL * s, lengths, width, discs) == 0]).reshape(-1, 2)
+    free = FULL * np.array(
+        [s for s in samples if touched_link(FULL * s, lengths, width, discs) == 0]
+    ).reshape(-1, 2)
     ax.plot(*free.T, "o", color="b")
 
 
@@ -651,7 +689,13 @@ def a_line_through_the_dots(samples, lengths, width, discs, ax):
 @wrong("plot_configuration_space")
 def pale_colours(samples, lengths, width, discs, ax):
     """Grey for black, and a pale blue."""
-    dotted(FULL * samples, FULL * samples, (lengths, width, discs), ax, ("skyblue", "dimgray", "crimson"))
+    dotted(
+        FULL * samples,
+        FULL * samples,
+        (lengths, width, discs),
+        ax,
+        ("skyblue", "dimgray", "crimson"),
+    )
 
 
 @wrong("plot_configuration_space")

@@ -1,4 +1,6 @@
-"""Wrong answers to the exercises of lesson 5. Each is one that students give; the slip is what a check must recognise in it."""
+"""Wrong answers to the exercises of lesson 5. Each is one that students give; the slip is what a
+check must recognise in it.
+"""
 
 import math
 from math import atan, atan2, cos, hypot, pi, sin
@@ -351,13 +353,19 @@ def the_other_elbow(l1, l2, p):
 @wrong("inverse_kinematics", slip="half_mirrored")
 def only_the_bend_mirrored(l1, l2, p):
     """Link 1 stays where it is."""
-    return [(first, sign * second) for first, second in solutions(l1, l2, p)[:1] for sign in (1, -1)]
+    return [
+        (first, sign * second) for first, second in solutions(l1, l2, p)[:1] for sign in (1, -1)
+    ]
 
 
 @wrong("inverse_kinematics", slip="half_mirrored")
 def mirrored_in_the_x_axis(l1, l2, p):
     """Both angles change their signs, wherever p is."""
-    return [(sign * first, sign * second) for first, second in solutions(l1, l2, p)[:1] for sign in (1, -1)]
+    return [
+        (sign * first, sign * second)
+        for first, second in solutions(l1, l2, p)[:1]
+        for sign in (1, -1)
+    ]
 
 
 @wrong("inverse_kinematics", slip="mixed")
@@ -408,7 +416,9 @@ def other_side(l1, l2, p):
 @wrong("inverse_kinematics", slip="inner_angle")
 def angle_in_the_triangle(l1, l2, p):
     """The angle at the elbow, not that of the joint."""
-    return [(first, math.copysign(pi - abs(second), second)) for first, second in solutions(l1, l2, p)]
+    return [
+        (first, math.copysign(pi - abs(second), second)) for first, second in solutions(l1, l2, p)
+    ]
 
 
 @wrong("inverse_kinematics", slip="inner_angle")

@@ -1,4 +1,6 @@
-"""Wrong answers to the exercises of lesson 3. Each is one that students give; the slip is what a check must recognise in it."""
+"""Wrong answers to the exercises of lesson 3. Each is one that students give; the slip is what a
+check must recognise in it.
+"""
 
 import numpy as np
 
@@ -19,7 +21,9 @@ def status(x, edges):
 
 
 def all_edges(boundary, obstacles):
-    return np.vstack([np.hstack([ring, np.roll(ring, -1, axis=0)]) for ring in [boundary, *obstacles]])
+    return np.vstack(
+        [np.hstack([ring, np.roll(ring, -1, axis=0)]) for ring in [boundary, *obstacles]]
+    )
 
 
 # The status
@@ -173,7 +177,9 @@ def one_ring_after_the_other(x, boundary, obstacles):
 # Trapezoids
 
 
-def cells(boundary, obstacles, *, hollow=False, last=True, every_event=False, key=lambda pair: pair):
+def cells(
+    boundary, obstacles, *, hollow=False, last=True, every_event=False, key=lambda pair: pair
+):
     edges = all_edges(boundary, obstacles)
     events = sorted(edges[:, 0])
     done, before = [], {}
@@ -280,7 +286,12 @@ def overlap(a, b):
 
 def pairs_if(trapezoids, ask):
     n = range(len(trapezoids))
-    return [(i, j) for i in n for j in n if i < j and (ask(trapezoids[i], trapezoids[j]) or ask(trapezoids[j], trapezoids[i]))]
+    return [
+        (i, j)
+        for i in n
+        for j in n
+        if i < j and (ask(trapezoids[i], trapezoids[j]) or ask(trapezoids[j], trapezoids[i]))
+    ]
 
 
 def joined(a, b):
@@ -359,7 +370,9 @@ def only_later_ones(trapezoids):
 @wrong("neighbours")
 def an_end_inside(trapezoids):
     """Overlap only if an end of the right wall lies inside the left one."""
-    return pairs_if(trapezoids, lambda a, b: a[1] == b[0] and (a[4] < b[2] < a[5] or a[4] < b[3] < a[5]))
+    return pairs_if(
+        trapezoids, lambda a, b: a[1] == b[0] and (a[4] < b[2] < a[5] or a[4] < b[3] < a[5])
+    )
 
 
 # The path
@@ -411,7 +424,9 @@ def shorter_wall(a, b):
 
 
 def plan(start, goal, trapezoids, pairs, *, both=True, centres=True, middles=True, wall=middle):
-    chain = search(cell_of(start, trapezoids), trapezoids, pairs, cell_of(goal, trapezoids), both=both)
+    chain = search(
+        cell_of(start, trapezoids), trapezoids, pairs, cell_of(goal, trapezoids), both=both
+    )
     if chain is None:
         return None
     path = [start]
@@ -453,7 +468,13 @@ def middle_of_the_shorter_wall(start, goal, trapezoids, pairs):
 @wrong("plan_by_decomposition")
 def always_to_the_right(start, goal, trapezoids, pairs):
     """Takes the next cell for the right one."""
-    return plan(start, goal, trapezoids, pairs, wall=lambda a, b: np.array([a[1], (max(a[4], b[2]) + min(a[5], b[3])) / 2]))
+    return plan(
+        start,
+        goal,
+        trapezoids,
+        pairs,
+        wall=lambda a, b: np.array([a[1], (max(a[4], b[2]) + min(a[5], b[3])) / 2]),
+    )
 
 
 @wrong("plan_by_decomposition")

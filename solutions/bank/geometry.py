@@ -1,4 +1,6 @@
-"""Wrong answers to the exercises of lesson 1. Each is one that students give; the slip is what a check must recognise in it."""
+"""Wrong answers to the exercises of lesson 1. Each is one that students give; the slip is what a
+check must recognise in it.
+"""
 
 import math
 import time
@@ -7,7 +9,12 @@ import numpy as np
 
 from kinoedu.course.bank import wrong
 from kinoedu.course.lessons.geometry.exposing_case import ray_counting_distance
-from kinoedu.geometry import point_in_polygon, point_line_distance, point_polygon_distance, point_segment_distance
+from kinoedu.geometry import (
+    point_in_polygon,
+    point_line_distance,
+    point_polygon_distance,
+    point_segment_distance,
+)
 
 
 def edges(polygon):
@@ -282,13 +289,21 @@ def hollow(q, polygon):
 @wrong("point_polygon_distance", slip="lines")
 def lines_for_edges(q, polygon):
     """The edges do not end."""
-    return 0.0 if point_in_polygon(q, polygon) else min(point_line_distance(q, a, b) for a, b in edges(polygon))
+    return (
+        0.0
+        if point_in_polygon(q, polygon)
+        else min(point_line_distance(q, a, b) for a, b in edges(polygon))
+    )
 
 
 @wrong("point_polygon_distance", slip="farthest")
 def farthest_edge(q, polygon):
     """max where min belongs."""
-    return 0.0 if point_in_polygon(q, polygon) else max(point_segment_distance(q, a, b) for a, b in edges(polygon))
+    return (
+        0.0
+        if point_in_polygon(q, polygon)
+        else max(point_segment_distance(q, a, b) for a, b in edges(polygon))
+    )
 
 
 @wrong("point_polygon_distance", slip="centre")
@@ -452,7 +467,9 @@ def along_the_edge_at_a_vertex(q, polygon):
 @wrong("polygon_tangent", slip="open")
 def forgets_the_closing_edge(q, polygon):
     """The last edge is forgotten."""
-    return tangent(q, *min(zip(polygon, polygon[1:]), key=lambda edge: point_segment_distance(q, *edge)))
+    return tangent(
+        q, *min(zip(polygon, polygon[1:]), key=lambda edge: point_segment_distance(q, *edge))
+    )
 
 
 @wrong("polygon_tangent")

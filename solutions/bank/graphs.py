@@ -1,4 +1,6 @@
-"""Wrong answers to the exercises of lesson 4. Each is one that students give; the slip is what a check must recognise in it."""
+"""Wrong answers to the exercises of lesson 4. Each is one that students give; the slip is what a
+check must recognise in it.
+"""
 
 import heapq
 from collections import deque
@@ -36,7 +38,10 @@ def right_path(neighbours, start, goal):
 
 
 def both_ways(neighbours):
-    return [[v for v in range(len(neighbours)) if v in row or u in neighbours[v]] for u, row in enumerate(neighbours)]
+    return [
+        [v for v in range(len(neighbours)) if v in row or u in neighbours[v]]
+        for u, row in enumerate(neighbours)
+    ]
 
 
 # The breadth-first tree
@@ -336,7 +341,9 @@ def follows_first_neighbours(neighbours, start, goal):
 
 @wrong("bfs_path")
 def all_paths_that_never_forget(neighbours, start, goal):
-    """A queue of paths without marks: ends where the goal is found, and never where it is out of reach."""
+    """A queue of paths without marks: ends where the goal is found, and never where it is out of
+    reach.
+    """
     queue = deque([[start]])
     while queue:
         path = queue.popleft()

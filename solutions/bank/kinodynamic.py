@@ -1,4 +1,6 @@
-"""Wrong answers to the exercises of lesson 13. Each is one that students give; the slip is what a check must recognise in it."""
+"""Wrong answers to the exercises of lesson 13. Each is one that students give; the slip is what a
+check must recognise in it.
+"""
 
 import heapq
 import math
@@ -105,13 +107,29 @@ def chord(a, b, radian):
 # The best of some controls
 
 
-def best(problem, q, target, controls, t, n, *, apart=None, free=None, first=1, better=lambda a, b: a < b, move=None, cut=None):
+def best(
+    problem,
+    q,
+    target,
+    controls,
+    t,
+    n,
+    *,
+    apart=None,
+    free=None,
+    first=1,
+    better=lambda a, b: a < b,
+    move=None,
+    cut=None,
+):
     apart, move, cut = apart or problem.distance, move or problem.move, cut or np.argmin
     choice, least = None, None
     for i, (v, phi) in enumerate(controls):
         away = [apart(move(q, v, phi, k * t / n), target) for k in range(first, n + 1)]
         k = first + int(cut(away))
-        if (least is None or better(away[k - first], least)) and (free or problem.is_free_drive)(q, v, phi, k * t / n):
+        if (least is None or better(away[k - first], least)) and (free or problem.is_free_drive)(
+            q, v, phi, k * t / n
+        ):
             choice, least = (i, k), away[k - first]
     return choice
 
@@ -139,13 +157,29 @@ def picked_then_checked(problem, q, target, controls, t, n):
 @wrong("best_control", slip="whole")
 def beyond_the_cut(problem, q, target, controls, t, n):
     """All of the drive must be free."""
-    return best(problem, q, target, controls, t, n, free=lambda q, v, phi, _: problem.is_free_drive(q, v, phi, t))
+    return best(
+        problem,
+        q,
+        target,
+        controls,
+        t,
+        n,
+        free=lambda q, v, phi, _: problem.is_free_drive(q, v, phi, t),
+    )
 
 
 @wrong("best_control", slip="end_only")
 def endpoint_only(problem, q, target, controls, t, n):
     """The pose at the cut is free."""
-    return best(problem, q, target, controls, t, n, free=lambda q, v, phi, t: problem.is_free(problem.move(q, v, phi, t)))
+    return best(
+        problem,
+        q,
+        target,
+        controls,
+        t,
+        n,
+        free=lambda q, v, phi, t: problem.is_free(problem.move(q, v, phi, t)),
+    )
 
 
 @wrong("best_control", slip="place")
@@ -163,7 +197,12 @@ def heading_not_wrapped(problem, *given):
 @wrong("best_control", slip="dip")
 def stops_when_it_gets_worse(*given):
     """The first dip: a control that comes round again is cut too soon."""
-    return best(*given, cut=lambda away: next((k for k in range(len(away) - 1) if away[k + 1] > away[k]), len(away) - 1))
+    return best(
+        *given,
+        cut=lambda away: next(
+            (k for k in range(len(away) - 1) if away[k + 1] > away[k]), len(away) - 1
+        ),
+    )
 
 
 @wrong("best_control", slip="shorter")
@@ -211,7 +250,11 @@ def farthest_control(*given):
 @wrong("best_control")
 def phi_for_tan(problem, *given):
     """The seed's own mistake: it moves by phi / L."""
-    return best(problem, *given, move=lambda q, v, phi, t: np.array(driven(*q, v * t, phi / problem.robot.wheelbase)))
+    return best(
+        problem,
+        *given,
+        move=lambda q, v, phi, t: np.array(driven(*q, v * t, phi / problem.robot.wheelbase)),
+    )
 
 
 @wrong("best_control")
@@ -223,8 +266,13 @@ def corners_only(problem, q, target, controls, t, n):
         for s in np.linspace(0, t, 10):
             x, y, theta = problem.move(q, v, phi, s)
             for a, b in problem.robot.outline:
-                corner = x + a * math.cos(theta) - b * math.sin(theta), y + a * math.sin(theta) + b * math.cos(theta)
-                if any(point_in_polygon(corner, ring) for ring in rings) or not (0 < corner[0] < 200 and 0 < corner[1] < 200):
+                corner = (
+                    x + a * math.cos(theta) - b * math.sin(theta),
+                    y + a * math.sin(theta) + b * math.cos(theta),
+                )
+                if any(point_in_polygon(corner, ring) for ring in rings) or not (
+                    0 < corner[0] < 200 and 0 < corner[1] < 200
+                ):
                     return False
         return True
 
@@ -258,16 +306,22 @@ def place(problem, turn, rng, goal_every=4, region_every=7):
     return problem.goal if goal_every and turn % goal_every == 0 else problem.sample(rng)
 
 
-def grown(problem, iterations, rng, *, k=1, there=is_there, where=place, choose=None, drive=None, **more):
+def grown(
+    problem, iterations, rng, *, k=1, there=is_there, where=place, choose=None, drive=None, **more
+):
     """Nodes, parents, controls, durations; and the nodes at which the path may end."""
-    first, stop, closest, seed = (more.get(*one) for one in (("first", 1), ("stop", True), ("closest", True), ("seed", None)))
+    first, stop, closest, seed = (
+        more.get(*one) for one in (("first", 1), ("stop", True), ("closest", True), ("seed", None))
+    )
     rng = np.random.default_rng(rng if seed is None else seed)
     nodes, parent, controls, durations = [problem.start], [-1], [(0, 0)], [0]
     for turn in range(first, iterations + first):
         if stop and there(problem, nodes[-1]):
             break
         target = where(problem, turn, rng)
-        order = np.argsort([more.get("apart", problem.distance)(q, target) for q in nodes], kind="stable")
+        order = np.argsort(
+            [more.get("apart", problem.distance)(q, target) for q in nodes], kind="stable"
+        )
         for near in order[:k] if choose is None else choose(order, k):
             found = (drive or problem.best_drive)(nodes[near], target, rng)
             if found is not None:
@@ -277,7 +331,11 @@ def grown(problem, iterations, rng, *, k=1, there=is_there, where=place, choose=
                 controls.append((v, phi))
                 durations.append(t)
     arrived = [i for i, q in enumerate(nodes) if there(problem, q)]
-    nearest = int(np.argmin([problem.distance(q, problem.goal) for q in nodes])) if closest else len(nodes) - 1
+    nearest = (
+        int(np.argmin([problem.distance(q, problem.goal) for q in nodes]))
+        if closest
+        else len(nodes) - 1
+    )
     return nodes, parent, controls, durations, arrived or [nearest]
 
 
@@ -294,7 +352,9 @@ def rrt(*given, **options):
 
 
 def prm(problem, k, iterations, rng, **options):
-    _, parent, controls, durations, ends = grown(problem, iterations, rng, **{"k": k, "stop": False, **options})
+    _, parent, controls, durations, ends = grown(
+        problem, iterations, rng, **{"k": k, "stop": False, **options}
+    )
     times = [0.0]
     for p, t in zip(parent[1:], durations[1:]):
         times.append(times[p] + t)
@@ -360,7 +420,12 @@ def from_the_nearest_place(*given):
 def no_path_without_a_goal(*given):
     """An empty path where no node is near enough."""
     nodes, parent, controls, durations, ends = grown(*given)
-    return parent, controls, durations, path_to(parent, ends[0]) if is_there(given[0], nodes[ends[0]]) else []
+    return (
+        parent,
+        controls,
+        durations,
+        path_to(parent, ends[0]) if is_there(given[0], nodes[ends[0]]) else [],
+    )
 
 
 @wrong("kinodynamic_rrt")
@@ -382,7 +447,9 @@ def one_control_unchecked(problem, *given):
 
 @wrong("kinodynamic_rrt")
 def driven_to_the_end(problem, *given):
-    """The cut is ignored: the control is held for the longest time, and what comes then is not checked."""
+    """The cut is ignored: the control is held for the longest time, and what comes then is not
+    checked.
+    """
 
     def drive(q, target, rng):
         found = problem.best_drive(q, target, rng)
@@ -397,7 +464,11 @@ def endpoint_checked(problem, *given):
 
     def drive(q, target, rng):
         v, phi = problem.control(rng)
-        return (v, phi, problem.longest) if problem.is_free(problem.move(q, v, phi, problem.longest)) else None
+        return (
+            (v, phi, problem.longest)
+            if problem.is_free(problem.move(q, v, phi, problem.longest))
+            else None
+        )
 
     return rrt(problem, *given, drive=drive)
 
@@ -411,8 +482,13 @@ def corners_checked(problem, *given):
         for s in np.linspace(0, problem.longest, 10):
             x, y, theta = problem.move(q, v, phi, s)
             for a, b in problem.robot.outline:
-                corner = x + a * math.cos(theta) - b * math.sin(theta), y + a * math.sin(theta) + b * math.cos(theta)
-                if not (0 < corner[0] < problem.world.hi[0] and 0 < corner[1] < problem.world.hi[1]):
+                corner = (
+                    x + a * math.cos(theta) - b * math.sin(theta),
+                    y + a * math.sin(theta) + b * math.cos(theta),
+                )
+                if not (
+                    0 < corner[0] < problem.world.hi[0] and 0 < corner[1] < problem.world.hi[1]
+                ):
                     return None
         return v, phi, problem.longest
 
@@ -479,7 +555,12 @@ def first_that_arrives(*given):
     """The oldest node near the goal."""
     problem, k, iterations, rng = given
     _, parent, controls, durations, ends = grown(problem, iterations, rng, k=k, stop=False)
-    return [(p, i) for i, p in enumerate(parent)][1:], controls[1:], durations[1:], path_to(parent, ends[0])
+    return (
+        [(p, i) for i, p in enumerate(parent)][1:],
+        controls[1:],
+        durations[1:],
+        path_to(parent, ends[0]),
+    )
 
 
 @wrong("kinodynamic_prm")
@@ -487,7 +568,12 @@ def closest_not_fastest(problem, k, iterations, rng):
     """The node nearest to the goal, whenever it is reached."""
     nodes, parent, controls, durations, _ = grown(problem, iterations, rng, k=k, stop=False)
     nearest = int(np.argmin([problem.distance(q, problem.goal) for q in nodes]))
-    return [(p, i) for i, p in enumerate(parent)][1:], controls[1:], durations[1:], path_to(parent, nearest)
+    return (
+        [(p, i) for i, p in enumerate(parent)][1:],
+        controls[1:],
+        durations[1:],
+        path_to(parent, nearest),
+    )
 
 
 @wrong("kinodynamic_prm")
@@ -535,7 +621,12 @@ def from_new_ones(problem, k, iterations, rng):
                 times.append(times[near] + found[2])
     ends = [i for i, q in enumerate(nodes) if is_there(problem, q)]
     ends = ends or [int(np.argmin([problem.distance(q, problem.goal) for q in nodes]))]
-    return edges, controls, durations, path_to([-1, *(u for u, _ in edges)], min(ends, key=lambda i: times[i]))
+    return (
+        edges,
+        controls,
+        durations,
+        path_to([-1, *(u for u, _ in edges)], min(ends, key=lambda i: times[i])),
+    )
 
 
 @wrong("kinodynamic_prm")
@@ -606,7 +697,9 @@ def dijkstra(n, edges, controls, durations, ends, *, rows=None):
 def both_ways(n, edges, controls, durations, ends):
     """The seed's own mistake."""
     rows = [(*pair, t) for pair, t in zip(edges, durations)]
-    return dijkstra(n, edges, controls, durations, ends, rows=rows + [(b, a, t) for a, b, t in rows])
+    return dijkstra(
+        n, edges, controls, durations, ends, rows=rows + [(b, a, t) for a, b, t in rows]
+    )
 
 
 @wrong("fastest_drive", slip="fewest")
@@ -618,7 +711,9 @@ def breadth_first(n, edges, controls, durations, ends):
 @wrong("fastest_drive", slip="length")
 def shortest_not_fastest(n, edges, controls, durations, ends):
     """Lengths, though durations are asked for."""
-    return dijkstra(n, edges, controls, [abs(v) * t for (v, _), t in zip(controls, durations)], ends)
+    return dijkstra(
+        n, edges, controls, [abs(v) * t for (v, _), t in zip(controls, durations)], ends
+    )
 
 
 @wrong("fastest_drive", slip="first_end")
@@ -631,7 +726,9 @@ def one_end(n, edges, controls, durations, ends):
 def last_of_two_rows(n, edges, controls, durations, ends):
     """A dictionary of edges: of two drives from u to v it keeps the last."""
     rows = {(int(a), int(b)): t for (a, b), t in zip(edges, durations)}
-    return dijkstra(n, edges, controls, durations, ends, rows=[(*pair, t) for pair, t in rows.items()])
+    return dijkstra(
+        n, edges, controls, durations, ends, rows=[(*pair, t) for pair, t in rows.items()]
+    )
 
 
 @wrong("fastest_drive", slip="passes")
@@ -649,7 +746,9 @@ def relaxed_three_times(n, edges, controls, durations, ends):
 @wrong("fastest_drive", slip="against")
 def against_the_arrows(n, edges, controls, durations, ends):
     """(to, from)."""
-    return dijkstra(n, edges, controls, durations, ends, rows=[(b, a, t) for (a, b), t in zip(edges, durations)])
+    return dijkstra(
+        n, edges, controls, durations, ends, rows=[(b, a, t) for (a, b), t in zip(edges, durations)]
+    )
 
 
 @wrong("fastest_drive", slip="backwards")

@@ -1,4 +1,6 @@
-"""Wrong answers to the exercises of lesson 14. Each is one that students give; the slip is what a check must recognise in it."""
+"""Wrong answers to the exercises of lesson 14. Each is one that students give; the slip is what a
+check must recognise in it.
+"""
 
 import math
 import random
@@ -14,7 +16,9 @@ from kinoedu.geometry import line_through_points, point_segment_distance
 
 
 def entering(x, v, r):
-    """The moments at which x + s v enters and leaves the disc round the origin; infinite where it does not."""
+    """The moments at which x + s v enters and leaves the disc round the origin; infinite where it
+    does not.
+    """
     a, b, c = v @ v, 2 * x @ v, x @ x - r * r
     square = b * b - 4 * a * c
     if a == 0 or square < 0:
@@ -167,7 +171,19 @@ def neighbours(moves, both=True):
     return ways
 
 
-def planned(safe, moves, start, goal, *, both=True, first_only=False, waits=True, until_end=True, by_interval=True, checks=True):
+def planned(
+    safe,
+    moves,
+    start,
+    goal,
+    *,
+    both=True,
+    first_only=False,
+    waits=True,
+    until_end=True,
+    by_interval=True,
+    checks=True,
+):
     """Right with the arguments as they are; each of them breaks one thing."""
     ways, done = neighbours(moves, both), set()
     k = next((k for k, (b, e) in enumerate(safe[start]) if b <= 0 <= e), None)
@@ -249,7 +265,9 @@ def departures_for_arrivals(safe, moves, start, goal):
 def depth_first(safe, moves, start, goal):
     """A way, not the earliest."""
     ways, done = neighbours(moves), set()
-    waiting = [(0.0, start, k, [(start, 0.0)]) for k, (b, e) in enumerate(safe[start]) if b <= 0 <= e]
+    waiting = [
+        (0.0, start, k, [(start, 0.0)]) for k, (b, e) in enumerate(safe[start]) if b <= 0 <= e
+    ]
     while waiting:
         t, u, k, rows = waiting.pop()
         if u == goal:
@@ -274,7 +292,9 @@ def fewest_moves(safe, moves, start, goal):
 
 @wrong("earliest_arrival")
 def waits_after_the_move(safe, moves, start, goal):
-    """It sets out at once, and has arrived when the place is safe: as if it could wait on the way."""
+    """It sets out at once, and has arrived when the place is safe: as if it could wait on the
+    way.
+    """
     ways, done = neighbours(moves), set()
     k = next((k for k, (b, e) in enumerate(safe[start]) if b <= 0 <= e), None)
     waiting = [] if k is None else [(0.0, start, ((start, 0.0),))]
@@ -323,14 +343,18 @@ def open_ends(safe, moves, start, goal):
 @wrong("earliest_arrival")
 def safe_for_ever(safe, moves, start, goal):
     """At the goal it wants to stay."""
-    return planned([own[-1:] if place == goal else own for place, own in enumerate(safe)], moves, start, goal)
+    return planned(
+        [own[-1:] if place == goal else own for place, own in enumerate(safe)], moves, start, goal
+    )
 
 
 @wrong("earliest_arrival")
 def begins_anyhow(safe, moves, start, goal):
     """The first interval of the start is taken to hold the time 0."""
     held = [
-        (min(b, 0.0), e) if place == start and k == 0 else (b, e) for place, own in enumerate(safe) for k, (b, e) in enumerate(own)
+        (min(b, 0.0), e) if place == start and k == 0 else (b, e)
+        for place, own in enumerate(safe)
+        for k, (b, e) in enumerate(own)
     ]
     lengths = np.cumsum([0, *map(len, safe)])
     return planned([held[a:b] for a, b in zip(lengths, lengths[1:])], moves, start, goal)
@@ -449,7 +473,12 @@ def distance(path, centre):
 
 def tries(path, discs, offsets, far=distance):
     """Whether disc j is hit in scenario s."""
-    return np.array([[far(path, np.add(disc[:2], by)) <= disc[2] for disc, by in zip(discs, row)] for row in offsets])
+    return np.array(
+        [
+            [far(path, np.add(disc[:2], by)) <= disc[2] for disc, by in zip(discs, row)]
+            for row in offsets
+        ]
+    )
 
 
 def wilson(p, n, z=1.96):
@@ -469,7 +498,9 @@ def a_hundred_points(path, discs, offsets):
     """Each stretch by a hundred of its points."""
 
     def far(way, centre):
-        return min(np.hypot(*(np.linspace(a, b, 100) - centre).T).min() for a, b in zip(way, way[1:]))
+        return min(
+            np.hypot(*(np.linspace(a, b, 100) - centre).T).min() for a, b in zip(way, way[1:])
+        )
 
     hits = tries(path, discs, offsets, far)
     return wilson(hits.any(axis=1).mean(), len(hits))
@@ -598,7 +629,9 @@ def rule_of_a_half(path, discs, offsets):
 def draws_its_own(path, discs, offsets):
     """Scenarios of its own, by the spread of those given."""
     rng = random.Random(1)
-    own = np.array([[[rng.gauss(0, np.std(offsets)) for _ in range(2)] for _ in discs] for _ in offsets])
+    own = np.array(
+        [[[rng.gauss(0, np.std(offsets)) for _ in range(2)] for _ in discs] for _ in offsets]
+    )
     hits = tries(path, discs, own)
     return wilson(hits.any(axis=1).mean(), len(hits))
 

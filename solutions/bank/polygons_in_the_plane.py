@@ -1,4 +1,6 @@
-"""Wrong answers to the exercises of lesson 11. Each is one that students give; the slip is what a check must recognise in it."""
+"""Wrong answers to the exercises of lesson 11. Each is one that students give; the slip is what a
+check must recognise in it.
+"""
 
 import math
 import random
@@ -104,14 +106,23 @@ def free_ends(problem, nodes):
 @wrong("adjacency_matrix", slip="halfway")
 def free_ends_and_middle(problem, nodes):
     """Three places stand for the motion."""
-    return filled(nodes, lambda a, b: all(problem.is_free(problem.steer(a, b, t * problem.distance(a, b))) for t in (0, 0.5, 1)))
+    return filled(
+        nodes,
+        lambda a, b: all(
+            problem.is_free(problem.steer(a, b, t * problem.distance(a, b))) for t in (0, 0.5, 1)
+        ),
+    )
 
 
 @wrong("adjacency_matrix")
 def a_few_places(problem, nodes):
     """Twenty places stand for the motion."""
     return filled(
-        nodes, lambda a, b: all(problem.is_free(problem.steer(a, b, t * problem.distance(a, b))) for t in np.linspace(0, 1, 20))
+        nodes,
+        lambda a, b: all(
+            problem.is_free(problem.steer(a, b, t * problem.distance(a, b)))
+            for t in np.linspace(0, 1, 20)
+        ),
     )
 
 
@@ -119,7 +130,11 @@ def a_few_places(problem, nodes):
 def a_hundred_places(problem, nodes):
     """Finer, and a thin wall slips through all the same."""
     return filled(
-        nodes, lambda a, b: all(problem.is_free(problem.steer(a, b, t * problem.distance(a, b))) for t in np.linspace(0, 1, 100))
+        nodes,
+        lambda a, b: all(
+            problem.is_free(problem.steer(a, b, t * problem.distance(a, b)))
+            for t in np.linspace(0, 1, 100)
+        ),
     )
 
 
@@ -391,7 +406,11 @@ def grown(
 ):
     """RRT, right but for what is exchanged."""
     chance = chance or np.random.default_rng(rng)
-    free, apart, steer = free or problem.is_free_path, apart or problem.distance, steer or problem.steer
+    free, apart, steer = (
+        free or problem.is_free_path,
+        apart or problem.distance,
+        steer or problem.steer,
+    )
     nodes, parent = [problem.start], [-1]
 
     def way():
@@ -402,7 +421,9 @@ def grown(
         return np.array(path[::-1] if turned else path)
 
     def at_goal():
-        if problem.distance(nodes[-1], problem.goal) > step or not (last or free)(nodes[-1], problem.goal):
+        if problem.distance(nodes[-1], problem.goal) > step or not (last or free)(
+            nodes[-1], problem.goal
+        ):
             return False
         nodes.append(problem.goal)
         parent.append(len(nodes) - 2)
@@ -432,7 +453,11 @@ def asks_about_ends(problem, *given):
 def asks_about_points(problem, *given):
     """Three configurations stand for the motion."""
     return grown(
-        problem, *given, free=lambda a, b: all(problem.is_free(problem.steer(a, b, t * problem.distance(a, b))) for t in (0.5, 1))
+        problem,
+        *given,
+        free=lambda a, b: all(
+            problem.is_free(problem.steer(a, b, t * problem.distance(a, b))) for t in (0.5, 1)
+        ),
     )
 
 
@@ -462,7 +487,9 @@ def headings_as_numbers(problem, *given):
 
 @wrong("rrt_for_polygon")
 def steered_as_numbers(problem, *given):
-    """A straight line in the numbers goes the long way round, and the motion that was asked about is another."""
+    """A straight line in the numbers goes the long way round, and the motion that was asked about
+    is another.
+    """
 
     def straight(a, b, step):
         return a + (b - a) * min(1.0, step / (np.linalg.norm(b - a) or 1.0))
@@ -494,7 +521,10 @@ def asks_about_twenty_places(problem, *given):
     """Places stand for the motion: a thin wall slips between them."""
 
     def seen(a, b):
-        return all(problem.is_free(problem.steer(a, b, t * problem.distance(a, b))) for t in np.linspace(0, 1, 20))
+        return all(
+            problem.is_free(problem.steer(a, b, t * problem.distance(a, b)))
+            for t in np.linspace(0, 1, 20)
+        )
 
     return grown(problem, *given, free=seen, last=seen)
 

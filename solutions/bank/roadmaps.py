@@ -1,4 +1,6 @@
-"""Wrong answers to the exercises of lesson 8. Each is one that students give; the slip is what a check must recognise in it."""
+"""Wrong answers to the exercises of lesson 8. Each is one that students give; the slip is what a
+check must recognise in it.
+"""
 
 import heapq
 import math
@@ -18,7 +20,11 @@ def turns(ring):
 
 
 def corners(problem, obstacles, keep=lambda turned: turned > 0):
-    return [problem.start, problem.goal, *(v for ring in obstacles for v, good in zip(ring, keep(turns(ring))) if good)]
+    return [
+        problem.start,
+        problem.goal,
+        *(v for ring in obstacles for v, good in zip(ring, keep(turns(ring))) if good),
+    ]
 
 
 def seen(nodes, sees):
@@ -58,7 +64,11 @@ def start_and_goal_alone(problem, obstacles):
 def never_along_an_obstacle(problem, obstacles):
     """Edges of obstacles are taken for obstacles."""
     nodes = corners(problem, obstacles)
-    owner = [-1, -2, *(k for k, ring in enumerate(obstacles) for turned in turns(ring) if turned > 0)]
+    owner = [
+        -1,
+        -2,
+        *(k for k, ring in enumerate(obstacles) for turned in turns(ring) if turned > 0),
+    ]
     found, pairs = seen(nodes, problem.is_semi_free_path)
     return found, [(i, j) for i, j in pairs if owner[i] != owner[j]]
 
@@ -129,7 +139,11 @@ def places_along(problem):
 
 def within(problem, nodes, near, free=None):
     asked = problem.is_free_path if free is None else free
-    return [(i, j) for i, j in combinations(range(len(nodes)), 2) if near(nodes[i], nodes[j]) and asked(nodes[i], nodes[j])]
+    return [
+        (i, j)
+        for i, j in combinations(range(len(nodes)), 2)
+        if near(nodes[i], nodes[j]) and asked(nodes[i], nodes[j])
+    ]
 
 
 @wrong("radius_neighbours", slip="strict")
@@ -141,7 +155,12 @@ def less_than_r(problem, nodes, r):
 @wrong("radius_neighbours", slip="blind")
 def through_walls(problem, nodes, r):
     """Points, not motions."""
-    return within(problem, nodes, lambda a, b: problem.distance(a, b) <= r, lambda a, b: problem.is_free(a) and problem.is_free(b))
+    return within(
+        problem,
+        nodes,
+        lambda a, b: problem.distance(a, b) <= r,
+        lambda a, b: problem.is_free(a) and problem.is_free(b),
+    )
 
 
 @wrong("radius_neighbours", slip="twice")
@@ -167,7 +186,9 @@ def across_the_page(problem, nodes, r):
 @wrong("radius_neighbours", slip="touching")
 def semi_free_for_free(problem, nodes, r):
     """Contact allowed."""
-    return within(problem, nodes, lambda a, b: problem.distance(a, b) <= r, problem.is_semi_free_path)
+    return within(
+        problem, nodes, lambda a, b: problem.distance(a, b) <= r, problem.is_semi_free_path
+    )
 
 
 @wrong("radius_neighbours", slip="sampled")
@@ -198,19 +219,31 @@ def a_box_for_a_ball(problem, nodes, r):
 def in_a_row_only(problem, nodes, r):
     """Each node and the next."""
     steps = [(i, i + 1) for i in range(len(nodes) - 1)]
-    return [(i, j) for i, j in steps if problem.distance(nodes[i], nodes[j]) <= r and problem.is_free_path(nodes[i], nodes[j])]
+    return [
+        (i, j)
+        for i, j in steps
+        if problem.distance(nodes[i], nodes[j]) <= r and problem.is_free_path(nodes[i], nodes[j])
+    ]
 
 
 @wrong("radius_neighbours")
 def coordinates_for_numbers(problem, nodes, r):
     """The ends themselves."""
-    return [(*nodes[i], *nodes[j]) for i, j in within(problem, nodes, lambda a, b: problem.distance(a, b) <= r)]
+    return [
+        (*nodes[i], *nodes[j])
+        for i, j in within(problem, nodes, lambda a, b: problem.distance(a, b) <= r)
+    ]
 
 
 @wrong("radius_neighbours", slip="blind")
 def middles_for_motions(problem, nodes, r):
     """One point for a motion."""
-    return within(problem, nodes, lambda a, b: problem.distance(a, b) <= r, lambda a, b: problem.is_free((a + b) / 2))
+    return within(
+        problem,
+        nodes,
+        lambda a, b: problem.distance(a, b) <= r,
+        lambda a, b: problem.is_free((a + b) / 2),
+    )
 
 
 # The K-closest rule
@@ -219,7 +252,10 @@ def middles_for_motions(problem, nodes, r):
 def rows(problem, nodes, k, distance=None, sign=1, skip=1):
     apart = problem.distance if distance is None else distance
     order = [
-        sorted(range(len(nodes)), key=lambda j: sign * apart(nodes[i], nodes[j]) if j != i else -math.inf)
+        sorted(
+            range(len(nodes)),
+            key=lambda j: sign * apart(nodes[i], nodes[j]) if j != i else -math.inf,
+        )
         for i in range(len(nodes))
     ]
     return [(i, j) for i in range(len(nodes)) for j in order[i][skip : k + skip]]
@@ -253,8 +289,12 @@ def the_closest_free_ones(problem, nodes, k):
     """Asks before it cuts."""
     pairs = []
     for i in range(len(nodes)):
-        others = [j for j in range(len(nodes)) if j != i and problem.is_free_path(nodes[i], nodes[j])]
-        pairs += [(i, j) for j in sorted(others, key=lambda j: problem.distance(nodes[i], nodes[j]))[:k]]
+        others = [
+            j for j in range(len(nodes)) if j != i and problem.is_free_path(nodes[i], nodes[j])
+        ]
+        pairs += [
+            (i, j) for j in sorted(others, key=lambda j: problem.distance(nodes[i], nodes[j]))[:k]
+        ]
     return joined(problem, nodes, pairs)
 
 
@@ -284,7 +324,9 @@ def among_later_nodes(problem, nodes, k):
 @wrong("k_closest", slip="straight")
 def closest_on_the_page(problem, nodes, k):
     """Angles do not wrap."""
-    return joined(problem, nodes, rows(problem, nodes, k, distance=lambda a, b: np.linalg.norm(a - b)))
+    return joined(
+        problem, nodes, rows(problem, nodes, k, distance=lambda a, b: np.linalg.norm(a - b))
+    )
 
 
 @wrong("k_closest", slip="touching")
@@ -323,7 +365,9 @@ def last_of_equals(problem, nodes, k):
     pairs = []
     for i in range(len(nodes)):
         others = [j for j in range(len(nodes) - 1, -1, -1) if j != i]
-        pairs += [(i, j) for j in sorted(others, key=lambda j: problem.distance(nodes[i], nodes[j]))[:k]]
+        pairs += [
+            (i, j) for j in sorted(others, key=lambda j: problem.distance(nodes[i], nodes[j]))[:k]
+        ]
     return joined(problem, nodes, pairs)
 
 
@@ -473,7 +517,13 @@ def samples_in_obstacles(problem, n, k, rng):
 def fewer_samples(problem, n, k, rng):
     """n tries, not n free samples."""
     chance = np.random.default_rng(rng)
-    nodes = np.array([problem.start, problem.goal, *(q for q in (problem.sample(chance) for _ in range(n)) if problem.is_free(q))])
+    nodes = np.array(
+        [
+            problem.start,
+            problem.goal,
+            *(q for q in (problem.sample(chance) for _ in range(n)) if problem.is_free(q)),
+        ]
+    )
     return nodes, joined(problem, nodes, rows(problem, nodes, k))
 
 
@@ -501,7 +551,9 @@ def edges_by_places(problem, n, k, rng):
 @wrong("sampled_roadmap")
 def the_room_measured_by_eye(problem, n, k, rng):
     """Samples of the room that the first cases show."""
-    nodes = built(problem, n, k, np.random.default_rng(rng), sample=lambda rng: rng.uniform((0, 0), (16, 10)))
+    nodes = built(
+        problem, n, k, np.random.default_rng(rng), sample=lambda rng: rng.uniform((0, 0), (16, 10))
+    )
     return nodes, joined(problem, nodes, rows(problem, nodes, k))
 
 
@@ -531,21 +583,32 @@ def global_numbers(problem, n, k, rng):
 def pythons_numbers(problem, n, k, rng):
     """Python's own state."""
     random.seed(rng)
-    nodes = built(problem, n, k, rng, sample=lambda _: np.array([16 * random.random(), 10 * random.random()]))
+    nodes = built(
+        problem, n, k, rng, sample=lambda _: np.array([16 * random.random(), 10 * random.random()])
+    )
     return nodes, joined(problem, nodes, rows(problem, nodes, k))
 
 
 @wrong("sampled_roadmap")
 def a_generator_for_each_sample(problem, n, k, rng):
     """The same sample again and again."""
-    nodes = built(problem, n, k, rng, sample=lambda rng: problem.sample(np.random.default_rng(rng)), keep=lambda q: True)
+    nodes = built(
+        problem,
+        n,
+        k,
+        rng,
+        sample=lambda rng: problem.sample(np.random.default_rng(rng)),
+        keep=lambda q: True,
+    )
     return nodes, joined(problem, nodes, rows(problem, nodes, k))
 
 
 @wrong("sampled_roadmap")
 def in_one_half(problem, n, k, rng):
     """Samples on the start's side."""
-    nodes = built(problem, n, k, np.random.default_rng(rng), keep=lambda q: problem.is_free(q) and q[0] < 8)
+    nodes = built(
+        problem, n, k, np.random.default_rng(rng), keep=lambda q: problem.is_free(q) and q[0] < 8
+    )
     return nodes, joined(problem, nodes, rows(problem, nodes, k))
 
 
@@ -609,7 +672,11 @@ def searched(nodes, edges, start, goal, weigh=None, estimate=None, one_way=False
 
 
 def measured(nodes, path):
-    return math.inf if path is None else sum(float(np.linalg.norm(nodes[i] - nodes[j])) for i, j in zip(path, path[1:]))
+    return (
+        math.inf
+        if path is None
+        else sum(float(np.linalg.norm(nodes[i] - nodes[j])) for i, j in zip(path, path[1:]))
+    )
 
 
 @wrong("shortest_path", slip="fewest")
@@ -679,7 +746,9 @@ def path_alone(nodes, edges, start, goal):
 @wrong("shortest_path")
 def greedy(nodes, edges, start, goal):
     """Always the node that is nearest to the goal."""
-    path, _ = searched(nodes, edges, start, goal, estimate=lambda q: float(np.linalg.norm(q - nodes[goal])))
+    path, _ = searched(
+        nodes, edges, start, goal, estimate=lambda q: float(np.linalg.norm(q - nodes[goal]))
+    )
     return path, measured(nodes, path)
 
 
@@ -708,7 +777,11 @@ def a_square():
 @wrong("exposing_sight")
 def three_in_a_line():
     """It is wrong, but with eleven vertices."""
-    return [[(0, 0), (2, 2), (0, 4), (-2, 2)], [(0, 10), (2, 12), (0, 14), (-2, 12)], [(0, 40), (1, 42), (-1, 42)]]
+    return [
+        [(0, 0), (2, 2), (0, 4), (-2, 2)],
+        [(0, 10), (2, 12), (0, 14), (-2, 12)],
+        [(0, 40), (1, 42), (-1, 42)],
+    ]
 
 
 @wrong("exposing_sight")

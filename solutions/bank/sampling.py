@@ -1,4 +1,6 @@
-"""Wrong answers to the exercises of lesson 6. Each is one that students give; the slip is what a check must recognise in it."""
+"""Wrong answers to the exercises of lesson 6. Each is one that students give; the slip is what a
+check must recognise in it.
+"""
 
 import math
 from itertools import product
@@ -586,7 +588,9 @@ def too_few_probes(points):
 @wrong("dispersion_bounds")
 def half_the_way_between_points(points):
     """Looks from point to point, never at the walls."""
-    nearest = [min((math.dist(p, q) for q in points if (p != q).any()), default=1.0) for p in points]
+    nearest = [
+        min((math.dist(p, q) for q in points if (p != q).any()), default=1.0) for p in points
+    ]
     return max(nearest) / 2, max(nearest) / 2 + 0.02
 
 

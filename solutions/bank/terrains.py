@@ -1,4 +1,6 @@
-"""Wrong answers to the exercises of lesson 10. Each is one that students give; the slip is what a check must recognise in it."""
+"""Wrong answers to the exercises of lesson 10. Each is one that students give; the slip is what a
+check must recognise in it.
+"""
 
 import heapq
 import random
@@ -24,11 +26,19 @@ def rrt(problem, step, spacing, goal_bias, failures, rng, **how):
         if len(nodes) > how.get("first", 0) and near and ends(nodes[-1], problem.goal):
             done = True
             break
-        q_rand = problem.goal if how.get("at_goal", chance.random() < goal_bias) else how.get("sample", problem.sample)(chance)
+        q_rand = (
+            problem.goal
+            if how.get("at_goal", chance.random() < goal_bias)
+            else how.get("sample", problem.sample)(chance)
+        )
         near = int(pick([problem.distance(q, q_rand) for q in nodes]))
         q_new = problem.steer(nodes[near], q_rand, how.get("stride", step))
         failed += 1
-        apart = problem.distance(nodes[near], q_new) if how.get("nearest_only") else min(problem.distance(q, q_new) for q in nodes)
+        apart = (
+            problem.distance(nodes[near], q_new)
+            if how.get("nearest_only")
+            else min(problem.distance(q, q_new) for q in nodes)
+        )
         if apart >= spacing * how.get("spaced", 1.0) and free(nodes[near], q_new):
             nodes.append(q_new)
             parent.append(near)
@@ -93,7 +103,9 @@ def failures_in_all(*given):
 
 @wrong("rrt_on_terrain")
 def no_spacing(*given):
-    """New nodes may be anywhere; where there is no way it grows for ever, so it ends with the nodes it may have."""
+    """New nodes may be anywhere; where there is no way it grows for ever, so it ends with the nodes
+    it may have.
+    """
     problem, step, _, goal_bias, _, rng = given
     return rrt(problem, step, 0.0, goal_bias, 8, rng)
 
@@ -112,10 +124,23 @@ def global_chance(problem, step, spacing, goal_bias, failures, rng):
         own = np.random.default_rng(rng)
 
         def __getattr__(self, name):
-            return random.random if name == "random" and random.random() < 2 else getattr(self.own, name)
+            return (
+                random.random
+                if name == "random" and random.random() < 2
+                else getattr(self.own, name)
+            )
 
     chance = Chance()
-    return rrt(problem, step, spacing, goal_bias, failures, rng, chance=chance, sample=lambda _: problem.sample(chance.own))
+    return rrt(
+        problem,
+        step,
+        spacing,
+        goal_bias,
+        failures,
+        rng,
+        chance=chance,
+        sample=lambda _: problem.sample(chance.own),
+    )
 
 
 @wrong("rrt_on_terrain")
@@ -229,7 +254,12 @@ def free_ends_are_enough(*given):
 @wrong("prm_on_terrain")
 def ten_closest(problem, n, rng):
     """Joins only what is near."""
-    return prm(problem, n, rng, free=lambda a, b: problem.distance(a, b) < 12.0 and problem.is_free_path(a, b))
+    return prm(
+        problem,
+        n,
+        rng,
+        free=lambda a, b: problem.distance(a, b) < 12.0 and problem.is_free_path(a, b),
+    )
 
 
 @wrong("prm_on_terrain")
@@ -306,21 +336,36 @@ def first_column_only(table):
 @wrong("repeated_rows", slip="from_one")
 def counted_from_one(table):
     """As a person counts."""
-    return [(i + 1, j + 1, c + 1) for i, j, c in all_repeats(table, lambda i, j, c: table[i][c] == table[j][c])]
+    return [
+        (i + 1, j + 1, c + 1)
+        for i, j, c in all_repeats(table, lambda i, j, c: table[i][c] == table[j][c])
+    ]
 
 
 @wrong("repeated_rows", slip="both_ways")
 def every_pair_twice(table):
     """i and j in either order."""
     n, m = table.shape
-    return [(i, j, c) for i in range(n) for j in range(n) for c in range(m) if i != j and table[i, c] == table[j, c]]
+    return [
+        (i, j, c)
+        for i in range(n)
+        for j in range(n)
+        for c in range(m)
+        if i != j and table[i, c] == table[j, c]
+    ]
 
 
 @wrong("repeated_rows", slip="itself")
 def with_itself(table):
     """j begins at i."""
     n, m = table.shape
-    return [(i, j, c) for i in range(n) for j in range(i, n) for c in range(m) if table[i, c] == table[j, c]]
+    return [
+        (i, j, c)
+        for i in range(n)
+        for j in range(i, n)
+        for c in range(m)
+        if table[i, c] == table[j, c]
+    ]
 
 
 @wrong("repeated_rows", slip="missing")
@@ -351,7 +396,9 @@ def seven_digits(table):
 def a_triple_for_each_pair(table):
     """Stops at the first column that is the same."""
     n = len(table)
-    shared = [(i, j, np.flatnonzero(table[i] == table[j])) for i in range(n) for j in range(i + 1, n)]
+    shared = [
+        (i, j, np.flatnonzero(table[i] == table[j])) for i in range(n) for j in range(i + 1, n)
+    ]
     return [(i, j, columns[0]) for i, j, columns in shared if len(columns)]
 
 
@@ -371,7 +418,13 @@ def first_of_each(table):
 def across_columns(table):
     """Compares every number of a row with every one of the other."""
     n, m = table.shape
-    return [(i, j, c) for i in range(n) for j in range(i + 1, n) for c in range(m) if table[i, c] in table[j]]
+    return [
+        (i, j, c)
+        for i in range(n)
+        for j in range(i + 1, n)
+        for c in range(m)
+        if table[i, c] in table[j]
+    ]
 
 
 # Comparing planners
@@ -383,7 +436,10 @@ def asked(run, planners, seeds):
 
 def row(runs, found=None, quarters=(0.25, 0.5, 0.75)):
     found = [length for length in runs if isfinite(length)] if found is None else found
-    return [sum(map(isfinite, runs)) / len(runs), *(np.quantile(found, quarters) if len(found) else [np.nan] * 3)]
+    return [
+        sum(map(isfinite, runs)) / len(runs),
+        *(np.quantile(found, quarters) if len(found) else [np.nan] * 3),
+    ]
 
 
 @wrong("compare_planners", slip="mean")
@@ -406,13 +462,18 @@ def infinite_among_them(run, planners, seeds):
 @wrong("compare_planners", slip="failures_are_zero")
 def zero_for_none(run, planners, seeds):
     """A failure has length 0."""
-    return [row(runs, found=[x if isfinite(x) else 0.0 for x in runs]) for runs in asked(run, planners, seeds)]
+    return [
+        row(runs, found=[x if isfinite(x) else 0.0 for x in runs])
+        for runs in asked(run, planners, seeds)
+    ]
 
 
 @wrong("compare_planners", slip="percent")
 def in_percent(run, planners, seeds):
     """100 for all."""
-    return [[100 * share, *rest] for share, *rest in (row(runs) for runs in asked(run, planners, seeds))]
+    return [
+        [100 * share, *rest] for share, *rest in (row(runs) for runs in asked(run, planners, seeds))
+    ]
 
 
 @wrong("compare_planners", slip="whole_spread")
@@ -441,7 +502,10 @@ def once_is_enough(run, planners, seeds):
 @wrong("compare_planners", slip="counts")
 def how_many(run, planners, seeds):
     """A count for a share."""
-    return [[share * len(seeds), *rest] for share, *rest in (row(runs) for runs in asked(run, planners, seeds))]
+    return [
+        [share * len(seeds), *rest]
+        for share, *rest in (row(runs) for runs in asked(run, planners, seeds))
+    ]
 
 
 @wrong("compare_planners", slip="not_between")
@@ -450,7 +514,11 @@ def one_of_the_lengths(run, planners, seeds):
     rows = [row(runs) for runs in asked(run, planners, seeds)]
     for one, runs in zip(rows, asked(run, planners, seeds)):
         found = sorted(length for length in runs if isfinite(length))
-        one[1:] = [found[int(quarter * (len(found) - 1))] for quarter in (0.25, 0.5, 0.75)] if found else [np.nan] * 3
+        one[1:] = (
+            [found[int(quarter * (len(found) - 1))] for quarter in (0.25, 0.5, 0.75)]
+            if found
+            else [np.nan] * 3
+        )
     return rows
 
 
@@ -480,7 +548,9 @@ def pieces(cost, a, b):
     shares = {0.0, 1.0}
     for p, q in zip(a, b):
         if p != q:
-            shares |= {(line - p) / (q - p) for line in range(ceil(min(p, q)), floor(max(p, q)) + 1)}
+            shares |= {
+                (line - p) / (q - p) for line in range(ceil(min(p, q)), floor(max(p, q)) + 1)
+            }
     shares = sorted(t for t in shares if 0 <= t <= 1)
     for t, s in zip(shares, shares[1:]):
         x, y = a + (b - a) * (s + t) / 2
@@ -519,7 +589,9 @@ def every_half_unit(cost, a, b):
 @wrong("cost_along", slip="transposed")
 def column_first(cost, a, b):
     """cost[x, y]."""
-    return sum(cost[i, j] * s for i, j, s in pieces(cost, a, b) if i < len(cost) and j < len(cost[0]))
+    return sum(
+        cost[i, j] * s for i, j, s in pieces(cost, a, b) if i < len(cost) and j < len(cost[0])
+    )
 
 
 @wrong("cost_along", slip="upside_down")
@@ -543,7 +615,11 @@ def cost_per_length(cost, a, b):
 @wrong("cost_along", slip="cells")
 def sum_of_cells(cost, a, b):
     """Every cell counts once, however short the way through it."""
-    return sum(cost[j, i] for i, j, s in pieces(cost, a, b)) if (a != b).any() else cost[int(a[1]), int(a[0])]
+    return (
+        sum(cost[j, i] for i, j, s in pieces(cost, a, b))
+        if (a != b).any()
+        else cost[int(a[1]), int(a[0])]
+    )
 
 
 @wrong("cost_along", slip="first_end")
@@ -551,7 +627,9 @@ def where_a_piece_begins(cost, a, b):
     """The cell of a piece's first end, not of its middle."""
     shares = {0.0, 1.0}
     for p, q in zip(a, b):
-        shares |= {(line - p) / (q - p) for line in range(ceil(min(p, q)), floor(max(p, q)) + 1) if p != q}
+        shares |= {
+            (line - p) / (q - p) for line in range(ceil(min(p, q)), floor(max(p, q)) + 1) if p != q
+        }
     shares, total = sorted(shares), 0.0
     for t, s in zip(shares, shares[1:]):
         x, y = a + (b - a) * t
@@ -564,7 +642,10 @@ def cut_at_columns_only(cost, a, b):
     """Forgets the whole y."""
     shares = [0.0, 1.0]
     if a[0] != b[0]:
-        shares += [(x - a[0]) / (b[0] - a[0]) for x in range(ceil(min(a[0], b[0])), floor(max(a[0], b[0])) + 1)]
+        shares += [
+            (x - a[0]) / (b[0] - a[0])
+            for x in range(ceil(min(a[0], b[0])), floor(max(a[0], b[0])) + 1)
+        ]
     shares, total = sorted(shares), 0.0
     for t, s in zip(shares, shares[1:]):
         x, y = a + (b - a) * (s + t) / 2

@@ -1,4 +1,6 @@
-"""Wrong answers to the exercises of lesson 9. Each is one that students give; the slip is what a check must recognise in it."""
+"""Wrong answers to the exercises of lesson 9. Each is one that students give; the slip is what a
+check must recognise in it.
+"""
 
 import random
 
@@ -52,7 +54,13 @@ def free_ends(problem, expand, iterations, rng):
 @wrong("tree_roadmap")
 def eleven_points(problem, expand, iterations, rng):
     """Points along the edge."""
-    return planted(problem, expand, iterations, rng, lambda p, a, b: all(p.is_free(a + t * (b - a)) for t in np.linspace(0, 1, 4)))
+    return planted(
+        problem,
+        expand,
+        iterations,
+        rng,
+        lambda p, a, b: all(p.is_free(a + t * (b - a)) for t in np.linspace(0, 1, 4)),
+    )
 
 
 @wrong("tree_roadmap", slip="from_one")
@@ -64,7 +72,9 @@ def numbers_from_one(problem, expand, iterations, rng):
 @wrong("tree_roadmap", slip="chained")
 def one_long_chain(problem, expand, iterations, rng):
     """The last one is the parent."""
-    return planted(problem, expand, iterations, rng, is_free_path, lambda node, nodes: len(nodes) - 2)
+    return planted(
+        problem, expand, iterations, rng, is_free_path, lambda node, nodes: len(nodes) - 2
+    )
 
 
 @wrong("tree_roadmap")
@@ -139,7 +149,9 @@ def rrt_by(
     rng = np.random.default_rng(rng)
     nodes, parent = [problem.start], [-1]
     for i in range(iterations + 1):
-        if problem.distance(nodes[-1], problem.goal) <= step and accepts_goal(problem, nodes[-1], problem.goal):
+        if problem.distance(nodes[-1], problem.goal) <= step and accepts_goal(
+            problem, nodes[-1], problem.goal
+        ):
             nodes.append(problem.goal)
             parent.append(number(len(nodes) - 2))
             return nodes, parent, way_up(nodes, parent, len(nodes) - 1)[::-1]
@@ -155,7 +167,9 @@ def rrt_by(
 @wrong("rrt")
 def last_edge_unchecked(problem, step, goal_bias, iterations, rng):
     """Near the goal is enough."""
-    return rrt_by(problem, step, goal_bias, iterations, rng, accepts_goal=lambda problem, a, b: True)
+    return rrt_by(
+        problem, step, goal_bias, iterations, rng, accepts_goal=lambda problem, a, b: True
+    )
 
 
 @wrong("rrt")
@@ -165,7 +179,9 @@ def points_for_edges(problem, step, goal_bias, iterations, rng):
     def free_end(problem, a, b):
         return problem.is_free(b)
 
-    return rrt_by(problem, step, goal_bias, iterations, rng, accepts=free_end, accepts_goal=free_end)
+    return rrt_by(
+        problem, step, goal_bias, iterations, rng, accepts=free_end, accepts_goal=free_end
+    )
 
 
 @wrong("rrt")
@@ -187,7 +203,15 @@ def always_the_root(problem, step, goal_bias, iterations, rng):
 @wrong("rrt")
 def root_with_long_steps(problem, step, goal_bias, iterations, rng):
     """Every sample joined to the start."""
-    return rrt_by(problem, step, goal_bias, iterations, rng, choose=lambda p, nodes, q: 0, steer=lambda problem, a, b, step: b)
+    return rrt_by(
+        problem,
+        step,
+        goal_bias,
+        iterations,
+        rng,
+        choose=lambda p, nodes, q: 0,
+        steer=lambda problem, a, b, step: b,
+    )
 
 
 @wrong("rrt")
@@ -206,13 +230,22 @@ def farthest_for_nearest(problem, step, goal_bias, iterations, rng):
 @wrong("rrt")
 def the_last_node(problem, step, goal_bias, iterations, rng):
     """A random walk."""
-    return rrt_by(problem, step, goal_bias, iterations, rng, choose=lambda problem, nodes, q: len(nodes) - 1)
+    return rrt_by(
+        problem, step, goal_bias, iterations, rng, choose=lambda problem, nodes, q: len(nodes) - 1
+    )
 
 
 @wrong("rrt")
 def nearest_to_the_goal(problem, step, goal_bias, iterations, rng):
     """Greedy."""
-    return rrt_by(problem, step, goal_bias, iterations, rng, choose=lambda p, nodes, q: nearest(p, nodes, p.goal))
+    return rrt_by(
+        problem,
+        step,
+        goal_bias,
+        iterations,
+        rng,
+        choose=lambda p, nodes, q: nearest(p, nodes, p.goal),
+    )
 
 
 @wrong("rrt")
@@ -237,13 +270,22 @@ def unit_steps(problem, step, goal_bias, iterations, rng):
 @wrong("rrt")
 def corner_samples(problem, step, goal_bias, iterations, rng):
     """Draws from the unit square."""
-    return rrt_by(problem, step, goal_bias, iterations, rng, draw=lambda problem, rng: rng.random(2))
+    return rrt_by(
+        problem, step, goal_bias, iterations, rng, draw=lambda problem, rng: rng.random(2)
+    )
 
 
 @wrong("rrt")
 def samples_near_the_start(problem, step, goal_bias, iterations, rng):
     """Half of the room."""
-    return rrt_by(problem, step, goal_bias, iterations, rng, draw=lambda problem, rng: 0.7 * problem.sample(rng))
+    return rrt_by(
+        problem,
+        step,
+        goal_bias,
+        iterations,
+        rng,
+        draw=lambda problem, rng: 0.7 * problem.sample(rng),
+    )
 
 
 @wrong("rrt")
@@ -351,7 +393,9 @@ def asks_for_the_whole_way(problem, step, goal_bias, iterations, rng):
     rng = np.random.default_rng(rng)
     nodes, parent = [problem.start], [-1]
     for _ in range(iterations):
-        if problem.distance(nodes[-1], problem.goal) <= step and problem.is_free_path(nodes[-1], problem.goal):
+        if problem.distance(nodes[-1], problem.goal) <= step and problem.is_free_path(
+            nodes[-1], problem.goal
+        ):
             nodes.append(problem.goal)
             parent.append(len(nodes) - 2)
             return nodes, parent, way_up(nodes, parent, len(nodes) - 1)[::-1]
@@ -366,13 +410,27 @@ def asks_for_the_whole_way(problem, step, goal_bias, iterations, rng):
 @wrong("rrt")
 def waits_for_the_goal_as_a_sample(problem, step, goal_bias, iterations, rng):
     """Reaches the goal only when the goal is drawn, and steps on it."""
-    return rrt_by(problem, step, goal_bias, iterations, rng, accepts_goal=lambda p, a, b: p.distance(a, b) == 0.0)
+    return rrt_by(
+        problem,
+        step,
+        goal_bias,
+        iterations,
+        rng,
+        accepts_goal=lambda p, a, b: p.distance(a, b) == 0.0,
+    )
 
 
 @wrong("rrt")
 def half_a_step(problem, step, goal_bias, iterations, rng):
     """Steps of half the length."""
-    return rrt_by(problem, step, goal_bias, iterations, rng, steer=lambda problem, a, b, step: problem.steer(a, b, step / 2))
+    return rrt_by(
+        problem,
+        step,
+        goal_bias,
+        iterations,
+        rng,
+        steer=lambda problem, a, b, step: problem.steer(a, b, step / 2),
+    )
 
 
 @wrong("rrt")
@@ -384,7 +442,17 @@ def gives_up_soon(problem, step, goal_bias, iterations, rng):
 # RRT-Connect
 
 
-def two_trees(problem, step, iterations, rng, *, accepts=is_free_path, steps=10**6, accepts_last=is_free_path, choose=nearest):
+def two_trees(
+    problem,
+    step,
+    iterations,
+    rng,
+    *,
+    accepts=is_free_path,
+    steps=10**6,
+    accepts_last=is_free_path,
+    choose=nearest,
+):
     rng = np.random.default_rng(rng)
     trees = [([problem.start], [-1]), ([problem.goal], [-1])]
     for turn in range(iterations):
@@ -435,7 +503,9 @@ def free_places(problem, step, iterations, rng):
 @wrong("rrt_connect")
 def from_the_newest(problem, step, iterations, rng):
     """Grows from the last node, not from the nearest."""
-    return two_trees(problem, step, min(iterations, 200), rng, choose=lambda problem, nodes, q: len(nodes) - 1)
+    return two_trees(
+        problem, step, min(iterations, 200), rng, choose=lambda problem, nodes, q: len(nodes) - 1
+    )
 
 
 @wrong("rrt_connect")
@@ -535,7 +605,9 @@ def nearest_parent(*given):
 def parent_only(problem, nodes, parent, cost, q_new, radius):
     """The half of it."""
     apart = [problem.distance(q, q_new) for q in nodes]
-    near = [i for i in range(len(nodes)) if apart[i] <= radius and problem.is_free_path(nodes[i], q_new)]
+    near = [
+        i for i in range(len(nodes)) if apart[i] <= radius and problem.is_free_path(nodes[i], q_new)
+    ]
     best = min(near, key=lambda i: cost[i] + apart[i])
     return [*parent, best], [*cost, cost[best] + apart[best]]
 

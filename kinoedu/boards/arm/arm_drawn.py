@@ -18,7 +18,9 @@ HITS = ("ink", "hit")  # the colours of links 1 and 2 in contact, as in the squa
 
 
 def links_in_contact(arm: ArmRobot, q: Array, world: Any) -> list[int]:
-    """Every link of two that touches something, from 1: behind the first that does, `link_in_contact` does not look."""
+    """Every link of two that touches something, from 1: behind the first that does,
+    `link_in_contact` does not look.
+    """
     first = link_in_contact(arm, q, world)
     if first != 1:
         return [first] if first else []
@@ -36,14 +38,24 @@ def contact_said(hits: Sequence[int]) -> str:
 def outlines(arm: ArmRobot, q: Array) -> Array:
     """The outlines of the links at q, shape (2, 50, 2)."""
     joints = [arm.base, *arm.joints(q)]
-    return np.array([bar_outline(a, b, r) for a, b, r in zip(joints, joints[1:], arm.shape.radius, strict=False)])
+    return np.array(
+        [
+            bar_outline(a, b, r)
+            for a, b, r in zip(joints, joints[1:], arm.shape.radius, strict=False)
+        ]
+    )
 
 
 def arm_drawn(arm: ArmRobot, q: Array, hits: Sequence[int]) -> list[Layer]:
-    """The arm at q: a link that touches something has the colour that it has in the square, and stripes."""
+    """The arm at q: a link that touches something has the colour that it has in the square, and
+    stripes.
+    """
     joints = np.array([arm.base, *arm.joints(q)])
     looks = [(HITS[i], True) if i + 1 in hits else ("free_link", False) for i in range(2)]
-    links = [bodies([outline], colour, hatched=hit) for outline, (colour, hit) in zip(outlines(arm, q), looks, strict=True)]
+    links = [
+        bodies([outline], colour, hatched=hit)
+        for outline, (colour, hit) in zip(outlines(arm, q), looks, strict=True)
+    ]
     return [
         *links,
         dots(joints[:1], "ink", radius=8.0),

@@ -1,4 +1,6 @@
-"""The square of an arm's two angles, whose opposite sides are one: the torus laid flat, and how motions are drawn on it."""
+"""The square of an arm's two angles, whose opposite sides are one: the torus laid flat, and how
+motions are drawn on it.
+"""
 
 from typing import Any
 
@@ -12,18 +14,29 @@ from ..core.drawing import Layer, arrows, edges, labels
 from ..core.scene import Scene, make_scene
 
 PI, TURN = np.pi, 2.0 * np.pi
-COLOURS = ["free_area", "hit_1_area", "hit_2_area"]  # of a painted image: free, link 1 hits, link 2 does
+COLOURS = [
+    "free_area",
+    "hit_1_area",
+    "hit_2_area",
+]  # of a painted image: free, link 1 hits, link 2 does
 COARSE = 6  # a name is placed on every sixth cell
 
 
 def square_scene(handles: list[dict[str, Any]]) -> Scene:
     """The square [-pi, pi) x [-pi, pi), with room for its scales at the left and below."""
     scene = make_scene((-PI - 0.7, -PI - 0.7), (PI + 0.3, PI + 0.3), handles=handles)
-    return {**scene, "glued": {"lo": [-PI, -PI], "hi": [PI, PI]}, "colours": COLOURS, "ticks": False}
+    return {
+        **scene,
+        "glued": {"lo": [-PI, -PI], "hi": [PI, PI]},
+        "colours": COLOURS,
+        "ticks": False,
+    }
 
 
 def frame() -> list[Layer]:
-    """Scales, and arrows on the sides: those that are one carry the same arrows, the same way round."""
+    """Scales, and arrows on the sides: those that are one carry the same arrows, the same way
+    round.
+    """
     values, names = np.array([-PI, 0.0, PI]), ["-π", "0", "π"]
     corners = np.array([(-PI, -PI), (PI, -PI), (PI, PI), (-PI, PI)])
     sides = np.array([-PI, PI])
@@ -41,25 +54,36 @@ def frame() -> list[Layer]:
 
 def sights(q: Array) -> Layer:
     """Thin lines through q, to read its angles off the scales."""
-    return edges([[(-PI, q[1]), (PI, q[1])], [(q[0], -PI), (q[0], PI)]], "ink", width=1.2, dash=(2.0, 5.0))
+    return edges(
+        [[(-PI, q[1]), (PI, q[1])], [(q[0], -PI), (q[0], PI)]], "ink", width=1.2, dash=(2.0, 5.0)
+    )
 
 
 def regions_named(image: NDArray[np.int8]) -> list[Layer]:
     """What each colour of a painted image means, written where the region is widest."""
     coarse = image[COARSE // 2 :: COARSE, COARSE // 2 :: COARSE]
     found = [(where_widest(coarse == link), say(f"figure.link_{link}")) for link in range(3)]
-    return [labels([(min(place[0], PI - 1.3) - 0.3, place[1] - 0.2)], [name], "ink") for place, name in found if place is not None]
+    return [
+        labels([(min(place[0], PI - 1.3) - 0.3, place[1] - 0.2)], [name], "ink")
+        for place, name in found
+        if place is not None
+    ]
 
 
 def split(begins: Array, ends: Array) -> Array:
-    """Motions the short way round as segments within the square, shape (m, 2, 2): cut where they cross a side.
+    """Motions the short way round as segments within the square, shape (m, 2, 2): cut where they
+    cross a side.
 
     begins, ends : (n, 2), angles in [-pi, pi).
     """
     change = (ends - begins + PI) % TURN - PI
     with np.errstate(divide="ignore", invalid="ignore"):
-        crossing = np.where(np.abs(begins + change) > PI, (np.copysign(PI, change) - begins) / change, 1.0)
-    shares = np.sort(np.column_stack([np.zeros(len(begins)), crossing, np.ones(len(begins))]), axis=1)
+        crossing = np.where(
+            np.abs(begins + change) > PI, (np.copysign(PI, change) - begins) / change, 1.0
+        )
+    shares = np.sort(
+        np.column_stack([np.zeros(len(begins)), crossing, np.ones(len(begins))]), axis=1
+    )
     whole = begins[:, None] + shares[:, :, None] * change[:, None]
     middle = 0.5 * (whole[:, :-1] + whole[:, 1:])
     round_ = TURN * np.floor((middle + PI) / TURN)

@@ -1,4 +1,6 @@
-"""A plan of an arm on its board: what was built and the path on the square of angles, and the arm that rides along it in both."""
+"""A plan of an arm on its board: what was built and the path on the square of angles, and the arm
+that rides along it in both.
+"""
 
 from collections.abc import Callable
 from typing import Any, NamedTuple
@@ -20,8 +22,8 @@ STEPS = 120  # of a ride
 
 
 class Ride(NamedTuple):
-    """What came of a planner: the plan, or the attempt of a reader's own; what is said of it; path (n, 2), and the configurations
-    (k, 2) at the steps of a ride along it, none without a path."""
+    """What came of a planner: the plan, or the attempt of a reader's own; what is said of it; path
+    (n, 2), and the configurations (k, 2) at the steps of a ride along it, none without a path."""
 
     plan: Plan | Attempt | None
     text: str
@@ -34,8 +36,12 @@ class Ride(NamedTuple):
         return max(len(self.stops) - 1, 0)
 
 
-def ride_of(planner: Callable[..., Any], arm: ArmRobot, world: Any, ends: tuple[Array, Array], seed: int) -> Ride:
-    """Let a planner join two configurations, or say what hinders it; a reader's own is judged and stopped as on `board`."""
+def ride_of(
+    planner: Callable[..., Any], arm: ArmRobot, world: Any, ends: tuple[Array, Array], seed: int
+) -> Ride:
+    """Let a planner join two configurations, or say what hinders it; a reader's own is judged and
+    stopped as on `board`.
+    """
     nowhere = np.empty((0, 2))
     try:
         problem = Problem(arm, world, *ends)
@@ -70,23 +76,39 @@ def ride_in_workspace(arm: ArmRobot, ride: Ride) -> list[Layer]:
     """The way of the tip, and the arm at each step."""
     if ride.total == 0:
         return []
-    shapes, steps = np.concatenate([outlines(arm, q) for q in ride.stops]), np.repeat(np.arange(ride.total + 1), 2)
+    shapes, steps = (
+        np.concatenate([outlines(arm, q) for q in ride.stops]),
+        np.repeat(np.arange(ride.total + 1), 2),
+    )
     track = track_of(arm, ride.path)
-    return [*line(np.stack([track[:-1], track[1:]], axis=1)), bodies(shapes, "robot", when=steps, until=steps + 1)]
+    return [
+        *line(np.stack([track[:-1], track[1:]], axis=1)),
+        bodies(shapes, "robot", when=steps, until=steps + 1),
+    ]
 
 
 def ride_in_square(ride: Ride) -> list[Layer]:
-    """What the planner built, its path, cut where it crosses a side, and the configuration at each step."""
+    """What the planner built, its path, cut where it crosses a side, and the configuration at each
+    step.
+    """
     steps = np.arange(len(ride.stops))
-    here = [dots(ride.stops, colour, radius=r, when=steps, until=steps + 1) for colour, r in (("free", 9.0), ("robot", 7.0))]
-    return [*built(ride.plan), *(line(split(ride.path[:-1], ride.path[1:])) + here if ride.total else [])]
+    here = [
+        dots(ride.stops, colour, radius=r, when=steps, until=steps + 1)
+        for colour, r in (("free", 9.0), ("robot", 7.0))
+    ]
+    return [
+        *built(ride.plan),
+        *(line(split(ride.path[:-1], ride.path[1:])) + here if ride.total else []),
+    ]
 
 
 def built(plan: Any) -> list[Layer]:
     """The tree or the roadmap of a plan on the square."""
     if getattr(plan, "tree", None) is not None:
         grown = np.flatnonzero(plan.tree.parent >= 0)
-        return [edges(split(plan.tree.nodes[plan.tree.parent[grown]], plan.tree.nodes[grown]), "tree")]
+        return [
+            edges(split(plan.tree.nodes[plan.tree.parent[grown]], plan.tree.nodes[grown]), "tree")
+        ]
     if getattr(plan, "roadmap", None) is not None:
         ends = plan.roadmap.nodes[plan.roadmap.edges]
         return [edges(split(ends[:, 0], ends[:, 1]), "roadmap", width=0.8)]

@@ -1,4 +1,6 @@
-"""The bugs' board: a bug walks round obstacles that are dragged, with the distance to its goal plotted beside it."""
+"""The bugs' board: a bug walks round obstacles that are dragged, with the distance to its goal
+plotted beside it.
+"""
 
 from collections.abc import Iterable
 from typing import Any
@@ -33,9 +35,15 @@ FINENESS = 160.0  # steps of the clock across the world
 
 
 def bug_board(
-    start: ArrayLike, goal: ArrayLike, obstacles: Iterable[ArrayLike], *, bug: str = "bug1", turn: str = "left"
+    start: ArrayLike,
+    goal: ArrayLike,
+    obstacles: Iterable[ArrayLike],
+    *,
+    bug: str = "bug1",
+    turn: str = "left",
 ) -> "BugBoard":
-    """Drag the start, the goal, the obstacles or their vertices, and a bug walks anew; scrub along its walk.
+    """Drag the start, the goal, the obstacles or their vertices, and a bug walks anew; scrub along
+    its walk.
 
     Parameters
     ----------
@@ -52,16 +60,29 @@ def bug_board(
 
 
 class BugBoard(widgets.VBox):
-    """What `bug_board` makes: the controls, the world in `canvas`, and the distance to the goal in `plot`."""
+    """What `bug_board` makes: the controls, the world in `canvas`, and the distance to the goal in
+    `plot`.
+    """
 
-    def __init__(self, start: ArrayLike, goal: ArrayLike, obstacles: Iterable[ArrayLike], *, bug: str, turn: str) -> None:
+    def __init__(
+        self,
+        start: ArrayLike,
+        goal: ArrayLike,
+        obstacles: Iterable[ArrayLike],
+        *,
+        bug: str,
+        turn: str,
+    ) -> None:
         scene = scene_of(start, goal, obstacles)
         chosen, heading = one_of(bug, "bug", (*BUGS, ALL)), one_of(turn, "turn", ("left", "right"))
         self.plans: list[tuple[Plan, Walk]] = []
         self._clock, self._told = Clock(1.0, 0), list[str]()  # of both pictures
         self._step = max(b - a for a, b in zip(scene["lo"], scene["hi"], strict=True)) / FINENESS
         self.bug = widgets.Dropdown(
-            options=[*((name, key) for key, (name, _) in BUGS.items()), (say("bug_board.all"), ALL)],
+            options=[
+                *((name, key) for key, (name, _) in BUGS.items()),
+                (say("bug_board.all"), ALL),
+            ],
             value=chosen,
             **{**look("planner"), "description": say("bug_board.bug")},
         )
@@ -75,7 +96,9 @@ class BugBoard(widgets.VBox):
         self.plot.partner = self.canvas.key
         self.canvas.layout = widgets.Layout(flex="4 1 22em", min_width="0")
         self.plot.layout = widgets.Layout(flex="3 1 18em", min_width="0", padding="0 2px 0 0")
-        pictures = widgets.HBox([self.canvas, self.plot], layout=widgets.Layout(flex_flow="row wrap", grid_gap="8px"))
+        pictures = widgets.HBox(
+            [self.canvas, self.plot], layout=widgets.Layout(flex_flow="row wrap", grid_gap="8px")
+        )
         super().__init__([self.bug, self.turn, pictures])
         for control in (self.bug, self.turn):
             control.observe(lambda _: self.canvas.refresh(), "value")
@@ -87,7 +110,10 @@ class BugBoard(widgets.VBox):
             obstacles = [item["rings"][0] for item in scene["polygons"]]
             start, goal = place_of(scene, START), place_of(scene, GOAL)
             chosen = list(BUGS) if self.bug.value == ALL else [self.bug.value]
-            plans = [BUGS[name][1](start, goal, obstacles, self._step, turn=self.turn.value) for name in chosen]
+            plans = [
+                BUGS[name][1](start, goal, obstacles, self._step, turn=self.turn.value)
+                for name in chosen
+            ]
             self.plans = [(plan, plan.walk) for plan in plans]
             self._clock = clock_for([plan.walk for plan in plans], self._step)
             self._told = told_of(self.plans, self._clock)
@@ -124,6 +150,9 @@ def scene_of(start: ArrayLike, goal: ArrayLike, obstacles: Iterable[ArrayLike]) 
     return make_scene(
         lo - margin,
         hi + margin,
-        handles=[handle(START, begin, colour="start"), handle(GOAL, end, colour="goal", marker="star")],
+        handles=[
+            handle(START, begin, colour="start"),
+            handle(GOAL, end, colour="goal", marker="star"),
+        ],
         polygons=[polygon(name, [ring]) for name, ring in zip(names, rings, strict=True)],
     )

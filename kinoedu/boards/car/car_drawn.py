@@ -1,4 +1,6 @@
-"""A car on a board: its body and its steered wheels, the way that it drives, and the ride along it."""
+"""A car on a board: its body and its steered wheels, the way that it drives, and the ride along
+it.
+"""
 
 import math
 from collections.abc import Sequence
@@ -40,7 +42,9 @@ def ride_along(trajectory: TrajectoryRecord) -> Ride:
 
 
 def ride_drawn(car: CarRobot, ride: Ride, begin: int, *, hit: bool = False) -> list[Layer]:
-    """The car at the first moment until step `begin`, and then at one moment after another; at the last, perhaps in contact."""
+    """The car at the first moment until step `begin`, and then at one moment after another; at the
+    last, perhaps in contact.
+    """
     n = len(ride.times)
     when = np.append(0, begin + 1 + np.arange(n - 1)) if n > 1 else np.array([0])
     until = np.append(when[1:], begin + n)
@@ -50,8 +54,15 @@ def ride_drawn(car: CarRobot, ride: Ride, begin: int, *, hit: bool = False) -> l
     wheels = posed(np.array([straight[phi] for phi in ride.controls[:, 1].tolist()]), ride.poses)
     good = n - 1 if hit else n
     body = [bodies(outlines[:good], "robot", when=when[:good], until=until[:good])]
-    body += [bodies(outlines[good:], "hit", hatched=True, when=when[good:], until=until[good:])] if hit else []
-    return [*body, bodies(wheels.reshape(-1, 4, 2), "ink", when=np.repeat(when, 4), until=np.repeat(until, 4))]
+    body += (
+        [bodies(outlines[good:], "hit", hatched=True, when=when[good:], until=until[good:])]
+        if hit
+        else []
+    )
+    return [
+        *body,
+        bodies(wheels.reshape(-1, 4, 2), "ink", when=np.repeat(when, 4), until=np.repeat(until, 4)),
+    ]
 
 
 def posed(shapes: Array, poses: Array) -> Array:
@@ -62,17 +73,26 @@ def posed(shapes: Array, poses: Array) -> Array:
 
 
 def way_drawn(ride: Ride, begin: int) -> list[Layer]:
-    """The way of the rear axle's middle, there when everything has grown; what is driven back is dashed."""
+    """The way of the rear axle's middle, there when everything has grown; what is driven back is
+    dashed.
+    """
     pieces = segments(ride.poses[:, :2])
     back = ride.controls[1:, 0] < 0.0
     some = pieces[~back | (np.arange(len(pieces)) % 2 == 0)]
-    return [edges(some, colour, width=width, when=np.full(len(some), begin)) for colour, width in (("ink", 5.0), ("path", 3.0))]
+    return [
+        edges(some, colour, width=width, when=np.full(len(some), begin))
+        for colour, width in (("ink", 5.0), ("path", 3.0))
+    ]
 
 
 def growth_drawn(car: CarRobot, plan: Plan) -> tuple[list[Layer], int]:
     """The tree or the roadmap of a plan as it grew, and in how many steps."""
     if plan.roadmap is not None:
-        begins, colour, grown = plan.roadmap.nodes[plan.roadmap.edges[:, 0]], "roadmap", plan.roadmap
+        begins, colour, grown = (
+            plan.roadmap.nodes[plan.roadmap.edges[:, 0]],
+            "roadmap",
+            plan.roadmap,
+        )
         lines = driven_tracks(car, begins, grown.controls, grown.durations)
     else:
         tree: Any = plan.tree
@@ -85,7 +105,9 @@ def growth_drawn(car: CarRobot, plan: Plan) -> tuple[list[Layer], int]:
     total = min(n, GROWTH)
     when = np.ceil((np.arange(n) + 1) * total / max(n, 1))
     pieces = np.stack([kept[:, :-1], kept[:, 1:]], axis=2)
-    return [edges(pieces, colour, width=line_width(n), when=np.repeat(when, pieces.shape[1]))], total
+    return [
+        edges(pieces, colour, width=line_width(n), when=np.repeat(when, pieces.shape[1]))
+    ], total
 
 
 def ends_drawn(car: CarRobot, ends: Sequence[Array]) -> list[Layer]:
@@ -94,7 +116,11 @@ def ends_drawn(car: CarRobot, ends: Sequence[Array]) -> list[Layer]:
     for name, pose in zip(("start", "goal"), ends, strict=True):
         outline, wheels = outline_at(car, pose), np.array(steered_wheels(car, pose, 0.0))
         beside = outline[:, 0].max(), outline[:, 1].min() - 0.5 * np.ptp(car.outline[:, 1])
-        drawn += [bodies([outline], name), bodies(wheels, name), labels([beside], [say(f"car_board.{name}")], name)]
+        drawn += [
+            bodies([outline], name),
+            bodies(wheels, name),
+            labels([beside], [say(f"car_board.{name}")], name),
+        ]
         drawn += [arrows([pose[:2]], [tip_of(car, pose) - pose[:2]], name)]
     return drawn
 

@@ -1,4 +1,6 @@
-"""The scene of a car: where it starts and is to go, each a place and the tip that it looks at, and the car that is driven."""
+"""The scene of a car: where it starts and is to go, each a place and the tip that it looks at, and
+the car that is driven.
+"""
 
 import math
 from collections.abc import Iterable, Sequence
@@ -20,7 +22,10 @@ BEFORE = 0.35  # wheelbases before the car at which its tip is
 def car_scene(problem: ProblemRecord) -> Scene:
     """What stands in a problem's world, and the handles of its poses."""
     places = handle_places(problem.robot, problem.start, problem.goal, problem.start)
-    handles = [drawn(handle(say(f"car_board.{name}"), at, colour="ink")) for name, at in zip(NAMES, places, strict=True)]
+    handles = [
+        drawn(handle(say(f"car_board.{name}"), at, colour="ink"))
+        for name, at in zip(NAMES, places, strict=True)
+    ]
     return {**scene_with(problem.world, [*handles[:CAR], driven(handles[CAR])]), "posed": True}
 
 
@@ -30,8 +35,8 @@ def handle_places(car: CarRobot, start: Array, goal: Array, here: Array) -> list
 
 
 def poses_in(scene: Scene, car: CarRobot, known: Iterable[tuple[Array, Array]]) -> list[Array]:
-    """Start and goal by their handles. A tip that is where one of the known pairs has it keeps that heading, to the last digit, so
-    that a place that is moved is not turned by it."""
+    """Start and goal by their handles. A tip that is where one of the known pairs has it keeps that
+    heading, to the last digit, so that a place that is moved is not turned by it."""
     at = [np.array(item["at"]) for item in scene["handles"]]
     pairs = list(known)
     return [pose_by(at[2 * k], at[2 * k + 1], car, [pair[k] for pair in pairs]) for k in range(2)]

@@ -1,4 +1,6 @@
-"""A board about cars: two poses to drag, and the shortest ways between them, forward only and both ways."""
+"""A board about cars: two poses to drag, and the shortest ways between them, forward only and both
+ways.
+"""
 
 import math
 
@@ -19,7 +21,8 @@ PIECES = 40  # of an arc, to draw it
 
 
 def curves_board(a: ArrayLike, b: ArrayLike, radius: float) -> Canvas:
-    """Drag two poses, and the points that they look at: Dubins' way from the first to the second, and Reeds' and Shepp's.
+    """Drag two poses, and the points that they look at: Dubins' way from the first to the second,
+    and Reeds' and Shepp's.
 
     a, b : (x, y, theta), where they begin. Raises InvalidPoint, InvalidParameter.
 
@@ -33,7 +36,10 @@ def curves_board(a: ArrayLike, b: ArrayLike, radius: float) -> Canvas:
     for (name, pose), colour, marker in zip(poses.items(), ("start", "goal"), ("dot", "star")):
         handles.append(handle(name, pose[:2], colour=colour, marker=marker))
         handles.append(handle(say(f"curves_board.{name}_looks"), nose(pose, r), colour=colour))
-    return Canvas(make_scene(middle - 0.55 * reach, middle + 0.55 * reach, handles=handles), lambda now: curves_drawn(now, r))
+    return Canvas(
+        make_scene(middle - 0.55 * reach, middle + 0.55 * reach, handles=handles),
+        lambda now: curves_drawn(now, r),
+    )
 
 
 def nose(pose: Array, radius: float) -> Array:
@@ -48,13 +54,20 @@ def pose_in(scene: Scene, name: str) -> Array:
 
 
 def curves_drawn(scene: Scene, radius: float) -> Drawing:
-    """Both curves, what is driven back dashed; and what the poses look at, moved to its distance."""
+    """Both curves, what is driven back dashed; and what the poses look at, moved to its
+    distance.
+    """
     a, b = pose_in(scene, "a"), pose_in(scene, "b")
     forward, both = dubins_path(a, b, radius), reeds_shepp_path(a, b, radius)
     layers = [*curve_layers(forward, "tree", 2.0), *curve_layers(both, "path", 4.0)]
     for pose, colour in ((a, "start"), (b, "goal")):
         layers.append(arrows([pose[:2]], [nose(pose, radius) - pose[:2]], colour))
-    words = {"forward": forward.word, "first": f"{forward.length:.3g}", "both": both.word or "-", "second": f"{both.length:.3g}"}
+    words = {
+        "forward": forward.word,
+        "first": f"{forward.length:.3g}",
+        "both": both.word or "-",
+        "second": f"{both.length:.3g}",
+    }
     places = [("handle", number, nose(pose, radius).tolist()) for number, pose in ((1, a), (3, b))]
     return Drawing(layers, text=say("curves_board.text", **words), places=places)
 
@@ -62,5 +75,11 @@ def curves_drawn(scene: Scene, radius: float) -> Drawing:
 def curve_layers(curve: Curve, colour: str, width: float) -> list[Layer]:
     """A curve's pieces."""
     ends = np.concatenate([[0.0], np.cumsum(np.abs(curve.lengths))])
-    pieces = [segments(curve.at(np.linspace(begin, end, PIECES))[:, :2]) for begin, end in zip(ends, ends[1:])]
-    return [edges(piece, colour, width=width, dash=(7, 5) if length < 0.0 else ()) for piece, length in zip(pieces, curve.lengths)]
+    pieces = [
+        segments(curve.at(np.linspace(begin, end, PIECES))[:, :2])
+        for begin, end in zip(ends, ends[1:])
+    ]
+    return [
+        edges(piece, colour, width=width, dash=(7, 5) if length < 0.0 else ())
+        for piece, length in zip(pieces, curve.lengths)
+    ]

@@ -1,4 +1,6 @@
-"""Driving by arrow keys: each moment is a control, held while nothing is in the way. The drive is a trajectory like any other."""
+"""Driving by arrow keys: each moment is a control, held while nothing is in the way. The drive is a
+trajectory like any other.
+"""
 
 import math
 from collections.abc import Set
@@ -15,11 +17,15 @@ from ...robots.trajectory import Trajectory, TrajectoryRecord
 
 NOTCHES = 8  # of the steering wheel either way
 MOMENT = 0.06  # wheelbases that the car goes while a key is held for a moment
-SHORT = 1e-6  # of a moment's way is left before what the car comes upon: so it can back off, whatever rounding does
+# of a moment's way is left before what the car comes upon: so it can back off, whatever rounding
+# does
+SHORT = 1e-6
 
 
 class Drive(NamedTuple):
-    """What was driven, the notch of the steering wheel (positive to the left), and whether something is in the way."""
+    """What was driven, the notch of the steering wheel (positive to the left), and whether
+    something is in the way.
+    """
 
     trajectory: TrajectoryRecord
     notch: int
@@ -32,9 +38,11 @@ def standing_at(problem: ProblemRecord) -> Drive:
 
 
 def driven_on(problem: ProblemRecord, drive: Drive, held: Set[str]) -> Drive:
-    """The drive after one more moment in which arrow keys are held: left and right steer by a notch, up and down drive.
+    """The drive after one more moment in which arrow keys are held: left and right steer by a
+    notch, up and down drive.
 
-    The wheel stays where it is let. Keys against each other do nothing. What cannot be driven is left out, up to the contact.
+    The wheel stays where it is let. Keys against each other do nothing. What cannot be driven is
+    left out, up to the contact.
     """
     notch = drive.notch + ("ArrowLeft" in held) - ("ArrowRight" in held)
     notch = int(np.clip(notch, -NOTCHES, NOTCHES))
@@ -48,7 +56,9 @@ def driven_on(problem: ProblemRecord, drive: Drive, held: Set[str]) -> Drive:
 
 def speed(car: CarRobot, way: int) -> float:
     """The fastest of a car's speeds forward, 1, or back, -1; 0 where it has none."""
-    return float(max(car.speeds.max(), 0.0) if way > 0 else min(car.speeds.min(), 0.0) if way < 0 else 0.0)
+    return float(
+        max(car.speeds.max(), 0.0) if way > 0 else min(car.speeds.min(), 0.0) if way < 0 else 0.0
+    )
 
 
 def steering(car: CarRobot, notch: int) -> float:
@@ -59,7 +69,8 @@ def steering(car: CarRobot, notch: int) -> float:
 def held_on(
     problem: ProblemRecord, trajectory: TrajectoryRecord, v: float, phi: float, moment: float
 ) -> tuple[TrajectoryRecord, bool]:
-    """A trajectory after a control was held for a moment more, or until something is in the way; and whether it is.
+    """A trajectory after a control was held for a moment more, or until something is in the way;
+    and whether it is.
 
     A control that is held on is one arc, not many: it is judged whole, from where it began.
     """
@@ -69,12 +80,19 @@ def held_on(
     time, stopped = free_time(problem, poses[-2 if again else -1], v, phi, before, before + moment)
     if time > before:
         kept = len(controls) - again
-        controls, durations = np.vstack([controls[:kept], (v, phi)]), np.append(durations[:kept], time)
+        controls, durations = (
+            np.vstack([controls[:kept], (v, phi)]),
+            np.append(durations[:kept], time),
+        )
     return trajectory._replace(controls=controls, durations=durations), stopped
 
 
-def free_time(problem: ProblemRecord, pose: Array, v: float, phi: float, least: float, most: float) -> tuple[float, bool]:
-    """For how long a control can be held from a pose, at most `most`, if `least` is free; and whether something is in the way."""
+def free_time(
+    problem: ProblemRecord, pose: Array, v: float, phi: float, least: float, most: float
+) -> tuple[float, bool]:
+    """For how long a control can be held from a pose, at most `most`, if `least` is free; and
+    whether something is in the way.
+    """
     robot, world, clearance = problem.robot, problem.world, problem.clearance
     curvature = robot.curvature(phi)
 

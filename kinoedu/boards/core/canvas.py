@@ -1,7 +1,8 @@
 """A live canvas: the browser drags and paints, Python answers.
 
-`Canvas(scene, answer)` shows a scene and, over it, what `answer(scene)` draws, again and again while something is dragged. All that
-a lesson writes is the answer: a function from a scene to a Drawing. The messages between the two halves:
+`Canvas(scene, answer)` shows a scene and, over it, what `answer(scene)` draws, again and again
+while something is dragged. All that a lesson writes is the answer: a function from a scene to a
+Drawing. The messages between the two halves:
 
     to Python   {kind: "hello", from}                       a page is there: what was answered last?
                 {kind: "scene", from, seq, moved: [[kind, number, coordinates], ...]}
@@ -10,9 +11,9 @@ a lesson writes is the answer: a function from a scene to a Drawing. The message
                                                             and a buffer of float32 for each layer
                 {kind: "note", text}                        what takes so long
 
-`from` and `to` name a page, since several may show one widget; a drawing to none and without seq is for all. When something was let
-go, and that is answered, the page writes its whole scene to the trait `scene`. The bitmap is a trait too: it travels only when it
-changes.
+`from` and `to` name a page, since several may show one widget; a drawing to none and without seq is
+for all. When something was let go, and that is answered, the page writes its whole scene to the
+trait `scene`. The bitmap is a trait too: it travels only when it changes.
 """
 
 import base64
@@ -40,7 +41,21 @@ log = logging.getLogger("kinoedu")
 
 ARROWS = ("ArrowLeft", "ArrowUp", "ArrowDown", "ArrowRight")
 FRONT = {  # the words that the browser shows, and what it fills in
-    **dict.fromkeys(("play", "pause", "next", "reset", "slider", "movable", "thinking", "hint", "deeper", "stops"), ()),
+    **dict.fromkeys(
+        (
+            "play",
+            "pause",
+            "next",
+            "reset",
+            "slider",
+            "movable",
+            "thinking",
+            "hint",
+            "deeper",
+            "stops",
+        ),
+        (),
+    ),
     **dict.fromkeys(("posed", "driving", "pad", *ARROWS), ()),
     "growth": ("shown", "total", "unit"),
     "handle": ("name", "x", "y"),
@@ -50,7 +65,9 @@ FRONT = {  # the words that the browser shows, and what it fills in
     "vertex": ("name", "number", "x", "y"),
 }
 
-_answering = threading.RLock()  # messages and cells may come in different threads: one answer at a time, on all boards
+_answering = (
+    threading.RLock()
+)  # messages and cells may come in different threads: one answer at a time, on all boards
 
 
 class Canvas(anywidget.AnyWidget):
@@ -59,14 +76,17 @@ class Canvas(anywidget.AnyWidget):
     Parameters
     ----------
     scene : what `make_scene` makes.
-    answer : a function from a scene to a Drawing. A KinoeduError that it raises is shown as a warning, and nothing else.
-    free : a bitmap to draw beneath, (rows, columns), the lowest row first; true is free, or, where the scene has `colours`, the
+    answer : a function from a scene to a Drawing. A KinoeduError that it raises is shown as a
+    warning, and nothing else.
+    free : a bitmap to draw beneath, (rows, columns), the lowest row first; true is free, or, where
+    the scene has `colours`, the
         number of one.
-    drive : a function of the arrow keys held, by their names, that moves on what is driven; then the scene is answered.
+    drive : a function of the arrow keys held, by their names, that moves on what is driven; then
+    the scene is answered.
 
-    `partner` is the key of another board that is scrubbed together with this one, as a plot is with what it plots; so are all that
-    have the same partner.
-    `drawing` is the answer on show. Where there is no JavaScript the same is shown as a picture.
+    `partner` is the key of another board that is scrubbed together with this one, as a plot is with
+    what it plots; so are all that have the same partner. `drawing` is the answer on show. Where
+    there is no JavaScript the same is shown as a picture.
     """
 
     _esm = Path(__file__).with_name("board.js")
@@ -80,10 +100,17 @@ class Canvas(anywidget.AnyWidget):
     words = traitlets.Dict().tag(sync=True)
 
     def __init__(
-        self, scene: Scene, answer: Callable[[Scene], Drawing], *, free: Any = None, drive: Callable[[set[str]], None] | None = None
+        self,
+        scene: Scene,
+        answer: Callable[[Scene], Drawing],
+        *,
+        free: Any = None,
+        drive: Callable[[set[str]], None] | None = None,
     ) -> None:
         self._answer, self._drive = answer, drive
-        self._free = None if free is None else np.asarray(free, np.uint8 if "colours" in scene else np.bool_)
+        self._free = (
+            None if free is None else np.asarray(free, np.uint8 if "colours" in scene else np.bool_)
+        )
         self.drawing = Drawing()
         self._shown = {**scene, "size": None if self._free is None else list(self._free.shape)}
         super().__init__(
@@ -92,20 +119,27 @@ class Canvas(anywidget.AnyWidget):
             home=deepcopy(self._shown),
             bitmap=packed(self._free),
             palette=palette.NAMED,
-            words={name: say(f"board.front.{name}", **{v: f"{{{v}}}" for v in values}) for name, values in FRONT.items()},
+            words={
+                name: say(f"board.front.{name}", **{v: f"{{{v}}}" for v in values})
+                for name, values in FRONT.items()
+            },
         )
         self.on_msg(self._received)
         self.observe(self._arranged, "scene")
         self.refresh()
 
     def refresh(self) -> None:
-        """Answer the same scene again, because something else changed, and show that on every page."""
+        """Answer the same scene again, because something else changed, and show that on every
+        page.
+        """
         with _answering:
             self._draw()
             self._show(None, None)
 
     def arrange(self, scene: Scene) -> None:
-        """Put everything where a scene of the same parts has it, answer that, and show it on every page."""
+        """Put everything where a scene of the same parts has it, answer that, and show it on every
+        page.
+        """
         with _answering:
             self._shown = scene
             self._draw()
@@ -114,15 +148,23 @@ class Canvas(anywidget.AnyWidget):
             self.scene = scene  # after its places: a page that has them asks for nothing
 
     def lay(self, bitmap: Any) -> None:
-        """Another bitmap beneath, of the same size: every page gets it now, and paints it with what is answered next."""
+        """Another bitmap beneath, of the same size: every page gets it now, and paints it with what
+        is answered next.
+        """
         with _answering:
             self._free = np.asarray(bitmap, None if self._free is None else self._free.dtype)
             self.bitmap = packed(self._free)
 
     def set_state(self, sync_data: dict[str, Any]) -> None:
-        """What a page may change: where things are. Anything else, or a scene that makes no sense, is left out."""
+        """What a page may change: where things are. Anything else, or a scene that makes no sense,
+        is left out.
+        """
         try:
-            super().set_state({"scene": arranged_like(self.home, sync_data["scene"])} if "scene" in sync_data else {})
+            super().set_state(
+                {"scene": arranged_like(self.home, sync_data["scene"])}
+                if "scene" in sync_data
+                else {}
+            )
         except KinoeduError as error:
             log.warning("a board was sent a scene that it cannot show: %s", error)
 
@@ -135,7 +177,9 @@ class Canvas(anywidget.AnyWidget):
 
     def _received(self, _: Any, message: Any, _buffers: Any) -> None:
         """A message from a page; what is none of those above is left unanswered."""
-        page, seq = (message.get("from"), message.get("seq")) if isinstance(message, dict) else (None, None)
+        page, seq = (
+            (message.get("from"), message.get("seq")) if isinstance(message, dict) else (None, None)
+        )
         if not isinstance(page, str):
             return
         with _answering:
@@ -150,7 +194,9 @@ class Canvas(anywidget.AnyWidget):
                     self._show(page, seq)
             elif message.get("kind") == "keys" and isinstance(seq, int) and self._drive is not None:
                 held = message.get("held")
-                self._drive({key for key in ARROWS if key in held} if isinstance(held, list) else set())
+                self._drive(
+                    {key for key in ARROWS if key in held} if isinstance(held, list) else set()
+                )
                 self._draw()
                 self._show(page, seq)
 
@@ -162,7 +208,9 @@ class Canvas(anywidget.AnyWidget):
             self._draw()
 
     def _draw(self) -> None:
-        """Answer the scene, or say what is wrong with it; a fault of the answer's own is told and logged, not raised at a page."""
+        """Answer the scene, or say what is wrong with it; a fault of the answer's own is told and
+        logged, not raised at a page.
+        """
         began = time.perf_counter()
         try:
             self._keep(self._answer(self._shown))
@@ -170,7 +218,9 @@ class Canvas(anywidget.AnyWidget):
             self._keep(Drawing(warning=str(error)))
         except Exception as error:
             log.exception("a board could not answer")
-            self._keep(Drawing(warning=say("board.failed", error=f"{type(error).__name__}: {error}")))
+            self._keep(
+                Drawing(warning=say("board.failed", error=f"{type(error).__name__}: {error}"))
+            )
         self._content["took"] = 1e3 * (time.perf_counter() - began)
 
     def _keep(self, drawing: Drawing) -> None:
@@ -184,9 +234,13 @@ class Canvas(anywidget.AnyWidget):
         """Send the drawing to a page, or to all; or a warning in its place."""
         if warning:
             content, _ = encoded(Drawing(warning=warning), self._shown["lo"], 1.0)
-            self.send({"kind": "drawing", "to": page, "seq": seq, "took": 0.0, **content}, buffers=[])
+            self.send(
+                {"kind": "drawing", "to": page, "seq": seq, "took": 0.0, **content}, buffers=[]
+            )
         else:
-            self.send({"kind": "drawing", "to": page, "seq": seq, **self._content}, buffers=self._buffers)
+            self.send(
+                {"kind": "drawing", "to": page, "seq": seq, **self._content}, buffers=self._buffers
+            )
 
     def picture(self) -> bytes:
         """The board as it is now, as a PNG."""
@@ -206,8 +260,12 @@ def packed(bitmap: Any) -> bytes:
     return bytes(np.packbits(bitmap).tobytes() if bitmap.dtype == np.bool_ else bitmap.tobytes())
 
 
-def with_picture(bundle: Any, widget: Any, canvas: Any) -> tuple[dict[str, Any], dict[str, Any]] | None:
-    """What a notebook keeps of a widget: its text, its place, and a picture for readers without JavaScript."""
+def with_picture(
+    bundle: Any, widget: Any, canvas: Any
+) -> tuple[dict[str, Any], dict[str, Any]] | None:
+    """What a notebook keeps of a widget: its text, its place, and a picture for readers without
+    JavaScript.
+    """
     data, about = bundle if isinstance(bundle, tuple) else (bundle, {})
     if data is None:
         return None

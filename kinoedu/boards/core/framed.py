@@ -12,7 +12,9 @@ from .printed import side_by_side
 
 
 class Framed(widgets.VBox):
-    """Controls above one canvas, or some in a row; the first is `canvas`. When a control changes, that one answers anew."""
+    """Controls above one canvas, or some in a row; the first is `canvas`. When a control changes,
+    that one answers anew.
+    """
 
     def __init__(self, controls: Sequence[Any], canvases: Sequence[Canvas]) -> None:
         self.canvas, self.canvases = canvases[0], list(canvases)
@@ -32,7 +34,9 @@ class Framed(widgets.VBox):
         return pictures[0] if len(pictures) == 1 else side_by_side(*pictures)
 
     def __repr__(self) -> str:
-        return f"{type(self).__name__}({'; '.join(canvas.drawing.says for canvas in self.canvases)})"
+        return (
+            f"{type(self).__name__}({'; '.join(canvas.drawing.says for canvas in self.canvases)})"
+        )
 
     def _repr_mimebundle_(self, **kwargs: Any) -> Any:
         return with_picture(super()._repr_mimebundle_(**kwargs), self, self)
@@ -47,9 +51,13 @@ def in_a_row(canvases: Sequence[Canvas]) -> widgets.HBox:
 
 def menu(name: str, options: Sequence[tuple[str, str]], chosen: str) -> widgets.Dropdown:
     """A menu whose name is the words under a key; options : words and value of each."""
-    return widgets.Dropdown(options=options, value=chosen, **{**look("planner"), "description": say(name)})
+    return widgets.Dropdown(
+        options=options, value=chosen, **{**look("planner"), "description": say(name)}
+    )
 
 
 def counter(name: str, value: int, least: int, most: int) -> widgets.IntSlider:
     """A slider for a whole number whose name is the words under a key."""
-    return widgets.IntSlider(value, min(least, value), max(most, value), **{**look("seed"), "description": say(name)})
+    return widgets.IntSlider(
+        value, min(least, value), max(most, value), **{**look("seed"), "description": say(name)}
+    )

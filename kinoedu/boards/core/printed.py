@@ -1,4 +1,6 @@
-"""A board as a picture, for readers without JavaScript: the same scene, the same layers, drawn by matplotlib."""
+"""A board as a picture, for readers without JavaScript: the same scene, the same layers, drawn by
+matplotlib.
+"""
 
 import io
 from typing import Any
@@ -13,6 +15,7 @@ from matplotlib.patches import Circle, PathPatch
 from PIL import Image, ImageColor
 
 from ...figures import palette
+from ...geometry.checks import Array
 from ...figures.drawing import HALO, compound
 from .drawing import Drawing, Layer
 from .scene import Scene
@@ -43,23 +46,35 @@ def printed(scene: Scene, drawing: Drawing, free: Any = None) -> bytes:
     if not scene.get("ticks", True):
         ax.set_axis_off()
     pictures = (with_few_colours(figure, dpi) for dpi in DPI)
-    return next((picture for picture in pictures if len(picture) <= ENOUGH), with_few_colours(figure, DPI[-1]))
+    return next(
+        (picture for picture in pictures if len(picture) <= ENOUGH),
+        with_few_colours(figure, DPI[-1]),
+    )
 
 
 def with_few_colours(figure: Figure, dpi: int) -> bytes:
-    """A figure as a PNG in the course's colours and their mixtures: a quarter of the size, and no colour lost."""
+    """A figure as a PNG in the course's colours and their mixtures: a quarter of the size, and no
+    colour lost.
+    """
     stream, small = io.BytesIO(), io.BytesIO()
     figure.savefig(stream, format="png", dpi=dpi)
     own = Image.new("P", (1, 1))
     own.putpalette(mixtures())
-    Image.open(stream).convert("RGB").quantize(palette=own, dither=Image.Dither.NONE).save(small, "png", optimize=True)
+    Image.open(stream).convert("RGB").quantize(palette=own, dither=Image.Dither.NONE).save(
+        small, "png", optimize=True
+    )
     return small.getvalue()
 
 
 def mixtures() -> list[int]:
-    """The named colours, and each mixed with white, and the lines' with the obstacles': the levels red, green, blue of each."""
+    """The named colours, and each mixed with white, and the lines' with the obstacles': the levels
+    red, green, blue of each.
+    """
     named = np.array([list(ImageColor.getrgb(colour)) for colour in palette.NAMED.values()])
-    lines, solid = [palette.TREE, palette.ROADMAP, palette.PATH], np.array(ImageColor.getrgb(palette.OBSTACLE))
+    lines, solid = (
+        [palette.TREE, palette.ROADMAP, palette.PATH],
+        np.array(ImageColor.getrgb(palette.OBSTACLE)),
+    )
     mixed = [share * named + (1.0 - share) * 255.0 for share in (1.0, 0.75, 0.5, 0.25, 0.1)]
     mixed += [0.5 * np.array(ImageColor.getrgb(line)) + 0.5 * solid for line in lines]
     return [int(level) for level in np.unique(np.vstack(mixed).round(), axis=0).ravel()]
@@ -72,17 +87,28 @@ def print_world(scene: Scene, free: Any, ax: Axes) -> None:
         shades = [palette.NAMED[name] for name in scene.get("colours", ("obstacle", "free"))]
         extent, most = (x0, x1, y0, y1), len(shades) - 1
         ax.imshow(
-            free, origin="lower", extent=extent, cmap=ListedColormap(shades), vmin=0, vmax=most, interpolation="nearest", zorder=0.6
+            free,
+            origin="lower",
+            extent=extent,
+            cmap=ListedColormap(shades),
+            vmin=0,
+            vmax=most,
+            interpolation="nearest",
+            zorder=0.6,
         )
     if scene["boundary"] is not None:
         ax.set_facecolor(palette.OUTSIDE)
         outline = compound([np.array(scene["boundary"])])
-        ax.add_patch(PathPatch(outline, facecolor=palette.FREE, edgecolor=palette.OBSTACLE, zorder=0.5))
+        ax.add_patch(
+            PathPatch(outline, facecolor=palette.FREE, edgecolor=palette.OBSTACLE, zorder=0.5)
+        )
     for polygon in scene["polygons"]:
         if polygon.get("drawn"):
             continue
         rings = [wound(np.array(ring), inner=k > 0) for k, ring in enumerate(polygon["rings"])]
-        ax.add_patch(PathPatch(compound(rings), facecolor=palette.OBSTACLE, edgecolor=palette.OBSTACLE))
+        ax.add_patch(
+            PathPatch(compound(rings), facecolor=palette.OBSTACLE, edgecolor=palette.OBSTACLE)
+        )
     for disc in scene["discs"]:
         ax.add_patch(Circle(disc["at"], disc["radius"], facecolor=palette.OBSTACLE))
 
@@ -96,42 +122,79 @@ def wound(ring: np.ndarray, *, inner: bool) -> np.ndarray:
 
 def print_layer(layer: Layer, ax: Axes, total: int) -> None:
     """One layer, as it is after the last step."""
-    colour, rows = palette.NAMED[layer.colour], layer.rows if layer.until is None else layer.rows[layer.until > total]
-    if len(rows) == 0:
-        return
-    dash: Any = (0, [2.0 * d / max(layer.width, 1.0) for d in layer.dash]) if layer.dash else "solid"
-    z = 5.5 if layer.last else 3.0  # what comes last lies on the path
-    if layer.kind == "cells":
-        shapes = list(rows.reshape(-1, layer.points, 2))
-        ax.add_collection(PolyCollection(shapes, facecolors=colour, edgecolors="none", zorder=0.7))
-    elif layer.kind == "bodies":
-        shapes, stripes = list(rows.reshape(-1, layer.points, 2)), "////" if layer.hatched else None
-        outline: Any = {"edgecolors": colour, "linewidths": layer.width, "hatch": stripes}
-        ax.add_collection(PolyCollection(shapes, facecolors=f"{colour}59", zorder=z - 0.2, **outline))
-    elif layer.kind == "edges":
-        ax.add_collection(
-            LineCollection(
-                list(rows.reshape(-1, 2, 2)),
-                colors=colour,
-                linewidths=layer.width,
-                linestyles=dash,
-                zorder=z,
-                capstyle="butt" if layer.dash else "round",
-            )
-        )
-    elif layer.kind == "path":
-        if layer.casing:
-            ax.plot(*rows.T, color=palette.INK, linewidth=layer.width + 2.0, solid_capstyle="round", zorder=4)
-        ax.plot(*rows.T, color=colour, linewidth=layer.width, linestyle=dash, zorder=5)
-    elif layer.kind == "dots":
-        ax.plot(*rows.T, "o", color=colour, markersize=1.6 * layer.width, markeredgewidth=0.0, zorder=z + 0.5)
-    elif layer.kind == "arrows":
-        z, width = 6.0 if layer.when is None else 3.2, 0.008 * layer.width / 3.0  # those that grow lie beneath the path
-        ax.quiver(*rows.T, angles="xy", scale_units="xy", scale=1.0, color=colour, width=width, zorder=z)
-    elif layer.kind == "labels":
-        for (x, y), text in zip(rows, layer.texts, strict=True):
-            style: Any = {"fontsize": palette.TEXT_SIZE, "color": colour, "path_effects": HALO, "zorder": 8}
-            ax.annotate(text, (x, y), xytext=(7, 7), textcoords="offset points", **style)
+    rows = layer.rows if layer.until is None else layer.rows[layer.until > total]
+    if len(rows) and layer.kind in PRINTERS:
+        PRINTERS[layer.kind](layer, rows, palette.NAMED[layer.colour], ax)
+
+
+def height(layer: Layer) -> float:
+    """What comes last lies on the path, the rest beneath it."""
+    return 5.5 if layer.last else 3.0
+
+
+def dashed(layer: Layer) -> Any:
+    """matplotlib's style of line for a layer's dashes."""
+    return (0, [2.0 * d / max(layer.width, 1.0) for d in layer.dash]) if layer.dash else "solid"
+
+
+def print_cells(layer: Layer, rows: Array, colour: str, ax: Axes) -> None:
+    """Filled polygons beneath all else."""
+    shapes = list(rows.reshape(-1, layer.points, 2))
+    ax.add_collection(PolyCollection(shapes, facecolors=colour, edgecolors="none", zorder=0.7))
+
+
+def print_bodies(layer: Layer, rows: Array, colour: str, ax: Axes) -> None:
+    """Outlines, filled so lightly that what lies beneath is seen."""
+    shapes, stripes = list(rows.reshape(-1, layer.points, 2)), "////" if layer.hatched else None
+    outline: Any = {"edgecolors": colour, "linewidths": layer.width, "hatch": stripes}
+    beneath = height(layer) - 0.2
+    ax.add_collection(PolyCollection(shapes, facecolors=f"{colour}59", zorder=beneath, **outline))
+
+
+def print_edges(layer: Layer, rows: Array, colour: str, ax: Axes) -> None:
+    """Segments."""
+    segments, cap = list(rows.reshape(-1, 2, 2)), "butt" if layer.dash else "round"
+    style: Any = {"linewidths": layer.width, "linestyles": dashed(layer), "capstyle": cap}
+    ax.add_collection(LineCollection(segments, colors=colour, zorder=height(layer), **style))
+
+
+def print_path(layer: Layer, rows: Array, colour: str, ax: Axes) -> None:
+    """One line through all rows, on a dark one where it has a casing."""
+    if layer.casing:
+        casing: Any = {"linewidth": layer.width + 2.0, "solid_capstyle": "round"}
+        ax.plot(*rows.T, color=palette.INK, zorder=4, **casing)
+    ax.plot(*rows.T, color=colour, linewidth=layer.width, linestyle=dashed(layer), zorder=5)
+
+
+def print_dots(layer: Layer, rows: Array, colour: str, ax: Axes) -> None:
+    """Points."""
+    style: Any = {"markersize": 1.6 * layer.width, "markeredgewidth": 0.0}
+    ax.plot(*rows.T, "o", color=colour, zorder=height(layer) + 0.5, **style)
+
+
+def print_arrows(layer: Layer, rows: Array, colour: str, ax: Axes) -> None:
+    """Arrows; those that grow lie beneath the path."""
+    style: Any = {"width": 0.008 * layer.width / 3.0, "zorder": 6.0 if layer.when is None else 3.2}
+    ax.quiver(*rows.T, angles="xy", scale_units="xy", scale=1.0, color=colour, **style)
+
+
+def print_labels(layer: Layer, rows: Array, colour: str, ax: Axes) -> None:
+    """Texts beside their points."""
+    style: Any = {"fontsize": palette.TEXT_SIZE, "color": colour, "path_effects": HALO}
+    for point, text in zip(rows, layer.texts, strict=True):
+        offset: Any = {"xytext": (7, 7), "textcoords": "offset points"}
+        ax.annotate(text, tuple(point), zorder=8, **offset, **style)
+
+
+PRINTERS = {
+    "cells": print_cells,
+    "bodies": print_bodies,
+    "edges": print_edges,
+    "path": print_path,
+    "dots": print_dots,
+    "arrows": print_arrows,
+    "labels": print_labels,
+}
 
 
 def side_by_side(*pictures: bytes) -> bytes:
@@ -139,7 +202,9 @@ def side_by_side(*pictures: bytes) -> bytes:
     opened = [Image.open(io.BytesIO(picture)).convert("RGB") for picture in pictures]
     rows = [opened[k : k + ACROSS] for k in range(0, len(opened), ACROSS)]
     heights = [max(one.height for one in row) for row in rows]
-    whole = Image.new("RGB", (max(sum(one.width for one in row) for row in rows), sum(heights)), "white")
+    whole = Image.new(
+        "RGB", (max(sum(one.width for one in row) for row in rows), sum(heights)), "white"
+    )
     for number, row in enumerate(rows):
         left, top = 0, sum(heights[:number])
         for one in row:
@@ -151,7 +216,9 @@ def side_by_side(*pictures: bytes) -> bytes:
 
 
 def print_handles(scene: Scene, ax: Axes) -> None:
-    """The points to drag, with their names; where there are stops, whose own names are above them, below."""
+    """The points to drag, with their names; where there are stops, whose own names are above them,
+    below.
+    """
     low = any(handle.get("stop") for handle in scene["handles"])
     for handle in scene["handles"]:
         if handle.get("stop") or handle.get("drawn"):  # the answer draws it
@@ -160,8 +227,23 @@ def print_handles(scene: Scene, ax: Axes) -> None:
         if handle["radius"]:
             ax.add_patch(Circle((x, y), handle["radius"], facecolor=colour, alpha=0.35, zorder=6))
         marker, size = ("*", 15) if handle["marker"] == "star" else ("o", 9)
-        ax.plot(x, y, marker, color=colour, markersize=size, markeredgecolor="white", markeredgewidth=1.2, zorder=7)
-        style: Any = {"fontsize": palette.TEXT_SIZE, "fontweight": "bold", "color": colour, "path_effects": HALO, "zorder": 8}
+        ax.plot(
+            x,
+            y,
+            marker,
+            color=colour,
+            markersize=size,
+            markeredgecolor="white",
+            markeredgewidth=1.2,
+            zorder=7,
+        )
+        style: Any = {
+            "fontsize": palette.TEXT_SIZE,
+            "fontweight": "bold",
+            "color": colour,
+            "path_effects": HALO,
+            "zorder": 8,
+        }
         right, up = (
             x < scene["lo"][0] + 0.75 * (scene["hi"][0] - scene["lo"][0]),
             not low and y < scene["lo"][1] + 0.85 * (scene["hi"][1] - scene["lo"][1]),

@@ -1,4 +1,5 @@
-"""Scenes: what stands on a board and what of it can be dragged, as plain data that Python and the browser share.
+"""Scenes: what stands on a board and what of it can be dragged, as plain data that Python and the
+browser share.
 
 lo, hi      the corners of the world, [x, y]
 boundary    the ring outside of which nothing is free, or None
@@ -34,12 +35,20 @@ Scene = dict[str, Any]
 LISTS = {"handle": "handles", "disc": "discs", "polygon": "polygons"}
 
 
-def make_scene(lo: ArrayLike, hi: ArrayLike, *, boundary: ArrayLike | None = None, **parts: list[dict[str, Any]]) -> Scene:
+def make_scene(
+    lo: ArrayLike,
+    hi: ArrayLike,
+    *,
+    boundary: ArrayLike | None = None,
+    **parts: list[dict[str, Any]],
+) -> Scene:
     """A scene of `handles`, `polygons` and `discs`, each a list; see the functions below."""
     low, high = as_point(lo, "lo"), as_point(hi, "hi")
     unknown = set(parts) - set(LISTS.values())
     if unknown:
-        raise InvalidParameter(f"a scene has {', '.join(LISTS.values())}, got {', '.join(sorted(unknown))}")
+        raise InvalidParameter(
+            f"a scene has {', '.join(LISTS.values())}, got {', '.join(sorted(unknown))}"
+        )
     return {
         "lo": low.tolist(),
         "hi": high.tolist(),
@@ -50,9 +59,17 @@ def make_scene(lo: ArrayLike, hi: ArrayLike, *, boundary: ArrayLike | None = Non
     }
 
 
-def handle(name: str, at: ArrayLike, *, colour: str, marker: str = "dot", radius: float = 0.0) -> dict[str, Any]:
+def handle(
+    name: str, at: ArrayLike, *, colour: str, marker: str = "dot", radius: float = 0.0
+) -> dict[str, Any]:
     """A point to drag."""
-    return {"name": name, "at": as_point(at, name).tolist(), "colour": colour, "marker": marker, "radius": float(radius)}
+    return {
+        "name": name,
+        "at": as_point(at, name).tolist(),
+        "colour": colour,
+        "marker": marker,
+        "radius": float(radius),
+    }
 
 
 def stop(name: str, at: ArrayLike) -> dict[str, Any]:
@@ -60,18 +77,32 @@ def stop(name: str, at: ArrayLike) -> dict[str, Any]:
     return {"name": name, "at": as_point(at, name).tolist(), "stop": True}
 
 
-def polygon(name: str, rings: list[Array], *, movable: bool = True, vertices: bool = True) -> dict[str, Any]:
+def polygon(
+    name: str, rings: list[Array], *, movable: bool = True, vertices: bool = True
+) -> dict[str, Any]:
     """A polygon to drag, whole or by its vertices; the rings after the first are its rooms."""
-    return {"name": name, "rings": [ring.tolist() for ring in rings], "movable": movable, "vertices": vertices}
+    return {
+        "name": name,
+        "rings": [ring.tolist() for ring in rings],
+        "movable": movable,
+        "vertices": vertices,
+    }
 
 
 def disc(name: str, at: ArrayLike, radius: float, *, movable: bool = True) -> dict[str, Any]:
     """A disc to drag."""
-    return {"name": name, "at": as_point(at, name).tolist(), "radius": float(radius), "movable": movable}
+    return {
+        "name": name,
+        "at": as_point(at, name).tolist(),
+        "radius": float(radius),
+        "movable": movable,
+    }
 
 
 def drawn(item: dict[str, Any]) -> dict[str, Any]:
-    """A handle or polygon that can be dragged, but is painted by the answer, which may put it elsewhere."""
+    """A handle or polygon that can be dragged, but is painted by the answer, which may put it
+    elsewhere.
+    """
     return {**item, "drawn": True}
 
 
@@ -89,7 +120,8 @@ def place_of(scene: Scene, name: str) -> Array:
 
 
 def moved(scene: Scene, parts: Any) -> Scene:
-    """The scene with some of its parts elsewhere: each (kind, number, coordinates), of the same shape as before.
+    """The scene with some of its parts elsewhere: each (kind, number, coordinates), of the same
+    shape as before.
 
     What comes from a browser is not trusted. Raises InvalidParameter, InvalidPoint.
     """
@@ -114,7 +146,9 @@ def item_at(item: dict[str, Any], coordinates: Any, part: Any) -> dict[str, Any]
     if not isinstance(coordinates, list | tuple) or len(coordinates) != len(item["rings"]):
         raise unknown(part)
     rings = [as_array(ring, item["name"]) for ring in coordinates]
-    if any(ring.shape != np.shape(before) for ring, before in zip(rings, item["rings"], strict=True)):
+    if any(
+        ring.shape != np.shape(before) for ring, before in zip(rings, item["rings"], strict=True)
+    ):
         raise unknown(part)
     return {**item, "rings": [ring.tolist() for ring in rings]}
 
@@ -125,12 +159,18 @@ def unknown(part: Any) -> InvalidParameter:
 
 
 def arranged_like(home: Scene, proposed: Any) -> Scene:
-    """A whole scene from elsewhere: home with everything where the other has it. Raises InvalidParameter, InvalidPoint."""
+    """A whole scene from elsewhere: home with everything where the other has it. Raises
+    InvalidParameter, InvalidPoint.
+    """
     if not isinstance(proposed, dict):
         raise unknown(proposed)
     for name in LISTS.values():
         items = proposed.get(name)
-        if not isinstance(items, list) or len(items) != len(home[name]) or not all(isinstance(item, dict) for item in items):
+        if (
+            not isinstance(items, list)
+            or len(items) != len(home[name])
+            or not all(isinstance(item, dict) for item in items)
+        ):
             raise unknown(items)
     return moved(home, everything(proposed))
 
@@ -138,5 +178,7 @@ def arranged_like(home: Scene, proposed: Any) -> Scene:
 def everything(scene: Scene) -> list[tuple[str, int, Any]]:
     """Where each part of a scene is, as `moved` takes it."""
     return [
-        (kind, number, item.get("at", item.get("rings"))) for kind, name in LISTS.items() for number, item in enumerate(scene[name])
+        (kind, number, item.get("at", item.get("rings")))
+        for kind, name in LISTS.items()
+        for number, item in enumerate(scene[name])
     ]

@@ -1,4 +1,6 @@
-"""An exploration drawn so that it can be scrubbed: what was known at each step, and where the robot was."""
+"""An exploration drawn so that it can be scrubbed: what was known at each step, and where the robot
+was.
+"""
 
 from collections.abc import Sequence
 from itertools import pairwise
@@ -25,7 +27,10 @@ def exploration_drawn(plan: Plan, looks: Sequence[Look]) -> Drawing:
     begins = MOVES * np.arange(len(looks))
     ends = np.append(begins[1:], np.inf)
     walked = np.concatenate([[0.0], np.sqrt((np.diff(places, axis=0) ** 2).sum(axis=1)).cumsum()])
-    robot = [dots(places, colour, radius=r, when=steps, until=steps + 1) for colour, r in (("free", 8.0), ("robot", 6.5))]
+    robot = [
+        dots(places, colour, radius=r, when=steps, until=steps + 1)
+        for colour, r in (("free", 8.0), ("robot", 6.5))
+    ]
     layers = [
         *(seen_drawn(looks, begins, ends) if looks else []),
         edges(np.stack([places[:-1], places[1:]], axis=1), "ink", width=5.0, when=steps[1:]),
@@ -33,7 +38,13 @@ def exploration_drawn(plan: Plan, looks: Sequence[Look]) -> Drawing:
         *robot,
     ]
     told = told_of(looks, walked)
-    return Drawing(layers, text=outcome(plan, len(looks), walked[-1]), total=total, unit=say("exploring_board.unit"), told=told)
+    return Drawing(
+        layers,
+        text=outcome(plan, len(looks), walked[-1]),
+        total=total,
+        unit=say("exploring_board.unit"),
+        told=told,
+    )
 
 
 def seen_drawn(looks: Sequence[Look], begins: NDArray[np.int64], ends: Array) -> list[Layer]:
@@ -42,7 +53,11 @@ def seen_drawn(looks: Sequence[Look], begins: NDArray[np.int64], ends: Array) ->
     known = [0, *(len(look.walls) for look in looks)]
     walls = looks[-1].walls[:, :2]
     came = np.repeat(begins, np.diff(known))
-    plans = [(path_edges(look.plan.path), k) for k, look in enumerate(looks) if look.plan.path is not None]
+    plans = [
+        (path_edges(look.plan.path), k)
+        for k, look in enumerate(looks)
+        if look.plan.path is not None
+    ]
     which = np.repeat([k for _, k in plans], [len(rows) for rows, _ in plans]).astype(np.int64)
     rows = np.concatenate([np.empty((0, 2, 2)), *(rows for rows, _ in plans)])
     return [
@@ -73,7 +88,9 @@ def told_of(looks: Sequence[Look], walked: Array) -> list[str]:
             if look.plan.path is None:
                 told.append(say("exploring_board.stuck", **said))
             else:
-                promised = sum(float(np.sqrt(((b - a) ** 2).sum())) for a, b in pairwise(look.plan.path))
+                promised = sum(
+                    float(np.sqrt(((b - a) ** 2).sum())) for a, b in pairwise(look.plan.path)
+                )
                 told.append(say("exploring_board.now", **said, promised=f"{promised:.4g}"))
     return told
 

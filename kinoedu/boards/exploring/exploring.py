@@ -1,4 +1,6 @@
-"""The exploring board: a robot that sees no farther than its sensor goes its way through an unknown world."""
+"""The exploring board: a robot that sees no farther than its sensor goes its way through an unknown
+world.
+"""
 
 from ...errors import InvalidParameter
 from ...planners.exploring.receding_horizon import Look, plan_of_looks, receding_horizon_looks
@@ -20,12 +22,17 @@ RAYS = 180
 
 
 def exploring_board(
-    problem: ProblemRecord, reach: float | None = None, *, horizon: float | None = None, rng: int = 0
+    problem: ProblemRecord,
+    reach: float | None = None,
+    *,
+    horizon: float | None = None,
+    rng: int = 0,
 ) -> "ExploringBoard":
-    """Scrub along a robot that looks, plans in what it has seen, goes a little way, and looks again; drag start, goal, obstacles.
+    """Scrub along a robot that looks, plans in what it has seen, goes a little way, and looks
+    again; drag start, goal, obstacles.
 
-    Blue is what has been seen, framed what is seen now, red the walls in the map; the dashed line is the plan in that map, in which
-    what was never seen counts as free.
+    Blue is what has been seen, framed what is seen now, red the walls in the map; the dashed line
+    is the plan in that map, in which what was never seen counts as free.
 
     Parameters
     ----------
@@ -45,14 +52,20 @@ def exploring_board(
 class ExploringBoard(Framed):
     """What `exploring_board` makes: the controls, and the exploration in `canvas`."""
 
-    def __init__(self, problem: ProblemRecord, reach: float | None, horizon: float | None, rng: int) -> None:
+    def __init__(
+        self, problem: ProblemRecord, reach: float | None, horizon: float | None, rng: int
+    ) -> None:
         self._given = in_plane(problem)
-        if not isinstance(problem.robot, RoundRobot) or not isinstance(problem.world, PolygonWorldRecord):
+        if not isinstance(problem.robot, RoundRobot) or not isinstance(
+            problem.world, PolygonWorldRecord
+        ):
             raise InvalidParameter(say("exploring_board.needs", given=shortened(problem)))
         size = world_size(problem)
         sight = size / 5.0 if reach is None else positive(reach, "reach")
         self.reach = length_slider("exploring_board.reach", size, sight)
-        self.horizon = length_slider("exploring_board.horizon", size, sight / 2.0 if horizon is None else horizon)
+        self.horizon = length_slider(
+            "exploring_board.horizon", size, sight / 2.0 if horizon is None else horizon
+        )
         self.seed = counter("exploring_board.seed", whole(rng, "rng", least=0), 0, 99)
         self.looks: list[Look] = []
         self.plan: Plan | None = None
@@ -64,7 +77,12 @@ class ExploringBoard(Framed):
         problem = problem_in(scene, self._given)
         self.looks = list(
             receding_horizon_looks(
-                problem, reach=self.reach.value, horizon=self.horizon.value, rays=RAYS, max_moves=60, rng=self.seed.value
+                problem,
+                reach=self.reach.value,
+                horizon=self.horizon.value,
+                rays=RAYS,
+                max_moves=60,
+                rng=self.seed.value,
             )
         )
         self.plan = plan_of_looks(problem, self.looks)

@@ -14,11 +14,13 @@ from ..core.scene import Scene, handle, make_scene, place_of, polygon
 
 
 def distance_board(vertices: ArrayLike, q: ArrayLike) -> Canvas:
-    """Drag q round a polygon, the polygon, or its vertices: the nearest point, the distance to it, and the tangent there.
+    """Drag q round a polygon, the polygon, or its vertices: the nearest point, the distance to it,
+    and the tangent there.
 
     Parameters
     ----------
-    vertices : (n, 2), a simple polygon; q : (2,), where q begins. The arrow is `polygon_tangent`, one unit long.
+    vertices : (n, 2), a simple polygon; q : (2,), where q begins. The arrow is `polygon_tangent`,
+    one unit long.
 
     Raises InvalidPolygon, InvalidPoint.
 
@@ -40,7 +42,10 @@ def distance_board(vertices: ArrayLike, q: ArrayLike) -> Canvas:
 
 def nearest_drawn(scene: Scene) -> Drawing:
     """The polygon's point that is nearest to q, in a drawing."""
-    ring, q = as_ring(scene["polygons"][0]["rings"][0]), place_of(scene, scene["handles"][0]["name"])
+    ring, q = (
+        as_ring(scene["polygons"][0]["rings"][0]),
+        place_of(scene, scene["handles"][0]["name"]),
+    )
     tangent = arrows([q], [polygon_tangent(q, ring)], "path")
     numbers = labels(ring, [str(i) for i in range(len(ring))], "obstacle")
     distance = point_polygon_distance(q, ring)
@@ -51,9 +56,20 @@ def nearest_drawn(scene: Scene) -> Drawing:
     text = (
         say("board.distance.edge", distance=size, number=edge)
         if region == 0
-        else say("board.distance.vertex", distance=size, number=edge if region == 1 else (edge + 1) % len(ring))
+        else say(
+            "board.distance.vertex",
+            distance=size,
+            number=edge if region == 1 else (edge + 1) % len(ring),
+        )
     )
     line = edges([[q, near]], "tree", width=2.5, dash=(6, 4))
     return Drawing(
-        [numbers, line, dots([near], "tree", radius=6.0), labels([(q + near) / 2.0], [size], "tree"), tangent], text=text
+        [
+            numbers,
+            line,
+            dots([near], "tree", radius=6.0),
+            labels([(q + near) / 2.0], [size], "tree"),
+            tangent,
+        ],
+        text=text,
     )

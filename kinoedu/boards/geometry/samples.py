@@ -1,4 +1,6 @@
-"""The samples' board: points of the unit square by a sampler and a number, and a place to drag into the largest hole."""
+"""The samples' board: points of the unit square by a sampler and a number, and a place to drag into
+the largest hole.
+"""
 
 import math
 from collections.abc import Callable
@@ -28,11 +30,13 @@ SAMPLERS: dict[str, Callable[[int], Array]] = {
 
 
 def samples_board(sampler: str = "random", n: int = 100) -> "SamplesBoard":
-    """Choose a sampler and how many points; drag q into the largest hole: the nearest point, and the largest empty ball beside it.
+    """Choose a sampler and how many points; drag q into the largest hole: the nearest point, and
+    the largest empty ball beside it.
 
     Parameters
     ----------
-    sampler : "corner", "sukharev", "random" or "halton". n : 1 to 400; of a grid, the points of the largest one with no more.
+    sampler : "corner", "sukharev", "random" or "halton". n : 1 to 400; of a grid, the points of the
+    largest one with no more.
 
     Raises InvalidParameter.
 
@@ -43,7 +47,9 @@ def samples_board(sampler: str = "random", n: int = 100) -> "SamplesBoard":
 
 
 class SamplesBoard(widgets.VBox):
-    """What `samples_board` makes: the choice of the sampler, the number, and the square in `canvas`."""
+    """What `samples_board` makes: the choice of the sampler, the number, and the square in
+    `canvas`.
+    """
 
     def __init__(self, sampler: str, n: int) -> None:
         names = (
@@ -57,8 +63,14 @@ class SamplesBoard(widgets.VBox):
             value=one_of(sampler, "sampler", tuple(SAMPLERS)),
             **{**look("planner"), "description": say("samples_board.sampler")},
         )
-        self.n = widgets.IntSlider(min(whole(n, "n", least=1), MOST), 1, MOST, **{**look("samples"), "description": "n"})
-        scene = make_scene((-0.04, -0.04), (1.04, 1.04), handles=[handle(say("samples_board.q"), (0.5, 0.5), colour="start")])
+        self.n = widgets.IntSlider(
+            min(whole(n, "n", least=1), MOST), 1, MOST, **{**look("samples"), "description": "n"}
+        )
+        scene = make_scene(
+            (-0.04, -0.04),
+            (1.04, 1.04),
+            handles=[handle(say("samples_board.q"), (0.5, 0.5), colour="start")],
+        )
         self.canvas = Canvas(scene, self.answer)
         super().__init__([self.sampler, self.n, self.canvas])
         for control in (self.sampler, self.n):
@@ -77,7 +89,9 @@ class SamplesBoard(widgets.VBox):
             edges([[q, points[away.argmin()]]], "start", width=2.0),
             dots(points, "tree", radius=4.5 if len(points) <= 150 else 3.0),
         ]
-        said = say("samples_board.told", n=len(points), hole=f"{ball.radius:.4f}", away=f"{away.min():.4f}")
+        said = say(
+            "samples_board.told", n=len(points), hole=f"{ball.radius:.4f}", away=f"{away.min():.4f}"
+        )
         return Drawing(layers, text=said)
 
     def picture(self) -> bytes:

@@ -1,4 +1,6 @@
-"""The board of a robot that slides round an obstacle: its reference point traces the C-obstacle. LaValle, section 4.3.2."""
+"""The board of a robot that slides round an obstacle: its reference point traces the C-obstacle.
+LaValle, section 4.3.2.
+"""
 
 from typing import Any
 
@@ -21,15 +23,18 @@ CONTACTS = {"EV": "slide_board.ev", "VE": "slide_board.ve", "EE": "slide_board.e
 
 
 def slide_board(robot_vertices: ArrayLike, obstacle_vertices: ArrayLike) -> "SlideBoard":
-    """Slide a convex robot, which does not turn, round a convex obstacle, by the slider or by dragging its reference point q, which
-    traces the C-obstacle. The vertices of both polygons can be dragged; the words say what touches what.
+    """Slide a convex robot, which does not turn, round a convex obstacle, by the slider or by
+    dragging its reference point q, which traces the C-obstacle. The vertices of both polygons can
+    be dragged; the words say what touches what.
 
     Parameters
     ----------
-    robot_vertices : (n, 2), its reference point at the origin. obstacle_vertices : (m, 2). Both convex polygons, as for `slide`.
+    robot_vertices : (n, 2), its reference point at the origin. obstacle_vertices : (m, 2). Both
+    convex polygons, as for `slide`.
 
-    The robot stands once more to the left, where its vertices are dragged; dragged whole, it moves away from its reference point.
-    `board.slide` is the way on show, `board.share` how much of it has been gone, from 0 to 1. Raises InvalidPolygon, InvalidPoint.
+    The robot stands once more to the left, where its vertices are dragged; dragged whole, it moves
+    away from its reference point. `board.slide` is the way on show, `board.share` how much of it
+    has been gone, from 0 to 1. Raises InvalidPolygon, InvalidPoint.
 
     >>> slide_board([(0, 0), (1, 0), (0, 1)], [(2, 2), (4, 2), (4, 3), (2, 3)])
     SlideBoard(edge-vertex contact (EV): edge 0 of the robot slides along vertex 0 of the obstacle)
@@ -46,7 +51,12 @@ class SlideBoard(widgets.VBox):
         scene = scene_of(self.slide, self._home)
         self._placed = scene["handles"][0]["at"]
         self.gone = widgets.FloatSlider(
-            0.0, min=0.0, max=1.0, step=NOTCH, readout_format=".0%", **{**look("step"), "description": say("slide_board.gone")}
+            0.0,
+            min=0.0,
+            max=1.0,
+            step=NOTCH,
+            readout_format=".0%",
+            **{**look("step"), "description": say("slide_board.gone")},
         )
         self.canvas = Canvas(scene, self.answer)
         super().__init__([self.gone, self.canvas])
@@ -60,11 +70,15 @@ class SlideBoard(widgets.VBox):
             self.canvas.refresh()
 
     def _let_go(self, _: Any) -> None:
-        """What was dragged is let go: the slider goes there, once, since what it says while it follows comes back late."""
+        """What was dragged is let go: the slider goes there, once, since what it says while it
+        follows comes back late.
+        """
         self.gone.value = round(self.share / NOTCH) * NOTCH
 
     def answer(self, scene: Scene) -> Drawing:
-        """Put the robot of a scene in contact with its obstacle, where q was dragged or the slider is, and draw them."""
+        """Put the robot of a scene in contact with its obstacle, where q was dragged or the slider
+        is, and draw them.
+        """
         obstacle, shown = (as_points(item["rings"][0], item["name"]) for item in scene["polygons"])
         pattern = pattern_drawn(shown, self._home)
         try:
@@ -76,9 +90,19 @@ class SlideBoard(widgets.VBox):
             self.share = share_at(self.slide, at)
         q, stretch = self.slide.at(self.share)
         self._placed = q.tolist()
-        pattern.append(labels(self.slide.robot + self._home, [str(i) for i in range(len(self.slide.robot))], "ink"))
-        layers = [*pattern, *way_drawn(self.slide, q, stretch), *contact_drawn(self.slide, q, stretch)]
-        return Drawing(layers, text=contact_said(self.slide, stretch), places=[("handle", 0, self._placed)])
+        pattern.append(
+            labels(
+                self.slide.robot + self._home, [str(i) for i in range(len(self.slide.robot))], "ink"
+            )
+        )
+        layers = [
+            *pattern,
+            *way_drawn(self.slide, q, stretch),
+            *contact_drawn(self.slide, q, stretch),
+        ]
+        return Drawing(
+            layers, text=contact_said(self.slide, stretch), places=[("handle", 0, self._placed)]
+        )
 
     def picture(self) -> bytes:
         """The board as it is now, as a PNG."""
@@ -92,8 +116,13 @@ class SlideBoard(widgets.VBox):
 
 
 def home_of(way: Slide) -> Array:
-    """Where the reference point of the robot is that stands beside the obstacle, to the left of all that slides."""
-    reach, gap = way.corners.min(axis=0) + way.robot.min(axis=0), 0.25 * np.ptp(way.corners, axis=0).max()
+    """Where the reference point of the robot is that stands beside the obstacle, to the left of all
+    that slides.
+    """
+    reach, gap = (
+        way.corners.min(axis=0) + way.robot.min(axis=0),
+        0.25 * np.ptp(way.corners, axis=0).max(),
+    )
     middle = way.obstacle.mean(axis=0) - way.robot.mean(axis=0)
     return np.array([reach[0] - gap - way.robot[:, 0].max(), middle[1]])
 
@@ -101,7 +130,9 @@ def home_of(way: Slide) -> Array:
 def scene_of(way: Slide, home: Array) -> Scene:
     """Obstacle, the robot beside it, and the reference point of the one that slides."""
     robot = way.robot + home
-    swept = np.concatenate([way.corners + corner for corner in (way.robot.min(axis=0), way.robot.max(axis=0))])
+    swept = np.concatenate(
+        [way.corners + corner for corner in (way.robot.min(axis=0), way.robot.max(axis=0))]
+    )
     shown = np.concatenate([swept, way.corners, way.obstacle, robot, home[None]])
     lo, hi = shown.min(axis=0), shown.max(axis=0)
     margin = 0.05 * (hi - lo).max()
@@ -120,13 +151,19 @@ def share_at(way: Slide, p: ArrayLike) -> float:
     """The share of the way after which the reference point is nearest to p."""
     x, y = np.asarray(p, float)
     stretch, nx, ny, _ = nearest_on_ring(x, y, way.corners)
-    gone = way.lengths[:stretch].sum() + np.hypot(nx - way.corners[stretch, 0], ny - way.corners[stretch, 1])
+    gone = way.lengths[:stretch].sum() + np.hypot(
+        nx - way.corners[stretch, 0], ny - way.corners[stretch, 1]
+    )
     return float(min(gone / way.lengths.sum(), 1.0))
 
 
 def contact_said(way: Slide, stretch: int) -> str:
     """What touches what in a stretch, in words."""
-    return say(CONTACTS[str(way.kind[stretch])], robot=way.robot_part[stretch], obstacle=way.obstacle_part[stretch])
+    return say(
+        CONTACTS[str(way.kind[stretch])],
+        robot=way.robot_part[stretch],
+        obstacle=way.obstacle_part[stretch],
+    )
 
 
 def pattern_drawn(ring: Array, home: Array) -> list[Layer]:
@@ -158,7 +195,9 @@ def way_drawn(way: Slide, q: Array, stretch: int) -> list[Layer]:
 
 
 def contact_drawn(way: Slide, q: Array, stretch: int) -> list[Layer]:
-    """The robot in contact, what of both touches in black, and the numbers of the obstacle's vertices."""
+    """The robot in contact, what of both touches in black, and the numbers of the obstacle's
+    vertices.
+    """
     robot, sides = way.robot + q, str(way.kind[stretch])
     return [
         bodies([robot], "robot"),

@@ -1,7 +1,8 @@
 """The board of solids: a mesh to turn and to cut, and beside it what the cut means in the plane.
 
-The browser turns the mesh, moves the plane and drags the point; Python answers what the plane shows, through the trait `section`:
-{theta, place, text, shapes}, each shape a list of points with colours. One question is under way at a time.
+The browser turns the mesh, moves the plane and drags the point; Python answers what the plane
+shows, through the trait `section`: {theta, place, text, shapes}, each shape a list of points with
+colours. One question is under way at a time.
 """
 
 import io
@@ -38,21 +39,38 @@ FRONT = {"theta": (), "hint": (), "solid": ("azimuth", "height", "theta"), "slic
 Section = Callable[[float, Array], dict[str, Any]]
 
 
-def shape(points: ArrayLike, fill: str = "", line: str = "", *, alpha: float = 1.0, closed: bool = True) -> dict[str, Any]:
-    """A polygon or a line of a section, (n, 2), with the names of its colours in the palette; "" for none."""
-    return {"points": np.asarray(points, float).tolist(), "fill": fill, "line": line, "alpha": alpha, "closed": closed}
+def shape(
+    points: ArrayLike, fill: str = "", line: str = "", *, alpha: float = 1.0, closed: bool = True
+) -> dict[str, Any]:
+    """A polygon or a line of a section, (n, 2), with the names of its colours in the palette; ""
+    for none.
+    """
+    return {
+        "points": np.asarray(points, float).tolist(),
+        "fill": fill,
+        "line": line,
+        "alpha": alpha,
+        "closed": closed,
+    }
 
 
 def solid_board(
-    mesh: "Trimesh", *, section: Section | None = None, theta: float = 0.0, place: ArrayLike | None = None
+    mesh: "Trimesh",
+    *,
+    section: Section | None = None,
+    theta: float = 0.0,
+    place: ArrayLike | None = None,
 ) -> "SolidBoard":
-    """A mesh in (x, y, theta) to turn by dragging, wheel or keys, and a plane through it whose cut is shown beside it.
+    """A mesh in (x, y, theta) to turn by dragging, wheel or keys, and a plane through it whose cut
+    is shown beside it.
 
     Parameters
     ----------
-    mesh : a trimesh.Trimesh of at most 40,000 triangles, drawn in its own face colours where it has any.
-    section : what the plane shows, a function f(theta, place) -> {"text": words, "shapes": [shape(...), ...]}; left out, the cut.
-    theta, place : where the plane is, and the point that can be dragged in it, (2,); without a place there is no point.
+    mesh : a trimesh.Trimesh of at most 40,000 triangles, drawn in its own face colours where it has
+    any.
+    section : what the plane shows, a function f(theta, place) -> {"text": words, "shapes":
+    [shape(...), ...]}; left out, the cut. theta, place : where the plane is, and the point that can
+    be dragged in it, (2,); without a place there is no point.
 
     Raises InvalidParameter, InvalidPoint.
     """
@@ -60,11 +78,17 @@ def solid_board(
 
 
 def turning_board(
-    robot_vertices: ArrayLike, obstacle: ArrayLike, *, theta: float = 0.0, place: ArrayLike | None = None
+    robot_vertices: ArrayLike,
+    obstacle: ArrayLike,
+    *,
+    theta: float = 0.0,
+    place: ArrayLike | None = None,
 ) -> "SolidBoard":
-    """The C-obstacle of a polygon that turns: the solid, and at the plane's heading the workspace, the robot there to be dragged.
+    """The C-obstacle of a polygon that turns: the solid, and at the plane's heading the workspace,
+    the robot there to be dragged.
 
-    robot_vertices : (n, 2), its reference point at the origin; obstacle : (m, 2). Raises InvalidPolygon, InvalidPoint.
+    robot_vertices : (n, 2), its reference point at the origin; obstacle : (m, 2). Raises
+        InvalidPolygon, InvalidPoint.
 
     >>> turning_board([(0, 0), (2, 0), (0, 1)], [(3, 3), (6, 3), (6, 5), (3, 5)], place=(4, 4))
     SolidBoard(θ = 0°: the robot touches the obstacle with its reference point at (4, 4))
@@ -72,23 +96,44 @@ def turning_board(
     robot, solid = as_ring(robot_vertices, "robot"), as_ring(obstacle, "obstacle")
     mesh = turning_obstacle(robot, solid)
     here = mesh.bounds[0, :2] if place is None else place
-    return SolidBoard(mesh, lambda theta, place: workspace_section(robot, solid, theta, place), theta, here)
+    return SolidBoard(
+        mesh, lambda theta, place: workspace_section(robot, solid, theta, place), theta, here
+    )
 
 
 def workspace_section(robot: Array, obstacle: Array, theta: float, place: Array) -> dict[str, Any]:
-    """The workspace at one heading: the slice of the C-obstacle, the obstacle, the robot; and whether it touches, exactly."""
+    """The workspace at one heading: the slice of the C-obstacle, the obstacle, the robot; and
+    whether it touches, exactly.
+    """
     body = turned(robot, theta)
-    touches = any(convex_polygons_intersect(p + place, q) for p in convex_parts(body) for q in convex_parts(obstacle))
-    grown = [shape(part, "outside", "", alpha=0.4) for part in translating_obstacles(body, [obstacle])]
-    state, degrees = say("c_space.touches" if touches else "c_space.clear"), f"{np.degrees(theta):.0f}"
+    touches = any(
+        convex_polygons_intersect(p + place, q)
+        for p in convex_parts(body)
+        for q in convex_parts(obstacle)
+    )
+    grown = [
+        shape(part, "outside", "", alpha=0.4) for part in translating_obstacles(body, [obstacle])
+    ]
+    state, degrees = (
+        say("c_space.touches" if touches else "c_space.clear"),
+        f"{np.degrees(theta):.0f}",
+    )
     return {
-        "text": say("c_space.section", theta=degrees, state=state, x=f"{place[0]:.3g}", y=f"{place[1]:.3g}"),
-        "shapes": [*grown, shape(obstacle, "obstacle", ""), shape(body + place, "robot", "robot", alpha=0.5)],
+        "text": say(
+            "c_space.section", theta=degrees, state=state, x=f"{place[0]:.3g}", y=f"{place[1]:.3g}"
+        ),
+        "shapes": [
+            *grown,
+            shape(obstacle, "obstacle", ""),
+            shape(body + place, "robot", "robot", alpha=0.5),
+        ],
     }
 
 
 class SolidBoard(anywidget.AnyWidget):
-    """What `solid_board` makes. `theta` and `place` say where the plane and the point are; set them to move both."""
+    """What `solid_board` makes. `theta` and `place` say where the plane and the point are; set them
+    to move both.
+    """
 
     _esm = Path(__file__).with_name("solid.js")
     _css = Path(__file__).with_name("solid.css")
@@ -103,9 +148,13 @@ class SolidBoard(anywidget.AnyWidget):
     palette = traitlets.Dict().tag(sync=True)
     words = traitlets.Dict().tag(sync=True)
 
-    def __init__(self, mesh: "Trimesh", section: Section | None, theta: float, place: ArrayLike | None) -> None:
+    def __init__(
+        self, mesh: "Trimesh", section: Section | None, theta: float, place: ArrayLike | None
+    ) -> None:
         if not hasattr(mesh, "triangles") or not 0 < len(mesh.faces) <= MOST:
-            raise InvalidParameter(f"a board needs a mesh of 1 to {MOST:,} triangles, got {shortened(mesh)}")
+            raise InvalidParameter(
+                f"a board needs a mesh of 1 to {MOST:,} triangles, got {shortened(mesh)}"
+            )
         self._mesh, self._section = mesh, section or self._outline
         here = None if place is None else as_point(place, "place").tolist()
         angle = as_array(theta, "theta")
@@ -114,18 +163,25 @@ class SolidBoard(anywidget.AnyWidget):
         super().__init__(
             vertices=np.asarray(mesh.vertices, np.float32).tobytes(),
             faces=np.asarray(mesh.faces, np.uint32).tobytes(),
-            colours=(255.0 * np.broadcast_to(shaded(mesh), (len(mesh.faces), 3))).astype(np.uint8).tobytes(),
+            colours=(255.0 * np.broadcast_to(shaded(mesh), (len(mesh.faces), 3)))
+            .astype(np.uint8)
+            .tobytes(),
             box=mesh.bounds.tolist(),
             theta=float(angle),
             place=here,
             palette=palette.NAMED,
-            words={name: say(f"c_space.front.{name}", **{v: f"{{{v}}}" for v in values}) for name, values in FRONT.items()},
+            words={
+                name: say(f"c_space.front.{name}", **{v: f"{{{v}}}" for v in values})
+                for name, values in FRONT.items()
+            },
         )
         self.observe(lambda _: self._answer(), ["theta", "place"])
         self._answer()
 
     def set_state(self, sync_data: dict[str, Any]) -> None:
-        """What a page may change: where the plane and the point are. What makes no sense is left out."""
+        """What a page may change: where the plane and the point are. What makes no sense is left
+        out.
+        """
         kept: dict[str, Any] = {}
         try:
             if "theta" in sync_data:
@@ -151,14 +207,18 @@ class SolidBoard(anywidget.AnyWidget):
 
     def _answer(self) -> None:
         """What the plane shows now."""
-        shown = self._section(self.theta, np.array(self.place if self.place is not None else (0.0, 0.0)))
+        shown = self._section(
+            self.theta, np.array(self.place if self.place is not None else (0.0, 0.0))
+        )
         with self.hold_sync():
             self.cut = section_of(self._mesh, self.theta)[:, :, :2].tolist()
             self.section = {**shown, "theta": self.theta, "place": self.place}
 
     def _outline(self, theta: float, _: Array) -> dict[str, Any]:
         """The cut itself."""
-        lines = [shape(line[:, :2], line="goal", closed=False) for line in section_of(self._mesh, theta)]
+        lines = [
+            shape(line[:, :2], line="goal", closed=False) for line in section_of(self._mesh, theta)
+        ]
         return {"text": say("c_space.nothing", theta=f"{np.degrees(theta):.0f}"), "shapes": lines}
 
     def picture(self) -> bytes:
@@ -167,9 +227,13 @@ class SolidBoard(anywidget.AnyWidget):
         from matplotlib.figure import Figure
         from matplotlib.patches import Polygon
 
-        figure = Figure(figsize=(11.0, 5.0), dpi=60)  # no layout of its own: what it takes for the solid's box is too large
+        figure = Figure(
+            figsize=(11.0, 5.0), dpi=60
+        )  # no layout of its own: what it takes for the solid's box is too large
         FigureCanvasAgg(figure)
-        draw_mesh(self._mesh, figure.add_axes((0.0, 0.02, 0.5, 0.96), projection="3d"), theta=self.theta)
+        draw_mesh(
+            self._mesh, figure.add_axes((0.0, 0.02, 0.5, 0.96), projection="3d"), theta=self.theta
+        )
         ax = figure.add_axes((0.54, 0.08, 0.44, 0.76), aspect="equal")
         named = {"": "none", **palette.NAMED}
         for part in self.section["shapes"]:

@@ -1,4 +1,6 @@
-"""The sweep line's board: a line that is dragged by hand across polygons, its status beside it, and the cells that it leaves."""
+"""The sweep line's board: a line that is dragged by hand across polygons, its status beside it, and
+the cells that it leaves.
+"""
 
 from collections.abc import Sequence
 from itertools import pairwise
@@ -21,7 +23,8 @@ FLOOR, CEILING = "start", "goal"  # colours of the status, as in the figures
 
 
 def sweep_board(world: Any, *, x: float | None = None) -> "SweepBoard":
-    """Drag the sweep line across a world by its handle, and the obstacles or their vertices: the cells closed and open, the status.
+    """Drag the sweep line across a world by its handle, and the obstacles or their vertices: the
+    cells closed and open, the status.
 
     Parameters
     ----------
@@ -38,7 +41,9 @@ def sweep_board(world: Any, *, x: float | None = None) -> "SweepBoard":
 
 
 class SweepBoard(widgets.HBox):
-    """What `sweep_board` makes: the world in `canvas`, and the list of the edges on the line in `status`."""
+    """What `sweep_board` makes: the world in `canvas`, and the list of the edges on the line in
+    `status`.
+    """
 
     def __init__(self, world: Any, *, x: float | None) -> None:
         sweep(world)  # refuses what it cannot cut
@@ -46,7 +51,9 @@ class SweepBoard(widgets.HBox):
         self.status = widgets.HTML(layout=widgets.Layout(flex="1 1 11em"))
         self.canvas = Canvas(scene_of(world, x), self.answer)
         self.canvas.layout = widgets.Layout(flex="4 1 22em", max_width="650px", min_width="0")
-        super().__init__([self.canvas, self.status], layout=widgets.Layout(flex_flow="row wrap", grid_gap="8px"))
+        super().__init__(
+            [self.canvas, self.status], layout=widgets.Layout(flex_flow="row wrap", grid_gap="8px")
+        )
 
     def answer(self, scene: Scene) -> Drawing:
         """Sweep a scene up to the line."""
@@ -79,21 +86,27 @@ def scene_of(world: Any, x: float | None) -> Scene:
     (outline,), *solids = rings_of(world)
     margin = 0.06 * (world.hi - world.lo).max()
     at = (world.lo[0] + world.hi[0]) / 2.0 if x is None else x
-    polygons = [polygon(say("sweep_board.obstacle", number=k), rings) for k, rings in enumerate(solids)]
+    polygons = [
+        polygon(say("sweep_board.obstacle", number=k), rings) for k, rings in enumerate(solids)
+    ]
     handles = [handle(say("sweep_board.line"), (at, world.lo[1] - margin), colour="ink")]
     lo, hi = world.lo - [margin, 1.5 * margin], world.hi + margin
     return make_scene(lo, hi, boundary=outline[::-1], handles=handles, polygons=polygons)
 
 
 def numbered(steps: Sequence[Step]) -> dict[tuple[float, ...], int]:
-    """Every edge that the line crosses somewhere, with its number: by its left end, from left to right, the lower first."""
+    """Every edge that the line crosses somewhere, with its number: by its left end, from left to
+    right, the lower first.
+    """
     rows = np.unique(np.concatenate([step.status for step in steps]), axis=0)
     slopes = (rows[:, 3] - rows[:, 1]) / (rows[:, 2] - rows[:, 0])
     ordered = rows[np.lexsort((slopes, rows[:, 1], rows[:, 0]))]
     return {tuple(row): number for number, row in enumerate(ordered.tolist())}
 
 
-def drawn(steps: Sequence[Step], x: float, names: dict[tuple[float, ...], int], scene: Scene) -> Drawing:
+def drawn(
+    steps: Sequence[Step], x: float, names: dict[tuple[float, ...], int], scene: Scene
+) -> Drawing:
     """What the line has left, and what it crosses at x."""
     now, done = steps[-1], np.concatenate([step.closed for step in steps])
     begun = open_cells(steps, x)
@@ -102,10 +115,14 @@ def drawn(steps: Sequence[Step], x: float, names: dict[tuple[float, ...], int], 
         cells(corners, "cell"),
         outlines(corners, "tree", 1.5),
         outlines(begun, "tree", 1.8, (6.0, 5.0)),
-        labels(corners.mean(axis=1) - 0.015 * size, [str(k) for k in range(1, len(done) + 1)], "tree"),
+        labels(
+            corners.mean(axis=1) - 0.015 * size, [str(k) for k in range(1, len(done) + 1)], "tree"
+        ),
         line_at(x, scene),
     ]
-    layers += [edges(now.status[k::2], colour, width=4.0) for k, colour in enumerate((FLOOR, CEILING))]
+    layers += [
+        edges(now.status[k::2], colour, width=4.0) for k, colour in enumerate((FLOOR, CEILING))
+    ]
     heights = height_at(now.status, x)
     layers += [
         dots(np.concatenate([step.vertices for step in steps]), "ink", radius=3.5),
@@ -114,7 +131,9 @@ def drawn(steps: Sequence[Step], x: float, names: dict[tuple[float, ...], int], 
     ]
     places = np.column_stack([np.full(len(heights), x), apart(heights, 0.045 * size)])
     texts = [str(names[tuple(row)]) for row in now.status.tolist()]
-    layers += [labels(places[k::2], texts[k::2], colour) for k, colour in enumerate((FLOOR, CEILING))]
+    layers += [
+        labels(places[k::2], texts[k::2], colour) for k, colour in enumerate((FLOOR, CEILING))
+    ]
     said = {"x": f"{now.x:.4g}", "event": now.kind, "closed": len(done)}
     if not len(now.status):
         return Drawing(layers, text=say("sweep_board.ended", **said))
@@ -129,23 +148,30 @@ def line_at(x: float, scene: Scene) -> Layer:
 
 def outlines(corners: Array, colour: str, width: float, dash: Sequence[float] = ()) -> Layer:
     """The sides of quadrangles (n, 4, 2)."""
-    return edges(np.stack([corners, np.roll(corners, -1, axis=1)], axis=2), colour, width=width, dash=dash)
+    return edges(
+        np.stack([corners, np.roll(corners, -1, axis=1)], axis=2), colour, width=width, dash=dash
+    )
 
 
 def open_cells(steps: Sequence[Step], x: float) -> Array:
     """The cells that the line at x is crossing, as far as they have come, (n, 4, 2).
 
-    What is known of each is its left wall; its floor and ceiling are the neighbours in the status that pass the wall's ends.
+    What is known of each is its left wall; its floor and ceiling are the neighbours in the status
+    that pass the wall's ends.
     """
     walls: list[tuple[float, ...]] = []
     for step in steps:
         ended = {tuple(row) for row in step.closed[:, [0, 2, 3]].tolist()}
-        walls = [wall for wall in walls if wall not in ended] + [tuple(row) for row in step.opened.tolist()]
+        walls = [wall for wall in walls if wall not in ended] + [
+            tuple(row) for row in step.opened.tolist()
+        ]
     pairs, found = steps[-1].status.reshape(-1, 2, 4), []
     for floor, ceiling in pairs:
         left = max(floor[0], ceiling[0])
         misses = [
-            np.abs(height_at(np.array([floor, ceiling]), begin) - [low, high]).sum() if begin >= left else np.inf
+            np.abs(height_at(np.array([floor, ceiling]), begin) - [low, high]).sum()
+            if begin >= left
+            else np.inf
             for begin, low, high in walls
         ]
         begin, low, high = walls.pop(int(np.argmin(misses)))

@@ -1,4 +1,6 @@
-"""The board of uncertain obstacles: a path planned for a chance, and scenario after scenario, whether it is hit."""
+"""The board of uncertain obstacles: a path planned for a chance, and scenario after scenario,
+whether it is hit.
+"""
 
 from typing import Any
 
@@ -31,30 +33,47 @@ CHANCES = (0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 0.001, 0.0001)
 
 
 def chance_board(
-    robot: Any, world: UncertainWorldRecord, start: ArrayLike, goal: ArrayLike, *, delta: float = 0.05, rng: int = 0
+    robot: Any,
+    world: UncertainWorldRecord,
+    start: ArrayLike,
+    goal: ArrayLike,
+    *,
+    delta: float = 0.05,
+    rng: int = 0,
 ) -> "ChanceBoard":
-    """Choose the chance delta: the margins follow, dashed, and the path that keeps off them. Drag start and goal. Scrub: each
-    step is one scenario, in red where it is hit.
+    """Choose the chance delta: the margins follow, dashed, and the path that keeps off them. Drag
+    start and goal. Scrub: each step is one scenario, in red where it is hit.
 
     Parameters
     ----------
-    robot : Point(), Disk(radius) or TranslatingPolygon(vertices). world : an UncertainWorld. start, goal : (x, y).
-    delta, rng : where the controls begin.
+    robot : Point(), Disk(radius) or TranslatingPolygon(vertices). world : an UncertainWorld. start,
+    goal : (x, y). delta, rng : where the controls begin.
 
     `board.plan` is on show. Raises InvalidParameter.
 
     >>> from kinoedu import Point, UncertainWorld
     >>> world = UncertainWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [((4.5, 3), 1)], 0.2)
     >>> chance_board(Point(), world, (1, 3), (8, 3))
-    ChanceBoard(promised at most 5%, bound 4.7%; hit in 40 of 4,000 scenarios: 1% (0.74% to 1.4%); length 7.712)
+    ChanceBoard(promised at most 5%, bound 4.7%; hit in 40 of 4,000 scenarios: 1% (0.74% to 1.4%);
+    length 7.712)
     """
     return ChanceBoard(robot, world, start, goal, delta, rng)
 
 
 class ChanceBoard(Framed):
-    """What `chance_board` makes: the controls, and the world in `canvas`, whose slider goes through scenarios."""
+    """What `chance_board` makes: the controls, and the world in `canvas`, whose slider goes through
+    scenarios.
+    """
 
-    def __init__(self, robot: Any, world: UncertainWorldRecord, start: ArrayLike, goal: ArrayLike, delta: float, rng: int) -> None:
+    def __init__(
+        self,
+        robot: Any,
+        world: UncertainWorldRecord,
+        start: ArrayLike,
+        goal: ArrayLike,
+        delta: float,
+        rng: int,
+    ) -> None:
         if not isinstance(world, UncertainWorldRecord):
             raise InvalidParameter(say("chance_board.needs", given=shortened(world)))
         self._robot, self._world = as_mover(robot), world
@@ -76,32 +95,66 @@ class ChanceBoard(Framed):
         super().__init__([self.delta, self.seed], [Canvas(scene, self.answer)])
 
     def answer(self, scene: Scene) -> Drawing:
-        """Plan with margins in a scene, and try the path in scenarios; where nothing can be planned, say why."""
+        """Plan with margins in a scene, and try the path in scenarios; where nothing can be
+        planned, say why.
+        """
         self.plan = None
         world, robot, delta = self._world, self._robot, self.delta.value
         bare = [*margins_drawn(world, delta), *expected_drawn(world, 0)]
         try:
-            problem = Problem(robot, inflated(world, delta), place_of(scene, START), place_of(scene, GOAL))
+            problem = Problem(
+                robot, inflated(world, delta), place_of(scene, START), place_of(scene, GOAL)
+            )
         except KinoeduError as error:
             return Drawing(bare, warning=str(error))
         self.plan = plan = shortcut(prm(problem, n=400, rng=self.seed.value), rng=self.seed.value)
         if plan.path is None:
             return Drawing(bare, text=say("chance_board.none", delta=f"{delta:.4g}"))
         offsets = scenarios(world, TRIED, rng=self.seed.value)
-        hit = hit_scenarios(robot, world.parts, world.owner, part_gaps(robot, world.parts, plan.path), plan.path, offsets)
+        hit = hit_scenarios(
+            robot,
+            world.parts,
+            world.owner,
+            part_gaps(robot, world.parts, plan.path),
+            plan.path,
+            offsets,
+        )
         low, high = wilson(int(hit.sum()), TRIED)
         bound = collision_bound(robot, world, plan.path)
-        shares = {name: percent(float(value)) for name, value in
-                  (("delta", delta), ("bound", bound), ("share", hit.mean()), ("low", low), ("high", high))}  # fmt: skip
-        text = say("chance_board.text", hits=f"{hit.sum():,}", tried=f"{TRIED:,}", length=f"{plan.cost:.4g}", **shares)
+        shares = {
+            name: percent(float(value))
+            for name, value in (
+                ("delta", delta),
+                ("bound", bound),
+                ("share", hit.mean()),
+                ("low", low),
+                ("high", high),
+            )
+        }
+        text = say(
+            "chance_board.text",
+            hits=f"{hit.sum():,}",
+            tried=f"{TRIED:,}",
+            length=f"{plan.cost:.4g}",
+            **shares,
+        )
         layers = [
             *margins_drawn(world, delta),
             *scenarios_drawn(world, offsets[:SHOWN], hit[:SHOWN]),
             *all_drawn(world, offsets[:SHOWN], hit[:SHOWN]),
             path(plan.path, "path")._replace(last=False),
         ]
-        told = [say(f"chance_board.{'hit' if was else 'missed'}", number=k + 1) for k, was in enumerate(hit[:SHOWN])]
-        return Drawing([*layers, *expected_drawn(world, SHOWN)], text=text, total=SHOWN, unit=say("chance_board.unit"), told=told)
+        told = [
+            say(f"chance_board.{'hit' if was else 'missed'}", number=k + 1)
+            for k, was in enumerate(hit[:SHOWN])
+        ]
+        return Drawing(
+            [*layers, *expected_drawn(world, SHOWN)],
+            text=text,
+            total=SHOWN,
+            unit=say("chance_board.unit"),
+            told=told,
+        )
 
 
 def percent(share: float) -> str:
@@ -111,7 +164,9 @@ def percent(share: float) -> str:
 
 def closed_line(ring: Array, colour: str, width: float, dash: tuple[float, float]) -> Layer:
     """A dashed outline, in one piece: dashes go on round its corners."""
-    return path(np.vstack([ring, ring[:1]]), colour, width=width, dash=dash, casing=False)._replace(last=False)
+    return path(np.vstack([ring, ring[:1]]), colour, width=width, dash=dash, casing=False)._replace(
+        last=False
+    )
 
 
 def margins_drawn(world: UncertainWorldRecord, delta: float) -> list[Layer]:
@@ -127,7 +182,9 @@ def expected_drawn(world: UncertainWorldRecord, step: int) -> list[Layer]:
 
 
 def scenarios_drawn(world: UncertainWorldRecord, offsets: Array, hit: Any) -> list[Layer]:
-    """The obstacles of each scenario at its step, red and hatched where the path is hit; at the last step none."""
+    """The obstacles of each scenario at its step, red and hatched where the path is hit; at the
+    last step none.
+    """
     layers = []
     for number, ring in outlines(world):
         for was_hit, colour in ((False, "obstacle"), (True, "hit")):
@@ -142,7 +199,9 @@ def all_drawn(world: UncertainWorldRecord, offsets: Array, hit: Any) -> list[Lay
     """At the last step the outlines of all scenarios, red where the path is hit."""
     layers = []
     for was_hit, colour in ((False, "outside"), (True, "hit")):
-        shapes = [ring + by for number, ring in outlines(world) for by in offsets[hit == was_hit, number]]
+        shapes = [
+            ring + by for number, ring in outlines(world) for by in offsets[hit == was_hit, number]
+        ]
         sides = [np.stack([ring, np.roll(ring, -1, axis=0)], axis=1) for ring in shapes]
         if sides:
             segments = np.concatenate(sides)

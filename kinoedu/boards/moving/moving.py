@@ -1,4 +1,6 @@
-"""The board of moving obstacles: a slider of time, and everything where it is then; planned anew when something is dragged."""
+"""The board of moving obstacles: a slider of time, and everything where it is then; planned anew
+when something is dragged.
+"""
 
 from typing import Any
 
@@ -29,11 +31,13 @@ STEPS = 150  # of the time slider
 
 
 def moving_board(problem: TimedProblemRecord, *, nodes: int = 200, rng: int = 0) -> "MovingBoard":
-    """Scrub through time: the obstacles, and the robot on its way. Drag start, goal, or what stands still; change the speed.
+    """Scrub through time: the obstacles, and the robot on its way. Drag start, goal, or what stands
+    still; change the speed.
 
     Parameters
     ----------
-    problem : a TimedProblem. nodes, rng : of the roadmap, and where the seed begins; see `plan_in_time`.
+    problem : a TimedProblem. nodes, rng : of the roadmap, and where the seed begins; see
+    `plan_in_time`.
 
     `board.plan` is on show. Raises InvalidParameter.
 
@@ -47,7 +51,9 @@ def moving_board(problem: TimedProblemRecord, *, nodes: int = 200, rng: int = 0)
 
 
 class MovingBoard(Framed):
-    """What `moving_board` makes: the controls, and the world in `canvas`, whose slider is the time."""
+    """What `moving_board` makes: the controls, and the world in `canvas`, whose slider is the
+    time.
+    """
 
     def __init__(self, problem: TimedProblemRecord, nodes: int, rng: int) -> None:
         if not isinstance(problem, TimedProblemRecord):
@@ -64,10 +70,14 @@ class MovingBoard(Framed):
             handle(START, problem.start, colour="start"),
             handle(GOAL, problem.goal, colour="goal", marker="star"),
         ]
-        super().__init__([self.speed, self.seed], [Canvas(scene_with(problem.world.still, handles), self.answer)])
+        super().__init__(
+            [self.speed, self.seed], [Canvas(scene_with(problem.world.still, handles), self.answer)]
+        )
 
     def answer(self, scene: Scene) -> Drawing:
-        """Plan in a scene, and draw all its moments; where nothing can be planned, say why, and show what moves at the time 0."""
+        """Plan in a scene, and draw all its moments; where nothing can be planned, say why, and
+        show what moves at the time 0.
+        """
         self.plan = None
         try:
             return self.planned(scene)
@@ -79,17 +89,38 @@ class MovingBoard(Framed):
         given = self._given
         world = given.world._replace(still=world_in(scene))
         ends = place_of(scene, START), place_of(scene, GOAL)
-        problem = TimedProblem(given.robot, world, *ends, speed=self.speed.value, horizon=given.horizon, clearance=given.clearance)
+        problem = TimedProblem(
+            given.robot,
+            world,
+            *ends,
+            speed=self.speed.value,
+            horizon=given.horizon,
+            clearance=given.clearance,
+        )
         self.plan = plan = plan_in_time(problem, n=self._nodes, rng=self.seed.value)
-        last = plan.cost if plan.path is not None else float(world.times.max()) if len(world.times) else 1.0
+        last = (
+            plan.cost
+            if plan.path is not None
+            else float(world.times.max())
+            if len(world.times)
+            else 1.0
+        )
         moments = np.linspace(0.0, max(last, 1e-9), STEPS + 1)
-        layers = [edges(plan.roadmap.nodes[plan.roadmap.edges], "roadmap", width=0.4), *movers_drawn(world, moments)]
+        layers = [
+            edges(plan.roadmap.nodes[plan.roadmap.edges], "roadmap", width=0.4),
+            *movers_drawn(world, moments),
+        ]
         if plan.path is None:
             text = say("moving_board.none", reason=plan.reason)
         else:
-            text = say("moving_board.there", time=f"{plan.cost:.3g}", waited=f"{waited(plan.path):.3g}")
+            text = say(
+                "moving_board.there", time=f"{plan.cost:.3g}", waited=f"{waited(plan.path):.3g}"
+            )
             layers += way_drawn(problem.robot, plan.path, moments)
-        told = [say(f"moving_board.{'waits' if stands_at(plan.path, t) else 'now'}", time=f"{t:.2f}") for t in moments[:-1]]
+        told = [
+            say(f"moving_board.{'waits' if stands_at(plan.path, t) else 'now'}", time=f"{t:.2f}")
+            for t in moments[:-1]
+        ]
         return Drawing(layers, text=text, total=STEPS, unit=say("moving_board.unit"), told=told)
 
 
@@ -112,12 +143,18 @@ def way_drawn(robot: Any, path: Array, moments: Array) -> list[Layer]:
     if isinstance(robot, RoundRobot) and robot.radius == 0.0:
         return layers
     origin = np.zeros(2)
-    shape = outline_of(origin[None], robot.radius) if isinstance(robot, RoundRobot) else outline_at(robot, origin)
+    shape = (
+        outline_of(origin[None], robot.radius)
+        if isinstance(robot, RoundRobot)
+        else outline_at(robot, origin)
+    )
     return [*layers, bodies(shape + stops[:, None], "robot", when=steps, until=steps + 1)]
 
 
 def between_rows(times: Array, places: Array, moments: Array) -> Array:
-    """Where something is at moments (k,) that is at places[i] at times[i] and moves straight between them; shape (k, 2)."""
+    """Where something is at moments (k,) that is at places[i] at times[i] and moves straight
+    between them; shape (k, 2).
+    """
     return np.column_stack([np.interp(moments, times, places[:, axis]) for axis in (0, 1)])
 
 

@@ -1,4 +1,6 @@
-"""The planners' board: a problem whose parts can be dragged, planned anew as they move, with planner, seed and step to choose."""
+"""The planners' board: a problem whose parts can be dragged, planned anew as they move, with
+planner, seed and step to choose.
+"""
 
 from collections.abc import Callable
 from typing import Any
@@ -30,16 +32,21 @@ def board(
     samples: int = 1000,
     rng: int = 0,
 ) -> "Board":
-    """A problem to play with: drag the start, the goal, the obstacles and their vertices, and it is planned anew.
+    """A problem to play with: drag the start, the goal, the obstacles and their vertices, and it is
+    planned anew.
 
     Parameters
     ----------
     problem : a Problem in the plane.
-    planner : "rrt", "prm", "astar", or a function of yours, `f(problem)` or `f(problem, rng)`, that returns a path (n, 2), a Plan
-        or None. Yours is recorded, drawn in the order in which it asked, raced against our RRT, and stopped after two seconds.
-    step, samples, rng : where the controls begin: the longest edge of a tree, the number of a roadmap's samples, the seed.
+    planner : "rrt", "prm", "astar", or a function of yours, `f(problem)` or `f(problem, rng)`, that
+    returns a path (n, 2), a Plan
+        or None. Yours is recorded, drawn in the order in which it asked, raced against our RRT, and
+        stopped after two seconds.
+    step, samples, rng : where the controls begin: the longest edge of a tree, the number of a
+    roadmap's samples, the seed.
 
-    `board.plan` is the plan on show (of yours, what came of it), `board.problem` what was asked. Raises InvalidParameter.
+    `board.plan` is the plan on show (of yours, what came of it), `board.problem` what was asked.
+    Raises InvalidParameter.
 
     >>> from kinoedu import Point, PolygonWorld, Problem
     >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
@@ -50,10 +57,18 @@ def board(
 
 
 class Board(widgets.VBox):
-    """What `board` makes: the controls, and the canvas below them. `canvas.scene` says where everything is."""
+    """What `board` makes: the controls, and the canvas below them. `canvas.scene` says where
+    everything is.
+    """
 
     def __init__(
-        self, problem: ProblemRecord, planner: str | Callable[..., Any], *, step: float | None, samples: int, rng: int
+        self,
+        problem: ProblemRecord,
+        planner: str | Callable[..., Any],
+        *,
+        step: float | None,
+        samples: int,
+        rng: int,
     ) -> None:
         self.problem = in_plane(problem)
         self.plan: Plan | Attempt | None = None
@@ -102,7 +117,9 @@ class Board(widgets.VBox):
 
     def _dress(self) -> None:
         """Show the controls that the planner takes."""
-        takes = ("seed", "step") if self.planner.value == OWN else PLANNERS[self.planner.value].takes
+        takes = (
+            ("seed", "step") if self.planner.value == OWN else PLANNERS[self.planner.value].takes
+        )
         for name in CONTROLS:
             getattr(self, name).layout.display = None if name in takes else "none"
 
@@ -114,7 +131,9 @@ class Board(widgets.VBox):
 
 
 def chosen_planner(planner: Any) -> tuple[Callable[..., Any] | None, str]:
-    """A reader's function or None, and the name that the menu begins with. Raises InvalidParameter."""
+    """A reader's function or None, and the name that the menu begins with. Raises
+    InvalidParameter.
+    """
     if isinstance(planner, str) and planner in PLANNERS:
         return None, planner
     for name, choice in PLANNERS.items():
@@ -122,15 +141,19 @@ def chosen_planner(planner: Any) -> tuple[Callable[..., Any] | None, str]:
             return None, name
     if callable(planner):
         return planner, OWN
-    raise InvalidParameter(say("board.unknown_planner", names=", ".join(PLANNERS), given=shortened(planner)))
+    raise InvalidParameter(
+        say("board.unknown_planner", names=", ".join(PLANNERS), given=shortened(planner))
+    )
 
 
 def length_slider(key: str, size: float, given: float | None) -> widgets.FloatSlider:
-    """A slider for a length in a world of a size, named by the words under a key: it begins at what is given, or at a twentieth of
-    the size. Raises InvalidParameter.
+    """A slider for a length in a world of a size, named by the words under a key: it begins at what
+    is given, or at a twentieth of the size. Raises InvalidParameter.
     """
     first = size / 20.0 if given is None else positive(given, key.rpartition(".")[2])
-    notch = first / 20.0  # the browser moves a slider to the nearest notch: the first value must lie on one
+    notch = (
+        first / 20.0
+    )  # the browser moves a slider to the nearest notch: the first value must lie on one
     return widgets.FloatSlider(
         first,
         min=min(first, notch * max(1, round(size / 200.0 / notch))),
@@ -144,4 +167,8 @@ def length_slider(key: str, size: float, given: float | None) -> widgets.FloatSl
 def look(name: str) -> dict[str, Any]:
     """How a control looks."""
     layout = widgets.Layout(width="30em", max_width="100%")
-    return {"description": say(f"board.{name}"), "layout": layout, "style": {"description_width": "6em"}}
+    return {
+        "description": say(f"board.{name}"),
+        "layout": layout,
+        "style": {"description_width": "6em"},
+    }

@@ -1,5 +1,5 @@
-"""A reader's own planner on a board: what it asked is recorded and drawn, its path is judged motion by motion, and it is stopped
-when it hangs.
+"""A reader's own planner on a board: what it asked is recorded and drawn, its path is judged motion
+by motion, and it is stopped when it hangs.
 """
 
 import inspect
@@ -29,7 +29,9 @@ PACKAGE = Path(__file__).resolve().parent.parent.parent
 
 
 class FirstQuestions(list[Question]):
-    """A recorder's log that keeps the first questions about what is free, and counts the motions among all."""
+    """A recorder's log that keeps the first questions about what is free, and counts the motions
+    among all.
+    """
 
     motions = 0
 
@@ -44,7 +46,8 @@ class FirstQuestions(list[Question]):
 class Attempt:
     """What a reader's planner did with a problem.
 
-    path : what it returned, or None; wrong : the numbers of its motions that are not free, from 0; length : of a faultless path.
+    path : what it returned, or None; wrong : the numbers of its motions that are not free, from 0;
+        length : of a faultless path.
     fault : what is wrong, in words; still_running : it could not be stopped.
     """
 
@@ -57,7 +60,9 @@ class Attempt:
     still_running: bool = False
 
 
-def attempt(planner: Callable[..., Any], problem: ProblemRecord, seed: int, *, seconds: float = SECONDS) -> Attempt:
+def attempt(
+    planner: Callable[..., Any], problem: ProblemRecord, seed: int, *, seconds: float = SECONDS
+) -> Attempt:
     """Let a reader's planner try a problem, with a copy of it and for a bounded time."""
     recorder = Recorder(deepcopy(problem))
     recorder.log = log = FirstQuestions()
@@ -88,7 +93,9 @@ def time_up(over: TimeUp) -> str:
 
 
 def called(planner: Callable[..., Any], problem: Any, seed: int) -> Any:
-    """planner(problem), or with a generator where it takes one: an argument called rng, or a second one that it needs."""
+    """planner(problem), or with a generator where it takes one: an argument called rng, or a second
+    one that it needs.
+    """
     rng = np.random.default_rng(seed)
     try:
         parameters = inspect.signature(planner).parameters
@@ -96,8 +103,14 @@ def called(planner: Callable[..., Any], problem: Any, seed: int) -> Any:
         return planner(problem)
     if "rng" in parameters:
         return planner(problem, rng=rng)
-    places = [p for p in parameters.values() if p.kind in (p.POSITIONAL_ONLY, p.POSITIONAL_OR_KEYWORD)]
-    return planner(problem, rng) if len(places) > 1 and places[1].default is inspect.Parameter.empty else planner(problem)
+    places = [
+        p for p in parameters.values() if p.kind in (p.POSITIONAL_ONLY, p.POSITIONAL_OR_KEYWORD)
+    ]
+    return (
+        planner(problem, rng)
+        if len(places) > 1 and places[1].default is inspect.Parameter.empty
+        else planner(problem)
+    )
 
 
 def raised(error: BaseException) -> str:
@@ -108,12 +121,21 @@ def raised(error: BaseException) -> str:
     own = [(file, line) for file, line in frames if is_readers(file)]
     if not own:
         return say("board.own.raised", error=text)
-    return say("board.own.raised_in", error=text, number=own[-1][1], line=linecache.getline(*own[-1]).strip())
+    return say(
+        "board.own.raised_in",
+        error=text,
+        number=own[-1][1],
+        line=linecache.getline(*own[-1]).strip(),
+    )
 
 
 def is_readers(file: str) -> bool:
     """Whether code is a reader's: neither this package's nor a library's."""
-    return PACKAGE not in Path(file).parents and "site-packages" not in file and not file.startswith("<frozen")
+    return (
+        PACKAGE not in Path(file).parents
+        and "site-packages" not in file
+        and not file.startswith("<frozen")
+    )
 
 
 def shortened_text(error: BaseException) -> str:
@@ -136,10 +158,17 @@ def judged(answer: Any, problem: ProblemRecord, log: FirstQuestions) -> Attempt:
         points = np.empty(0)
     if points.ndim != 2 or points.shape[1] != d or len(points) == 0:
         return replace(tried, fault=say("board.own.wrong_shape", d=d, given=shortened(answer)))
-    wrong = [i for i in range(len(points) - 1) if not problem.is_free_path(points[i], points[i + 1])]
+    wrong = [
+        i for i in range(len(points) - 1) if not problem.is_free_path(points[i], points[i + 1])
+    ]
     fault = wrong_end(points, problem)
     if wrong and not fault:
-        fault = say("board.own.wrong", number=wrong[0] + 1, a=place(points[wrong[0]]), b=place(points[wrong[0] + 1]))
+        fault = say(
+            "board.own.wrong",
+            number=wrong[0] + 1,
+            a=place(points[wrong[0]]),
+            b=place(points[wrong[0] + 1]),
+        )
     if fault:
         return replace(tried, path=points, wrong=wrong, fault=fault)
     length = sum(problem.distance(a, b) for a, b in zip(points[:-1], points[1:], strict=True))
@@ -149,7 +178,10 @@ def judged(answer: Any, problem: ProblemRecord, log: FirstQuestions) -> Attempt:
 def wrong_end(points: Array, problem: ProblemRecord) -> str:
     """What is wrong with a path's ends, or nothing."""
     near = 1e-9 * world_size(problem)
-    for name, here, there in (("wrong_start", points[0], problem.start), ("wrong_end", points[-1], problem.goal)):
+    for name, here, there in (
+        ("wrong_start", points[0], problem.start),
+        ("wrong_end", points[-1], problem.goal),
+    ):
         if problem.distance(here, there) > near:
             return say(f"board.own.{name}", there=place(there), here=place(here))
     return ""
@@ -163,7 +195,9 @@ def place(q: Array) -> str:
 def race(tried: Attempt, ours: Plan) -> str:
     """How a reader's planner did beside ours."""
     return say(
-        "board.own.race", yours=result(tried.length, tried.motions), ours=result(length_of(ours), ours.stats.get("checks", 0))
+        "board.own.race",
+        yours=result(tried.length, tried.motions),
+        ours=result(length_of(ours), ours.stats.get("checks", 0)),
     )
 
 
@@ -183,7 +217,9 @@ def result(length: float | None, motions: int) -> str:
 
 
 def drawing_of_attempt(tried: Attempt, ours: Plan | None) -> Drawing:
-    """What was asked, in the order it was asked, blocked motions dashed; then the path, its wrong motions, and ours."""
+    """What was asked, in the order it was asked, blocked motions dashed; then the path, its wrong
+    motions, and ours.
+    """
     layers = questions(tried.asked)
     if ours is not None and ours.path is not None:
         layers.append(path(ours.path[:, :2], "ink", width=1.5, dash=(2, 4), casing=False))
@@ -195,7 +231,13 @@ def drawing_of_attempt(tried: Attempt, ours: Plan | None) -> Drawing:
         layers.append(edges(segments, "contact", width=4.0, dash=(3, 6))._replace(last=True))
         layers.append(dots(segments.mean(axis=1), "contact", radius=5.0)._replace(last=True))
     text = "" if ours is None else race(tried, ours)
-    return Drawing(layers, text=text, warning=tried.fault, total=len(tried.asked), unit=say("board.own.questions"))
+    return Drawing(
+        layers,
+        text=text,
+        warning=tried.fault,
+        total=len(tried.asked),
+        unit=say("board.own.questions"),
+    )
 
 
 def questions(asked: list[Question]) -> list[Layer]:
@@ -211,7 +253,11 @@ def questions(asked: list[Question]) -> list[Layer]:
     for (motion, free), found in kinds.items():
         rows, when = [points for _, points in found], [number for number, _ in found]
         if motion:
-            look: dict[str, Any] = {"colour": "tree", "width": 1.2} if free else {"colour": "contact", "width": 1.0, "dash": (4, 4)}
+            look: dict[str, Any] = (
+                {"colour": "tree", "width": 1.2}
+                if free
+                else {"colour": "contact", "width": 1.0, "dash": (4, 4)}
+            )
             layers.append(edges(rows, when=when, **look))
         else:
             layers.append(dots(rows, "tree" if free else "contact", when=when))
@@ -224,4 +270,8 @@ def plane_points(given: Iterable[Any]) -> list[Array] | None:
         points = [as_array(q, "q") for q in given]
     except KinoeduError:
         return None
-    return [q[:2] for q in points] if points and all(q.ndim == 1 and len(q) >= 2 for q in points) else None
+    return (
+        [q[:2] for q in points]
+        if points and all(q.ndim == 1 and len(q) >= 2 for q in points)
+        else None
+    )

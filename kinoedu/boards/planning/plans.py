@@ -29,7 +29,9 @@ class Settings(NamedTuple):
 
 
 class Choice(NamedTuple):
-    """A planner of this package: its public function, how it is called, which settings it takes. In words it is `board.<key>`."""
+    """A planner of this package: its public function, how it is called, which settings it takes. In
+    words it is `board.<key>`.
+    """
 
     function: Any
     plan: Callable[[ProblemRecord, Settings], Plan]
@@ -37,8 +39,14 @@ class Choice(NamedTuple):
 
 
 PLANNERS = {
-    "rrt": Choice(rrt, lambda problem, given: rrt(problem, step=given.step, rng=given.seed), ("seed", "step")),
-    "prm": Choice(prm, lambda problem, given: prm(problem, n=given.samples, rng=given.seed), ("seed", "samples")),
+    "rrt": Choice(
+        rrt, lambda problem, given: rrt(problem, step=given.step, rng=given.seed), ("seed", "step")
+    ),
+    "prm": Choice(
+        prm,
+        lambda problem, given: prm(problem, n=given.samples, rng=given.seed),
+        ("seed", "samples"),
+    ),
     "astar": Choice(plan_on_grid, lambda problem, given: plan_on_grid(problem), ()),
 }
 
@@ -46,7 +54,10 @@ PLANNERS = {
 def in_plane(problem: Any) -> ProblemRecord:
     """A problem whose configurations are points of the plane, or InvalidParameter."""
     if not isinstance(problem, ProblemRecord) or problem.start.shape != (2,):
-        raise InvalidParameter(f"a board needs a Problem whose configurations are points of the plane, got {shortened(problem)}")
+        raise InvalidParameter(
+            "a board needs a Problem whose configurations are points of the plane, got "
+            f"{shortened(problem)}"
+        )
     return problem
 
 
@@ -56,14 +67,23 @@ def canvas_for(problem: ProblemRecord, answer: Callable[[Scene], Drawing]) -> Ca
 
 
 def canvas_of(
-    world: Any, scene: Scene, answer: Callable[[Scene], Drawing], drive: Callable[[set[str]], None] | None = None
+    world: Any,
+    scene: Scene,
+    answer: Callable[[Scene], Drawing],
+    drive: Callable[[set[str]], None] | None = None,
 ) -> Canvas:
-    """A canvas of a scene in a world, with the world's bitmap where it is one; drive : what arrow keys do, as `Canvas` takes it."""
-    return Canvas(scene, answer, free=world.free if isinstance(world, TerrainRecord) else None, drive=drive)
+    """A canvas of a scene in a world, with the world's bitmap where it is one; drive : what arrow
+    keys do, as `Canvas` takes it.
+    """
+    return Canvas(
+        scene, answer, free=world.free if isinstance(world, TerrainRecord) else None, drive=drive
+    )
 
 
 def scene_of(problem: ProblemRecord) -> Scene:
-    """What stands in a problem's world; start and goal can be dragged, and among polygons every obstacle and its vertices."""
+    """What stands in a problem's world; start and goal can be dragged, and among polygons every
+    obstacle and its vertices.
+    """
     radius = getattr(problem.robot, "radius", 0.0)
     handles = [
         handle(START, problem.start[:2], colour="start", radius=radius),
@@ -73,28 +93,48 @@ def scene_of(problem: ProblemRecord) -> Scene:
 
 
 def scene_with(world: Any, handles: list[dict[str, Any]]) -> Scene:
-    """What stands in a world, and handles; among polygons every obstacle and its vertices can be dragged."""
+    """What stands in a world, and handles; among polygons every obstacle and its vertices can be
+    dragged.
+    """
     if not isinstance(world, PolygonWorldRecord):
         return make_scene(world.lo, world.hi, handles=handles)
     (outline,), *solids = rings_of(world)
     names = [f"obstacle {k}" for k in range(len(solids) + len(discs_of(world)))]
     polygons = [polygon(name, rings) for name, rings in zip(names, solids, strict=False)]
-    discs = [disc(name, row[:2], row[2]) for name, row in zip(names[len(solids) :], discs_of(world), strict=True)]
-    return make_scene(world.lo, world.hi, boundary=outline[::-1], handles=handles, polygons=polygons, discs=discs)
+    discs = [
+        disc(name, row[:2], row[2])
+        for name, row in zip(names[len(solids) :], discs_of(world), strict=True)
+    ]
+    return make_scene(
+        world.lo, world.hi, boundary=outline[::-1], handles=handles, polygons=polygons, discs=discs
+    )
 
 
 def problem_in(scene: Scene, problem: ProblemRecord) -> ProblemRecord:
-    """The same problem with everything where the scene has it. Raises InvalidPolygon, InvalidStart, InvalidGoal."""
+    """The same problem with everything where the scene has it. Raises InvalidPolygon, InvalidStart,
+    InvalidGoal.
+    """
     world = problem.world
     if isinstance(world, PolygonWorldRecord):
         world = world_in(scene)
-    return Problem(problem.robot, world, place_of(scene, START), place_of(scene, GOAL), clearance=problem.clearance)
+    return Problem(
+        problem.robot,
+        world,
+        place_of(scene, START),
+        place_of(scene, GOAL),
+        clearance=problem.clearance,
+    )
 
 
 def world_in(scene: Scene) -> PolygonWorldRecord:
     """The obstacles of a scene within its boundary. Raises InvalidPolygon."""
-    solids: list[Any] = [(rings[0], rings[1:]) if rings[1:] else rings[0] for rings in (p["rings"] for p in scene["polygons"])]
-    return PolygonWorld(scene["boundary"], solids + [(d["at"], d["radius"]) for d in scene["discs"]])
+    solids: list[Any] = [
+        (rings[0], rings[1:]) if rings[1:] else rings[0]
+        for rings in (p["rings"] for p in scene["polygons"])
+    ]
+    return PolygonWorld(
+        scene["boundary"], solids + [(d["at"], d["radius"]) for d in scene["discs"]]
+    )
 
 
 def drawing_of(plan: Plan) -> Drawing:

@@ -31,14 +31,18 @@ def race_board(
     step: float | None = None,
     rng: int = 0,
 ) -> "RaceBoard":
-    """Planners beside each other: what is dragged in one moves in all, and one slider scrubs through all, a node at a step.
+    """Planners beside each other: what is dragged in one moves in all, and one slider scrubs
+    through all, a node at a step.
 
     Parameters
     ----------
     problem : a Problem in the plane.
-    planners : one to four functions; by default rrt, rrt_connect and rrt_star. A function of yours, `f(problem)` or
-        `f(problem, rng)`, is recorded and stopped as on `board`; its steps are the questions it asked.
-    nodes, step, rng : where the controls begin: the most nodes of a tree, its longest edge, the seed.
+    planners : one to four functions; by default rrt, rrt_connect and rrt_star. A function of yours,
+    `f(problem)` or
+        `f(problem, rng)`, is recorded and stopped as on `board`; its steps are the questions it
+        asked.
+    nodes, step, rng : where the controls begin: the most nodes of a tree, its longest edge, the
+    seed.
 
     `board.plans` are on show. Raises InvalidParameter.
 
@@ -57,7 +61,12 @@ class RaceBoard(Framed):
     """What `race_board` makes: the controls, and a canvas for each planner in `canvases`."""
 
     def __init__(
-        self, problem: ProblemRecord, planners: Sequence[Callable[..., Any]] | None, nodes: int, step: float | None, rng: int
+        self,
+        problem: ProblemRecord,
+        planners: Sequence[Callable[..., Any]] | None,
+        nodes: int,
+        step: float | None,
+        rng: int,
     ) -> None:
         self._given, self._planners = in_plane(problem), checked(planners)
         self.nodes = counter("rewiring_board.n", whole(nodes, "nodes", least=2), 50, 3000)
@@ -67,7 +76,10 @@ class RaceBoard(Framed):
         self._runners: list[Runner] = []
         self._fault: KinoeduError | None = None
         self.canvases: list[Canvas] = []
-        canvases = [canvas_for(problem, partial(self.answer, number)) for number in range(len(self._planners))]
+        canvases = [
+            canvas_for(problem, partial(self.answer, number))
+            for number in range(len(self._planners))
+        ]
         for canvas in canvases[1:]:
             canvas.add_class("kinoedu-led")
         super().__init__([self.nodes, self.step, self.seed], canvases)
@@ -78,7 +90,9 @@ class RaceBoard(Framed):
         return [runner.plan for runner in self._runners]
 
     def answer(self, number: int, scene: Scene) -> Drawing:
-        """Let all run in a scene, unless they have, show that to the others, and draw what came of one."""
+        """Let all run in a scene, unless they have, show that to the others, and draw what came of
+        one.
+        """
         if scene != self._scene:
             self._run(scene)
             for other, canvas in enumerate(self.canvases):
@@ -98,7 +112,9 @@ class RaceBoard(Framed):
             self._fault = error
             return
         given = Settings(self.seed.value, self.step.value, self.nodes.value)
-        stuck = [getattr(runner.plan, "still_running", False) for runner in before] or [False] * len(self._planners)
+        stuck = [getattr(runner.plan, "still_running", False) for runner in before] or [
+            False
+        ] * len(self._planners)
         for number, planner in enumerate(self._planners):
             self._runners.append(before[number] if stuck[number] else run(planner, problem, given))
 
@@ -110,6 +126,10 @@ class RaceBoard(Framed):
 def checked(planners: Sequence[Callable[..., Any]] | None) -> list[Callable[..., Any]]:
     """The planners of a race, or InvalidParameter."""
     chosen = [rrt, rrt_connect, rrt_star] if planners is None else planners
-    if not isinstance(chosen, Sequence) or not 1 <= len(chosen) <= MOST or not all(map(callable, chosen)):
+    if (
+        not isinstance(chosen, Sequence)
+        or not 1 <= len(chosen) <= MOST
+        or not all(map(callable, chosen))
+    ):
         raise InvalidParameter(say("race_board.too_many", most=MOST, given=shortened(planners)))
     return list(chosen)

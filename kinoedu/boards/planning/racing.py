@@ -26,9 +26,13 @@ class Runner(NamedTuple):
 
 
 def run(planner: Callable[..., Any], problem: ProblemRecord, given: Settings) -> Runner:
-    """Let a planner try a problem. The tree of an RRT* is drawn as it was at each step; a reader's own planner is stopped."""
+    """Let a planner try a problem. The tree of an RRT* is drawn as it was at each step; a reader's
+    own planner is stopped.
+    """
     if planner is rrt_star:
-        plan, log = rrt_star_rewirings(problem, step=given.step, max_nodes=given.samples, rng=given.seed)
+        plan, log = rrt_star_rewirings(
+            problem, step=given.step, max_nodes=given.samples, rng=given.seed
+        )
         ways = ways_to_goal(log)
         layers = [tree_as_it_was(log), *ways_drawn(ways)]
         n = len(log.nodes)
@@ -37,9 +41,13 @@ def run(planner: Callable[..., Any], problem: ProblemRecord, given: Settings) ->
         tried = attempt(planner, problem, given.seed)
         drawing = drawing_of_attempt(tried, None)
         name = getattr(planner, "__name__", "?")
-        said = say("race_board.asked", name=name, result=tried.fault or result(tried.length, tried.motions))
+        said = say(
+            "race_board.asked", name=name, result=tried.fault or result(tried.length, tried.motions)
+        )
         return Runner(tried, replace(drawing, warning="", told=[said] * (drawing.total + 1)))
-    tuning = {"step": given.step, "max_nodes": given.samples} if planner in (rrt, rrt_connect) else {}
+    tuning = (
+        {"step": given.step, "max_nodes": given.samples} if planner in (rrt, rrt_connect) else {}
+    )
     plan = planner(problem, rng=given.seed, **tuning)
     drawing = drawing_of(plan)
     costs = [np.inf] * drawing.total + [plan.cost]
@@ -51,7 +59,9 @@ def told_of(name: str, costs: list[float]) -> list[str]:
     told = []
     for nodes, cost in enumerate(costs):
         if np.isfinite(cost):
-            told.append(say("race_board.arrived", name=name, nodes=f"{nodes:,}", cost=f"{cost:.4g}"))
+            told.append(
+                say("race_board.arrived", name=name, nodes=f"{nodes:,}", cost=f"{cost:.4g}")
+            )
         else:
             told.append(say("race_board.growing", name=name, nodes=f"{nodes:,}"))
     if not np.isfinite(costs[-1]):
@@ -60,7 +70,9 @@ def told_of(name: str, costs: list[float]) -> list[str]:
 
 
 def on_clock(drawing: Drawing, total: int) -> Drawing:
-    """A drawing on a longer clock: after its own last step it stays as it is, and its path comes at that."""
+    """A drawing on a longer clock: after its own last step it stays as it is, and its path comes at
+    that.
+    """
     layers = [at_its_end(layer, drawing.total) for layer in drawing.layers]
     told = [*drawing.told, *list(drawing.told[-1:]) * (total - drawing.total)]
     return Drawing(layers, text=told.pop(), total=total, unit=say("race_board.unit"), told=told)
@@ -68,4 +80,8 @@ def on_clock(drawing: Drawing, total: int) -> Drawing:
 
 def at_its_end(layer: Layer, step: int) -> Layer:
     """A layer that is shown at the end, as one whose rows come at a step."""
-    return layer._replace(last=False, when=np.full(len(layer.rows), float(step))) if layer.last else layer
+    return (
+        layer._replace(last=False, when=np.full(len(layer.rows), float(step)))
+        if layer.last
+        else layer
+    )

@@ -1,4 +1,6 @@
-"""The properties' board: how well a roadmap serves its free space, measured anew as obstacles are dragged."""
+"""The properties' board: how well a roadmap serves its free space, measured anew as obstacles are
+dragged.
+"""
 
 from typing import Any
 
@@ -18,7 +20,9 @@ from ..planning.plans import canvas_of, in_plane, scene_with, world_in
 from .roadmaps import RoadmapControls
 
 PLACES = 100  # drawn, and as many pairs of nodes
-LOOKS: tuple[tuple[str, float, tuple[float, ...]], ...] = (  # of components, the largest first: colour, width, dashes
+LOOKS: tuple[
+    tuple[str, float, tuple[float, ...]], ...
+] = (  # of components, the largest first: colour, width, dashes
     ("roadmap", 0.9, ()),
     ("robot", 2.0, ()),
     ("start", 2.0, (7.0, 4.0)),
@@ -28,19 +32,28 @@ LOOKS: tuple[tuple[str, float, tuple[float, ...]], ...] = (  # of components, th
 
 
 def properties_board(
-    problem: ProblemRecord, n: int = 100, *, rule: str = "closest", sampler: str = "random", rng: int = 0
+    problem: ProblemRecord,
+    n: int = 100,
+    *,
+    rule: str = "closest",
+    sampler: str = "random",
+    rng: int = 0,
 ) -> "PropertiesBoard":
-    """Drag obstacles, choose rule and samples, and see whether the roadmap is accessible, departable, connected and efficient.
+    """Drag obstacles, choose rule and samples, and see whether the roadmap is accessible,
+    departable, connected and efficient.
 
-    Red crosses are places from which no free motion leads to a node; each component has its own style; of the pairs of nodes drawn,
-    that with the worst way is shown, and beside it the shortest path, dashed.
+    Red crosses are places from which no free motion leads to a node; each component has its own
+    style; of the pairs of nodes drawn, that with the worst way is shown, and beside it the shortest
+    path, dashed.
 
     Parameters
     ----------
-    problem : a Problem in the plane; its start and goal are left out. n, rule, sampler, rng : as for `roadmap_board`.
+    problem : a Problem in the plane; its start and goal are left out. n, rule, sampler, rng : as
+    for `roadmap_board`.
 
-    The ways of a point among polygons are compared with the shortest paths, all others with straight lines. `board.survey` is what
-    was measured, `board.survey.properties` the four. Raises InvalidParameter.
+    The ways of a point among polygons are compared with the shortest paths, all others with
+    straight lines. `board.survey` is what was measured, `board.survey.properties` the four. Raises
+    InvalidParameter.
 
     >>> from kinoedu import Point, PolygonWorld, Problem
     >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
@@ -52,18 +65,27 @@ def properties_board(
 
 
 class PropertiesBoard(Framed):
-    """What `properties_board` makes: the controls of a roadmap, and what was measured in `canvas`."""
+    """What `properties_board` makes: the controls of a roadmap, and what was measured in
+    `canvas`.
+    """
 
     def __init__(self, problem: ProblemRecord, n: int, rule: str, sampler: str, rng: int) -> None:
         self._given = in_plane(problem)
         self.controls = RoadmapControls(problem, n, rule, sampler, rng)
         self.survey: RoadmapSurvey | None = None
-        super().__init__(self.controls.all, [canvas_of(problem.world, scene_with(problem.world, []), self.answer)])
+        super().__init__(
+            self.controls.all,
+            [canvas_of(problem.world, scene_with(problem.world, []), self.answer)],
+        )
 
     def answer(self, scene: Scene) -> Drawing:
         """Build the roadmap in a scene, measure it, and draw both."""
         self.survey = None
-        world = world_in(scene) if isinstance(self._given.world, PolygonWorldRecord) else self._given.world
+        world = (
+            world_in(scene)
+            if isinstance(self._given.world, PolygonWorldRecord)
+            else self._given.world
+        )
         problem = self._given._replace(world=world, asked=np.zeros(2, np.int64))
         roadmap = build_roadmap(problem, **self.controls.given)
         exact = has_shortest(problem)
@@ -72,7 +94,9 @@ class PropertiesBoard(Framed):
             roadmap,
             n=PLACES,
             shortest=shortest_in(problem) if exact else None,
-            rng=np.random.default_rng((self.controls.seed.value, 1)),  # of the same seed the places would be the nodes themselves
+            rng=np.random.default_rng(
+                (self.controls.seed.value, 1)
+            ),  # of the same seed the places would be the nodes themselves
         )
         return survey_drawn(problem, roadmap, self.survey, exact)
 
@@ -99,11 +123,16 @@ def shortest_in(problem: ProblemRecord) -> Length:
     return lambda u, v: between(problem, u, v).cost
 
 
-def survey_drawn(problem: ProblemRecord, roadmap: Roadmap, survey: RoadmapSurvey, exact: bool) -> Drawing:
+def survey_drawn(
+    problem: ProblemRecord, roadmap: Roadmap, survey: RoadmapSurvey, exact: bool
+) -> Drawing:
     """Components, the places that have no way to the roadmap, and the worst pair."""
     layers = components_drawn(roadmap, survey)
     reached = survey.reached.all(axis=1)
-    layers += [dots(survey.places[reached], "outside", radius=2.5), crosses(survey.places[~reached], problem)]
+    layers += [
+        dots(survey.places[reached], "outside", radius=2.5),
+        crosses(survey.places[~reached], problem),
+    ]
     if survey.worst:
         layers += pair_drawn(problem, roadmap.nodes, survey, exact)
     return Drawing([layer for layer in layers if len(layer.rows)], text=told(survey, exact))
@@ -117,7 +146,13 @@ def components_drawn(roadmap: Roadmap, survey: RoadmapSurvey) -> list[Layer]:
     for k, (colour, width, dash) in enumerate(LOOKS):
         own = roadmap.edges[style[roadmap.edges[:, 0]] == k]
         layers.append(edges(roadmap.nodes[own], colour, width=width, dash=dash))
-        layers.append(dots(roadmap.nodes[style == k], "tree" if k == 0 else colour, radius=radius if k == 0 else radius + 1.5))
+        layers.append(
+            dots(
+                roadmap.nodes[style == k],
+                "tree" if k == 0 else colour,
+                radius=radius if k == 0 else radius + 1.5,
+            )
+        )
     return layers
 
 
@@ -128,8 +163,12 @@ def crosses(places: Array, problem: ProblemRecord) -> Layer:
     return edges((places[:, None, None] + arms).reshape(-1, 2, 2), "hit", width=2.6)
 
 
-def pair_drawn(problem: ProblemRecord, nodes: Array, survey: RoadmapSurvey, exact: bool) -> list[Layer]:
-    """The worst pair, its way along the roadmap, and beside it the shortest path, or the straight line where that is not known."""
+def pair_drawn(
+    problem: ProblemRecord, nodes: Array, survey: RoadmapSurvey, exact: bool
+) -> list[Layer]:
+    """The worst pair, its way along the roadmap, and beside it the shortest path, or the straight
+    line where that is not known.
+    """
     u, v = nodes[list(survey.worst)]
     best = between(problem, u, v).path if exact else None
     line = np.array([u, v]) if best is None else best
@@ -143,13 +182,18 @@ def pair_drawn(problem: ProblemRecord, nodes: Array, survey: RoadmapSurvey, exac
 
 def told(survey: RoadmapSurvey, exact: bool) -> str:
     """The four properties in words."""
-    delta, (reach, leave) = survey.efficiency, survey.reached.sum(axis=0).tolist() if len(survey.places) else (0, 0)
+    delta, (reach, leave) = (
+        survey.efficiency,
+        survey.reached.sum(axis=0).tolist() if len(survey.places) else (0, 0),
+    )
     if np.isnan(delta):
         efficient = say("properties_board.none")
     elif np.isinf(delta):
         efficient = say("properties_board.apart")
     else:
-        efficient = say("properties_board.least" if exact else "properties_board.most", delta=f"{delta:.3g}")
+        efficient = say(
+            "properties_board.least" if exact else "properties_board.most", delta=f"{delta:.3g}"
+        )
     return say(
         "properties_board.told",
         accessible=reach,

@@ -29,7 +29,9 @@ SAMPLERS: dict[str, Sampler | None] = {
 
 
 class RoadmapControls:
-    """The controls of a roadmap: its rule with its number, its samples with theirs; `given` is what they say, as `prm` takes it."""
+    """The controls of a roadmap: its rule with its number, its samples with theirs; `given` is what
+    they say, as `prm` takes it.
+    """
 
     def __init__(self, problem: ProblemRecord, n: int, rule: str, sampler: str, rng: int) -> None:
         rules = [(say(f"roadmap_board.{name}"), name) for name in RULES]
@@ -37,7 +39,9 @@ class RoadmapControls:
         self.rule = menu("roadmap_board.rule", rules, one_of(rule, "rule", RULES))
         self.k = counter("roadmap_board.k", 10, 1, 30)
         self.r = length_slider("roadmap_board.r", world_size(problem), world_size(problem) / 10.0)
-        self.sampler = menu("roadmap_board.sampler", samplers, one_of(sampler, "sampler", tuple(SAMPLERS)))
+        self.sampler = menu(
+            "roadmap_board.sampler", samplers, one_of(sampler, "sampler", tuple(SAMPLERS))
+        )
         self.n = counter("roadmap_board.n", whole(n, "n", least=1), 1, 1000)
         self.seed = counter("roadmap_board.seed", whole(rng, "rng", least=0), 0, 99)
         self.all = (self.rule, self.k, self.r, self.sampler, self.n, self.seed)
@@ -57,24 +61,41 @@ class RoadmapControls:
     def given(self) -> dict[str, Any]:
         """The arguments of `prm` and `build_roadmap`."""
         k = self.k.value
-        rule = {"closest": KClosest(k), "radius": Radius(self.r.value), "component": ComponentKClosest(k)}[self.rule.value]
-        return {"n": self.n.value, "neighbours": rule, "sampler": SAMPLERS[self.sampler.value], "rng": self.seed.value}
+        rule = {
+            "closest": KClosest(k),
+            "radius": Radius(self.r.value),
+            "component": ComponentKClosest(k),
+        }[self.rule.value]
+        return {
+            "n": self.n.value,
+            "neighbours": rule,
+            "sampler": SAMPLERS[self.sampler.value],
+            "rng": self.seed.value,
+        }
 
 
 def roadmap_board(
-    problem: ProblemRecord, n: int = 300, *, rule: str = "closest", sampler: str = "random", rng: int = 0
+    problem: ProblemRecord,
+    n: int = 300,
+    *,
+    rule: str = "closest",
+    sampler: str = "random",
+    rng: int = 0,
 ) -> "RoadmapBoard":
-    """Choose which nodes are tried with which, and how they are sampled; drag start, goal and obstacles; scrub through its growth.
+    """Choose which nodes are tried with which, and how they are sampled; drag start, goal and
+    obstacles; scrub through its growth.
 
     Parameters
     ----------
     problem : a Problem in the plane.
-    n : how many samples; of a grid, the points of the largest one with no more. Those that are free are nodes.
-    rule : "closest", "radius" or "component": KClosest, Radius or ComponentKClosest. sampler : "random", "halton" or "grid".
+    n : how many samples; of a grid, the points of the largest one with no more. Those that are free
+    are nodes.
+    rule : "closest", "radius" or "component": KClosest, Radius or ComponentKClosest. sampler :
+    "random", "halton" or "grid".
     rng : a seed.
 
-    A step is a node, and once all are there the edges that a node gets when it is tried with its neighbours. `board.plan` is on
-    show. Raises InvalidParameter.
+    A step is a node, and once all are there the edges that a node gets when it is tried with its
+    neighbours. `board.plan` is on show. Raises InvalidParameter.
 
     >>> from kinoedu import Point, PolygonWorld, Problem
     >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
@@ -104,7 +125,9 @@ class RoadmapBoard(Framed):
 
 
 def roadmap_drawn(plan: Plan) -> Drawing:
-    """A roadmap that grows: its nodes one by one, then the edges of one after another; and the path."""
+    """A roadmap that grows: its nodes one by one, then the edges of one after another; and the
+    path.
+    """
     roadmap = plan.roadmap
     n = len(roadmap.nodes)
     layers = roadmap_layers(roadmap)
@@ -130,7 +153,13 @@ def told_of(roadmap: Roadmap) -> list[str]:
     """What is there at each step, in words; at the last one the counts."""
     n = len(roadmap.nodes)
     sampled = say("roadmap_board.sampled", nodes="{nodes}", n=f"{n:,}")
-    joined = say("roadmap_board.joined", joined="{joined}", edges="{edges}", components="{components}", n=f"{n:,}")
+    joined = say(
+        "roadmap_board.joined",
+        joined="{joined}",
+        edges="{edges}",
+        components="{components}",
+        n=f"{n:,}",
+    )
     so_far = np.searchsorted(roadmap.edges[:, 0], np.arange(n), side="right")
     components = components_as_joined(n, roadmap.edges)[so_far]
     told = [sampled.format(nodes=f"{k:,}") for k in range(n + 1)]
@@ -138,5 +167,10 @@ def told_of(roadmap: Roadmap) -> list[str]:
         joined.format(joined=f"{k:,}", edges=f"{m:,}", components=f"{c:,}")
         for k, (m, c) in enumerate(zip(so_far.tolist(), components.tolist(), strict=True), start=1)
     ]
-    told[-1] = say("roadmap_board.counts", n=f"{n:,}", edges=f"{len(roadmap.edges):,}", components=f"{components[-1]:,}")
+    told[-1] = say(
+        "roadmap_board.counts",
+        n=f"{n:,}",
+        edges=f"{len(roadmap.edges):,}",
+        components=f"{components[-1]:,}",
+    )
     return told

@@ -1,4 +1,6 @@
-"""What a searches' board searches: the graph of what it was given, and the scene in which it stands."""
+"""What a searches' board searches: the graph of what it was given, and the scene in which it
+stands.
+"""
 
 from typing import Any, NamedTuple
 
@@ -25,7 +27,9 @@ ENDS = 2  # the handles before those of the nodes: start and goal
 
 
 class Ground(NamedTuple):
-    """What is searched: a graph, the scene it stands in, and for a grid its free cells and the side of one."""
+    """What is searched: a graph, the scene it stands in, and for a grid its free cells and the side
+    of one.
+    """
 
     graph: Graph
     scene: Scene
@@ -44,16 +48,33 @@ def ground_of(given: Any, start: int | None, goal: int | None) -> Ground:
         world = given.world
         if isinstance(world, TerrainRecord):
             graph = grid_graph(world.free, world.lo, world.resolution)
-            return checked(graph, np.array([given.start, given.goal]), world.free, world.resolution, (world.lo, world.hi))
+            return checked(
+                graph,
+                np.array([given.start, given.goal]),
+                world.free,
+                world.resolution,
+                (world.lo, world.hi),
+            )
         if isinstance(world, PolygonWorldRecord):
             roadmap = prm(given, n=SAMPLES, k=NEIGHBOURS, rng=0).roadmap
-            ground = checked(Graph(nodes=roadmap.nodes, edges=roadmap.edges), np.array([given.start, given.goal]), None, 0.0)
+            ground = checked(
+                Graph(nodes=roadmap.nodes, edges=roadmap.edges),
+                np.array([given.start, given.goal]),
+                None,
+                0.0,
+            )
             return ground._replace(scene=standing(scene_of(given), ground.scene))
     free: Any = np.asarray(given) if isinstance(given, np.ndarray | list | tuple) else np.empty(0)
     if free.ndim != 2 or free.dtype != np.bool_ or not free.any():
         raise InvalidParameter(say("search_board.needs", given=shortened(given)))
     graph = grid_graph(free, np.zeros(2), 1.0)
-    return checked(graph, ends_in(graph, start, goal), free, 1.0, (np.zeros(2), np.array(free.shape[::-1], float)))
+    return checked(
+        graph,
+        ends_in(graph, start, goal),
+        free,
+        1.0,
+        (np.zeros(2), np.array(free.shape[::-1], float)),
+    )
 
 
 def ends_in(graph: Graph, start: int | None, goal: int | None) -> Array:
@@ -67,7 +88,11 @@ def ends_in(graph: Graph, start: int | None, goal: int | None) -> Array:
 
 
 def checked(
-    graph: Graph, ends: Array, free: NDArray[np.bool_] | None, side: float, box: tuple[Array, Array] | None = None
+    graph: Graph,
+    ends: Array,
+    free: NDArray[np.bool_] | None,
+    side: float,
+    box: tuple[Array, Array] | None = None,
 ) -> Ground:
     """The ground of a graph that is small enough, in a box or round its nodes."""
     if len(graph) > MOST:
@@ -83,14 +108,18 @@ def checked(
 
 
 def with_stops(ground: Ground) -> Ground:
-    """The ground with a stop on each node: it can be dragged, and start and goal can be called to it."""
+    """The ground with a stop on each node: it can be dragged, and start and goal can be called to
+    it.
+    """
     graph = ground.graph
     stops = [stop(say("search_board.node", number=u), graph.nodes[u]) for u in graph]
     return ground._replace(scene={**ground.scene, "handles": ground.scene["handles"] + stops})
 
 
 def graph_in(scene: Scene, graph: Graph) -> Graph:
-    """The graph with its nodes where the stops of a scene are; weights that were lengths are the new lengths, others stay."""
+    """The graph with its nodes where the stops of a scene are; weights that were lengths are the
+    new lengths, others stay.
+    """
     stops = scene["handles"][ENDS:]
     if not stops:
         return graph
@@ -98,7 +127,9 @@ def graph_in(scene: Scene, graph: Graph) -> Graph:
     were_lengths = np.isclose(weights, edge_lengths(graph.space, nodes, edges), rtol=1e-9, atol=0.0)
     nodes[list(graph)] = [item["at"] for item in stops]
     weights = np.where(were_lengths, edge_lengths(graph.space, nodes, edges), weights)
-    moved = Graph(edges=edges, weights=weights, nodes=nodes, space=graph.space, directed=graph.directed)
+    moved = Graph(
+        edges=edges, weights=weights, nodes=nodes, space=graph.space, directed=graph.directed
+    )
     for u in set(range(graph.size)) - set(graph):
         moved.delete_node(u)
     return moved
@@ -118,4 +149,7 @@ def grid_graph(free: NDArray[np.bool_], corner: Array, side: float) -> Graph:
     across = np.stack([number[:, :-1], number[:, 1:]], axis=-1)[free[:, :-1] & free[:, 1:]]
     up = np.stack([number[:-1], number[1:]], axis=-1)[free[:-1] & free[1:]]
     rows, columns = np.nonzero(free)
-    return Graph(nodes=corner + side * (np.column_stack([columns, rows]) + 0.5), edges=np.concatenate([across, up]))
+    return Graph(
+        nodes=corner + side * (np.column_stack([columns, rows]) + 0.5),
+        edges=np.concatenate([across, up]),
+    )

@@ -1,4 +1,6 @@
-"""The searches' board: a search on a graph or a grid, expansion by expansion, with its frontier and its parents."""
+"""The searches' board: a search on a graph or a grid, expansion by expansion, with its frontier and
+its parents.
+"""
 
 from typing import Any
 
@@ -19,20 +21,26 @@ from .ground import ENDS, graph_in, ground_of
 SEARCHES = ("bfs", "dfs", "dijkstra", "astar")
 
 
-def search_board(graph_or_problem: Any, *, search: str = "bfs", start: int | None = None, goal: int | None = None) -> "SearchBoard":
-    """Drag start and goal, which mean the nodes nearest to them, and scrub through the search: frontier, parents, path.
+def search_board(
+    graph_or_problem: Any, *, search: str = "bfs", start: int | None = None, goal: int | None = None
+) -> "SearchBoard":
+    """Drag start and goal, which mean the nodes nearest to them, and scrub through the search:
+    frontier, parents, path.
 
-    The nodes of a Graph, up to 40 of them, can be dragged too, and the search runs anew; weights that are lengths follow. A click
-    on one, or Enter, calls the goal to it, with Shift the start.
+    The nodes of a Graph, up to 40 of them, can be dragged too, and the search runs anew; weights
+    that are lengths follow. A click on one, or Enter, calls the goal to it, with Shift the start.
 
     Parameters
     ----------
-    graph_or_problem : a Graph whose nodes have places in the plane; a grid (rows, columns), true where a cell is free, row 0 the
-        lowest, whose cells are joined to those at their four sides; or a Problem in the plane: on a Terrain its cells are taken,
-        among polygons a PRM roadmap of 40 samples.
-    search : "bfs", "dfs", "dijkstra" or "astar". start, goal : nodes; by default the first and the last.
+    graph_or_problem : a Graph whose nodes have places in the plane; a grid (rows, columns), true
+    where a cell is free, row 0 the
+        lowest, whose cells are joined to those at their four sides; or a Problem in the plane: on a
+        Terrain its cells are taken, among polygons a PRM roadmap of 40 samples.
+    search : "bfs", "dfs", "dijkstra" or "astar". start, goal : nodes; by default the first and the
+    last.
 
-    Up to 900 nodes. `board.moments` are the expansions on show. Raises InvalidParameter, InvalidGraph.
+    Up to 900 nodes. `board.moments` are the expansions on show. Raises InvalidParameter,
+    InvalidGraph.
 
     >>> search_board(Graph(nodes=[(0, 0), (1, 0), (0, 1)], edges=[(0, 1), (1, 2)]))
     SearchBoard(from node 0 to node 2: expanded 3 of 3; frontier 0; path cost 2.414, edges 2)
@@ -43,10 +51,17 @@ def search_board(graph_or_problem: Any, *, search: str = "bfs", start: int | Non
 class SearchBoard(widgets.VBox):
     """What `search_board` makes: the choice of the search, and the graph in `canvas`."""
 
-    def __init__(self, graph_or_problem: Any, *, search: str, start: int | None, goal: int | None) -> None:
+    def __init__(
+        self, graph_or_problem: Any, *, search: str, start: int | None, goal: int | None
+    ) -> None:
         self.ground = ground_of(graph_or_problem, start, goal)
         self.moments: list[Expansion] = []
-        names = (say("search_board.bfs"), say("search_board.dfs"), say("search_board.dijkstra"), say("search_board.astar"))
+        names = (
+            say("search_board.bfs"),
+            say("search_board.dfs"),
+            say("search_board.dijkstra"),
+            say("search_board.astar"),
+        )
         self.search = widgets.Dropdown(
             options=list(zip(names, SEARCHES, strict=True)),
             value=one_of(search, "search", SEARCHES),
@@ -58,10 +73,15 @@ class SearchBoard(widgets.VBox):
 
     def answer(self, scene: Scene) -> Drawing:
         """Search from the node nearest to the start to that nearest to the goal, and draw it."""
-        graph, here = graph_in(scene, self.ground.graph), [item["at"] for item in scene["handles"][:ENDS]]
+        graph, here = (
+            graph_in(scene, self.ground.graph),
+            [item["at"] for item in scene["handles"][:ENDS]],
+        )
         start, goal = graph.closest(here[0])[0], graph.closest(here[1])[0]
         self.moments = moments_of(graph, self.search.value, start, goal)
-        return search_drawn(graph, self.moments, (start, goal), np.array(here), self.ground.side, scene)
+        return search_drawn(
+            graph, self.moments, (start, goal), np.array(here), self.ground.side, scene
+        )
 
     def picture(self) -> bytes:
         """The board as it is now, as a PNG."""
@@ -75,16 +95,24 @@ class SearchBoard(widgets.VBox):
 
 
 def moments_of(graph: Graph, search: str, start: int, goal: int) -> list[Expansion]:
-    """A search from node to node, expansion by expansion; Dijkstra's algorithm stops at the goal as the others do."""
+    """A search from node to node, expansion by expansion; Dijkstra's algorithm stops at the goal as
+    the others do.
+    """
     if search == "bfs":
         return list(bfs_expansions(graph, start, goal))
     if search == "dfs":
         return list(dfs_expansions(graph, start, goal))
-    return list(astar_expansions(graph, start, goal, estimate_of(graph, goal) if search == "astar" else None))
+    return list(
+        astar_expansions(
+            graph, start, goal, estimate_of(graph, goal) if search == "astar" else None
+        )
+    )
 
 
 def estimate_of(graph: Graph, goal: int) -> Array:
-    """Lower bounds on the cost to the goal: distances, made smaller where an edge costs less than it is long."""
+    """Lower bounds on the cost to the goal: distances, made smaller where an edge costs less than
+    it is long.
+    """
     ends = graph.nodes[graph.edges]
     lengths = np.sqrt(((ends[:, 1] - ends[:, 0]) ** 2).sum(axis=1))
     long = lengths > 0.0

@@ -1,4 +1,6 @@
-"""The tree of an RRT* as it was at each step, drawn so that it can be scrubbed: a step is a node."""
+"""The tree of an RRT* as it was at each step, drawn so that it can be scrubbed: a step is a
+node.
+"""
 
 from typing import Any, NamedTuple
 
@@ -27,7 +29,13 @@ def tree_as_it_was(log: Rewirings) -> Layer:
     """Every edge, from the step at which it came to that at which it was replaced."""
     n = len(log.nodes)
     until = np.where(log.gone < n, log.gone + 1.0, np.inf)
-    return edges(segments(log, log.parent, log.node), "tree", width=line_width(n), when=log.came + 1, until=until)
+    return edges(
+        segments(log, log.parent, log.node),
+        "tree",
+        width=line_width(n),
+        when=log.came + 1,
+        until=until,
+    )
 
 
 def segments(log: Rewirings, begins: NDArray[np.int64], ends: NDArray[np.int64]) -> Array:
@@ -38,14 +46,22 @@ def segments(log: Rewirings, begins: NDArray[np.int64], ends: NDArray[np.int64])
 def ways_to_goal(log: Rewirings) -> list[Way]:
     """The way to the goal whenever it became another."""
     parent, ways, on_way = np.full(len(log.nodes), -1), list[Way](), {log.at_goal}
-    for node, above, came in zip(log.node.tolist(), log.parent.tolist(), log.came.tolist(), strict=True):
+    for node, above, came in zip(
+        log.node.tolist(), log.parent.tolist(), log.came.tolist(), strict=True
+    ):
         parent[node] = above
         if node in on_way and came >= log.at_goal:
             numbers = extract_path(parent, log.at_goal)
             on_way, points = set(numbers.tolist()), log.nodes[numbers, :2]
             while ways and ways[-1].step == came + 1:
                 ways.pop()
-            ways.append(Way(came + 1, points, float(np.sqrt((np.diff(points, axis=0) ** 2).sum(axis=1)).sum())))
+            ways.append(
+                Way(
+                    came + 1,
+                    points,
+                    float(np.sqrt((np.diff(points, axis=0) ** 2).sum(axis=1)).sum()),
+                )
+            )
     return ways
 
 
@@ -57,7 +73,10 @@ def ways_drawn(ways: list[Way]) -> list[Layer]:
         when += [way.step] * len(rows[-1])
         until += [after] * len(rows[-1])
     whole = np.concatenate(rows)
-    return [edges(whole, colour, width=width, when=when, until=until) for colour, width in (("ink", 5.0), ("path", 3.0))]
+    return [
+        edges(whole, colour, width=width, when=when, until=until)
+        for colour, width in (("ink", 5.0), ("path", 3.0))
+    ]
 
 
 def costs_at(ways: list[Way], total: int) -> list[float]:
@@ -69,7 +88,9 @@ def costs_at(ways: list[Way], total: int) -> list[float]:
 
 
 def moments_drawn(log: Rewirings, near: NDArray[np.int64]) -> list[Layer]:
-    """At each step the new node with its ball, the nodes near, the parent chosen, and the edges re-hung, the old ones dashed."""
+    """At each step the new node with its ball, the nodes near, the parent chosen, and the edges
+    re-hung, the old ones dashed.
+    """
     n, nodes = len(log.nodes), log.nodes[:, :2]
     old = rehung_from(log)
     new, again = log.node == log.came, log.node != log.came
@@ -83,9 +104,22 @@ def moments_drawn(log: Rewirings, near: NDArray[np.int64]) -> list[Layer]:
     balls = nodes[looked, None] + log.radius[looked, None, None] * rim
     return [
         bodies(balls, "robot", **then(looked)),
-        edges(segments(log, old, log.node[again]), "hit", width=1.8, dash=(3.0, 5.0), **then(log.came[again])),
-        edges(segments(log, log.parent[again], log.node[again]), "hit", width=4.0, **then(log.came[again])),
-        edges(segments(log, log.parent[new], log.node[new]), "ink", width=4.0, **then(log.came[new])),
+        edges(
+            segments(log, old, log.node[again]),
+            "hit",
+            width=1.8,
+            dash=(3.0, 5.0),
+            **then(log.came[again]),
+        ),
+        edges(
+            segments(log, log.parent[again], log.node[again]),
+            "hit",
+            width=4.0,
+            **then(log.came[again]),
+        ),
+        edges(
+            segments(log, log.parent[new], log.node[new]), "ink", width=4.0, **then(log.came[new])
+        ),
         dots(nodes[near[:, 1]], "ink", radius=4.6, **then(near[:, 0])),
         dots(nodes[near[:, 1]], "frontier", radius=3.4, **then(near[:, 0])),
         dots(nodes, "ink", radius=6.5, **then(np.arange(n))),
@@ -96,7 +130,9 @@ def moments_drawn(log: Rewirings, near: NDArray[np.int64]) -> list[Layer]:
 def rehung_from(log: Rewirings) -> NDArray[np.int64]:
     """For each edge that was rewired the parent that its node had before."""
     before, parents = dict[int, int](), []
-    for node, parent, came in zip(log.node.tolist(), log.parent.tolist(), log.came.tolist(), strict=True):
+    for node, parent, came in zip(
+        log.node.tolist(), log.parent.tolist(), log.came.tolist(), strict=True
+    ):
         if node != came:
             parents.append(before[node])
         before[node] = parent
@@ -108,7 +144,9 @@ def near_pairs(log: Rewirings) -> NDArray[np.int64]:
     from scipy.spatial import cKDTree
 
     nodes = log.nodes[:, :2]
-    older, newer = cKDTree(nodes).query_pairs(float(log.radius.max()) * (1.0 + 1e-9), output_type="ndarray").T
+    older, newer = (
+        cKDTree(nodes).query_pairs(float(log.radius.max()) * (1.0 + 1e-9), output_type="ndarray").T
+    )
     within = ((nodes[older] - nodes[newer]) ** 2).sum(axis=1) <= log.radius[newer] ** 2
     pairs = np.column_stack([newer, older])[within]
     return pairs[np.lexsort((pairs[:, 1], pairs[:, 0]))]
@@ -123,11 +161,24 @@ def told_of(log: Rewirings, near: NDArray[np.int64], costs: list[float]) -> list
     told = ["", say("rewiring_board.root")]
     for node in range(1, n):
         cost = costs[node + 1]
-        way = say("rewiring_board.way", cost=f"{cost:.4g}") if np.isfinite(cost) else say("rewiring_board.no_way")
+        way = (
+            say("rewiring_board.way", cost=f"{cost:.4g}")
+            if np.isfinite(cost)
+            else say("rewiring_board.no_way")
+        )
         if node == log.at_goal:
             told.append(say("rewiring_board.goal", node=node, parent=parent[node], way=way))
         else:
-            told.append(say("rewiring_board.node", node=node, parent=parent[node], near=count[node], hung=hung[node], way=way))
+            told.append(
+                say(
+                    "rewiring_board.node",
+                    node=node,
+                    parent=parent[node],
+                    near=count[node],
+                    hung=hung[node],
+                    way=way,
+                )
+            )
     return told
 
 

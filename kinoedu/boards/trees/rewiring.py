@@ -10,14 +10,25 @@ from ..core.framed import Framed, counter
 from ..core.scene import Scene
 from ..planning.board import length_slider
 from ..planning.plans import canvas_for, in_plane, problem_in
-from .rewired import costs_at, moments_drawn, near_pairs, told_of, tree_as_it_was, ways_drawn, ways_to_goal
+from .rewired import (
+    costs_at,
+    moments_drawn,
+    near_pairs,
+    told_of,
+    tree_as_it_was,
+    ways_drawn,
+    ways_to_goal,
+)
 
 
-def rewiring_board(problem: ProblemRecord, *, nodes: int = 300, step: float | None = None, rng: int = 0) -> "RewiringBoard":
-    """Scrub through RRT*: the new node and its ball, the nodes near, the parent that is chosen, and what is hung below it instead.
+def rewiring_board(
+    problem: ProblemRecord, *, nodes: int = 300, step: float | None = None, rng: int = 0
+) -> "RewiringBoard":
+    """Scrub through RRT*: the new node and its ball, the nodes near, the parent that is chosen, and
+    what is hung below it instead.
 
-    Black is the edge to the new node, red are the edges that are re-hung, dashed where they were before. Drag start, goal and
-    obstacles.
+    Black is the edge to the new node, red are the edges that are re-hung, dashed where they were
+    before. Drag start, goal and obstacles.
 
     Parameters
     ----------

@@ -26,8 +26,8 @@ EXERCISES = all_exercises()
 
 
 def find(name: str, variant: str = "") -> Exercise:
-    """The exercise that asks for a function of this name, with a contract of its own where a variant is named. Raises
-    InvalidParameter.
+    """The exercise that asks for a function of this name, with a contract of its own where a
+    variant is named. Raises InvalidParameter.
 
     >>> find("point_line_distance").lesson
     '01_geometry'
@@ -36,7 +36,14 @@ def find(name: str, variant: str = "") -> Exercise:
         raise InvalidParameter(say("check.unknown", name=name, names=", ".join(EXERCISES)))
     exercise = EXERCISES[name]
     if variant and variant not in exercise.variants:
-        raise InvalidParameter(say("check.no_variant", name=name, variant=variant, names=", ".join(exercise.variants) or "none"))
+        raise InvalidParameter(
+            say(
+                "check.no_variant",
+                name=name,
+                variant=variant,
+                names=", ".join(exercise.variants) or "none",
+            )
+        )
     return varied(type(exercise), variant) if variant else exercise
 
 

@@ -17,7 +17,13 @@ def bug_base_walk(robot: BugRobot) -> str:
 
 
 def bug_base(
-    start: ArrayLike, goal: ArrayLike, obstacles: Iterable[ArrayLike], step: float, *, turn: str = "left", clearance: float = 0.0
+    start: ArrayLike,
+    goal: ArrayLike,
+    obstacles: Iterable[ArrayLike],
+    step: float,
+    *,
+    turn: str = "left",
+    clearance: float = 0.0,
 ) -> Plan:
     """Move in a straight line from start to goal, and give up at the first wall.
 

@@ -1,7 +1,9 @@
-"""What a contact sensor feels along walls, and where a straight motion is stopped. Every decision is exact.
+"""What a contact sensor feels along walls, and where a straight motion is stopped. Every decision
+is exact.
 
-Obstacles are closed, and a bug's motion is semi-free: it may touch a wall, pass a corner and slide along an edge. It is stopped
-where it would enter what is solid, or squeeze through where two obstacles touch.
+Obstacles are closed, and a bug's motion is semi-free: it may touch a wall, pass a corner and slide
+along an edge. It is stopped where it would enter what is solid, or squeeze through where two
+obstacles touch.
 """
 
 from typing import NamedTuple
@@ -19,13 +21,16 @@ REACHED, AT_CORNER, ON_EDGE = 0, 1, 2  # how a straight motion ends
 
 
 class Feeling(NamedTuple):
-    """What is felt along the walls, one row for each of its n points and for the edge that leaves it.
+    """What is felt along the walls, one row for each of its n points and for the edge that leaves
+    it.
 
-    opens : at the point, where the direction to the goal leads: BLOCKED, OPEN, along the edge before or the one after.
+    opens : at the point, where the direction to the goal leads: BLOCKED, OPEN, along the edge
+        before or the one after.
     faces : whether the goal lies on the free side of the edge.
     on_line : whether the point lies on the start-goal line.
-    foot, crossing : how far along the edge, from 0 to 1, are its inner point nearest to the goal and the one on the start-goal
-        line; nan where there is none. foot_at, crossing_at : where that is, shape (n, 2).
+    foot, crossing : how far along the edge, from 0 to 1, are its inner point nearest to the goal
+        and the one on the start-goal line; nan where there is none. foot_at, crossing_at : where
+        that is, shape (n, 2).
     """
 
     opens: NDArray[np.int64]
@@ -38,8 +43,19 @@ class Feeling(NamedTuple):
 
 
 @compiled
-def leads(ux: float, uy: float, vx: float, vy: float, wx: float, wy: float, dx: float, dy: float, sense: int) -> int:
-    """Where the direction from v to d (sense 1), or away from d (sense -1), leads at a corner u, v, w, what is solid on its left.
+def leads(
+    ux: float,
+    uy: float,
+    vx: float,
+    vy: float,
+    wx: float,
+    wy: float,
+    dx: float,
+    dy: float,
+    sense: int,
+) -> int:
+    """Where the direction from v to d (sense 1), or away from d (sense -1), leads at a corner u, v,
+    w, what is solid on its left.
 
     What is free there lies counter-clockwise from the direction of u to that of w.
     """
@@ -57,11 +73,18 @@ def leads(ux: float, uy: float, vx: float, vy: float, wx: float, wy: float, dx: 
 
 
 @compiled
-def feel(points: Array, before: NDArray[np.int64], after: NDArray[np.int64], start: Array, goal: Array) -> Feeling:
+def feel(
+    points: Array, before: NDArray[np.int64], after: NDArray[np.int64], start: Array, goal: Array
+) -> Feeling:
     """What the contact sensor will feel along the walls on the way from start to goal. O(n)."""
     n = len(points)
     opens, faces, on_line = np.empty(n, np.int64), np.empty(n, np.bool_), np.empty(n, np.bool_)
-    foot, crossing, foot_at, crossing_at = np.full(n, np.nan), np.full(n, np.nan), np.empty((n, 2)), np.empty((n, 2))
+    foot, crossing, foot_at, crossing_at = (
+        np.full(n, np.nan),
+        np.full(n, np.nan),
+        np.empty((n, 2)),
+        np.empty((n, 2)),
+    )
     (sx, sy), (gx, gy) = start, goal
     for i in range(n):
         (ux, uy), (ax, ay), (bx, by) = points[before[i]], points[i], points[after[i]]
@@ -72,7 +95,11 @@ def feel(points: Array, before: NDArray[np.int64], after: NDArray[np.int64], sta
         on_line[i] = a_side == 0 and between(sx, sy, gx, gy, ax, ay)
         x, y, region = closest_on_segment(gx, gy, ax, ay, bx, by)
         if region == 0:
-            foot[i], foot_at[i, 0], foot_at[i, 1] = inner(length(x - ax, y - ay) / length(bx - ax, by - ay)), x, y
+            foot[i], foot_at[i, 0], foot_at[i, 1] = (
+                inner(length(x - ax, y - ay) / length(bx - ax, by - ay)),
+                x,
+                y,
+            )
         if a_side * b_side < 0 and to_goal * to_start < 0:
             crossing[i] = divided(ax, ay, bx, by, sx, sy, gx, gy)
             crossing_at[i] = proper_crossing(points[i], points[after[i]], start, goal)
@@ -86,7 +113,9 @@ def inner(along: float) -> float:
 
 
 @compiled
-def divided(ax: float, ay: float, bx: float, by: float, cx: float, cy: float, dx: float, dy: float) -> float:
+def divided(
+    ax: float, ay: float, bx: float, by: float, cx: float, cy: float, dx: float, dy: float
+) -> float:
     """How far along a-b, from 0 to 1, the line c-d crosses it."""
     from_a, from_b = abs(height(cx, cy, dx, dy, ax, ay)), abs(height(cx, cy, dx, dy, bx, by))
     return inner(from_a / (from_a + from_b))
@@ -94,12 +123,19 @@ def divided(ax: float, ay: float, bx: float, by: float, cx: float, cy: float, dx
 
 @compiled
 def first_contact(
-    points: Array, before: NDArray[np.int64], after: NDArray[np.int64], origin: Array, goal: Array, left: int
+    points: Array,
+    before: NDArray[np.int64],
+    after: NDArray[np.int64],
+    origin: Array,
+    goal: Array,
+    left: int,
 ) -> tuple[int, int]:
-    """How a motion on the line from origin to goal ends: REACHED, AT_CORNER or ON_EDGE, and at which.
+    """How a motion on the line from origin to goal ends: REACHED, AT_CORNER or ON_EDGE, and at
+    which.
 
-    left : the edge that the robot leaves, which the line crosses from its solid to its free side, or -1: what comes before does not
-        count. Walls do not cross each other, so what comes first is decided by turns alone, never by rounded positions. O(n).
+    left : the edge that the robot leaves, which the line crosses from its solid to its free side,
+        or -1: what comes before does not count. Walls do not cross each other, so what comes first
+        is decided by turns alone, never by rounded positions. O(n).
     """
     (ox, oy), (gx, gy) = origin, goal
     how, which = REACHED, -1
@@ -116,7 +152,9 @@ def first_contact(
             if (
                 how == REACHED
                 or (how == ON_EDGE and side_of(points, after, which, ax, ay) < 0)
-                or (how == AT_CORNER and between(ox, oy, points[which, 0], points[which, 1], ax, ay))
+                or (
+                    how == AT_CORNER and between(ox, oy, points[which, 0], points[which, 1], ax, ay)
+                )
             ):
                 how, which = AT_CORNER, i
         elif a_side > 0 and i != left and turn(ox, oy, gx, gy, bx, by) < 0:
@@ -127,7 +165,10 @@ def first_contact(
             if (
                 how == REACHED
                 or (how == ON_EDGE and crossed_before(points, after, i, which, -1))
-                or (how == AT_CORNER and side_of(points, after, i, points[which, 0], points[which, 1]) > 0)
+                or (
+                    how == AT_CORNER
+                    and side_of(points, after, i, points[which, 0], points[which, 1]) > 0
+                )
             ):
                 how, which = ON_EDGE, i
     return how, which
@@ -135,20 +176,30 @@ def first_contact(
 
 @compiled
 def side_of(points: Array, after: NDArray[np.int64], edge: int, x: float, y: float) -> int:
-    """The side of an edge that a point is on: 1 its solid one, -1 its free one, 0 in line with it."""
+    """The side of an edge that a point is on: 1 its solid one, -1 its free one, 0 in line with
+    it.
+    """
     a, b = points[edge], points[after[edge]]
     return turn(a[0], a[1], b[0], b[1], x, y)
 
 
 @compiled
-def crossed_before(points: Array, after: NDArray[np.int64], edge: int, other: int, behind: int) -> bool:
-    """Whether a line that enters what is solid at `edge` does so before it crosses `other`, coming from the side `behind` of that.
+def crossed_before(
+    points: Array, after: NDArray[np.int64], edge: int, other: int, behind: int
+) -> bool:
+    """Whether a line that enters what is solid at `edge` does so before it crosses `other`, coming
+    from the side `behind` of that.
 
     Two edges that do not cross: all of one lies on one side of the line through the other.
     """
     a, b = points[other], points[after[other]]
-    a_side, b_side = side_of(points, after, edge, a[0], a[1]), side_of(points, after, edge, b[0], b[1])
+    a_side, b_side = (
+        side_of(points, after, edge, a[0], a[1]),
+        side_of(points, after, edge, b[0], b[1]),
+    )
     if a_side * b_side >= 0 and a_side + b_side != 0:
         return a_side + b_side > 0
     c, d = points[edge], points[after[edge]]
-    return (side_of(points, after, other, c[0], c[1]) + side_of(points, after, other, d[0], d[1])) * behind > 0
+    return (
+        side_of(points, after, other, c[0], c[1]) + side_of(points, after, other, d[0], d[1])
+    ) * behind > 0

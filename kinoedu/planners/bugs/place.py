@@ -9,11 +9,13 @@ Position = tuple[float, float]
 class Place(NamedTuple):
     """Where the robot is: two places are the same when all of it is.
 
-    x, y : the position. distance : from there to the goal. on_line : whether it lies on the start-goal line.
+    x, y : the position. distance : from there to the goal. on_line : whether it lies on the
+        start-goal line.
     is_open : whether the wall that it touches, if any, lets it move towards the goal.
-    wall, along : which stretch of wall it touches, -1 in the open, and how far along it is, from 0 to 1; 0 is a corner.
-    made_of : what x and y were rounded from: the goal g alone for a point as given; g, a, b for the point of a-b nearest to g;
-        g, a, b, o for the crossing of a-b with o-g.
+    wall, along : which stretch of wall it touches, -1 in the open, and how far along it is, from 0
+        to 1; 0 is a corner.
+    made_of : what x and y were rounded from: the goal g alone for a point as given; g, a, b for the
+        point of a-b nearest to g; g, a, b, o for the crossing of a-b with o-g.
     """
 
     x: float
@@ -26,15 +28,20 @@ class Place(NamedTuple):
     made_of: tuple[Position, ...]
 
     def is_nearer_than(self, other: "Place") -> bool:
-        """Whether the goal is nearer from here than from another place. Exact: decided by fractions where rounding could matter.
+        """Whether the goal is nearer from here than from another place. Exact: decided by fractions
+        where rounding could matter.
 
-        Of two places in one point, on the two sides of where obstacles touch, the open one counts as nearer.
+        Of two places in one point, on the two sides of where obstacles touch, the open one counts
+        as nearer.
         """
         if abs(self.distance - other.distance) > 1e-12 * (self.distance + other.distance):
             return self.distance < other.distance
         if self == other:
             return False
-        return (exact_squared_distance(self), not self.is_open) < (exact_squared_distance(other), not other.is_open)
+        return (exact_squared_distance(self), not self.is_open) < (
+            exact_squared_distance(other),
+            not other.is_open,
+        )
 
 
 def exact_squared_distance(place: Place) -> Fraction:

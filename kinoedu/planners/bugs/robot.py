@@ -1,7 +1,9 @@
-"""The robot of the Bug family. It knows where it is and how far the goal is, and it feels the wall it touches: nothing else.
+"""The robot of the Bug family. It knows where it is and how far the goal is, and it feels the wall
+it touches: nothing else.
 
-Bullo & Smith, chapter 1: a point with a contact sensor of range zero, which knows the direction and the distance to the goal, can
-move straight towards it, and can follow a wall. Whoever holds one cannot see the obstacles.
+Bullo & Smith, chapter 1: a point with a contact sensor of range zero, which knows the direction and
+the distance to the goal, can move straight towards it, and can follow a wall. Whoever holds one
+cannot see the obstacles.
 """
 
 import numpy as np
@@ -10,7 +12,16 @@ from ...errors import InvalidWorld
 from ...geometry.checks import Array
 from ...geometry.exact import length
 from ...geometry.segments import proper_crossing
-from .contact import ALONG_AFTER, ALONG_BEFORE, AT_CORNER, BLOCKED, REACHED, divided, feel, first_contact
+from .contact import (
+    ALONG_AFTER,
+    ALONG_BEFORE,
+    AT_CORNER,
+    BLOCKED,
+    REACHED,
+    divided,
+    feel,
+    first_contact,
+)
 from .place import Place
 from .walls import Walls
 
@@ -18,10 +29,11 @@ from .walls import Walls
 class BugRobot:
     """A robot among walls, on its way from start to goal, shape (2,) each.
 
-    turn : +1 to follow walls with the wall on its left (it turned right), -1 with the wall on its right (it turned left).
+    turn : +1 to follow walls with the wall on its left (it turned right), -1 with the wall on its
+        right (it turned left).
 
-    `place`, `travelled` (how far it has come) and the methods without an underscore are all that an algorithm may ask; `trail`
-    keeps what happened.
+    `place`, `travelled` (how far it has come) and the methods without an underscore are all that an
+    algorithm may ask; `trail` keeps what happened.
     """
 
     def __init__(self, walls: Walls, start: Array, goal: Array, turn: int) -> None:
@@ -34,16 +46,25 @@ class BugRobot:
         self.trail = Trail(self.place)
 
     def move_to_goal(self) -> bool:
-        """Move straight towards the goal, until it is reached (True) or a wall is in the way (False)."""
+        """Move straight towards the goal, until it is reached (True) or a wall is in the way
+        (False).
+        """
         walls, place = self._walls, self.place
         here = np.array([place.x, place.y])
-        origin = self._start if place.on_line and place.along > 0.0 else here  # back on the start-goal line: keep to it, unrounded
+        origin = (
+            self._start if place.on_line and place.along > 0.0 else here
+        )  # back on the start-goal line: keep to it, unrounded
         if place.wall >= 0:
             self.trail.leave()
             if self.trail.times_left(place) > 2:
-                raise InvalidWorld("the walls lie closer together than numbers of their size can tell apart; move them apart")
+                raise InvalidWorld(
+                    "the walls lie closer together than numbers of their size can tell apart; "
+                    "move them apart"
+                )
         edge_left = place.wall if place.along > 0.0 else -1
-        how, which = first_contact(walls.points, walls.before, walls.after, origin, self._goal, edge_left)
+        how, which = first_contact(
+            walls.points, walls.before, walls.after, origin, self._goal, edge_left
+        )
         if how == REACHED:
             self._go(self._at(*self._goal, on_line=True, wall=-1), following=False)
             return True
@@ -54,20 +75,29 @@ class BugRobot:
         return False
 
     def can_move_to_goal(self) -> bool:
-        """Whether the wall that it touches lets it move towards the goal; along the wall, but not back the way it came."""
+        """Whether the wall that it touches lets it move towards the goal; along the wall, but not
+        back the way it came.
+        """
         place = self.place
         at_corner = place.wall >= 0 and place.along == 0.0
         back = ALONG_BEFORE if self._heading > 0 else ALONG_AFTER
         return place.is_open and not (at_corner and self._feeling.opens[place.wall] == back)
 
     def follow_wall(self) -> None:
-        """Follow the wall to the next place of note: a corner, a hit, the start-goal line, or where the goal comes no nearer."""
+        """Follow the wall to the next place of note: a corner, a hit, the start-goal line, or where
+        the goal comes no nearer.
+        """
         wall, along, walls = self.place.wall, self.place.along, self._walls
         if self._heading > 0:
             ahead = [place for place in self._places_on(wall) if place.along > along]
-            self._go(ahead[0] if ahead else self._places_on(int(walls.after[wall]))[0], following=True)
+            self._go(
+                ahead[0] if ahead else self._places_on(int(walls.after[wall]))[0], following=True
+            )
         elif along > 0.0:
-            self._go([place for place in self._places_on(wall) if place.along < along][-1], following=True)
+            self._go(
+                [place for place in self._places_on(wall) if place.along < along][-1],
+                following=True,
+            )
         else:
             self._go(self._places_on(int(walls.before[wall]))[-1], following=True)
 
@@ -76,11 +106,24 @@ class BugRobot:
         self._heading = -self._heading
         self.trail.keep()
 
-    def _at(self, x: float, y: float, *, on_line: bool, wall: int, along: float = 0.0, made_of: tuple[Array, ...] = ()) -> Place:
+    def _at(
+        self,
+        x: float,
+        y: float,
+        *,
+        on_line: bool,
+        wall: int,
+        along: float = 0.0,
+        made_of: tuple[Array, ...] = (),
+    ) -> Place:
         points = tuple((float(p[0]), float(p[1])) for p in (self._goal, *made_of))
         distance = float(length(self._goal[0] - x, self._goal[1] - y))
-        is_open = wall < 0 or (self._feeling.faces[wall] if along > 0.0 else self._feeling.opens[wall] != BLOCKED)
-        return Place(float(x), float(y), distance, bool(on_line), bool(is_open), wall, float(along), points)
+        is_open = wall < 0 or (
+            self._feeling.faces[wall] if along > 0.0 else self._feeling.opens[wall] != BLOCKED
+        )
+        return Place(
+            float(x), float(y), distance, bool(on_line), bool(is_open), wall, float(along), points
+        )
 
     def _go(self, place: Place, following: bool) -> None:
         self.travelled += float(length(place.x - self.place.x, place.y - self.place.y))
@@ -88,22 +131,37 @@ class BugRobot:
         self.trail.go(place, following)
 
     def _places_on(self, wall: int) -> list[Place]:
-        """The places of note on a stretch of wall, in its order: the corner where it begins, and those inside."""
+        """The places of note on a stretch of wall, in its order: the corner where it begins, and
+        those inside.
+        """
         if wall not in self._places:
             felt, (a, b) = self._feeling, self._ends(wall)
             inner = {}
             if felt.foot[wall] > 0.0:
-                foot = self._at(*felt.foot_at[wall], on_line=False, wall=wall, along=felt.foot[wall], made_of=(a, b))
+                foot = self._at(
+                    *felt.foot_at[wall],
+                    on_line=False,
+                    wall=wall,
+                    along=felt.foot[wall],
+                    made_of=(a, b),
+                )
                 inner[foot.along] = foot
             if felt.crossing[wall] > 0.0:
                 at, along = felt.crossing_at[wall], felt.crossing[wall]
-                crossing = self._at(*at, on_line=True, wall=wall, along=along, made_of=(a, b, self._start))
+                crossing = self._at(
+                    *at, on_line=True, wall=wall, along=along, made_of=(a, b, self._start)
+                )
                 inner[crossing.along] = crossing
-            self._places[wall] = [self._at(*a, on_line=felt.on_line[wall], wall=wall), *(inner[along] for along in sorted(inner))]
+            self._places[wall] = [
+                self._at(*a, on_line=felt.on_line[wall], wall=wall),
+                *(inner[along] for along in sorted(inner)),
+            ]
         return self._places[wall]
 
     def _crossing(self, wall: int, origin: Array) -> Place:
-        """The place where the line from origin to the goal meets a stretch of wall; of note from now on."""
+        """The place where the line from origin to the goal meets a stretch of wall; of note from
+        now on.
+        """
         (a, b), known = self._ends(wall), self._places_on(wall)
         along = divided(*a, *b, *origin, *self._goal)
         for place in known:
@@ -120,7 +178,9 @@ class BugRobot:
 
 
 class Trail:
-    """What a robot did, in order: where it was, and whether it followed a wall to get there; hits and leaves number places."""
+    """What a robot did, in order: where it was, and whether it followed a wall to get there; hits
+    and leaves number places.
+    """
 
     def __init__(self, start: Place) -> None:
         self.places, self.following = [start], [False]
@@ -128,12 +188,18 @@ class Trail:
         self._kept = True
 
     def go(self, place: Place, following: bool) -> None:
-        """On to a place; the last one is forgotten where nothing happened there and the wall was straight."""
+        """On to a place; the last one is forgotten where nothing happened there and the wall was
+        straight.
+        """
         if not self._kept:
             del self.places[-1], self.following[-1]
         self.places.append(place)
         self.following.append(following)
-        self._kept = not following or place.along == 0.0 or any(self.places[hit] == place for hit in self.hits)
+        self._kept = (
+            not following
+            or place.along == 0.0
+            or any(self.places[hit] == place for hit in self.hits)
+        )
 
     def hit(self) -> None:
         """A wall is in the way."""

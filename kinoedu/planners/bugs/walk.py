@@ -20,7 +20,9 @@ MOST_POINTS = 10_000_000  # what memory holds
 
 
 class BugProblem(NamedTuple):
-    """What a Bug plan answers: a point robot, or a disc of radius `clearance`, from start to goal among obstacles."""
+    """What a Bug plan answers: a point robot, or a disc of radius `clearance`, from start to goal
+    among obstacles.
+    """
 
     robot: Any
     world: OpenWorld
@@ -39,7 +41,9 @@ def plan_walk(
     turn: str,
     clearance: float,
 ) -> Plan:
-    """Check what is asked, let the algorithm lead a robot, and make a plan of its walk. It returns why it failed, or nothing."""
+    """Check what is asked, let the algorithm lead a robot, and make a plan of its walk. It returns
+    why it failed, or nothing.
+    """
     q_start, q_goal = as_point(start, "start"), as_point(goal, "goal")
     longest, margin = positive(step, "step"), none_or_more(clearance, "clearance")
     heading = -1 if one_of(turn, "turn", ("left", "right")) == "left" else 1
@@ -47,7 +51,10 @@ def plan_walk(
     walls = make_walls(rings, margin)
     near = f" or closer than {margin:g} to one" if margin else ""
     if contact(walls, q_start) >= 0:
-        raise InvalidStart(f"the start {tuple(q_start.tolist())} lies in or on an obstacle{near}; move it into the open")
+        raise InvalidStart(
+            f"the start {tuple(q_start.tolist())} lies in or on an obstacle{near}; move it into "
+            "the open"
+        )
     if contact(walls, q_goal) == 0:
         raise InvalidGoal(f"the goal {tuple(q_goal.tolist())} lies on a wall; move it off")
     robot = BugRobot(walls, q_start, q_goal, heading)
@@ -66,16 +73,22 @@ def walk_of(trail: Trail, goal: Array, step: float) -> Walk:
     moves = np.diff(corners, axis=0)
     size = np.abs(moves).max(axis=1, initial=0.0)
     unit = np.where(size > 0.0, size, 1.0)
-    lengths = size * np.sqrt((moves[:, 0] / unit) ** 2 + (moves[:, 1] / unit) ** 2)  # squares of huge and tiny numbers are neither
+    lengths = size * np.sqrt(
+        (moves[:, 0] / unit) ** 2 + (moves[:, 1] / unit) ** 2
+    )  # squares of huge and tiny numbers are neither
     with np.errstate(over="ignore"):  # so many are refused below
         pieces = np.maximum(np.ceil(lengths / step * (1.0 - 1e-15)), 1.0)
     if not pieces.sum() < MOST_POINTS:
         needed = f"{pieces.sum():g} points for a walk of length {lengths.sum():g}"
-        raise InvalidParameter(f"a step of {step:g} is too short: it takes {needed}; choose a longer one")
+        raise InvalidParameter(
+            f"a step of {step:g} is too short: it takes {needed}; choose a longer one"
+        )
     count = pieces.astype(np.int64)
     move = np.repeat(np.arange(len(moves)), count)
     share = (np.arange(len(move)) - np.repeat(np.cumsum(count) - count, count) + 1.0) / count[move]
-    points = np.where((share < 1.0)[:, None], corners[move] + share[:, None] * moves[move], corners[move + 1])
+    points = np.where(
+        (share < 1.0)[:, None], corners[move] + share[:, None] * moves[move], corners[move + 1]
+    )
     begun = np.concatenate([[0.0], np.cumsum(lengths)])
     travelled = np.where(share < 1.0, begun[move] + share * lengths[move], begun[move + 1])
     points = np.concatenate([corners[:1], points])
@@ -90,7 +103,9 @@ def walk_of(trail: Trail, goal: Array, step: float) -> Walk:
     )
 
 
-def open_world(rings: list[Array], walls: list[Array], points: Array, goal: Array, clearance: float) -> OpenWorld:
+def open_world(
+    rings: list[Array], walls: list[Array], points: Array, goal: Array, clearance: float
+) -> OpenWorld:
     """The obstacles with a frame round them and the walk."""
     shown = np.concatenate([*walls, points, goal[None]])
     lo, hi = shown.min(axis=0), shown.max(axis=0)

@@ -1,4 +1,6 @@
-"""From obstacles to the walls that a robot follows: closed loops of edges, what is solid on their left."""
+"""From obstacles to the walls that a robot follows: closed loops of edges, what is solid on their
+left.
+"""
 
 import math
 from collections import defaultdict
@@ -20,17 +22,24 @@ from ...geometry.rings import as_ring, ring_turn
 from ...geometry.segments import segments_meet
 from ...support.text import shortened
 
-CORNER = math.radians(5.0)  # the most that a grown corner turns at once: it stands off by 1 / cos(CORNER / 2) < 1.001 at most
+CORNER = math.radians(
+    5.0
+    # the most that a grown corner turns at once: it stands off by 1 / cos(CORNER / 2) < 1.001 at
+    # most
+)
 
-# Where obstacles meet, their union is put on a grid so fine, of the world's size, so that rounding leaves no cracks between them.
+# Where obstacles meet, their union is put on a grid so fine, of the world's size, so that rounding
+# leaves no cracks between them.
 GRID = 2.0**-44
 
 
 class Walls(NamedTuple):
-    """Edge i leads from points[i] to points[after[i]], what is solid on its left, what is free on its right; before undoes after.
+    """Edge i leads from points[i] to points[after[i]], what is solid on its left, what is free on
+    its right; before undoes after.
 
-    Where two loops touch at a corner, each has a point of its own there, and follows what is free: the way between them is shut.
-    `rings` are the same loops as obstacles and holes, for asking what is inside.
+    Where two loops touch at a corner, each has a point of its own there, and follows what is free:
+    the way between them is shut. `rings` are the same loops as obstacles and holes, for asking what
+    is inside.
     """
 
     points: Array
@@ -40,14 +49,21 @@ class Walls(NamedTuple):
 
 
 def as_rings(obstacles: Iterable[ArrayLike]) -> list[Array]:
-    """Obstacles as checked rings, counter-clockwise. Raises InvalidPolygon, InvalidPoint, InvalidParameter."""
+    """Obstacles as checked rings, counter-clockwise. Raises InvalidPolygon, InvalidPoint,
+    InvalidParameter.
+    """
     if isinstance(obstacles, str) or not isinstance(obstacles, Iterable):
-        raise InvalidParameter(f"obstacles must be a list of polygons, each of shape (n, 2), got {shortened(obstacles)}")
+        raise InvalidParameter(
+            "obstacles must be a list of polygons, each of shape (n, 2), got "
+            f"{shortened(obstacles)}"
+        )
     return [as_ring(obstacle, f"obstacle {number}") for number, obstacle in enumerate(obstacles)]
 
 
 def make_walls(rings: list[Array], clearance: float) -> Walls:
-    """The walls round checked rings, grown by `clearance`; those that meet, overlap or hold one another are united first."""
+    """The walls round checked rings, grown by `clearance`; those that meet, overlap or hold one
+    another are united first.
+    """
     if clearance > 0.0:
         rings = [grown(part, clearance) for ring in rings for part in convex_parts(ring)]
     return linked(united(rings) if any_meet(rings) else rings)
@@ -60,15 +76,21 @@ def contact(walls: Walls, q: Array) -> int:
         where = place(q[0], q[1], ring)
         if where == 0:
             return 0
-        inside = -inside if where > 0 else inside  # inside an obstacle; out again in a hole of it; and so on
+        inside = (
+            -inside if where > 0 else inside
+        )  # inside an obstacle; out again in a hole of it; and so on
     return inside
 
 
 @compiled
 def grown(ring: Array, clearance: float) -> Array:
-    """A convex ring's outline at a distance: edges exactly `clearance` away, each corner round it by tangents to its circle."""
+    """A convex ring's outline at a distance: edges exactly `clearance` away, each corner round it
+    by tangents to its circle.
+    """
     n, size = len(ring), 0
-    outline = np.empty((n + int(2.0 * math.pi / CORNER) + 1, 2))  # a piece more a corner than fills all the way round
+    outline = np.empty(
+        (n + int(2.0 * math.pi / CORNER) + 1, 2)
+    )  # a piece more a corner than fills all the way round
     for i in range(n):
         (ux, uy), (vx, vy), (wx, wy) = ring[i - 1], ring[i], ring[(i + 1) % n]
         arrives = math.atan2(vy - uy, vx - ux)
@@ -117,7 +139,9 @@ def united(rings: list[Array]) -> list[Array]:
     import shapely
 
     _, power = math.frexp(max(float(np.abs(ring).max()) for ring in rings))
-    scaled = [shapely.Polygon(np.ldexp(ring, -power)) for ring in rings]  # to sizes near 1, which overflow nowhere
+    scaled = [
+        shapely.Polygon(np.ldexp(ring, -power)) for ring in rings
+    ]  # to sizes near 1, which overflow nowhere
     union = shapely.set_precision(shapely.union_all(scaled), GRID)
     outlines = []
     for part in shapely.get_parts(union):
@@ -128,7 +152,9 @@ def united(rings: list[Array]) -> list[Array]:
 
 
 def linked(rings: list[Array]) -> Walls:
-    """Rings as walls; where several touch at a corner, they are joined so that each loop borders one free region."""
+    """Rings as walls; where several touch at a corner, they are joined so that each loop borders
+    one free region.
+    """
     sizes = [len(ring) for ring in rings]
     first = np.repeat(np.cumsum([0, *sizes])[:-1], sizes)
     size = np.repeat(sizes, sizes).astype(np.int64)
@@ -140,20 +166,28 @@ def linked(rings: list[Array]) -> Walls:
     return Walls(points, before, after, rings)
 
 
-def join_at_touching_corners(points: Array, before: NDArray[np.int64], after: NDArray[np.int64]) -> None:
-    """From each edge that arrives at a shared corner go on along the first one met when turning through what is free."""
+def join_at_touching_corners(
+    points: Array, before: NDArray[np.int64], after: NDArray[np.int64]
+) -> None:
+    """From each edge that arrives at a shared corner go on along the first one met when turning
+    through what is free.
+    """
     at: defaultdict[Any, list[int]] = defaultdict(list)
     for i, point in enumerate(points.tolist()):
         at[tuple(point)].append(i)
     for shared in at.values():
         leading = [int(after[i]) for i in shared]
         for i in shared if len(shared) > 1 else ():
-            after[i] = min(leading, key=cmp_to_key(partial(met_first, points, points[i], points[before[i]])))
+            after[i] = min(
+                leading, key=cmp_to_key(partial(met_first, points, points[i], points[before[i]]))
+            )
     before[after] = np.arange(len(points))
 
 
 def met_first(points: Array, v: Array, u: Array, i: int, j: int) -> int:
-    """-1 where, turning counter-clockwise round v from u, point i is met before point j; 1 where j is. Exact."""
+    """-1 where, turning counter-clockwise round v from u, point i is met before point j; 1 where j
+    is. Exact.
+    """
     a, b = points[i], points[j]
     a_late, b_late = turn(*v, *u, *a) < 0, turn(*v, *u, *b) < 0  # in the second half of the turn
     if a_late != b_late:

@@ -1,4 +1,5 @@
-"""What the planners that drive a car have in common: where to go next, the best of some random drives, and a tree of them.
+"""What the planners that drive a car have in common: where to go next, the best of some random
+drives, and a tree of them.
 
 S. M. LaValle, J. J. Kuffner, "Randomized kinodynamic planning" (2001).
 """
@@ -24,8 +25,9 @@ from ..tuning import none_or_more, positive, whole
 
 
 class Bias(NamedTuple):
-    """By turn: every `region_every`th place to go is drawn from a disc of radius `region` round the goal, the denser the
-    nearer, its heading within `region_turn` of the goal's; every `goal_every`th is the goal itself; 0 for never."""
+    """By turn: every `region_every`th place to go is drawn from a disc of radius `region` round the
+    goal, the denser the nearer, its heading within `region_turn` of the goal's; every
+    `goal_every`th is the goal itself; 0 for never."""
 
     goal_every: int
     region_every: int
@@ -34,7 +36,9 @@ class Bias(NamedTuple):
 
 
 class Drives(NamedTuple):
-    """How drives are tried: M `trials` at a time, each simulated for so many `steps` of a time `step`; in so many `batches`."""
+    """How drives are tried: M `trials` at a time, each simulated for so many `steps` of a time
+    `step`; in so many `batches`.
+    """
 
     trials: int
     steps: int
@@ -43,14 +47,18 @@ class Drives(NamedTuple):
 
 
 class Near(NamedTuple):
-    """What counts as the goal: a place within `tolerance`, a heading within `turn_tolerance` radians."""
+    """What counts as the goal: a place within `tolerance`, a heading within `turn_tolerance`
+    radians.
+    """
 
     tolerance: float
     turn_tolerance: float
 
 
 class DrivenGrowth(NamedTuple):
-    """A tree under construction, with the control (v, phi) that leads to each node from its parent, and for how long."""
+    """A tree under construction, with the control (v, phi) that leads to each node from its parent,
+    and for how long.
+    """
 
     tree: GrowingTree
     controls: Array
@@ -63,15 +71,24 @@ def next_place(problem: Any, bias: Bias, turn: int, rng: np.random.Generator) ->
     if bias.region_every > 0 and turn % bias.region_every == 0:
         off, towards = bias.region * rng.random(), 2.0 * math.pi * rng.random()
         heading = wrapped(problem.goal[2] + bias.region_turn * (2.0 * rng.random() - 1.0))
-        return np.array([problem.goal[0] + off * math.cos(towards), problem.goal[1] + off * math.sin(towards), heading])
+        return np.array(
+            [
+                problem.goal[0] + off * math.cos(towards),
+                problem.goal[1] + off * math.sin(towards),
+                heading,
+            ]
+        )
     if bias.goal_every > 0 and turn % bias.goal_every == 0:
         return problem.goal.copy()
     return problem.sample(rng)
 
 
 @callable_from_compiled
-def free_drive(problem: Any, q: Array, q_rand: Array, drives: Drives, rng: np.random.Generator) -> tuple[float, float, float]:
-    """A control (v, phi) and a time: of M random controls the one that brings q closest to q_rand, cut where it is closest.
+def free_drive(
+    problem: Any, q: Array, q_rand: Array, drives: Drives, rng: np.random.Generator
+) -> tuple[float, float, float]:
+    """A control (v, phi) and a time: of M random controls the one that brings q closest to q_rand,
+    cut where it is closest.
 
     Where that drive is not free, M others are drawn; after the last batch the time is 0.
     """
@@ -90,11 +107,20 @@ def free_drive(problem: Any, q: Array, q_rand: Array, drives: Drives, rng: np.ra
 
 @callable_from_compiled
 def closest_step(
-    problem: Any, q: Array, q_rand: Array, v: float, phi: float, drives: Drives, least: float, there: Array
+    problem: Any,
+    q: Array,
+    q_rand: Array,
+    v: float,
+    phi: float,
+    drives: Drives,
+    least: float,
+    there: Array,
 ) -> tuple[int, float]:
-    """The step of a drive from q that comes closest to q_rand, closer than `least`, and how close; step 0 where none does.
+    """The step of a drive from q that comes closest to q_rand, closer than `least`, and how close;
+    step 0 where none does.
 
-    While a control is held the distance changes at most at one pace: steps that therefore cannot be the closest are passed over.
+    While a control is held the distance changes at most at one pace: steps that therefore cannot be
+    the closest are passed over.
     """
     bend = problem.space.weight[2] * problem.curvature(phi)
     pace = abs(v) * math.sqrt(1.0 + bend * bend) * drives.step
@@ -109,7 +135,9 @@ def closest_step(
 
 
 @callable_from_compiled
-def add_drive(problem: Any, growth: DrivenGrowth, parent: int, v: float, phi: float, t: float) -> int:
+def add_drive(
+    problem: Any, growth: DrivenGrowth, parent: int, v: float, phi: float, t: float
+) -> int:
     """Append the node that a control leads to from its parent; returns its number."""
     there = np.empty(3)
     problem.drive(growth.tree.nodes[parent], v, phi, t, there)
@@ -122,16 +150,25 @@ def add_drive(problem: Any, growth: DrivenGrowth, parent: int, v: float, phi: fl
 def is_near(q: Array, goal: Array, near: Near) -> bool:
     """Whether a pose counts as the goal."""
     dx, dy = q[0] - goal[0], q[1] - goal[1]
-    return math.sqrt(dx * dx + dy * dy) <= near.tolerance and abs(short_way(q[2], goal[2])) <= near.turn_tolerance
+    return (
+        math.sqrt(dx * dx + dy * dy) <= near.tolerance
+        and abs(short_way(q[2], goal[2])) <= near.turn_tolerance
+    )
 
 
 def driven(problem: Any, planner: str, turn_weight: float | None, wheelbases: float = 0.25) -> Any:
-    """The problem of a car, its poses as far apart as in SE(2), a radian counting `turn_weight` or, without one, so many
-    wheelbases. Raises InvalidParameter."""
+    """The problem of a car, its poses as far apart as in SE(2), a radian counting `turn_weight` or,
+    without one, so many wheelbases. Raises InvalidParameter."""
     inner = problem.problem if isinstance(problem, Recorder) else problem
     if not isinstance(inner, ProblemRecord) or not isinstance(inner.robot, CarRobot):
-        raise InvalidParameter(f"{planner} needs a Problem(Car(...), world, start, goal), got {shortened(problem)}")
-    weight = wheelbases * inner.robot.wheelbase if turn_weight is None else positive(turn_weight, "turn_weight")
+        raise InvalidParameter(
+            f"{planner} needs a Problem(Car(...), world, start, goal), got {shortened(problem)}"
+        )
+    weight = (
+        wheelbases * inner.robot.wheelbase
+        if turn_weight is None
+        else positive(turn_weight, "turn_weight")
+    )
     asked = inner._replace(space=SE2(inner.world.lo, inner.world.hi, turn_weight=weight))
     if not isinstance(problem, Recorder):
         return asked
@@ -140,27 +177,43 @@ def driven(problem: Any, planner: str, turn_weight: float | None, wheelbases: fl
     return recorder
 
 
-def bias_of(problem: Any, goal_every: int, region_every: int, region: float | None, region_turn: float) -> Bias:
+def bias_of(
+    problem: Any, goal_every: int, region_every: int, region: float | None, region_turn: float
+) -> Bias:
     """The turns, checked."""
     radius = 2.5 * problem.robot.wheelbase if region is None else none_or_more(region, "region")
     turns = whole(goal_every, "goal_every", least=0), whole(region_every, "region_every", least=0)
     return Bias(*turns, radius, none_or_more(region_turn, "region_turn"))
 
 
-def drives_of(problem: Any, trials: int, duration: float | None, step: float | None, batches: int) -> Drives:
-    """How drives are tried, checked; by default the fastest lasts for three quarters of a wheelbase, in 150 steps."""
+def drives_of(
+    problem: Any, trials: int, duration: float | None, step: float | None, batches: int
+) -> Drives:
+    """How drives are tried, checked; by default the fastest lasts for three quarters of a
+    wheelbase, in 150 steps.
+    """
     fastest = float(np.abs(problem.robot.speeds).max())
-    whole_time = 0.75 * problem.robot.wheelbase / fastest if duration is None else positive(duration, "duration")
+    whole_time = (
+        0.75 * problem.robot.wheelbase / fastest
+        if duration is None
+        else positive(duration, "duration")
+    )
     each = whole_time / 150.0 if step is None else positive(step, "step")
     if each > whole_time:
-        raise InvalidParameter(f"the step of {each:g} must not be longer than the duration of {whole_time:g}")
+        raise InvalidParameter(
+            f"the step of {each:g} must not be longer than the duration of {whole_time:g}"
+        )
     steps = whole(round(whole_time / each), "duration / step", least=1)
     return Drives(whole(trials, "trials", least=1), steps, each, whole(batches, "batches", least=1))
 
 
 def near_of(problem: Any, tolerance: float | None, turn_tolerance: float) -> Near:
     """What counts as the goal, checked."""
-    off = 0.25 * problem.robot.wheelbase if tolerance is None else none_or_more(tolerance, "tolerance")
+    off = (
+        0.25 * problem.robot.wheelbase
+        if tolerance is None
+        else none_or_more(tolerance, "tolerance")
+    )
     return Near(off, none_or_more(turn_tolerance, "turn_tolerance"))
 
 
@@ -175,23 +228,35 @@ def grown_tree(growth: DrivenGrowth) -> DrivenTree:
     """What has grown, in its own arrays."""
     n = int(growth.tree.size[0])
     tree = growth.tree
-    return DrivenTree(tree.nodes[:n].copy(), tree.parent[:n].copy(), growth.controls[:n].copy(), growth.durations[:n].copy())
+    return DrivenTree(
+        tree.nodes[:n].copy(),
+        tree.parent[:n].copy(),
+        growth.controls[:n].copy(),
+        growth.durations[:n].copy(),
+    )
 
 
 def trajectory_to(problem: Any, tree: DrivenTree, numbers: NDArray[np.int64]) -> TrajectoryRecord:
     """The trajectory along numbered nodes, the root first."""
     there = numbers[1:]
-    return TrajectoryRecord(problem.start, tree.controls[there], tree.durations[there], problem.robot.wheelbase)
+    return TrajectoryRecord(
+        problem.start, tree.controls[there], tree.durations[there], problem.robot.wheelbase
+    )
 
 
 def plan_driven(problem: Any, trajectory: TrajectoryRecord, arrived: bool, **built: Any) -> Plan:
-    """The plan along a trajectory; where that only comes near the goal, a plan without a path, and why."""
+    """The plan along a trajectory; where that only comes near the goal, a plan without a path, and
+    why.
+    """
     if arrived:
-        return Plan(trajectory.poses, trajectory.length, trajectory=trajectory, problem=problem, **built)
+        return Plan(
+            trajectory.poses, trajectory.length, trajectory=trajectory, problem=problem, **built
+        )
     x, y, theta = trajectory.poses[-1]
     off, askew = math.dist((x, y), problem.goal[:2]), abs(wrapped(theta - problem.goal[2]))
     reason = (
-        f"no pose is near enough to the goal; the trajectory leads to the nearest one, {off:.3g} away and "
+        f"no pose is near enough to the goal; the trajectory leads to the nearest one, {off:.3g} "
+        "away and "
         f"{math.degrees(askew):.3g} degrees askew: allow more iterations, or a larger tolerance"
     )
     return Plan(None, math.inf, trajectory=trajectory, reason=reason, problem=problem, **built)

@@ -1,5 +1,6 @@
-"""A* over a lattice of cells of poses, each of which keeps a pose that the car can really drive to. D. Dolgov, S. Thrun,
-M. Montemerlo, J. Diebel, "Path planning for autonomous vehicles in unknown semi-structured environments" (2010).
+"""A* over a lattice of cells of poses, each of which keeps a pose that the car can really drive to.
+D. Dolgov, S. Thrun, M. Montemerlo, J. Diebel, "Path planning for autonomous vehicles in unknown
+semi-structured environments" (2010).
 
     hybrid-A*(start, goal)
      1  cost(start) := 0; insert start into an empty priority queue Q
@@ -10,8 +11,8 @@ M. Montemerlo, J. Diebel, "Path planning for autonomous vehicles in unknown semi
      6          if no pose in the cell of q' costs as little, and the move is free:
      7              insert q' into Q, at cost(q) + the move's length
 
-The estimate of what remains is the length of the very curve that ends the search. So the first curve that is free ends a drive than
-which nothing still in the queue can be shorter.
+The estimate of what remains is the length of the very curve that ends the search. So the first
+curve that is free ends a drive than which nothing still in the queue can be shorter.
 """
 
 import math
@@ -34,8 +35,9 @@ from .trajectories import told_along
 
 
 class Lattice(NamedTuple):
-    """Cells of poses: squares of a `side` from (x, y), so many `columns` of them, each for so many `headings`. From each pose the
-    car makes `moves` (m, 2), controls (v, phi), each for as long as it takes to drive `step`."""
+    """Cells of poses: squares of a `side` from (x, y), so many `columns` of them, each for so many
+    `headings`. From each pose the car makes `moves` (m, 2), controls (v, phi), each for as long as
+    it takes to drive `step`."""
 
     x: float
     y: float
@@ -49,18 +51,24 @@ class Lattice(NamedTuple):
 @compiled
 def cell_of(lattice: Lattice, q: Array) -> int:
     """The number of the cell that a free pose lies in."""
-    i, j = math.floor((q[0] - lattice.x) / lattice.side), math.floor((q[1] - lattice.y) / lattice.side)
+    i, j = (
+        math.floor((q[0] - lattice.x) / lattice.side),
+        math.floor((q[1] - lattice.y) / lattice.side),
+    )
     heading = math.floor((q[2] + math.pi) / (2.0 * math.pi) * lattice.headings) % lattice.headings
     return int((j * lattice.columns + i) * lattice.headings + heading)
 
 
 @algorithm
 def drive_by_cells(problem: Any, growth: DrivenGrowth, lattice: Lattice) -> tuple[int, int]:
-    """Drive from pose to pose until a curve to the goal is free, no pose is left, or the tree is full: the node where that curve
-    begins, or -1, and how many were driven on from.
+    """Drive from pose to pose until a curve to the goal is free, no pose is left, or the tree is
+    full: the node where that curve begins, or -1, and how many were driven on from.
     """
     tree, there, expanded = growth.tree, np.empty(3), 0
-    cost, reached = np.zeros(len(tree.nodes)), {cell_of(lattice, problem.start): 0.0}  # by node; the least by cell
+    cost, reached = (
+        np.zeros(len(tree.nodes)),
+        {cell_of(lattice, problem.start): 0.0},
+    )  # by node; the least by cell
     left = problem.distance(problem.start, problem.goal)
     frontier = [(left, left, 0)]
     while len(frontier) > 0 and tree.size[0] + len(lattice.moves) <= len(tree.nodes):
@@ -85,22 +93,31 @@ def drive_by_cells(problem: Any, growth: DrivenGrowth, lattice: Lattice) -> tupl
 
 
 def hybrid_astar(
-    problem: Any, *, spacing: float | None = None, step: float | None = None, angles: int = 3, max_nodes: int = 200_000
+    problem: Any,
+    *,
+    spacing: float | None = None,
+    step: float | None = None,
+    angles: int = 3,
+    max_nodes: int = 200_000,
 ) -> Plan:
-    """Drive a car from cell to cell of its poses, and on to the very goal along a shortest curve: the shortest such drive.
+    """Drive a car from cell to cell of its poses, and on to the very goal along a shortest curve:
+    the shortest such drive.
 
     Parameters
     ----------
     problem : a Problem of a Car, or a Recorder of one.
     spacing : the side of a cell, by default a quarter of the wheelbase.
-    step : how long each move is; by default one and a half times the spacing, so that it leaves the cell. There are as many
+    step : how long each move is; by default one and a half times the spacing, so that it leaves the
+    cell. There are as many
         headings as such moves at full steering in a full turn.
-    angles : how many steering angles are tried, from full right to full left, forward and, if the car can, back.
+    angles : how many steering angles are tried, from full right to full left, forward and, if the
+    car can, back.
     max_nodes : where to give up.
 
-    Returns a Plan with its `tree` and its `trajectory`, whose end is the goal to rounding. No randomness. Complete for its lattice
-    only: where nothing is found a finer spacing may find a way, or more nodes where they ran out. To park where there is hardly
-    room, plan out of the place, with a spacing much finer than the step, and turn the trajectory round by its `reversed`.
+    Returns a Plan with its `tree` and its `trajectory`, whose end is the goal to rounding. No
+    randomness. Complete for its lattice only: where nothing is found a finer spacing may find a
+    way, or more nodes where they ran out. To park where there is hardly room, plan out of the
+    place, with a spacing much finer than the step, and turn the trajectory round by its `reversed`.
     O(n log n) for n nodes. Raises InvalidParameter.
 
     >>> from kinoedu import Car, PolygonWorld, Problem
@@ -111,17 +128,31 @@ def hybrid_astar(
     """
     inner = problem.problem if isinstance(problem, Recorder) else problem
     if not isinstance(inner, ProblemRecord) or not isinstance(inner.robot, CarRobot):
-        raise InvalidParameter(f"hybrid_astar needs a Problem(Car(...), world, start, goal), got {shortened(problem)}")
+        raise InvalidParameter(
+            f"hybrid_astar needs a Problem(Car(...), world, start, goal), got {shortened(problem)}"
+        )
     side = 0.25 * inner.robot.wheelbase if spacing is None else positive(spacing, "spacing")
-    lattice = lattice_for(inner, side, 1.5 * side if step is None else positive(step, "step"), whole(angles, "angles", least=2))
+    lattice = lattice_for(
+        inner,
+        side,
+        1.5 * side if step is None else positive(step, "step"),
+        whole(angles, "angles", least=2),
+    )
     growth = new_growth(inner, whole(max_nodes, "max_nodes", least=1) + len(lattice.moves))
     before = int(inner.asked[MOTIONS])
     last, expanded = drive_by_cells(problem, growth, lattice)
     tree = grown_tree(growth)
     built = {"tree": tree, "problem": problem, "planner": "hybrid A*"}
-    stats = {"nodes": len(tree.nodes), "expanded": int(expanded), "checks": int(inner.asked[MOTIONS]) - before}
+    stats = {
+        "nodes": len(tree.nodes),
+        "expanded": int(expanded),
+        "checks": int(inner.asked[MOTIONS]) - before,
+    }
     if last < 0:
-        reason = f"none of {expanded:,} poses has a free curve to the goal; allow more nodes, or a finer spacing than {side:.3g}"
+        reason = (
+            f"none of {expanded:,} poses has a free curve to the goal; allow more nodes, or a "
+            f"finer spacing than {side:.3g}"
+        )
         return Plan(None, math.inf, reason=reason, stats=stats, **built)
     numbers = extract_path(tree.parent, last)[1:]
     controls, durations = told_along(inner.robot, tree.nodes[last], inner.goal)
@@ -135,13 +166,31 @@ def hybrid_astar(
 
 
 def lattice_for(problem: ProblemRecord, side: float, step: float, angles: int) -> Lattice:
-    """The cells that cover a world, and the car's moves. Raises InvalidParameter where the cells could not be counted."""
+    """The cells that cover a world, and the car's moves. Raises InvalidParameter where the cells
+    could not be counted.
+    """
     car, (lo, hi) = problem.robot, (problem.space.lo, problem.space.hi)
     gears = {float(car.speeds.max()), float(car.speeds.min())}
-    moves = [(v, phi) for v in sorted(gears, reverse=True) for phi in np.linspace(-car.max_steering, car.max_steering, angles)]
-    headings, (columns, rows) = max(1.0, 2.0 * math.pi * car.radius / step), (hi - lo)[:2] / side + 1.0
+    moves = [
+        (v, phi)
+        for v in sorted(gears, reverse=True)
+        for phi in np.linspace(-car.max_steering, car.max_steering, angles)
+    ]
+    headings, (columns, rows) = (
+        max(1.0, 2.0 * math.pi * car.radius / step),
+        (hi - lo)[:2] / side + 1.0,
+    )
     if columns * rows * headings > 1e18:
         raise InvalidParameter(
-            f"a spacing of {side:g} and a step of {step:g} make too many cells to be counted; choose larger ones"
+            f"a spacing of {side:g} and a step of {step:g} make too many cells to be counted; "
+            "choose larger ones"
         )
-    return Lattice(float(lo[0]), float(lo[1]), side, math.ceil(columns), math.ceil(headings), np.array(moves), step)
+    return Lattice(
+        float(lo[0]),
+        float(lo[1]),
+        side,
+        math.ceil(columns),
+        math.ceil(headings),
+        np.array(moves),
+        step,
+    )

@@ -1,8 +1,10 @@
-"""A roadmap whose motions a car can drive: each place to go is driven to from its K nearest nodes, and A* searches what grew.
+"""A roadmap whose motions a car can drive: each place to go is driven to from its K nearest nodes,
+and A* searches what grew.
 
-After S. M. LaValle, J. J. Kuffner, "Randomized kinodynamic planning" (2001) and L. E. Kavraki et al. (1996). What was driven one
-way cannot be driven the other way by the same control: the edges are directed. Each ends in a new node, since random controls never
-meet an old one; so routes to one pose are unique, and alternatives end at other poses near the goal.
+After S. M. LaValle, J. J. Kuffner, "Randomized kinodynamic planning" (2001) and L. E. Kavraki et
+al. (1996). What was driven one way cannot be driven the other way by the same control: the edges
+are directed. Each ends in a new node, since random controls never meet an old one; so routes to one
+pose are unique, and alternatives end at other poses near the goal.
 """
 
 import math
@@ -40,9 +42,17 @@ from .common import (
 
 @algorithm
 def drive_from_nearest(
-    problem: Any, growth: DrivenGrowth, k: int, bias: Bias, drives: Drives, iterations: int, rng: np.random.Generator
+    problem: Any,
+    growth: DrivenGrowth,
+    k: int,
+    bias: Bias,
+    drives: Drives,
+    iterations: int,
+    rng: np.random.Generator,
 ) -> None:
-    """Grow the roadmap: each iteration drives from the k nodes nearest to a place, as they were when it was drawn."""
+    """Grow the roadmap: each iteration drives from the k nodes nearest to a place, as they were
+    when it was drawn.
+    """
     tree = growth.tree
     for turn in range(1, iterations + 1):
         q_rand = next_place(problem, bias, turn, rng)
@@ -73,16 +83,18 @@ def kinodynamic_prm(
     iterations: int = 350,
     rng: int | np.random.Generator,
 ) -> Plan:
-    """Drive towards many places, each from its K nearest nodes; then take the shortest drive to a node near the goal.
+    """Drive towards many places, each from its K nearest nodes; then take the shortest drive to a
+    node near the goal.
 
     Parameters
     ----------
     k : K, from how many nodes each place is driven to.
     iterations : how many places are drawn; there is no stopping at the first that reaches the goal.
 
-    The others are those of `kinodynamic_rrt`. Returns a Plan with its `roadmap`, whose edges are directed, and its `trajectory`;
-    see `alternative_routes` for others. Without a path the trajectory leads to the node nearest to the goal. O(n^2) distances for n
-    nodes. Raises InvalidParameter.
+    The others are those of `kinodynamic_rrt`. Returns a Plan with its `roadmap`, whose edges are
+    directed, and its `trajectory`; see `alternative_routes` for others. Without a path the
+    trajectory leads to the node nearest to the goal. O(n^2) distances for n nodes. Raises
+    InvalidParameter.
 
     >>> from kinoedu import Car, PolygonWorld, Problem
     >>> world = PolygonWorld([(0, 0), (20, 0), (20, 20), (0, 20)], [[(9, 0), (11, 0), (11, 10), (9, 10)]])
@@ -92,17 +104,26 @@ def kinodynamic_prm(
     """
     asked, nearest = driven(problem, "kinodynamic_prm", turn_weight), whole(k, "k", least=1)
     bias = bias_of(asked, goal_every, region_every, region, region_turn)
-    drives, near = drives_of(asked, trials, duration, step, batches), near_of(asked, tolerance, turn_tolerance)
+    drives, near = (
+        drives_of(asked, trials, duration, step, batches),
+        near_of(asked, tolerance, turn_tolerance),
+    )
     turns = whole(iterations, "iterations", least=0)
     growth, before = new_growth(asked, turns * nearest + 1), int(asked.asked[MOTIONS])
     drive_from_nearest(asked, growth, nearest, bias, drives, turns, as_generator(rng))
     tree = grown_tree(growth)
-    stats = {"nodes": len(tree.nodes), "iterations": turns, "checks": int(asked.asked[MOTIONS]) - before}
+    stats = {
+        "nodes": len(tree.nodes),
+        "iterations": turns,
+        "checks": int(asked.asked[MOTIONS]) - before,
+    }
     return replace(searched(asked, tree, near, stats), problem=problem)
 
 
 def searched(problem: Any, tree: DrivenTree, near: Near, stats: dict[str, int]) -> Plan:
-    """The plan along the shortest drive to a node near the goal; where there is none, to the node nearest to it."""
+    """The plan along the shortest drive to a node near the goal; where there is none, to the node
+    nearest to it.
+    """
     edges = np.stack([tree.parent, np.arange(len(tree.nodes))], axis=1)[1:]
     goals = np.flatnonzero([is_near(q, problem.goal, near) for q in tree.nodes])
     roadmap = DrivenRoadmap(tree.nodes, edges, tree.controls[1:], tree.durations[1:], goals)
@@ -121,4 +142,11 @@ def searched(problem: Any, tree: DrivenTree, near: Near, stats: dict[str, int]) 
     numbers, _ = astar(graph, 0, at_goal, estimate)
     assert numbers is not None  # every node hangs on the start
     trajectory = trajectory_to(problem, tree, numbers[:-1])
-    return plan_driven(problem, trajectory, bool(len(goals)), planner="kinodynamic PRM", roadmap=roadmap, stats=stats)
+    return plan_driven(
+        problem,
+        trajectory,
+        bool(len(goals)),
+        planner="kinodynamic PRM",
+        roadmap=roadmap,
+        stats=stats,
+    )

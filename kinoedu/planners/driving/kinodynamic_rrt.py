@@ -1,5 +1,5 @@
-"""Rapidly-exploring random trees whose motions a car can drive. S. M. LaValle, J. J. Kuffner, "Randomized kinodynamic planning"
-(2001); LaValle, Planning Algorithms, section 14.4.3.
+"""Rapidly-exploring random trees whose motions a car can drive. S. M. LaValle, J. J. Kuffner,
+"Randomized kinodynamic planning" (2001); LaValle, Planning Algorithms, section 14.4.3.
 """
 
 import math
@@ -34,9 +34,17 @@ from .common import (
 
 @algorithm
 def grow_by_driving(
-    problem: Any, growth: DrivenGrowth, bias: Bias, drives: Drives, near: Near, max_iterations: int, rng: np.random.Generator
+    problem: Any,
+    growth: DrivenGrowth,
+    bias: Bias,
+    drives: Drives,
+    near: Near,
+    max_iterations: int,
+    rng: np.random.Generator,
 ) -> tuple[int, int]:
-    """Grow the tree until it is near the goal or has had its iterations; returns the node there, or -1, and how many."""
+    """Grow the tree until it is near the goal or has had its iterations; returns the node there, or
+    -1, and how many.
+    """
     tree, iteration = growth.tree, 0
     at_goal = 0 if is_near(problem.start, problem.goal, near) else -1
     while at_goal < 0 and iteration < max_iterations:
@@ -68,27 +76,32 @@ def kinodynamic_rrt(
     max_iterations: int = 1000,
     rng: int | np.random.Generator,
 ) -> Plan:
-    """Grow a tree of drives from the start: each time the nearest node tries random controls towards a place, and keeps the best.
+    """Grow a tree of drives from the start: each time the nearest node tries random controls
+    towards a place, and keeps the best.
 
     Parameters
     ----------
-    problem : a Problem of a Car, or a Recorder of one.
-    goal_every, region_every : every so many turns the place is the goal, or drawn from a region round it; 0 for never.
-    region, region_turn : the radius of that region, by default 2.5 wheelbases, and how far its headings are from the goal's, in
+    problem : a Problem of a Car, or a Recorder of one. goal_every, region_every : every so many
+    turns the place is the goal, or drawn from a region round it; 0 for never. region, region_turn :
+    the radius of that region, by default 2.5 wheelbases, and how far its headings are from the
+    goal's, in
         radians.
-    trials : M, how many controls are tried, each a speed of the car and a steering angle.
-    duration, step : delta t, for how long each is simulated, and in what steps; the best is kept up to the step at which it is
+    trials : M, how many controls are tried, each a speed of the car and a steering angle. duration,
+    step : delta t, for how long each is simulated, and in what steps; the best is kept up to the
+    step at which it is
         closest to the place. By default the fastest drives 0.75 wheelbases, in 150 steps.
     batches : how often M controls are drawn anew when the best drive is not free.
-    turn_weight : how many units of length a radian counts for in what is nearest and closest; by default a quarter of
+    turn_weight : how many units of length a radian counts for in what is nearest and closest; by
+    default a quarter of
         the wheelbase.
-    tolerance, turn_tolerance : how near to the goal is there; by default a quarter of a wheelbase, and 15 degrees in radians.
+    tolerance, turn_tolerance : how near to the goal is there; by default a quarter of a wheelbase,
+    and 15 degrees in radians.
     max_iterations : where to give up.
     rng : a seed or a numpy Generator.
 
-    Returns a Plan with its `tree` and its `trajectory`, whose controls replayed give the path: it ends near the goal, not at it.
-    Without a path the trajectory leads to the nearest node. Every drive is free as a whole. O(n) iterations of M drives each.
-    Raises InvalidParameter.
+    Returns a Plan with its `tree` and its `trajectory`, whose controls replayed give the path: it
+    ends near the goal, not at it. Without a path the trajectory leads to the nearest node. Every
+    drive is free as a whole. O(n) iterations of M drives each. Raises InvalidParameter.
 
     >>> from kinoedu import Car, PolygonWorld, Problem
     >>> world = PolygonWorld([(0, 0), (20, 0), (20, 20), (0, 20)], [[(9, 0), (11, 0), (11, 10), (9, 10)]])
@@ -98,12 +111,23 @@ def kinodynamic_rrt(
     """
     asked = driven(problem, "kinodynamic_rrt", turn_weight)
     bias = bias_of(asked, goal_every, region_every, region, region_turn)
-    drives, near = drives_of(asked, trials, duration, step, batches), near_of(asked, tolerance, turn_tolerance)
+    drives, near = (
+        drives_of(asked, trials, duration, step, batches),
+        near_of(asked, tolerance, turn_tolerance),
+    )
     limit = whole(max_iterations, "max_iterations", least=0)
     growth, before = new_growth(asked, limit + 1), int(asked.asked[MOTIONS])
-    at_goal, iterations = grow_by_driving(asked, growth, bias, drives, near, limit, as_generator(rng))
+    at_goal, iterations = grow_by_driving(
+        asked, growth, bias, drives, near, limit, as_generator(rng)
+    )
     tree = grown_tree(growth)
     last = at_goal if at_goal >= 0 else int(asked.nearest(growth.tree, asked.goal))
     trajectory = trajectory_to(asked, tree, extract_path(tree.parent, last))
-    stats = {"nodes": len(tree.nodes), "iterations": int(iterations), "checks": int(asked.asked[MOTIONS]) - before}
-    return plan_driven(problem, trajectory, at_goal >= 0, planner="kinodynamic RRT", tree=tree, stats=stats)
+    stats = {
+        "nodes": len(tree.nodes),
+        "iterations": int(iterations),
+        "checks": int(asked.asked[MOTIONS]) - before,
+    }
+    return plan_driven(
+        problem, trajectory, at_goal >= 0, planner="kinodynamic RRT", tree=tree, stats=stats
+    )

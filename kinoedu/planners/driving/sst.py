@@ -1,5 +1,6 @@
-"""Stable sparse trees: drives that become ever cheaper, without a curve that joins two poses. Y. Li, Z. Littlefield, K. E. Bekris,
-"Asymptotically optimal sampling-based kinodynamic planning" (2016), algorithm 6.
+"""Stable sparse trees: drives that become ever cheaper, without a curve that joins two poses. Y.
+Li, Z. Littlefield, K. E. Bekris, "Asymptotically optimal sampling-based kinodynamic planning"
+(2016), algorithm 6.
 """
 
 import math
@@ -31,9 +32,9 @@ from .common import (
 
 
 class Sparse(NamedTuple):
-    """What makes a tree sparse: within `radius` of each of its `spots` (m, 3) only the cheapest node, `cheapest` (m,), is driven on
-    from. `size[0]` spots are there. `cost` (n,) is how far each node is driven from the root; `reach`, how far round a place
-    the cheapest node is looked for."""
+    """What makes a tree sparse: within `radius` of each of its `spots` (m, 3) only the cheapest
+    node, `cheapest` (m,), is driven on from. `size[0]` spots are there. `cost` (n,) is how far each
+    node is driven from the root; `reach`, how far round a place the cheapest node is looked for."""
 
     spots: Array
     cheapest: NDArray[np.int64]
@@ -66,7 +67,11 @@ def grow_sparsely(
         c_new = cost[q_near] + abs(v) * t
         spot = spot_round(problem, sparse, there)
         beaten = spot >= 0 and c_new >= cost[sparse.cheapest[spot]]
-        if beaten or (at_goal >= 0 and c_new >= cost[at_goal]) or not problem.is_free_drive(tree.nodes[q_near], v, phi, t):
+        if (
+            beaten
+            or (at_goal >= 0 and c_new >= cost[at_goal])
+            or not problem.is_free_drive(tree.nodes[q_near], v, phi, t)
+        ):
             continue
         q_new = add_drive(problem, growth, q_near, v, phi, t)
         cost[q_new] = c_new
@@ -90,7 +95,9 @@ def add_spot(sparse: Sparse, q: Array, node: int) -> None:
 
 @callable_from_compiled
 def cheapest_near(problem: Any, growth: DrivenGrowth, sparse: Sparse, q: Array) -> int:
-    """Of the nodes that stand for a spot the cheapest within reach of q; where there is none, the nearest."""
+    """Of the nodes that stand for a spot the cheapest within reach of q; where there is none, the
+    nearest.
+    """
     nearest, cheapest, least_apart, least_cost = 0, -1, np.inf, np.inf
     for spot in range(sparse.size[0]):
         node = sparse.cheapest[spot]
@@ -129,19 +136,24 @@ def sst(
     max_iterations: int = 20_000,
     rng: int | np.random.Generator,
 ) -> Plan:
-    """Grow a tree of random drives in which only the cheapest node of each spot is driven on from: its drives become near-shortest.
+    """Grow a tree of random drives in which only the cheapest node of each spot is driven on from:
+    its drives become near-shortest.
 
     Parameters
     ----------
-    duration : the longest drive; each lasts for a random part of it. By default the fastest drives 3 wheelbases.
-    radius : delta_s, within which a spot keeps one node; by default 0.4 wheelbases. The smaller, the shorter the drives in the end.
-    reach : delta_BN, how far round a place the cheapest node is looked for; by default 0.8 wheelbases.
-    turn_weight : by default half a wheelbase, so that a spot holds headings at most some 45 degrees from its own.
+    duration : the longest drive; each lasts for a random part of it. By default the fastest drives
+    3 wheelbases.
+    radius : delta_s, within which a spot keeps one node; by default 0.4 wheelbases. The smaller,
+    the shorter the drives in the end.
+    reach : delta_BN, how far round a place the cheapest node is looked for; by default 0.8
+    wheelbases.
+    turn_weight : by default half a wheelbase, so that a spot holds headings at most some 45 degrees
+    from its own.
     max_iterations : how many drives are tried; it does not stop at the first that reaches the goal.
 
-    The others are those of `kinodynamic_rrt`. Returns a Plan with its `tree` (nodes that lost their spot are kept in it) and its
-    `trajectory`; without a path that leads to the node nearest to the goal. O(n m) distances for n iterations and m spots.
-    Raises InvalidParameter.
+    The others are those of `kinodynamic_rrt`. Returns a Plan with its `tree` (nodes that lost their
+    spot are kept in it) and its `trajectory`; without a path that leads to the node nearest to the
+    goal. O(n m) distances for n iterations and m spots. Raises InvalidParameter.
 
     >>> from kinoedu import Car, PolygonWorld, Problem
     >>> world = PolygonWorld([(0, 0), (20, 0), (20, 20), (0, 20)], [[(9, 0), (11, 0), (11, 10), (9, 10)]])
@@ -150,12 +162,20 @@ def sst(
     True
     """
     asked = driven(problem, "sst", turn_weight, 0.5)
-    bias, near = bias_of(asked, goal_every, region_every, region, region_turn), near_of(asked, tolerance, turn_tolerance)
+    bias, near = (
+        bias_of(asked, goal_every, region_every, region, region_turn),
+        near_of(asked, tolerance, turn_tolerance),
+    )
     base, fastest = asked.robot.wheelbase, float(np.abs(asked.robot.speeds).max())
     longest = 3.0 * base / fastest if duration is None else positive(duration, "duration")
     limit = whole(max_iterations, "max_iterations", least=0)
     sparse = Sparse(
-        *(np.empty((limit + 1, 3)), np.empty(limit + 1, np.int64), np.zeros(1, np.int64), np.zeros(limit + 1)),
+        *(
+            np.empty((limit + 1, 3)),
+            np.empty(limit + 1, np.int64),
+            np.zeros(1, np.int64),
+            np.zeros(limit + 1),
+        ),
         0.4 * base if radius is None else positive(radius, "radius"),
         0.8 * base if reach is None else positive(reach, "reach"),
     )

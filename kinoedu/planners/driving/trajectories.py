@@ -12,10 +12,11 @@ from ...support.text import shortened
 
 
 def trajectory_along(plan: Plan) -> TrajectoryRecord:
-    """The controls that drive a car along a plan's path of Dubins' or Reeds and Shepp's curves: full steering, or none.
+    """The controls that drive a car along a plan's path of Dubins' or Reeds and Shepp's curves:
+    full steering, or none.
 
-    Forward at the fastest of the car's speeds, backwards at the fastest of those. A plan that has a trajectory keeps it.
-    Raises InvalidParameter for a plan without a path, or of another robot.
+    Forward at the fastest of the car's speeds, backwards at the fastest of those. A plan that has a
+    trajectory keeps it. Raises InvalidParameter for a plan without a path, or of another robot.
 
     >>> from kinoedu import Car, PolygonWorld, Problem, rrt
     >>> world = PolygonWorld([(0, 0), (20, 0), (20, 20), (0, 20)], [[(9, 0), (11, 0), (11, 10), (9, 10)]])
@@ -30,15 +31,24 @@ def trajectory_along(plan: Plan) -> TrajectoryRecord:
         return plan.trajectory
     inner = plan.problem.problem if isinstance(plan.problem, Recorder) else plan.problem
     if not isinstance(inner, ProblemRecord) or not isinstance(inner.robot, CarRobot):
-        raise InvalidParameter("only a car is driven along a path; plan for a Problem(Car(...), world, start, goal)")
+        raise InvalidParameter(
+            "only a car is driven along a path; plan for a Problem(Car(...), world, start, goal)"
+        )
     car = inner.robot
     told = [told_along(car, a, b) for a, b in zip(plan.path, plan.path[1:])]
     controls = np.concatenate([np.empty((0, 2)), *(controls for controls, _ in told)])
-    return Trajectory(car, plan.path[0], controls, np.concatenate([np.empty(0), *(durations for _, durations in told)]))
+    return Trajectory(
+        car,
+        plan.path[0],
+        controls,
+        np.concatenate([np.empty(0), *(durations for _, durations in told)]),
+    )
 
 
 def told_along(car: CarRobot, a: Array, b: Array) -> tuple[Array, Array]:
-    """The controls (n, 2) that drive a car along the shortest curve from pose a to pose b, and for how long each, (n,)."""
+    """The controls (n, 2) that drive a car along the shortest curve from pose a to pose b, and for
+    how long each, (n,).
+    """
     turns, lengths = pieces_between(a, b, car.radius, car.both_ways)
     turns, lengths = turns[lengths != 0.0], lengths[lengths != 0.0]
     speeds = np.where(lengths > 0.0, car.speeds.max(), car.speeds.min())

@@ -2,7 +2,8 @@
 
 Bullo & Smith, chapter 2.
 
-The planner is exact and complete: it finds a path whenever there is one, and says after finite time that there is none.
+The planner is exact and complete: it finds a path whenever there is one, and says after finite time
+that there is none.
 """
 
 from typing import Any
@@ -20,14 +21,18 @@ from ..problem_input import check_exact
 
 
 def plan_by_decomposition(problem: Any) -> Plan:
-    """Find the cells of start and goal, and go from cell to cell through the middles of the walls between them.
+    """Find the cells of start and goal, and go from cell to cell through the middles of the walls
+    between them.
 
-    problem : a Problem(Point(), PolygonWorld(...), start, goal) without clearance, or a Recorder of one.
+    problem : a Problem(Point(), PolygonWorld(...), start, goal) without clearance, or a Recorder of
+        one.
 
-    The roadmap has the centres of the cells, the middles of the walls, and last the start and the goal, each joined to the centre
-    of its cell, and to each other where they share one. A* finds the shortest path in it, which is not the shortest of all. Every
-    motion is judged by the problem too, because a passage narrower than floats can tell may be lost to rounding; `plan.reason`
-    tells such a case from one without a path. O(n log n) for n vertices. Raises InvalidParameter, InvalidWorld.
+    The roadmap has the centres of the cells, the middles of the walls, and last the start and the
+    goal, each joined to the centre of its cell, and to each other where they share one. A* finds
+    the shortest path in it, which is not the shortest of all. Every motion is judged by the problem
+    too, because a passage narrower than floats can tell may be lost to rounding; `plan.reason`
+    tells such a case from one without a path. O(n log n) for n vertices. Raises InvalidParameter,
+    InvalidWorld.
 
     >>> from kinoedu import Point, PolygonWorld, Problem
     >>> world = PolygonWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [[(3, 0), (6, 0), (6, 4), (3, 4)]])
@@ -43,15 +48,28 @@ def plan_by_decomposition(problem: Any) -> Plan:
     before = problem.asked[MOTIONS]
     free, lengths = judge(problem, *roadmap)
     graph = Graph(len(roadmap.nodes), roadmap.edges[free], lengths[free])
-    numbers, _ = astar(graph, start, goal, np.sqrt(((roadmap.nodes - problem.goal) ** 2).sum(axis=1)))
+    numbers, _ = astar(
+        graph, start, goal, np.sqrt(((roadmap.nodes - problem.goal) ** 2).sum(axis=1))
+    )
     reason = why_apart(roadmap, free, n) if numbers is None else ""
-    stats = {"cells": n, "nodes": len(roadmap.nodes), "edges": len(roadmap.edges), "checks": int(problem.asked[MOTIONS] - before)}
+    stats = {
+        "cells": n,
+        "nodes": len(roadmap.nodes),
+        "edges": len(roadmap.edges),
+        "checks": int(problem.asked[MOTIONS] - before),
+    }
     shown = Roadmap(roadmap.nodes, roadmap.edges[free])
-    return plan_along(problem, roadmap.nodes, numbers, reason, planner="decomposition", roadmap=shown, stats=stats)
+    return plan_along(
+        problem, roadmap.nodes, numbers, reason, planner="decomposition", roadmap=shown, stats=stats
+    )
 
 
-def with_ends(roadmap: Roadmap, problem: Any, at_start: NDArray[np.int64], at_goal: NDArray[np.int64]) -> Roadmap:
-    """The roadmap with start and goal as its last nodes, joined to the cells that hold them, and to each other in a common one."""
+def with_ends(
+    roadmap: Roadmap, problem: Any, at_start: NDArray[np.int64], at_goal: NDArray[np.int64]
+) -> Roadmap:
+    """The roadmap with start and goal as its last nodes, joined to the cells that hold them, and to
+    each other in a common one.
+    """
     start, goal = len(roadmap.nodes), len(roadmap.nodes) + 1
     joined = [(start, cell) for cell in at_start] + [(cell, goal) for cell in at_goal]
     if np.intersect1d(at_start, at_goal).size:
@@ -78,10 +96,16 @@ def why_apart(roadmap: Roadmap, free: NDArray[np.bool_], n: int) -> str:
     from_start, from_goal = (np.isfinite(dijkstra(whole, q).cost) for q in (start, goal))
     for alone, name in ((from_start, "start"), (from_goal, "goal")):
         if alone[:n].sum() == 0:
-            return f"the {name} is closer to an obstacle than rounding can tell; move it into the open"
+            return (
+                f"the {name} is closer to an obstacle than rounding can tell; move it into the open"
+            )
     if from_start[goal]:
-        return f"{(~free).sum():,} passages are narrower than floats can tell, and no way round them was found; widen them"
+        return (
+            f"{(~free).sum():,} passages are narrower than floats can tell, and no way round them "
+            "was found; widen them"
+        )
     return (
-        f"there is no path: the start lies in a part of {from_start[:n].sum():,} cells that does not touch the goal's part of"
+        f"there is no path: the start lies in a part of {from_start[:n].sum():,} cells that does "
+        "not touch the goal's part of"
         f" {from_goal[:n].sum():,}"
     )

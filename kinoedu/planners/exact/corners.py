@@ -1,8 +1,10 @@
-"""The corners of a polygonal world, tied into chains on which solids turn: what a rotating sweep needs to know.
+"""The corners of a polygonal world, tied into chains on which solids turn: what a rotating sweep
+needs to know.
 
-Obstacles may touch and overlap. Every edge is cut at the corners that lie on it, so that rings meet in corners or cross; and rings
-that meet or cross are put into different *families*. Within a family nothing meets but neighbouring edges, so its edges have an
-order along every ray, which a sweep can keep (rotating_sweep.py). Everything is decided exactly, and no new point is made.
+Obstacles may touch and overlap. Every edge is cut at the corners that lie on it, so that rings meet
+in corners or cross; and rings that meet or cross are put into different *families*. Within a family
+nothing meets but neighbouring edges, so its edges have an order along every ray, which a sweep can
+keep (rotating_sweep.py). Everything is decided exactly, and no new point is made.
 """
 
 from typing import Any, NamedTuple
@@ -20,10 +22,11 @@ from ...worlds.polygon_world import rings_of
 
 
 class Corners(NamedTuple):
-    """points (n, 2), each corner once, and after them the places that were asked for; nodes (m,), those round which paths turn.
+    """points (n, 2), each corner once, and after them the places that were asked for; nodes (m,),
+    those round which paths turn.
 
-    before and after (k, n): the neighbours of a point on the ring of family k that passes through it, what is solid to the left of
-    before-point-after; -1 where none does.
+    before and after (k, n): the neighbours of a point on the ring of family k that passes through
+    it, what is solid to the left of before-point-after; -1 where none does.
     """
 
     points: Array
@@ -33,13 +36,15 @@ class Corners(NamedTuple):
 
 
 def corners_of(world: Any, *places_asked: Array) -> tuple[Corners, list[int]]:
-    """The corners of a PolygonWorld, with the numbers of the places asked for, which are nodes too. InvalidWorld for round
-    obstacles. O(n^2) for n corners.
+    """The corners of a PolygonWorld, with the numbers of the places asked for, which are nodes too.
+    InvalidWorld for round obstacles. O(n^2) for n corners.
     """
     solids = rings_of(as_polygons(world))
     numbers: dict[tuple[float, float], int] = {}
     rings = [
-        [numbers.setdefault(corner, len(numbers)) for corner in map(tuple, ring.tolist())] for solid in solids for ring in solid
+        [numbers.setdefault(corner, len(numbers)) for corner in map(tuple, ring.tolist())]
+        for solid in solids
+        for ring in solid
     ]
     corners = len(numbers)
     asked = [numbers.setdefault(tuple(place.tolist()), len(numbers)) for place in places_asked]
@@ -47,12 +52,16 @@ def corners_of(world: Any, *places_asked: Array) -> tuple[Corners, list[int]]:
     rings = cut_at_corners(rings, points[:corners])
     before, after = tied(rings, families_of(rings, points), len(points))
     nodes = turning_points(points[:corners], before, after) & ~swallowed(points[:corners], solids)
-    return Corners(points, np.append(np.flatnonzero(nodes), sorted(set(asked))).astype(np.int64), before, after), asked
+    return Corners(
+        points, np.append(np.flatnonzero(nodes), sorted(set(asked))).astype(np.int64), before, after
+    ), asked
 
 
 def cut_at_corners(rings: list[list[int]], points: Array) -> list[list[int]]:
     """The rings with every corner that lies on one of their edges among theirs."""
-    ends = np.array([(p, q) for ring in rings for p, q in zip(ring, ring[1:] + ring[:1], strict=True)])
+    ends = np.array(
+        [(p, q) for ring in rings for p, q in zip(ring, ring[1:] + ring[:1], strict=True)]
+    )
     on_edge: dict[int, list[int]] = {}
     for edge, point in points_on_edges(points, ends).reshape(-1, 2).tolist():
         on_edge.setdefault(edge, []).append(point)
@@ -76,7 +85,11 @@ def points_on_edges(points: Array, ends: NDArray[np.int64]) -> NDArray[np.int64]
     for edge in range(len(ends)):
         a, b = points[ends[edge, 0]], points[ends[edge, 1]]
         for i in range(len(points)):
-            if i == ends[edge, 0] or i == ends[edge, 1] or not between(a[0], a[1], b[0], b[1], points[i, 0], points[i, 1]):
+            if (
+                i == ends[edge, 0]
+                or i == ends[edge, 1]
+                or not between(a[0], a[1], b[0], b[1], points[i, 0], points[i, 1])
+            ):
                 continue
             if turn(a[0], a[1], b[0], b[1], points[i, 0], points[i, 1]) == 0:
                 found.append(edge)
@@ -85,8 +98,16 @@ def points_on_edges(points: Array, ends: NDArray[np.int64]) -> NDArray[np.int64]
 
 
 def families_of(rings: list[list[int]], points: Array) -> list[int]:
-    """A family for each ring, as few as come from taking always the first one in which it meets nothing."""
-    ends = np.array([(p, q, i) for i, ring in enumerate(rings) for p, q in zip(ring, ring[1:] + ring[:1], strict=True)])
+    """A family for each ring, as few as come from taking always the first one in which it meets
+    nothing.
+    """
+    ends = np.array(
+        [
+            (p, q, i)
+            for i, ring in enumerate(rings)
+            for p, q in zip(ring, ring[1:] + ring[:1], strict=True)
+        ]
+    )
     meeting = rings_that_meet(points, ends, len(rings))
     families: list[int] = []
     for i in range(len(rings)):
@@ -97,7 +118,9 @@ def families_of(rings: list[list[int]], points: Array) -> list[int]:
 
 @compiled
 def rings_that_meet(points: Array, ends: NDArray[np.int64], rings: int) -> NDArray[np.bool_]:
-    """Whether ring i and ring j share a point, (rings, rings); rows of ends are an edge's two points and its ring."""
+    """Whether ring i and ring j share a point, (rings, rings); rows of ends are an edge's two
+    points and its ring.
+    """
     meet = np.zeros((rings, rings), np.bool_)
     for i in range(len(ends)):
         a, b = points[ends[i, 0]], points[ends[i, 1]]
@@ -110,7 +133,9 @@ def rings_that_meet(points: Array, ends: NDArray[np.int64], rings: int) -> NDArr
     return meet
 
 
-def tied(rings: list[list[int]], families: list[int], size: int) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+def tied(
+    rings: list[list[int]], families: list[int], size: int
+) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     """What comes before and after each point on the rings of each family, both (k, n)."""
     before, after = (np.full((max(families) + 1, size), -1) for _ in range(2))
     for ring, family in zip(rings, families, strict=True):
@@ -123,7 +148,9 @@ def swallowed(points: Array, solids: list[list[Array]]) -> NDArray[np.bool_]:
     """Whether each point (n, 2) lies strictly inside some solid."""
     inside = np.zeros(len(points), np.bool_)
     for number, (outer, *rooms) in enumerate(solids):
-        within = places(points, outer) == (1 if number > 0 else -1)  # the first ring is the boundary, with the solid outside
+        within = places(points, outer) == (
+            1 if number > 0 else -1
+        )  # the first ring is the boundary, with the solid outside
         for room in rooms:
             within &= places(points, room) < 0
         inside |= within
@@ -131,8 +158,12 @@ def swallowed(points: Array, solids: list[list[Array]]) -> NDArray[np.bool_]:
 
 
 @compiled
-def turning_points(points: Array, before: NDArray[np.int64], after: NDArray[np.int64]) -> NDArray[np.bool_]:
-    """Whether what is free round each corner takes more than half a turn, or is in pieces that meet only there, (n,)."""
+def turning_points(
+    points: Array, before: NDArray[np.int64], after: NDArray[np.int64]
+) -> NDArray[np.bool_]:
+    """Whether what is free round each corner takes more than half a turn, or is in pieces that meet
+    only there, (n,).
+    """
     turning = np.zeros(len(points), np.bool_)
     for v in range(len(points)):
         gaps, wide = 0, False
@@ -145,13 +176,19 @@ def turning_points(points: Array, before: NDArray[np.int64], after: NDArray[np.i
 
 
 @compiled
-def begins_gap(points: Array, before: NDArray[np.int64], after: NDArray[np.int64], v: int, i: int) -> bool:
-    """Whether it is free where family i's solid ends, counter-clockwise round v; counted once where several end there."""
+def begins_gap(
+    points: Array, before: NDArray[np.int64], after: NDArray[np.int64], v: int, i: int
+) -> bool:
+    """Whether it is free where family i's solid ends, counter-clockwise round v; counted once where
+    several end there.
+    """
     end = before[i, v]
     for j in range(len(before)):
         if j == i or before[j, v] < 0:
             continue
-        if same_way(points, v, after[j, v], end) or enters(points, before[j, v], v, after[j, v], end):
+        if same_way(points, v, after[j, v], end) or enters(
+            points, before[j, v], v, after[j, v], end
+        ):
             return False
         if j < i and same_way(points, v, before[j, v], end):
             return False
@@ -171,13 +208,27 @@ def opens_wide(points: Array, end: int, after: NDArray[np.int64], v: int) -> boo
 @compiled
 def same_way(points: Array, v: int, a: int, b: int) -> bool:
     """Whether a and b lie in the same direction from v."""
-    x, y, ax, ay, bx, by = points[v, 0], points[v, 1], points[a, 0], points[a, 1], points[b, 0], points[b, 1]
-    return turn(x, y, ax, ay, bx, by) == 0 and (ax > x) == (bx > x) and (ay > y) == (by > y) and (ax < x) == (bx < x)
+    x, y, ax, ay, bx, by = (
+        points[v, 0],
+        points[v, 1],
+        points[a, 0],
+        points[a, 1],
+        points[b, 0],
+        points[b, 1],
+    )
+    return (
+        turn(x, y, ax, ay, bx, by) == 0
+        and (ax > x) == (bx > x)
+        and (ay > y) == (by > y)
+        and (ax < x) == (bx < x)
+    )
 
 
 @compiled
 def enters(points: Array, before: int, v: int, after: int, ahead: int) -> bool:
-    """Whether a motion that leaves v towards a point ahead runs into what is solid to the left of before-v-after."""
+    """Whether a motion that leaves v towards a point ahead runs into what is solid to the left of
+    before-v-after.
+    """
     b, x, a, q = points[before], points[v], points[after], points[ahead]
     left_of_first = turn(b[0], b[1], x[0], x[1], q[0], q[1]) > 0
     left_of_second = turn(x[0], x[1], a[0], a[1], q[0], q[1]) > 0

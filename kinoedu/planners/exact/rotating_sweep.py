@@ -1,5 +1,6 @@
-"""A ray turns round a point: what it meets first hides what is behind. D. T. Lee, "Proximity and reachability in the plane" (1978);
-M. de Berg, O. Cheong, M. van Kreveld, M. Overmars, Computational Geometry, section 15.2.
+"""A ray turns round a point: what it meets first hides what is behind. D. T. Lee, "Proximity and
+reachability in the plane" (1978); M. de Berg, O. Cheong, M. van Kreveld, M. Overmars, Computational
+Geometry, section 15.2.
 
     VISIBLE-VERTICES(v, S)
      1  sort the corners of S by direction from v, those in one direction by distance
@@ -10,8 +11,9 @@ M. de Berg, O. Cheong, M. van Kreveld, M. Overmars, Computational Geometry, sect
      6          the motion has entered a solid at the corner before, or the first edge of T lies between
      7      insert into T the edges that begin on the ray
 
-One sweep serves all families of edges in turn (corners.py); a point is visible when none hides it. All comparisons are exact turns,
-so corners on one line, edges along the ray and corners that touch need no treatment.
+One sweep serves all families of edges in turn (corners.py); a point is visible when none hides it.
+All comparisons are exact turns, so corners on one line, edges along the ray and corners that touch
+need no treatment.
 """
 
 import math
@@ -31,12 +33,16 @@ Numbers = NDArray[np.int64]
 
 @inlined
 def visible_from(corners: Any, v: int, status: Numbers) -> NDArray[np.bool_]:
-    """Whether the motion from point v to each point of `corners` is semi-free, (n,). O(n log n) for each family."""
+    """Whether the motion from point v to each point of `corners` is semi-free, (n,). O(n log n) for
+    each family.
+    """
     points = corners.points
     order, group = round_about(points, v)
     visible = np.ones(len(points), np.bool_)
     for family in range(len(corners.after)):
-        hide(points, corners.before[family], corners.after[family], v, order, group, status, visible)
+        hide(
+            points, corners.before[family], corners.after[family], v, order, group, status, visible
+        )
     hide_along_seams(corners.before, corners.after, v, order, group, visible)
     return visible
 
@@ -52,7 +58,9 @@ def hide(
     status: Numbers,
     visible: NDArray[np.bool_],
 ) -> None:
-    """Strike out what one family of edges hides from v. Edge i leads from point i to after[i]; its row in the status is i + 1."""
+    """Strike out what one family of edges hides from v. Edge i leads from point i to after[i]; its
+    row in the status is i + 1.
+    """
     sides = sides_of(points, after, v)
     status[:] = NOBODY
     for i in range(len(points)):
@@ -86,8 +94,17 @@ def hide(
 
 
 @compiled
-def hide_along_seams(before: Numbers, after: Numbers, v: int, order: Numbers, group: Numbers, visible: NDArray[np.bool_]) -> None:
-    """Strike out where a motion would lead along a seam, the stretch between two neighbouring corners on which two solids touch."""
+def hide_along_seams(
+    before: Numbers,
+    after: Numbers,
+    v: int,
+    order: Numbers,
+    group: Numbers,
+    visible: NDArray[np.bool_],
+) -> None:
+    """Strike out where a motion would lead along a seam, the stretch between two neighbouring
+    corners on which two solids touch.
+    """
     at, hidden = v, False
     for i in range(len(order)):
         p = order[i]
@@ -100,7 +117,9 @@ def hide_along_seams(before: Numbers, after: Numbers, v: int, order: Numbers, gr
 
 @compiled
 def sides_of(points: Array, after: Numbers, v: int) -> Numbers:
-    """Which way each edge turns round v: 1 counter-clockwise, -1 clockwise, 0 where it lies on a line with v or is none."""
+    """Which way each edge turns round v: 1 counter-clockwise, -1 clockwise, 0 where it lies on a
+    line with v or is none.
+    """
     sides = np.zeros(len(points), np.int64)
     for i in range(len(points)):
         if after[i] >= 0:
@@ -112,11 +131,15 @@ def sides_of(points: Array, after: Numbers, v: int) -> Numbers:
 def side(points: Array, edge: int, after: Numbers, p: int) -> int:
     """1 where a point is to the left of an edge, -1 to its right, 0 on its line. Exact."""
     end = after[edge]
-    return turn(points[edge, 0], points[edge, 1], points[end, 0], points[end, 1], points[p, 0], points[p, 1])
+    return turn(
+        points[edge, 0], points[edge, 1], points[end, 0], points[end, 1], points[p, 0], points[p, 1]
+    )
 
 
 @compiled
-def insert(points: Array, after: Numbers, sides: Numbers, v: int, edge: int, status: Numbers) -> None:
+def insert(
+    points: Array, after: Numbers, sides: Numbers, v: int, edge: int, status: Numbers
+) -> None:
     """Put an edge among those that the ray crosses, from v outwards."""
     below, here = NOBODY, status[NOBODY, HIGH]
     while here != NOBODY:
@@ -129,17 +152,24 @@ def insert(points: Array, after: Numbers, sides: Numbers, v: int, edge: int, sta
 
 @compiled
 def is_nearer(points: Array, after: Numbers, sides: Numbers, edge: int, other: int) -> bool:
-    """Whether a ray from v that crosses both edges crosses `edge` first; they may share an end, but do not cross."""
+    """Whether a ray from v that crosses both edges crosses `edge` first; they may share an end, but
+    do not cross.
+    """
     first = side(points, edge, after, other) * sides[edge]
     second = side(points, edge, after, after[other]) * sides[edge]
     if first * second >= 0:
         return first + second < 0  # the other lies behind this edge's line
-    return side(points, other, after, edge) * sides[other] + side(points, other, after, after[edge]) * sides[other] > 0
+    return (
+        side(points, other, after, edge) * sides[other]
+        + side(points, other, after, after[edge]) * sides[other]
+        > 0
+    )
 
 
 @compiled
 def round_about(points: Array, v: int) -> tuple[Numbers, Numbers]:
-    """The other points counter-clockwise round v from the left, near before far; and a number for each one's direction, (n,).
+    """The other points counter-clockwise round v from the left, near before far; and a number for
+    each one's direction, (n,).
 
     Sorted by rounded angles, which leaves little to put right by exact comparisons.
     """
@@ -175,7 +205,9 @@ def comes_before(points: Array, v: int, p: int, q: int) -> bool:
 
 @compiled
 def direction_order(points: Array, v: int, p: int, q: int) -> int:
-    """-1 where p's direction from v comes before q's, counting from just past the left, 1 after, 0 the same."""
+    """-1 where p's direction from v comes before q's, counting from just past the left, 1 after, 0
+    the same.
+    """
     half, other = half_turn(points, v, p), half_turn(points, v, q)
     if half != other:
         return -1 if half < other else 1

@@ -1,7 +1,9 @@
-"""Visibility roadmaps, and the shortest paths of a point among polygons. Bullo & Smith, chapter 5; LaValle, section 6.2.4.
+"""Visibility roadmaps, and the shortest paths of a point among polygons. Bullo & Smith, chapter 5;
+LaValle, section 6.2.4.
 
-A shortest path is a string pulled tight: it turns only at corners where the free space is reflex, and goes straight between them.
-So the roadmap joins those corners that see each other, along obstacles too: its motions are semi-free, contact is allowed.
+A shortest path is a string pulled tight: it turns only at corners where the free space is reflex,
+and goes straight between them. So the roadmap joins those corners that see each other, along
+obstacles too: its motions are semi-free, contact is allowed.
 """
 
 from typing import Any
@@ -22,7 +24,9 @@ from .rotating_sweep import visible_from
 
 @algorithm
 def pairs_in_sight(corners: Any) -> NDArray[np.int64]:
-    """The pairs of nodes, (m, 2) numbers of points, that see each other: a sweep round each node. O(n^2 log n)."""
+    """The pairs of nodes, (m, 2) numbers of points, that see each other: a sweep round each node.
+    O(n^2 log n).
+    """
     status = np.zeros((len(corners.points) + 1, 6), np.int64)
     pairs, size = np.empty((16, 2), np.int64), 0
     for i in range(len(corners.nodes)):
@@ -38,14 +42,18 @@ def pairs_in_sight(corners: Any) -> NDArray[np.int64]:
 
 
 def visibility_roadmap(world: Any) -> Roadmap:
-    """The corners round which shortest paths turn, and an edge between each two whose straight motion is semi-free.
+    """The corners round which shortest paths turn, and an edge between each two whose straight
+    motion is semi-free.
 
-    world : a PolygonWorld, or a Problem(Point(), PolygonWorld(...), start, goal), whose start and goal are then the last nodes.
+    world : a PolygonWorld, or a Problem(Point(), PolygonWorld(...), start, goal), whose start and
+        goal are then the last nodes.
 
-    Nodes are the corners where more than half a turn is free, convex ones of obstacles and reflex ones of boundary and rooms, and
-    those where obstacles touch, since a semi-free motion passes between two that meet in a single point. Edges may run along
-    obstacles and pass through corners, but not between two obstacles that touch along a stretch. All of it is exact. O(n^2 log n)
-    for n corners, times the most obstacles that lie over each other. Raises InvalidParameter; InvalidWorld for round obstacles.
+    Nodes are the corners where more than half a turn is free, convex ones of obstacles and reflex
+    ones of boundary and rooms, and those where obstacles touch, since a semi-free motion passes
+    between two that meet in a single point. Edges may run along obstacles and pass through corners,
+    but not between two obstacles that touch along a stretch. All of it is exact. O(n^2 log n) for n
+    corners, times the most obstacles that lie over each other. Raises InvalidParameter;
+    InvalidWorld for round obstacles.
 
     >>> from kinoedu import PolygonWorld
     >>> roadmap = visibility_roadmap(PolygonWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [[(3, 0), (6, 0), (6, 4), (3, 4)]]))
@@ -61,13 +69,16 @@ def visibility_roadmap(world: Any) -> Roadmap:
 
 
 def plan_by_visibility(problem: Any) -> Plan:
-    """The shortest semi-free path of a point among polygons: A* on the visibility roadmap of the world, the start and the goal.
+    """The shortest semi-free path of a point among polygons: A* on the visibility roadmap of the
+    world, the start and the goal.
 
-    problem : a Problem(Point(), PolygonWorld(...), start, goal) without clearance, or a Recorder of one.
+    problem : a Problem(Point(), PolygonWorld(...), start, goal) without clearance, or a Recorder of
+        one.
 
-    The path touches the corners that it turns round: no path that keeps off them is as short, and some come as close as you like,
-    except where it passes between obstacles that touch in a single point. Complete: where no path is found there is none, and
-    `plan.reason` says so. O(n^2 log n) for n corners. Raises InvalidParameter; InvalidWorld for round obstacles.
+    The path touches the corners that it turns round: no path that keeps off them is as short, and
+    some come as close as you like, except where it passes between obstacles that touch in a single
+    point. Complete: where no path is found there is none, and `plan.reason` says so. O(n^2 log n)
+    for n corners. Raises InvalidParameter; InvalidWorld for round obstacles.
 
     >>> from kinoedu import Point, PolygonWorld, Problem
     >>> world = PolygonWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [[(3, 0), (6, 0), (6, 4), (3, 4)]])
@@ -81,12 +92,20 @@ def plan_by_visibility(problem: Any) -> Plan:
     number = {node: i for i, node in enumerate(corners.nodes.tolist())}
     a, b = roadmap.nodes[roadmap.edges[:, 0]], roadmap.nodes[roadmap.edges[:, 1]]
     graph = flat_graph(len(roadmap.nodes), roadmap.edges, lengths_between(a, b))
-    numbers, _ = astar(graph, number[start], number[goal], lengths_between(roadmap.nodes, problem.goal))
+    numbers, _ = astar(
+        graph, number[start], number[goal], lengths_between(roadmap.nodes, problem.goal)
+    )
     if numbers is not None and start == goal:
         numbers = np.append(numbers, numbers)
-    reason = "there is no path, not even one in contact: obstacles part the start from the goal" if numbers is None else ""
+    reason = (
+        "there is no path, not even one in contact: obstacles part the start from the goal"
+        if numbers is None
+        else ""
+    )
     stats = {"nodes": len(roadmap.nodes), "edges": len(roadmap.edges)}
-    return plan_along(problem, roadmap.nodes, numbers, reason, planner="visibility", roadmap=roadmap, stats=stats)
+    return plan_along(
+        problem, roadmap.nodes, numbers, reason, planner="visibility", roadmap=roadmap, stats=stats
+    )
 
 
 def roadmap_of(corners: Corners, pairs: NDArray[np.int64]) -> Roadmap:

@@ -1,4 +1,5 @@
-"""Sensor-based planning with a receding horizon: look, plan in what is known, go a little way, and look again.
+"""Sensor-based planning with a receding horizon: look, plan in what is known, go a little way, and
+look again.
 
     RECEDING-HORIZON(start, goal)
      1  q := start; the map is empty
@@ -37,7 +38,8 @@ Local = Callable[[ProblemRecord, np.random.Generator], Plan]
 
 
 class SeenMap(NamedTuple):
-    """The walls seen so far: thin triangles between the hits of neighbouring rays, which lie behind the wall as the sensor sees it.
+    """The walls seen so far: thin triangles between the hits of neighbouring rays, which lie behind
+    the wall as the sensor sees it.
 
     One is kept for each size (by powers of two) and each little square of that size.
     """
@@ -45,10 +47,16 @@ class SeenMap(NamedTuple):
     walls: dict[tuple[int, ...], Array]
 
     def add(self, seen: Scan) -> None:
-        """Take in what a scan hit. Hits that are far apart for their rays are not joined: there may be a way between."""
+        """Take in what a scan hit. Hits that are far apart for their rays are not joined: there may
+        be a way between.
+        """
         first, second = seen.points, np.roll(seen.points, -1, axis=0)
         apart = np.sqrt(((second - first) ** 2).sum(axis=1))
-        wide = JOINED * np.maximum(seen.distances, np.roll(seen.distances, -1)) * (2.0 * np.pi / len(seen.angles))
+        wide = (
+            JOINED
+            * np.maximum(seen.distances, np.roll(seen.distances, -1))
+            * (2.0 * np.pi / len(seen.angles))
+        )
         joined = seen.hit & np.roll(seen.hit, -1) & (apart <= wide) & (apart > 0.0)
         first, second, apart = first[joined], second[joined], apart[joined, None]
         middle = 0.5 * (first + second)
@@ -56,7 +64,9 @@ class SeenMap(NamedTuple):
         beyond = middle + THICKNESS * apart * away / np.sqrt((away**2).sum(axis=1, keepdims=True))
         size = np.frexp(apart)[1]
         squares = np.hstack([size, np.floor(middle / 2.0**size).astype(int)]).tolist()
-        for square, wall in zip(map(tuple, squares), np.stack([second, first, beyond], axis=1), strict=True):
+        for square, wall in zip(
+            map(tuple, squares), np.stack([second, first, beyond], axis=1), strict=True
+        ):
             if square not in self.walls and turn(*wall.ravel().tolist()) > 0:
                 self.walls[square] = wall
 
@@ -66,8 +76,9 @@ class SeenMap(NamedTuple):
 
 
 class Look(NamedTuple):
-    """One turn of the loop: what the sensor sees, the walls known with it (k, 3, 2), the plan in that map, the points of it
-    that are followed (j, d), none where there is no plan or the moves have run out, and how many motions were judged.
+    """One turn of the loop: what the sensor sees, the walls known with it (k, 3, 2), the plan in
+    that map, the points of it that are followed (j, d), none where there is no plan or the moves
+    have run out, and how many motions were judged.
     """
 
     seen: Scan
@@ -91,16 +102,19 @@ def receding_horizon(
 
     Parameters
     ----------
-    problem : a Problem of a Point or Disk in a PolygonWorld, or a Recorder of one. Only its bounding box is known beforehand.
+    problem : a Problem of a Point or Disk in a PolygonWorld, or a Recorder of one. Only its
+    bounding box is known beforehand.
     reach : the sensor's range; by default a quarter of the world's diagonal.
     horizon : how far a plan is followed before the robot looks again; by default half the reach.
     rays : how many directions the sensor looks in.
-    planner : a function of a problem and a generator that plans in the map; by default rrt_connect and shortcut.
+    planner : a function of a problem and a generator that plans in the map; by default rrt_connect
+    and shortcut.
     max_moves : where to give up.
     rng : a seed or a numpy Generator.
 
-    Returns a Plan: its path is what was followed, its `tree` the places where the robot looked, one after another. Not complete:
-    `plan.reason` says whether the map shows no way, or the moves ran out. Raises InvalidParameter.
+    Returns a Plan: its path is what was followed, its `tree` the places where the robot looked, one
+    after another. Not complete: `plan.reason` says whether the map shows no way, or the moves ran
+    out. Raises InvalidParameter.
 
     >>> from kinoedu import Point, PolygonWorld, Problem
     >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
@@ -108,7 +122,14 @@ def receding_horizon(
     >>> bool(17.2 < plan.cost < 40)
     True
     """
-    given: Any = {"reach": reach, "horizon": horizon, "rays": rays, "planner": planner, "max_moves": max_moves, "rng": rng}
+    given: Any = {
+        "reach": reach,
+        "horizon": horizon,
+        "rays": rays,
+        "planner": planner,
+        "max_moves": max_moves,
+        "rng": rng,
+    }
     return plan_of_looks(problem, list(receding_horizon_looks(problem, **given)))
 
 
@@ -132,9 +153,13 @@ def receding_horizon_looks(
     """
     inner = problem.problem if isinstance(problem, Recorder) else problem
     if not (
-        isinstance(inner, ProblemRecord) and isinstance(inner.robot, RoundRobot) and isinstance(inner.world, PolygonWorldRecord)
+        isinstance(inner, ProblemRecord)
+        and isinstance(inner.robot, RoundRobot)
+        and isinstance(inner.world, PolygonWorldRecord)
     ):
-        raise InvalidParameter("receding_horizon needs a Problem of a Point or a Disk in a PolygonWorld")
+        raise InvalidParameter(
+            "receding_horizon needs a Problem of a Point or a Disk in a PolygonWorld"
+        )
     sight = positive(world_size(inner) / 4.0 if reach is None else reach, "reach")
     ahead = positive(sight / 2.0 if horizon is None else horizon, "horizon")
     most, generator = whole(max_moves, "max_moves", least=0), as_generator(rng)
@@ -148,25 +173,40 @@ def receding_horizon_looks(
         plan = plan_in_map(seen, inner, q, min(margin, room), local, generator)
         before, walls = problem.asked[MOTIONS], seen.known()
         gone = [] if plan.path is None or moves == most else follow(problem, plan.path, ahead)
-        yield Look(around, walls, plan, np.array(gone).reshape(-1, len(q)), int(problem.asked[MOTIONS] - before))
+        yield Look(
+            around,
+            walls,
+            plan,
+            np.array(gone).reshape(-1, len(q)),
+            int(problem.asked[MOTIONS] - before),
+        )
         if plan.path is None:
             return
         q, moves = gone[-1] if gone else q, moves + 1
 
 
 def plan_of_looks(problem: Any, looks: list[Look]) -> Plan:
-    """What became of looking and following: the way that was gone, or why it does not end at the goal."""
+    """What became of looking and following: the way that was gone, or why it does not end at the
+    goal.
+    """
     path = np.concatenate([[problem.start], *(look.followed for look in looks)])
     reason = ""
     if looks and looks[-1].plan.path is None:
-        reason = f"after {len(looks):,} looks the map shows no way to the goal: {looks[-1].plan.reason}"
+        reason = (
+            f"after {len(looks):,} looks the map shows no way to the goal: {looks[-1].plan.reason}"
+        )
     elif not np.array_equal(path[-1], problem.goal):
         reason = f"{len(looks) - 1:,} moves did not lead to the goal; allow more, or a longer reach"
     places = np.array([look.seen.origin for look in looks] + ([] if reason else [path[-1]]))
     walls = len(looks[-1].walls) if looks else 0
     stats = {"looks": len(places), "walls": walls, "checks": sum(look.checks for look in looks)}
-    tree, numbers = Tree(places, np.arange(len(places)) - 1), None if reason else np.arange(len(path))
-    return plan_along(problem, path, numbers, reason, planner="receding horizon", tree=tree, stats=stats)
+    tree, numbers = (
+        Tree(places, np.arange(len(places)) - 1),
+        None if reason else np.arange(len(path)),
+    )
+    return plan_along(
+        problem, path, numbers, reason, planner="receding horizon", tree=tree, stats=stats
+    )
 
 
 def connect_and_shorten(problem: ProblemRecord, rng: np.random.Generator) -> Plan:
@@ -174,13 +214,27 @@ def connect_and_shorten(problem: ProblemRecord, rng: np.random.Generator) -> Pla
     return shortcut(rrt_connect(problem, max_nodes=4000, max_iterations=8000, rng=rng), rng=rng)
 
 
-def plan_in_map(seen: SeenMap, asked: ProblemRecord, q: Array, margin: float, planner: Local, rng: np.random.Generator) -> Plan:
-    """A plan from q in what was seen, with a margin to the walls while there is one: corners between two rays were not seen."""
+def plan_in_map(
+    seen: SeenMap,
+    asked: ProblemRecord,
+    q: Array,
+    margin: float,
+    planner: Local,
+    rng: np.random.Generator,
+) -> Plan:
+    """A plan from q in what was seen, with a margin to the walls while there is one: corners
+    between two rays were not seen.
+    """
     world = world_of_triangles(asked.world.lo, asked.world.hi, seen.known())
     plan = Plan(None, np.inf, reason="the walls seen leave no room at the start or the goal")
     for share in (1.0, 0.25, 0.0625, 0.015625):
         try:
-            plan = planner(Problem(asked.robot, world, q, asked.goal, clearance=asked.clearance + share * margin), rng)
+            plan = planner(
+                Problem(
+                    asked.robot, world, q, asked.goal, clearance=asked.clearance + share * margin
+                ),
+                rng,
+            )
         except (InvalidStart, InvalidGoal):
             continue
         if plan.path is not None:
@@ -189,7 +243,9 @@ def plan_in_map(seen: SeenMap, asked: ProblemRecord, q: Array, margin: float, pl
 
 
 def follow(problem: Any, path: Array, ahead: float) -> list[Array]:
-    """The points of a path as far as the horizon, or up to the first motion that is not free; that one halved, to come nearer."""
+    """The points of a path as far as the horizon, or up to the first motion that is not free; that
+    one halved, to come nearer.
+    """
     gone, left = [], ahead
     for a, b in zip(path[:-1], path[1:], strict=True):
         apart = problem.distance(a, b)

@@ -1,7 +1,9 @@
-"""Shortest paths on a grid laid over the plane, by A*: from each node to its eight neighbours, where the motion is free.
+"""Shortest paths on a grid laid over the plane, by A*: from each node to its eight neighbours,
+where the motion is free.
 
-LaValle, section 5.4.2. On a terrain's own cells these are the moves of N. R. Sturtevant, "Benchmarks for grid-based pathfinding"
-(2012): diagonally only past two free cells, since touching is contact.
+LaValle, section 5.4.2. On a terrain's own cells these are the moves of N. R. Sturtevant,
+"Benchmarks for grid-based pathfinding" (2012): diagonally only past two free cells, since touching
+is contact.
 """
 
 from itertools import product
@@ -29,7 +31,8 @@ SQRT2 = float(np.sqrt(2.0))
 class Grid(NamedTuple):
     """Configurations row by row: node j * columns + i is (x, y) + (i - 1/2, j - 1/2) * side.
 
-    moves tells what each of the eight moves costs. The outermost rows and columns are a border that no move enters.
+    moves tells what each of the eight moves costs. The outermost rows and columns are a border that
+    no move enters.
     """
 
     moves: Any
@@ -46,7 +49,9 @@ class Grid(NamedTuple):
 
 
 class Motions(NamedTuple):
-    """Any problem in the plane: a move costs its length where the problem says that its motion is free."""
+    """Any problem in the plane: a move costs its length where the problem says that its motion is
+    free.
+    """
 
     problem: Any
 
@@ -58,7 +63,9 @@ class CostedMotions(NamedTuple):
 
 
 class Cells(NamedTuple):
-    """A point on a terrain, node by cell: a move costs its length where the cells that it touches are free, (nodes,)."""
+    """A point on a terrain, node by cell: a move costs its length where the cells that it touches
+    are free, (nodes,).
+    """
 
     free: NDArray[np.bool_]
 
@@ -89,7 +96,9 @@ def move_cost(moves: object, grid: Grid, u: int, k: int) -> float:
 
 @move_cost.register(Cells)
 def cost_by_cells(moves: Cells, grid: Grid, u: int, k: int) -> float:
-    """By the cell that it leads to and, for a diagonal move, the two beside it. Cells of the border are not free."""
+    """By the cell that it leads to and, for a diagonal move, the two beside it. Cells of the border
+    are not free.
+    """
     across, up = COLUMN_STEP[k], ROW_STEP[k] * grid.columns
     if not moves.free[u + across + up]:
         return REFUSED
@@ -136,37 +145,58 @@ def centre(grid: Grid, i: int, j: int) -> Array:
 
 
 def plan_on_grid(problem: ProblemRecord, *, spacing: float | None = None) -> Plan:
-    """The cheapest path of grid moves between the nodes that start and goal are joined to; A* with the octile distance.
+    """The cheapest path of grid moves between the nodes that start and goal are joined to; A* with
+    the octile distance.
 
     Parameters
     ----------
     problem : a Problem in the plane.
-    spacing : the side of the grid's cells. By default a terrain's own cells, or a hundredth of a polygon world's diagonal.
+    spacing : the side of the grid's cells. By default a terrain's own cells, or a hundredth of a
+    polygon world's diagonal.
 
-    The path goes from the start to the nearest grid node that it reaches freely, from node to node, and on to the goal. Returns a
-    Plan; its `tree` has the nodes in the order A* settled them. Complete for the grid only: where nothing is found, a finer grid
-    may have a path. Raises InvalidParameter.
+    The path goes from the start to the nearest grid node that it reaches freely, from node to node,
+    and on to the goal. Returns a Plan; its `tree` has the nodes in the order A* settled them.
+    Complete for the grid only: where nothing is found, a finer grid may have a path. Raises
+    InvalidParameter.
 
     >>> from kinoedu import Point, Problem, Terrain
     >>> plan = plan_on_grid(Problem(Point(), Terrain([[1, 1, 1], [1, 0, 1], [1, 1, 1]]), start=(0.5, 0.5), goal=(2.5, 2.5)))
     >>> plan.cost
     4.0
     """
-    if not isinstance(problem, ProblemRecord) or not isinstance(problem.space, RealSpace) or problem.start.shape != (2,):
-        raise InvalidParameter("a grid needs a Problem whose configurations are points of the plane")
+    if (
+        not isinstance(problem, ProblemRecord)
+        or not isinstance(problem.space, RealSpace)
+        or problem.start.shape != (2,)
+    ):
+        raise InvalidParameter(
+            "a grid needs a Problem whose configurations are points of the plane"
+        )
     before = problem.asked[MOTIONS]
     grid = grid_for(problem, None if spacing is None else positive(spacing, "spacing"))
     first, last = (joined_node(problem, grid, q) for q in (problem.start, problem.goal))
     if first < 0 or last < 0:
         name = "start" if first < 0 else "goal"
         return Plan(
-            None, np.inf, reason=f"no grid node is in free reach of the {name}; try a finer spacing", problem=problem, planner="A*"
+            None,
+            np.inf,
+            reason=f"no grid node is in free reach of the {name}; try a finer spacing",
+            problem=problem,
+            planner="A*",
         )
     numbers, found = astar(grid, first, last, octile(grid, last))
     tree = Tree(centres(grid, found.expanded), found_from(found.expanded, found.parent))
-    looked_at = 8 * len(found.expanded) if isinstance(grid.moves, Cells) else 0  # moves judged by cells, without asking the problem
-    stats = {"expanded": len(found.expanded), "checks": int(problem.asked[MOTIONS] - before) + looked_at}
-    reason = f"the goal cannot be reached on a grid of spacing {grid.side:g}; a finer one may have a path"
+    looked_at = (
+        8 * len(found.expanded) if isinstance(grid.moves, Cells) else 0
+    )  # moves judged by cells, without asking the problem
+    stats = {
+        "expanded": len(found.expanded),
+        "checks": int(problem.asked[MOTIONS] - before) + looked_at,
+    }
+    reason = (
+        f"the goal cannot be reached on a grid of spacing {grid.side:g}; a finer one may have a "
+        "path"
+    )
     if numbers is None:
         return plan_along(problem, tree.nodes, None, reason, planner="A*", tree=tree, stats=stats)
     nodes = centres(grid, numbers)
@@ -174,11 +204,15 @@ def plan_on_grid(problem: ProblemRecord, *, spacing: float | None = None) -> Pla
         nodes = nodes[:0]  # both in one cell: no way round by its centre
     path = np.concatenate([[problem.start], nodes, [problem.goal]])
     path = path[np.append(True, (path[1:] != path[:-1]).any(axis=1))]
-    return plan_along(problem, path, np.arange(len(path)), reason, planner="A*", tree=tree, stats=stats)
+    return plan_along(
+        problem, path, np.arange(len(path)), reason, planner="A*", tree=tree, stats=stats
+    )
 
 
 def grid_for(problem: ProblemRecord, spacing: float | None) -> Grid:
-    """The grid that serves a problem: a point on a terrain's own cells is judged by the cells alone."""
+    """The grid that serves a problem: a point on a terrain's own cells is judged by the cells
+    alone.
+    """
     robot, world = problem.robot, problem.world
     on_terrain = isinstance(world, TerrainRecord)
     has_costs = on_terrain and world.cost.size > 0
@@ -186,7 +220,11 @@ def grid_for(problem: ProblemRecord, spacing: float | None) -> Grid:
     x, y = problem.space.lo.tolist()
     if on_terrain and spacing in (None, world.resolution):
         rows, columns = world.free.shape
-        if isinstance(robot, RoundRobot) and robot.radius + problem.clearance == 0.0 and not has_costs:
+        if (
+            isinstance(robot, RoundRobot)
+            and robot.radius + problem.clearance == 0.0
+            and not has_costs
+        ):
             moves = Cells(np.pad(world.free, 1).ravel())
         return Grid(moves, x, y, world.resolution, columns + 2, rows + 2)
     side = world_size(problem) / 100.0 if spacing is None else spacing
@@ -194,7 +232,8 @@ def grid_for(problem: ProblemRecord, spacing: float | None) -> Grid:
     width, height = extent.tolist()
     if side > max(width, height) or max(width / side, 1.0) * max(height / side, 1.0) > 50e6:
         raise InvalidParameter(
-            f"spacing {side:g} must be within the world's size {extent.max():g} and make at most 50 million nodes"
+            f"spacing {side:g} must be within the world's size {extent.max():g} and make at most "
+            "50 million nodes"
         )
     columns, rows = np.maximum(np.floor(extent / side + 1e-9), 1).astype(int).tolist()
     return Grid(moves, x, y, side, columns + 2, rows + 2)
@@ -218,7 +257,9 @@ def centres_of(x: float, y: float, side: float, columns: int, nodes: NDArray[np.
 
 @algorithm
 def found_from(expanded: NDArray[np.int64], parent: NDArray[np.int64]) -> NDArray[np.int64]:
-    """For each expanded node, (k,), where in that order its parent (n,) stands; -1 for the start."""
+    """For each expanded node, (k,), where in that order its parent (n,) stands; -1 for the
+    start.
+    """
     order = np.full(len(parent), -1)
     for i in range(len(expanded)):
         order[expanded[i]] = i
@@ -234,7 +275,9 @@ def joined_node(problem: ProblemRecord, grid: Grid, q: Array) -> int:
     last = np.array([grid.columns, grid.rows]) - 2
     cell = np.clip(np.floor((q - [grid.x, grid.y]) / grid.side).astype(int) + 1, 1, last)
     around = [cell + np.array(step) for step in product((-1, 0, 1), repeat=2)]
-    nodes = np.array([j * grid.columns + i for i, j in around if 1 <= i <= last[0] and 1 <= j <= last[1]])
+    nodes = np.array(
+        [j * grid.columns + i for i, j in around if 1 <= i <= last[0] and 1 <= j <= last[1]]
+    )
     places = centres(grid, nodes)
     for i in np.argsort(((places - q) ** 2).sum(axis=1), kind="stable"):
         if problem.is_free_path(q, places[i]):
@@ -243,7 +286,9 @@ def joined_node(problem: ProblemRecord, grid: Grid, q: Array) -> int:
 
 
 def octile(grid: Grid, goal: int) -> Array:
-    """The length of grid moves from each node to the goal if nothing were in the way, shape (n,)."""
+    """The length of grid moves from each node to the goal if nothing were in the way, shape
+    (n,).
+    """
     across = np.abs(np.arange(grid.columns) - goal % grid.columns).astype(np.float64)
     up = np.abs(np.arange(grid.rows) - goal // grid.columns).astype(np.float64)[:, None]
     return (grid.side * (np.maximum(across, up) + (SQRT2 - 1.0) * np.minimum(across, up))).ravel()

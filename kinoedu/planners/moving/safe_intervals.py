@@ -1,6 +1,7 @@
 """Planning among obstacles that move: the earliest arrival on a roadmap, by safe intervals.
 
-M. Phillips, M. Likhachev, "SIPP: Safe interval path planning for dynamic environments" (2011); LaValle, section 7.1.
+M. Phillips, M. Likhachev, "SIPP: Safe interval path planning for dynamic environments" (2011);
+LaValle, section 7.1.
 """
 
 from heapq import heappop, heappush
@@ -9,7 +10,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...collision.departures import all_safe_intervals, first_departure, met_departures, seen_from_movers
+from ...collision.departures import (
+    all_safe_intervals,
+    first_departure,
+    met_departures,
+    seen_from_movers,
+)
 from ...compiled import algorithm, inlined
 from ...errors import InvalidParameter
 from ...geometry.checks import Array, as_point
@@ -26,12 +32,23 @@ from ..tuning import whole
 
 @algorithm
 def search_intervals(
-    problem: Any, graph: GraphRecord, nodes: Array, safe: Array, first: NDArray[np.int64], hulls: Parts, knots: NDArray[np.int64]
+    problem: Any,
+    graph: GraphRecord,
+    nodes: Array,
+    safe: Array,
+    first: NDArray[np.int64],
+    hulls: Parts,
+    knots: NDArray[np.int64],
 ) -> tuple[Array, Array, NDArray[np.int64], int]:
-    """Dijkstra's search over the safe intervals of all nodes, from the first of node 0. For each when the robot is there at the
-    earliest, when it left the interval before, and which that was; and the interval of the goal, node 1, reached first, or -1.
+    """Dijkstra's search over the safe intervals of all nodes, from the first of node 0. For each
+    when the robot is there at the earliest, when it left the interval before, and which that was;
+    and the interval of the goal, node 1, reached first, or -1.
     """
-    arrival, departure, parent = np.full(len(safe), np.inf), np.zeros(len(safe)), np.full(len(safe), -1)
+    arrival, departure, parent = (
+        np.full(len(safe), np.inf),
+        np.zeros(len(safe)),
+        np.full(len(safe), -1),
+    )
     owner = np.empty(len(safe), np.int64)
     times, places = problem.world.times, problem.world.places
     for u in range(len(nodes)):
@@ -50,12 +67,18 @@ def search_intervals(
             if not may_gain(arrival, safe, here, first[v], first[v + 1], duration):
                 continue
             vx, vy = (nodes[v, 0] - nodes[u, 0]) / duration, (nodes[v, 1] - nodes[u, 1]) / duration
-            met = met_departures(hulls, knots, times, places, problem.horizon, nodes[u], vx, vy, duration)
+            met = met_departures(
+                hulls, knots, times, places, problem.horizon, nodes[u], vx, vy, duration
+            )
             for there in range(first[v], first[v + 1]):
                 t = first_departure(met, max(arrival[here], safe[there, 0] - duration))
                 arrives = t + duration
                 on_time = t <= safe[here, 1] and safe[there, 0] <= arrives <= safe[there, 1]
-                if on_time and arrives < arrival[there] and is_free_ride(problem, nodes[u], nodes[v], arrival[here], t, arrives):
+                if (
+                    on_time
+                    and arrives < arrival[there]
+                    and is_free_ride(problem, nodes[u], nodes[v], arrival[here], t, arrives)
+                ):
                     arrival[there], departure[there], parent[there] = arrives, t, here
                     heappush(frontier, (arrives, there))
     return arrival, departure, parent, -1
@@ -63,7 +86,9 @@ def search_intervals(
 
 @inlined
 def may_gain(arrival: Array, safe: Array, here: int, begin: int, end: int, duration: float) -> bool:
-    """Whether some interval of those from begin to end might be reached earlier from here, if nothing moved on the way."""
+    """Whether some interval of those from begin to end might be reached earlier from here, if
+    nothing moved on the way.
+    """
     for there in range(begin, end):
         t = max(arrival[here], safe[there, 0] - duration)
         if t <= safe[here, 1] and t + duration <= safe[there, 1] and t + duration < arrival[there]:
@@ -72,17 +97,22 @@ def may_gain(arrival: Array, safe: Array, here: int, begin: int, end: int, durat
 
 
 @inlined
-def is_free_ride(problem: Any, a: Array, b: Array, arrived: float, left: float, arrives: float) -> bool:
+def is_free_ride(
+    problem: Any, a: Array, b: Array, arrived: float, left: float, arrives: float
+) -> bool:
     """Whether waiting at a, and then going to b, touches nothing."""
     came, leaves = np.array([a[0], a[1], arrived]), np.array([a[0], a[1], left])
-    return problem.is_free_path(came, leaves) and problem.is_free_path(leaves, np.array([b[0], b[1], arrives]))
+    return problem.is_free_path(came, leaves) and problem.is_free_path(
+        leaves, np.array([b[0], b[1], arrives])
+    )
 
 
 def safe_intervals(problem: TimedProblemRecord, q: ArrayLike) -> Array:
-    """When the robot may stand at a place: intervals (begin, end) of [0, horizon] in which nothing touches it, in order, (k, 2).
+    """When the robot may stand at a place: intervals (begin, end) of [0, horizon] in which nothing
+    touches it, in order, (k, 2).
 
-    What is round counts half a percent larger than it is. Where something that stands still is in the way, there is none.
-    Raises InvalidPoint, InvalidParameter.
+    What is round counts half a percent larger than it is. Where something that stands still is in
+    the way, there is none. Raises InvalidPoint, InvalidParameter.
 
     >>> from kinoedu import Point, PolygonWorld
     >>> from kinoedu.problems.in_time import TimedProblem
@@ -99,11 +129,16 @@ def safe_intervals(problem: TimedProblemRecord, q: ArrayLike) -> Array:
     if not still.is_free(place):
         return np.empty((0, 2))
     hulls, knots = seen_from_movers(task.robot, task.world, task.clearance)
-    return all_safe_intervals(hulls, knots, task.world.times, task.world.places, task.horizon, place[None])[0]
+    return all_safe_intervals(
+        hulls, knots, task.world.times, task.world.places, task.horizon, place[None]
+    )[0]
 
 
-def plan_in_time(problem: TimedProblemRecord, *, n: int = 300, k: int = 10, rng: int | np.random.Generator) -> Plan:
-    """The earliest arrival at the goal on a roadmap of what stands still, waiting at its nodes where that helps.
+def plan_in_time(
+    problem: TimedProblemRecord, *, n: int = 300, k: int = 10, rng: int | np.random.Generator
+) -> Plan:
+    """The earliest arrival at the goal on a roadmap of what stands still, waiting at its nodes
+    where that helps.
 
     Parameters
     ----------
@@ -111,11 +146,12 @@ def plan_in_time(problem: TimedProblemRecord, *, n: int = 300, k: int = 10, rng:
     n, k : how many nodes are sampled, and with how many closest ones each is joined, as in `prm`.
     rng : a seed or a numpy Generator.
 
-    The robot goes along edges at its greatest speed. Of all ways to be at a node in one of its safe intervals the earliest is as
-    good as any, for it may wait there: so each interval is reached once, and the answer is the earliest on this roadmap.
-    Returns a Plan whose path (m, 3) has rows (x, y, t), and whose cost is the time of arrival. Every motion and every wait is free,
-    judged whole. Only the moment of arrival is asked of the goal. Without a path the reason says so; another roadmap may have one.
-    Raises InvalidParameter.
+    The robot goes along edges at its greatest speed. Of all ways to be at a node in one of its safe
+    intervals the earliest is as good as any, for it may wait there: so each interval is reached
+    once, and the answer is the earliest on this roadmap. Returns a Plan whose path (m, 3) has rows
+    (x, y, t), and whose cost is the time of arrival. Every motion and every wait is free, judged
+    whole. Only the moment of arrival is asked of the goal. Without a path the reason says so;
+    another roadmap may have one. Raises InvalidParameter.
 
     >>> from kinoedu import Disk, PolygonWorld
     >>> from kinoedu.problems.in_time import TimedProblem
@@ -134,23 +170,48 @@ def plan_in_time(problem: TimedProblemRecord, *, n: int = 300, k: int = 10, rng:
     apart = costs > 0.0
     graph = flat_graph(len(nodes), edges[apart], costs[apart])
     hulls, knots = seen_from_movers(task.robot, task.world, task.clearance)
-    safe, first = all_safe_intervals(hulls, knots, task.world.times, task.world.places, task.horizon, nodes)
+    safe, first = all_safe_intervals(
+        hulls, knots, task.world.times, task.world.places, task.horizon, nodes
+    )
     stats = {"nodes": len(nodes), "edges": len(graph.edges), "intervals": len(safe)}
-    built: dict[str, Any] = {"roadmap": Roadmap(nodes, graph.edges), "stats": stats, "problem": task, "planner": "safe intervals"}
+    built: dict[str, Any] = {
+        "roadmap": Roadmap(nodes, graph.edges),
+        "stats": stats,
+        "problem": task,
+        "planner": "safe intervals",
+    }
     if length(*(still.goal - still.start)) == 0.0:
         return Plan(np.append(task.start, 0.0)[None], 0.0, **built)
     if first[1] == 0 or safe[0, 0] > 0.0:
-        return Plan(None, np.inf, reason="something is about to touch the robot at the start; let it start elsewhere", **built)
-    arrival, departure, parent, at_goal = search_intervals(task, graph, nodes, safe, first, hulls, knots)
+        return Plan(
+            None,
+            np.inf,
+            reason="something is about to touch the robot at the start; let it start elsewhere",
+            **built,
+        )
+    arrival, departure, parent, at_goal = search_intervals(
+        task, graph, nodes, safe, first, hulls, knots
+    )
     if at_goal < 0:
-        reason = f"on a roadmap of {len(nodes):,} nodes no way reaches the goal by the time {task.horizon:g}; sample more nodes"
+        reason = (
+            f"on a roadmap of {len(nodes):,} nodes no way reaches the goal by the time "
+            f"{task.horizon:g}; sample more nodes"
+        )
         return Plan(None, np.inf, reason=reason, **built)
     owner = np.repeat(np.arange(len(nodes)), np.diff(first))
-    return Plan(timed_path(nodes[owner], arrival, departure, parent, at_goal), float(arrival[at_goal]), **built)
+    return Plan(
+        timed_path(nodes[owner], arrival, departure, parent, at_goal),
+        float(arrival[at_goal]),
+        **built,
+    )
 
 
-def timed_path(places: Array, arrival: Array, departure: Array, parent: NDArray[np.int64], last: int) -> Array:
-    """The rows (x, y, t) of the way to an interval: each arrival, and where the robot waits the departure as well."""
+def timed_path(
+    places: Array, arrival: Array, departure: Array, parent: NDArray[np.int64], last: int
+) -> Array:
+    """The rows (x, y, t) of the way to an interval: each arrival, and where the robot waits the
+    departure as well.
+    """
     rows = [(*places[last], arrival[last])]
     while parent[last] >= 0:
         before = parent[last]
@@ -164,5 +225,8 @@ def timed_path(places: Array, arrival: Array, departure: Array, parent: NDArray[
 def as_timed(problem: Any) -> TimedProblemRecord:
     """A timed problem, or InvalidParameter."""
     if not isinstance(problem, TimedProblemRecord):
-        raise InvalidParameter(f"expected a TimedProblem(robot, MovingWorld(...), start, goal), got {shortened(problem)}")
+        raise InvalidParameter(
+            "expected a TimedProblem(robot, MovingWorld(...), start, goal), got "
+            f"{shortened(problem)}"
+        )
     return problem

@@ -1,1 +1,3 @@
-"""Planners that build a roadmap once and search it: PRM and its kin, and what a roadmap is worth."""
+"""Planners that build a roadmap once and search it: PRM and its kin, and what a roadmap is
+worth.
+"""

@@ -1,6 +1,8 @@
-"""Other ways to the goal than the shortest: what else a roadmap offers when something stands in the way.
+"""Other ways to the goal than the shortest: what else a roadmap offers when something stands in the
+way.
 
-R. Bader, J. Dees, R. Geisberger, P. Sanders, "Alternative route graphs in road networks" (2011), section 4.2: the penalty method.
+R. Bader, J. Dees, R. Geisberger, P. Sanders, "Alternative route graphs in road networks" (2011),
+section 4.2: the penalty method.
 """
 
 from dataclasses import replace
@@ -21,16 +23,18 @@ from .multi_query import costs_of
 
 
 def alternative_routes(plan: Plan, k: int = 3, *, penalty: float = 1.0) -> list[Plan]:
-    """Up to k routes through a plan's roadmap, the shortest first: each avoids what those before it used, as far as it can.
+    """Up to k routes through a plan's roadmap, the shortest first: each avoids what those before it
+    used, as far as it can.
 
     Parameters
     ----------
     plan : one of `prm`, `prm_star`, `kinodynamic_prm` and their like, with its roadmap.
     k : how many routes.
-    penalty : by what share of its length an edge becomes longer each time a route uses it: the larger, the less routes share.
+    penalty : by what share of its length an edge becomes longer each time a route uses it: the
+    larger, the less routes share.
 
-    Returns plans that differ in their path. Fewer than k where penalties lead to no other; none where the plan has no path.
-    Raises InvalidParameter. O(k m log n).
+    Returns plans that differ in their path. Fewer than k where penalties lead to no other; none
+    where the plan has no path. Raises InvalidParameter. O(k m log n).
 
     >>> from kinoedu import Point, PolygonWorld, Problem, prm
     >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 2), (6, 2), (6, 8), (4, 8)]])
@@ -40,7 +44,9 @@ def alternative_routes(plan: Plan, k: int = 3, *, penalty: float = 1.0) -> list[
     (True, True)
     """
     if not isinstance(plan, Plan) or not isinstance(plan.roadmap, Roadmap | DrivenRoadmap):
-        raise InvalidParameter(f"expected a plan with a roadmap, such as prm's, got {shortened(plan)}")
+        raise InvalidParameter(
+            f"expected a plan with a roadmap, such as prm's, got {shortened(plan)}"
+        )
     wanted, more = whole(k, "k", least=1), positive(penalty, "penalty")
     if plan.path is None:
         return []
@@ -60,17 +66,30 @@ def alternative_routes(plan: Plan, k: int = 3, *, penalty: float = 1.0) -> list[
     return sorted(routes, key=lambda one: one.cost)
 
 
-def route(n: int, edges: NDArray[np.int64], weights: Array, goals: NDArray[np.int64], directed: bool) -> NDArray[np.int64]:
-    """The nodes of the lightest way from node 0 to one of the goals, all of which lead to one more node at no cost."""
+def route(
+    n: int, edges: NDArray[np.int64], weights: Array, goals: NDArray[np.int64], directed: bool
+) -> NDArray[np.int64]:
+    """The nodes of the lightest way from node 0 to one of the goals, all of which lead to one more
+    node at no cost.
+    """
     last = np.stack([goals, np.full(len(goals), n)], axis=1)
-    graph = flat_graph(n + 1, np.concatenate([edges, last]), np.append(weights, np.zeros(len(goals))), directed=directed)
+    graph = flat_graph(
+        n + 1,
+        np.concatenate([edges, last]),
+        np.append(weights, np.zeros(len(goals))),
+        directed=directed,
+    )
     numbers, _ = astar(graph, 0, n)
     if numbers is None:
-        raise InvalidParameter("the plan has a path, but its roadmap does not lead from start to goal; plan again")
+        raise InvalidParameter(
+            "the plan has a path, but its roadmap does not lead from start to goal; plan again"
+        )
     return numbers[:-1]
 
 
-def edges_along(edges: NDArray[np.int64], numbers: NDArray[np.int64], directed: bool) -> NDArray[np.int64]:
+def edges_along(
+    edges: NDArray[np.int64], numbers: NDArray[np.int64], directed: bool
+) -> NDArray[np.int64]:
     """The numbers of the edges that a way through nodes uses."""
     steps = set(zip(numbers.tolist(), numbers[1:].tolist()))
     if not directed:

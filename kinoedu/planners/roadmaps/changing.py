@@ -1,7 +1,8 @@
-"""A roadmap in a world that changes between queries: only the motions near a change are judged anew.
+"""A roadmap in a world that changes between queries: only the motions near a change are judged
+anew.
 
-Every motion that was tried is kept, free or not, so that a way that was shut can open again. After P. Leven, S. Hutchinson, "A
-framework for real-time path planning in changing environments" (2002).
+Every motion that was tried is kept, free or not, so that a way that was shut can open again. After
+P. Leven, S. Hutchinson, "A framework for real-time path planning in changing environments" (2002).
 """
 
 from typing import Any, NamedTuple
@@ -21,8 +22,8 @@ from .neighbours import k_closest
 
 
 class ChangingRoadmap(NamedTuple):
-    """Nodes (n, 2), free or not; pairs of them (m, 2); for each pair whether its motion is free, (m,); and how many motions were
-    judged for the last change.
+    """Nodes (n, 2), free or not; pairs of them (m, 2); for each pair whether its motion is free,
+    (m,); and how many motions were judged for the last change.
     """
 
     nodes: Array
@@ -44,8 +45,11 @@ def free_pairs(problem: Any, nodes: Array, pairs: NDArray[np.int64]) -> NDArray[
     return free
 
 
-def changing_roadmap(problem: Any, *, n: int = 500, k: int = 10, rng: int | np.random.Generator) -> ChangingRoadmap:
-    """A probabilistic roadmap whose world may change: n configurations, free or not, each paired with its k closest.
+def changing_roadmap(
+    problem: Any, *, n: int = 500, k: int = 10, rng: int | np.random.Generator
+) -> ChangingRoadmap:
+    """A probabilistic roadmap whose world may change: n configurations, free or not, each paired
+    with its k closest.
 
     problem : a Problem for Point() or Disk(r). Raises InvalidParameter.
 
@@ -63,19 +67,26 @@ def changing_roadmap(problem: Any, *, n: int = 500, k: int = 10, rng: int | np.r
     chance, many = as_generator(rng), whole(n, "n", least=2)
     nodes = np.array([problem.sample(chance) for _ in range(many)])
     near = k_closest(problem, nodes, whole(k, "k", least=1))
-    both = np.sort(np.column_stack([np.repeat(np.arange(many), near.shape[1]), near.ravel()]), axis=1)
+    both = np.sort(
+        np.column_stack([np.repeat(np.arange(many), near.shape[1]), near.ravel()]), axis=1
+    )
     pairs = np.unique(both, axis=0).astype(np.int64)
     return ChangingRoadmap(nodes, pairs, free_pairs(problem, nodes, pairs), len(pairs))
 
 
-def after_change(problem: Any, roadmap: ChangingRoadmap, lo: ArrayLike, hi: ArrayLike) -> ChangingRoadmap:
+def after_change(
+    problem: Any, roadmap: ChangingRoadmap, lo: ArrayLike, hi: ArrayLike
+) -> ChangingRoadmap:
     """The roadmap after the world has changed inside the box from lo to hi, and nowhere else.
 
-    problem : the Problem as it is now, with the same robot. Only pairs whose own box, as wide as the robot and its clearance reach,
-    meets that of the change are judged; the others keep what is known of them. Raises InvalidParameter, InvalidPoint.
+    problem : the Problem as it is now, with the same robot. Only pairs whose own box, as wide as
+        the robot and its clearance reach, meets that of the change are judged; the others keep what
+        is known of them. Raises InvalidParameter, InvalidPoint.
     """
     if not isinstance(roadmap, ChangingRoadmap):
-        raise InvalidParameter(f"expected the roadmap that changing_roadmap made, got {shortened(roadmap)}")
+        raise InvalidParameter(
+            f"expected the roadmap that changing_roadmap made, got {shortened(roadmap)}"
+        )
     reach = check_round(problem) * (1.0 + 1e-9)
     low, high = as_point(lo, "lo") - reach, as_point(hi, "hi") + reach
     a, b = roadmap.nodes[roadmap.pairs[:, 0]], roadmap.nodes[roadmap.pairs[:, 1]]
@@ -86,7 +97,8 @@ def after_change(problem: Any, roadmap: ChangingRoadmap, lo: ArrayLike, hi: Arra
 
 
 def changed_box(before: TerrainRecord, after: TerrainRecord) -> tuple[Array, Array]:
-    """The corners of the least box that holds every cell in which two terrains differ; an empty box at the origin where none does.
+    """The corners of the least box that holds every cell in which two terrains differ; an empty box
+    at the origin where none does.
 
     Raises InvalidParameter where they are not laid over the same place.
     """
@@ -105,7 +117,9 @@ def changed_box(before: TerrainRecord, after: TerrainRecord) -> tuple[Array, Arr
 
 
 def check_round(problem: Any) -> float:
-    """How far a round robot with its clearance reaches from its centre. Raises InvalidParameter for another."""
+    """How far a round robot with its clearance reaches from its centre. Raises InvalidParameter for
+    another.
+    """
     if not isinstance(problem, ProblemRecord) or not isinstance(problem.robot, RoundRobot):
         raise InvalidParameter("a changing roadmap needs a Problem for Point() or Disk(r)")
     return float(problem.robot.radius + problem.clearance)

@@ -20,17 +20,24 @@ from .prm import free_among
 MOST = 5_000_000  # neighbours that are held at once
 
 
-def grid_roadmap(problem: Any, *, spacing: float | None = None, neighbours: int | None = None) -> Roadmap:
-    """The free nodes of a grid laid over the space, and an edge where the motion between two neighbours is free.
+def grid_roadmap(
+    problem: Any, *, spacing: float | None = None, neighbours: int | None = None
+) -> Roadmap:
+    """The free nodes of a grid laid over the space, and an edge where the motion between two
+    neighbours is free.
 
     Parameters
     ----------
-    problem : a Problem, or a Recorder of one; in any space. Coordinates that are angles wrap: the grid closes on itself.
-    spacing : the side of the grid's cells, whose centres are the nodes; made a little smaller or larger so that whole cells fill
+    problem : a Problem, or a Recorder of one; in any space. Coordinates that are angles wrap: the
+    grid closes on itself.
+    spacing : the side of the grid's cells, whose centres are the nodes; made a little smaller or
+    larger so that whole cells fill
         the space. By default a thirtieth of its largest extent.
-    neighbours : 2 d for the straight ones only, 4 in the plane, which is the default; or 3^d - 1 with the diagonal ones, there 8.
+    neighbours : 2 d for the straight ones only, 4 in the plane, which is the default; or 3^d - 1
+    with the diagonal ones, there 8.
 
-    For `query`. No answer below the resolution: where the roadmap has no path, a finer one may have. Raises InvalidParameter.
+    For `query`. No answer below the resolution: where the roadmap has no path, a finer one may
+    have. Raises InvalidParameter.
 
     >>> from kinoedu import Point, PolygonWorld, Problem
     >>> world = PolygonWorld([(0, 0), (4, 0), (4, 4), (0, 4)], [[(1.2, 1.2), (1.8, 1.2), (1.8, 1.8), (1.2, 1.8)]])
@@ -47,35 +54,48 @@ def grid_roadmap(problem: Any, *, spacing: float | None = None, neighbours: int 
     steps = moves(len(lo), neighbours)
     if np.prod(np.maximum(extent / side, 1.0)) * len(steps) > MOST:
         raise InvalidParameter(
-            f"a spacing of {side:g} makes too many nodes for a space of extent {extent.tolist()}; choose a coarser one"
+            f"a spacing of {side:g} makes too many nodes for a space of extent {extent.tolist()}; "
+            "choose a coarser one"
         )
     counts = np.maximum(np.rint(extent / side), 1).astype(np.int64)
     cells = np.indices(counts).reshape(len(lo), -1).T
     nodes = lo + (cells + 0.5) * (extent / counts)
     free = free_among(problem, nodes)
-    pairs = neighbouring(cells, counts, steps, getattr(inner.space, "wraps", np.zeros(len(lo), np.bool_)))
+    pairs = neighbouring(
+        cells, counts, steps, getattr(inner.space, "wraps", np.zeros(len(lo), np.bool_))
+    )
     pairs = (np.cumsum(free) - 1)[pairs[free[pairs].all(axis=1)]]
     is_open, _ = judge(problem, nodes[free], pairs)
     return Roadmap(nodes[free], pairs[is_open])
 
 
 def moves(d: int, neighbours: int | None) -> Array:
-    """Half of the steps to a cell's neighbours, (m, d): of two opposite ones the one whose first step is upwards."""
+    """Half of the steps to a cell's neighbours, (m, d): of two opposite ones the one whose first
+    step is upwards.
+    """
     wanted = 2 * d if neighbours is None else whole(neighbours, "neighbours", least=1)
     if wanted not in (2 * d, 3**d - 1):
-        raise InvalidParameter(f"neighbours must be {2 * d} or {3**d - 1} in {d} dimensions, got {neighbours}")
+        raise InvalidParameter(
+            f"neighbours must be {2 * d} or {3**d - 1} in {d} dimensions, got {neighbours}"
+        )
     steps = np.array([step for step in product((-1, 0, 1), repeat=d) if step > (0,) * d])
     return steps[np.abs(steps).sum(axis=1) == 1] if wanted == 2 * d else steps
 
 
-def neighbouring(cells: Array, counts: NDArray[np.int64], steps: Array, wraps: NDArray[np.bool_]) -> NDArray[np.int64]:
-    """The pairs (m, 2) of a cell and the one a step away, each once; across the seam where coordinates wrap."""
+def neighbouring(
+    cells: Array, counts: NDArray[np.int64], steps: Array, wraps: NDArray[np.bool_]
+) -> NDArray[np.int64]:
+    """The pairs (m, 2) of a cell and the one a step away, each once; across the seam where
+    coordinates wrap.
+    """
     pairs = []
     for step in steps:
         there = cells + step
         there = np.where(wraps, there % counts, there)
         inside = ((there >= 0) & (there < counts)).all(axis=1)
-        pairs.append(np.column_stack([np.flatnonzero(inside), np.ravel_multi_index(there[inside].T, counts)]))
+        pairs.append(
+            np.column_stack([np.flatnonzero(inside), np.ravel_multi_index(there[inside].T, counts)])
+        )
     both = np.sort(np.concatenate(pairs), axis=1)
     both = both[both[:, 0] != both[:, 1]]
     return np.unique(both, axis=0).astype(np.int64).reshape(-1, 2)

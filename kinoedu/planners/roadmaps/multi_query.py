@@ -1,4 +1,5 @@
-"""One roadmap for many queries: a roadmap is built once, and each pair of start and goal is only joined to it.
+"""One roadmap for many queries: a roadmap is built once, and each pair of start and goal is only
+joined to it.
 
 Bullo & Smith, chapter 5: the preprocessing phase and the query phase.
 """
@@ -21,7 +22,9 @@ from .prm import Sampler, free_configurations, searched
 
 @algorithm
 def join_ends(problem: Any, nodes: Array, k: int) -> tuple[NDArray[np.int64], Array]:
-    """Edges from nodes 0 and 1 to the k closest others that a free motion leads to, (m, 2), and their costs (m,)."""
+    """Edges from nodes 0 and 1 to the k closest others that a free motion leads to, (m, 2), and
+    their costs (m,).
+    """
     edges, costs, size = np.empty((2 * k, 2), np.int64), np.empty(2 * k), 0
     for end in range(2):
         apart, joined_to = np.empty(len(nodes)), 0
@@ -29,8 +32,17 @@ def join_ends(problem: Any, nodes: Array, k: int) -> tuple[NDArray[np.int64], Ar
             apart[j] = problem.distance(nodes[end], nodes[j])
         for j in np.argsort(apart, kind="mergesort"):
             asked_before = end == 1 and j == 0
-            if joined_to < k and j != end and not asked_before and problem.is_free_path(nodes[end], nodes[j]):
-                edges[size, 0], edges[size, 1], costs[size] = end, j, problem.motion_cost(nodes[end], nodes[j])
+            if (
+                joined_to < k
+                and j != end
+                and not asked_before
+                and problem.is_free_path(nodes[end], nodes[j])
+            ):
+                edges[size, 0], edges[size, 1], costs[size] = (
+                    end,
+                    j,
+                    problem.motion_cost(nodes[end], nodes[j]),
+                )
                 size, joined_to = size + 1, joined_to + 1
     return edges[:size].copy(), costs[:size].copy()
 
@@ -53,7 +65,8 @@ def build_roadmap(
     sampler: Sampler | None = None,
     rng: int | np.random.Generator | None = None,
 ) -> Roadmap:
-    """A probabilistic roadmap without start and goal, for `query`. The arguments are those of `prm`. Raises InvalidParameter.
+    """A probabilistic roadmap without start and goal, for `query`. The arguments are those of
+    `prm`. Raises InvalidParameter.
 
     >>> from kinoedu import Point, PolygonWorld, Problem
     >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
@@ -68,19 +81,34 @@ def build_roadmap(
     return Roadmap(nodes, edges)
 
 
-def query(problem: Any, roadmap: Roadmap, start: ArrayLike | None = None, goal: ArrayLike | None = None, *, k: int = 10) -> Plan:
-    """The cheapest way along a roadmap: start and goal are joined to the k closest nodes in free reach, and A* searches.
+def query(
+    problem: Any,
+    roadmap: Roadmap,
+    start: ArrayLike | None = None,
+    goal: ArrayLike | None = None,
+    *,
+    k: int = 10,
+) -> Plan:
+    """The cheapest way along a roadmap: start and goal are joined to the k closest nodes in free
+    reach, and A* searches.
 
-    problem : whose roadmap it is; start, goal : shape (d,), by default the problem's own; both must be free.
+    problem : whose roadmap it is; start, goal : shape (d,), by default the problem's own; both must
+        be free.
 
-    Returns a Plan whose roadmap has start and goal as nodes 0 and 1 before all others. Raises InvalidStart, InvalidGoal,
-    InvalidPoint, InvalidParameter.
+    Returns a Plan whose roadmap has start and goal as nodes 0 and 1 before all others. Raises
+    InvalidStart, InvalidGoal, InvalidPoint, InvalidParameter.
     """
     if not isinstance(roadmap, Roadmap):
-        raise InvalidParameter(f"expected the roadmap that build_roadmap or grid_roadmap made, got {shortened(roadmap)}")
+        raise InvalidParameter(
+            "expected the roadmap that build_roadmap or grid_roadmap made, got "
+            f"{shortened(roadmap)}"
+        )
     asked, closest = both_ways(problem, "a roadmap"), whole(k, "k", least=1)
     if isinstance(asked, ProblemRecord) and (start is not None or goal is not None):
-        ends = [own if given is None else given for own, given in ((asked.start, start), (asked.goal, goal))]
+        ends = [
+            own if given is None else given
+            for own, given in ((asked.start, start), (asked.goal, goal))
+        ]
         asked = Problem(asked.robot, asked.world, *ends, clearance=asked.clearance)
     q_start, q_goal = as_free(asked, start, "start"), as_free(asked, goal, "goal")
     before = asked.asked[MOTIONS]
@@ -92,7 +120,9 @@ def query(problem: Any, roadmap: Roadmap, start: ArrayLike | None = None, goal: 
 
 
 def as_free(problem: Any, value: ArrayLike | None, name: str) -> Array:
-    """A free configuration, shape (d,), the problem's own where none is given. InvalidStart or InvalidGoal."""
+    """A free configuration, shape (d,), the problem's own where none is given. InvalidStart or
+    InvalidGoal.
+    """
     q = getattr(problem, name) if value is None else np.atleast_1d(as_array(value, name))
     error = InvalidStart if name == "start" else InvalidGoal
     if q.shape != problem.start.shape:

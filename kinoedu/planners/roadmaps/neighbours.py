@@ -12,10 +12,12 @@ from ...spaces.closest import fill, k_closest_in_buckets
 
 
 def k_closest(problem: Any, nodes: Array, k: int) -> NDArray[np.int64]:
-    """The k nodes closest to each of the nodes (n, d), nearest first, itself left out; shape (n, min(k, n - 1)).
+    """The k nodes closest to each of the nodes (n, d), nearest first, itself left out; shape (n,
+    min(k, n - 1)).
 
-    On the line, in the plane and where angles wrap by buckets, O(n) in the plane for nodes spread evenly; in R^n of more dimensions
-    by a k-d tree, O(n log n); in a space that only knows distances by asking for all of them, O(n^2).
+    On the line, in the plane and where angles wrap by buckets, O(n) in the plane for nodes spread
+    evenly; in R^n of more dimensions by a k-d tree, O(n log n); in a space that only knows
+    distances by asking for all of them, O(n^2).
     """
     k = min(k, len(nodes) - 1)
     space = getattr(problem, "space", None)
@@ -32,5 +34,7 @@ def k_closest(problem: Any, nodes: Array, k: int) -> NDArray[np.int64]:
     _, found = cKDTree(nodes).query(nodes, k=k + 1)
     found = np.asarray(found, np.int64).reshape(len(nodes), k + 1)
     others = found != np.arange(len(nodes))[:, None]
-    others[others.all(axis=1), -1] = False  # among many nodes at one place a node may not find itself
+    others[others.all(axis=1), -1] = (
+        False  # among many nodes at one place a node may not find itself
+    )
     return found[others].reshape(len(nodes), k)

@@ -1,5 +1,6 @@
-"""Probabilistic roadmaps. L. E. Kavraki, P. Svestka, J.-C. Latombe, M. H. Overmars, "Probabilistic roadmaps for path planning in
-high-dimensional configuration spaces" (1996); Bullo & Smith, chapter 5; LaValle, section 5.6.
+"""Probabilistic roadmaps. L. E. Kavraki, P. Svestka, J.-C. Latombe, M. H. Overmars, "Probabilistic
+roadmaps for path planning in high-dimensional configuration spaces" (1996); Bullo & Smith, chapter
+5; LaValle, section 5.6.
 """
 
 import math
@@ -64,21 +65,26 @@ def prm(
     sampler: Sampler | None = None,
     rng: int | np.random.Generator | None = None,
 ) -> Plan:
-    """Sample free configurations, join each to its neighbours by free motions, and search the roadmap with A*.
+    """Sample free configurations, join each to its neighbours by free motions, and search the
+    roadmap with A*.
 
     Parameters
     ----------
-    problem : a Problem, a Recorder, or an object of yours that answers the same questions and `is_free`.
+    problem : a Problem, a Recorder, or an object of yours that answers the same questions and
+    `is_free`.
     n : how many free configurations are sampled.
     k : K, how many closest neighbours each is tried with, where no other rule is given.
     neighbours : a rule, which takes the place of k: KClosest(k), Radius(r) or ComponentKClosest(k).
-    sampler : a function of n and d that gives n points of the unit cube, shape (n, d), such as `lambda n, d: halton(n)`; those that
-        are free in the problem's space are the nodes. Without it they are drawn at random until there are n.
+    sampler : a function of n and d that gives n points of the unit cube, shape (n, d), such as
+    `lambda n, d: halton(n)`; those that
+        are free in the problem's space are the nodes. Without it they are drawn at random until
+        there are n.
     rng : a seed or a numpy Generator; not needed with a sampler.
 
-    Returns a Plan with its `roadmap`: start and goal are its nodes 0 and 1. Without a path `plan.reason` tells which of the two is
-    cut off. Probabilistically complete where k grows with n like log n (`prm_star`); a fixed small k may leave the roadmap in
-    pieces however many nodes it has. Raises InvalidParameter.
+    Returns a Plan with its `roadmap`: start and goal are its nodes 0 and 1. Without a path
+    `plan.reason` tells which of the two is cut off. Probabilistically complete where k grows with n
+    like log n (`prm_star`); a fixed small k may leave the roadmap in pieces however many nodes it
+    has. Raises InvalidParameter.
 
     >>> from kinoedu import Point, PolygonWorld, Problem
     >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
@@ -94,10 +100,18 @@ def prm(
     return searched("PRM", asked, nodes, edges, costs, before)
 
 
-def prm_star(problem: Any, *, n: int = 1000, sampler: Sampler | None = None, rng: int | np.random.Generator | None = None) -> Plan:
-    """A PRM whose K grows with n as e (1 + 1/d) log n: its paths converge to the shortest. See `prm`, whose arguments these are.
+def prm_star(
+    problem: Any,
+    *,
+    n: int = 1000,
+    sampler: Sampler | None = None,
+    rng: int | np.random.Generator | None = None,
+) -> Plan:
+    """A PRM whose K grows with n as e (1 + 1/d) log n: its paths converge to the shortest. See
+    `prm`, whose arguments these are.
 
-    S. Karaman, E. Frazzoli, "Sampling-based algorithms for optimal motion planning" (2011), section 3.3. Raises InvalidParameter.
+    S. Karaman, E. Frazzoli, "Sampling-based algorithms for optimal motion planning" (2011), section
+    3.3. Raises InvalidParameter.
 
     >>> from kinoedu import Point, PolygonWorld, Problem
     >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
@@ -109,29 +123,57 @@ def prm_star(problem: Any, *, n: int = 1000, sampler: Sampler | None = None, rng
     return prm(problem, n=samples, neighbours=KClosest(k), sampler=sampler, rng=rng)
 
 
-def free_configurations(problem: Any, n: int, sampler: Sampler | None, rng: int | np.random.Generator | None) -> Array:
-    """What is free of n points that a sampler lays over the space, or n free configurations at random; (m, d). InvalidParameter."""
+def free_configurations(
+    problem: Any, n: int, sampler: Sampler | None, rng: int | np.random.Generator | None
+) -> Array:
+    """What is free of n points that a sampler lays over the space, or n free configurations at
+    random; (m, d). InvalidParameter.
+    """
     samples = whole(n, "n", least=0)
     if sampler is None:
         return sample_free(problem, samples, 100 * samples, as_generator(rng))  # type: ignore[arg-type]
     if not callable(sampler):
-        raise InvalidParameter(f"the sampler must be a function such as halton, got {shortened(sampler)}")
+        raise InvalidParameter(
+            f"the sampler must be a function such as halton, got {shortened(sampler)}"
+        )
     space, d = getattr(problem, "space", None), len(problem.start)
     if space is None:
-        raise InvalidParameter("a sampler needs a Problem, whose space it covers; for an object of yours its own `sample` is asked")
+        raise InvalidParameter(
+            "a sampler needs a Problem, whose space it covers; for an object of yours its own "
+            "`sample` is asked"
+        )
     points = as_array(sampler(samples, d), "the sampler's points")
     if points.ndim != 2 or points.shape[1] != d or not ((points >= 0.0) & (points <= 1.0)).all():
-        raise InvalidParameter(f"the sampler must give points of the unit cube, shape (n, {d}), got shape {points.shape}")
+        raise InvalidParameter(
+            f"the sampler must give points of the unit cube, shape (n, {d}), got shape "
+            f"{points.shape}"
+        )
     places = space.lo + points * (space.hi - space.lo)
     return places[free_among(problem, places)]
 
 
-def searched(planner: str, problem: Any, nodes: Array, edges: NDArray[np.int64], costs: Array, before: int) -> Plan:
-    """The plan along a roadmap whose nodes 0 and 1 are start and goal; `before`, how many motions had been judged when it began."""
+def searched(
+    planner: str, problem: Any, nodes: Array, edges: NDArray[np.int64], costs: Array, before: int
+) -> Plan:
+    """The plan along a roadmap whose nodes 0 and 1 are start and goal; `before`, how many motions
+    had been judged when it began.
+    """
     graph = flat_graph(len(nodes), edges, costs)
     numbers, _ = astar(graph, 0, 1, distances_to(problem, nodes, nodes[1]))
-    stats = {"nodes": len(nodes), "edges": len(edges), "checks": int(problem.asked[MOTIONS] - before)}
-    return plan_along(problem, nodes, numbers, why_apart(graph), planner=planner, roadmap=Roadmap(nodes, edges), stats=stats)
+    stats = {
+        "nodes": len(nodes),
+        "edges": len(edges),
+        "checks": int(problem.asked[MOTIONS] - before),
+    }
+    return plan_along(
+        problem,
+        nodes,
+        numbers,
+        why_apart(graph),
+        planner=planner,
+        roadmap=Roadmap(nodes, edges),
+        stats=stats,
+    )
 
 
 def why_apart(graph: GraphRecord) -> str:
@@ -140,5 +182,6 @@ def why_apart(graph: GraphRecord) -> str:
         if graph.degree(node) == 0:
             return f"no node of {graph.size:,} can be reached from the {name}; sample more nodes"
     return (
-        f"start and goal lie in different parts of the roadmap of {graph.size:,} nodes; sample more nodes, or join more neighbours"
+        f"start and goal lie in different parts of the roadmap of {graph.size:,} nodes; sample "
+        "more nodes, or join more neighbours"
     )

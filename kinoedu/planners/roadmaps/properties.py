@@ -1,4 +1,6 @@
-"""Four properties of a roadmap, measured: accessible, departable, connected, efficient. Bullo & Smith, chapter 5."""
+"""Four properties of a roadmap, measured: accessible, departable, connected, efficient. Bullo &
+Smith, chapter 5.
+"""
 
 from collections.abc import Callable
 from typing import Any, NamedTuple
@@ -25,10 +27,12 @@ Length = Callable[[Array, Array], float]
 class RoadmapProperties(NamedTuple):
     """What `roadmap_properties` measured.
 
-    accessible, departable : the share of free configurations from which a motion leads to some node, and to which one leads.
+    accessible, departable : the share of free configurations from which a motion leads to some
+        node, and to which one leads.
     connected : whether a path along the roadmap leads from every node to every other.
-    efficiency : delta, the greatest ratio of a path along the roadmap to the shortest path, over the pairs drawn; infinite where
-        one pair is not joined, and not a number where there was no pair.
+    efficiency : delta, the greatest ratio of a path along the roadmap to the shortest path, over
+        the pairs drawn; infinite where one pair is not joined, and not a number where there was no
+        pair.
     """
 
     accessible: float
@@ -40,11 +44,12 @@ class RoadmapProperties(NamedTuple):
 class RoadmapSurvey(NamedTuple):
     """What `survey_roadmap` saw.
 
-    places, reached : the free configurations drawn (n, d), and whether a motion leads from each to some node and from some node to
-        it, (n, 2).
+    places, reached : the free configurations drawn (n, d), and whether a motion leads from each to
+        some node and from some node to it, (n, 2).
     component : (m,), for each node the number of its component, the largest first.
-    worst, way : of the pairs of nodes drawn the one served worst, and the nodes along the roadmap between them; none where there
-        was no pair, or no way. efficiency : how many times as long that way is as the shortest.
+    worst, way : of the pairs of nodes drawn the one served worst, and the nodes along the roadmap
+        between them; none where there was no pair, or no way. efficiency : how many times as long
+        that way is as the shortest.
     """
 
     places: Array
@@ -57,14 +62,18 @@ class RoadmapSurvey(NamedTuple):
     @property
     def properties(self) -> RoadmapProperties:
         """The four properties, as far as the draws tell."""
-        accessible, departable = self.reached.mean(axis=0).tolist() if len(self.places) else (np.nan, np.nan)
+        accessible, departable = (
+            self.reached.mean(axis=0).tolist() if len(self.places) else (np.nan, np.nan)
+        )
         connected = len(self.component) > 0 and not self.component.any()
         return RoadmapProperties(accessible, departable, connected, self.efficiency)
 
 
 @algorithm
 def in_reach(problem: Any, nodes: Array, places: Array) -> NDArray[np.bool_]:
-    """For each place (n, d) whether a free motion leads from it to some node, and from some node to it, (n, 2)."""
+    """For each place (n, d) whether a free motion leads from it to some node, and from some node to
+    it, (n, 2).
+    """
     reached = np.zeros((len(places), 2), np.bool_)
     for i in range(len(places)):
         for j in range(len(nodes)):
@@ -99,12 +108,13 @@ def roadmap_properties(
     problem : whose roadmap it is.
     roadmap : what build_roadmap, grid_roadmap or visibility_roadmap made; the roadmap of a plan.
     n : how many free configurations are drawn, and how many pairs of nodes.
-    shortest : a function of two nodes' configurations that gives the length of the shortest path between them. Without it their
+    shortest : a function of two nodes' configurations that gives the length of the shortest path
+    between them. Without it their
         distance is taken, which no path undercuts: then the efficiency is at most what is measured.
     rng : a seed or a numpy Generator.
 
-    Shares are those of the draws: all of them reached proves nothing, one missed disproves. Points and disks may slide along
-    obstacles. O(n m) motions for m nodes. Raises InvalidParameter.
+    Shares are those of the draws: all of them reached proves nothing, one missed disproves. Points
+    and disks may slide along obstacles. O(n m) motions for m nodes. Raises InvalidParameter.
 
     >>> from kinoedu import Point, PolygonWorld, Problem, visibility_roadmap
     >>> world = PolygonWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [[(3, 2), (6, 2), (6, 4), (3, 4)]])
@@ -123,7 +133,8 @@ def survey_roadmap(
     shortest: Length | None = None,
     rng: int | np.random.Generator,
 ) -> RoadmapSurvey:
-    """What `roadmap_properties`, whose arguments these are, is reckoned from: the places, pieces and pairs themselves.
+    """What `roadmap_properties`, whose arguments these are, is reckoned from: the places, pieces
+    and pairs themselves.
 
     >>> from kinoedu import Point, PolygonWorld, Problem
     >>> world = PolygonWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [[(3, 0), (6, 0), (6, 6), (3, 6)]])
@@ -133,36 +144,51 @@ def survey_roadmap(
     (array([0, 0, 1]), np.True_, inf)
     """
     if not isinstance(roadmap, Roadmap):
-        raise InvalidParameter(f"expected a roadmap, such as build_roadmap makes, got {shortened(roadmap)}")
+        raise InvalidParameter(
+            f"expected a roadmap, such as build_roadmap makes, got {shortened(roadmap)}"
+        )
     asked, draws, generator = askable(problem), whole(n, "n", least=1), as_generator(rng)
     inner = problem.problem if isinstance(problem, Recorder) else problem
     slides = isinstance(inner, ProblemRecord) and isinstance(inner.robot, RoundRobot)
     places = sample_free(asked, draws, 100 * draws, generator)
     reached = (in_sliding_reach if slides else in_reach)(asked, roadmap.nodes, places)
     graph = flat_graph(len(roadmap.nodes), roadmap.edges, costs_of(asked, *roadmap))
-    worst, way, delta = worst_pair(roadmap.nodes, graph, asked.distance, shortest or asked.distance, draws, generator)
+    worst, way, delta = worst_pair(
+        roadmap.nodes, graph, asked.distance, shortest or asked.distance, draws, generator
+    )
     return RoadmapSurvey(places, reached, components_of(graph), worst, way, delta)
 
 
 def components_of(graph: GraphRecord) -> NDArray[np.int64]:
-    """The number of each node's component, (m,): 0 the largest, the first among equals, and so on."""
+    """The number of each node's component, (m,): 0 the largest, the first among equals, and so
+    on.
+    """
     labels = component_labels(graph, graph.size)
     order = np.argsort(-np.bincount(labels), kind="stable")
     return np.argsort(order)[labels]
 
 
 def worst_pair(
-    nodes: Array, graph: GraphRecord, distance: Length, shortest: Length, pairs: int, rng: np.random.Generator
+    nodes: Array,
+    graph: GraphRecord,
+    distance: Length,
+    shortest: Length,
+    pairs: int,
+    rng: np.random.Generator,
 ) -> tuple[tuple[int, ...], NDArray[np.int64], float]:
-    """Of random pairs of nodes at different places the one whose way along the graph is the longest beside the shortest one, that
-    way, and the ratio. No pair can be worse than by its distance: from the worst of those down until none can be worse.
+    """Of random pairs of nodes at different places the one whose way along the graph is the longest
+    beside the shortest one, that way, and the ratio. No pair can be worse than by its distance:
+    from the worst of those down until none can be worse.
     """
     worst: tuple[int, ...] = ()
     way, delta = np.empty(0, np.int64), np.nan
     searches: dict[int, Search] = {}
     candidates = []
     for u in rng.integers(len(nodes), size=pairs).tolist() if len(nodes) else []:
-        v, search = int(rng.integers(len(nodes))), searches.get(u) or searches.setdefault(u, dijkstra(graph, u))
+        v, search = (
+            int(rng.integers(len(nodes))),
+            searches.get(u) or searches.setdefault(u, dijkstra(graph, u)),
+        )
         apart = float(distance(nodes[u], nodes[v])) if u != v else 0.0
         if apart > 0.0:
             candidates.append((search.cost[v] / apart, u, v))

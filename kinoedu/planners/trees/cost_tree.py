@@ -1,4 +1,6 @@
-"""A growing tree that can be rewired: what each node costs is kept up to date, and who was hung below whom can be written down."""
+"""A growing tree that can be rewired: what each node costs is kept up to date, and who was hung
+below whom can be written down.
+"""
 
 from typing import NamedTuple
 
@@ -11,11 +13,12 @@ from ...spaces.buckets import GrowingTree, add
 
 
 class CostTree(NamedTuple):
-    """A growing tree that knows what each node costs: `cost` from the root, `length` of the motion from its parent (what it
-    costs where the terrain has costs).
+    """A growing tree that knows what each node costs: `cost` from the root, `length` of the motion
+    from its parent (what it costs where the terrain has costs).
 
-    The children of a node are a chain: child[node], then sibling[child], until -1. `log` has room for the first rows (node, parent)
-    of who was hung below whom, in the order in which it happened; hung[0] counts them all.
+    The children of a node are a chain: child[node], then sibling[child], until -1. `log` has room
+    for the first rows (node, parent) of who was hung below whom, in the order in which it happened;
+    hung[0] counts them all.
     """
 
     tree: GrowingTree
@@ -32,7 +35,9 @@ def empty_costs(tree: GrowingTree, rows: int = 0) -> CostTree:
     room = len(tree.nodes)
     cost, length = np.empty((2, room))
     child, sibling = np.empty((2, room), np.int64)
-    return CostTree(tree, cost, length, child, sibling, np.empty((rows, 2), np.int64), np.zeros(1, np.int64))
+    return CostTree(
+        tree, cost, length, child, sibling, np.empty((rows, 2), np.int64), np.zeros(1, np.int64)
+    )
 
 
 @inlined
@@ -73,7 +78,9 @@ def rewire(costs: CostTree, node: int, parent: int, length: float) -> None:
 
 @inlined
 def pass_on(costs: CostTree, root: int) -> None:
-    """Reckon anew the cost of a node and of all below it, parents before children, by walking round that part of the tree."""
+    """Reckon anew the cost of a node and of all below it, parents before children, by walking round
+    that part of the tree.
+    """
     node = root
     while True:
         costs.cost[node] = costs.cost[costs.tree.parent[node]] + costs.length[node]

@@ -1,7 +1,8 @@
-"""Where a tree that improves its path draws its samples: everywhere, or only where a shorter path can pass.
+"""Where a tree that improves its path draws its samples: everywhere, or only where a shorter path
+can pass.
 
-J. D. Gammell, S. S. Srinivasa, T. D. Barfoot, "Informed RRT*: optimal sampling-based path planning focused via direct sampling of
-an admissible ellipsoidal heuristic" (2014).
+J. D. Gammell, S. S. Srinivasa, T. D. Barfoot, "Informed RRT*: optimal sampling-based path planning
+focused via direct sampling of an admissible ellipsoidal heuristic" (2014).
 """
 
 from typing import Any, NamedTuple
@@ -21,19 +22,25 @@ class Everywhere(NamedTuple):
 
 
 class Informed(NamedTuple):
-    """The same, and with a path only those configurations through which a shorter one could pass."""
+    """The same, and with a path only those configurations through which a shorter one could
+    pass.
+    """
 
     goal_bias: float
 
 
 @generic(1)
 def draw(sampler: Any, problem: Any, shortest: float, rng: np.random.Generator) -> Array:
-    """A configuration to grow towards, when the shortest path so far has that length, infinite without one."""
+    """A configuration to grow towards, when the shortest path so far has that length, infinite
+    without one.
+    """
     raise TypeError("this is no way to draw samples")
 
 
 @draw.register(Everywhere)
-def draw_everywhere(sampler: Everywhere, problem: Any, shortest: float, rng: np.random.Generator) -> Array:
+def draw_everywhere(
+    sampler: Everywhere, problem: Any, shortest: float, rng: np.random.Generator
+) -> Array:
     """Uniform."""
     if shortest == np.inf and rng.random() < sampler.goal_bias:
         return problem.goal
@@ -41,8 +48,12 @@ def draw_everywhere(sampler: Everywhere, problem: Any, shortest: float, rng: np.
 
 
 @draw.register(Informed)
-def draw_informed(sampler: Informed, problem: Any, shortest: float, rng: np.random.Generator) -> Array:
-    """Uniform among those q with |start - q| + |q - goal| < shortest: in the plane an ellipse. By rejection, for any distance."""
+def draw_informed(
+    sampler: Informed, problem: Any, shortest: float, rng: np.random.Generator
+) -> Array:
+    """Uniform among those q with |start - q| + |q - goal| < shortest: in the plane an ellipse. By
+    rejection, for any distance.
+    """
     if shortest == np.inf and rng.random() < sampler.goal_bias:
         return problem.goal
     q = problem.sample(rng)

@@ -1,4 +1,6 @@
-"""The nodes of a growing tree near a configuration, by one question: any problem that knows distances can answer it."""
+"""The nodes of a growing tree near a configuration, by one question: any problem that knows
+distances can answer it.
+"""
 
 from typing import Any
 
@@ -14,17 +16,25 @@ from ...spaces.buckets import GrowingTree
 
 @generic(1)
 def near_nodes(problem: Any, tree: GrowingTree, q: Array, radius: float) -> NDArray[np.int64]:
-    """The numbers of the tree's nodes within a radius of q, shape (k,): by a reader's own distances, O(n)."""
-    return np.flatnonzero(np.array([problem.distance(node, q) for node in tree.nodes[: tree.size[0]]]) <= radius)
+    """The numbers of the tree's nodes within a radius of q, shape (k,): by a reader's own
+    distances, O(n).
+    """
+    return np.flatnonzero(
+        np.array([problem.distance(node, q) for node in tree.nodes[: tree.size[0]]]) <= radius
+    )
 
 
 @near_nodes.register(ProblemRecord)
-def near_in_space(problem: ProblemRecord, tree: GrowingTree, q: Array, radius: float) -> NDArray[np.int64]:
+def near_in_space(
+    problem: ProblemRecord, tree: GrowingTree, q: Array, radius: float
+) -> NDArray[np.int64]:
     """By the space, which may have buckets."""
     return near(problem.space, tree, q, radius)
 
 
 @near_nodes.register(Recorder)
-def near_as_recorded(problem: Recorder, tree: GrowingTree, q: Array, radius: float) -> NDArray[np.int64]:
+def near_as_recorded(
+    problem: Recorder, tree: GrowingTree, q: Array, radius: float
+) -> NDArray[np.int64]:
     """As the recorder's own problem answers, in the same order; nothing is written down."""
     return near_nodes(problem.problem, tree, q, radius)

@@ -1,5 +1,5 @@
-"""Two trees that grow towards each other. J. J. Kuffner, S. M. LaValle, "RRT-Connect: an efficient approach to single-query path
-planning" (2000); LaValle, section 5.5.3.
+"""Two trees that grow towards each other. J. J. Kuffner, S. M. LaValle, "RRT-Connect: an efficient
+approach to single-query path planning" (2000); LaValle, section 5.5.3.
 """
 
 from typing import Any
@@ -33,7 +33,8 @@ def grow_both(
 ) -> tuple[int, int, int]:
     """Grow two trees until they meet, are full, or have had their iterations.
 
-    Returns the nodes of both at which they meet, or TRAPPED, and how many iterations; owner[i] tells whose the i-th new node was.
+    Returns the nodes of both at which they meet, or TRAPPED, and how many iterations; owner[i]
+    tells whose the i-th new node was.
     """
     add(from_goal, problem.goal, TRAPPED)
     new = add(from_start, problem.start, TRAPPED)
@@ -58,7 +59,9 @@ def grow_both(
 
 @callable_from_compiled
 def extend(problem: Any, tree: GrowingTree, q: Array, step: float) -> tuple[int, bool]:
-    """Take one step from the nearest node towards q: the new node, or TRAPPED, and whether it is at q."""
+    """Take one step from the nearest node towards q: the new node, or TRAPPED, and whether it is at
+    q.
+    """
     near = problem.nearest(tree, q)
     reached = problem.distance(tree.nodes[near], q) <= step
     q_new = q if reached else problem.steer(tree.nodes[near], q, step)
@@ -69,7 +72,9 @@ def extend(problem: Any, tree: GrowingTree, q: Array, step: float) -> tuple[int,
 
 @callable_from_compiled
 def connect(problem: Any, tree: GrowingTree, q: Array, step: float, room: int) -> tuple[int, int]:
-    """Extend the tree towards q until it is there or trapped: the node at q, or TRAPPED, and how many nodes that took."""
+    """Extend the tree towards q until it is there or trapped: the node at q, or TRAPPED, and how
+    many nodes that took.
+    """
     added, reached, node = 0, False, TRAPPED
     while not reached and added < room:
         node, reached = extend(problem, tree, q, step)
@@ -87,7 +92,8 @@ def rrt_connect(
     max_iterations: int | None = None,
     rng: int | np.random.Generator,
 ) -> Plan:
-    """Grow one tree from the start and one from the goal: in turns one takes a step at random, and the other runs to meet it.
+    """Grow one tree from the start and one from the goal: in turns one takes a step at random, and
+    the other runs to meet it.
 
     Parameters
     ----------
@@ -97,9 +103,10 @@ def rrt_connect(
     max_iterations : where to give up; by default ten iterations for each node.
     rng : a seed or a numpy Generator.
 
-    Returns a Plan; its `tree` holds both trees in the order their nodes came, start and goal, which have no parents, first. Without
-    a path `plan.reason` says what ran out. Motions are judged towards the tree that they leave behind, so they must be free both
-    ways. Probabilistically complete. Raises InvalidParameter.
+    Returns a Plan; its `tree` holds both trees in the order their nodes came, start and goal, which
+    have no parents, first. Without a path `plan.reason` says what ran out. Motions are judged
+    towards the tree that they leave behind, so they must be free both ways. Probabilistically
+    complete. Raises InvalidParameter.
 
     >>> from kinoedu import Point, PolygonWorld, Problem
     >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
@@ -110,30 +117,57 @@ def rrt_connect(
     asked = both_ways(problem, "RRT-Connect")
     epsilon = positive(world_size(asked) / 20.0 if step is None else step, "step")
     most = whole(max_nodes, "max_nodes", least=2)
-    limit = 10 * most if max_iterations is None else whole(max_iterations, "max_iterations", least=0)
+    limit = (
+        10 * most if max_iterations is None else whole(max_iterations, "max_iterations", least=0)
+    )
     trees, owner = (roomy_tree(asked, most), roomy_tree(asked, most)), np.empty(most, np.int64)
     before = asked.asked[MOTIONS]
-    at_start, at_goal, iterations = grow_both(asked, *trees, owner, epsilon, limit, as_generator(rng))
+    at_start, at_goal, iterations = grow_both(
+        asked, *trees, owner, epsilon, limit, as_generator(rng)
+    )
     grown = int(trees[0].size[0] + trees[1].size[0])
-    nodes, parent, number = as_one((trees[0].nodes, trees[1].nodes), (trees[0].parent, trees[1].parent), owner[:grown])
+    nodes, parent, number = as_one(
+        (trees[0].nodes, trees[1].nodes), (trees[0].parent, trees[1].parent), owner[:grown]
+    )
     tree = Tree(nodes, parent)
-    path = None if at_start == TRAPPED else meeting(tree.parent, number[0, at_start], number[1, at_goal])
-    reason = f"after {iterations:,} iterations the trees, {len(tree.nodes):,} nodes, have not met; allow more, or another step"
-    stats = {"nodes": len(tree.nodes), "iterations": int(iterations), "checks": int(asked.asked[MOTIONS] - before)}
-    return plan_along(asked, tree.nodes, path, reason, planner="RRT-Connect", tree=tree, stats=stats)
+    path = (
+        None
+        if at_start == TRAPPED
+        else meeting(tree.parent, number[0, at_start], number[1, at_goal])
+    )
+    reason = (
+        f"after {iterations:,} iterations the trees, {len(tree.nodes):,} nodes, have not met; "
+        "allow more, or another step"
+    )
+    stats = {
+        "nodes": len(tree.nodes),
+        "iterations": int(iterations),
+        "checks": int(asked.asked[MOTIONS] - before),
+    }
+    return plan_along(
+        asked, tree.nodes, path, reason, planner="RRT-Connect", tree=tree, stats=stats
+    )
 
 
 def roomy_tree(problem: Any, capacity: int) -> GrowingTree:
-    """An empty tree with buckets for fewer nodes than it has room for: trees that meet early would leave most of them empty, and a
-    search among empty buckets is slow.
+    """An empty tree with buckets for fewer nodes than it has room for: trees that meet early would
+    leave most of them empty, and a search among empty buckets is slow.
     """
     tree, d = new_tree(problem, min(capacity, max(USUAL, capacity // 20))), len(problem.start)
-    return tree._replace(nodes=np.empty((capacity, d)), parent=np.empty(capacity, np.int64), next=np.empty(capacity, np.int64))
+    return tree._replace(
+        nodes=np.empty((capacity, d)),
+        parent=np.empty(capacity, np.int64),
+        next=np.empty(capacity, np.int64),
+    )
 
 
 @compiled
-def as_one(nodes: tuple[Array, Array], parents: tuple[Numbers, Numbers], owner: Numbers) -> tuple[Array, Numbers, Numbers]:
-    """Two trees in one, in the order in which they grew: its nodes, their parents, and the number in it of each node of either."""
+def as_one(
+    nodes: tuple[Array, Array], parents: tuple[Numbers, Numbers], owner: Numbers
+) -> tuple[Array, Numbers, Numbers]:
+    """Two trees in one, in the order in which they grew: its nodes, their parents, and the number
+    in it of each node of either.
+    """
     together, parent = np.empty((len(owner), nodes[0].shape[1])), np.empty(len(owner), np.int64)
     number, size = np.empty((2, len(owner)), np.int64), np.zeros(2, np.int64)
     for i in range(len(owner)):

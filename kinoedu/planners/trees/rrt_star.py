@@ -1,5 +1,5 @@
-"""Trees whose paths become shortest. S. Karaman, E. Frazzoli, "Sampling-based algorithms for optimal motion planning" (2011),
-algorithm 6.
+"""Trees whose paths become shortest. S. Karaman, E. Frazzoli, "Sampling-based algorithms for
+optimal motion planning" (2011), algorithm 6.
 """
 
 import math
@@ -20,7 +20,9 @@ from .near import near_nodes
 
 
 class Growth(NamedTuple):
-    """A tree that has grown: of what problem, how far a tree of each size looked, the goal's node or -1, iterations and checks."""
+    """A tree that has grown: of what problem, how far a tree of each size looked, the goal's node
+    or -1, iterations and checks.
+    """
 
     problem: Any
     costs: CostTree
@@ -32,15 +34,26 @@ class Growth(NamedTuple):
 
 @algorithm
 def grow_shortest(
-    problem: Any, costs: CostTree, sampler: Any, step: float, radii: Array, max_iterations: int, rng: np.random.Generator
+    problem: Any,
+    costs: CostTree,
+    sampler: Any,
+    step: float,
+    radii: Array,
+    max_iterations: int,
+    rng: np.random.Generator,
 ) -> tuple[int, int]:
-    """Grow the tree until it is full or has had its iterations, rewiring it on the way; radii[n] is how far a tree of n nodes looks
-    for neighbours. Returns the goal's node, or -1, and how many iterations.
+    """Grow the tree until it is full or has had its iterations, rewiring it on the way; radii[n] is
+    how far a tree of n nodes looks for neighbours. Returns the goal's node, or -1, and how many
+    iterations.
     """
     tree = costs.tree
     join(costs, problem.start, -1, 0.0)
     at_goal = reach_goal(problem, costs, 0, step)
-    least, iteration, room = problem.distance(problem.start, problem.goal), 0, len(tree.nodes) - 1  # one more is kept for the goal
+    least, iteration, room = (
+        problem.distance(problem.start, problem.goal),
+        0,
+        len(tree.nodes) - 1,
+    )  # one more is kept for the goal
     while iteration < max_iterations and tree.size[0] < room + int(at_goal >= 0):
         shortest = np.inf if at_goal < 0 else costs.cost[at_goal]
         if shortest <= least:
@@ -56,7 +69,9 @@ def grow_shortest(
         new = join(costs, q_new, parent, length)
         for node in near:
             length = problem.motion_cost(q_new, tree.nodes[node])
-            if costs.cost[new] + length < costs.cost[node] and problem.is_free_path(q_new, tree.nodes[node]):
+            if costs.cost[new] + length < costs.cost[node] and problem.is_free_path(
+                q_new, tree.nodes[node]
+            ):
                 rewire(costs, node, new, length)
         if at_goal < 0:
             at_goal = reach_goal(problem, costs, new, step)
@@ -64,8 +79,12 @@ def grow_shortest(
 
 
 @callable_from_compiled
-def cheapest_parent(problem: Any, costs: CostTree, near: NDArray[np.int64], nearest: int, q: Array) -> tuple[int, float]:
-    """The node through which q costs least, of the nearest one, from which it is free, and those near; and the motion's cost."""
+def cheapest_parent(
+    problem: Any, costs: CostTree, near: NDArray[np.int64], nearest: int, q: Array
+) -> tuple[int, float]:
+    """The node through which q costs least, of the nearest one, from which it is free, and those
+    near; and the motion's cost.
+    """
     parent, length = nearest, problem.motion_cost(costs.tree.nodes[nearest], q)
     for node in near:
         apart = problem.motion_cost(costs.tree.nodes[node], q)
@@ -94,21 +113,25 @@ def rrt_star(
     max_iterations: int | None = None,
     rng: int | np.random.Generator,
 ) -> Plan:
-    """Grow a tree as RRT does, hang each new node where it costs least, and its neighbours below it where that costs less.
+    """Grow a tree as RRT does, hang each new node where it costs least, and its neighbours below it
+    where that costs less.
 
     Parameters
     ----------
     problem : a Problem, a Recorder, or an object of yours that answers the same questions.
     step : eta, the longest motion towards a sample; by default a twentieth of the world's diagonal.
     goal_bias : the share of samples that are the goal itself, until it is reached.
-    gamma : a tree of n nodes looks for neighbours within gamma (log n / n)^(1/d), at most a step. By default what makes paths
+    gamma : a tree of n nodes looks for neighbours within gamma (log n / n)^(1/d), at most a step.
+    By default what makes paths
         converge to the shortest in the problem's space; for an object of yours a step throughout.
-    max_nodes, max_iterations : where to stop; it does not stop at the first path. By default ten iterations for each node.
+    max_nodes, max_iterations : where to stop; it does not stop at the first path. By default ten
+    iterations for each node.
     rng : a seed or a numpy Generator.
 
-    Returns a Plan with its `tree`: nodes in the order they came, with the parents they have in the end. Asymptotically optimal: the
-    cost tends to the least there is as max_nodes grows. For that a path must cost no less than it is long, and no more than a
-    multiple of it, as on a terrain with costs. O(n log n) motions for n nodes. Raises InvalidParameter.
+    Returns a Plan with its `tree`: nodes in the order they came, with the parents they have in the
+    end. Asymptotically optimal: the cost tends to the least there is as max_nodes grows. For that a
+    path must cost no less than it is long, and no more than a multiple of it, as on a terrain with
+    costs. O(n log n) motions for n nodes. Raises InvalidParameter.
 
     >>> from kinoedu import Point, PolygonWorld, Problem
     >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
@@ -117,7 +140,9 @@ def rrt_star(
     True
     """
     sampler = Everywhere(share(goal_bias, "goal_bias"))
-    return plan_of("RRT*", grown("RRT*", problem, sampler, step, gamma, max_nodes, max_iterations, rng))
+    return plan_of(
+        "RRT*", grown("RRT*", problem, sampler, step, gamma, max_nodes, max_iterations, rng)
+    )
 
 
 def informed_rrt_star(
@@ -130,9 +155,14 @@ def informed_rrt_star(
     max_iterations: int | None = None,
     rng: int | np.random.Generator,
 ) -> Plan:
-    """RRT* that, once it has a path, samples only where a shorter one could pass: see `rrt_star`, whose arguments these are."""
+    """RRT* that, once it has a path, samples only where a shorter one could pass: see `rrt_star`,
+    whose arguments these are.
+    """
     sampler = Informed(share(goal_bias, "goal_bias"))
-    return plan_of("informed RRT*", grown("informed RRT*", problem, sampler, step, gamma, max_nodes, max_iterations, rng))
+    return plan_of(
+        "informed RRT*",
+        grown("informed RRT*", problem, sampler, step, gamma, max_nodes, max_iterations, rng),
+    )
 
 
 def grown(
@@ -150,7 +180,9 @@ def grown(
     asked = both_ways(problem, planner)
     eta = positive(world_size(asked) / 20.0 if step is None else step, "step")
     most = whole(max_nodes, "max_nodes", least=1)
-    limit = 10 * most if max_iterations is None else whole(max_iterations, "max_iterations", least=0)
+    limit = (
+        10 * most if max_iterations is None else whole(max_iterations, "max_iterations", least=0)
+    )
     widest = enough(asked) if gamma is None else positive(gamma, "gamma")
     n = np.arange(most + 2, dtype=np.float64)
     radii = np.full(most + 2, eta)
@@ -158,18 +190,33 @@ def grown(
     costs = empty_costs(new_tree(asked, most + 1), rows)
     before = asked.asked[MOTIONS]
     at_goal, iterations = grow_shortest(asked, costs, sampler, eta, radii, limit, as_generator(rng))
-    return Growth(asked, costs, radii, int(at_goal), int(iterations), int(asked.asked[MOTIONS] - before))
+    return Growth(
+        asked, costs, radii, int(at_goal), int(iterations), int(asked.asked[MOTIONS] - before)
+    )
 
 
 def plan_of(planner: str, growth: Growth) -> Plan:
     """The plan along a tree that has grown."""
     tree, iterations = growth.costs.tree, growth.iterations
-    reason = f"after {iterations:,} iterations none of {tree.size[0]:,} nodes reaches the goal; allow more nodes, or another step"
-    return plan_from_tree(planner, growth.problem, tree, growth.at_goal, reason, iterations=iterations, checks=growth.checks)
+    reason = (
+        f"after {iterations:,} iterations none of {tree.size[0]:,} nodes reaches the goal; allow "
+        "more nodes, or another step"
+    )
+    return plan_from_tree(
+        planner,
+        growth.problem,
+        tree,
+        growth.at_goal,
+        reason,
+        iterations=iterations,
+        checks=growth.checks,
+    )
 
 
 def enough(problem: Any) -> float:
-    """2 (1 + 1/d)^(1/d) (volume / ball)^(1/d), a gamma that is large enough, by the whole space's volume for the free one's."""
+    """2 (1 + 1/d)^(1/d) (volume / ball)^(1/d), a gamma that is large enough, by the whole space's
+    volume for the free one's.
+    """
     space, d = getattr(problem, "space", None), len(problem.start)
     if space is None:
         return np.inf

@@ -42,15 +42,18 @@ def tree_roadmap(
     Parameters
     ----------
     problem : a Problem, a Recorder, or an object of yours that answers the same questions.
-    expand : a function `expand(problem, tree, rng)` that returns the number of the node to expand and the configuration near it,
-        shape (d,). `tree.nodes[: tree.size[0]]` are the nodes so far, and `problem.nearest(tree, q)` is the one nearest to q. By
-        default `rrt_expansion()`, which makes this an RRT.
-    reach : the goal is joined to a new node within so much of it; by default a twentieth of the world's diagonal.
-    max_nodes, max_iterations : where to give up; by default ten iterations for each node.
+    expand : a function `expand(problem, tree, rng)` that returns the number of the node to expand
+    and the configuration near it,
+        shape (d,). `tree.nodes[: tree.size[0]]` are the nodes so far, and `problem.nearest(tree,
+        q)` is the one nearest to q. By default `rrt_expansion()`, which makes this an RRT.
+    reach : the goal is joined to a new node within so much of it; by default a twentieth of the
+    world's diagonal. max_nodes, max_iterations : where to give up; by default ten iterations for
+    each node.
     rng : a seed or a numpy Generator.
 
-    Returns a Plan with its `tree`; without a path `plan.reason` says what ran out. Runs interpreted, as the expansion does.
-    Raises InvalidParameter where the expansion's answer is no node with a configuration.
+    Returns a Plan with its `tree`; without a path `plan.reason` says what ran out. Runs
+    interpreted, as the expansion does. Raises InvalidParameter where the expansion's answer is no
+    node with a configuration.
 
     >>> from kinoedu import Point, PolygonWorld, Problem
     >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)])
@@ -63,11 +66,21 @@ def tree_roadmap(
     asked = askable(problem)
     near_goal = positive(world_size(asked) / 20.0 if reach is None else reach, "reach")
     most = whole(max_nodes, "max_nodes", least=1)
-    limit = 10 * most if max_iterations is None else whole(max_iterations, "max_iterations", least=0)
+    limit = (
+        10 * most if max_iterations is None else whole(max_iterations, "max_iterations", least=0)
+    )
     expansion = rrt_expansion() if expand is None else expand
     if not callable(expansion):
-        raise InvalidParameter(f"expand must be a function of a problem, a tree and a generator, got {shortened(expand)}")
-    tree, generator, before, iteration = new_tree(asked, most + 1), as_generator(rng), asked.asked[MOTIONS], 0
+        raise InvalidParameter(
+            "expand must be a function of a problem, a tree and a generator, got "
+            f"{shortened(expand)}"
+        )
+    tree, generator, before, iteration = (
+        new_tree(asked, most + 1),
+        as_generator(rng),
+        asked.asked[MOTIONS],
+        0,
+    )
     at_goal = join_goal(asked, tree, add(tree, asked.start, -1), near_goal)
     while at_goal < 0 and iteration < limit and tree.size[0] < most:
         iteration += 1
@@ -75,20 +88,27 @@ def tree_roadmap(
         if asked.is_free_path(tree.nodes[node], q_nearby):
             at_goal = join_goal(asked, tree, add(tree, q_nearby, node), near_goal)
     reason = (
-        f"after {iteration:,} iterations none of {tree.size[0]:,} nodes reaches the goal; allow more nodes, or expand otherwise"
+        f"after {iteration:,} iterations none of {tree.size[0]:,} nodes reaches the goal; allow "
+        "more nodes, or expand otherwise"
     )
     checks = int(asked.asked[MOTIONS] - before)
-    return plan_from_tree("tree roadmap", asked, tree, at_goal, reason, iterations=iteration, checks=checks)
+    return plan_from_tree(
+        "tree roadmap", asked, tree, at_goal, reason, iterations=iteration, checks=checks
+    )
 
 
 def rrt_expansion(step: float | None = None, goal_bias: float = 0.05) -> Expansion:
-    """The expansion that makes an RRT: the node nearest to a sample, and one step from it towards the sample. InvalidParameter."""
+    """The expansion that makes an RRT: the node nearest to a sample, and one step from it towards
+    the sample. InvalidParameter.
+    """
     bias, delta = share(goal_bias, "goal_bias"), None if step is None else positive(step, "step")
 
     def expand(problem: Any, tree: GrowingTree, rng: np.random.Generator) -> tuple[int, Array]:
         q_rand = problem.goal if rng.random() < bias else problem.sample(rng)
         node = problem.nearest(tree, q_rand)
-        return node, problem.steer(tree.nodes[node], q_rand, world_size(problem) / 20.0 if delta is None else delta)
+        return node, problem.steer(
+            tree.nodes[node], q_rand, world_size(problem) / 20.0 if delta is None else delta
+        )
 
     return expand
 
@@ -96,10 +116,21 @@ def rrt_expansion(step: float | None = None, goal_bias: float = 0.05) -> Expansi
 def as_expansion(answer: Any, tree: GrowingTree) -> tuple[int, Array]:
     """An expansion's answer as a node's number and a configuration, or InvalidParameter."""
     if not isinstance(answer, tuple | list) or len(answer) != 2:
-        raise InvalidParameter(f"an expansion must return a node's number and a configuration near it, got {shortened(answer)}")
+        raise InvalidParameter(
+            "an expansion must return a node's number and a configuration near it, got "
+            f"{shortened(answer)}"
+        )
     node, q = answer[0], as_array(answer[1], "the expansion's configuration")
-    if isinstance(node, bool) or not isinstance(node, int | np.integer) or not 0 <= node < tree.size[0]:
-        raise InvalidParameter(f"an expansion must choose a node from 0 to {tree.size[0] - 1}, got {shortened(node)}")
+    if (
+        isinstance(node, bool)
+        or not isinstance(node, int | np.integer)
+        or not 0 <= node < tree.size[0]
+    ):
+        raise InvalidParameter(
+            f"an expansion must choose a node from 0 to {tree.size[0] - 1}, got {shortened(node)}"
+        )
     if q.shape != tree.nodes[0].shape:
-        raise InvalidParameter(f"an expansion's configuration must have shape {tree.nodes[0].shape}, got {q.shape}")
+        raise InvalidParameter(
+            f"an expansion's configuration must have shape {tree.nodes[0].shape}, got {q.shape}"
+        )
     return int(node), q

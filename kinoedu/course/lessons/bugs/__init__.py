@@ -1,4 +1,6 @@
-"""Lesson 2: Bug algorithms, or finding the way by touch. Its exercises, as the notebook asks for them."""
+"""Lesson 2: Bug algorithms, or finding the way by touch. Its exercises, as the notebook asks for
+them.
+"""
 
 from .bug1 import Bug1
 from .bug2 import Bug2

@@ -13,7 +13,9 @@ from ...exercise import Case
 from .walking import BOX, ME145, TURNS, BugExercise, is_clear, walk_of, world
 from .walks import length_of
 
-TIED = 0.3  # two ways round a wall that differ by less are as good as equally long to a walk in steps
+TIED = (
+    0.3  # two ways round a wall that differ by less are as good as equally long to a walk in steps
+)
 
 
 class Bug1(BugExercise):
@@ -36,7 +38,10 @@ class Bug1(BugExercise):
 
     def plans(self, given: dict[str, Any]) -> list[Plan]:
         """Turning left or right, going back the shorter way or on in the same direction."""
-        return [bug1(*given.values(), turn=turn, way_back=back) for turn, back in product(self.turns, ("shorter", "same"))]
+        return [
+            bug1(*given.values(), turn=turn, way_back=back)
+            for turn, back in product(self.turns, ("shorter", "same"))
+        ]
 
     def leaves_no_doubt(self, given: dict[str, Any], plan: Plan) -> bool:
         """Nor may it be in doubt which way back is the shorter."""
@@ -44,10 +49,15 @@ class Bug1(BugExercise):
 
 
 def is_tied(given: dict[str, Any], plan: Plan) -> bool:
-    """Whether the two ways back round an obstacle are nearly equally long, so that a walk of Bug 1 in steps could take either."""
+    """Whether the two ways back round an obstacle are nearly equally long, so that a walk of Bug 1
+    in steps could take either.
+    """
     walk = walk_of(plan)
     for hit, leave in zip(walk.hit, walk.leave):
-        wall = min(given["obstacles"], key=lambda obstacle: float(point_polygon_distance(walk.points[hit], obstacle)))
+        wall = min(
+            given["obstacles"],
+            key=lambda obstacle: float(point_polygon_distance(walk.points[hit], obstacle)),
+        )
         around = length_of(np.vstack([wall, wall[:1]]))
         back = walk.travelled[leave] - walk.travelled[hit] - around
         if abs(around - 2.0 * back) < TIED:

@@ -11,10 +11,14 @@ from ....problems import Plan
 from ...exercise import Case
 from .walking import BOX, ME145, TURNS, BugExercise, world
 
-SPIRAL = np.array([(1, -3), (9, -3), (9, 3), (3, 3), (3, 2), (8, 2), (8, -2), (2, -2), (2, 3.5), (1, 3.5)], float)
+SPIRAL = np.array(
+    [(1, -3), (9, -3), (9, 3), (3, 3), (3, 2), (8, 2), (8, -2), (2, -2), (2, 3.5), (1, 3.5)], float
+)
 
 
-HORSESHOE = np.array([(-5, -2), (3, -2), (3, 2), (2, 2), (2, -1), (-4, -1), (-4, 2), (-5, 2)], float)  # open at the top
+HORSESHOE = np.array(
+    [(-5, -2), (3, -2), (3, 2), (2, 2), (2, -1), (-4, -1), (-4, 2), (-5, 2)], float
+)  # open at the top
 
 
 class Bug2(BugExercise):
@@ -26,7 +30,9 @@ class Bug2(BugExercise):
     variants = TURNS
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """No obstacle, one, more; and one whose wall leads back to the line farther from the goal."""
+        """No obstacle, one, more; and one whose wall leads back to the line farther from the
+        goal.
+        """
         for goal in ((3, 4), (-2, 0.5), (0, 1.02)):
             yield Case("free", world((0, 0), goal, []))
         yield Case("one", world((0, 0), (6, 0), [BOX]))

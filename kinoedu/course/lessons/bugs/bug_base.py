@@ -45,11 +45,16 @@ class BugBase(BugExercise):
         """Whether a path ends at the goal, or nearer than a step to an obstacle."""
         near = 1.001 * given["step"]
         at_goal = np.linalg.norm(path[-1] - given["goal"]) <= near
-        at_wall = any(point_polygon_distance(path[-1], obstacle) <= near for obstacle in given["obstacles"])
+        at_wall = any(
+            point_polygon_distance(path[-1], obstacle) <= near for obstacle in given["obstacles"]
+        )
         return None if at_goal or at_wall else Departure("end", len(path) - 1)
 
 
 def moved_aside(given: dict[str, Any]) -> list[Array]:
     """The obstacles moved off the straight way, to the left and to the right in turn."""
     x, y = (given["goal"] - given["start"]) / np.linalg.norm(given["goal"] - given["start"])
-    return [np.round(obstacle + (-1) ** i * 4.0 * np.array([-y, x]), 2) for i, obstacle in enumerate(given["obstacles"])]
+    return [
+        np.round(obstacle + (-1) ** i * 4.0 * np.array([-y, x]), 2)
+        for i, obstacle in enumerate(given["obstacles"])
+    ]

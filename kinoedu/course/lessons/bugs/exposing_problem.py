@@ -1,4 +1,6 @@
-"""The exercise "break it" of lesson 2: find a world in which a mended Bug 0 does not arrive, although there is a way."""
+"""The exercise "break it" of lesson 2: find a world in which a mended Bug 0 does not arrive,
+although there is a way.
+"""
 
 from collections.abc import Iterable, Iterator
 from typing import Any
@@ -40,7 +42,13 @@ class ExposeMendedBug(Exercise):
         rule = world_fault(start, goal, obstacles)
         if not rule and case.kind != "valid":
             arrives = mended_bug0(start, goal, obstacles, FAR).path is not None
-            rule = "exposes" if arrives else "smallest" if case.kind == "smallest" and vertices(obstacles) > FEWEST else ""
+            rule = (
+                "exposes"
+                if arrives
+                else "smallest"
+                if case.kind == "smallest" and vertices(obstacles) > FEWEST
+                else ""
+            )
         return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
 
     def wanted(self, case: Case) -> str:
@@ -96,7 +104,9 @@ def mended_bug0_walk(robot: BugRobot) -> str:
     while not robot.move_to_goal():
         hit = robot.place
         if hit in hits:
-            return "it walks in a circle for ever: it came upon the same wall at the same point again"
+            return (
+                "it walks in a circle for ever: it came upon the same wall at the same point again"
+            )
         hits.add(hit)
         while not (robot.can_move_to_goal() and robot.place.is_nearer_than(start)):
             robot.follow_wall()
@@ -105,8 +115,11 @@ def mended_bug0_walk(robot: BugRobot) -> str:
     return ""
 
 
-def mended_bug0(start: ArrayLike, goal: ArrayLike, obstacles: Iterable[ArrayLike], step: float) -> Plan:
-    """The plan of that walk, turning left; arguments, answer and errors are those of `kinoedu.bug0`.
+def mended_bug0(
+    start: ArrayLike, goal: ArrayLike, obstacles: Iterable[ArrayLike], step: float
+) -> Plan:
+    """The plan of that walk, turning left; arguments, answer and errors are those of
+    `kinoedu.bug0`.
 
     >>> mended_bug0((0, 0), (4, 0), [[(1, -1), (2, -1), (2, 2), (1, 2)]], step=9).path.tolist()
     [[0.0, 0.0], [1.0, 0.0], [1.0, 2.0], [2.0, 2.0], [4.0, 0.0]]

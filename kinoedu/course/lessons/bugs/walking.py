@@ -1,7 +1,8 @@
 """Shared by the exercises on the Bug algorithms. Bullo & Smith, chapter 1.
 
-The worlds leave no doubt: a wall is met squarely or not at all, obstacles are far apart beside a step, and of no obstacle are the
-two ways back round it nearly equally long. So a walk in steps, with its small errors, goes where the exact walk goes."""
+The worlds leave no doubt: a wall is met squarely or not at all, obstacles are far apart beside a
+step, and of no obstacle are the two ways back round it nearly equally long. So a walk in steps,
+with its small errors, goes where the exact walk goes."""
 
 from abc import abstractmethod
 from typing import Any
@@ -30,12 +31,19 @@ STEP = 0.05
 CLEAR = 8.0  # steps: what is not met stays so far away
 
 
-SHORT = 2.5  # steps: so little before a hit the wall is still farther than half of that, or it is grazed rather than met
+# steps: so little before a hit the wall is still farther than half of that, or it is grazed rather
+# than met
+SHORT = 2.5
 
 
 def world(start: Any, goal: Any, obstacles: list[Array], step: float = STEP) -> dict[str, Any]:
     """The arguments of a case."""
-    return {"start": np.array(start, float), "goal": np.array(goal, float), "obstacles": obstacles, "step": step}
+    return {
+        "start": np.array(start, float),
+        "goal": np.array(goal, float),
+        "obstacles": obstacles,
+        "step": step,
+    }
 
 
 class BugExercise(WalkExercise):
@@ -55,7 +63,9 @@ class BugExercise(WalkExercise):
         return [walk_of(plan).points for plan in self.plans(given)]
 
     def departure(self, given: dict[str, Any], path: Array) -> Departure | None:
-        """The first rule that a path breaks, and where; the contract, where it turned the other way and all else is right."""
+        """The first rule that a path breaks, and where; the contract, where it turned the other way
+        and all else is right.
+        """
         found = super().departure(given, path)
         if found is None or not self.variant or type(self)().departure(given, path) is not None:
             return found
@@ -66,7 +76,9 @@ class BugExercise(WalkExercise):
         while True:
             given = random_world(rng, n)
             plans = self.plans(given)
-            if max(len(walk_of(plan).hit) for plan in plans) == n and all(self.leaves_no_doubt(given, plan) for plan in plans):
+            if max(len(walk_of(plan).hit) for plan in plans) == n and all(
+                self.leaves_no_doubt(given, plan) for plan in plans
+            ):
                 return Case(kind, given)
 
     def leaves_no_doubt(self, given: dict[str, Any], plan: Plan) -> bool:
@@ -83,19 +95,26 @@ def walk_of(plan: Plan) -> Walk:
 def random_world(rng: np.random.Generator, n: int) -> dict[str, Any]:
     """n convex obstacles in a row, well apart, about on the way from start to goal."""
     angle = rng.uniform(0.0, 2.0 * np.pi)
-    along, across = np.array([np.cos(angle), np.sin(angle)]), np.array([-np.sin(angle), np.cos(angle)])
+    along, across = (
+        np.array([np.cos(angle), np.sin(angle)]),
+        np.array([-np.sin(angle), np.cos(angle)]),
+    )
     obstacles = []
     for i in range(n):
         middle = (2.6 + 3.6 * i) * along + rng.uniform(-0.7, 0.7) * across
         turns = 2.0 * np.pi * (np.arange(5) + rng.uniform(0.0, 0.8, 5)) / 5.0
-        corners = middle + rng.uniform(0.9, 1.3, (5, 1)) * np.column_stack([np.cos(turns), np.sin(turns)])
+        corners = middle + rng.uniform(0.9, 1.3, (5, 1)) * np.column_stack(
+            [np.cos(turns), np.sin(turns)]
+        )
         obstacles.append(convex_hull(np.round(corners, 2)))
     goal = np.round((1.6 + 3.6 * n) * along + rng.uniform(-0.3, 0.3) * across, 2)
     return world((0, 0), goal, obstacles)
 
 
 def is_clear(given: dict[str, Any], plan: Plan) -> bool:
-    """Whether every straight move hits squarely what it hits, and stays well away from everything else."""
+    """Whether every straight move hits squarely what it hits, and stays well away from everything
+    else.
+    """
     walk, room = walk_of(plan), CLEAR * given["step"]
     begins = [0, *walk.leave]
     ends = [*walk.hit, len(walk.points) - 1]
@@ -107,10 +126,17 @@ def is_clear(given: dict[str, Any], plan: Plan) -> bool:
         for obstacle in given["obstacles"]:
             near = [float(point_polygon_distance(q, obstacle)) for q in (a, b)]
             shares = np.linspace(0.0, 1.0, 200)
-            begun = 3.0 * room / far if near[0] < 1e-6 else 0.0  # what is touched at an end is near there
+            begun = (
+                3.0 * room / far if near[0] < 1e-6 else 0.0
+            )  # what is touched at an end is near there
             ended = 3.0 * room / far if near[1] < 1e-6 else 0.0
             shares = shares[(shares >= begun) & (shares <= 1.0 - ended)]
-            if np.min(point_polygon_distance(a + shares[:, None] * (b - a), obstacle), initial=np.inf) < room:
+            if (
+                np.min(
+                    point_polygon_distance(a + shares[:, None] * (b - a), obstacle), initial=np.inf
+                )
+                < room
+            ):
                 return False
             if near[1] < 1e-6 and not is_met_squarely(b, given["step"] * (b - a) / far, obstacle):
                 return False
@@ -118,8 +144,8 @@ def is_clear(given: dict[str, Any], plan: Plan) -> bool:
 
 
 def is_met_squarely(hit: Array, stride: Array, obstacle: Array) -> bool:
-    """Whether a move that hits a convex obstacle comes upon it steeply, by no corner, and would go on into it. Then a walk that
-    stops as soon as the wall is nearer than a step stops near the hit.
+    """Whether a move that hits a convex obstacle comes upon it steeply, by no corner, and would go
+    on into it. Then a walk that stops as soon as the wall is nearer than a step stops near the hit.
     """
     before, ahead = hit - SHORT * stride, hit + CLEAR * stride
     steep = point_polygon_distance(before, obstacle) > SHORT / 2.0 * np.linalg.norm(stride)

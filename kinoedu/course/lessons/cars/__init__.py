@@ -1,4 +1,6 @@
-"""Lesson 12: The car, or why it cannot move sideways. Its exercises, as the notebook asks for them."""
+"""Lesson 12: The car, or why it cannot move sideways. Its exercises, as the notebook asks for
+them.
+"""
 
 from .csc_length import CscLength
 from .euler import Euler

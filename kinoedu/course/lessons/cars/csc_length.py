@@ -19,11 +19,18 @@ CLEAR = 1e-3  # so far from nothing and from a whole turn are all turns, but for
 WORDS = {"LSL": (1, 1), "RSR": (-1, -1), "LSR": (1, -1), "RSL": (-1, 1)}
 
 
-def words_to(a: Array, b: Array, r: float, turn: Any = lambda angle: angle % FULL, *, crossing: bool = False) -> dict[str, Any]:
-    """The turn, the straight line and the turn of each word, by its circles; `turn` measures an arc's angle."""
+def words_to(
+    a: Array, b: Array, r: float, turn: Any = lambda angle: angle % FULL, *, crossing: bool = False
+) -> dict[str, Any]:
+    """The turn, the straight line and the turn of each word, by its circles; `turn` measures an
+    arc's angle.
+    """
     found = {}
     for word, (first, last) in WORDS.items():
-        (x0, y0), (x1, y1) = (p[:2] + side * r * np.array([-math.sin(p[2]), math.cos(p[2])]) for p, side in ((a, first), (b, last)))
+        (x0, y0), (x1, y1) = (
+            p[:2] + side * r * np.array([-math.sin(p[2]), math.cos(p[2])])
+            for p, side in ((a, first), (b, last))
+        )
         apart, heading = math.hypot(x1 - x0, y1 - y0), math.atan2(y1 - y0, x1 - x0)
         straight = apart if first == last else math.sqrt(max(apart * apart - 4.0 * r * r, 0.0))
         if first != last and apart < 2.0 * r and not crossing:
@@ -35,7 +42,9 @@ def words_to(a: Array, b: Array, r: float, turn: Any = lambda angle: angle % FUL
 
 def shortest_of(words: dict[str, Any], r: float, names: tuple[str, ...] = tuple(WORDS)) -> float:
     """The length of the shortest of some words; infinite where there is none."""
-    return min((r * (t + v) + u for word, (t, u, v) in words.items() if word in names), default=math.inf)
+    return min(
+        (r * (t + v) + u for word, (t, u, v) in words.items() if word in names), default=math.inf
+    )
 
 
 def csc(a: Array, b: Array, r: float) -> float:
@@ -59,12 +68,25 @@ class CscLength(ValueExercise):
         Slip("inner_only", lambda a, b, r: shortest_of(words_to(a, b, r), r, ("LSR", "RSL"))),
         Slip("sign", lambda a, b, r: shortest_of(words_to(a, b, r, abs), r)),
         Slip("right_as_left", lambda a, b, r: shortest_of(as_left_turns(a, b, r), r)),
-        Slip("short_way", lambda a, b, r: shortest_of(words_to(a, b, r, lambda t: abs((t + math.pi) % FULL - math.pi)), r)),
-        Slip("radians", lambda a, b, r: shortest_of({w: (t / r, u, v / r) for w, (t, u, v) in words_to(a, b, r).items()}, r)),
+        Slip(
+            "short_way",
+            lambda a, b, r: shortest_of(
+                words_to(a, b, r, lambda t: abs((t + math.pi) % FULL - math.pi)), r
+            ),
+        ),
+        Slip(
+            "radians",
+            lambda a, b, r: shortest_of(
+                {w: (t / r, u, v / r) for w, (t, u, v) in words_to(a, b, r).items()}, r
+            ),
+        ),
         Slip("no_root", lambda a, b, r: shortest_of(without_root(a, b, r), r)),
         Slip("crossing", lambda a, b, r: shortest_of(words_to(a, b, r, crossing=True), r)),
         Slip("beeline", lambda a, b, r: math.dist(a[:2], b[:2])),
-        Slip("longest", lambda a, b, r: max(r * (t + v) + u for t, u, v in words_to(a, b, r).values())),
+        Slip(
+            "longest",
+            lambda a, b, r: max(r * (t + v) + u for t, u, v in words_to(a, b, r).values()),
+        ),
     )
     reference = staticmethod(csc)
 
@@ -76,11 +98,15 @@ class CscLength(ValueExercise):
         yield pair_case("outer", (0, 0, 0), (1, -8, -half), 2)
         yield pair_case("inner", (0, 0, 0), (10, 4, 0.1), 1)
         yield pair_case("inner", (0, 0, 0), (10, -4, -0.1), 1)
-        yield pair_case("inner", (0, 0, 0), (20, 6, 0), 2)  # the same heading, and not straight ahead
+        yield pair_case(
+            "inner", (0, 0, 0), (20, 6, 0), 2
+        )  # the same heading, and not straight ahead
         wanted = dict.fromkeys(("outer", "inner", "crossing"), 12)
         while any(wanted.values()):
             a, r = a_pose(rng), np.round(rng.uniform(0.5, 10), 1)
-            b = np.round([*(a[:2] + rng.uniform(0.5, 9) * r * direction(rng)), rng.uniform(-3.1, 3.1)], 2)
+            b = np.round(
+                [*(a[:2] + rng.uniform(0.5, 9) * r * direction(rng)), rng.uniform(-3.1, 3.1)], 2
+            )
             kind = kind_of(a, b, r)
             if kind and wanted[kind]:
                 wanted[kind] -= 1
@@ -98,18 +124,27 @@ def as_left_turns(a: Array, b: Array, r: float) -> dict[str, Any]:
     """Right turns measured as left ones: what is left of a whole turn."""
     right = {word: (first < 0, last < 0) for word, (first, last) in WORDS.items()}
     words = words_to(a, b, r).items()
-    return {w: ((-t if right[w][0] else t) % FULL, u, (-v if right[w][1] else v) % FULL) for w, (t, u, v) in words}
+    return {
+        w: ((-t if right[w][0] else t) % FULL, u, (-v if right[w][1] else v) % FULL)
+        for w, (t, u, v) in words
+    }
 
 
 def without_root(a: Array, b: Array, r: float) -> dict[str, Any]:
     """The inner tangent taken to be as long as its circles' centres are apart."""
     words = words_to(a, b, r)
-    inner = {word: (t, math.sqrt(u * u + 4.0 * r * r), v) for word, (t, u, v) in words.items() if word in ("LSR", "RSL")}
+    inner = {
+        word: (t, math.sqrt(u * u + 4.0 * r * r), v)
+        for word, (t, u, v) in words.items()
+        if word in ("LSR", "RSL")
+    }
     return {**words, **inner}
 
 
 def kind_of(a: Array, b: Array, r: float) -> str:
-    """Which kind of case two poses are; "" where a turn is nearly none or nearly whole, or circles nearly touch."""
+    """Which kind of case two poses are; "" where a turn is nearly none or nearly whole, or circles
+    nearly touch.
+    """
     words = words_to(a, b, r)
     turns = np.array([turn for first, _, last in words.values() for turn in (first, last)])
     near = words_to(a, b, r * (1.0 - CLEAR)).keys() ^ words_to(a, b, r * (1.0 + CLEAR)).keys()

@@ -22,15 +22,23 @@ def euler_poses(pose: Array, v: float, phi: float, t: float, wheelbase: float, n
     return integrators.euler(pose, v, math.tan(phi) / wheelbase, t, int(n))
 
 
-def by_rule(share: float, bend: Callable[[float], float] = math.tan, *, steps: int = 0) -> Callable[..., Any]:
-    """A program whose steps go by the heading after that share of the step's turn; with another curvature; with more steps."""
+def by_rule(
+    share: float, bend: Callable[[float], float] = math.tan, *, steps: int = 0
+) -> Callable[..., Any]:
+    """A program whose steps go by the heading after that share of the step's turn; with another
+    curvature; with more steps.
+    """
 
     def mistaken(pose: Array, v: float, phi: float, t: float, wheelbase: float, n: int) -> Any:
         x, y, theta = pose
         poses, h = [(x, y, theta)], t / (n + steps)
         for _ in range(n + steps):
             turn = h * v * bend(phi) / wheelbase
-            x, y, theta = x + h * v * math.cos(theta + share * turn), y + h * v * math.sin(theta + share * turn), theta + turn
+            x, y, theta = (
+                x + h * v * math.cos(theta + share * turn),
+                y + h * v * math.sin(theta + share * turn),
+                theta + turn,
+            )
             poses.append((x, y, theta))
         return poses
 
@@ -77,7 +85,10 @@ class Euler(PoseExercise):
             yield steps_case(kind, n, *numbers)
         for _ in range(12):
             pose, size, n = a_pose(rng), np.round(rng.uniform(2, 30), 1), int(rng.integers(2, 25))
-            phi, t = np.round(rng.uniform(0.1, 0.78), 2) * rng.choice([-1, 1]), np.round(rng.uniform(0.5, 4) * size, 1)
+            phi, t = (
+                np.round(rng.uniform(0.1, 0.78), 2) * rng.choice([-1, 1]),
+                np.round(rng.uniform(0.5, 4) * size, 1),
+            )
             yield steps_case("one", 1, pose, rng.choice([0.5, 2]), phi, t, size)
             yield steps_case("straight", n, pose, rng.choice([0.5, 2]), 0, t, size)
             yield steps_case("turns", n, pose, rng.choice([0.5, 1, 2]), phi, t, size)

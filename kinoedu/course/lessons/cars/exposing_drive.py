@@ -1,4 +1,6 @@
-"""The exercise "break it" of lesson 12: a drive on which a car that takes phi for tan(phi) is lost."""
+"""The exercise "break it" of lesson 12: a drive on which a car that takes phi for tan(phi) is
+lost.
+"""
 
 import math
 from collections.abc import Iterator
@@ -46,14 +48,19 @@ class ExposeSmallAngles(Exercise):
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """The way that the car drives, and the way that the program believes in."""
-        fits = isinstance(outcome, Answer) and self.value_verdict(Case("valid", {}), outcome.value).is_right
+        fits = (
+            isinstance(outcome, Answer)
+            and self.value_verdict(Case("valid", {}), outcome.value).is_right
+        )
         draw_lost(outcome.value if isinstance(outcome, Answer) and fits else None, WHEELBASE, ax)
 
 
 def off_after(phi: float, t: float) -> float:
     """How far the program's place is from the car's."""
     start = np.zeros(3)
-    return math.dist(moved(start, 1.0, phi, t, WHEELBASE)[:2], move_by_angle(start, 1.0, phi, t, WHEELBASE)[:2])
+    return math.dist(
+        moved(start, 1.0, phi, t, WHEELBASE)[:2], move_by_angle(start, 1.0, phi, t, WHEELBASE)[:2]
+    )
 
 
 def move_by_angle(pose: Array, v: float, phi: float, t: float, L: float) -> Array:
@@ -64,4 +71,10 @@ def move_by_angle(pose: Array, v: float, phi: float, t: float, L: float) -> Arra
     x, y, theta = pose
     turn, distance = v * t * phi / L, v * t
     chord = distance if turn == 0 else distance * math.sin(turn / 2) / (turn / 2)
-    return np.array([x + chord * math.cos(theta + turn / 2), y + chord * math.sin(theta + turn / 2), theta + turn])
+    return np.array(
+        [
+            x + chord * math.cos(theta + turn / 2),
+            y + chord * math.sin(theta + turn / 2),
+            theta + turn,
+        ]
+    )

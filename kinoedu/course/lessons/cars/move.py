@@ -12,16 +12,30 @@ from ...exercise import Case, Slip
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Record
 from ..shared.car_pictures import draw_moves
-from ..shared.driving import POSE, Mover, PoseExercise, a_pose, moved, with_curvature, without_turning
+from ..shared.driving import (
+    POSE,
+    Mover,
+    PoseExercise,
+    a_pose,
+    moved,
+    with_curvature,
+    without_turning,
+)
 
 
 def along_heading(share: float) -> Mover:
-    """A program that goes all the distance straight, by the heading after that share of the turn."""
+    """A program that goes all the distance straight, by the heading after that share of the
+    turn.
+    """
 
     def mistaken(pose: Array, v: float, phi: float, t: float, wheelbase: float) -> Any:
         turn = v * t * math.tan(phi) / wheelbase
         heading = pose[2] + share * turn
-        return pose[0] + v * t * math.cos(heading), pose[1] + v * t * math.sin(heading), pose[2] + turn
+        return (
+            pose[0] + v * t * math.cos(heading),
+            pose[1] + v * t * math.sin(heading),
+            pose[2] + turn,
+        )
 
     return mistaken
 
@@ -58,7 +72,10 @@ class Move(PoseExercise):
         Slip("small_angle", with_curvature(lambda phi, wheelbase: phi / wheelbase)),
         Slip("no_wheelbase", with_curvature(lambda phi, wheelbase: math.tan(phi))),
         Slip("sine", with_curvature(lambda phi, wheelbase: math.sin(phi) / wheelbase)),
-        Slip("degrees", with_curvature(lambda phi, wheelbase: math.tan(math.radians(phi)) / wheelbase)),
+        Slip(
+            "degrees",
+            with_curvature(lambda phi, wheelbase: math.tan(math.radians(phi)) / wheelbase),
+        ),
         Slip("clockwise", with_curvature(lambda phi, wheelbase: -math.tan(phi) / wheelbase)),
         Slip("one_step", along_heading(0.0)),
         Slip("new_heading", along_heading(1.0)),
@@ -96,8 +113,17 @@ class Move(PoseExercise):
             yield drive_case("left", pose, v, phi, t, size)
             yield drive_case("right", pose, v, -phi, t, size)
             yield drive_case("back", pose, -v, side * phi, t, size)
-            yield drive_case("long", pose, v, side * max(phi, 0.3), np.round(rng.uniform(25, 60) * size, 1), size)
-            yield drive_case("nearly", pose, 1, side * 10.0 ** -int(rng.integers(11, 15)), np.round(rng.uniform(5, 30), 1), size)
+            yield drive_case(
+                "long", pose, v, side * max(phi, 0.3), np.round(rng.uniform(25, 60) * size, 1), size
+            )
+            yield drive_case(
+                "nearly",
+                pose,
+                1,
+                side * 10.0 ** -int(rng.integers(11, 15)),
+                np.round(rng.uniform(5, 30), 1),
+                size,
+            )
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """The way that is driven, and where the student's program ends."""

@@ -13,7 +13,9 @@ from ..shared.car_pictures import draw_orders
 
 
 def orders(h: Array, errors: Array) -> Array:
-    """The power with which the error falls, between neighbours: log(e_i / e_i+1) / log(h_i / h_i+1), shape (n - 1,)."""
+    """The power with which the error falls, between neighbours: log(e_i / e_i+1) / log(h_i /
+    h_i+1), shape (n - 1,).
+    """
     h, errors = np.asarray(h, float), np.asarray(errors, float)
     return np.log(errors[:-1] / errors[1:]) / np.log(h[:-1] / h[1:])
 
@@ -67,4 +69,6 @@ class OrderOfError(ValueExercise):
 
 def order_case(kind: str, h: Any, errors: Any) -> Case:
     """A case of steps and their errors."""
-    return Case(kind, {"h": np.array(h, float), "errors": np.array([float(f"{e:.4g}") for e in errors])})
+    return Case(
+        kind, {"h": np.array(h, float), "errors": np.array([float(f"{e:.4g}") for e in errors])}
+    )

@@ -12,15 +12,30 @@ from ...exercise import Case, Slip
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Numbers, Record
 from ..shared.car_pictures import draw_drives
-from ..shared.driving import POSE, Mover, PoseExercise, a_pose, moved, with_curvature, without_turning
+from ..shared.driving import (
+    POSE,
+    Mover,
+    PoseExercise,
+    a_pose,
+    moved,
+    with_curvature,
+    without_turning,
+)
 
 
 def trajectory_poses(start: Array, controls: Array, durations: Array, wheelbase: float) -> Array:
     """The poses at the start and after each control, shape (n + 1, 3)."""
-    return replayed(np.asarray(start, float), np.reshape(controls, (-1, 2)), np.asarray(durations, float), wheelbase)
+    return replayed(
+        np.asarray(start, float),
+        np.reshape(controls, (-1, 2)),
+        np.asarray(durations, float),
+        wheelbase,
+    )
 
 
-def by_rows(mover: Mover, start: Array, controls: Array, durations: Array, wheelbase: float) -> list[Any]:
+def by_rows(
+    mover: Mover, start: Array, controls: Array, durations: Array, wheelbase: float
+) -> list[Any]:
     """A replay by some program for one control."""
     poses = [np.asarray(start, float)]
     for (v, phi), t in zip(controls, durations):
@@ -40,15 +55,26 @@ class Replay(PoseExercise):
     slips = (
         Slip("no_start", lambda *given: trajectory_poses(*given)[1:]),
         Slip("no_end", lambda *given: trajectory_poses(*given)[:-1]),
-        Slip("one_array", lambda *given: [trajectory_poses(*given)[-1]] * len(trajectory_poses(*given))),
-        Slip("all_from_start", lambda s, u, d, w: [s, *(moved(s, v, phi, t, w) for (v, phi), t in zip(u, d))]),
+        Slip(
+            "one_array",
+            lambda *given: [trajectory_poses(*given)[-1]] * len(trajectory_poses(*given)),
+        ),
+        Slip(
+            "all_from_start",
+            lambda s, u, d, w: [s, *(moved(s, v, phi, t, w) for (v, phi), t in zip(u, d))],
+        ),
         Slip("clock", lambda s, u, d, w: trajectory_poses(s, u, np.diff(d, prepend=0.0), w)),
         Slip("since_start", lambda s, u, d, w: trajectory_poses(s, u, np.cumsum(d), w)),
-        Slip("swapped", lambda s, u, d, w: trajectory_poses(s, np.reshape(u, (-1, 2))[:, ::-1], d, w)),
+        Slip(
+            "swapped", lambda s, u, d, w: trajectory_poses(s, np.reshape(u, (-1, 2))[:, ::-1], d, w)
+        ),
         Slip("small_angle", lambda *given: by_rows(with_curvature(lambda phi, w: phi / w), *given)),
         Slip("heading_kept", lambda *given: by_rows(without_turning, *given)),
         Slip(
-            "forward", lambda s, u, d, w: trajectory_poses(s, np.reshape(u, (-1, 2)) * np.sign(np.reshape(u, (-1, 2))[:, :1]), d, w)
+            "forward",
+            lambda s, u, d, w: trajectory_poses(
+                s, np.reshape(u, (-1, 2)) * np.sign(np.reshape(u, (-1, 2))[:, :1]), d, w
+            ),
         ),
     )
     reference = staticmethod(trajectory_poses)
@@ -58,12 +84,21 @@ class Replay(PoseExercise):
         quarter = math.pi / 2
         yield replay_case("none", (1, 2, 0), [], [], 20)
         yield replay_case("one", (0, 0, 0), [(1, 0)], [50], 20)
-        yield replay_case("many", (0, 0, 0), [(1, math.pi / 4), (1, 0), (1, -math.pi / 4)], [20 * quarter, 10, 20 * quarter], 20)
+        yield replay_case(
+            "many",
+            (0, 0, 0),
+            [(1, math.pi / 4), (1, 0), (1, -math.pi / 4)],
+            [20 * quarter, 10, 20 * quarter],
+            20,
+        )
         yield replay_case("back", (0, 0, 0), [(1, 0), (-1, math.pi / 4)], [50, 20 * quarter], 20)
         for _ in range(12):
             size, n = np.round(rng.uniform(2, 30), 1), int(rng.integers(2, 6))
             controls = np.column_stack(
-                [rng.choice([0.5, 1, 2], n), np.round(rng.uniform(0.1, 0.78, n) * rng.choice([-1, 1], n), 2)]
+                [
+                    rng.choice([0.5, 1, 2], n),
+                    np.round(rng.uniform(0.1, 0.78, n) * rng.choice([-1, 1], n), 2),
+                ]
             )
             durations, back = np.round(rng.uniform(0.2, 1.5, n) * size, 1), np.array([1.0, 1.0])
             yield replay_case("none", a_pose(rng), [], [], size)
@@ -79,5 +114,8 @@ class Replay(PoseExercise):
 
 def replay_case(kind: str, start: Any, controls: Any, durations: Any, wheelbase: float) -> Case:
     """A case of a trajectory."""
-    told = {"controls": np.reshape(np.array(controls, float), (-1, 2)), "durations": np.array(durations, float)}
+    told = {
+        "controls": np.reshape(np.array(controls, float), (-1, 2)),
+        "durations": np.array(durations, float),
+    }
     return Case(kind, {"start": np.array(start, float), **told, "L": float(wheelbase)})

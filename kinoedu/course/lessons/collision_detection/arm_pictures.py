@@ -1,4 +1,6 @@
-"""Pictures of arms for exercises. What is true is solid and green, what the student's program says dashed and orange."""
+"""Pictures of arms for exercises. What is true is solid and green, what the student's program says
+dashed and orange.
+"""
 
 from typing import Any
 
@@ -22,7 +24,9 @@ def circle(centre: Array, radius: float) -> Array:
 
 
 def bar(a: Array, b: Array, width: float, *, rounded: bool = True) -> Array:
-    """The outline of a link from a to b: with rounded ends all that is within half the width of the segment, else a rectangle."""
+    """The outline of a link from a to b: with rounded ends all that is within half the width of the
+    segment, else a rectangle.
+    """
     along = (b - a) / np.linalg.norm(b - a)
     aside = width / 2 * np.array([-along[1], along[0]])
     if not rounded:
@@ -32,7 +36,9 @@ def bar(a: Array, b: Array, width: float, *, rounded: bool = True) -> Array:
     return np.vstack([b + cap, a - cap])
 
 
-def draw_contact(exercise: Exercise, case: Case, ends: Array, value: Any, truth: int, ax: Any) -> None:
+def draw_contact(
+    exercise: Exercise, case: Case, ends: Array, value: Any, truth: int, ax: Any
+) -> None:
     """The discs and the arm; the link that touches green, the one that the student says dashed."""
     from ....figures import palette, plane
 
@@ -49,7 +55,9 @@ def draw_contact(exercise: Exercise, case: Case, ends: Array, value: Any, truth:
         ax.plot(*closed.T, "-", color=edge, linewidth=3.5 if link == truth else 1.2, zorder=4)
         if link == value:
             ax.plot(*closed.T, "--", color=palette.GOAL, linewidth=2.5, zorder=5)
-        plane.label((ends[link - 1] + ends[link]) / 2, say("collision_picture.link", number=link), ax)
+        plane.label(
+            (ends[link - 1] + ends[link]) / 2, say("collision_picture.link", number=link), ax
+        )
     for end in ends:
         plane.dot(end, "", ax)
     words = say("picture.no_answer") if value is None else say("picture.yours", value=value)
@@ -58,16 +66,37 @@ def draw_contact(exercise: Exercise, case: Case, ends: Array, value: Any, truth:
 
 
 def draw_scene(exercise: Exercise, case: Case, truth: Scene, value: Scene | None, ax: Any) -> None:
-    """What a drawing of the arm should hold, pale; what the student's holds under the same labels, dashed."""
+    """What a drawing of the arm should hold, pale; what the student's holds under the same labels,
+    dashed.
+    """
     from ....figures import palette, plane
 
-    plane.frame(np.vstack([ring for label in (*LINKS, "disc") for ring in truth[label]]), ax, margin=0.2)
-    for label, colour in ((LINKS[0], palette.ROBOT), (LINKS[1], palette.ROBOT), ("disc", palette.OBSTACLE)):
+    plane.frame(
+        np.vstack([ring for label in (*LINKS, "disc") for ring in truth[label]]), ax, margin=0.2
+    )
+    for label, colour in (
+        (LINKS[0], palette.ROBOT),
+        (LINKS[1], palette.ROBOT),
+        ("disc", palette.OBSTACLE),
+    ):
         for ring in truth[label]:
-            ax.fill(*ring.T, facecolor=colour, edgecolor=palette.START, alpha=0.4, linewidth=2.0, zorder=2)
+            ax.fill(
+                *ring.T,
+                facecolor=colour,
+                edgecolor=palette.START,
+                alpha=0.4,
+                linewidth=2.0,
+                zorder=2,
+            )
         for ring in [] if value is None else value[label]:
             if len(ring) > 1:
-                ax.plot(*np.vstack([ring, ring[:1]]).T, "--", color=palette.GOAL, linewidth=2.5, zorder=4)
+                ax.plot(
+                    *np.vstack([ring, ring[:1]]).T,
+                    "--",
+                    color=palette.GOAL,
+                    linewidth=2.5,
+                    zorder=4,
+                )
         if label in LINKS:
             plane.label(truth[label][0].mean(axis=0), label, ax)
     for place in truth[JOINTS]:
@@ -79,20 +108,33 @@ def draw_scene(exercise: Exercise, case: Case, truth: Scene, value: Scene | None
     plane.title(exercise.words(f"pictures.{case.kind}"), ax)
 
 
-def draw_samples(exercise: Exercise, case: Case, truth: Array, value: Array | None, ax: Any) -> None:
-    """The samples of the configuration space as they should be, and over them the student's dots as crosses of their colours."""
+def draw_samples(
+    exercise: Exercise, case: Case, truth: Array, value: Array | None, ax: Any
+) -> None:
+    """The samples of the configuration space as they should be, and over them the student's dots as
+    crosses of their colours.
+    """
     from ....figures import palette, plane
 
     full = 2.0 * np.pi
     ax.set_aspect("equal")
-    for rows, marker, size in ((truth, "os^", 11), (value if value is not None else truth[:0], "xxxx", 6)):
+    for rows, marker, size in (
+        (truth, "os^", 11),
+        (value if value is not None else truth[:0], "xxxx", 6),
+    ):
         for link, colour in zip((0, 1, 2, 9), (*palette.LINKS, palette.OUTSIDE)):
             places = rows[rows[:, 2] == link][:, :2] % full
             fill = {"markerfacecolor": "none", "markeredgecolor": colour, "markeredgewidth": 2.2}
-            ax.plot(*places.T, marker[min(link, len(marker) - 1)], markersize=size, zorder=3, **fill)
+            ax.plot(
+                *places.T, marker[min(link, len(marker) - 1)], markersize=size, zorder=3, **fill
+            )
     ax.set(xlim=(-0.3, full + 0.3), ylim=(-0.3, full + 0.3))
     for set_ticks in (ax.set_xticks, ax.set_yticks):
-        set_ticks(full * np.arange(5) / 4, ["0", "π/2", "π", "3π/2", "2π"], fontsize=palette.TEXT_SIZE)
+        set_ticks(
+            full * np.arange(5) / 4, ["0", "π/2", "π", "3π/2", "2π"], fontsize=palette.TEXT_SIZE
+        )
     ax.set_xlabel(say("collision_picture.first_angle"), fontsize=palette.TEXT_SIZE)
     ax.set_ylabel(say("collision_picture.second_angle"), fontsize=palette.TEXT_SIZE)
-    plane.title(say("picture.no_answer") if value is None else exercise.words(f"pictures.{case.kind}"), ax)
+    plane.title(
+        say("picture.no_answer") if value is None else exercise.words(f"pictures.{case.kind}"), ax
+    )

@@ -1,4 +1,6 @@
-"""The exercise on C-obstacles: where may a robot's reference point not be? Bullo & Smith, chapter 4."""
+"""The exercise on C-obstacles: where may a robot's reference point not be? Bullo & Smith, chapter
+4.
+"""
 
 from collections.abc import Iterator
 from typing import Any
@@ -38,9 +40,17 @@ class CObstacle(ValueExercise):
         Slip("sum", lambda robot, obstacle: minkowski_sum(obstacle, robot)),
         Slip("swapped", lambda robot, obstacle: minkowski_difference(robot, obstacle)),
         Slip("unchanged", lambda robot, obstacle: obstacle),
-        Slip("centred", lambda robot, obstacle: minkowski_difference(obstacle, robot - robot.mean(axis=0))),
-        Slip("first_vertex", lambda robot, obstacle: minkowski_difference(obstacle, robot - robot[0])),
-        Slip("box", lambda robot, obstacle: minkowski_difference(box_round(obstacle), box_round(robot))),
+        Slip(
+            "centred",
+            lambda robot, obstacle: minkowski_difference(obstacle, robot - robot.mean(axis=0)),
+        ),
+        Slip(
+            "first_vertex", lambda robot, obstacle: minkowski_difference(obstacle, robot - robot[0])
+        ),
+        Slip(
+            "box",
+            lambda robot, obstacle: minkowski_difference(box_round(obstacle), box_round(robot)),
+        ),
         Slip("all", lambda robot, obstacle: (obstacle[:, None] - robot).reshape(-1, 2)),
     )
     reference = staticmethod(difference_of)
@@ -54,7 +64,9 @@ class CObstacle(ValueExercise):
             ("parallel", WEDGE, [(4, 3), (7, 3), (7, 5), (4, 5)]),
             ("off", WEDGE + 1, [(6, 2), (8, 3), (5, 5)]),
         ):
-            yield Case(kind, {"robot": np.array(robot, float), "obstacle": np.array(obstacle, float)})
+            yield Case(
+                kind, {"robot": np.array(robot, float), "obstacle": np.array(obstacle, float)}
+            )
         for number, size in enumerate(sizes(3)):
             for kind in self.kinds:
                 mover, solid = shapes_of(rng, 3 + number // 3, size, kind)
@@ -67,12 +79,17 @@ class CObstacle(ValueExercise):
         return Verdict(0.0, case.kind if is_convex(value) else "order", self.wanted(case))
 
     def same(self, value: Any, truth: Any) -> bool:
-        """The same polygon: it may begin anywhere, go either way round, and have vertices inside its edges."""
+        """The same polygon: it may begin anywhere, go either way round, and have vertices inside
+        its edges.
+        """
         answer = np.asarray(value, float)
         if not is_convex(answer):
             return super().same(value, truth)
         slack = self.tolerance * (1.0 + float(np.abs(truth).max()))
-        return all(outside(points, ring) <= slack for points, ring in ((answer, truth), (truth, forwards(answer))))
+        return all(
+            outside(points, ring) <= slack
+            for points, ring in ((answer, truth), (truth, forwards(answer)))
+        )
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """The obstacle, the robot, the C-obstacle and the student's."""
@@ -80,18 +97,26 @@ class CObstacle(ValueExercise):
 
 
 def is_convex(ring: Array) -> bool:
-    """Whether points are the vertices of a convex polygon in order, either way round, but for rounding."""
+    """Whether points are the vertices of a convex polygon in order, either way round, but for
+    rounding.
+    """
     points = np.asarray(ring, float)
     if len(points) < 3 or not np.isfinite(points).all():
         return False
     extent = float(np.ptp(points, axis=0).max())
-    points = points[np.abs(points - np.roll(points, 1, axis=0)).max(axis=1) > 1e-9 * extent]  # a vertex listed twice is one
+    points = points[
+        np.abs(points - np.roll(points, 1, axis=0)).max(axis=1) > 1e-9 * extent
+    ]  # a vertex listed twice is one
     if len(points) < 3:
         return False
     before, after = points - np.roll(points, 1, axis=0), np.roll(points, -1, axis=0) - points
-    turns = np.arctan2(before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0], (before * after).sum(axis=1))
+    turns = np.arctan2(
+        before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0], (before * after).sum(axis=1)
+    )
     turns = np.where(np.abs(turns) < 1e-7, 0.0, turns)
-    return bool(((turns >= 0).all() or (turns <= 0).all()) and abs(abs(turns.sum()) - 2.0 * np.pi) < 1e-3)
+    return bool(
+        ((turns >= 0).all() or (turns <= 0).all()) and abs(abs(turns.sum()) - 2.0 * np.pi) < 1e-3
+    )
 
 
 def forwards(ring: Array) -> Array:
@@ -100,7 +125,9 @@ def forwards(ring: Array) -> Array:
 
 
 def outside(points: Array, ring: Array) -> float:
-    """How far the farthest of some points is outside of a convex ring, at most; 0 where all are in it."""
+    """How far the farthest of some points is outside of a convex ring, at most; 0 where all are in
+    it.
+    """
     sides = np.linalg.norm(np.roll(ring, -1, axis=0) - ring, axis=1)
     return float(max((-(heights(q, ring) / sides).min() for q in points), default=0.0))
 
@@ -112,7 +139,9 @@ def box_round(ring: Array) -> Array:
 
 
 def shapes_of(rng: np.random.Generator, n: int, size: float, kind: str) -> tuple[Array, Array]:
-    """A robot whose reference point is inside, or off it, and an obstacle somewhere; boxes, with parallel edges, or neither."""
+    """A robot whose reference point is inside, or off it, and an obstacle somewhere; boxes, with
+    parallel edges, or neither.
+    """
     robot, obstacle = convex_polygon(rng, n, size), convex_polygon(rng, n + 1, size)
     if kind == "boxes":
         robot, obstacle = box_round(robot), box_round(obstacle)

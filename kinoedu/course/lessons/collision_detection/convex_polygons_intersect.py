@@ -41,7 +41,9 @@ class ConvexPolygonsIntersect(ValueExercise):
     reference = staticmethod(convex_polygons_intersect)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """The book's three pairs first; then larger polygons on squared paper, that stand to each other in every way."""
+        """The book's three pairs first; then larger polygons on squared paper, that stand to each
+        other in every way.
+        """
         unit = np.array([(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)])
         for kind, P1, P2 in (
             ("corner", 2 * unit, 2 * unit + 1),
@@ -50,7 +52,11 @@ class ConvexPolygonsIntersect(ValueExercise):
             ("inside", 4 * unit, unit + 1),
             ("inside", unit + 1, 4 * unit),
             ("crossing", unit * (5, 1) + (0, 2), unit * (1, 5) + (2, 0)),
-            ("crossing", unit * (3000, 1) + (-1234, 0), unit * (1, 3000) + (0, -778)),  # a few points of each edge all miss
+            (
+                "crossing",
+                unit * (3000, 1) + (-1234, 0),
+                unit * (1, 3000) + (0, -778),
+            ),  # a few points of each edge all miss
             ("boxes", TRIANGLE, [(4, 4), (1, 4), (4, 1)]),
             ("touching", unit, moved(unit, 1, 1)),
             ("touching", unit, moved(unit, 1, 0)),
@@ -80,7 +86,11 @@ def pair_of(rng: np.random.Generator, n: int, size: float, kind: str) -> tuple[A
         if kind == "crossing":
             P, Q = P * (9, 1), Q * (1, 9)
         reach = {"inside": 1.0, "crossing": 1.0, "apart": 5.0}.get(kind, 2.0) * size
-        Q = Q + np.round(rng.uniform(-reach, reach, 2)) if kind != "touching" else moved_to_touch(rng, 2 * P, Q)
+        Q = (
+            Q + np.round(rng.uniform(-reach, reach, 2))
+            if kind != "touching"
+            else moved_to_touch(rng, 2 * P, Q)
+        )
         P = 2 * P if kind == "touching" else P
         P, Q = (P, Q) if rng.random() < 0.5 else (Q, P)
         if way_of(P, Q) == kind:
@@ -123,5 +133,7 @@ def some_in(P: Array, Q: Array) -> bool:
 
 def edges_meet(P: Array, Q: Array) -> bool:
     """Whether an edge of P shares a point with an edge of Q."""
-    pairs = np.array([(P[i - 1], P[i], Q[j - 1], Q[j]) for i, j in product(range(len(P)), range(len(Q)))])
+    pairs = np.array(
+        [(P[i - 1], P[i], Q[j - 1], Q[j]) for i, j in product(range(len(P)), range(len(Q)))]
+    )
     return bool(np.any(segments_intersect(*pairs.transpose(1, 0, 2))))

@@ -13,7 +13,9 @@ NEAR = 1e-5  # dots nearer than that are one
 
 
 class DrawnExercise(ValueExercise):
-    """An exercise whose function draws into axes that it is given last; what they hold then is judged."""
+    """An exercise whose function draws into axes that it is given last; what they hold then is
+    judged.
+    """
 
     answer = Drawn()
 
@@ -27,7 +29,9 @@ class DrawnExercise(ValueExercise):
 
 
 def same_dots(found: Any, wanted: Any, *, modulo: bool = False) -> bool:
-    """Whether rows are the same but for rounding, in any order; the first two columns modulo 2 pi or not."""
+    """Whether rows are the same but for rounding, in any order; the first two columns modulo 2 pi
+    or not.
+    """
     ours, theirs = np.asarray(found, float), np.asarray(wanted, float)
     if ours.shape != theirs.shape or not np.isfinite(ours).all():
         return False

@@ -15,7 +15,8 @@ from ..geometry.lines import POINT
 from .arm_pictures import draw_contact
 
 DISCS = Numbers(("m", 3))
-CLEAR = 1e-4  # of a unit: how far every case is from a change of its answer, but for those that touch exactly
+# of a unit: how far every case is from a change of its answer, but for those that touch exactly
+CLEAR = 1e-4
 
 
 def ends_of_links(q: Array, lengths: Array) -> Array:
@@ -28,7 +29,10 @@ def ends_of_links(q: Array, lengths: Array) -> Array:
 def gaps(q: Array, lengths: Array, width: float, discs: Array) -> Array:
     """The distance between each link and each disc, negative where they overlap; (2, m)."""
     ends = ends_of_links(q, lengths)
-    rows = [[point_segment_distance(disc[:2], a, b) - disc[2] - width / 2 for disc in discs] for a, b in zip(ends, ends[1:])]
+    rows = [
+        [point_segment_distance(disc[:2], a, b) - disc[2] - width / 2 for disc in discs]
+        for a, b in zip(ends, ends[1:])
+    ]
     return np.array(rows, float).reshape(2, len(discs))
 
 
@@ -53,24 +57,57 @@ class LinkInContact(ValueExercise):
     answer = Whole()
     source = staticmethod(touched_link)
     slips = (
-        Slip("from_x", lambda q, lengths, width, discs: touched_link(q - (0, q[0]), lengths, width, discs)),
-        Slip("degrees", lambda q, lengths, width, discs: touched_link(np.radians(q), lengths, width, discs)),
+        Slip(
+            "from_x",
+            lambda q, lengths, width, discs: touched_link(q - (0, q[0]), lengths, width, discs),
+        ),
+        Slip(
+            "degrees",
+            lambda q, lengths, width, discs: touched_link(np.radians(q), lengths, width, discs),
+        ),
         Slip("thin", lambda q, lengths, width, discs: touched_link(q, lengths, 0.0, discs)),
-        Slip("whole_width", lambda q, lengths, width, discs: touched_link(q, lengths, 2 * width, discs)),
-        Slip("centres", lambda q, lengths, width, discs: touched_link(q, lengths, width, discs * (1, 1, 0))),
-        Slip("endless", lambda q, lengths, width, discs: by_distances(q, lengths, width, discs, point_line_distance)),
-        Slip("square", lambda q, lengths, width, discs: by_distances(q, lengths, width, discs, beside)),
-        Slip("ends_only", lambda q, lengths, width, discs: by_distances(q, lengths, width, discs, nearer_end)),
-        Slip("one_disc", lambda q, lengths, width, discs: touched_link(q, lengths, width, discs[:1])),
-        Slip("one_disc", lambda q, lengths, width, discs: touched_link(q, lengths, width, discs[-1:])),
-        Slip("second_first", lambda q, lengths, width, discs: second_first(q, lengths, width, discs)),
+        Slip(
+            "whole_width",
+            lambda q, lengths, width, discs: touched_link(q, lengths, 2 * width, discs),
+        ),
+        Slip(
+            "centres",
+            lambda q, lengths, width, discs: touched_link(q, lengths, width, discs * (1, 1, 0)),
+        ),
+        Slip(
+            "endless",
+            lambda q, lengths, width, discs: by_distances(
+                q, lengths, width, discs, point_line_distance
+            ),
+        ),
+        Slip(
+            "square",
+            lambda q, lengths, width, discs: by_distances(q, lengths, width, discs, beside),
+        ),
+        Slip(
+            "ends_only",
+            lambda q, lengths, width, discs: by_distances(q, lengths, width, discs, nearer_end),
+        ),
+        Slip(
+            "one_disc", lambda q, lengths, width, discs: touched_link(q, lengths, width, discs[:1])
+        ),
+        Slip(
+            "one_disc", lambda q, lengths, width, discs: touched_link(q, lengths, width, discs[-1:])
+        ),
+        Slip(
+            "second_first", lambda q, lengths, width, discs: second_first(q, lengths, width, discs)
+        ),
         Slip("disc_first", lambda q, lengths, width, discs: disc_first(q, lengths, width, discs)),
-        Slip("open", lambda q, lengths, width, discs: touched_link(q, lengths, width - 1e-9, discs)),
+        Slip(
+            "open", lambda q, lengths, width, discs: touched_link(q, lengths, width - 1e-9, discs)
+        ),
     )
     reference = staticmethod(touched_link)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """An arm that lies on the x-axis first, so that all can be done on squared paper; then any."""
+        """An arm that lies on the x-axis first, so that all can be done on squared paper; then
+        any.
+        """
         for kind, q, *discs in (
             ("free", (0, 0), (1, 2, 0.5)),
             ("link_2", (0, 0), (3, 1, 1)),
@@ -93,36 +130,57 @@ class LinkInContact(ValueExercise):
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """The discs and the arm, its links numbered."""
-        ends, value = ends_of_links(case.given["q"], case.given["lengths"]), outcome.value if isinstance(outcome, Answer) else None
+        ends, value = (
+            ends_of_links(case.given["q"], case.given["lengths"]),
+            outcome.value if isinstance(outcome, Answer) else None,
+        )
         draw_contact(self, case, ends, value, self.truth(case), ax)
 
 
 def case_of(kind: str, q: Any, lengths: Any, width: float, discs: Any) -> Case:
     """A case of an arm and discs, rows x, y, r."""
     rows = np.array(discs, float).reshape(-1, 3)
-    return Case(kind, {"q": np.array(q, float), "lengths": np.array(lengths, float), "width": float(width), "discs": rows})
+    return Case(
+        kind,
+        {
+            "q": np.array(q, float),
+            "lengths": np.array(lengths, float),
+            "width": float(width),
+            "discs": rows,
+        },
+    )
 
 
 def random_case(rng: np.random.Generator, kind: str, n: int) -> Case:
     """A random arm among n discs that is a case of a kind."""
     while True:
-        lengths, width = np.round(rng.uniform(0.5, 3.0, 2), 2), float(np.round(rng.uniform(0.1, 0.6), 2))
+        lengths, width = (
+            np.round(rng.uniform(0.5, 3.0, 2), 2),
+            float(np.round(rng.uniform(0.1, 0.6), 2)),
+        )
         q = np.round(rng.uniform(-2.0 * np.pi, 2.0 * np.pi, 2), 3)
         if kind == "touching":
             return touching_case(rng, n)
         ends, reach = ends_of_links(q, lengths), float(lengths.sum())
-        discs = np.column_stack([rng.uniform(-reach, reach, (n, 2)), rng.uniform(0.05, 0.3 if n > 1 else 0.8, n)])
+        discs = np.column_stack(
+            [rng.uniform(-reach, reach, (n, 2)), rng.uniform(0.05, 0.3 if n > 1 else 0.8, n)]
+        )
         if kind == "end":  # just beyond the tip, in the rounded end
             out = (ends[2] - ends[1]) / lengths[1]
             discs[-1, :2] = ends[2] + out * (discs[-1, 2] + width * rng.uniform(0.3, 0.45))
         discs = np.round(discs, 3)
         case = case_of(kind, q, lengths, width, discs)
-        if abs(gaps(q, lengths, width, discs)).min() > CLEAR and kind_of(*case.given.values()) == kind:
+        if (
+            abs(gaps(q, lengths, width, discs)).min() > CLEAR
+            and kind_of(*case.given.values()) == kind
+        ):
             return case
 
 
 def touching_case(rng: np.random.Generator, n: int) -> Case:
-    """An arm along the x-axis that touches the last of n discs, exactly, at any eighth: eighths are not rounded."""
+    """An arm along the x-axis that touches the last of n discs, exactly, at any eighth: eighths are
+    not rounded.
+    """
     lengths, half = rng.integers(4, 17, 2) / 4.0, int(rng.integers(1, 5)) / 8.0
     radius, along = int(rng.integers(2, 9)) / 8.0, int(rng.integers(1, 8 * lengths[0])) / 8.0
     x = along if rng.random() < 0.5 else lengths[0] + lengths[1] / 2

@@ -1,4 +1,6 @@
-"""The exercise "break it" of lesson 7: two polygons that are apart, of which a program says that they meet."""
+"""The exercise "break it" of lesson 7: two polygons that are apart, of which a program says that
+they meet.
+"""
 
 from collections.abc import Iterator
 from typing import Any
@@ -49,7 +51,9 @@ class OverlookedGap(Exercise):
         """Both polygons, and a line between them where there is one."""
         good = isinstance(outcome, Answer) and not polygon_fault(*outcome.value)
         rings = (
-            (as_convex_ring(outcome.value[0]), as_convex_ring(outcome.value[1])) if isinstance(outcome, Answer) and good else None
+            (as_convex_ring(outcome.value[0]), as_convex_ring(outcome.value[1]))
+            if isinstance(outcome, Answer) and good
+            else None
         )
         draw_gap(self, rings, ax)
 
@@ -67,7 +71,8 @@ def polygon_fault(P1: Array, P2: Array) -> str:
 
 
 def half_separating(P1: Array, P2: Array) -> bool:
-    """Whether two convex polygons share a point: they do not if all of P2 lies to the right of an edge of P1.
+    """Whether two convex polygons share a point: they do not if all of P2 lies to the right of an
+    edge of P1.
 
     It is wrong somewhere. Where?
     """

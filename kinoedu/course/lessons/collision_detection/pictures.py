@@ -1,4 +1,6 @@
-"""Pictures of failing cases of lesson 7. What is true is solid and green, what the student's program says dashed and orange."""
+"""Pictures of failing cases of lesson 7. What is true is solid and green, what the student's
+program says dashed and orange.
+"""
 
 from typing import Any
 
@@ -36,7 +38,9 @@ def draw_segments(exercise: ValueExercise, case: Case, value: Array | None, ax: 
     plane.stretch(p1, p2, "", ax, colour=palette.OBSTACLE, width=5.0)
     plane.stretch(p3, p4, "", ax, colour=palette.TREE, width=2.5)
     for name, end, lift in (("p1", p1, 9), ("p2", p2, 9), ("p3", p3, -19), ("p4", p4, -19)):
-        plane.label(end, name, ax, colour=palette.OBSTACLE if lift > 0 else palette.TREE, offset=(5, lift))
+        plane.label(
+            end, name, ax, colour=palette.OBSTACLE if lift > 0 else palette.TREE, offset=(5, lift)
+        )
     for point in exercise.truth(case):
         plane.dot(point, "", ax, colour=palette.START)
     shown: Any = [] if value is None else value[np.isfinite(value).all(axis=1)][:20]
@@ -52,7 +56,9 @@ def draw_segments(exercise: ValueExercise, case: Case, value: Array | None, ax: 
 
 
 def draw_pair(exercise: ValueExercise, case: Case, value: Any, ax: Any) -> None:
-    """Both polygons; an edge that has the other polygon on its right, with its line, where there is one."""
+    """Both polygons; an edge that has the other polygon on its right, with its line, where there is
+    one.
+    """
     pair(case.given["P1"], case.given["P2"], ax)
     finish(exercise, case, value, ax)
 
@@ -81,14 +87,24 @@ def draw_grown_obstacle(exercise: ValueExercise, case: Case, value: Array | None
     robot, obstacle, truth = case.given["robot"], case.given["obstacle"], exercise.truth(case)
     shown = np.empty((0, 2)) if value is None else value[np.isfinite(value).all(axis=1)][:60]
     ground = np.vstack([robot, obstacle, truth, [(0.0, 0.0)]])
-    near = shown[np.abs(shown - truth.mean(axis=0)).max(axis=1) <= 2.0 * np.ptp(ground, axis=0).max()]
+    near = shown[
+        np.abs(shown - truth.mean(axis=0)).max(axis=1) <= 2.0 * np.ptp(ground, axis=0).max()
+    ]
     plane.frame(np.vstack([ground, near]), ax, margin=0.15)
     ax.fill(*obstacle.T, facecolor=palette.OBSTACLE, zorder=3)
     ax.fill(*robot.T, facecolor=palette.ROBOT, alpha=0.6, zorder=3)
     ax.fill(*truth.T, facecolor="none", edgecolor=palette.START, linewidth=2.5, zorder=4)
     plane.dot((0, 0), say("collision_picture.reference"), ax)
     if len(shown):
-        ax.plot(*np.vstack([shown, shown[:1]]).T, "--o", color=palette.GOAL, linewidth=2.2, zorder=5, scalex=False, scaley=False)
+        ax.plot(
+            *np.vstack([shown, shown[:1]]).T,
+            "--o",
+            color=palette.GOAL,
+            linewidth=2.2,
+            zorder=5,
+            scalex=False,
+            scaley=False,
+        )
     if value is None:
         plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
     plane.title(exercise.words(f"pictures.{case.kind}"), ax)
@@ -110,5 +126,9 @@ def finish(exercise: ValueExercise, case: Case, value: Any, ax: Any) -> None:
     """What was answered, and what to see."""
     from ....figures import palette, plane
 
-    plane.corner_note(say("picture.no_answer") if value is None else say("picture.yours", value=value), ax, colour=palette.GOAL)
+    plane.corner_note(
+        say("picture.no_answer") if value is None else say("picture.yours", value=value),
+        ax,
+        colour=palette.GOAL,
+    )
     plane.title(exercise.words(f"pictures.{case.kind}"), ax)

@@ -1,4 +1,6 @@
-"""The exercise that asks for a drawing of samples of an arm's configuration space. Bullo & Smith, chapter 4."""
+"""The exercise that asks for a drawing of samples of an arm's configuration space. Bullo & Smith,
+chapter 4.
+"""
 
 from collections.abc import Iterator
 from typing import Any
@@ -20,7 +22,9 @@ OTHER = 9  # stands for a colour that is none of the three
 
 
 class PlotConfigurationSpace(DrawnExercise):
-    """Samples of the configuration space as dots: black where link 1 touches a disc, red where link 2 does, blue where free."""
+    """Samples of the configuration space as dots: black where link 1 touches a disc, red where link
+    2 does, blue where free.
+    """
 
     name = "plot_configuration_space"
     lesson = "07_collision_detection"
@@ -32,8 +36,14 @@ class PlotConfigurationSpace(DrawnExercise):
         Slip("unscaled_links", lambda samples, *arm: coloured(FULL * samples, samples, *arm)),
         Slip("root", lambda samples, *arm: rightly(samples[: int(np.sqrt(len(samples)))], *arm)),
         Slip("degrees", lambda samples, *arm: coloured(360 * samples, FULL * samples, *arm)),
-        Slip("transposed", lambda samples, *arm: coloured(FULL * samples[:, ::-1], FULL * samples, *arm)),
-        Slip("only_free", lambda samples, *arm: np.array([dot for dot in rightly(samples, *arm) if dot[2] == 0])),
+        Slip(
+            "transposed",
+            lambda samples, *arm: coloured(FULL * samples[:, ::-1], FULL * samples, *arm),
+        ),
+        Slip(
+            "only_free",
+            lambda samples, *arm: np.array([dot for dot in rightly(samples, *arm) if dot[2] == 0]),
+        ),
         Slip("one_red", lambda samples, *arm: recoloured(rightly(samples, *arm), (0, 2, 2))),
         Slip("swapped", lambda samples, *arm: recoloured(rightly(samples, *arm), (0, 2, 1))),
     )
@@ -44,7 +54,9 @@ class PlotConfigurationSpace(DrawnExercise):
         return rightly(*given)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Few samples first, each sampler in turn; no sample is so near to a change that rounding would count."""
+        """Few samples first, each sampler in turn; no sample is so near to a change that rounding
+        would count.
+        """
         for number in range(10):
             for kind in self.kinds:
                 yield Case(kind, sampled_arm(rng, kind, 2 + number))
@@ -54,7 +66,9 @@ class PlotConfigurationSpace(DrawnExercise):
         return same_dots(dots_of(value), truth, modulo=True)
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """First the number of dots, then where they are, then their colours: one of the three, and the right one."""
+        """First the number of dots, then where they are, then their colours: one of the three, and
+        the right one.
+        """
         truth, found = self.truth(case), dots_of(value)
         if same_dots(found, truth, modulo=True):
             return RIGHT
@@ -63,7 +77,9 @@ class PlotConfigurationSpace(DrawnExercise):
         in_place = same_dots(found[:, :2], truth[:, :2], modulo=True)
         if not in_place:
             return Verdict(0.0, "places", self.wanted(case))
-        return Verdict(0.0, "shades" if (found[:, 2] == OTHER).any() else "colours", self.wanted(case))
+        return Verdict(
+            0.0, "shades" if (found[:, 2] == OTHER).any() else "colours", self.wanted(case)
+        )
 
     def answer_words(self, case: Case, value: Any) -> str:
         """How many dots of each colour."""
@@ -75,11 +91,19 @@ class PlotConfigurationSpace(DrawnExercise):
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """The right dots as rings, the student's in them."""
-        draw_samples(self, case, self.truth(case), dots_of(outcome.value) if isinstance(outcome, Answer) else None, ax)
+        draw_samples(
+            self,
+            case,
+            self.truth(case),
+            dots_of(outcome.value) if isinstance(outcome, Answer) else None,
+            ax,
+        )
 
 
 def dots_of(plot: Any) -> Array:
-    """The dots of a plot as rows of both angles and the link that their colour stands for, or OTHER."""
+    """The dots of a plot as rows of both angles and the link that their colour stands for, or
+    OTHER.
+    """
     rows = [(*point, shade(one["colour"])) for one in plot["dots"] for point in one["points"]]
     return np.array(rows, float).reshape(-1, 3)
 
@@ -125,14 +149,25 @@ def sampled_arm(rng: np.random.Generator, kind: str, k: int) -> dict[str, Any]:
     """An arm, discs and k * k samples of a kind, of all three colours if there are many."""
     while True:
         arm = random_case(rng, "both", 1 + k // 5).given
-        given = {"samples": unit_samples(rng, kind, k), **{name: arm[name] for name in ("lengths", "width", "discs")}}
-        margin = min(np.abs(gaps(FULL * q, *list(given.values())[1:])).min() for q in given["samples"])
+        given = {
+            "samples": unit_samples(rng, kind, k),
+            **{name: arm[name] for name in ("lengths", "width", "discs")},
+        }
+        margin = min(
+            np.abs(gaps(FULL * q, *list(given.values())[1:])).min() for q in given["samples"]
+        )
         if margin > 1e-6 and len(np.unique(rightly(*given.values())[:, 2])) >= (3 if k > 4 else 2):
             return given
 
 
 def unit_samples(rng: np.random.Generator, kind: str, k: int) -> Array:
-    """k * k samples of the unit square: cell centres of a grid, random ones, or Halton's from a random start."""
+    """k * k samples of the unit square: cell centres of a grid, random ones, or Halton's from a
+    random start.
+    """
     if kind == "grid":
         return sukharev_grid(k * k)
-    return uniform_random(k * k, rng=rng) if kind == "random" else halton(k * k, start=int(rng.integers(1, 50)))
+    return (
+        uniform_random(k * k, rng=rng)
+        if kind == "random"
+        else halton(k * k, start=int(rng.integers(1, 50)))
+    )

@@ -24,11 +24,25 @@ class PlotEnvironment(DrawnExercise):
     kinds = ("straight", "bent", "several")
     given = Record(q=POINT, lengths=POINT, width=Number(), discs=DISCS)
     slips = (
-        Slip("square", lambda q, lengths, width, discs: scene_of(q, lengths, width, discs, rounded=False)),
-        Slip("from_x", lambda q, lengths, width, discs: scene_of(q - (0, q[0]), lengths, width, discs)),
-        Slip("degrees", lambda q, lengths, width, discs: scene_of(np.radians(q), lengths, width, discs)),
-        Slip("whole_width", lambda q, lengths, width, discs: scene_of(q, lengths, 2 * width, discs)),
-        Slip("half_discs", lambda q, lengths, width, discs: scene_of(q, lengths, width, discs * (1, 1, 0.5))),
+        Slip(
+            "square",
+            lambda q, lengths, width, discs: scene_of(q, lengths, width, discs, rounded=False),
+        ),
+        Slip(
+            "from_x",
+            lambda q, lengths, width, discs: scene_of(q - (0, q[0]), lengths, width, discs),
+        ),
+        Slip(
+            "degrees",
+            lambda q, lengths, width, discs: scene_of(np.radians(q), lengths, width, discs),
+        ),
+        Slip(
+            "whole_width", lambda q, lengths, width, discs: scene_of(q, lengths, 2 * width, discs)
+        ),
+        Slip(
+            "half_discs",
+            lambda q, lengths, width, discs: scene_of(q, lengths, width, discs * (1, 1, 0.5)),
+        ),
         Slip("one_disc", lambda q, lengths, width, discs: scene_of(q, lengths, width, discs[:1])),
     )
 
@@ -39,7 +53,11 @@ class PlotEnvironment(DrawnExercise):
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """An arm along the x-axis, one that is bent by a right angle, then any."""
-        for kind, q in (("straight", (0, 0)), ("bent", (0, np.pi / 2)), ("bent", (np.pi / 2, -np.pi / 4))):
+        for kind, q in (
+            ("straight", (0, 0)),
+            ("bent", (0, np.pi / 2)),
+            ("bent", (np.pi / 2, -np.pi / 4)),
+        ):
             arm = (np.array([2.0, 1.0]), 0.5, np.array([(1.0, 2.0, 0.5)]))
             yield Case(kind, dict(zip(self.given.fields, (np.array(q, float), *arm))))
         for number in range(10):
@@ -55,10 +73,14 @@ class PlotEnvironment(DrawnExercise):
         """The first rule that a drawing breaks, or ""."""
         found, wanted = (drawn_scene(one) if "dots" in one else one for one in (value, truth))
         rules = dict(zip((*LINKS, "disc"), ("first", "second", "discs")))
-        missing = [label for label in (*rules, JOINTS) if len(wanted[label]) and not len(found[label])]
+        missing = [
+            label for label in (*rules, JOINTS) if len(wanted[label]) and not len(found[label])
+        ]
         if missing:
             return "labels"
-        wrong = [rule for label, rule in rules.items() if not same_region(found[label], wanted[label])]
+        wrong = [
+            rule for label, rule in rules.items() if not same_region(found[label], wanted[label])
+        ]
         return wrong[0] if wrong else "" if same_dots(found[JOINTS], wanted[JOINTS]) else JOINTS
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
@@ -68,31 +90,54 @@ class PlotEnvironment(DrawnExercise):
 
     def answer_words(self, case: Case, value: Any) -> str:
         """How many shapes and dots of each label."""
-        counts = ", ".join(f"{label!r}: {len(shapes)}" for label, shapes in drawn_scene(value).items())
+        counts = ", ".join(
+            f"{label!r}: {len(shapes)}" for label, shapes in drawn_scene(value).items()
+        )
         return say("plot_environment.answered", counts=counts)
 
     def wanted(self, case: Case) -> str:
         """The same in words."""
         elbow, tip = ends_of_links(case.given["q"], case.given["lengths"])[1:].round(3).tolist()
-        return say("plot_environment.wanted", elbow=tuple(elbow), tip=tuple(tip), discs=len(case.given["discs"]))
+        return say(
+            "plot_environment.wanted",
+            elbow=tuple(elbow),
+            tip=tuple(tip),
+            discs=len(case.given["discs"]),
+        )
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """What should be drawn pale, what is drawn dashed."""
-        draw_scene(self, case, self.truth(case), drawn_scene(outcome.value) if isinstance(outcome, Answer) else None, ax)
+        draw_scene(
+            self,
+            case,
+            self.truth(case),
+            drawn_scene(outcome.value) if isinstance(outcome, Answer) else None,
+            ax,
+        )
 
 
-def scene_of(q: Array, lengths: Array, width: float, discs: Array, *, rounded: bool = True) -> Scene:
+def scene_of(
+    q: Array, lengths: Array, width: float, discs: Array, *, rounded: bool = True
+) -> Scene:
     """The outlines that a drawing of the arm holds, and the joints, by their labels."""
     ends = ends_of_links(q, lengths)
-    links = {label: [bar(a, b, width, rounded=rounded)] for label, a, b in zip(LINKS, ends, ends[1:])}
+    links = {
+        label: [bar(a, b, width, rounded=rounded)] for label, a, b in zip(LINKS, ends, ends[1:])
+    }
     return {**links, "disc": [circle(disc[:2], disc[2]) for disc in discs], JOINTS: list(ends)}
 
 
 def drawn_scene(plot: Any) -> Scene:
     """What a plot holds under each of the labels: closed outlines, and for the joints dots."""
     shapes = [*plot["polygons"], *plot["lines"]]
-    scene = {label: [one["points"] for one in shapes if one["label"] == label] for label in (*LINKS, "disc")}
-    return {**scene, JOINTS: [dot for one in plot["dots"] if one["label"] == JOINTS for dot in one["points"]]}
+    scene = {
+        label: [one["points"] for one in shapes if one["label"] == label]
+        for label in (*LINKS, "disc")
+    }
+    return {
+        **scene,
+        JOINTS: [dot for one in plot["dots"] if one["label"] == JOINTS for dot in one["points"]],
+    }
 
 
 def same_region(found: list[Array], wanted: list[Array]) -> bool:

@@ -41,7 +41,9 @@ class PointInConvexPolygon(ValueExercise):
     reference = staticmethod(point_in_convex_polygon)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """The book's square first; then larger polygons on squared paper, with a point of every kind."""
+        """The book's square first; then larger polygons on squared paper, with a point of every
+        kind.
+        """
         for kind, q, P in (
             ("inside", (2, 2), SQUARE),
             ("outside", (2, 4), SQUARE),
@@ -65,7 +67,9 @@ class PointInConvexPolygon(ValueExercise):
 
 
 def point_and_polygon(rng: np.random.Generator, n: int, size: float, kind: str) -> dict[str, Array]:
-    """A random point of a kind, and its polygon. On an edge or its line all numbers are whole or halves: nothing is rounded."""
+    """A random point of a kind, and its polygon. On an edge or its line all numbers are whole or
+    halves: nothing is rounded.
+    """
     while True:
         P = convex_polygon(rng, n, size)
         a, b = P[-1], P[0]
@@ -74,7 +78,11 @@ def point_and_polygon(rng: np.random.Generator, n: int, size: float, kind: str) 
             i = int(rng.integers(len(P)))
             share = rng.choice([0.0, 0.5] if kind == "boundary" else [-1.0, 2.0])
             return {"q": P[i - 1] + share * (P[i] - P[i - 1]), "P": P}
-        beside = a + rng.uniform(0.3, 0.7) * (b - a) + rng.uniform(0.01, 0.2) * np.array([b[1] - a[1], a[0] - b[0]])
+        beside = (
+            a
+            + rng.uniform(0.3, 0.7) * (b - a)
+            + rng.uniform(0.01, 0.2) * np.array([b[1] - a[1], a[0] - b[0]])
+        )
         anywhere = (lo + hi) / 2 + rng.uniform(-1.0, 1.0, 2) * (hi - lo)
         q = np.round(beside if kind == "closing" else anywhere, 3) + 0.0
         left = heights(q, P)

@@ -35,19 +35,28 @@ class SegmentIntersection(ValueExercise):
         Slip("one_sided", lambda *ends: by_shares(ends, lambda t, s: 0 <= s <= 1)),
         Slip("parallel", lambda *ends: by_shares(ends, lambda t, s: 0 <= t <= 1 and 0 <= s <= 1)),
         Slip("open", lambda *ends: by_shares(ends, lambda t, s: 0 < t < 1 and 0 < s < 1)),
-        Slip("upright", lambda *ends: NOTHING if ends[2][0] == ends[3][0] else segment_intersection(*ends)),
+        Slip(
+            "upright",
+            lambda *ends: NOTHING if ends[2][0] == ends[3][0] else segment_intersection(*ends),
+        ),
         Slip("one_point", lambda *ends: segment_intersection(*ends)[:1]),
         Slip("one_point", lambda *ends: segment_intersection(*ends)[-1:]),
         Slip(
             "one_point",
-            lambda *ends: segment_intersection(*ends).mean(axis=0)[None] if len(segment_intersection(*ends)) else NOTHING,
+            lambda *ends: (
+                segment_intersection(*ends).mean(axis=0)[None]
+                if len(segment_intersection(*ends))
+                else NOTHING
+            ),
         ),
         Slip("twice", lambda *ends: twice(segment_intersection(*ends), ends)),
     )
     reference = staticmethod(segment_intersection)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """The book's three pairs first, then small whole numbers; what lies on one line stays on squared paper."""
+        """The book's three pairs first, then small whole numbers; what lies on one line stays on
+        squared paper.
+        """
         for kind, *ends in (
             ("crossing", (1, 1), (3, 3), (1, 3), (3, 1)),
             ("touching", (0, 0), (2, 3), (4, 1), (0, 5)),
@@ -64,7 +73,12 @@ class SegmentIntersection(ValueExercise):
             yield case_of(kind, ends)
         for size in sizes(4):
             for kind in self.kinds:
-                yield case_of(kind, on_one_line(rng, size, kind) if kind in ("overlap", "end_to_end") else ends_of(rng, size, kind))
+                yield case_of(
+                    kind,
+                    on_one_line(rng, size, kind)
+                    if kind in ("overlap", "end_to_end")
+                    else ends_of(rng, size, kind),
+                )
 
     def same(self, value: Any, truth: Any) -> bool:
         """The same points, in either order."""
@@ -81,7 +95,9 @@ def case_of(kind: str, ends: Any) -> Case:
 
 
 def ends_of(rng: np.random.Generator, size: float, kind: str) -> Array:
-    """Four random ends of segments that stand to each other in a way that is none of one line; shape (4, 2)."""
+    """Four random ends of segments that stand to each other in a way that is none of one line;
+    shape (4, 2).
+    """
     while True:
         ends = np.round(points(rng, 4, size)) if kind == "touching" else points(rng, 4, size)
         if kind == "upright":
@@ -102,7 +118,9 @@ def ends_of(rng: np.random.Generator, size: float, kind: str) -> Array:
 
 
 def kind_of(ends: Array) -> str:
-    """How two segments stand to each other, "" where a small change would change that and they are not on squared paper."""
+    """How two segments stand to each other, "" where a small change would change that and they are
+    not on squared paper.
+    """
     u, v = ends[1] - ends[0], ends[3] - ends[2]
     if not (u.any() and v.any()):
         return ""
@@ -121,14 +139,21 @@ def kind_of(ends: Array) -> str:
 
 
 def on_one_line(rng: np.random.Generator, size: float, kind: str) -> Array:
-    """Two segments of one line on squared paper: they overlap, have one end in common, or are apart; shape (4, 2)."""
+    """Two segments of one line on squared paper: they overlap, have one end in common, or are
+    apart; shape (4, 2).
+    """
     start = np.round(points(rng, 1, size)[0])
     step = rng.integers(-4, 5, 2)
     while not step.any():
         step = rng.integers(-4, 5, 2)
     a, b, c, d = sorted(rng.choice(9, 4, replace=False))
-    numbers = {"overlap": [(a, c, b, d), (a, d, b, c), (b, c, a, d), (a, b, a, c), (a, b, a, b)], "end_to_end": [(a, b, b, c)]}
-    places = np.array(numbers.get(kind, [(a, b, c, d)])[int(rng.integers(len(numbers.get(kind, [0]))))])
+    numbers = {
+        "overlap": [(a, c, b, d), (a, d, b, c), (b, c, a, d), (a, b, a, c), (a, b, a, b)],
+        "end_to_end": [(a, b, b, c)],
+    }
+    places = np.array(
+        numbers.get(kind, [(a, b, c, d)])[int(rng.integers(len(numbers.get(kind, [0]))))]
+    )
     pairs = places.reshape(2, 2)
     for pair in pairs:
         pair[:] = rng.permutation(pair)

@@ -1,4 +1,6 @@
-"""Shared by the exercises on distances between angles: on the circle, and on the torus. Bullo & Smith, chapter 3."""
+"""Shared by the exercises on distances between angles: on the circle, and on the torus. Bullo &
+Smith, chapter 3.
+"""
 
 from math import pi
 from typing import Any

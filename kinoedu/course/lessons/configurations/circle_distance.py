@@ -40,17 +40,42 @@ class CircleDistance(BetweenAngles):
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Whole numbers first; angles in [-pi, pi), then any."""
-        for a, b in ((0, 1), (2, 0.5), (-1, 1), (3, -3), (-3, 2), (0, -pi), (pi / 2, -pi / 2), (1, 1)):
+        for a, b in (
+            (0, 1),
+            (2, 0.5),
+            (-1, 1),
+            (3, -3),
+            (-3, 2),
+            (0, -pi),
+            (pi / 2, -pi / 2),
+            (1, 1),
+        ):
             yield self.case(a, b)
-        for a, b in ((0, TURN), (0, 7), (-7, 1), (20, -20), (-pi, pi), (0, 3 * pi), (10, 10.001), (0, 0), (95, -95)):
+        for a, b in (
+            (0, TURN),
+            (0, 7),
+            (-7, 1),
+            (20, -20),
+            (-pi, pi),
+            (0, 3 * pi),
+            (10, 10.001),
+            (0, 0),
+            (95, -95),
+        ):
             yield self.case(a, b)
         for _ in range(25):
             a, turn = np.round(rng.uniform(-3.1, 3.1), 2), np.round(rng.uniform(0.01, 2.9), 2)
             yield self.case(a, min(max(a + rng.choice([-1, 1]) * turn, -3.14), 3.14))
-            yield self.case(np.round(rng.uniform(1.6, 3.14), 2), np.round(rng.uniform(-3.14, -1.6), 2))
-            yield self.case(np.round(rng.uniform(-3.14, -1.6), 2), np.round(rng.uniform(1.6, 3.14), 2))
+            yield self.case(
+                np.round(rng.uniform(1.6, 3.14), 2), np.round(rng.uniform(-3.14, -1.6), 2)
+            )
+            yield self.case(
+                np.round(rng.uniform(-3.14, -1.6), 2), np.round(rng.uniform(1.6, 3.14), 2)
+            )
             yield self.case(a, a + pi if a < 0 else a - pi)
-            yield self.case(a, np.round(a + turn + rng.integers(1, 15) * rng.choice([-TURN, TURN]), 2))
+            yield self.case(
+                a, np.round(a + turn + rng.integers(1, 15) * rng.choice([-TURN, TURN]), 2)
+            )
             yield self.case(a, a + rng.integers(0, 3) * TURN)
 
     def case(self, a: float, b: float) -> Case:
@@ -71,5 +96,7 @@ def kind_of(a: float, b: float) -> str:
 
 
 def wrapped_above(turn: float) -> float:
-    """The size of a turn from which whole turns are taken while it is more than half of one; below -pi it stays as it is."""
+    """The size of a turn from which whole turns are taken while it is more than half of one; below
+    -pi it stays as it is.
+    """
     return abs(turn - TURN * np.ceil((turn - pi) / TURN)) if turn > pi else abs(turn)

@@ -1,4 +1,6 @@
-"""The exercise on degrees of freedom: bodies in the plane, and pins that hold them together. Bullo & Smith, chapter 3."""
+"""The exercise on degrees of freedom: bodies in the plane, and pins that hold them together. Bullo
+& Smith, chapter 3.
+"""
 
 from collections.abc import Iterator
 from typing import Any
@@ -32,11 +34,21 @@ class DegreesOfFreedom(ValueExercise):
         Slip("ground", lambda bodies, joints: freedoms(bodies + 1, joints)),
         Slip("less_one", lambda bodies, joints: freedoms(bodies - 1, joints)),
         Slip("shared", lambda bodies, joints: 3 * bodies - 2 * len(joints)),
-        Slip("three", lambda bodies, joints: 3 * bodies - 3 * sum(len(held) - 1 for held in joints)),
+        Slip(
+            "three", lambda bodies, joints: 3 * bodies - 3 * sum(len(held) - 1 for held in joints)
+        ),
         Slip("one", lambda bodies, joints: 3 * bodies - sum(len(held) - 1 for held in joints)),
-        Slip("points", lambda bodies, joints: 2 * bodies - sum(2 * (len(held) - 1) for held in joints)),
-        Slip("every_body", lambda bodies, joints: 3 * bodies - sum(2 * len(held) for held in joints)),
-        Slip("every_body", lambda bodies, joints: 3 * bodies - sum(2 * np.count_nonzero(held) for held in joints)),
+        Slip(
+            "points",
+            lambda bodies, joints: 2 * bodies - sum(2 * (len(held) - 1) for held in joints),
+        ),
+        Slip(
+            "every_body", lambda bodies, joints: 3 * bodies - sum(2 * len(held) for held in joints)
+        ),
+        Slip(
+            "every_body",
+            lambda bodies, joints: 3 * bodies - sum(2 * np.count_nonzero(held) for held in joints),
+        ),
         Slip("pins", lambda bodies, joints: len(joints)),
         Slip("no_pins", lambda bodies, joints: 3 * bodies),
         Slip("never_less", lambda bodies, joints: max(0, freedoms(bodies, joints))),
@@ -62,7 +74,9 @@ class DegreesOfFreedom(ValueExercise):
             yield Case(kind, {"bodies": bodies, "joints": joints})
         for bodies in range(2, 8):
             for kind in self.kinds * 2:
-                yield Case(kind, {"bodies": bodies + 1, "joints": random_joints(rng, kind, bodies + 1)})
+                yield Case(
+                    kind, {"bodies": bodies + 1, "joints": random_joints(rng, kind, bodies + 1)}
+                )
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """Bodies, pins and the ground, and both numbers."""
@@ -73,10 +87,14 @@ def random_joints(rng: np.random.Generator, kind: str, bodies: int) -> Joints:
     """Pins that make one mechanism of all bodies, on the ground unless it is loose."""
     ground = 1 if kind == "loose" else 0
     joints = [[int(rng.integers(ground, body)), body] for body in range(ground + 1, bodies + 1)]
-    while (kind == "loop" and len(joints) < bodies + 1) or (kind == "rigid" and freedoms(bodies, joints) > rng.integers(-1, 1)):
+    while (kind == "loop" and len(joints) < bodies + 1) or (
+        kind == "rigid" and freedoms(bodies, joints) > rng.integers(-1, 1)
+    ):
         pair = sorted(map(int, rng.choice(np.arange(bodies + 1), 2, replace=False)))
         joints += [pair] if pair not in joints else []
     if kind == "shared":
-        held = rng.choice(np.arange(bodies + 1), int(rng.integers(3, min(bodies, 4) + 1)), replace=False)
+        held = rng.choice(
+            np.arange(bodies + 1), int(rng.integers(3, min(bodies, 4) + 1)), replace=False
+        )
         joints = [joint for joint in joints if joint[1] not in held] + [sorted(map(int, held))]
     return joints

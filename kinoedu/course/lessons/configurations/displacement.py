@@ -34,7 +34,15 @@ class Displacement(MatrixExercise):
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Whole numbers and quarters first."""
-        for x, y, theta in ((3, 4, 0), (0, 0, pi / 2), (2, 0, pi / 2), (0, 0, 0), (-1, 5, pi), (3, 1, -1), (0, 0, 2)):
+        for x, y, theta in (
+            (3, 4, 0),
+            (0, 0, pi / 2),
+            (2, 0, pi / 2),
+            (0, 0, 0),
+            (-1, 5, pi),
+            (3, 1, -1),
+            (0, 0, 2),
+        ):
             yield displacement_case(x, y, theta)
         for size in (3.0, 10.0, 10.0, 100.0, 1000.0):
             for _ in range(5):

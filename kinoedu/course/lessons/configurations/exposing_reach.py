@@ -1,4 +1,6 @@
-"""The exercise "break it" of lesson 5: an arm and a target for which inverse kinematics by the law of sines is wrong."""
+"""The exercise "break it" of lesson 5: an arm and a target for which inverse kinematics by the law
+of sines is wrong.
+"""
 
 from collections.abc import Iterator
 from math import acos, asin, atan2, hypot, sin
@@ -31,7 +33,9 @@ class ExposeReach(Exercise):
         return (Case(kind, {}) for kind in self.kinds)
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """An arm and a place in its reach; where the program is wrong; with links that are nearly equal."""
+        """An arm and a place in its reach; where the program is wrong; with links that are nearly
+        equal.
+        """
         l1, l2, p = value
         rule = arm_fault(l1, l2, p)
         if not rule and case.kind != "valid":
@@ -45,7 +49,9 @@ class ExposeReach(Exercise):
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """What the tip reaches, the target, and where the program's angles lead."""
-        value = outcome.value if isinstance(outcome, Answer) and not arm_fault(*outcome.value) else None
+        value = (
+            outcome.value if isinstance(outcome, Answer) and not arm_fault(*outcome.value) else None
+        )
         draw_missed(value, [] if value is None else inverse_by_sines(*value), ax)
 
 
@@ -67,7 +73,8 @@ def missed_by(l1: float, l2: float, p: Array) -> float:
 
 
 def inverse_by_sines(l1: float, l2: float, p: Array) -> list[tuple[float, float]]:
-    """Both configurations that put the tip of an arm at p: the bend by the law of cosines, the angle at the base by that of sines.
+    """Both configurations that put the tip of an arm at p: the bend by the law of cosines, the
+    angle at the base by that of sines.
 
     It is wrong somewhere. Where?
     """

@@ -35,7 +35,12 @@ class ForwardKinematics(ValueExercise):
     slips = (
         Slip("absolute", lambda l1, l2, q: arm_joints(l1, l2, (q[0], q[1] - q[0]))),
         Slip("swapped", lambda l1, l2, q: arm_joints(l1, l2, q)[::-1]),
-        Slip("from_elbow", lambda l1, l2, q: np.array([arm_joints(l1, l2, q)[0], np.diff(arm_joints(l1, l2, q), axis=0)[0]])),
+        Slip(
+            "from_elbow",
+            lambda l1, l2, q: np.array(
+                [arm_joints(l1, l2, q)[0], np.diff(arm_joints(l1, l2, q), axis=0)[0]]
+            ),
+        ),
         Slip("same_array", lambda l1, l2, q: arm_joints(l1, l2, q)[[1, 1]]),
         Slip("difference", lambda l1, l2, q: arm_joints(l1, l2, (q[0], -q[1]))),
         Slip("axes", lambda l1, l2, q: arm_joints(l1, l2, q)[:, ::-1]),
@@ -64,7 +69,12 @@ class ForwardKinematics(ValueExercise):
                 yield arm_case("stretched", l1, l2, q=(first, 0.0))
                 yield arm_case("bent", l1, l2, q=(first, second))
                 yield arm_case("folded", l1, l2, q=(first, rng.choice([-pi, pi])))
-                yield arm_case("turns", l1, l2, q=np.round(rng.uniform(4.0, 30.0, 2) * rng.choice([-1, 1], 2), 2))
+                yield arm_case(
+                    "turns",
+                    l1,
+                    l2,
+                    q=np.round(rng.uniform(4.0, 30.0, 2) * rng.choice([-1, 1], 2), 2),
+                )
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """The arm, and the student's."""

@@ -17,16 +17,22 @@ from .arm_cases import PAIR, arm_case
 from .exposing_reach import inverse_by_sines
 from .pictures import draw_solutions
 
-WHOLE_CORNERS = np.array([(3, 4), (5, 12), (8, 15), (7, 24), (20, 21), (5, 0)])  # as far from the origin as a whole number
+WHOLE_CORNERS = np.array(
+    [(3, 4), (5, 12), (8, 15), (7, 24), (20, 21), (5, 0)]
+)  # as far from the origin as a whole number
 
 
 def arm_solutions(l1: float, l2: float, p: Array) -> Array:
-    """Every q that puts the tip at p, shape (k, 2). Raises InvalidPoint where there are infinitely many."""
+    """Every q that puts the tip at p, shape (k, 2). Raises InvalidPoint where there are infinitely
+    many.
+    """
     return np.array(TwoLinkArm(l1, l2, 0.0).inverse(p)).reshape(-1, 2)
 
 
 def half_mirrored(first: int, signs: tuple[int, int], l1: float, l2: float, p: Array) -> Array:
-    """One solution, and what is taken for its mirror image: with link 1 left where it is, or mirrored in the x-axis."""
+    """One solution, and what is taken for its mirror image: with link 1 left where it is, or
+    mirrored in the x-axis.
+    """
     one = arm_solutions(l1, l2, p)[first:][:1]
     return np.vstack([one, one * signs])
 
@@ -44,15 +50,26 @@ class InverseKinematics(ValueExercise):
     slips = (
         Slip("one", lambda l1, l2, p: arm_solutions(l1, l2, p)[:1]),
         Slip("one", lambda l1, l2, p: arm_solutions(l1, l2, p)[-1:]),
-        *(Slip("half_mirrored", partial(half_mirrored, first, signs)) for first in (0, -1) for signs in ((1, -1), (-1, -1))),
+        *(
+            Slip("half_mirrored", partial(half_mirrored, first, signs))
+            for first in (0, -1)
+            for signs in ((1, -1), (-1, -1))
+        ),
         Slip("mixed", lambda l1, l2, p: arm_solutions(l1, l2, p) * (1, -1)),
         Slip("absolute", lambda l1, l2, p: [(q[0], q[0] + q[1]) for q in arm_solutions(l1, l2, p)]),
         Slip("half_plane", lambda l1, l2, p: by_cosines(l1, l2, p, atan(p[1] / p[0]))),
         Slip("no_heading", lambda l1, l2, p: by_cosines(l1, l2, p, 0.0)),
         Slip("axes", lambda l1, l2, p: arm_solutions(l1, l2, p[::-1])),
-        Slip("exchanged", lambda l1, l2, p: by_cosines(l1, l2, p, atan2(p[1], p[0]), exchanged=True)),
+        Slip(
+            "exchanged", lambda l1, l2, p: by_cosines(l1, l2, p, atan2(p[1], p[0]), exchanged=True)
+        ),
         Slip("sines", inverse_by_sines),
-        Slip("inner_angle", lambda l1, l2, p: [(q[0], np.sign(q[1]) * (pi - abs(q[1]))) for q in arm_solutions(l1, l2, p)]),
+        Slip(
+            "inner_angle",
+            lambda l1, l2, p: [
+                (q[0], np.sign(q[1]) * (pi - abs(q[1]))) for q in arm_solutions(l1, l2, p)
+            ],
+        ),
         Slip("inner_angle", lambda l1, l2, p: by_inner_angle(l1, l2, p)),
         Slip("degrees", lambda l1, l2, p: np.degrees(arm_solutions(l1, l2, p))),
         Slip("degrees", lambda l1, l2, p: np.degrees(by_cosines(l1, l2, p, atan2(p[1], p[0])))),
@@ -83,7 +100,10 @@ class InverseKinematics(ValueExercise):
 
     def same(self, value: Any, truth: Any) -> bool:
         """The same configurations: in any order, up to whole turns, each at least once."""
-        found, wanted = np.asarray(value, float).reshape(-1, 2), np.asarray(truth, float).reshape(-1, 2)
+        found, wanted = (
+            np.asarray(value, float).reshape(-1, 2),
+            np.asarray(truth, float).reshape(-1, 2),
+        )
         return self.are_among(found, wanted) and self.are_among(wanted, found)
 
     def are_among(self, some: Array, others: Array) -> bool:
@@ -93,9 +113,15 @@ class InverseKinematics(ValueExercise):
             return bool(np.all(np.any(np.all(apart <= self.tolerance, axis=2), axis=1)))
 
     def judge(self, case: Case, outcome: Outcome) -> Verdict:
-        """A ValueError, the student's own or that of acos, is answered by what holds for such a target."""
+        """A ValueError, the student's own or that of acos, is answered by what holds for such a
+        target.
+        """
         verdict = super().judge(case, outcome)
-        if isinstance(outcome, Raised) and "ValueError" in outcome.kinds and verdict.rule == "raised":
+        if (
+            isinstance(outcome, Raised)
+            and "ValueError" in outcome.kinds
+            and verdict.rule == "raised"
+        ):
             return verdict._replace(rule="refused" if case.kind == "two" else case.kind)
         return verdict
 
@@ -118,14 +144,22 @@ def random_targets(rng: np.random.Generator, size: float) -> Iterator[Case]:
     angle = rng.uniform(-pi, pi)
     direction = np.array([np.cos(angle), np.sin(angle)])
     margin = 0.02 * outer
-    yield arm_case("two", l1, l2, p=np.round(rng.uniform(inner + margin, outer - margin) * direction, 3))
+    yield arm_case(
+        "two", l1, l2, p=np.round(rng.uniform(inner + margin, outer - margin) * direction, 3)
+    )
     yield arm_case("too_far", l1, l2, p=np.round(rng.uniform(1.02, 2.0) * outer * direction, 3))
-    yield arm_case("too_near", *rng.permutation([l1, l1 / 4]), p=np.round(rng.uniform(0.1, 0.7) * l1 * direction, 3))
+    yield arm_case(
+        "too_near",
+        *rng.permutation([l1, l1 / 4]),
+        p=np.round(rng.uniform(0.1, 0.7) * l1 * direction, 3),
+    )
     corner = rng.choice(WHOLE_CORNERS) * rng.choice([-1, 1], 2)
     far = int(hypot(*corner))
     first, swap = int(rng.integers(1, far)), rng.permutation([0, 1])
     yield arm_case("outer_rim", first, far - first, p=corner[swap])
-    yield arm_case("inner_rim", *np.array([first, far + first])[rng.permutation([0, 1])], p=corner[swap])
+    yield arm_case(
+        "inner_rim", *np.array([first, far + first])[rng.permutation([0, 1])], p=corner[swap]
+    )
     yield arm_case("endless", l1, l1, p=(0.0, 0.0))
 
 
@@ -137,8 +171,12 @@ def by_inner_angle(l1: float, l2: float, p: Array) -> list[tuple[float, float]]:
     return [(heading - lead, bend), (heading + lead, -bend)]
 
 
-def by_cosines(l1: float, l2: float, p: Array, heading: float, *, exchanged: bool = False) -> list[tuple[float, float]]:
-    """Both solutions by the law of cosines, the first angle from a heading on; perhaps with the sides exchanged at the base."""
+def by_cosines(
+    l1: float, l2: float, p: Array, heading: float, *, exchanged: bool = False
+) -> list[tuple[float, float]]:
+    """Both solutions by the law of cosines, the first angle from a heading on; perhaps with the
+    sides exchanged at the base.
+    """
     far = hypot(*p)
     bend = acos((far * far - l1 * l1 - l2 * l2) / (2.0 * l1 * l2))
     a, b = (l2, l1) if exchanged else (l1, l2)

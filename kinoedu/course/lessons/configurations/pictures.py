@@ -1,4 +1,6 @@
-"""Pictures of failing cases of lesson 5. What is true is solid and green, what the student's program says dashed and orange."""
+"""Pictures of failing cases of lesson 5. What is true is solid and green, what the student's
+program says dashed and orange.
+"""
 
 from typing import Any
 
@@ -21,11 +23,17 @@ def note_both(truth: Any, value: Any, ax: Any) -> None:
     from ....figures import palette, plane
 
     yours = say("configuration_picture.none") if value is None else f"{value:.4g}"
-    plane.corner_note(say("configuration_picture.both", true=f"{float(truth):.4g}", yours=yours), ax, colour=palette.GOAL)
+    plane.corner_note(
+        say("configuration_picture.both", true=f"{float(truth):.4g}", yours=yours),
+        ax,
+        colour=palette.GOAL,
+    )
 
 
 def draw_short_ways(exercise: ValueExercise, case: Case, value: float | None, ax: Any) -> None:
-    """A circle for each angle, from a the short way to b; where there is one, how far the student's program goes."""
+    """A circle for each angle, from a the short way to b; where there is one, how far the student's
+    program goes.
+    """
     from ....figures import configurations, palette, plane
 
     a, b = np.atleast_1d(case.given["a"]), np.atleast_1d(case.given["b"])
@@ -36,11 +44,18 @@ def draw_short_ways(exercise: ValueExercise, case: Case, value: float | None, ax
         turn = short_way(wrapped(p), wrapped(q))
         plane.ring((x, 0.0), 1.0, "", ax, colour=palette.OUTSIDE)
         configurations.draw_turn((x, 0), p, turn, 1.0, "", ax, colour=palette.START)
-        plane.label((x, 0.0), f"{abs(turn):.4g}", ax, colour=palette.START, offset=(0, -5), ha="center")
+        plane.label(
+            (x, 0.0), f"{abs(turn):.4g}", ax, colour=palette.START, offset=(0, -5), ha="center"
+        )
         if value is not None and len(a) == 1 and 0.0 < abs(value) < 20.0:
             sense = float(np.sign(turn) or 1.0)
-            configurations.draw_turn((x, 0), p, sense * value, 0.8, "", ax, colour=palette.GOAL, style="--")
-        for angle, name, far in ((p, "a", 16), (q, "b", 30)):  # b a little farther out, for it may be where a is
+            configurations.draw_turn(
+                (x, 0), p, sense * value, 0.8, "", ax, colour=palette.GOAL, style="--"
+            )
+        for angle, name, far in (
+            (p, "a", 16),
+            (q, "b", 30),
+        ):  # b a little farther out, for it may be where a is
             u, v = np.cos(angle), np.sin(angle)
             plane.dot((x + u, v), "", ax)
             plane.label((x + u, v), name, ax, offset=(far * u, far * v - 5), ha="center")
@@ -65,7 +80,11 @@ def draw_moved(exercise: ValueExercise, case: Case, value: Array | None, ax: Any
     if seen is not None:
         outline(seen, say("picture.yours_short"), ax, colour=palette.GOAL, style="--")
     else:
-        words = say("picture.no_answer") if yours is None else say("picture.outside", what=say("picture.yours_short"))
+        words = (
+            say("picture.no_answer")
+            if yours is None
+            else say("picture.outside", what=say("picture.yours_short"))
+        )
         plane.corner_note(words, ax, colour=palette.GOAL)
     plane.dot((0, 0), "", ax)
     ax.legend(fontsize=palette.TEXT_SIZE, loc="best")
@@ -93,8 +112,16 @@ def draw_joints(exercise: ValueExercise, case: Case, value: Array | None, ax: An
     truth = np.vstack([(0.0, 0.0), exercise.truth(case)])
     configurations.draw_links(truth, "", ax, colour=palette.START)
     if value is not None and np.isfinite(value).all() and np.abs(value).max() < 2.0 * (l1 + l2):
-        configurations.draw_links(np.vstack([(0.0, 0.0), value]), "", ax, colour=palette.GOAL, style="--")
-        plane.label(value[1], say("configuration_picture.your_tip"), ax, colour=palette.GOAL, offset=(9, -18))
+        configurations.draw_links(
+            np.vstack([(0.0, 0.0), value]), "", ax, colour=palette.GOAL, style="--"
+        )
+        plane.label(
+            value[1],
+            say("configuration_picture.your_tip"),
+            ax,
+            colour=palette.GOAL,
+            offset=(9, -18),
+        )
     else:
         plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
     plane.label(truth[2], say("configuration_picture.tip"), ax, colour=palette.START)
@@ -110,9 +137,13 @@ def draw_solutions(exercise: ValueExercise, case: Case, value: Array | None, ax:
     reach_of(l1, l2, p, ax)
     for q in [] if isinstance(truth, ValueError) else truth:
         configurations.draw_links(places(l1, l2, q), "", ax, colour=palette.START)
-    draw_students(l1, l2, [] if value is None else [q for q in value[:6] if np.isfinite(q).all()], ax)
+    draw_students(
+        l1, l2, [] if value is None else [q for q in value[:6] if np.isfinite(q).all()], ax
+    )
     if value is None or len(value) == 0:
-        words = say("picture.no_answer") if value is None else say("configuration_picture.no_solution")
+        words = (
+            say("picture.no_answer") if value is None else say("configuration_picture.no_solution")
+        )
         plane.corner_note(words, ax, colour=palette.GOAL)
     plane.dot(p, "p", ax, marker="*")
     plane.title(exercise.words(f"pictures.{case.kind}"), ax)
@@ -162,7 +193,9 @@ def places(l1: float, l2: float, q: Array) -> Array:
 
 
 def draw_mechanism(exercise: ValueExercise, case: Case, value: float | None, ax: Any) -> None:
-    """Bodies in a ring, each pin joined to the bodies that it holds, the ground a square; and both numbers."""
+    """Bodies in a ring, each pin joined to the bodies that it holds, the ground a square; and both
+    numbers.
+    """
     from ....figures import palette, plane
 
     bodies, joints = case.given["bodies"], case.given["joints"]
@@ -174,10 +207,26 @@ def draw_mechanism(exercise: ValueExercise, case: Case, value: float | None, ax:
         pin = 0.82 * at[held].mean(axis=0) + 0.02 * number
         for body in held:
             plane.stretch(pin, at[body], "", ax, colour=palette.OBSTACLE, width=3.0)
-        ax.plot(*pin, "o", color="white", markeredgecolor=palette.INK, markersize=13, markeredgewidth=2.0, zorder=7)
+        ax.plot(
+            *pin,
+            "o",
+            color="white",
+            markeredgecolor=palette.INK,
+            markersize=13,
+            markeredgewidth=2.0,
+            zorder=7,
+        )
     for body, place in enumerate(at):
         marker, colour = ("s", palette.INK) if body == 0 else ("o", palette.TREE)
         ax.plot(*place, marker, color=colour, markersize=26, zorder=7)
-        ax.text(*place, str(body), color="white", fontsize=palette.TEXT_SIZE, ha="center", va="center", zorder=8)
+        ax.text(
+            *place,
+            str(body),
+            color="white",
+            fontsize=palette.TEXT_SIZE,
+            ha="center",
+            va="center",
+            zorder=8,
+        )
     note_both(exercise.truth(case), value, ax)
     plane.title(exercise.words(f"pictures.{case.kind}"), ax)

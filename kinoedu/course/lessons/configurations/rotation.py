@@ -23,9 +23,15 @@ class Rotation(MatrixExercise):
         Slip("clockwise", lambda theta: rotation(-theta)),
         Slip("degrees", lambda theta: rotation(radians(theta))),
         Slip("degrees", lambda theta: rotation(np.degrees(theta))),
-        Slip("mirror", lambda theta: np.array([[cos(theta), sin(theta)], [sin(theta), -cos(theta)]])),
-        Slip("swapped", lambda theta: np.array([[sin(theta), -cos(theta)], [cos(theta), sin(theta)]])),
-        Slip("swapped", lambda theta: np.array([[sin(theta), cos(theta)], [-cos(theta), sin(theta)]])),
+        Slip(
+            "mirror", lambda theta: np.array([[cos(theta), sin(theta)], [sin(theta), -cos(theta)]])
+        ),
+        Slip(
+            "swapped", lambda theta: np.array([[sin(theta), -cos(theta)], [cos(theta), sin(theta)]])
+        ),
+        Slip(
+            "swapped", lambda theta: np.array([[sin(theta), cos(theta)], [-cos(theta), sin(theta)]])
+        ),
         Slip("root", lambda theta: rotation(theta) if sin(theta) >= 0.0 else rotation(-theta)),
         Slip("sign", lambda theta: np.array([[cos(theta), sin(theta)], [sin(theta), cos(theta)]])),
     )
@@ -33,11 +39,20 @@ class Rotation(MatrixExercise):
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Quarters first."""
-        for kind, theta in (("quarter", pi / 2), ("quarter", 0), ("left", 1), ("right", -1), ("turns", 8), ("turns", -20)):
+        for kind, theta in (
+            ("quarter", pi / 2),
+            ("quarter", 0),
+            ("left", 1),
+            ("right", -1),
+            ("turns", 8),
+            ("turns", -20),
+        ):
             yield Case(kind, {"theta": float(theta)})
         for _ in range(15):
             angle = float(np.round(rng.uniform(0.05, 3.1), 2))
             yield Case("quarter", {"theta": float(rng.integers(-4, 5) * pi / 2)})
             yield Case("left", {"theta": angle})
             yield Case("right", {"theta": -angle})
-            yield Case("turns", {"theta": float(np.round(rng.choice([-1, 1]) * rng.uniform(3.2, 50.0), 2))})
+            yield Case(
+                "turns", {"theta": float(np.round(rng.choice([-1, 1]) * rng.uniform(3.2, 50.0), 2))}
+            )

@@ -26,7 +26,9 @@ class TorusDistance(BetweenAngles):
         Slip("largest", lambda a, b: np.max(circle_distance(a, b))),
         Slip("square", lambda a, b: torus_distance(a, b) ** 2),
         Slip("two", lambda a, b: torus_distance(a[:2], b[:2])),
-        Slip("first", lambda a, b: np.hypot(circle_distance(a[0], b[0]), np.linalg.norm((a - b)[1:]))),
+        Slip(
+            "first", lambda a, b: np.hypot(circle_distance(a[0], b[0]), np.linalg.norm((a - b)[1:]))
+        ),
         Slip("whole", lambda a, b: min(np.linalg.norm(a - b), TURN - np.linalg.norm(a - b))),
         Slip("whole", lambda a, b: circle_distance(np.linalg.norm(a - b), 0.0)),
         Slip("once", lambda a, b: np.linalg.norm(np.minimum(abs(a - b), TURN - abs(a - b)))),
@@ -52,13 +54,24 @@ class TorusDistance(BetweenAngles):
         for _ in range(20):
             p = np.round(rng.uniform(-1.5, 1.5, 2), 2)
             yield case_of("near", p, np.round(p + rng.uniform(-1.6, 1.6, 2), 2))
-            high, low = np.round(rng.uniform(1.6, 3.14, 2), 2), np.round(rng.uniform(-3.14, -1.6, 2), 2)
+            high, low = (
+                np.round(rng.uniform(1.6, 3.14, 2), 2),
+                np.round(rng.uniform(-3.14, -1.6, 2), 2),
+            )
             yield case_of("across_all", high, low)
             mixed = rng.permutation([0, 1])
-            yield case_of("across_one", np.array([high[0], p[0]])[mixed], np.array([low[0], p[1]])[mixed])
-            yield case_of("turns", p, np.round(p + rng.uniform(-1.5, 1.5, 2) + TURN * rng.integers(1, 9, 2), 2))
+            yield case_of(
+                "across_one", np.array([high[0], p[0]])[mixed], np.array([low[0], p[1]])[mixed]
+            )
+            yield case_of(
+                "turns",
+                p,
+                np.round(p + rng.uniform(-1.5, 1.5, 2) + TURN * rng.integers(1, 9, 2), 2),
+            )
             d = int(rng.choice([1, 3, 4, 5]))
-            yield case_of("joints", np.round(rng.uniform(-pi, pi, d), 2), np.round(rng.uniform(-pi, pi, d), 2))
+            yield case_of(
+                "joints", np.round(rng.uniform(-pi, pi, d), 2), np.round(rng.uniform(-pi, pi, d), 2)
+            )
 
 
 def case_of(kind: str, a: ArrayLike, b: ArrayLike) -> Case:

@@ -1,4 +1,6 @@
-"""Lesson 3: Decomposition, or how a program can know that there is no way. Its exercises, as the notebook asks for them."""
+"""Lesson 3: Decomposition, or how a program can know that there is no way. Its exercises, as the
+notebook asks for them.
+"""
 
 from .crossings import Crossings
 from .exposing_world import ExposeShorterWalls

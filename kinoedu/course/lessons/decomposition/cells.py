@@ -1,4 +1,6 @@
-"""Shared by the exercises on cells: the trapezoids of a world, and who is whose neighbour. Bullo & Smith, chapter 2."""
+"""Shared by the exercises on cells: the trapezoids of a world, and who is whose neighbour. Bullo &
+Smith, chapter 2.
+"""
 
 from ....decomposition import trapezoidation
 from ....geometry.checks import Array

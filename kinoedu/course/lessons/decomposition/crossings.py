@@ -29,9 +29,19 @@ class Crossings(ValueExercise):
     slips = (
         Slip("unsorted", lambda x, edges: np.sort(crossed_edges(x, edges))),
         Slip("top_down", lambda x, edges: crossed_edges(x, edges)[::-1]),
-        Slip("rightward", lambda x, edges: by(heights(x, edges), (edges[:, 0] < x) & (x < edges[:, 2]))),
-        Slip("middles", lambda x, edges: by((edges[:, 1] + edges[:, 3]) / 2, (edges[:, 0] < x) != (edges[:, 2] < x))),
-        Slip("first_ends", lambda x, edges: by(edges[:, 1], (edges[:, 0] < x) != (edges[:, 2] < x))),
+        Slip(
+            "rightward",
+            lambda x, edges: by(heights(x, edges), (edges[:, 0] < x) & (x < edges[:, 2])),
+        ),
+        Slip(
+            "middles",
+            lambda x, edges: by(
+                (edges[:, 1] + edges[:, 3]) / 2, (edges[:, 0] < x) != (edges[:, 2] < x)
+            ),
+        ),
+        Slip(
+            "first_ends", lambda x, edges: by(edges[:, 1], (edges[:, 0] < x) != (edges[:, 2] < x))
+        ),
         Slip("lines", lambda x, edges: np.argsort(heights(x, edges))),
         Slip("renumbered", lambda x, edges: np.argsort(np.argsort(crossed_edges(x, edges)))),
     )
@@ -42,8 +52,14 @@ class Crossings(ValueExercise):
         pair = np.array([(0, 0, 4, 0), (4, 3, 0, 1)], float)
         yield Case("two", {"x": 2.0, "edges": pair})
         yield Case("two", {"x": 2.0, "edges": pair[::-1]})
-        yield Case("slanted", {"x": 1.0, "edges": np.array([(0, 0, 8, 8), (0, 4, 2, 2), (3, 0, 6, 1)], float)})
-        yield Case("slanted", {"x": 7.0, "edges": np.array([(0, 0, 8, 8), (10, 2, 5, 3), (0, 1, 6, 9)], float)})
+        yield Case(
+            "slanted",
+            {"x": 1.0, "edges": np.array([(0, 0, 8, 8), (0, 4, 2, 2), (3, 0, 6, 1)], float)},
+        )
+        yield Case(
+            "slanted",
+            {"x": 7.0, "edges": np.array([(0, 0, 8, 8), (10, 2, 5, 3), (0, 1, 6, 9)], float)},
+        )
         yield Case("none", {"x": 5.0, "edges": pair})
         yield Case("many", {"x": 2.0, "edges": np.vstack([[(5, 1, 8, 1), (0, 4, 4, 4)], pair])})
         for size in sizes(6):
@@ -55,11 +71,15 @@ class Crossings(ValueExercise):
             yield Case("two", {"x": x, "edges": edges[rng.permutation(found[:2])]})
             yield Case("slanted", {"x": x, "edges": through(rng, x, size)})
             yield Case("none", {"x": float(edges[:, 0].max() + 1.0), "edges": edges})
-            yield Case("many", {"x": x, "edges": np.vstack([edges, edges + np.array([0, 3, 0, 3]) * size])})
+            yield Case(
+                "many", {"x": x, "edges": np.vstack([edges, edges + np.array([0, 3, 0, 3]) * size])}
+            )
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """The line and the edges, those crossed with their places in both orders."""
-        draw_crossed(case, self.truth(case), outcome.value if isinstance(outcome, Answer) else None, ax)
+        draw_crossed(
+            case, self.truth(case), outcome.value if isinstance(outcome, Answer) else None, ax
+        )
         titled(self, case, ax)
 
 
@@ -70,7 +90,9 @@ def by(key: Array, chosen: NDArray[np.bool_]) -> NDArray[np.int64]:
 
 
 def through(rng: np.random.Generator, x: float, size: float) -> Array:
-    """Steep edges of many lengths that do not cross each other, one above the other at x, in no order."""
+    """Steep edges of many lengths that do not cross each other, one above the other at x, in no
+    order.
+    """
     rows = []
     for level in range(3):
         slope = rng.choice([-3.0, -2.0, 2.0, 3.0]) if level else 2.5

@@ -1,4 +1,6 @@
-"""The exercise "break it" of lesson 3: find a world in which a rule for the wall between two cells is wrong."""
+"""The exercise "break it" of lesson 3: find a world in which a rule for the wall between two cells
+is wrong.
+"""
 
 from collections.abc import Iterator
 from typing import Any
@@ -23,7 +25,9 @@ REFUSALS = (InvalidPoint, InvalidPolygon, InvalidWorld)
 
 
 class ExposeShorterWalls(Exercise):
-    """Break it: a world in which `middle_of_shorter_wall` is not on the wall that two neighbours share."""
+    """Break it: a world in which `middle_of_shorter_wall` is not on the wall that two neighbours
+    share.
+    """
 
     name = "exposing_world"
     lesson = "03_decomposition"
@@ -72,7 +76,9 @@ def cells_in(boundary: Array) -> tuple[Array, NDArray[np.int64]]:
 
 
 def misplaced(boundary: Array) -> NDArray[np.bool_]:
-    """For each pair of neighbours whether `middle_of_shorter_wall` lies off their wall by more than 0.000001, (m,)."""
+    """For each pair of neighbours whether `middle_of_shorter_wall` lies off their wall by more than
+    0.000001, (m,).
+    """
     cells, pairs = cells_in(boundary)
     walls = np.array([shared_wall(cells[i], cells[j]) for i, j in pairs]).reshape(-1, 3)
     y = np.array([middle_of_shorter_wall(cells[i], cells[j])[1] for i, j in pairs])
@@ -81,7 +87,8 @@ def misplaced(boundary: Array) -> NDArray[np.bool_]:
 
 
 def middle_of_shorter_wall(a: Array, b: Array) -> Array:
-    """The middle of the wall between two neighbours: of the left one's right wall and the right one's left wall the shorter.
+    """The middle of the wall between two neighbours: of the left one's right wall and the right
+    one's left wall the shorter.
 
     It is wrong somewhere. Where?
     """

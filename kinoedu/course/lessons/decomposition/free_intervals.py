@@ -45,10 +45,23 @@ class FreeIntervals(ValueExercise):
         Slip("hollow", lambda x, boundary, obstacles: consecutive(x, boundary, obstacles)),
         Slip("solid", lambda x, boundary, obstacles: consecutive(x, boundary, obstacles)[1::2]),
         Slip("no_obstacles", lambda x, boundary, obstacles: free_stretches(x, boundary, [])),
-        Slip("outer", lambda x, boundary, obstacles: free_stretches(x, boundary, obstacles).reshape(-1)[[0, -1]][None]),
-        Slip("top_down", lambda x, boundary, obstacles: free_stretches(x, boundary, obstacles)[::-1]),
-        Slip("upside_down", lambda x, boundary, obstacles: free_stretches(x, boundary, obstacles)[:, ::-1]),
-        Slip("upside_down", lambda x, boundary, obstacles: free_stretches(x, boundary, obstacles)[::-1, ::-1]),
+        Slip(
+            "outer",
+            lambda x, boundary, obstacles: free_stretches(x, boundary, obstacles).reshape(-1)[
+                [0, -1]
+            ][None],
+        ),
+        Slip(
+            "top_down", lambda x, boundary, obstacles: free_stretches(x, boundary, obstacles)[::-1]
+        ),
+        Slip(
+            "upside_down",
+            lambda x, boundary, obstacles: free_stretches(x, boundary, obstacles)[:, ::-1],
+        ),
+        Slip(
+            "upside_down",
+            lambda x, boundary, obstacles: free_stretches(x, boundary, obstacles)[::-1, ::-1],
+        ),
     )
     reference = staticmethod(free_stretches)
 
@@ -62,7 +75,9 @@ class FreeIntervals(ValueExercise):
             ("one", 2.0, KITE, [WEDGE]),
             ("several", 5.0, KITE, [WEDGE, WEDGE + np.array([0.5, 4.0])]),
         ):
-            yield Case(kind, {"x": x, "boundary": np.array(boundary, float), "obstacles": obstacles})
+            yield Case(
+                kind, {"x": x, "boundary": np.array(boundary, float), "obstacles": obstacles}
+            )
         for size in sizes(4):
             for kind, number in (("convex", 0), ("bays", 0), ("one", 1), ("several", 3)):
                 world = general_world(rng, number, size, convex=kind == "convex")
@@ -70,7 +85,9 @@ class FreeIntervals(ValueExercise):
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """The world, the line, its free stretches and the student's beside them."""
-        draw_intervals(case, self.truth(case), outcome.value if isinstance(outcome, Answer) else None, ax)
+        draw_intervals(
+            case, self.truth(case), outcome.value if isinstance(outcome, Answer) else None, ax
+        )
         titled(self, case, ax)
 
 

@@ -47,15 +47,28 @@ class Neighbours(ValueExercise):
     shown = staticmethod(share_walls)
     slips = (
         Slip("point", lambda trapezoids: touching(trapezoids, point=True)),
-        Slip("same_x", lambda trapezoids: np.sort(np.argwhere(trapezoids[:, None, 1] == trapezoids[:, 0]), axis=1)),
+        Slip(
+            "same_x",
+            lambda trapezoids: np.sort(
+                np.argwhere(trapezoids[:, None, 1] == trapezoids[:, 0]), axis=1
+            ),
+        ),
         Slip("same_x", lambda trapezoids: np.argwhere(trapezoids[:, None, 1] == trapezoids[:, 0])),
         Slip("left_wall", lambda trapezoids: touching(trapezoids, low=2, high=3)),
         Slip("reversed", lambda trapezoids: touching(trapezoids)[:, ::-1]),
-        Slip("twice", lambda trapezoids: np.vstack([touching(trapezoids), touching(trapezoids)[:, ::-1]])),
+        Slip(
+            "twice",
+            lambda trapezoids: np.vstack([touching(trapezoids), touching(trapezoids)[:, ::-1]]),
+        ),
         Slip("left_first", left_first),
         Slip("only_later", only_later),
         Slip("nearly", nearly),
-        Slip("in_a_row", lambda trapezoids: np.column_stack([np.arange(len(trapezoids) - 1), np.arange(1, len(trapezoids))])),
+        Slip(
+            "in_a_row",
+            lambda trapezoids: np.column_stack(
+                [np.arange(len(trapezoids) - 1), np.arange(1, len(trapezoids))]
+            ),
+        ),
         Slip("whole_wall", whole_walls),
         Slip("nested", nested_walls),
     )
@@ -68,21 +81,37 @@ class Neighbours(ValueExercise):
         yield Case("side", {"trapezoids": np.array([next_to, one], float)})
         yield Case("side", {"trapezoids": np.array([one, [2, 5, 3, 7, 3, 7]], float)})
         yield Case("apart", {"trapezoids": np.array([one, [2, 5, 6, 8, 6, 7]], float)})
-        yield Case("apart", {"trapezoids": np.array([[0, 2, 0, 4, 0, 2], [2, 5, 3, 6, 3, 6], [2, 4, 0, 2, 1, 2]], float)})
+        yield Case(
+            "apart",
+            {
+                "trapezoids": np.array(
+                    [[0, 2, 0, 4, 0, 2], [2, 5, 3, 6, 3, 6], [2, 4, 0, 2, 1, 2]], float
+                )
+            },
+        )
         yield Case("point", {"trapezoids": np.array([one, [2, 5, 4, 7, 3, 7]], float)})
         yield Case("point", {"trapezoids": np.array([one, [2, 5, 4, 7, 3, 7], next_to], float)})
         yield Case("world", {"trapezoids": THIN_PLATE})
         for size in sizes(4):
             low, high, far = np.sort(rng.choice(np.arange(1, 60), 3, replace=False)) * size / 100
             left = np.array([[-size, 0, -low, high / 3, low, high]])
-            for kind, floor, ceiling in (("side", (low + high) / 2, far), ("apart", high + 1, far + 2), ("point", high, far)):
+            for kind, floor, ceiling in (
+                ("side", (low + high) / 2, far),
+                ("apart", high + 1, far + 2),
+                ("point", high, far),
+            ):
                 right = np.array([[0, size, floor, ceiling, floor, floor + 1]])
-                yield Case(kind, {"trapezoids": rng.permutation(np.round(np.vstack([left, right]), 3))})
+                yield Case(
+                    kind, {"trapezoids": rng.permutation(np.round(np.vstack([left, right]), 3))}
+                )
             yield Case("world", {"trapezoids": rng.permutation(box_world(rng, size))})
 
     def same(self, value: Any, truth: Any) -> bool:
         """Whether the same pairs are there, each once, in any order."""
-        found, wanted = (sorted(map(tuple, np.asarray(array, float).reshape(-1, 2).tolist())) for array in (value, truth))
+        found, wanted = (
+            sorted(map(tuple, np.asarray(array, float).reshape(-1, 2).tolist()))
+            for array in (value, truth)
+        )
         return found == wanted
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
@@ -91,13 +120,22 @@ class Neighbours(ValueExercise):
             return RIGHT
         pairs, n = np.asarray(value), len(case.given["trapezoids"])
         proper = (
-            np.isin(pairs, np.arange(n)).all() and (pairs[:, 0] < pairs[:, 1]).all() and len(np.unique(pairs, axis=0)) == len(pairs)
+            np.isin(pairs, np.arange(n)).all()
+            and (pairs[:, 0] < pairs[:, 1]).all()
+            and len(np.unique(pairs, axis=0)) == len(pairs)
         )
         return Verdict(0.0, case.kind if proper else "pairs", self.wanted(case))
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The trapezoids with their numbers, the walls that are shared, and the pairs that the student joined."""
-        draw_pairs(case.given["trapezoids"], self.truth(case), outcome.value if isinstance(outcome, Answer) else None, ax)
+        """The trapezoids with their numbers, the walls that are shared, and the pairs that the
+        student joined.
+        """
+        draw_pairs(
+            case.given["trapezoids"],
+            self.truth(case),
+            outcome.value if isinstance(outcome, Answer) else None,
+            ax,
+        )
         titled(self, case, ax)
 
 
@@ -107,6 +145,8 @@ def box_world(rng: np.random.Generator, size: float) -> Array:
     hall = np.array([(0, 0), (16, 0), (16, 10), (0, 10)], float)
     while len(holes) < 4:
         at, wide, high = rng.integers(1, 12, 2), int(rng.integers(1, 4)), int(rng.integers(1, 4))
-        hole = np.array([(0, 0), (wide, 0), (wide, high), (0, high)], float)[: int(rng.integers(3, 5))] + at.astype(float)
+        hole = np.array([(0, 0), (wide, 0), (wide, high), (0, high)], float)[
+            : int(rng.integers(3, 5))
+        ] + at.astype(float)
         holes += [hole] if has_room(hole, hall, holes) else []
     return cells_of(unit * hall, [unit * hole for hole in holes])

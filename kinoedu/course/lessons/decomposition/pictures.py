@@ -1,4 +1,6 @@
-"""Pictures of failing cases of lesson 3. What is true is solid, what the student's program says dashed and orange."""
+"""Pictures of failing cases of lesson 3. What is true is solid, what the student's program says
+dashed and orange.
+"""
 
 from collections.abc import Callable
 from typing import Any
@@ -14,8 +16,12 @@ from ...exercise import Case, Exercise
 # figures are imported inside the functions: matplotlib is not needed until something is wrong
 
 
-def draw_crossed(case: Case, truth: NDArray[np.int64], value: NDArray[np.int64] | None, ax: Any) -> None:
-    """The edges with their numbers; where the line crosses one, its place in the order, and the student's."""
+def draw_crossed(
+    case: Case, truth: NDArray[np.int64], value: NDArray[np.int64] | None, ax: Any
+) -> None:
+    """The edges with their numbers; where the line crosses one, its place in the order, and the
+    student's.
+    """
     from ....figures import palette, plane
 
     x, edges = case.given["x"], case.given["edges"]
@@ -23,14 +29,25 @@ def draw_crossed(case: Case, truth: NDArray[np.int64], value: NDArray[np.int64] 
     for number, (ax_, ay, bx, by) in enumerate(edges):
         plane.stretch((ax_, ay), (bx, by), "", ax, colour=palette.OBSTACLE)
         if len(edges) <= 12:
-            plane.label(((ax_ + bx) / 2, (ay + by) / 2), f"edge {number}", ax, colour=palette.OBSTACLE, offset=(6, -16))
+            plane.label(
+                ((ax_ + bx) / 2, (ay + by) / 2),
+                f"edge {number}",
+                ax,
+                colour=palette.OBSTACLE,
+                offset=(6, -16),
+            )
     upright(x, ax)
     said = [] if value is None else value.tolist()
     for place, edge in enumerate(truth.tolist()):
         ax_, ay, bx, by = edges[edge]
         yours = ", ".join(str(k) for k, other in enumerate(said) if other == edge) or "-"
         height = ay + (x - ax_) / (bx - ax_) * (by - ay)
-        plane.dot((x, height), say("picture.place", true=place, yours=yours) if len(truth) <= 8 else "", ax, colour=palette.GOAL)
+        plane.dot(
+            (x, height),
+            say("picture.place", true=place, yours=yours) if len(truth) <= 8 else "",
+            ax,
+            colour=palette.GOAL,
+        )
     if value is None:
         plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
 
@@ -46,14 +63,30 @@ def draw_intervals(case: Case, truth: Array, value: Array | None, ax: Any) -> No
         plane.stretch((x, low), (x, high), "", ax, colour=palette.START, width=6.0)
     aside = x + 0.03 * float(np.ptp(ax.get_xlim()))
     for low, high in [] if value is None else value[np.isfinite(value).all(axis=1)][:50]:
-        plane.stretch((aside, low), (aside, high), "", ax, colour=palette.GOAL, style="--", width=4.0)
-        ax.plot([aside, aside], [low, high], "_", color=palette.GOAL, markersize=12, markeredgewidth=3, zorder=5)
-    note = say("picture.no_answer") if value is None else say("picture.stretches", true=len(truth), yours=len(value))
+        plane.stretch(
+            (aside, low), (aside, high), "", ax, colour=palette.GOAL, style="--", width=4.0
+        )
+        ax.plot(
+            [aside, aside],
+            [low, high],
+            "_",
+            color=palette.GOAL,
+            markersize=12,
+            markeredgewidth=3,
+            zorder=5,
+        )
+    note = (
+        say("picture.no_answer")
+        if value is None
+        else say("picture.stretches", true=len(truth), yours=len(value))
+    )
     plane.corner_note(note, ax, colour=palette.GOAL)
 
 
 def draw_cells(world: dict[str, Any], truth: Array, value: Array | None, ax: Any) -> None:
-    """The world, the true cells pale, the student's dashed; full orange those of the student's that are none."""
+    """The world, the true cells pale, the student's dashed; full orange those of the student's that
+    are none.
+    """
     from ....figures import palette, plane
 
     draw_ground(world, ax)
@@ -63,20 +96,49 @@ def draw_cells(world: dict[str, Any], truth: Array, value: Array | None, ax: Any
         plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
         return
     shown = value[np.isfinite(value).all(axis=1)][:300]
-    right = np.array([np.abs(truth - row).max(axis=1).min(initial=np.inf) <= 1e-6 * (1 + np.abs(row).max()) for row in shown], bool)
+    right = np.array(
+        [
+            np.abs(truth - row).max(axis=1).min(initial=np.inf) <= 1e-6 * (1 + np.abs(row).max())
+            for row in shown
+        ],
+        bool,
+    )
     for outline, good in zip(corners_of(shown), right):
         if good:
             closed = np.vstack([outline, outline[:1]])
-            ax.plot(*closed.T, "--", color=palette.GOAL, linewidth=2.0, zorder=4, scalex=False, scaley=False)
+            ax.plot(
+                *closed.T,
+                "--",
+                color=palette.GOAL,
+                linewidth=2.0,
+                zorder=4,
+                scalex=False,
+                scaley=False,
+            )
         else:
             face = (*bytes.fromhex(palette.GOAL[1:]), 40)
-            ax.fill(*outline.T, facecolor=[c / 255 for c in face], edgecolor=palette.GOAL, linewidth=3, linestyle="--", zorder=5)
+            ax.fill(
+                *outline.T,
+                facecolor=[c / 255 for c in face],
+                edgecolor=palette.GOAL,
+                linewidth=3,
+                linestyle="--",
+                zorder=5,
+            )
     plane.frame(world["boundary"], ax, margin=0.2)
-    plane.corner_note(say("picture.cells", true=len(truth), yours=len(value), good=int(right.sum())), ax, colour=palette.GOAL)
+    plane.corner_note(
+        say("picture.cells", true=len(truth), yours=len(value), good=int(right.sum())),
+        ax,
+        colour=palette.GOAL,
+    )
 
 
-def draw_pairs(cells: Array, truth: NDArray[np.int64], value: NDArray[np.int64] | None, ax: Any) -> None:
-    """The cells with their numbers, true pairs joined by a solid line, the student's by a dashed one."""
+def draw_pairs(
+    cells: Array, truth: NDArray[np.int64], value: NDArray[np.int64] | None, ax: Any
+) -> None:
+    """The cells with their numbers, true pairs joined by a solid line, the student's by a dashed
+    one.
+    """
     from ....figures import palette, plane
 
     centres = number_cells(cells, ax)
@@ -84,12 +146,24 @@ def draw_pairs(cells: Array, truth: NDArray[np.int64], value: NDArray[np.int64] 
         plane.stretch(centres[i], centres[j], "", ax, colour=palette.START, width=4.0)
     for i, j in [] if value is None else value[(np.isin(value, np.arange(len(cells)))).all(axis=1)]:
         plane.stretch(centres[i], centres[j], "", ax, colour=palette.GOAL, style="--")
-    note = say("picture.no_answer") if value is None else say("picture.pairs", true=len(truth), yours=len(value))
+    note = (
+        say("picture.no_answer")
+        if value is None
+        else say("picture.pairs", true=len(truth), yours=len(value))
+    )
     plane.corner_note(note, ax, colour=palette.GOAL)
 
 
-def draw_cell_path(given: dict[str, Any], truth: Array | None, value: Array | None, ax: Any, is_free: Callable[..., bool]) -> None:
-    """The cells, a right path, the student's dashed, and over it its first motion that is not free."""
+def draw_cell_path(
+    given: dict[str, Any],
+    truth: Array | None,
+    value: Array | None,
+    ax: Any,
+    is_free: Callable[..., bool],
+) -> None:
+    """The cells, a right path, the student's dashed, and over it its first motion that is not
+    free.
+    """
     from ....figures import palette, plane
 
     number_cells(given["trapezoids"], ax)
@@ -98,16 +172,38 @@ def draw_cell_path(given: dict[str, Any], truth: Array | None, value: Array | No
     if value is None:
         plane.corner_note(say("picture.yours", value="None"), ax, colour=palette.GOAL)
     elif len(value) and np.isfinite(value).all():
-        ax.plot(*value.T, "o--", color=palette.GOAL, linewidth=2.5, markersize=5, zorder=6, scalex=False, scaley=False)
-        hit = next((i for i in range(len(value) - 1) if not is_free(value[i], value[i + 1], given["trapezoids"])), None)
+        ax.plot(
+            *value.T,
+            "o--",
+            color=palette.GOAL,
+            linewidth=2.5,
+            markersize=5,
+            zorder=6,
+            scalex=False,
+            scaley=False,
+        )
+        hit = next(
+            (
+                i
+                for i in range(len(value) - 1)
+                if not is_free(value[i], value[i + 1], given["trapezoids"])
+            ),
+            None,
+        )
         if hit is not None:
-            plane.stretch(value[hit], value[hit + 1], say("picture.contact"), ax, colour=palette.CONTACT)
+            plane.stretch(
+                value[hit], value[hit + 1], say("picture.contact"), ax, colour=palette.CONTACT
+            )
     plane.dot(given["start"], "start", ax, colour=palette.START, marker="s")
     plane.dot(given["goal"], "goal", ax, colour=palette.GOAL, marker="*")
 
 
-def draw_middles(cells: Array, pairs: Any, shared: Callable[..., Any], found: Callable[..., Array], ax: Any) -> None:
-    """The cells, solid the walls that neighbours share, and the middles found for them: crosses where they lie off."""
+def draw_middles(
+    cells: Array, pairs: Any, shared: Callable[..., Any], found: Callable[..., Array], ax: Any
+) -> None:
+    """The cells, solid the walls that neighbours share, and the middles found for them: crosses
+    where they lie off.
+    """
     from ....figures import palette, plane
 
     number_cells(cells, ax)
@@ -115,7 +211,13 @@ def draw_middles(cells: Array, pairs: Any, shared: Callable[..., Any], found: Ca
         x, low, high = shared(cells[i], cells[j])
         y = found(cells[i], cells[j])[1]
         plane.stretch((x, low), (x, high), "", ax, colour=palette.START, width=6.0)
-        plane.dot((x, y), "", ax, colour=palette.INK if low < y < high else palette.GOAL, marker="o" if low < y < high else "X")
+        plane.dot(
+            (x, y),
+            "",
+            ax,
+            colour=palette.INK if low < y < high else palette.GOAL,
+            marker="o" if low < y < high else "X",
+        )
 
 
 def draw_outline(boundary: Array, ax: Any) -> None:
@@ -142,7 +244,13 @@ def draw_ground(world: dict[str, Any], ax: Any) -> None:
 
     plane.frame(world["boundary"], ax, margin=0.2)
     ax.set_facecolor("#E5E7EB")
-    ax.fill(*np.asarray(world["boundary"]).T, facecolor=palette.FREE, edgecolor=palette.OBSTACLE, linewidth=2, zorder=1)
+    ax.fill(
+        *np.asarray(world["boundary"]).T,
+        facecolor=palette.FREE,
+        edgecolor=palette.OBSTACLE,
+        linewidth=2,
+        zorder=1,
+    )
     for obstacle in world["obstacles"]:
         plane.polygon(obstacle, ax, numbers=False)
 

@@ -1,4 +1,6 @@
-"""The last exercise on decomposition: a path from cell to cell, judged by going along it. Bullo & Smith, chapter 2."""
+"""The last exercise on decomposition: a path from cell to cell, judged by going along it. Bullo &
+Smith, chapter 2.
+"""
 
 from collections.abc import Iterator
 from typing import Any
@@ -22,14 +24,24 @@ from .cells import CELLS
 from .pictures import draw_cell_path, titled
 
 HALL = np.array([(0, 0), (16, 0), (16, 10), (0, 10)], float)
-BAR = np.array([(0, 4), (14, 4), (14, 6), (0, 6)], float)  # from the left wall: the only way is round its right end
+BAR = np.array(
+    [(0, 4), (14, 4), (14, 6), (0, 6)], float
+)  # from the left wall: the only way is round its right end
 FENCE = np.array([(7, 0), (9, 0), (9, 10), (7, 10)], float)  # from floor to ceiling
-STEP = np.array([(0, 2), (5, 0), (5, 3), (9, 5), (5, 9), (5, 4)], float)  # neither wall at x = 5 holds the other
+STEP = np.array(
+    [(0, 2), (5, 0), (5, 3), (9, 5), (5, 9), (5, 4)], float
+)  # neither wall at x = 5 holds the other
 
 
-def through_cells(start: Array, goal: Array, trapezoids: Array, pairs: NDArray[np.int64]) -> Array | None:
+def through_cells(
+    start: Array, goal: Array, trapezoids: Array, pairs: NDArray[np.int64]
+) -> Array | None:
     """A path by the centres of cells and the middles of the walls between them, (k, 2), or None."""
-    cells = bfs_path(Graph(len(trapezoids), pairs), int(holders(start, trapezoids)[0]), int(holders(goal, trapezoids)[0]))
+    cells = bfs_path(
+        Graph(len(trapezoids), pairs),
+        int(holders(start, trapezoids)[0]),
+        int(holders(goal, trapezoids)[0]),
+    )
     if cells is None:
         return None
     path = [start]
@@ -64,22 +76,31 @@ def levels(cells: Array, x: float) -> Array:
 def holders(q: Array, cells: Array) -> NDArray[np.int64]:
     """The cells, walls included, that have q above their floor and below their ceiling."""
     low, high = levels(cells, q[0])
-    return np.flatnonzero((cells[:, 0] <= q[0]) & (q[0] <= cells[:, 1]) & (low < q[1]) & (q[1] < high))
+    return np.flatnonzero(
+        (cells[:, 0] <= q[0]) & (q[0] <= cells[:, 1]) & (low < q[1]) & (q[1] < high)
+    )
 
 
 def is_free(a: Array, b: Array, cells: Array) -> bool:
-    """Whether a motion touches no obstacle: in each cell it keeps off floor and ceiling, and it changes cells through walls.
+    """Whether a motion touches no obstacle: in each cell it keeps off floor and ceiling, and it
+    changes cells through walls.
 
-    At every wall both ends of what lies between two walls must be in one cell. Straight up or down, one cell must hold both ends on
-    the left and one on the right; along a wall these are two cells.
+    At every wall both ends of what lies between two walls must be in one cell. Straight up or down,
+    one cell must hold both ends on the left and one on the right; along a wall these are two cells.
     """
     a, b = (a, b) if a[0] <= b[0] else (b, a)
     walls = np.unique(cells[:, :2])
     walls = walls[(a[0] < walls) & (walls < b[0])]
-    stops = [a, *(np.array([x, a[1] + (x - a[0]) / (b[0] - a[0]) * (b[1] - a[1])]) for x in walls), b]
+    stops = [
+        a,
+        *(np.array([x, a[1] + (x - a[0]) / (b[0] - a[0]) * (b[1] - a[1])]) for x in walls),
+        b,
+    ]
     for q, r in [*((q, q) for q in stops), *zip(stops, stops[1:])]:
         shared = np.intersect1d(holders(q, cells), holders(r, cells))
-        if q[0] == r[0] and not ((cells[shared, 0] < q[0]).any() and (cells[shared, 1] > q[0]).any()):
+        if q[0] == r[0] and not (
+            (cells[shared, 0] < q[0]).any() and (cells[shared, 1] > q[0]).any()
+        ):
             return False
         if len(shared) == 0:
             return False
@@ -97,7 +118,9 @@ class PlanByDecomposition(Exercise):
     source = staticmethod(through_cells)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """One cell; two; round a tip, where start and goal lie one above the other; across a world; into another room."""
+        """One cell; two; round a tip, where start and goal lie one above the other; across a world;
+        into another room.
+        """
         for boundary, obstacles, start, goal in (
             (HALL, [], (1, 1), (15, 9)),
             (HALL, [BAR], (15, 2), (3, 2)),
@@ -135,7 +158,11 @@ class PlanByDecomposition(Exercise):
             return Verdict(0.0, "none", wanted) if case.kind != "none" else RIGHT
         if case.kind == "none":
             return Verdict(0.0, "apart", wanted)
-        if len(value) == 0 or not np.isfinite(value).all() or not np.array_equal(value[0], given["start"]):
+        if (
+            len(value) == 0
+            or not np.isfinite(value).all()
+            or not np.array_equal(value[0], given["start"])
+        ):
             return Verdict(0.0, "start", wanted)
         if not np.array_equal(value[-1], given["goal"]):
             return Verdict(0.0, "goal", wanted)
@@ -187,7 +214,11 @@ def inside(rng: np.random.Generator, cell: Array) -> Array:
     x = cell[0] + rng.uniform(0.25, 0.75) * (cell[1] - cell[0])
     low, high = levels(cell[None], x)[:, 0]
     q = np.array([x, low + rng.uniform(0.25, 0.75) * (high - low)])
-    return np.round(q, 3) if len(holders(np.round(q, 3), cell[None])) and cell[1] - cell[0] > 0.1 else q
+    return (
+        np.round(q, 3)
+        if len(holders(np.round(q, 3), cell[None])) and cell[1] - cell[0] > 0.1
+        else q
+    )
 
 
 def mirror(ring: Array) -> Array:

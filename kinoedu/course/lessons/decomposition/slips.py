@@ -18,12 +18,17 @@ def slabs(boundary: Array, obstacles: list[Array]) -> Array:
     for left, right in zip(x, x[1:]):
         status = edges[crossed_edges((left + right) / 2, edges)]
         low, high = heights(left, status), heights(right, status)
-        rows += [(left, right, low[k], low[k + 1], high[k], high[k + 1]) for k in range(0, len(status), 2)]
+        rows += [
+            (left, right, low[k], low[k + 1], high[k], high[k + 1])
+            for k in range(0, len(status), 2)
+        ]
     return np.array(rows)
 
 
 def merged(boundary: Array, obstacles: list[Array], *, hollow: bool) -> Array:
-    """Slabs merged where floor and ceiling stay the same; if hollow, the inside of obstacles and bays counts as well."""
+    """Slabs merged where floor and ceiling stay the same; if hollow, the inside of obstacles and
+    bays counts as well.
+    """
     edges = edges_round(boundary, obstacles)
     x = np.sort(edges[:, 0])
     rows, before = [], dict[tuple[int, int], float]()
@@ -50,8 +55,13 @@ def without_triangles(cells: Array) -> Array:
 
 
 def touching(cells: Array, *, point: bool = False, low: int = 4, high: int = 5) -> Pairs:
-    """Pairs that share a wall; those that touch in a point as well; the left one's heights from other columns."""
-    lo, hi = np.maximum(cells[:, None, low], cells[:, 2]), np.minimum(cells[:, None, high], cells[:, 3])
+    """Pairs that share a wall; those that touch in a point as well; the left one's heights from
+    other columns.
+    """
+    lo, hi = (
+        np.maximum(cells[:, None, low], cells[:, 2]),
+        np.minimum(cells[:, None, high], cells[:, 3]),
+    )
     pairs = np.argwhere((cells[:, None, 1] == cells[:, 0]) & ((lo <= hi) if point else (lo < hi)))
     return np.unique(np.sort(pairs, axis=1), axis=0)
 
@@ -77,7 +87,11 @@ def nearly(cells: Array) -> Pairs:
 
 def whole_walls(cells: Array) -> Pairs:
     """Pairs whose walls are the same from end to end."""
-    equal = (cells[:, None, 1] == cells[:, 0]) & (cells[:, None, 4] == cells[:, 2]) & (cells[:, None, 5] == cells[:, 3])
+    equal = (
+        (cells[:, None, 1] == cells[:, 0])
+        & (cells[:, None, 4] == cells[:, 2])
+        & (cells[:, None, 5] == cells[:, 3])
+    )
     return np.sort(np.argwhere(equal), axis=1)
 
 

@@ -1,4 +1,6 @@
-"""Shared by the exercises on one place of the sweep line: what it crosses, and where it is free. Bullo & Smith, chapter 2."""
+"""Shared by the exercises on one place of the sweep line: what it crosses, and where it is free.
+Bullo & Smith, chapter 2.
+"""
 
 import numpy as np
 from numpy.typing import NDArray

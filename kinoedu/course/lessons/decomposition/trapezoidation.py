@@ -38,12 +38,27 @@ class TrapezoidsOfWorld(ValueExercise):
         Slip("slabs", slabs),
         Slip("hollow", lambda boundary, obstacles: merged(boundary, obstacles, hollow=True)),
         Slip("last", lambda boundary, obstacles: without_last(cells_of(boundary, obstacles))),
-        Slip("columns", lambda boundary, obstacles: cells_of(boundary, obstacles)[:, [0, 1, 2, 4, 3, 5]]),
-        Slip("columns", lambda boundary, obstacles: cells_of(boundary, obstacles)[:, [0, 1, 3, 2, 5, 4]]),
-        Slip("columns", lambda boundary, obstacles: cells_of(boundary, obstacles)[:, [0, 2, 3, 1, 4, 5]]),
+        Slip(
+            "columns",
+            lambda boundary, obstacles: cells_of(boundary, obstacles)[:, [0, 1, 2, 4, 3, 5]],
+        ),
+        Slip(
+            "columns",
+            lambda boundary, obstacles: cells_of(boundary, obstacles)[:, [0, 1, 3, 2, 5, 4]],
+        ),
+        Slip(
+            "columns",
+            lambda boundary, obstacles: cells_of(boundary, obstacles)[:, [0, 2, 3, 1, 4, 5]],
+        ),
         Slip("no_obstacles", lambda boundary, obstacles: cells_of(boundary, [])),
-        Slip("rectangles", lambda boundary, obstacles: cells_of(boundary, obstacles)[:, [0, 1, 2, 3, 2, 3]]),
-        Slip("no_triangles", lambda boundary, obstacles: without_triangles(cells_of(boundary, obstacles))),
+        Slip(
+            "rectangles",
+            lambda boundary, obstacles: cells_of(boundary, obstacles)[:, [0, 1, 2, 3, 2, 3]],
+        ),
+        Slip(
+            "no_triangles",
+            lambda boundary, obstacles: without_triangles(cells_of(boundary, obstacles)),
+        ),
     )
     reference = staticmethod(cells_of)
 
@@ -60,31 +75,46 @@ class TrapezoidsOfWorld(ValueExercise):
         ):
             yield Case(kind, world)
         for size in sizes(3):
-            for kind, number in (("convex", 0), ("bays", 0), ("one", 1), ("several", int(rng.integers(2, 6)))):
+            for kind, number in (
+                ("convex", 0),
+                ("bays", 0),
+                ("one", 1),
+                ("several", int(rng.integers(2, 6))),
+            ):
                 yield Case(kind, general_world(rng, number, size, convex=kind == "convex"))
 
     def same(self, value: Any, truth: Any) -> bool:
         """Whether two arrays have the same rows, in any order, but for rounding."""
         found, wanted = (np.asarray(array, float).reshape(-1, 6) for array in (value, truth))
-        return len(found) == len(wanted) and bool((matches(found, wanted, self.tolerance).sum(axis=0) == 1).all())
+        return len(found) == len(wanted) and bool(
+            (matches(found, wanted, self.tolerance).sum(axis=0) == 1).all()
+        )
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """The same rows; where not, whether walls are upside down or a row is no trapezoid at all."""
+        """The same rows; where not, whether walls are upside down or a row is no trapezoid at
+        all.
+        """
         if self.same(value, self.truth(case)):
             return RIGHT
-        if len(value) and not (np.isfinite(value).all() and (value[:, 0] < value[:, 1]).all() and is_upright(value)):
+        if len(value) and not (
+            np.isfinite(value).all() and (value[:, 0] < value[:, 1]).all() and is_upright(value)
+        ):
             return Verdict(0.0, "row", self.wanted(case))
         return Verdict(0.0, case.kind, self.wanted(case))
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """The true cells pale, the student's dashed."""
-        draw_cells(case.given, self.truth(case), outcome.value if isinstance(outcome, Answer) else None, ax)
+        draw_cells(
+            case.given, self.truth(case), outcome.value if isinstance(outcome, Answer) else None, ax
+        )
         titled(self, case, ax)
 
 
 def is_upright(cells: Array) -> bool:
     """Whether no floor is above its ceiling."""
-    return bool((cells[:, 2] <= cells[:, 3] + 1e-9).all() and (cells[:, 4] <= cells[:, 5] + 1e-9).all())
+    return bool(
+        (cells[:, 2] <= cells[:, 3] + 1e-9).all() and (cells[:, 4] <= cells[:, 5] + 1e-9).all()
+    )
 
 
 def matches(found: Array, wanted: Array, tolerance: float) -> NDArray[np.bool_]:
@@ -96,5 +126,7 @@ def matches(found: Array, wanted: Array, tolerance: float) -> NDArray[np.bool_]:
 
 def mirrored(world: dict[str, Any]) -> dict[str, Any]:
     """A world with left and right exchanged, counter-clockwise again."""
-    boundary, *obstacles = [(ring * [-1, 1])[::-1] + 0.0 for ring in (world["boundary"], *world["obstacles"])]
+    boundary, *obstacles = [
+        (ring * [-1, 1])[::-1] + 0.0 for ring in (world["boundary"], *world["obstacles"])
+    ]
     return {"boundary": boundary, "obstacles": obstacles}

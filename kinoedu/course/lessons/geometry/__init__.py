@@ -1,4 +1,6 @@
-"""Lesson 1: Geometry, or the wall that a robot must follow. Its exercises, as the notebook asks for them."""
+"""Lesson 1: Geometry, or the wall that a robot must follow. Its exercises, as the notebook asks for
+them.
+"""
 
 from .exposing_case import ExposeRayCounting
 from .line_through_points import LineThroughPoints

@@ -1,4 +1,6 @@
-"""The exercise "break it" of lesson 1: find an input on which a program that looks right is wrong."""
+"""The exercise "break it" of lesson 1: find an input on which a program that looks right is
+wrong.
+"""
 
 from collections.abc import Iterator
 from typing import Any
@@ -31,10 +33,16 @@ class ExposeRayCounting(Exercise):
     def value_verdict(self, case: Case, value: Any) -> Verdict:
         """A simple polygon; on which the program is wrong; with three vertices."""
         q, polygon = value
-        if not np.isfinite(q).all() or not np.isfinite(polygon).all() or max(np.abs(q).max(), np.abs(polygon).max(initial=0)) > 1e4:
+        if (
+            not np.isfinite(q).all()
+            or not np.isfinite(polygon).all()
+            or max(np.abs(q).max(), np.abs(polygon).max(initial=0)) > 1e4
+        ):
             return Verdict(0.0, "range", self.wanted(case))
         try:
-            wrong = abs(ray_counting_distance(q, polygon) - point_polygon_distance(q, polygon)) > 1e-6
+            wrong = (
+                abs(ray_counting_distance(q, polygon) - point_polygon_distance(q, polygon)) > 1e-6
+            )
         except (InvalidPolygon, InvalidPoint):
             return Verdict(0.0, "valid", self.wanted(case))
         if case.kind != "valid" and not wrong:
@@ -53,7 +61,8 @@ class ExposeRayCounting(Exercise):
 
 
 def ray_counting_distance(q: Array, polygon: Array) -> float:
-    """The distance from q to a polygon, 0 inside: a ray from the inside to the right crosses the boundary an odd number of times.
+    """The distance from q to a polygon, 0 inside: a ray from the inside to the right crosses the
+    boundary an odd number of times.
 
     It is wrong somewhere. Where?
     """

@@ -25,9 +25,14 @@ class LineThroughPoints(ValueExercise):
     answer = Numbers((3,))
     source = staticmethod(line_through_points)
     slips = (
-        Slip("unscaled", lambda p1, p2: (p1[1] - p2[1], p2[0] - p1[0], p1[0] * p2[1] - p2[0] * p1[1])),
+        Slip(
+            "unscaled", lambda p1, p2: (p1[1] - p2[1], p2[0] - p1[0], p1[0] * p2[1] - p2[0] * p1[1])
+        ),
         Slip("direction", lambda p1, p2: direction_as_normal(p1, p2)),
-        Slip("c_unscaled", lambda p1, p2: np.array(line_through_points(p1, p2)) * (1, 1, np.linalg.norm(p2 - p1))),
+        Slip(
+            "c_unscaled",
+            lambda p1, p2: np.array(line_through_points(p1, p2)) * (1, 1, np.linalg.norm(p2 - p1)),
+        ),
         Slip("sign_of_c", lambda p1, p2: np.array(line_through_points(p1, p2)) * (1, 1, -1)),
     )
     reference = staticmethod(line_through_points)
@@ -46,9 +51,18 @@ class LineThroughPoints(ValueExercise):
             yield Case(kind, {"p1": np.array(p1, float), "p2": np.array(p2, float)})
         for size in sizes(8):
             p1, p2 = points(rng, 2, size)
-            yield Case("slanted" if (p1 != p2).all() else "level" if p1[1] == p2[1] else "upright", {"p1": p1, "p2": p2})
-            yield Case("level", {"p1": p1, "p2": p1 + LEVEL * rng.choice([-1.0, 1.0]) * (1 + rng.integers(9))})
-            yield Case("upright", {"p1": p1, "p2": p1 + UPRIGHT * rng.choice([-1.0, 1.0]) * (1 + rng.integers(9))})
+            yield Case(
+                "slanted" if (p1 != p2).all() else "level" if p1[1] == p2[1] else "upright",
+                {"p1": p1, "p2": p2},
+            )
+            yield Case(
+                "level",
+                {"p1": p1, "p2": p1 + LEVEL * rng.choice([-1.0, 1.0]) * (1 + rng.integers(9))},
+            )
+            yield Case(
+                "upright",
+                {"p1": p1, "p2": p1 + UPRIGHT * rng.choice([-1.0, 1.0]) * (1 + rng.integers(9))},
+            )
             yield Case("coincident", {"p1": p2, "p2": p2})
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:

@@ -28,10 +28,18 @@ class PointLineDistance(ValueExercise):
         Slip("segment", point_segment_distance),
         Slip("signed", lambda q, p1, p2: signed_distance(q, p1, p2)),
         Slip("unscaled", lambda q, p1, p2: abs(cross(p2 - p1, q - p1))),
-        Slip("along", lambda q, p1, p2: abs(float(np.dot(q - p1, p2 - p1))) / float(np.linalg.norm(p2 - p1))),
+        Slip(
+            "along",
+            lambda q, p1, p2: abs(float(np.dot(q - p1, p2 - p1))) / float(np.linalg.norm(p2 - p1)),
+        ),
         Slip("square", lambda q, p1, p2: point_line_distance(q, p1, p2) ** 2),
         Slip("half", lambda q, p1, p2: point_line_distance(q, p1, p2) / 2),
-        Slip("vertical", lambda q, p1, p2: abs(p1[1] + (p2[1] - p1[1]) * (q[0] - p1[0]) / (p2[0] - p1[0]) - q[1])),
+        Slip(
+            "vertical",
+            lambda q, p1, p2: abs(
+                p1[1] + (p2[1] - p1[1]) * (q[0] - p1[0]) / (p2[0] - p1[0]) - q[1]
+            ),
+        ),
         Slip("rounded", lambda q, p1, p2: round(point_line_distance(q, p1, p2), 2)),
         Slip("nearer_point", lambda q, p1, p2: min(np.linalg.norm(q - p1), np.linalg.norm(q - p2))),
     )
@@ -60,8 +68,12 @@ class PointLineDistance(ValueExercise):
                 p1, p2, q = points(rng, 3, size)
             along = float(np.dot(q - p1, p2 - p1) / np.dot(p2 - p1, p2 - p1))
             yield Case("beside" if 0 <= along <= 1 else "beyond", arguments(q, p1, p2))
-            yield Case("beside", arguments((p1 + p2) / 2 + rng.uniform(0.2, 2) * turned(p2 - p1), p1, p2))
-            yield Case("beyond", arguments(p2 + rng.integers(1, 4) * (p2 - p1) + turned(p2 - p1), p1, p2))
+            yield Case(
+                "beside", arguments((p1 + p2) / 2 + rng.uniform(0.2, 2) * turned(p2 - p1), p1, p2)
+            )
+            yield Case(
+                "beyond", arguments(p2 + rng.integers(1, 4) * (p2 - p1) + turned(p2 - p1), p1, p2)
+            )
             yield Case("on", arguments(np.round(p1 + rng.integers(-3, 4) * (p2 - p1), 2), p1, p2))
             yield Case("upright", arguments(q, p1, p1 + UPRIGHT * (1 + rng.integers(9))))
             yield Case("coincident", arguments(q, p1, p1))

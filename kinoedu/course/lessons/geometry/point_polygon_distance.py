@@ -34,23 +34,52 @@ class PointPolygonDistance(ValueExercise):
     shown = staticmethod(distances_to_ring)
     slips = (
         Slip("vertices", lambda q, polygon: min(np.linalg.norm(polygon - q, axis=1))),
-        Slip("open", lambda q, polygon: min(edge_distances(q, polygon)[:-1]) if place(*q, polygon) < 0 else 0.0),
+        Slip(
+            "open",
+            lambda q, polygon: (
+                min(edge_distances(q, polygon)[:-1]) if place(*q, polygon) < 0 else 0.0
+            ),
+        ),
         Slip("open", lambda q, polygon: min(edge_distances(q, polygon)[:-1])),
         Slip("rim", lambda q, polygon: min(edge_distances(q, polygon))),
-        Slip("lines", lambda q, polygon: min(line_distances(q, polygon)) if place(*q, polygon) < 0 else 0.0),
+        Slip(
+            "lines",
+            lambda q, polygon: min(line_distances(q, polygon)) if place(*q, polygon) < 0 else 0.0,
+        ),
         Slip("lines", lambda q, polygon: min(line_distances(q, polygon))),
-        Slip("first_edge", lambda q, polygon: edge_distances(q, polygon)[-1] if place(*q, polygon) < 0 else 0.0),
-        Slip("first_edge", lambda q, polygon: edge_distances(q, polygon)[0] if place(*q, polygon) < 0 else 0.0),
-        Slip("farthest", lambda q, polygon: max(edge_distances(q, polygon)) if place(*q, polygon) < 0 else 0.0),
+        Slip(
+            "first_edge",
+            lambda q, polygon: edge_distances(q, polygon)[-1] if place(*q, polygon) < 0 else 0.0,
+        ),
+        Slip(
+            "first_edge",
+            lambda q, polygon: edge_distances(q, polygon)[0] if place(*q, polygon) < 0 else 0.0,
+        ),
+        Slip(
+            "farthest",
+            lambda q, polygon: max(edge_distances(q, polygon)) if place(*q, polygon) < 0 else 0.0,
+        ),
         Slip("centre", lambda q, polygon: float(np.linalg.norm(q - polygon.mean(axis=0)))),
-        Slip("signed", lambda q, polygon: -min(edge_distances(q, polygon)) if place(*q, polygon) < 0 else np.nan),
-        Slip("rim", lambda q, polygon: -min(edge_distances(q, polygon)) if place(*q, polygon) > 0 else np.nan),
+        Slip(
+            "signed",
+            lambda q, polygon: (
+                -min(edge_distances(q, polygon)) if place(*q, polygon) < 0 else np.nan
+            ),
+        ),
+        Slip(
+            "rim",
+            lambda q, polygon: (
+                -min(edge_distances(q, polygon)) if place(*q, polygon) > 0 else np.nan
+            ),
+        ),
         Slip("rounded", lambda q, polygon: round(float(point_polygon_distance(q, polygon)), 2)),
     )
     reference = staticmethod(point_polygon_distance)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """A square, an L, then larger stars; q nearest to an edge, a vertex, the edge that closes; inside; on the boundary."""
+        """A square, an L, then larger stars; q nearest to an edge, a vertex, the edge that closes;
+        inside; on the boundary.
+        """
         for polygon, queries in ((SQUARE, ROUND_SQUARE), (CORNER, ROUND_CORNER)):
             for q in queries:
                 yield self.case(np.array(q, float), polygon)
@@ -76,4 +105,6 @@ def edge_distances(q: Array, polygon: Array) -> Array:
 def line_distances(q: Array, polygon: Array) -> Array:
     """The distance of q to the line through each edge; shape (n,)."""
     sides = np.roll(polygon, -1, axis=0) - polygon
-    return np.abs(sides[:, 0] * (q - polygon)[:, 1] - sides[:, 1] * (q - polygon)[:, 0]) / np.linalg.norm(sides, axis=1)
+    return np.abs(
+        sides[:, 0] * (q - polygon)[:, 1] - sides[:, 1] * (q - polygon)[:, 0]
+    ) / np.linalg.norm(sides, axis=1)

@@ -40,7 +40,9 @@ class PointSegmentDistance(ValueExercise):
     reference = staticmethod(point_segment_distance)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Small whole numbers first; q beside the segment, beyond either end, on it; then a segment that is a point."""
+        """Small whole numbers first; q beside the segment, beyond either end, on it; then a segment
+        that is a point.
+        """
         for kind, q, p1, p2 in (
             ("beside", (1, 2), (0, 0), (4, 0)),
             ("beside", (2, 4), (1, 2), (5, 2)),
@@ -77,7 +79,9 @@ class PointSegmentDistance(ValueExercise):
 
 
 def reach(q: Array, p1: Array, p2: Array, least: float, most: float, power: int = 2) -> float:
-    """The distance to the point of the line at a share of the way from p1 to p2 that is kept between two bounds."""
+    """The distance to the point of the line at a share of the way from p1 to p2 that is kept
+    between two bounds.
+    """
     way = p2 - p1
     share = np.clip(np.dot(q - p1, way) / np.linalg.norm(way) ** power, least, most)
     return float(np.linalg.norm(q - p1 - share * way))

@@ -39,7 +39,9 @@ class PolygonTangent(ValueExercise):
     reference = staticmethod(polygon_tangent)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """A square, an L, then larger stars; q outside, nearest to an edge, to the edge that closes, or to a vertex."""
+        """A square, an L, then larger stars; q outside, nearest to an edge, to the edge that
+        closes, or to a vertex.
+        """
         for polygon, queries in (
             (SQUARE, ((2, -1), (5, 1), (-3, 2), (7, 8), (-1, -1), (9000, 3))),
             (CORNER, ((3, -2), (3, 4), (-1, 5), (8, 4))),
@@ -68,7 +70,9 @@ class PolygonTangent(ValueExercise):
 
 
 def edge_direction(q: Array, polygon: Array, step: int) -> Array:
-    """The direction of an edge at the nearest vertex: the one that leaves it (0) or enters it (-1)."""
+    """The direction of an edge at the nearest vertex: the one that leaves it (0) or enters it
+    (-1).
+    """
     edge, _, _, region = nearest_on_ring(q[0], q[1], polygon)
     start = edge if region == 0 else ((edge + (region == 2)) % len(polygon) + step) % len(polygon)
     side = polygon[(start + 1) % len(polygon)] - polygon[start]
@@ -88,6 +92,9 @@ def open_tangent(q: Array, polygon: Array) -> Array:
     feet = nearest_on_edges(q, polygon)[:-1]
     near = int(np.linalg.norm(feet - q, axis=1).argmin())
     side = polygon[near + 1] - polygon[near]
-    at_end = bool(np.abs(feet[near] - polygon[near]).max() < 1e-12 or np.abs(feet[near] - polygon[near + 1]).max() < 1e-12)
+    at_end = bool(
+        np.abs(feet[near] - polygon[near]).max() < 1e-12
+        or np.abs(feet[near] - polygon[near + 1]).max() < 1e-12
+    )
     vector = turned(q - feet[near]) if at_end else side
     return vector / np.linalg.norm(vector)

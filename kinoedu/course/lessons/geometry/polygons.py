@@ -22,7 +22,9 @@ TRIES = 1000
 
 
 def kind_of(q: Array, polygon: Array) -> str:
-    """Where q is: inside, on the boundary, or outside and nearest to an edge, the last edge, or a vertex."""
+    """Where q is: inside, on the boundary, or outside and nearest to an edge, the last edge, or a
+    vertex.
+    """
     where = place(q[0], q[1], polygon)
     if where >= 0:
         return "inside" if where else "boundary"
@@ -32,8 +34,12 @@ def kind_of(q: Array, polygon: Array) -> str:
     return "closing" if edge == len(polygon) - 1 else "edge"
 
 
-def star_and_queries(rng: np.random.Generator, n: int, size: float, kinds: tuple[str, ...]) -> tuple[Array, list[Array]]:
-    """A random star of n vertices and a point of every kind; where a star leaves no room for one of them, another star."""
+def star_and_queries(
+    rng: np.random.Generator, n: int, size: float, kinds: tuple[str, ...]
+) -> tuple[Array, list[Array]]:
+    """A random star of n vertices and a point of every kind; where a star leaves no room for one of
+    them, another star.
+    """
     while True:
         polygon = star_polygon(rng, n, size)
         queries = [query(rng, polygon, kind) for kind in kinds]
@@ -43,7 +49,9 @@ def star_and_queries(rng: np.random.Generator, n: int, size: float, kinds: tuple
 
 
 def query(rng: np.random.Generator, polygon: Array, kind: str) -> Array | None:
-    """A random point of a kind, with one nearest boundary point that is clearly the nearest; None where none was found."""
+    """A random point of a kind, with one nearest boundary point that is clearly the nearest; None
+    where none was found.
+    """
     lo, hi = polygon.min(axis=0), polygon.max(axis=0)
     for _ in range(TRIES):
         if kind == "boundary":
@@ -57,7 +65,9 @@ def query(rng: np.random.Generator, polygon: Array, kind: str) -> Array | None:
         anywhere = (lo + hi) / 2 + rng.uniform(-1.0, 1.0, 2) * (hi - lo)
         q = np.round(beside if kind == "closing" else anywhere, 2) + 0.0
         if kind in ("inside", "vertex") and rng.random() < 0.5:
-            q[1] = polygon[rng.integers(len(polygon)), 1]  # exactly as high as a vertex: where a ray to the right goes through it
+            q[1] = polygon[
+                rng.integers(len(polygon)), 1
+            ]  # exactly as high as a vertex: where a ray to the right goes through it
         if kind_of(q, polygon) == kind and not is_tied(q, polygon):
             return q
     return None

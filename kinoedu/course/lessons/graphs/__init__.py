@@ -1,4 +1,6 @@
-"""Lesson 4: Graph search, or how to know that one has seen enough. Its exercises, as the notebook asks for them."""
+"""Lesson 4: Graph search, or how to know that one has seen enough. Its exercises, as the notebook
+asks for them.
+"""
 
 from .astar import Astar
 from .bfs_path import BfsPath

@@ -12,7 +12,15 @@ from ...exercise import Case, Slip, spoken
 from ...shapes import Listed, Number, Record
 from ...whole_shapes import Whole
 from ..shared.graph_slips import best_path, tree_path
-from ..shared.random_graphs import Neighbours, Weights, as_graph, far_pair, lists, lost_pair, random_graphs
+from ..shared.random_graphs import (
+    Neighbours,
+    Weights,
+    as_graph,
+    far_pair,
+    lists,
+    lost_pair,
+    random_graphs,
+)
 from .bfs_tree import NEIGHBOURS
 from .paths import PathExercise, as_list
 from .weighted import DETOUR, LATE_GAIN, WEIGHTS, both_ways
@@ -25,29 +33,57 @@ class Astar(PathExercise):
 
     name = "astar"
     kinds = ("small", "estimate", "inconsistent", "directed", "unreachable", "start_is_goal")
-    given = Record(neighbours=NEIGHBOURS, weights=WEIGHTS, estimate=Listed(Number()), start=Whole(), goal=Whole())
+    given = Record(
+        neighbours=NEIGHBOURS,
+        weights=WEIGHTS,
+        estimate=Listed(Number()),
+        start=Whole(),
+        goal=Whole(),
+    )
     last_rule = "shortest"
     shown = staticmethod(expand)
     slips = (
-        Slip("greedy", lambda n, w, estimate, s, g: best_path(n, w, estimate, s, g, cost_counts=0.0, improves=False)),
-        Slip("at_sight", lambda n, w, estimate, s, g: best_path(n, w, estimate, s, g, at_sight=True)),
+        Slip(
+            "greedy",
+            lambda n, w, estimate, s, g: best_path(
+                n, w, estimate, s, g, cost_counts=0.0, improves=False
+            ),
+        ),
+        Slip(
+            "at_sight", lambda n, w, estimate, s, g: best_path(n, w, estimate, s, g, at_sight=True)
+        ),
         Slip("closed", lambda n, w, estimate, s, g: best_path(n, w, estimate, s, g, reopens=False)),
-        Slip("first_found", lambda n, w, estimate, s, g: best_path(n, w, estimate, s, g, improves=False)),
-        Slip("summed", lambda n, w, estimate, s, g: best_path(n, summed(n, w, estimate), [0.0] * len(n), s, g)),
+        Slip(
+            "first_found",
+            lambda n, w, estimate, s, g: best_path(n, w, estimate, s, g, improves=False),
+        ),
+        Slip(
+            "summed",
+            lambda n, w, estimate, s, g: best_path(n, summed(n, w, estimate), [0.0] * len(n), s, g),
+        ),
         Slip("edges", lambda n, w, estimate, s, g: tree_path(n, s, g)),
-        Slip("undirected", lambda n, w, estimate, s, g: best_path(*both_ways(n, w), estimate, s, g)),
-        Slip("reversed", lambda n, w, estimate, s, g: (best_path(n, w, estimate, s, g) or [])[::-1] or None),
+        Slip(
+            "undirected", lambda n, w, estimate, s, g: best_path(*both_ways(n, w), estimate, s, g)
+        ),
+        Slip(
+            "reversed",
+            lambda n, w, estimate, s, g: (best_path(n, w, estimate, s, g) or [])[::-1] or None,
+        ),
     )
 
     @staticmethod
-    def reference(neighbours: Neighbours, weights: Weights, estimate: list[float], start: int, goal: int) -> list[int] | None:
+    def reference(
+        neighbours: Neighbours, weights: Weights, estimate: list[float], start: int, goal: int
+    ) -> list[int] | None:
         """The library's path."""
         return as_list(graphs.astar(as_graph(neighbours, weights), start, goal, estimate)[0])
 
     source = reference
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Graphs that fit on a finger first; estimates of zero, good ones, and lower bounds that jump."""
+        """Graphs that fit on a finger first; estimates of zero, good ones, and lower bounds that
+        jump.
+        """
         for kind, n, rows, estimate, start, goal in (
             ("small", 2, [(0, 1, 3)], [0, 0], 0, 1),
             ("small", 3, DETOUR, [0, 0, 0], 0, 2),
@@ -60,17 +96,30 @@ class Astar(PathExercise):
             ("unreachable", 3, [(0, 1, 2)], [1, 1, 0], 0, 2),
         ):
             both = lists(n, rows, directed=kind == "directed")
-            yield Case(kind, dict(zip(self.given.fields, (*both, [float(h) for h in estimate], start, goal))))
+            yield Case(
+                kind,
+                dict(zip(self.given.fields, (*both, [float(h) for h in estimate], start, goal))),
+            )
         for shape, neighbours, weights in random_graphs(rng):
             start, goal = (lost_pair if shape == "parts" else far_pair)(neighbours, rng)
             truth = left(neighbours, weights, goal)
             jumping = np.floor(truth * rng.choice([0.0, 1.0], len(truth))).tolist()
-            kinds = {"tree": ["small"], "cycle": ["estimate", "inconsistent", "start_is_goal"], "parts": ["unreachable"]}
+            kinds = {
+                "tree": ["small"],
+                "cycle": ["estimate", "inconsistent", "start_is_goal"],
+                "parts": ["unreachable"],
+            }
             for kind in kinds.get(shape, ["directed"]):
-                estimate = jumping if kind == "inconsistent" else np.floor(truth * (kind != "small") * 0.8).tolist()
+                estimate = (
+                    jumping
+                    if kind == "inconsistent"
+                    else np.floor(truth * (kind != "small") * 0.8).tolist()
+                )
                 last = start if kind == "start_is_goal" else goal
                 bounds = np.zeros(len(truth)).tolist() if kind == "start_is_goal" else estimate
-                yield Case(kind, dict(zip(self.given.fields, (neighbours, weights, bounds, start, last))))
+                yield Case(
+                    kind, dict(zip(self.given.fields, (neighbours, weights, bounds, start, last)))
+                )
 
     def is_good(self, case: Case, path: list[int]) -> bool:
         """Of the least cost."""
@@ -85,8 +134,12 @@ class Astar(PathExercise):
 
 
 def summed(neighbours: Neighbours, weights: Weights, estimate: list[float]) -> Weights:
-    """The weights, each with the estimate of the node that the edge leads to: what counts where estimates are added up."""
-    return [[w + estimate[v] for v, w in zip(row, beside)] for row, beside in zip(neighbours, weights)]
+    """The weights, each with the estimate of the node that the edge leads to: what counts where
+    estimates are added up.
+    """
+    return [
+        [w + estimate[v] for v, w in zip(row, beside)] for row, beside in zip(neighbours, weights)
+    ]
 
 
 def left(neighbours: Neighbours, weights: Weights, goal: int) -> Any:

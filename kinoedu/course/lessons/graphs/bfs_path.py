@@ -21,11 +21,32 @@ class BfsPath(PathExercise):
         Slip("deep", lambda neighbours, start, goal: deep_path(neighbours, start, goal)),
         Slip("late", lambda neighbours, start, goal: tree_path(neighbours, start, goal, late=True)),
         Slip("order", lambda neighbours, start, goal: visited(neighbours, start, goal)),
-        Slip("reversed", lambda neighbours, start, goal: (tree_path(neighbours, start, goal) or [])[::-1] or None),
-        Slip("undirected", lambda neighbours, start, goal: tree_path(undirected(neighbours), start, goal)),
-        Slip("from_goal", lambda neighbours, start, goal: (tree_path(neighbours, goal, start) or [])[::-1] or None),
-        Slip("goal_alone", lambda neighbours, start, goal: followed(first_in(neighbours, start)[0], goal)),
-        Slip("nowhere", lambda neighbours, start, goal: tree_path(neighbours, start, goal) if start != goal else None),
+        Slip(
+            "reversed",
+            lambda neighbours, start, goal: (
+                (tree_path(neighbours, start, goal) or [])[::-1] or None
+            ),
+        ),
+        Slip(
+            "undirected",
+            lambda neighbours, start, goal: tree_path(undirected(neighbours), start, goal),
+        ),
+        Slip(
+            "from_goal",
+            lambda neighbours, start, goal: (
+                (tree_path(neighbours, goal, start) or [])[::-1] or None
+            ),
+        ),
+        Slip(
+            "goal_alone",
+            lambda neighbours, start, goal: followed(first_in(neighbours, start)[0], goal),
+        ),
+        Slip(
+            "nowhere",
+            lambda neighbours, start, goal: (
+                tree_path(neighbours, start, goal) if start != goal else None
+            ),
+        ),
     )
 
     @staticmethod

@@ -39,7 +39,10 @@ class BfsTree(OnGraph):
         Slip("order", lambda neighbours, start: first_in(neighbours, start)[1]),
         Slip("stack", lambda neighbours, start: first_in(neighbours, start, at=-1)[0]),
         Slip("late", lambda neighbours, start: first_in(neighbours, start, late=True)[0]),
-        Slip("own_parent", lambda neighbours, start: with_start(first_in(neighbours, start)[0], start, start)),
+        Slip(
+            "own_parent",
+            lambda neighbours, start: with_start(first_in(neighbours, start)[0], start, start),
+        ),
         Slip("zeros", lambda neighbours, start: unmarked(neighbours, start)),
         Slip("from_one", lambda neighbours, start: [p + 1 for p in first_in(neighbours, start)[0]]),
         Slip("distances", depths),
@@ -66,13 +69,20 @@ class BfsTree(OnGraph):
             ("unreachable", 3, [(0, 1)], 1),
             ("unreachable", 1, [], 0),
         ):
-            yield Case(kind, {"neighbours": lists(n, edges, directed=kind == "directed")[0], "start": start})
+            yield Case(
+                kind,
+                {"neighbours": lists(n, edges, directed=kind == "directed")[0], "start": start},
+            )
         for shape, neighbours, _ in random_graphs(rng):
             kind = {"tree": "small", "parts": "unreachable"}.get(shape, shape)
-            yield Case(kind, {"neighbours": neighbours, "start": int(rng.integers(len(neighbours)))})
+            yield Case(
+                kind, {"neighbours": neighbours, "start": int(rng.integers(len(neighbours)))}
+            )
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """Each reached node's parent has an edge to it, and is one edge nearer to the start; ties go as the contract says."""
+        """Each reached node's parent has an edge to it, and is one edge nearer to the start; ties
+        go as the contract says.
+        """
         rule = tree_fault(case.given["neighbours"], case.given["start"], value)
         if not rule and self.variant and list(value) != self.truth(case):
             rule = CONTRACT
@@ -82,7 +92,11 @@ class BfsTree(OnGraph):
         """One such tree: the library's, or the contract's."""
         if not self.variant:
             return super().truth(case)
-        return tree_of_extremes(case.given["neighbours"], case.given["start"], min if self.variant == "smallest" else max)
+        return tree_of_extremes(
+            case.given["neighbours"],
+            case.given["start"],
+            min if self.variant == "smallest" else max,
+        )
 
     def wanted(self, case: Case) -> str:
         """One such tree."""
@@ -95,13 +109,18 @@ class BfsTree(OnGraph):
         from ....figures import plane
 
         far = graphs.bfs(as_graph(case.given["neighbours"]), case.given["start"]).cost
-        value, wanted = outcome.value if isinstance(outcome, Answer) else None, self.truth(case) if self.variant else None
+        value, wanted = (
+            outcome.value if isinstance(outcome, Answer) else None,
+            self.truth(case) if self.variant else None,
+        )
         draw_tree_answer(self, case, value, far, ax, wanted)
         if self.judge(case, outcome).rule == CONTRACT:
             plane.title(self.words("pictures.contract"), ax)
 
 
-def tree_of_extremes(neighbours: Neighbours, start: int, choose: Callable[[list[int]], int]) -> list[int]:
+def tree_of_extremes(
+    neighbours: Neighbours, start: int, choose: Callable[[list[int]], int]
+) -> list[int]:
     """The breadth-first tree in which each node chooses among all that could be its parent."""
     far = graphs.bfs(as_graph(neighbours), start).cost
     able: list[list[int]] = [[] for _ in neighbours]
@@ -118,7 +137,9 @@ def with_start(parent: list[int], start: int, value: int) -> list[int]:
 
 
 def unmarked(neighbours: Neighbours, start: int) -> list[int]:
-    """Parents that were 0 before the search began, where -1 was meant; that of the start is right."""
+    """Parents that were 0 before the search began, where -1 was meant; that of the start is
+    right.
+    """
     parent, order = first_in(neighbours, start)
     return [parent[u] if u in order else 0 for u in range(len(neighbours))]
 

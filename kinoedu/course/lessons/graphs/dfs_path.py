@@ -20,9 +20,22 @@ class DfsPath(PathExercise):
         Slip("order", entered),
         Slip("walk", walked),
         Slip("never_back", never_back),
-        Slip("reversed", lambda neighbours, start, goal: (deep_path(neighbours, start, goal) or [])[::-1] or None),
-        Slip("undirected", lambda neighbours, start, goal: deep_path(undirected(neighbours), start, goal)),
-        Slip("nowhere", lambda neighbours, start, goal: deep_path(neighbours, start, goal) if start != goal else None),
+        Slip(
+            "reversed",
+            lambda neighbours, start, goal: (
+                (deep_path(neighbours, start, goal) or [])[::-1] or None
+            ),
+        ),
+        Slip(
+            "undirected",
+            lambda neighbours, start, goal: deep_path(undirected(neighbours), start, goal),
+        ),
+        Slip(
+            "nowhere",
+            lambda neighbours, start, goal: (
+                deep_path(neighbours, start, goal) if start != goal else None
+            ),
+        ),
     )
 
     @staticmethod

@@ -30,18 +30,50 @@ class Dijkstra(ValueExercise):
     answer = Numbers(("n",))
     shown = staticmethod(expand)
     slips = (
-        Slip("edges", lambda neighbours, weights, start: [float(d) if d >= 0 else np.inf for d in depths(neighbours, start)]),
-        Slip("first_found", lambda neighbours, weights, start: best_first(neighbours, weights, start, improves=False)[0]),
+        Slip(
+            "edges",
+            lambda neighbours, weights, start: [
+                float(d) if d >= 0 else np.inf for d in depths(neighbours, start)
+            ],
+        ),
+        Slip(
+            "first_found",
+            lambda neighbours, weights, start: best_first(
+                neighbours, weights, start, improves=False
+            )[0],
+        ),
         Slip(
             "last_edge",
-            lambda neighbours, weights, start: best_first(neighbours, weights, start, from_node=False, reopens=False)[0],
+            lambda neighbours, weights, start: best_first(
+                neighbours, weights, start, from_node=False, reopens=False
+            )[0],
         ),
-        Slip("overwritten", lambda neighbours, weights, start: best_first(neighbours, weights, start, overwrites=True)[0]),
+        Slip(
+            "overwritten",
+            lambda neighbours, weights, start: best_first(
+                neighbours, weights, start, overwrites=True
+            )[0],
+        ),
         Slip("in_turn", in_turn),
         Slip("lightest_first", lightest_first),
-        Slip("undirected", lambda neighbours, weights, start: best_first(*both_ways(neighbours, weights), start)[0]),
-        Slip("minus_one", lambda neighbours, weights, start: finite_or(best_first(neighbours, weights, start)[0], -1.0)),
-        Slip("zero", lambda neighbours, weights, start: finite_or(best_first(neighbours, weights, start)[0], 0.0)),
+        Slip(
+            "undirected",
+            lambda neighbours, weights, start: best_first(*both_ways(neighbours, weights), start)[
+                0
+            ],
+        ),
+        Slip(
+            "minus_one",
+            lambda neighbours, weights, start: finite_or(
+                best_first(neighbours, weights, start)[0], -1.0
+            ),
+        ),
+        Slip(
+            "zero",
+            lambda neighbours, weights, start: finite_or(
+                best_first(neighbours, weights, start)[0], 0.0
+            ),
+        ),
     )
 
     @staticmethod
@@ -67,7 +99,9 @@ class Dijkstra(ValueExercise):
             ("unreachable", 1, [], 0),
         ):
             directed = kind in ("directed", "negative")
-            yield Case(kind, dict(zip(self.given.fields, (*lists(n, rows, directed=directed), start))))
+            yield Case(
+                kind, dict(zip(self.given.fields, (*lists(n, rows, directed=directed), start)))
+            )
         for shape, neighbours, weights in random_graphs(rng):
             kind = {"tree": "small", "cycle": "detour", "parts": "unreachable"}.get(shape, shape)
             start = int(rng.integers(len(neighbours)))
@@ -75,11 +109,15 @@ class Dijkstra(ValueExercise):
             if kind == "directed":
                 spoilt = [row.copy() for row in weights]
                 spoilt[int(rng.integers(len(spoilt)))][0] = -float(rng.integers(1, 4))
-                yield Case("negative", {"neighbours": neighbours, "weights": spoilt, "start": start})
+                yield Case(
+                    "negative", {"neighbours": neighbours, "weights": spoilt, "start": start}
+                )
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """The graph with its weights, and both costs of every node."""
-        draw_costs(self, case, outcome.value if isinstance(outcome, Answer) else None, self.truth(case), ax)
+        draw_costs(
+            self, case, outcome.value if isinstance(outcome, Answer) else None, self.truth(case), ax
+        )
 
 
 def finite_or(costs: list[float], other: float) -> list[float]:

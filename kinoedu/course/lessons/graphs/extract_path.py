@@ -28,7 +28,9 @@ class ExtractPath(OnGraph):
         Slip("reversed", lambda parent, goal: (followed(parent, goal) or [])[::-1] or None),
         Slip("no_goal", lambda parent, goal: (followed(parent, goal) or [])[:-1]),
         Slip("no_root", lambda parent, goal: (followed(parent, goal) or [])[1:]),
-        Slip("root_none", lambda parent, goal: None if parent[goal] == -1 else followed(parent, goal)),
+        Slip(
+            "root_none", lambda parent, goal: None if parent[goal] == -1 else followed(parent, goal)
+        ),
         Slip("one_step", lambda parent, goal: [p for p in (parent[goal], goal) if p != -1]),
         Slip("parents", lambda parent, goal: [parent[u] for u in followed(parent, goal) or []]),
     )
@@ -59,17 +61,22 @@ class ExtractPath(OnGraph):
             yield Case(kind, {"parent": parent, "goal": goal})
         for n in (4, 5, 6, 7, 8, 10, 12, 16, 24, 40, 60):
             for kind in self.kinds:
-                yield Case(kind, {"parent": (found := random_parents(kind, n, rng))[0], "goal": found[1]})
+                yield Case(
+                    kind, {"parent": (found := random_parents(kind, n, rng))[0], "goal": found[1]}
+                )
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """Each node and the arrow from its parent to it; the path, and the student's."""
-        draw_pointers(self, case, outcome.value if isinstance(outcome, Answer) else None, self.truth(case), ax)
+        draw_pointers(
+            self, case, outcome.value if isinstance(outcome, Answer) else None, self.truth(case), ax
+        )
 
 
 def random_parents(kind: str, n: int, rng: np.random.Generator) -> tuple[list[int], int]:
     """Parents of n nodes, numbered at random, and a goal.
 
-    "root": one tree, whose root it is; "tree": low in it; "forest": low in the second of two; "circle": in a circle, or on a tail.
+    "root": one tree, whose root it is; "tree": low in it; "forest": low in the second of two;
+    "circle": in a circle, or on a tail.
     """
     name, low = rng.permutation(n), n // 2 if kind == "forest" else 0
     parent = [-1] * n

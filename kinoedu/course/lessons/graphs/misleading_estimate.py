@@ -1,4 +1,6 @@
-"""The exercise "break it" of lesson 4: an estimate that leads A* to a path that is not the shortest."""
+"""The exercise "break it" of lesson 4: an estimate that leads A* to a path that is not the
+shortest.
+"""
 
 from collections.abc import Iterator
 from typing import Any
@@ -38,7 +40,13 @@ class MisleadingEstimate(Exercise):
         rule = graph_fault(*value)
         if not rule and case.kind != "valid":
             found, best = both_costs(*value)
-            rule = "path" if np.isinf(best) else "misleads" if found <= best + 1e-6 * (1.0 + best) else ""
+            rule = (
+                "path"
+                if np.isinf(best)
+                else "misleads"
+                if found <= best + 1e-6 * (1.0 + best)
+                else ""
+            )
             rule = rule or ("smallest" if case.kind == "smallest" and len(value[0]) > 3 else "")
         return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
 
@@ -48,14 +56,23 @@ class MisleadingEstimate(Exercise):
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """The graph, what A* returns and what is shortest."""
-        value = outcome.value if isinstance(outcome, Answer) and not graph_fault(*outcome.value) else None
+        value = (
+            outcome.value
+            if isinstance(outcome, Answer) and not graph_fault(*outcome.value)
+            else None
+        )
         draw_misled(self, value, (None, None) if value is None else both_paths(*value), ax)
 
 
 def graph_fault(neighbours: Any, weights: Any, estimate: Any, start: int, goal: int) -> str:
     """The rule that keeps it from being a question for A*, or ""."""
     n = len(neighbours)
-    if not 0 < n <= MOST_NODES or len(weights) != n or len(estimate) != n or not (0 <= start < n and 0 <= goal < n):
+    if (
+        not 0 < n <= MOST_NODES
+        or len(weights) != n
+        or len(estimate) != n
+        or not (0 <= start < n and 0 <= goal < n)
+    ):
         return "valid"
     if any(len(row) != len(beside) for row, beside in zip(neighbours, weights)):
         return "valid"
@@ -69,14 +86,22 @@ def graph_fault(neighbours: Any, weights: Any, estimate: Any, start: int, goal: 
     return "at_goal" if estimate[goal] != 0.0 else ""
 
 
-def both_paths(neighbours: Any, weights: Any, estimate: Any, start: int, goal: int) -> tuple[Any, Any]:
+def both_paths(
+    neighbours: Any, weights: Any, estimate: Any, start: int, goal: int
+) -> tuple[Any, Any]:
     """The path of our A* by that estimate, and a shortest one; None where there is none."""
     graph = as_graph(neighbours, weights)
-    return as_list(graphs.astar(graph, start, goal, estimate)[0]), as_list(graphs.astar(graph, start, goal)[0])
+    return as_list(graphs.astar(graph, start, goal, estimate)[0]), as_list(
+        graphs.astar(graph, start, goal)[0]
+    )
 
 
-def both_costs(neighbours: Any, weights: Any, estimate: Any, start: int, goal: int) -> tuple[float, float]:
-    """The cost of the path that A* returns by this estimate, and of a cheapest one; infinite where there is none."""
+def both_costs(
+    neighbours: Any, weights: Any, estimate: Any, start: int, goal: int
+) -> tuple[float, float]:
+    """The cost of the path that A* returns by this estimate, and of a cheapest one; infinite where
+    there is none.
+    """
     graph = as_graph(neighbours, weights)
     found, best = graphs.astar(graph, start, goal, estimate)[1], graphs.astar(graph, start, goal)[1]
     return float(found.cost[goal]), float(best.cost[goal])

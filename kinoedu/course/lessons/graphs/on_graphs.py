@@ -1,4 +1,6 @@
-"""Shared by the exercises on trees in graphs: the breadth-first tree, and the paths that parents hold. Bullo & Smith, chapter 2."""
+"""Shared by the exercises on trees in graphs: the breadth-first tree, and the paths that parents
+hold. Bullo & Smith, chapter 2.
+"""
 
 from typing import Any
 

@@ -1,4 +1,6 @@
-"""Shared by the exercises on paths in graphs without weights. Bullo & Smith, chapter 2; LaValle, section 2.2."""
+"""Shared by the exercises on paths in graphs without weights. Bullo & Smith, chapter 2; LaValle,
+section 2.2.
+"""
 
 from collections.abc import Iterator
 from typing import Any, ClassVar
@@ -46,13 +48,19 @@ class PathExercise(OnGraph):
             ("unreachable", 3, [(0, 1)], 0, 2),
             ("start_is_goal", 1, [], 0, 0),
         ):
-            yield from self.asked(kind, lists(n, edges, directed=kind == "directed")[0], start, goal)
+            yield from self.asked(
+                kind, lists(n, edges, directed=kind == "directed")[0], start, goal
+            )
         yield from self.asked("unreachable", [[], [0]], 0, 1)  # against the only edge
         for shape, neighbours, _ in random_graphs(rng):
             kind = {"tree": "small", "parts": "unreachable"}.get(shape, shape)
-            yield from self.asked(kind, neighbours, *(lost_pair if shape == "parts" else far_pair)(neighbours, rng))
+            yield from self.asked(
+                kind, neighbours, *(lost_pair if shape == "parts" else far_pair)(neighbours, rng)
+            )
             if shape == "cycle":
-                yield from self.asked("start_is_goal", neighbours, *(int(rng.integers(len(neighbours))),) * 2)
+                yield from self.asked(
+                    "start_is_goal", neighbours, *(int(rng.integers(len(neighbours))),) * 2
+                )
 
     def asked(self, kind: str, neighbours: Neighbours, start: int, goal: int) -> Iterator[Case]:
         """The case of a question."""
@@ -60,7 +68,9 @@ class PathExercise(OnGraph):
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
         """Every edge of the path is verified; then what this exercise asks of it."""
-        rule = path_fault(case, value, self.truth(case)) or (self.last_rule if value and not self.is_good(case, value) else "")
+        rule = path_fault(case, value, self.truth(case)) or (
+            self.last_rule if value and not self.is_good(case, value) else ""
+        )
         return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
 
     def is_good(self, case: Case, path: list[int]) -> bool:
@@ -70,11 +80,17 @@ class PathExercise(OnGraph):
     def wanted(self, case: Case) -> str:
         """One such path."""
         truth = self.truth(case)
-        return spoken(truth) if truth is None or len(truth) < 2 else self.words("wanted", value=spoken(truth))
+        return (
+            spoken(truth)
+            if truth is None or len(truth) < 2
+            else self.words("wanted", value=spoken(truth))
+        )
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """The graph, a right path and the student's."""
-        draw_path_answer(self, case, outcome.value if isinstance(outcome, Answer) else None, self.truth(case), ax)
+        draw_path_answer(
+            self, case, outcome.value if isinstance(outcome, Answer) else None, self.truth(case), ax
+        )
 
 
 def path_fault(case: Case, path: list[int] | None, truth: list[int] | None) -> str:
@@ -87,7 +103,11 @@ def path_fault(case: Case, path: list[int] | None, truth: list[int] | None) -> s
     if not path or path[0] != start or path[-1] != goal:
         return "ends"
     n = len(neighbours)
-    return "" if all(0 <= u < n and v in neighbours[u] for u, v in zip(path[:-1], path[1:])) else "edge"
+    return (
+        ""
+        if all(0 <= u < n and v in neighbours[u] for u, v in zip(path[:-1], path[1:]))
+        else "edge"
+    )
 
 
 def as_list(path: Any) -> list[int] | None:

@@ -1,4 +1,6 @@
-"""Pictures of failing cases on graphs. What is true is solid and green, what the student's program says dashed and orange."""
+"""Pictures of failing cases on graphs. What is true is solid and green, what the student's program
+says dashed and orange.
+"""
 
 from typing import Any
 
@@ -14,28 +16,47 @@ MOST_STEPS = 100  # of a path: a longer one is told in words
 
 
 def draw_tree_answer(
-    exercise: Exercise, case: Case, value: list[int] | None, far: Any, ax: Any, wanted: list[int] | None = None
+    exercise: Exercise,
+    case: Case,
+    value: list[int] | None,
+    far: Any,
+    ax: Any,
+    wanted: list[int] | None = None,
 ) -> None:
-    """The graph, at each node how many edges away it is, and the student's arrows from parents to children. wanted : the one tree
-    that is right, where ties do not go either way.
+    """The graph, at each node how many edges away it is, and the student's arrows from parents to
+    children. wanted : the one tree that is right, where ties do not go either way.
     """
     from ....figures import palette
 
     neighbours, start = case.given["neighbours"], case.given["start"]
     places = draw_ground(case, ax, highlight=[start])
     for u, d in enumerate(far):
-        words = say("graph_picture.start") if u == start else say("graph_picture.far", d=f"{d:.0f}") if d < np.inf else ""
+        words = (
+            say("graph_picture.start")
+            if u == start
+            else say("graph_picture.far", d=f"{d:.0f}")
+            if d < np.inf
+            else ""
+        )
         beside(places, u, words or say("graph_picture.unreached"), ax, palette.START)
     if value is not None and len(value) == len(neighbours):
         for u, p in enumerate(value):
             if 0 <= p < len(value) and p != u:
-                good = u in neighbours[p] and far[p] + 1 == far[u] and (wanted is None or wanted[u] == p)
-                pointer(places, p, u, ax, palette.START if good else palette.GOAL, "-" if good else "--")
+                good = (
+                    u in neighbours[p]
+                    and far[p] + 1 == far[u]
+                    and (wanted is None or wanted[u] == p)
+                )
+                pointer(
+                    places, p, u, ax, palette.START if good else palette.GOAL, "-" if good else "--"
+                )
     note(value, ax)
     finish(exercise, case, ax)
 
 
-def draw_pointers(exercise: Exercise, case: Case, value: list[int] | None, truth: list[int] | None, ax: Any) -> None:
+def draw_pointers(
+    exercise: Exercise, case: Case, value: list[int] | None, truth: list[int] | None, ax: Any
+) -> None:
     """The arrow from each node's parent to it; the path from the root, and the student's."""
     from ....figures import palette
 
@@ -50,7 +71,9 @@ def draw_pointers(exercise: Exercise, case: Case, value: list[int] | None, truth
     finish(exercise, case, ax)
 
 
-def draw_path_answer(exercise: Exercise, case: Case, value: list[int] | None, truth: list[int] | None, ax: Any) -> None:
+def draw_path_answer(
+    exercise: Exercise, case: Case, value: list[int] | None, truth: list[int] | None, ax: Any
+) -> None:
     """The graph, a right path and the student's; weights and estimates where there are some."""
     draw_question(case.given, value, truth, ax)
     finish(exercise, case, ax)
@@ -64,7 +87,9 @@ def draw_misled(exercise: Exercise, value: Any, paths: tuple[Any, Any], ax: Any)
         plane.frame([(0, 0), (1, 1)], ax)
         plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
     else:
-        draw_question(dict(zip(("neighbours", "weights", "estimate", "start", "goal"), value)), *paths, ax)
+        draw_question(
+            dict(zip(("neighbours", "weights", "estimate", "start", "goal"), value)), *paths, ax
+        )
     ax.set_axis_off()
     plane.title(exercise.words("picture"), ax)
 
@@ -76,7 +101,14 @@ def draw_question(given: dict[str, Any], value: Any, truth: Any, ax: Any) -> Non
     start, goal = given["start"], given["goal"]
     places = draw_ground(Case("", given), ax, highlight=[start, goal])
     for u in range(len(places)):
-        words = [words for words, node in ((say("graph_picture.start"), start), (say("graph_picture.goal"), goal)) if node == u]
+        words = [
+            words
+            for words, node in (
+                (say("graph_picture.start"), start),
+                (say("graph_picture.goal"), goal),
+            )
+            if node == u
+        ]
         if "estimate" in given and len(places) <= 16:
             words.append(say("graph_picture.estimate", value=f"{given['estimate'][u]:.3g}"))
         beside(places, u, ", ".join(words), ax, palette.INK)
@@ -84,15 +116,25 @@ def draw_question(given: dict[str, Any], value: Any, truth: Any, ax: Any) -> Non
 
 
 def draw_costs(exercise: Exercise, case: Case, value: Any, truth: Any, ax: Any) -> None:
-    """The graph with its weights, and at each node its cost; and the student's where it is another one."""
+    """The graph with its weights, and at each node its cost; and the student's where it is another
+    one.
+    """
     from ....figures import palette
 
     places = draw_ground(case, ax, highlight=[case.given["start"]])
     fits = value is not None and not isinstance(truth, ValueError) and len(value) == len(truth)
     for u in range(len(places)):
         if isinstance(truth, ValueError):
-            beside(places, u, say("graph_picture.start") if u == case.given["start"] else "", ax, palette.INK)
-        elif fits and not (value[u] == truth[u] or abs(value[u] - truth[u]) <= 1e-6 * (1.0 + abs(truth[u]))):
+            beside(
+                places,
+                u,
+                say("graph_picture.start") if u == case.given["start"] else "",
+                ax,
+                palette.INK,
+            )
+        elif fits and not (
+            value[u] == truth[u] or abs(value[u] - truth[u]) <= 1e-6 * (1.0 + abs(truth[u]))
+        ):
             words = say("graph_picture.cost", value=spoken(truth[u]), yours=spoken(float(value[u])))
             beside(places, u, words, ax, palette.GOAL)
         else:
@@ -102,7 +144,9 @@ def draw_costs(exercise: Exercise, case: Case, value: Any, truth: Any, ax: Any) 
 
 
 def draw_ground(case: Case, ax: Any, *, highlight: list[int]) -> Any:
-    """The graph in grey, on a circle, its edges as lines where all lead both ways. Returns where its nodes are, shape (n, 2)."""
+    """The graph in grey, on a circle, its edges as lines where all lead both ways. Returns where
+    its nodes are, shape (n, 2).
+    """
     from ....figures import graphs, palette, plane
     from ....graphs import Graph
 
@@ -127,19 +171,28 @@ def draw_ways(places: Any, truth: Any, value: Any, ax: Any) -> None:
     """A right path, wide and green; the student's over it, dashed and orange."""
     from ....figures import graphs, palette
 
-    for path, colour, width, style in ((truth, palette.START, 7.0, "-"), (value, palette.GOAL, 2.8, "--")):
+    for path, colour, width, style in (
+        (truth, palette.START, 7.0, "-"),
+        (value, palette.GOAL, 2.8, "--"),
+    ):
         nodes = [u for u in (path or [])[:MOST_STEPS] if 0 <= u < len(places)]
         for u, v in zip(nodes[:-1], nodes[1:]):
-            for artist in graphs.link(places[u], places[v], ax, colour, arrow=True, width=width, gap=11.0):
+            for artist in graphs.link(
+                places[u], places[v], ax, colour, arrow=True, width=width, gap=11.0
+            ):
                 artist.set(linestyle=style, zorder=4 if style == "-" else 5)
     note(value, ax)
 
 
-def pointer(places: Any, p: int, u: int, ax: Any, colour: str, style: str, *, width: float = 2.8) -> None:
+def pointer(
+    places: Any, p: int, u: int, ax: Any, colour: str, style: str, *, width: float = 2.8
+) -> None:
     """An arrow from a parent to its child."""
     from ....figures import graphs
 
-    for artist in graphs.link(places[p], places[u], ax, colour, arrow=True, width=width, gap=12.0, bend=0.12):
+    for artist in graphs.link(
+        places[p], places[u], ax, colour, arrow=True, width=width, gap=12.0, bend=0.12
+    ):
         artist.set(linestyle=style, zorder=4)
 
 
@@ -150,7 +203,14 @@ def beside(places: Any, u: int, words: str, ax: Any, colour: str) -> None:
     if not words or len(places) > MOST_LABELS:
         return
     x, y = places[u] / np.sqrt((places[u] * places[u]).sum())
-    graphs.beside(places[u], words, ax, (18 * x, 24 * y - 5), colour, "left" if x > 0.3 else "right" if x < -0.3 else "center")
+    graphs.beside(
+        places[u],
+        words,
+        ax,
+        (18 * x, 24 * y - 5),
+        colour,
+        "left" if x > 0.3 else "right" if x < -0.3 else "center",
+    )
 
 
 def note(value: Any, ax: Any) -> None:

@@ -1,4 +1,6 @@
-"""Shared by the exercises on graphs with weights: Dijkstra's algorithm and A*. Bullo & Smith, chapter 2; LaValle, section 2.2."""
+"""Shared by the exercises on graphs with weights: Dijkstra's algorithm and A*. Bullo & Smith,
+chapter 2; LaValle, section 2.2.
+"""
 
 from ...shapes import Listed, Number
 from ..shared.graph_slips import undirected, undirected_weights

@@ -1,4 +1,6 @@
-"""Lesson 13: Planning by driving, or trees of controls. Its exercises, as the notebook asks for them."""
+"""Lesson 13: Planning by driving, or trees of controls. Its exercises, as the notebook asks for
+them.
+"""
 
 from .best_control import BestControl
 from .fastest_drive import FastestDrive

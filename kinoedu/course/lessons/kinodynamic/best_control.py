@@ -1,4 +1,6 @@
-"""The exercise on one step of a planner that drives: the best of some controls, cut where it is best."""
+"""The exercise on one step of a planner that drives: the best of some controls, cut where it is
+best.
+"""
 
 import math
 from collections.abc import Callable, Iterator
@@ -22,14 +24,22 @@ Choice = tuple[int, int] | None
 
 
 def chosen(
-    off: Callable[..., float], is_free: Callable[..., bool], first: int = 1, cut: Callable[..., Any] = np.argmin
+    off: Callable[..., float],
+    is_free: Callable[..., bool],
+    first: int = 1,
+    cut: Callable[..., Any] = np.argmin,
 ) -> Callable[..., Choice]:
-    """A program that takes the control least off at its best step, counted from `first`, among those that pass for free."""
+    """A program that takes the control least off at its best step, counted from `first`, among
+    those that pass for free.
+    """
 
     def choose(problem: Any, q: Array, target: Array, controls: Array, t: float, n: int) -> Choice:
         best, least = None, math.inf
         for i, (v, phi) in enumerate(controls):
-            away = [off(problem, problem.move(q, v, phi, k * t / n), target) for k in range(first, n + 1)]
+            away = [
+                off(problem, problem.move(q, v, phi, k * t / n), target)
+                for k in range(first, n + 1)
+            ]
             k = int(cut(away))
             if away[k] < least and is_free(problem, q, v, phi, (first + k) * t / n, t):
                 best, least = (i, first + k), away[k]
@@ -89,11 +99,17 @@ def first_dip(away: list[float]) -> int:
     return next((k for k in range(len(away) - 1) if away[k + 1] > away[k]), len(away) - 1)
 
 
-def cut_until_free(problem: Any, q: Array, target: Array, controls: Array, t: float, n: int) -> Choice:
+def cut_until_free(
+    problem: Any, q: Array, target: Array, controls: Array, t: float, n: int
+) -> Choice:
     """Every step is asked about: a control that touches something is cut before that."""
     steps = [(i, k) for i in range(len(controls)) for k in range(1, n + 1)]
     free = [(i, k) for i, k in steps if problem.is_free_drive(q, *controls[i], k * t / n)]
-    return min(free, key=lambda ik: distance(problem, problem.move(q, *controls[ik[0]], ik[1] * t / n), target), default=None)
+    return min(
+        free,
+        key=lambda ik: distance(problem, problem.move(q, *controls[ik[0]], ik[1] * t / n), target),
+        default=None,
+    )
 
 
 def only_closer(problem: Any, q: Array, target: Array, controls: Array, t: float, n: int) -> Choice:
@@ -113,7 +129,14 @@ def farthest(*given: Any) -> Choice:
 MIDDLE = [post for post in POSTS if 60 <= min(post[0]) and max(post[0]) < 180]
 ROOMS = (
     in_garage((30, 30, 0), (150, 150, 0)),
-    in_garage((30, 30, 0), (150, 150, 0), box(100, 112, 101, 125), box(118, 96, 119, 97), box(75, 75, 90, 80), *MIDDLE),
+    in_garage(
+        (30, 30, 0),
+        (150, 150, 0),
+        box(100, 112, 101, 125),
+        box(118, 96, 119, 97),
+        box(75, 75, 90, 80),
+        *MIDDLE,
+    ),
 )
 
 
@@ -123,7 +146,9 @@ class BestControl(ValueExercise):
     name = "best_control"
     lesson = "13_kinodynamic_planning"
     kinds = ("open", "cut", "blocked", "beyond", "none")
-    given = Record(problem=DrivenTask(), q=POSE, target=POSE, controls=Numbers(("m", 2)), t=Number(), n=Whole())
+    given = Record(
+        problem=DrivenTask(), q=POSE, target=POSE, controls=Numbers(("m", 2)), t=Number(), n=Whole()
+    )
     answer = Maybe(WholeNumbers((2,)))
     source = staticmethod(best_of_controls)
     shown = staticmethod(free_drive)
@@ -135,7 +160,13 @@ class BestControl(ValueExercise):
         Slip("whole", chosen(distance, all_of_it)),
         Slip("end_only", chosen(distance, its_end)),
         Slip("place", chosen(lambda problem, a, b: math.dist(a[:2], b[:2]), up_to_cut)),
-        Slip("no_wrap", chosen(lambda problem, a, b: math.hypot(*(b - a)[:2], problem.radian * (b[2] - a[2])), up_to_cut)),
+        Slip(
+            "no_wrap",
+            chosen(
+                lambda problem, a, b: math.hypot(*(b - a)[:2], problem.radian * (b[2] - a[2])),
+                up_to_cut,
+            ),
+        ),
         Slip("dip", chosen(distance, up_to_cut, cut=first_dip)),
         Slip("shorter", cut_until_free),
         Slip("closer", only_closer),
@@ -145,10 +176,14 @@ class BestControl(ValueExercise):
     )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """A control straight on first; one that comes round again; then controls by chance, until there are enough of each kind."""
+        """A control straight on first; one that comes round again; then controls by chance, until
+        there are enough of each kind.
+        """
         yield Case("open", given(ROOMS[0], (100, 100, 0), (110, 100, 0), [(2, 0), (-1, 0)], 4.0, 4))
         yield Case("cut", given(ROOMS[0], (100, 100, 0), (104, 100, 0), [(2, 0), (-1, 0)], 4.0, 4))
-        yield Case("cut", given(ROOMS[0], (100, 100, 0), (90, 120, -2.6), [(2, 0.7), (-1, -0.2)], 60.0, 12))
+        yield Case(
+            "cut", given(ROOMS[0], (100, 100, 0), (90, 120, -2.6), [(2, 0.7), (-1, -0.2)], 60.0, 12)
+        )
         drawn: dict[str, list[Case]] = {kind: [] for kind in self.kinds}
         while min(map(len, drawn.values())) < 10:
             case = self.drawn_case(rng)
@@ -158,11 +193,19 @@ class BestControl(ValueExercise):
         yield from sorted(every, key=lambda case: len(case.given["controls"]) * case.given["n"])
 
     def drawn_case(self, rng: np.random.Generator) -> Case | None:
-        """A case by chance, of the kind that it is; None where two controls are nearly as good, or nothing can be asked."""
-        room, n, m = ROOMS[int(rng.random() < 0.8)], int(rng.choice([2, 3, 5, 8, 12, 40])), int(rng.integers(2, 8))
+        """A case by chance, of the kind that it is; None where two controls are nearly as good, or
+        nothing can be asked.
+        """
+        room, n, m = (
+            ROOMS[int(rng.random() < 0.8)],
+            int(rng.choice([2, 3, 5, 8, 12, 40])),
+            int(rng.integers(2, 8)),
+        )
         q = np.round([*rng.uniform(60, 140, 2), rng.uniform(-3.1, 3.1)], 1)
         target = np.round(q + rng.uniform((-25, -25, -1.5), (25, 25, 1.5)), 1)
-        controls = np.column_stack([rng.choice([-1.0, 2.0], m), np.round(rng.uniform(-0.78, 0.78, m), 2)])
+        controls = np.column_stack(
+            [rng.choice([-1.0, 2.0], m), np.round(rng.uniform(-0.78, 0.78, m), 2)]
+        )
         if not room.problem.is_free(q):
             return None
         t = float(rng.integers(4, 20))

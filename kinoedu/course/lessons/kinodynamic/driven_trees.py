@@ -1,4 +1,6 @@
-"""The judge of what is grown by driving: every drive replayed from its control, by the course's own code, and free all the way."""
+"""The judge of what is grown by driving: every drive replayed from its control, by the course's own
+code, and free all the way.
+"""
 
 import math
 from typing import Any
@@ -23,7 +25,9 @@ Path = NDArray[np.int64]
 
 
 def why_not_driven(problem: Any, tree: DrivenTree) -> tuple[Fault | None, Array]:
-    """The first thing that keeps it from being a tree of free drives from the start; and its nodes, as far as they are right."""
+    """The first thing that keeps it from being a tree of free drives from the start; and its nodes,
+    as far as they are right.
+    """
     _, parent, controls, durations = tree
     if not len(parent) or not len(parent) == len(controls) == len(durations):
         return Fault("lengths", NOWHERE), problem.start[None]
@@ -47,7 +51,10 @@ def near_ones(problem: Any, nodes: Array, slack: float = 0.0) -> NDArray[np.int6
     """The numbers of the nodes that are near enough to the goal."""
     x, y, theta = problem.goal
     off = [math.dist(q[:2], (x, y)) <= problem.tolerance * (1.0 + slack) for q in nodes]
-    askew = [abs(short_way(wrapped(q[2]), theta)) <= problem.turn_tolerance * (1.0 + slack) for q in nodes]
+    askew = [
+        abs(short_way(wrapped(q[2]), theta)) <= problem.turn_tolerance * (1.0 + slack)
+        for q in nodes
+    ]
     return np.flatnonzero(np.array(off) & np.array(askew))
 
 
@@ -71,14 +78,20 @@ def not_along(parent: NDArray[np.int64], path: Path, nodes: Array) -> Fault | No
 def not_nearest_to_goal(problem: Any, nodes: Array, path: Path) -> Fault | None:
     """A path that ends elsewhere, where no node is near enough."""
     off = distances(problem, nodes, problem.goal)
-    return None if off[path[-1]] <= off.min() * (1.0 + SLACK) else Fault("closest", nodes[[path[-1]]])
+    return (
+        None if off[path[-1]] <= off.min() * (1.0 + SLACK) else Fault("closest", nodes[[path[-1]]])
+    )
 
 
-def not_biased(problem: Any, nodes: Array, before: int, chosen: NDArray[np.int64], turn: int) -> str:
-    """Which rule a turn broke that drove from chosen nodes, when there were so many before it; "" for none.
+def not_biased(
+    problem: Any, nodes: Array, before: int, chosen: NDArray[np.int64], turn: int
+) -> str:
+    """Which rule a turn broke that drove from chosen nodes, when there were so many before it; ""
+    for none.
 
-    When the goal is the target these are the nearest to it. When it is a pose of the region, each is nearly so: by the triangle
-    inequality, no farther from the goal than twice the region's reach beyond the nearest.
+    When the goal is the target these are the nearest to it. When it is a pose of the region, each
+    is nearly so: by the triangle inequality, no farther from the goal than twice the region's reach
+    beyond the nearest.
     """
     off = distances(problem, nodes[:before], problem.goal)
     nearest = np.sort(off)[: len(chosen)]
@@ -91,8 +104,12 @@ def not_biased(problem: Any, nodes: Array, before: int, chosen: NDArray[np.int64
     return ""
 
 
-def by_turns(problem: Any, nodes: Array, turns: list[tuple[int, NDArray[np.int64]]]) -> Fault | None:
-    """Judge the turns of a tree of which no drive can fail: for each, how many nodes there were before, and which were chosen."""
+def by_turns(
+    problem: Any, nodes: Array, turns: list[tuple[int, NDArray[np.int64]]]
+) -> Fault | None:
+    """Judge the turns of a tree of which no drive can fail: for each, how many nodes there were
+    before, and which were chosen.
+    """
     straight = others = 0
     for turn, (before, chosen) in enumerate(turns, 1):
         rule = not_biased(problem, nodes, before, chosen, turn)
@@ -124,7 +141,9 @@ class DrivingPlanner(PlannerExercise):
         _, nodes = why_not_driven(case.given["problem"], tree)
         path = answer[-1][(answer[-1] >= 0) & (answer[-1] < len(nodes))]
         n = len(nodes)
-        return DrivenTree(nodes, tree.parent[:n], tree.controls[:n], tree.durations[:n]), nodes[path]
+        return DrivenTree(nodes, tree.parent[:n], tree.controls[:n], tree.durations[:n]), nodes[
+            path
+        ]
 
     def drawn(self, answer: Any) -> tuple[list[Tree], Array | None]:
         """How much there is is told by `answer_words`."""
@@ -136,7 +155,9 @@ class DrivingPlanner(PlannerExercise):
         if not len(poses):
             return self.words("answers.nowhere", nodes=len(tree.nodes))
         x, y, theta = poses[-1]
-        told = self.words("answers.drive", nodes=len(tree.nodes), drives=len(poses) - 1, x=x, y=y, theta=theta)
+        told = self.words(
+            "answers.drive", nodes=len(tree.nodes), drives=len(poses) - 1, x=x, y=y, theta=theta
+        )
         fault = self.fault_of_three(case, value)
         where = np.round(fault.marked, 2).tolist() if fault is not None else []
         return f"{told}; {self.words('answers.at', marked=where)}" if where else told
@@ -149,4 +170,6 @@ class DrivingPlanner(PlannerExercise):
         fault = None if value is None else self.fault_of_three(case, value)
         built = None if value is None else self.nodes_of(case, value[0])
         rule = self.judge(case, outcome).rule
-        draw_driven_answer(case.given["problem"].problem, built, fault, self.words(f"pictures.{rule}"), ax)
+        draw_driven_answer(
+            case.given["problem"].problem, built, fault, self.words(f"pictures.{rule}"), ax
+        )

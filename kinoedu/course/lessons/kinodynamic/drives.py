@@ -1,4 +1,6 @@
-"""Shared by the exercises on planners that drive. LaValle, Kuffner, "Randomized kinodynamic planning" (2001)."""
+"""Shared by the exercises on planners that drive. LaValle, Kuffner, "Randomized kinodynamic
+planning" (2001).
+"""
 
 from typing import Any
 

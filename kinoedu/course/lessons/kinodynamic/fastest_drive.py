@@ -1,4 +1,6 @@
-"""The exercise on the fastest drive through a roadmap whose edges are driven one way. LaValle, section 2.2.2."""
+"""The exercise on the fastest drive through a roadmap whose edges are driven one way. LaValle,
+section 2.2.2.
+"""
 
 from collections.abc import Callable, Iterator, Sequence
 from typing import Any, ClassVar
@@ -23,14 +25,26 @@ Way = list[int] | None
 
 
 def way_by(
-    weights: Callable[[Array, Array], Array], *, directed: bool = True, search: Search = dijkstra_path
+    weights: Callable[[Array, Array], Array],
+    *,
+    directed: bool = True,
+    search: Search = dijkstra_path,
 ) -> Callable[..., Way]:
-    """A program that finds the lightest way from node 0 to one of the ends, by weights of controls (m, 2) and durations (m,)."""
+    """A program that finds the lightest way from node 0 to one of the ends, by weights of controls
+    (m, 2) and durations (m,).
+    """
 
     def find(n: int, edges: Pairs, controls: Array, durations: Array, ends: Pairs) -> Way:
-        pairs, heavy = np.reshape(edges, (-1, 2)), weights(np.reshape(controls, (-1, 2)), np.asarray(durations, float))
+        pairs, heavy = (
+            np.reshape(edges, (-1, 2)),
+            weights(np.reshape(controls, (-1, 2)), np.asarray(durations, float)),
+        )
         graph = graphs.Graph(n, pairs, heavy, directed=directed)
-        ways = [path.tolist() for path in (search(graph, 0, int(end)) for end in ends) if path is not None]
+        ways = [
+            path.tolist()
+            for path in (search(graph, 0, int(end)) for end in ends)
+            if path is not None
+        ]
         return min(ways, key=lambda way: lasts(way, pairs, heavy, directed), default=None)
 
     return find
@@ -42,12 +56,16 @@ def by_time(_: Array, durations: Array) -> Array:
 
 
 def fastest(n: int, edges: Pairs, controls: Array, durations: Array, ends: Pairs) -> Way:
-    """The nodes of a fastest drive from node 0 to one of the ends; None where no edges lead there."""
+    """The nodes of a fastest drive from node 0 to one of the ends; None where no edges lead
+    there.
+    """
     return way_by(by_time)(n, edges, controls, durations, ends)
 
 
 def lasts(way: list[int], edges: Pairs, durations: Array, directed: bool = True) -> float:
-    """How long a drive along edges takes; of doubles the quicker. Infinite where an edge is not there."""
+    """How long a drive along edges takes; of doubles the quicker. Infinite where an edge is not
+    there.
+    """
     times: dict[tuple[int, int], float] = {}
     for (u, v), t in zip(edges.tolist(), durations.tolist()):
         for pair in ((u, v),) if directed else ((u, v), (v, u)):
@@ -62,10 +80,16 @@ def last_of_doubles(n: int, edges: Pairs, controls: Array, durations: Array, end
     return fastest(n, pairs[kept], controls[kept], durations[kept], ends)
 
 
-def relaxed_three_times(n: int, edges: Pairs, controls: Array, durations: Array, ends: Pairs) -> Way:
-    """The rows are gone through too seldom: enough where they stand in the order in which they are driven."""
+def relaxed_three_times(
+    n: int, edges: Pairs, controls: Array, durations: Array, ends: Pairs
+) -> Way:
+    """The rows are gone through too seldom: enough where they stand in the order in which they are
+    driven.
+    """
     ways: dict[int, tuple[float, Way]] = {0: (0.0, [0])}
-    for u, v, t in 3 * [(int(u), int(v), float(t)) for (u, v), t in zip(np.reshape(edges, (-1, 2)), durations)]:
+    for u, v, t in 3 * [
+        (int(u), int(v), float(t)) for (u, v), t in zip(np.reshape(edges, (-1, 2)), durations)
+    ]:
         time, way = ways.get(u, (np.inf, None))
         if time + t < ways.get(v, (np.inf, None))[0]:
             ways[v] = time + t, [*(way or []), v]
@@ -89,7 +113,11 @@ class FastestDrive(ValueExercise):
     lesson = "13_kinodynamic_planning"
     kinds = ("chain", "detour", "length", "oneway", "ends", "none", "there")
     given = Record(
-        n=Whole(), edges=WholeNumbers(("m", 2)), controls=Numbers(("m", 2)), durations=Numbers(("m",)), ends=WholeNumbers(("k",))
+        n=Whole(),
+        edges=WholeNumbers(("m", 2)),
+        controls=Numbers(("m", 2)),
+        durations=Numbers(("m",)),
+        ends=WholeNumbers(("k",)),
     )
     answer = Maybe(WholeNumbers(("j",)))
     source = staticmethod(fastest)
@@ -98,9 +126,20 @@ class FastestDrive(ValueExercise):
     slips = (
         Slip("undirected", way_by(by_time, directed=False)),
         Slip("length", way_by(lambda controls, durations: np.abs(controls[:, 0]) * durations)),
-        Slip("fewest", way_by(lambda controls, durations: np.ones(len(durations)), search=fewest_edges)),
-        Slip("first_end", lambda n, edges, controls, durations, ends: fastest(n, edges, controls, durations, ends[:1])),
-        Slip("against", lambda n, edges, *others: fastest(n, np.reshape(edges, (-1, 2))[:, ::-1], *others)),
+        Slip(
+            "fewest",
+            way_by(lambda controls, durations: np.ones(len(durations)), search=fewest_edges),
+        ),
+        Slip(
+            "first_end",
+            lambda n, edges, controls, durations, ends: fastest(
+                n, edges, controls, durations, ends[:1]
+            ),
+        ),
+        Slip(
+            "against",
+            lambda n, edges, *others: fastest(n, np.reshape(edges, (-1, 2))[:, ::-1], *others),
+        ),
         Slip("doubles", last_of_doubles),
         Slip("passes", relaxed_three_times),
         Slip("backwards", turned(lambda way: way[::-1])),
@@ -129,12 +168,17 @@ class FastestDrive(ValueExercise):
                 yield self.random_case(kind, size, rng)
 
     def random_case(self, kind: str, n: int, rng: np.random.Generator) -> Case:
-        """A roadmap by chance, in any order, some of its drives also done slowly; the ends lie far from the start."""
+        """A roadmap by chance, in any order, some of its drives also done slowly; the ends lie far
+        from the start.
+        """
         pairs = [(int(rng.integers(max(v - 3, 0), v)), v) for v in range(1, n)]
         if kind != "chain":
             pairs += [row[:2] for row in random_rows("directed", n, rng) if row[0] != row[1]]
         speeds = [-1.0, 0.5, 2.0] if kind == "length" else [-1.0, 1.0]
-        rows = [(u, v, float(np.round(rng.uniform(1, 15), 3)), rng.choice(speeds)) for u, v in dict.fromkeys(pairs)]
+        rows = [
+            (u, v, float(np.round(rng.uniform(1, 15), 3)), rng.choice(speeds))
+            for u, v in dict.fromkeys(pairs)
+        ]
         several = kind in ("ends", "none", "there")
         ends = rng.choice(np.arange(1 + n // 2, n), 1 + several, replace=False).tolist()
         if kind != "chain":
@@ -153,10 +197,16 @@ class FastestDrive(ValueExercise):
         return value is None if truth is None else value is not None and list(value) == list(truth)
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """None where there is no way; else along edges, as they are driven, from 0 to an end, and none is faster."""
+        """None where there is no way; else along edges, as they are driven, from 0 to an end, and
+        none is faster.
+        """
         truth = self.truth(case)
         if value is None or truth is None:
-            return RIGHT if value is truth is None else Verdict(0.0, "missed" if value is None else "none", self.wanted(case))
+            return (
+                RIGHT
+                if value is truth is None
+                else Verdict(0.0, "missed" if value is None else "none", self.wanted(case))
+            )
         _, edges, _, durations, ends = case.given.values()
         way = value.tolist()
         if not way or way[0] != 0 or way[-1] not in ends:
@@ -170,7 +220,11 @@ class FastestDrive(ValueExercise):
         truth = self.truth(case)
         if truth is None:
             return "None"
-        return self.words("wanted", way=spoken(truth), time=lasts(truth, case.given["edges"], case.given["durations"]))
+        return self.words(
+            "wanted",
+            way=spoken(truth),
+            time=lasts(truth, case.given["edges"], case.given["durations"]),
+        )
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """The roadmap; a fastest drive, and the student's."""
@@ -182,5 +236,11 @@ class FastestDrive(ValueExercise):
 def roadmap_case(kind: str, n: int, rows: Sequence[tuple[float, ...]], ends: list[int]) -> Case:
     """A case of a roadmap, from rows (from, to, duration, speed), the speed 1 unless given."""
     whole = np.array([(*row, 1.0)[:4] for row in rows])
-    told = {"controls": np.column_stack([whole[:, 3], np.zeros(len(rows))]), "durations": whole[:, 2]}
-    return Case(kind, {"n": n, "edges": whole[:, :2].astype(np.int64), **told, "ends": np.array(ends, np.int64)})
+    told = {
+        "controls": np.column_stack([whole[:, 3], np.zeros(len(rows))]),
+        "durations": whole[:, 2],
+    }
+    return Case(
+        kind,
+        {"n": n, "edges": whole[:, :2].astype(np.int64), **told, "ends": np.array(ends, np.int64)},
+    )

@@ -1,4 +1,6 @@
-"""Small problems for a car, some of which are traps. It knows three speeds: the shortest is not the fastest."""
+"""Small problems for a car, some of which are traps. It knows three speeds: the shortest is not the
+fastest.
+"""
 
 import math
 from typing import Any
@@ -24,8 +26,12 @@ GARAGES = {
     "turn": in_garage((1500, 1500, 0), (1500, 1500, 1.2), size=3000.0),  # no wall is in reach
     "seam": in_garage((96, 100, 2.92), (80, 103.5, math.pi)),
     "thin": in_garage((35, 40, 0), (115, 80, 0), *POSTS),
-    "far": in_garage((1500, 1500, 0), (2700, 2400, 1), size=3000.0),  # farther away than it can drive
-    "sealed": in_garage((50, 50, 0), (165, 165, 0.8), box(130, 130, 200, 131), box(130, 130, 131, 200)),
+    "far": in_garage(
+        (1500, 1500, 0), (2700, 2400, 1), size=3000.0
+    ),  # farther away than it can drive
+    "sealed": in_garage(
+        (50, 50, 0), (165, 165, 0.8), box(130, 130, 200, 131), box(130, 130, 131, 200)
+    ),
 }
 KINDS = tuple(GARAGES)
 OPEN = ("turn", "far")  # where no drive can fail, so that every turn adds its nodes

@@ -57,7 +57,10 @@ class HeadingDistance(ValueExercise):
         Slip("root", with_turn(lambda a, b, radian: math.sqrt(radian) * short(a, b))),
         Slip("place", with_turn(lambda a, b, radian: 0.0)),
         Slip("chord", with_turn(lambda a, b, radian: 2.0 * radian * math.sin(0.5 * short(a, b)))),
-        Slip("sum", lambda a, b, radian: math.hypot(b[0] - a[0], b[1] - a[1]) + radian * short(a[2], b[2])),
+        Slip(
+            "sum",
+            lambda a, b, radian: math.hypot(b[0] - a[0], b[1] - a[1]) + radian * short(a[2], b[2]),
+        ),
         Slip("square", lambda a, b, radian: pose_distance(a, b, radian) ** 2),
     )
 

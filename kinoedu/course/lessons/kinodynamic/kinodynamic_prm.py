@@ -1,4 +1,6 @@
-"""The exercise `kinodynamic_prm`. S. M. LaValle, J. J. Kuffner, "Randomized kinodynamic planning" (2001)."""
+"""The exercise `kinodynamic_prm`. S. M. LaValle, J. J. Kuffner, "Randomized kinodynamic planning"
+(2001).
+"""
 
 from collections.abc import Iterator
 from typing import Any
@@ -47,8 +49,17 @@ def own_kinodynamic_prm(problem: Any, k: int, iterations: int, rng: int) -> Any:
             durations.append(t)
             arrival.append(arrival[near] + t)
     there = near_ones(problem, np.array(nodes))
-    last = min(there, key=arrival.__getitem__) if len(there) else distances(problem, np.array(nodes), problem.goal).argmin()
-    return edges, controls, durations, extract_path(np.array([-1, *(u for u, _ in edges)]), int(last))
+    last = (
+        min(there, key=arrival.__getitem__)
+        if len(there)
+        else distances(problem, np.array(nodes), problem.goal).argmin()
+    )
+    return (
+        edges,
+        controls,
+        durations,
+        extract_path(np.array([-1, *(u for u, _ in edges)]), int(last)),
+    )
 
 
 class KinodynamicPrm(DrivingPlanner):
@@ -67,7 +78,15 @@ class KinodynamicPrm(DrivingPlanner):
         for k in (2, 3):
             for kind in KINDS:
                 turns = min(100, TURNS[kind])
-                yield Case(kind, {"problem": GARAGES[kind], "k": k, "iterations": turns, "rng": int(rng.integers(1000))})
+                yield Case(
+                    kind,
+                    {
+                        "problem": GARAGES[kind],
+                        "k": k,
+                        "iterations": turns,
+                        "rng": int(rng.integers(1000)),
+                    },
+                )
 
     def uses_chance(self, case: Case) -> bool:
         """Always: it does not stop at the goal."""
@@ -76,10 +95,17 @@ class KinodynamicPrm(DrivingPlanner):
     def tree_of(self, case: Case, answer: Any) -> DrivenTree:
         """A new node for each edge."""
         edges, controls, durations, _ = answer
-        return DrivenTree(NOWHERE, np.append(-1, edges[:, 0]), np.vstack([[0.0, 0.0], controls]), np.append(0.0, durations))
+        return DrivenTree(
+            NOWHERE,
+            np.append(-1, edges[:, 0]),
+            np.vstack([[0.0, 0.0], controls]),
+            np.append(0.0, durations),
+        )
 
     def fault(self, case: Case, answer: Any) -> Fault | None:
-        """The edges; the drives; the path and its end; and where no drive can fail, from which nodes each turn drove."""
+        """The edges; the drives; the path and its end; and where no drive can fail, from which
+        nodes each turn drove.
+        """
         problem, k, iterations, _ = case.given.values()
         edges, tree, path = answer[0], self.tree_of(case, answer), answer[-1]
         if not np.array_equal(edges[:, 1], np.arange(1, len(edges) + 1)):
@@ -93,10 +119,14 @@ class KinodynamicPrm(DrivingPlanner):
         if stopped_early(nodes, iterations):
             return Fault("onward", nodes[-1:])
         fault = not_along(tree.parent, path, nodes) or not_fastest(problem, tree, nodes, path)
-        return fault or (fault_of_groups(problem, edges, nodes, k, iterations) if case.kind in OPEN else None)
+        return fault or (
+            fault_of_groups(problem, edges, nodes, k, iterations) if case.kind in OPEN else None
+        )
 
 
-def not_fastest(problem: Any, tree: DrivenTree, nodes: Array, path: NDArray[np.int64]) -> Fault | None:
+def not_fastest(
+    problem: Any, tree: DrivenTree, nodes: Array, path: NDArray[np.int64]
+) -> Fault | None:
     """A path that ends at another node than the one near the goal that is reached first."""
     surely, perhaps = near_ones(problem, nodes, -SLACK), near_ones(problem, nodes, SLACK)
     if not len(surely):
@@ -106,11 +136,19 @@ def not_fastest(problem: Any, tree: DrivenTree, nodes: Array, path: NDArray[np.i
         arrival[i] = arrival[tree.parent[i]] + tree.durations[i]
     if path[-1] not in perhaps:
         return Fault("goal", nodes[path[-1:]])
-    return Fault("fastest", nodes[path[-1:]]) if arrival[path[-1]] > arrival[surely].min() * (1.0 + SLACK) else None
+    return (
+        Fault("fastest", nodes[path[-1:]])
+        if arrival[path[-1]] > arrival[surely].min() * (1.0 + SLACK)
+        else None
+    )
 
 
-def fault_of_groups(problem: Any, edges: NDArray[np.int64], nodes: Array, k: int, iterations: int) -> Fault | None:
-    """Turns that did not drive from k different nodes that were there before them, or from the wrong ones."""
+def fault_of_groups(
+    problem: Any, edges: NDArray[np.int64], nodes: Array, k: int, iterations: int
+) -> Fault | None:
+    """Turns that did not drive from k different nodes that were there before them, or from the
+    wrong ones.
+    """
     before, turns = 1, []
     for _ in range(iterations):
         chosen = edges[before - 1 : before - 1 + min(k, before), 0]

@@ -1,4 +1,6 @@
-"""The exercise `kinodynamic_rrt`. S. M. LaValle, J. J. Kuffner, "Randomized kinodynamic planning" (2001)."""
+"""The exercise `kinodynamic_rrt`. S. M. LaValle, J. J. Kuffner, "Randomized kinodynamic planning"
+(2001).
+"""
 
 from collections.abc import Iterator
 from typing import Any
@@ -48,7 +50,11 @@ def own_kinodynamic_rrt(problem: Any, iterations: int, rng: int) -> Any:
         controls.append((v, phi))
         durations.append(t)
     there = near_ones(problem, np.array(nodes))
-    last = int(there[0]) if len(there) else int(distances(problem, np.array(nodes), problem.goal).argmin())
+    last = (
+        int(there[0])
+        if len(there)
+        else int(distances(problem, np.array(nodes), problem.goal).argmin())
+    )
     return parent, controls, durations, extract_path(np.array(parent), last)
 
 
@@ -67,14 +73,23 @@ class KinodynamicRrt(DrivingPlanner):
         """Every garage twice."""
         for _ in range(2):
             for kind in KINDS:
-                yield Case(kind, {"problem": GARAGES[kind], "iterations": TURNS[kind], "rng": int(rng.integers(1000))})
+                yield Case(
+                    kind,
+                    {
+                        "problem": GARAGES[kind],
+                        "iterations": TURNS[kind],
+                        "rng": int(rng.integers(1000)),
+                    },
+                )
 
     def tree_of(self, case: Case, answer: Any) -> DrivenTree:
         """As it stands."""
         return DrivenTree(NOWHERE, *answer[:3])
 
     def fault(self, case: Case, answer: Any) -> Fault | None:
-        """The drives; the path and its end; and where no drive can fail, from which nodes each turn drove."""
+        """The drives; the path and its end; and where no drive can fail, from which nodes each turn
+        drove.
+        """
         problem, iterations, _ = case.given.values()
         tree, path = self.tree_of(case, answer), answer[-1]
         fault, nodes = why_not_driven(problem, tree)
@@ -99,4 +114,8 @@ def not_ended(problem: Any, nodes: Array, path: NDArray[np.int64]) -> Fault | No
         return Fault("returned", nodes[surely[:1]])
     if path[-1] in perhaps:
         return None
-    return Fault("goal", nodes[path[-1:]]) if len(surely) else not_nearest_to_goal(problem, nodes, path)
+    return (
+        Fault("goal", nodes[path[-1:]])
+        if len(surely)
+        else not_nearest_to_goal(problem, nodes, path)
+    )

@@ -1,4 +1,6 @@
-"""Pictures of failing cases of lesson 13. What is true is solid and green, what the student's program says dashed and orange."""
+"""Pictures of failing cases of lesson 13. What is true is solid and green, what the student's
+program says dashed and orange.
+"""
 
 import math
 from typing import Any
@@ -15,7 +17,9 @@ from ..shared.car_pictures import arc, frame_both
 
 
 def draw_driven_answer(problem: Any, built: Any, fault: Any, words: str, ax: Any) -> None:
-    """The problem; the tree, in blue; the drive, in yellow; and the drive or pose that is at fault, in orange."""
+    """The problem; the tree, in blue; the drive, in yellow; and the drive or pose that is at fault,
+    in orange.
+    """
     from ....figures import palette, plane
     from ....figures.drawing import draw_path, draw_problem, draw_tree
 
@@ -27,21 +31,47 @@ def draw_driven_answer(problem: Any, built: Any, fault: Any, words: str, ax: Any
         draw_tree(tree, ax, robot=problem.robot)
         ax.plot(*tree.nodes[:, :2].T, ".", color=palette.TREE, markersize=6, zorder=3.5)
         numbers = [int(np.argmin(np.abs(tree.nodes - pose).sum(axis=1))) for pose in poses[1:]]
-        drive = TrajectoryRecord(problem.start, tree.controls[numbers], tree.durations[numbers], problem.robot.wheelbase)
+        drive = TrajectoryRecord(
+            problem.start, tree.controls[numbers], tree.durations[numbers], problem.robot.wheelbase
+        )
         if len(numbers):
             draw_path(drive.at(np.linspace(0.0, drive.duration, 12 * len(numbers)))[:, :2], ax)
-        look_closer(np.vstack([tree.nodes, problem.start, problem.goal])[:, :2], 5.0 * problem.robot.wheelbase, ax)
+        look_closer(
+            np.vstack([tree.nodes, problem.start, problem.goal])[:, :2],
+            5.0 * problem.robot.wheelbase,
+            ax,
+        )
     if fault is not None and len(fault.marked):
-        ax.plot(*fault.marked[:, :2].T, "--", color=palette.GOAL, linewidth=3.5, zorder=8, scalex=False, scaley=False)
-        ax.plot(*fault.marked[-1, :2], "X", color=palette.GOAL, markersize=13, markeredgecolor="white", zorder=9)
+        ax.plot(
+            *fault.marked[:, :2].T,
+            "--",
+            color=palette.GOAL,
+            linewidth=3.5,
+            zorder=8,
+            scalex=False,
+            scaley=False,
+        )
+        ax.plot(
+            *fault.marked[-1, :2],
+            "X",
+            color=palette.GOAL,
+            markersize=13,
+            markeredgecolor="white",
+            zorder=9,
+        )
     plane.title(words, ax)
 
 
 def look_closer(places: Array, least: float, ax: Any) -> None:
     """Where the world is large, show only what is round the places, and so far at least."""
-    middle, reach = (places.min(axis=0) + places.max(axis=0)) / 2.0, max(0.6 * float(np.ptp(places, axis=0).max()), least)
+    middle, reach = (
+        (places.min(axis=0) + places.max(axis=0)) / 2.0,
+        max(0.6 * float(np.ptp(places, axis=0).max()), least),
+    )
     if 4.0 * reach < float(np.ptp(ax.get_xlim())):
-        ax.set(xlim=(middle[0] - reach, middle[0] + reach), ylim=(middle[1] - reach, middle[1] + reach))
+        ax.set(
+            xlim=(middle[0] - reach, middle[0] + reach), ylim=(middle[1] - reach, middle[1] + reach)
+        )
 
 
 def draw_two_poses(exercise: ValueExercise, case: Case, value: Any, ax: Any) -> None:
@@ -57,12 +87,16 @@ def draw_two_poses(exercise: ValueExercise, case: Case, value: Any, ax: Any) -> 
     cars.draw_pose(b, size, "b", ax, colour=palette.TREE, below=True)
     yours = "-" if value is None else spoken(value)
     plane.corner_note(
-        exercise.words("picture", true=spoken(exercise.truth(case)), yours=yours, radian=radian), ax, colour=palette.GOAL
+        exercise.words("picture", true=spoken(exercise.truth(case)), yours=yours, radian=radian),
+        ax,
+        colour=palette.GOAL,
     )
 
 
 def draw_choice(exercise: ValueExercise, case: Case, value: Any, ax: Any) -> None:
-    """The drives by all controls, thin; the right one up to its cut, and the student's, with the car's body where there is one."""
+    """The drives by all controls, thin; the right one up to its cut, and the student's, with the
+    car's body where there is one.
+    """
     from ....figures import cars, palette, plane
     from ....figures.drawing import draw_world
     from ....figures.robots import outline_at
@@ -71,8 +105,14 @@ def draw_choice(exercise: ValueExercise, case: Case, value: Any, ax: Any) -> Non
     bends = np.tan(controls[:, 1]) / room.problem.robot.wheelbase
     ways = [arc(q, v * t, bend) for (v, _), bend in zip(controls, bends)]
     shown = exercise.truth(case) if value is None or not is_choice(value, controls, n) else value
-    bodies = [] if shown is None else [outline_at(room.problem.robot, pose) for pose in swept(case, bends, *shown)]
-    tips = [pose[:2] + 8.0 * np.array([math.cos(pose[2]), math.sin(pose[2])]) for pose in (q, target)]
+    bodies = (
+        []
+        if shown is None
+        else [outline_at(room.problem.robot, pose) for pose in swept(case, bends, *shown)]
+    )
+    tips = [
+        pose[:2] + 8.0 * np.array([math.cos(pose[2]), math.sin(pose[2])]) for pose in (q, target)
+    ]
     around = np.vstack([*(way[:, :2] for way in ways), *bodies, *tips, target[:2]])
     frame_both(around, None if value is None else around[:1], "", ax)
     limits = ax.get_xlim(), ax.get_ylim()
@@ -83,10 +123,19 @@ def draw_choice(exercise: ValueExercise, case: Case, value: Any, ax: Any) -> Non
     for number, way in enumerate(ways):
         ax.plot(*way[:, :2].T, "-", color=palette.OUTSIDE, linewidth=2.0, zorder=3)
         plane.label(way[-1, :2], str(number), ax, colour=palette.INK)
-    for choice, colour, style in ((exercise.truth(case), palette.START, "-"), (value, palette.GOAL, "--")):
+    for choice, colour, style in (
+        (exercise.truth(case), palette.START, "-"),
+        (value, palette.GOAL, "--"),
+    ):
         if choice is not None and is_choice(choice, controls, n):
             i, k = choice
-            ax.plot(*arc(q, controls[i, 0] * t * k / n, bends[i])[:, :2].T, style, color=colour, linewidth=4.0, zorder=5)
+            ax.plot(
+                *arc(q, controls[i, 0] * t * k / n, bends[i])[:, :2].T,
+                style,
+                color=colour,
+                linewidth=4.0,
+                zorder=5,
+            )
     cars.draw_pose(q, 8.0, "q", ax, colour=palette.INK, below=True)
     cars.draw_pose(target, 8.0, say("driven_picture.target"), ax, colour=palette.TREE)
     plane.title(exercise.words(f"pictures.{case.kind}"), ax)
@@ -118,6 +167,8 @@ def draw_fastest(exercise: ValueExercise, case: Case, value: Any, ax: Any) -> No
         known = [u for u in ([] if way is None else way) if 0 <= u < n]
         ax.plot(*places[known].T, style, color=colour, linewidth=4.0, alpha=0.7, zorder=4)
     if value is None:
-        plane.corner_note(say("picture.no_answer") if truth is not None else "None", ax, colour=palette.GOAL)
+        plane.corner_note(
+            say("picture.no_answer") if truth is not None else "None", ax, colour=palette.GOAL
+        )
     plane.title(exercise.words(f"pictures.{case.kind}"), ax)
     ax.set_axis_off()

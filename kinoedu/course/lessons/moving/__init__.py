@@ -1,4 +1,6 @@
-"""Lesson 14: Moving and uncertain obstacles, or when to go, and how sure to be. Its exercises, as the notebook asks for them."""
+"""Lesson 14: Moving and uncertain obstacles, or when to go, and how sure to be. Its exercises, as
+the notebook asks for them.
+"""
 
 from .chance_margins import ChanceMargins
 from .collision_probability import CollisionProbability

@@ -1,4 +1,6 @@
-"""The exercise on chance constraints: how far to stay away from each obstacle, by the union bound and the chi-square quantile."""
+"""The exercise on chance constraints: how far to stay away from each obstacle, by the union bound
+and the chi-square quantile.
+"""
 
 import math
 from collections.abc import Callable, Iterator
@@ -45,8 +47,14 @@ class ChanceMargins(ValueExercise):
         Slip("no_root", scaled(lambda m, delta: -2 * math.log(delta / m))),
         Slip("log_ten", scaled(lambda m, delta: math.sqrt(-2 * math.log10(delta / m)))),
         Slip("independent", scaled(lambda m, delta: radius_of(1 - (1 - delta) ** (1 / m)))),
-        Slip("largest", lambda sigma, delta: np.full(len(sigma), sigma.max() * radius_of(delta / len(sigma)))),
-        Slip("by_sigma", lambda sigma, delta: np.array([s * radius_of(delta * s / sigma.sum()) for s in sigma])),
+        Slip(
+            "largest",
+            lambda sigma, delta: np.full(len(sigma), sigma.max() * radius_of(delta / len(sigma))),
+        ),
+        Slip(
+            "by_sigma",
+            lambda sigma, delta: np.array([s * radius_of(delta * s / sigma.sum()) for s in sigma]),
+        ),
     )
     reference = staticmethod(chance_margins)
 
@@ -58,7 +66,11 @@ class ChanceMargins(ValueExercise):
         yield margin_case("unequal", [1, 2], 0.1)
         yield margin_case("seldom", [1], 1e-6)
         for _ in range(10):
-            m, delta, s = int(rng.integers(2, 9)), round(float(rng.uniform(0.01, 0.6)), 2), np.round(rng.uniform(0.05, 2, 8), 2)
+            m, delta, s = (
+                int(rng.integers(2, 9)),
+                round(float(rng.uniform(0.01, 0.6)), 2),
+                np.round(rng.uniform(0.05, 2, 8), 2),
+            )
             yield margin_case("one", s[:1], delta)
             yield margin_case("several", np.full(m, s[0]), delta)
             yield margin_case("unequal", s[:m], delta)

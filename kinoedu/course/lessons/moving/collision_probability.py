@@ -1,4 +1,6 @@
-"""The exercise on the chance of a collision: a path among discs whose places are uncertain, tried in given scenarios."""
+"""The exercise on the chance of a collision: a path among discs whose places are uncertain, tried
+in given scenarios.
+"""
 
 from collections.abc import Callable, Iterator
 from typing import Any
@@ -16,7 +18,9 @@ from .scenarios import Hits, contacts, gaps
 
 CLEAR = 1e-4  # in no scenario does a path come nearer than this to just touching
 Z = 1.96
-TINY = 0.01  # a disc with a smaller radius slips between the points of a path that a program looks at
+TINY = (
+    0.01  # a disc with a smaller radius slips between the points of a path that a program looks at
+)
 
 
 SMALL = (  # kind, path, discs, and a list of offsets for each scenario: what can be drawn by hand
@@ -38,7 +42,9 @@ def with_interval(hits: float, n: int) -> Array:
 
 
 def tried(path: Array, discs: Array, offsets: Array) -> Array:
-    """The share of the scenarios in which the path is hit, and the ends of its 95 percent interval; shape (3,)."""
+    """The share of the scenarios in which the path is hit, and the ends of its 95 percent interval;
+    shape (3,).
+    """
     return with_interval(int(contacts(path, discs, offsets).any(axis=1).sum()), len(offsets))
 
 
@@ -74,7 +80,9 @@ def tiny_missed(path: Array, discs: Array, offsets: Array) -> Array:
 def corners_only(path: Array, discs: Array, offsets: Array) -> Array:
     """The path's points are looked at, not what lies between."""
     points = np.repeat(path, 2, axis=0)
-    hits = np.any([contacts(points[2 * k : 2 * k + 2], discs, offsets) for k in range(len(path))], axis=0)
+    hits = np.any(
+        [contacts(points[2 * k : 2 * k + 2], discs, offsets) for k in range(len(path))], axis=0
+    )
     return with_interval(int(hits.any(axis=1).sum()), len(offsets))
 
 
@@ -97,12 +105,27 @@ class CollisionProbability(ValueExercise):
         Slip("every_disc", counted(lambda hits: float(hits.all(axis=1).mean()))),
         Slip("missed", counted(lambda hits: 1.0 - float(hits.any(axis=1).mean()))),
         Slip("normal", normal_interval),
-        Slip("one_offset", among(lambda path, discs, offsets: (path, discs, offsets[:, :1].repeat(len(discs), axis=1)))),
+        Slip(
+            "one_offset",
+            among(
+                lambda path, discs, offsets: (
+                    path,
+                    discs,
+                    offsets[:, :1].repeat(len(discs), axis=1),
+                )
+            ),
+        ),
         Slip("minus", among(lambda path, discs, offsets: (path, discs, -offsets))),
         Slip("expected", among(lambda path, discs, offsets: (path, discs, 0.0 * offsets))),
         Slip("first_disc", among(lambda path, discs, offsets: (path, discs[:1], offsets[:, :1]))),
-        Slip("last_stretch", among(lambda path, discs, offsets: (path[: max(len(path) - 1, 2)], discs, offsets))),
-        Slip("closed", among(lambda path, discs, offsets: (np.vstack([path, path[:1]]), discs, offsets))),
+        Slip(
+            "last_stretch",
+            among(lambda path, discs, offsets: (path[: max(len(path) - 1, 2)], discs, offsets)),
+        ),
+        Slip(
+            "closed",
+            among(lambda path, discs, offsets: (np.vstack([path, path[:1]]), discs, offsets)),
+        ),
         Slip("beeline", among(lambda path, discs, offsets: (path[[0, -1]], discs, offsets))),
     )
     reference = staticmethod(tried)
@@ -110,7 +133,13 @@ class CollisionProbability(ValueExercise):
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """A few scenarios that can be drawn by hand; then a hundred."""
         for kind, *given in SMALL:
-            yield Case(kind, {name: np.array(rows, float) for name, rows in zip(("path", "discs", "offsets"), given)})
+            yield Case(
+                kind,
+                {
+                    name: np.array(rows, float)
+                    for name, rows in zip(("path", "discs", "offsets"), given)
+                },
+            )
         wanted = dict.fromkeys(self.kinds, 10)
         while any(wanted.values()):
             kind = next(kind for kind, left in wanted.items() if left == max(wanted.values()))
@@ -120,9 +149,14 @@ class CollisionProbability(ValueExercise):
                 yield case
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """A right share with another interval has a rule of its own, but where nothing is hit or all."""
+        """A right share with another interval has a rule of its own, but where nothing is hit or
+        all.
+        """
         verdict = super().value_verdict(case, value)
-        is_share = self.near(float(value[0]), float(self.truth(case)[0])) and case.kind not in ("none", "all")
+        is_share = self.near(float(value[0]), float(self.truth(case)[0])) and case.kind not in (
+            "none",
+            "all",
+        )
         return verdict._replace(rule="interval") if verdict.rule and is_share else verdict
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:

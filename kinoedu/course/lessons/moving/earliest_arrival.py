@@ -1,4 +1,6 @@
-"""The exercise on planning in time: the earliest arrival by safe intervals. Phillips & Likhachev (2011)."""
+"""The exercise on planning in time: the earliest arrival by safe intervals. Phillips & Likhachev
+(2011).
+"""
 
 import math
 from collections.abc import Iterator
@@ -22,11 +24,15 @@ Rows = list[tuple[float, float]]
 
 
 def schedule(safe: Any, moves: Any, start: int, goal: int) -> Rows:
-    """The rows (place, time of arrival) of a way that is at the goal as early as can be; none where there is no way."""
+    """The rows (place, time of arrival) of a way that is at the goal as early as can be; none where
+    there is no way.
+    """
     intervals = [[(float(b), float(e)) for b, e in own] for own in safe]
     ways = two_ways(moves)
     first = next((k for k, (b, e) in enumerate(intervals[start]) if b <= 0.0 <= e), None)
-    waiting: list[tuple[float, int, int, Rows]] = [] if first is None else [(0.0, start, first, [(start, 0.0)])]
+    waiting: list[tuple[float, int, int, Rows]] = (
+        [] if first is None else [(0.0, start, first, [(start, 0.0)])]
+    )
     done: set[tuple[int, int]] = set()
     while waiting:
         arrived, u, k, rows = heappop(waiting)
@@ -68,7 +74,9 @@ def first_fault(safe: Any, moves: Any, start: int, goal: int, rows: Any) -> str:
         left = there - min(durations)
         if left < arrived - LATE:
             return "too_fast"
-        if not any(b - LATE <= arrived and left <= e + LATE for b, e in safe[int(u)] if arrived <= e + LATE):
+        if not any(
+            b - LATE <= arrived and left <= e + LATE for b, e in safe[int(u)] if arrived <= e + LATE
+        ):
             return "wait"
         if not any(b - LATE <= there <= e + LATE for b, e in safe[int(v)]):
             return "unsafe"
@@ -81,7 +89,9 @@ class EarliestArrival(Exercise):
     name = "earliest_arrival"
     lesson = "14_moving_and_uncertain"
     kinds = ("go", "wait", "aside", "again", "none")
-    given = Record(safe=Listed(Numbers(("k", 2))), moves=Numbers(("m", 3)), start=Whole(), goal=Whole())
+    given = Record(
+        safe=Listed(Numbers(("k", 2))), moves=Numbers(("m", 3)), start=Whole(), goal=Whole()
+    )
     answer = Numbers(("n", 2))
     source = staticmethod(schedule)
     shown = staticmethod(search_intervals)
@@ -93,12 +103,20 @@ class EarliestArrival(Exercise):
         yield roadmap_case("go", [whole, whole], [(1, 0, 3)], 0, 1)
         yield roadmap_case("go", [whole, [(0, 3), (6, END)]], [(0, 1, 2)], 0, 1)
         yield roadmap_case("go", [whole, whole, whole], [(0, 1, 2), (1, 2, 3), (0, 2, 7)], 0, 2)
-        yield roadmap_case("go", [[(0, 4), (7, END)], whole, [(0, 1), (10, END)]], [(0, 1, 2), (0, 2, 1)], 0, 2)
+        yield roadmap_case(
+            "go", [[(0, 4), (7, END)], whole, [(0, 1), (10, END)]], [(0, 1, 2), (0, 2, 1)], 0, 2
+        )
         yield roadmap_case("go", [whole], np.empty((0, 3)), 0, 0)
         yield roadmap_case("wait", [whole, [(0, 3), (6, END)]], [(0, 1, 4)], 0, 1)
-        yield roadmap_case("wait", [whole, [(0, 2), (5, 9), (11, END)], whole], [(0, 1, 3), (1, 2, 1)], 0, 2)
-        yield roadmap_case("aside", [[(0, 4), (7, END)], whole, [(10, END)]], [(0, 1, 2), (0, 2, 1)], 0, 2)
-        yield roadmap_case("again", [whole, [(0, 3), (6, END)], [(0, 1), (7, END)]], [(0, 1, 2), (1, 2, 2)], 0, 2)
+        yield roadmap_case(
+            "wait", [whole, [(0, 2), (5, 9), (11, END)], whole], [(0, 1, 3), (1, 2, 1)], 0, 2
+        )
+        yield roadmap_case(
+            "aside", [[(0, 4), (7, END)], whole, [(10, END)]], [(0, 1, 2), (0, 2, 1)], 0, 2
+        )
+        yield roadmap_case(
+            "again", [whole, [(0, 3), (6, END)], [(0, 1), (7, END)]], [(0, 1, 2), (1, 2, 2)], 0, 2
+        )
         yield roadmap_case("none", [[(0, 5)], [(8, END)]], [(0, 1, 2)], 0, 1)
         yield roadmap_case("none", [whole, whole, whole], [(0, 1, 2)], 0, 2)
         yield roadmap_case("none", [[(2, END)], whole], [(0, 1, 2)], 0, 1)
@@ -118,9 +136,17 @@ class EarliestArrival(Exercise):
         safe, moves, start, goal = case.given.values()
         best, rows = schedule(safe, moves, start, goal), np.asarray(value).tolist()
         if not rows or not best:
-            rule = "" if not rows and not best else "found" if best else first_fault(safe, moves, start, goal, rows)
+            rule = (
+                ""
+                if not rows and not best
+                else "found"
+                if best
+                else first_fault(safe, moves, start, goal, rows)
+            )
         else:
-            rule = first_fault(safe, moves, start, goal, rows) or ("later" if rows[-1][1] > best[-1][1] + LATE else "")
+            rule = first_fault(safe, moves, start, goal, rows) or (
+                "later" if rows[-1][1] > best[-1][1] + LATE else ""
+            )
         if rule in ("later", "found"):
             rule = misread(safe, moves, start, goal, rows) or rule
         return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
@@ -129,7 +155,9 @@ class EarliestArrival(Exercise):
         """One right answer, in words."""
         best = schedule(*case.given.values())
         return (
-            self.words("wanted", time=spoken(best[-1][1]), rows=spoken([tuple(row) for row in best]))
+            self.words(
+                "wanted", time=spoken(best[-1][1]), rows=spoken([tuple(row) for row in best])
+            )
             if best
             else self.words("no_way")
         )
@@ -141,7 +169,9 @@ class EarliestArrival(Exercise):
 
 
 def misread(safe: Any, moves: Any, start: int, goal: int, rows: Rows) -> str:
-    """The rule that was probably misread: read so, the earliest arrival is that of these rows; "" where none fits."""
+    """The rule that was probably misread: read so, the earliest arrival is that of these rows; ""
+    where none fits.
+    """
     open_ends = [[(b, e - LATE) for b, e in own] for own in safe]
     last_only = [own[-1:] if place == goal else own for place, own in enumerate(safe)]
     for rule, other in (("closed", open_ends), ("forever", last_only)):
@@ -184,30 +214,53 @@ def earliest_once(safe: Safe, moves: Any, start: int, goal: int) -> float:
         done.add(u)
         last = max((e for b, e in safe[u] if b <= arrived <= e), default=-1.0)
         for v, duration in ways.get(u, []):
-            times = [max(arrived + duration, b) for b, e in safe[v] if max(arrived + duration, b) <= min(e, last + duration)]
+            times = [
+                max(arrived + duration, b)
+                for b, e in safe[v]
+                if max(arrived + duration, b) <= min(e, last + duration)
+            ]
             if times:
                 heappush(waiting, (min(times), v))
     return math.inf
 
 
 def random_roadmap(rng: np.random.Generator) -> tuple[Safe, Any, int, int]:
-    """Some places in a row or a ring, met now and then; times in halves, or in sixteenths, which no clock of a program ticks."""
+    """Some places in a row or a ring, met now and then; times in halves, or in sixteenths, which no
+    clock of a program ticks.
+    """
     n, parts = int(rng.integers(3, 8)), int(rng.choice((2, 16)))
     safe: Safe = []
     for place in range(n):
-        ends = np.unique(rng.integers(1, parts * (int(END) - 10), 2 * int(rng.integers(0, 4)))) / parts
+        ends = (
+            np.unique(rng.integers(1, parts * (int(END) - 10), 2 * int(rng.integers(0, 4)))) / parts
+        )
         ends = ends[: len(ends) // 2 * 2]
         marks = [0.0, *ends.tolist(), END]
         safe.append([(a, b) for a, b in zip(marks[::2], marks[1::2])])
         if place and rng.random() < 0.1:
             safe[-1] = safe[-1][1:]
     pairs = [(k, k + 1) for k in range(n - 1)]
-    pairs += [(int(u), int(v)) for u, v in rng.integers(0, n, (int(rng.integers(0, 3)), 2)) if abs(u - v) > 1]
-    moves = [(u, v, float(rng.integers(1, 4 * parts + 1)) / parts) for u, v in dict.fromkeys(tuple(sorted(pair)) for pair in pairs)]
+    pairs += [
+        (int(u), int(v))
+        for u, v in rng.integers(0, n, (int(rng.integers(0, 3)), 2))
+        if abs(u - v) > 1
+    ]
+    moves = [
+        (u, v, float(rng.integers(1, 4 * parts + 1)) / parts)
+        for u, v in dict.fromkeys(tuple(sorted(pair)) for pair in pairs)
+    ]
     return safe, moves, 0, n - 1
 
 
 def roadmap_case(kind: str, safe: Any, moves: Any, start: int, goal: int) -> Case:
     """A case of a roadmap."""
     rows = [np.reshape(np.array(own, float), (-1, 2)) for own in safe]
-    return Case(kind, {"safe": rows, "moves": np.reshape(np.array(moves, float), (-1, 3)), "start": start, "goal": goal})
+    return Case(
+        kind,
+        {
+            "safe": rows,
+            "moves": np.reshape(np.array(moves, float), (-1, 3)),
+            "start": start,
+            "goal": goal,
+        },
+    )

@@ -1,4 +1,6 @@
-"""The exercise "break it" of lesson 14: two motions that meet between the moments at which a program looks."""
+"""The exercise "break it" of lesson 14: two motions that meet between the moments at which a
+program looks.
+"""
 
 from collections.abc import Iterator
 from typing import Any
@@ -17,7 +19,9 @@ FARTHEST, RADIUS, MOMENTS, DEEP = 100.0, 1.0, 20, 0.1
 
 
 class ExposeMoments(Exercise):
-    """Break it: motions of a point and of a disc of radius 1 that touch, and `touch_by_moments` does not see it."""
+    """Break it: motions of a point and of a disc of radius 1 that touch, and `touch_by_moments`
+    does not see it.
+    """
 
     name = "exposing_motions"
     lesson = "14_moving_and_uncertain"
@@ -34,7 +38,13 @@ class ExposeMoments(Exercise):
         p0, p1, c0, c1 = value
         rule = "" if valid(value) else "valid" if not inside(value) else "apart"
         if not rule and case.kind != "valid":
-            rule = "exposes" if nearest(*value) >= RADIUS - 1e-9 else "seen" if touch_by_moments(p0, p1, c0, c1, RADIUS) else ""
+            rule = (
+                "exposes"
+                if nearest(*value) >= RADIUS - 1e-9
+                else "seen"
+                if touch_by_moments(p0, p1, c0, c1, RADIUS)
+                else ""
+            )
             if not rule and case.kind != "exposes":
                 rule = "deep" if nearest(*value) > DEEP else ""
                 rule = rule or ("standing" if case.kind == "standing" and (p0 != p1).any() else "")
@@ -47,7 +57,9 @@ class ExposeMoments(Exercise):
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """The point's way seen from the disc, and the moments at which the program looks."""
         fits = isinstance(outcome, Answer) and valid(outcome.value)
-        draw_missed(outcome.value if isinstance(outcome, Answer) and fits else None, RADIUS, MOMENTS, ax)
+        draw_missed(
+            outcome.value if isinstance(outcome, Answer) and fits else None, RADIUS, MOMENTS, ax
+        )
 
 
 def valid(value: Any) -> bool:
@@ -69,7 +81,8 @@ def nearest(p0: Array, p1: Array, c0: Array, c1: Array) -> float:
 
 
 def touch_by_moments(p0: Array, p1: Array, c0: Array, c1: Array, r: float) -> bool:
-    """Whether a point that moves from p0 to p1 touches a disc of radius r whose centre moves meanwhile from c0 to c1.
+    """Whether a point that moves from p0 to p1 touches a disc of radius r whose centre moves
+    meanwhile from c0 to c1.
 
     It is wrong somewhere. Where?
     """

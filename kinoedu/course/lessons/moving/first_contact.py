@@ -1,4 +1,6 @@
-"""The exercise on contact in time: when does a moving point first touch a moving disc? By the motion of one seen from the other."""
+"""The exercise on contact in time: when does a moving point first touch a moving disc? By the
+motion of one seen from the other.
+"""
 
 import math
 from collections.abc import Callable, Iterator
@@ -14,11 +16,15 @@ from .pictures import draw_contact
 
 PLACE = Numbers((2,))
 CLEAR = 0.01  # no case grazes the disc, begins or ends on its rim by less than this
-BRIEF = 0.002  # contacts that are over sooner are seen by no program that looks now and then; by chance none of ours is so short
+# contacts that are over sooner are seen by no program that looks now and then; by chance none of
+# ours is so short
+BRIEF = 0.002
 
 
 def roots(x: Array, v: Array, r: float) -> tuple[float, float] | None:
-    """The two moments at which x + s v is at the distance r from the origin; None where there are none, or all are alike."""
+    """The two moments at which x + s v is at the distance r from the origin; None where there are
+    none, or all are alike.
+    """
     a, b, c = float(v @ v), float(x @ v), float(x @ x) - r * r
     square = b * b - a * c
     if a == 0.0 or square < 0.0:
@@ -27,7 +33,9 @@ def roots(x: Array, v: Array, r: float) -> tuple[float, float] | None:
 
 
 def contact_time(p0: Array, p1: Array, c0: Array, c1: Array, r: float) -> float:
-    """The share of the time, 0 to 1, after which the point is first within r of the centre; infinite where it never is."""
+    """The share of the time, 0 to 1, after which the point is first within r of the centre;
+    infinite where it never is.
+    """
     return seen_from_disc(p0 - c0, (p1 - p0) - (c1 - c0), r)
 
 
@@ -39,7 +47,9 @@ def seen_from_disc(x: Array, v: Array, r: float) -> float:
     return found[0] if found is not None and 0.0 <= found[0] <= 1.0 else math.inf
 
 
-def by(motion: Callable[..., tuple[Array, Array]], choose: Callable[..., float] = seen_from_disc) -> Callable[..., float]:
+def by(
+    motion: Callable[..., tuple[Array, Array]], choose: Callable[..., float] = seen_from_disc
+) -> Callable[..., float]:
     """A program that has the motion seen from the disc, or what it makes of that, wrong."""
     return lambda p0, p1, c0, c1, r: choose(*motion(p0, p1, c0, c1), r)
 
@@ -57,7 +67,13 @@ def at_the_ends(x: Array, v: Array, r: float) -> float:
 def leaving(x: Array, v: Array, r: float) -> float:
     """The later of the two moments."""
     found = roots(x, v, r)
-    return 0.0 if x @ x <= r * r else found[1] if found is not None and 0.0 <= found[1] <= 1.0 else math.inf
+    return (
+        0.0
+        if x @ x <= r * r
+        else found[1]
+        if found is not None and 0.0 <= found[1] <= 1.0
+        else math.inf
+    )
 
 
 def at_any_time(x: Array, v: Array, r: float) -> float:
@@ -75,12 +91,20 @@ def nearest_moment(x: Array, v: Array, r: float) -> float:
 def brief_missed(x: Array, v: Array, r: float) -> float:
     """A contact that is over soon is not seen."""
     found = roots(x, v, r)
-    return math.inf if x @ x > r * r and found is not None and found[1] - found[0] < BRIEF else seen_from_disc(x, v, r)
+    return (
+        math.inf
+        if x @ x > r * r and found is not None and found[1] - found[0] < BRIEF
+        else seen_from_disc(x, v, r)
+    )
 
 
 def nearly_alike(x: Array, v: Array, r: float) -> float:
     """Two that move nearly alike are taken for two that move alike."""
-    return (0.0 if x @ x <= r * r else math.inf) if np.abs(v).max() < CLEAR else seen_from_disc(x, v, r)
+    return (
+        (0.0 if x @ x <= r * r else math.inf)
+        if np.abs(v).max() < CLEAR
+        else seen_from_disc(x, v, r)
+    )
 
 
 def never_at_once(x: Array, v: Array, r: float) -> float:
@@ -110,7 +134,9 @@ class FirstContact(ValueExercise):
         Slip("not_at_once", by(relative, never_at_once)),
         Slip("alike", by(relative, nearly_alike)),
         Slip("moments", by(relative, brief_missed)),
-        Slip("length", lambda p0, p1, c0, c1, r: contact_time(p0, p1, c0, c1, r) * math.dist(p0, p1)),
+        Slip(
+            "length", lambda p0, p1, c0, c1, r: contact_time(p0, p1, c0, c1, r) * math.dist(p0, p1)
+        ),
         Slip("diameter", lambda p0, p1, c0, c1, r: contact_time(p0, p1, c0, c1, r / 2)),
     )
     reference = staticmethod(contact_time)
@@ -151,7 +177,9 @@ class FirstContact(ValueExercise):
 
 
 def kind_of(p0: Array, p1: Array, c0: Array, c1: Array, r: float) -> str:
-    """Which kind of case it is; "" where a program's rounding might decide it, or where it is dull."""
+    """Which kind of case it is; "" where a program's rounding might decide it, or where it is
+    dull.
+    """
     x, v = relative(p0, p1, c0, c1)
     if abs(math.sqrt(x @ x) - r) < CLEAR or abs(math.sqrt((x + v) @ (x + v)) - r) < CLEAR:
         return ""
@@ -159,7 +187,10 @@ def kind_of(p0: Array, p1: Array, c0: Array, c1: Array, r: float) -> str:
         return "touching" if v @ v > 1.0 else ""
     if np.abs(v).max() < 1e-9:
         return "together"
-    found, grazed = roots(x, v, r), (roots(x, v, r - CLEAR) is None) != (roots(x, v, r + CLEAR) is None)
+    found, grazed = (
+        roots(x, v, r),
+        (roots(x, v, r - CLEAR) is None) != (roots(x, v, r + CLEAR) is None),
+    )
     if grazed or v @ v < 1.0:
         return ""
     if found is None:
@@ -176,5 +207,8 @@ def ways_cross(p0: Array, p1: Array, c0: Array, c1: Array, r: float) -> bool:
 
 def contact_case(kind: str, p0: Any, p1: Any, c0: Any, c1: Any, r: float) -> Case:
     """A case of two motions."""
-    places = {name: np.array(place, float) for name, place in (("p0", p0), ("p1", p1), ("c0", c0), ("c1", c1))}
+    places = {
+        name: np.array(place, float)
+        for name, place in (("p0", p0), ("p1", p1), ("c0", c0), ("c1", c1))
+    }
     return Case(kind, {**places, "r": float(r)})

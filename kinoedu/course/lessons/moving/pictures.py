@@ -1,4 +1,6 @@
-"""Pictures of failing cases of lesson 14. What is true is solid and green, what the student's program says dashed and orange."""
+"""Pictures of failing cases of lesson 14. What is true is solid and green, what the student's
+program says dashed and orange.
+"""
 
 import math
 from typing import Any
@@ -37,8 +39,16 @@ def draw_contact(exercise: ValueExercise, case: Case, value: float | None, ax: A
     for s, colour, style in ((truth, palette.START, "-"), (value, palette.GOAL, "--")):
         if s is not None and 0.0 <= s <= 1.0:
             plane.ring(c0 + s * (c1 - c0), r, "", ax, colour=colour, style=style)
-            plane.dot(p0 + s * (p1 - p0), "", ax, colour=colour, marker="o" if colour == palette.START else "X")
-    plane.corner_note(say("timed_picture.both", true=told(truth), yours=told(value)), ax, colour=palette.GOAL)
+            plane.dot(
+                p0 + s * (p1 - p0),
+                "",
+                ax,
+                colour=colour,
+                marker="o" if colour == palette.START else "X",
+            )
+    plane.corner_note(
+        say("timed_picture.both", true=told(truth), yours=told(value)), ax, colour=palette.GOAL
+    )
     plane.title(exercise.words(f"pictures.{case.kind}"), ax)
 
 
@@ -51,16 +61,33 @@ def draw_schedule(exercise: Exercise, case: Case, best: Any, value: Array | None
     for place, own in enumerate(safe):
         ax.axhline(place, color=palette.OUTSIDE, linewidth=1.0, zorder=1)
         for begin, end in own:
-            ax.plot([begin, end], [place, place], color=palette.ROADMAP, linewidth=9, alpha=0.45, solid_capstyle="butt", zorder=2)
+            ax.plot(
+                [begin, end],
+                [place, place],
+                color=palette.ROADMAP,
+                linewidth=9,
+                alpha=0.45,
+                solid_capstyle="butt",
+                zorder=2,
+            )
     yours = np.empty((0, 2)) if value is None else value[np.isfinite(value).all(axis=1)]
     for rows, colour, style in ((best, palette.START, "-o"), (yours, palette.GOAL, "--X")):
         points = []
         for (u, a), (v, b) in zip(rows, rows[1:]):
             points += [(a, u), (b - durations.get(frozenset((int(u), int(v))), 0.0), u)]
         points += [(row[1], row[0]) for row in rows[-1:]]
-        ax.plot(*np.reshape(points, (-1, 2)).T, style, color=colour, linewidth=2.2, markersize=7, zorder=4)
+        ax.plot(
+            *np.reshape(points, (-1, 2)).T,
+            style,
+            color=colour,
+            linewidth=2.2,
+            markersize=7,
+            zorder=4,
+        )
     latest = max([12.0, *(float(row[1]) for row in [*best, *yours.tolist()])])
-    ax.set(xlim=(-0.5, min(1.15 * latest, 60.0)), ylim=(-0.6, len(safe) - 0.4), yticks=range(len(safe)))
+    ax.set(
+        xlim=(-0.5, min(1.15 * latest, 60.0)), ylim=(-0.6, len(safe) - 0.4), yticks=range(len(safe))
+    )
     ax.set_xlabel(say("timed_picture.time"), fontsize=palette.TEXT_SIZE)
     ax.set_ylabel(say("timed_picture.place", start=start, goal=goal), fontsize=palette.TEXT_SIZE)
     ax.tick_params(labelsize=palette.TEXT_SIZE - 1)
@@ -75,7 +102,15 @@ def draw_margins(exercise: ValueExercise, case: Case, value: Array | None, ax: A
     number = np.arange(len(truth))
     ax.bar(number - 0.2, truth, 0.38, color=palette.START, zorder=3)
     yours = np.nan_to_num(value) if value is not None and len(value) == len(truth) else np.empty(0)
-    ax.bar(number[: len(yours)] + 0.2, yours, 0.38, color=palette.GOAL, hatch="//", edgecolor="white", zorder=3)
+    ax.bar(
+        number[: len(yours)] + 0.2,
+        yours,
+        0.38,
+        color=palette.GOAL,
+        hatch="//",
+        edgecolor="white",
+        zorder=3,
+    )
     ax.set(xticks=number)
     ax.set_xlabel(say("timed_picture.obstacle"), fontsize=palette.TEXT_SIZE)
     ax.set_ylabel(say("timed_picture.margin"), fontsize=palette.TEXT_SIZE)
@@ -83,18 +118,24 @@ def draw_margins(exercise: ValueExercise, case: Case, value: Array | None, ax: A
     shown = np.concatenate([truth, yours, [0.0]])
     ax.set_ylim(shown.min(), 1.3 * shown.max())
     words = say("timed_picture.bars") if len(yours) else say("timed_picture.none")
-    ax.annotate(words, (0.02, 0.92), xycoords="axes fraction", fontsize=palette.TEXT_SIZE, color=palette.INK)
+    ax.annotate(
+        words, (0.02, 0.92), xycoords="axes fraction", fontsize=palette.TEXT_SIZE, color=palette.INK
+    )
     plane.title(exercise.words(f"pictures.{case.kind}"), ax)
 
 
 def draw_scenarios(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
-    """The path, the discs where they are expected, and in some scenarios: red and solid where the path is hit."""
+    """The path, the discs where they are expected, and in some scenarios: red and solid where the
+    path is hit.
+    """
     from ....figures import palette, plane
 
     path, discs, offsets = case.given.values()
     some = offsets[:MOST_DRAWN]
     centres, hit = discs[:, :2] + some, contacts(path, discs, some)
-    plane.frame(np.vstack([path, discs[:, :2] - discs[:, 2:], discs[:, :2] + discs[:, 2:]]), ax, margin=0.2)
+    plane.frame(
+        np.vstack([path, discs[:, :2] - discs[:, 2:], discs[:, :2] + discs[:, 2:]]), ax, margin=0.2
+    )
     for (s, j), was_hit in np.ndenumerate(hit):
         colour, style = (palette.HIT, "-") if was_hit else (palette.OUTSIDE, ":")
         for artist in plane.ring(centres[s, j], discs[j, 2], "", ax, colour=colour, style=style):
@@ -105,10 +146,16 @@ def draw_scenarios(exercise: ValueExercise, case: Case, value: Array | None, ax:
         plane.ring((x, y), r, "", ax, colour=palette.OBSTACLE)
     ax.plot(*path.T, "-o", color=palette.PATH, linewidth=3.0, zorder=5)
     true, yours = (
-        say("timed_picture.none") if numbers is None else spoken(tuple(round(float(number), 4) for number in numbers))
+        say("timed_picture.none")
+        if numbers is None
+        else spoken(tuple(round(float(number), 4) for number in numbers))
         for numbers in (exercise.truth(case), value)
     )
-    ax.set_xlabel(say("timed_picture.shares", true=true, yours=yours), fontsize=palette.TEXT_SIZE, color=palette.GOAL)
+    ax.set_xlabel(
+        say("timed_picture.shares", true=true, yours=yours),
+        fontsize=palette.TEXT_SIZE,
+        color=palette.GOAL,
+    )
     plane.title(exercise.words(f"pictures.{case.kind}"), ax)
 
 

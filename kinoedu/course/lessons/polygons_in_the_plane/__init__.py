@@ -1,4 +1,6 @@
-"""Lesson 11: Polygons in the plane, or one task in three ways. Its exercises, as the notebook asks for them."""
+"""Lesson 11: Polygons in the plane, or one task in three ways. Its exercises, as the notebook asks
+for them.
+"""
 
 from .adjacency_matrix import AdjacencyMatrix
 from .bfs_on_matrix import BfsOnMatrix

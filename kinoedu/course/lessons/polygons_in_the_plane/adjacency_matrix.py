@@ -64,12 +64,24 @@ class AdjacencyMatrix(ValueExercise):
     answer = MATRIX
     source = staticmethod(free_motions)
     slips = (
-        Slip("ends_only", lambda problem, nodes: pairwise(problem, nodes, lambda p, a, b: p.is_free(a) and p.is_free(b))),
+        Slip(
+            "ends_only",
+            lambda problem, nodes: pairwise(
+                problem, nodes, lambda p, a, b: p.is_free(a) and p.is_free(b)
+            ),
+        ),
         Slip("halfway", lambda problem, nodes: pairwise(problem, nodes, halfway)),
-        Slip("touching", lambda problem, nodes: pairwise(problem, nodes, lambda p, a, b: p.is_semi_free_path(a, b))),
+        Slip(
+            "touching",
+            lambda problem, nodes: pairwise(
+                problem, nodes, lambda p, a, b: p.is_semi_free_path(a, b)
+            ),
+        ),
         Slip("one_side", lambda problem, nodes: np.triu(free_motions(problem, nodes))),
         Slip("loops", lambda problem, nodes: free_motions(problem, nodes) + np.eye(len(nodes))),
-        Slip("contact", lambda problem, nodes: 1 - np.eye(len(nodes)) - free_motions(problem, nodes)),
+        Slip(
+            "contact", lambda problem, nodes: 1 - np.eye(len(nodes)) - free_motions(problem, nodes)
+        ),
         Slip("chained", chained),
     )
 
@@ -79,21 +91,35 @@ class AdjacencyMatrix(ValueExercise):
         return free_motions(problem, nodes)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Two or three; a thin wall; a corridor, where a step aside is free and a half turn is not; a touch; a roadmap."""
+        """Two or three; a thin wall; a corridor, where a step aside is free and a half turn is not;
+        a touch; a roadmap.
+        """
         for _ in range(10):
             room = scattered(3, side=10.0, radius=1.5, rng=rng)
             yield case("two", Disk(0.5), room, rng, int(rng.integers(2, 4)))
             wall = float(np.round(rng.uniform(4.0, 6.0), 2))
-            thin = PolygonWorld(SQUARE, [box(wall, 0, wall + 0.01, float(np.round(rng.uniform(5.0, 8.0), 1)))])
+            thin = PolygonWorld(
+                SQUARE, [box(wall, 0, wall + 0.01, float(np.round(rng.uniform(5.0, 8.0), 1)))]
+            )
             yield case("wall", Disk(0.005), thin, rng, 5)
-            x = np.round(np.concatenate([rng.uniform(1.0, 3.8, 3), rng.uniform(6.2, 9.0, 2)]), 2)  # a sill is between the two sides
+            x = np.round(
+                np.concatenate([rng.uniform(1.0, 3.8, 3), rng.uniform(6.2, 9.0, 2)]), 2
+            )  # a sill is between the two sides
             poses = np.column_stack([x, np.full(5, 0.7), rng.choice([0.0, 0.2, 3.0, -3.0], 5)])
             yield Case("turn", {"problem": at_rest(STICK, CORRIDOR, poses[0]), "nodes": poses})
-        beside = np.array([(2, 5), (8, 5), (5, 8)], float)  # the disk touches the box on its way from the first to the second
+        beside = np.array(
+            [(2, 5), (8, 5), (5, 8)], float
+        )  # the disk touches the box on its way from the first to the second
         yield Case("two", {"problem": at_rest(Disk(0.5), TOUCHED, beside[0]), "nodes": beside})
         for _ in range(10):
             world = scattered(8, side=10.0, radius=1.4, rng=rng)
-            yield case("many", (STICK, Disk(0.4))[int(rng.integers(2))], world, rng, int(rng.integers(6, 13)))
+            yield case(
+                "many",
+                (STICK, Disk(0.4))[int(rng.integers(2))],
+                world,
+                rng,
+                int(rng.integers(6, 13)),
+            )
 
     def same(self, value: Any, truth: Any) -> bool:
         """The same entries."""
@@ -116,4 +142,6 @@ class AdjacencyMatrix(ValueExercise):
         """The configurations, the free motions, and the student's where they differ."""
         value = outcome.value if isinstance(outcome, Answer) else None
         words = self.words(f"pictures.{case.kind}")
-        draw_matrix(case.given["problem"].problem, case.given["nodes"], self.truth(case), value, words, ax)
+        draw_matrix(
+            case.given["problem"].problem, case.given["nodes"], self.truth(case), value, words, ax
+        )

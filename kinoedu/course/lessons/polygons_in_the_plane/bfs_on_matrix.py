@@ -9,5 +9,9 @@ class BfsOnMatrix(OnMatrix, BfsPath):
     """A path of the fewest edges."""
 
     name = "bfs_on_matrix"
-    slips = tuple(Slip(slip.key, on_matrix(slip.answer)) for slip in BfsPath.slips if slip.key in ("deep", "order", "reversed"))
+    slips = tuple(
+        Slip(slip.key, on_matrix(slip.answer))
+        for slip in BfsPath.slips
+        if slip.key in ("deep", "order", "reversed")
+    )
     source = staticmethod(on_matrix(BfsPath.reference))

@@ -10,6 +10,8 @@ class DfsOnMatrix(OnMatrix, DfsPath):
 
     name = "dfs_on_matrix"
     slips = tuple(
-        Slip(slip.key, on_matrix(slip.answer)) for slip in DfsPath.slips if slip.key in ("order", "never_back", "reversed")
+        Slip(slip.key, on_matrix(slip.answer))
+        for slip in DfsPath.slips
+        if slip.key in ("order", "never_back", "reversed")
     )
     source = staticmethod(on_matrix(DfsPath.reference))

@@ -1,4 +1,6 @@
-"""The exercise "break it" of lesson 11: a swept disk for which four chords of it, and its middle, are to stand."""
+"""The exercise "break it" of lesson 11: a swept disk for which four chords of it, and its middle,
+are to stand.
+"""
 
 from collections.abc import Iterator
 from typing import Any
@@ -20,7 +22,9 @@ from ...shapes import Numbers, Record, Together
 from ..geometry.lines import POINT
 from .pictures import draw_swept
 
-THICK = 0.45  # the radius of the largest disk in the obstacle that is asked for: half the room between two chords is 0.5
+# the radius of the largest disk in the obstacle that is asked for: half the room between two chords
+# is 0.5
+THICK = 0.45
 
 
 class ExposeFourChords(Exercise):
@@ -40,7 +44,9 @@ class ExposeFourChords(Exercise):
         """A motion and a triangle; the program is wrong; the triangle is thick."""
         rule = fault_of_triangle(*value)
         if not rule and case.kind != "valid":
-            rule = "hits" if not swept_disk_hits(*value) else "exposes" if chords_hit(*value) else ""
+            rule = (
+                "hits" if not swept_disk_hits(*value) else "exposes" if chords_hit(*value) else ""
+            )
         if not rule and case.kind == "thickest" and inner_radius(value[2]) < THICK:
             rule = "thickest"
         return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
@@ -51,7 +57,11 @@ class ExposeFourChords(Exercise):
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """What the disk sweeps, the chords, and the triangle."""
-        value = outcome.value if isinstance(outcome, Answer) and not fault_of_triangle(*outcome.value) else None
+        value = (
+            outcome.value
+            if isinstance(outcome, Answer) and not fault_of_triangle(*outcome.value)
+            else None
+        )
         draw_swept(value, chords(*value[:2]) if value else [], self.words("picture"), ax)
 
 
@@ -70,8 +80,12 @@ def chords_hit(a: Array, b: Array, obstacle: Array) -> bool:
 
 
 def chords(a: Array, b: Array) -> list[tuple[Array, Array]]:
-    """The ways of the middle of a disk of radius 1, and of the four points of its rim to the right, above, to the left, below."""
-    return [(a + off, b + off) for off in np.array([(0, 0), (1, 0), (0, 1), (-1, 0), (0, -1)], float)]
+    """The ways of the middle of a disk of radius 1, and of the four points of its rim to the right,
+    above, to the left, below.
+    """
+    return [
+        (a + off, b + off) for off in np.array([(0, 0), (1, 0), (0, 1), (-1, 0), (0, -1)], float)
+    ]
 
 
 def swept_disk_hits(a: Array, b: Array, obstacle: Array) -> bool:

@@ -1,4 +1,6 @@
-"""The exercise on free headings: a polygon stands at a place and turns until it is free. LaValle, section 4.3.3, for one place."""
+"""The exercise on free headings: a polygon stands at a place and turns until it is free. LaValle,
+section 4.3.3, for one place.
+"""
 
 from collections.abc import Iterator
 from typing import Any
@@ -34,11 +36,15 @@ class FreeHeading(Exercise):
     kinds = ("open", "slot", "none")
     given = Record(problem=Task(), x=Number(), y=Number())
     answer = Maybe(Number())
-    source = staticmethod(lambda problem, x, y: middle_of_widest(problem.robot, problem.world, (x, y)))
+    source = staticmethod(
+        lambda problem, x, y: middle_of_widest(problem.robot, problem.world, (x, y))
+    )
     shown = staticmethod(middle_of_widest)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Any heading will do; headings in slots, at every angle; places beside and inside of obstacles."""
+        """Any heading will do; headings in slots, at every angle; places beside and inside of
+        obstacles.
+        """
         room = PolygonWorld(SQUARE)
         yield case(BAR, room, (5.0, 5.0))
         yield case(BAR, room, (9.0, 5.0))
@@ -62,7 +68,11 @@ class FreeHeading(Exercise):
             return Verdict(0.0, "free", self.wanted(case))
         problem = case.given["problem"].problem
         free = problem.is_free(np.array([case.given["x"], case.given["y"], value]))
-        return RIGHT if free else Verdict(0.0, "none" if case.kind == "none" else "free", self.wanted(case))
+        return (
+            RIGHT
+            if free
+            else Verdict(0.0, "none" if case.kind == "none" else "free", self.wanted(case))
+        )
 
     def wanted(self, case: Case) -> str:
         """The free intervals."""
@@ -80,7 +90,14 @@ class FreeHeading(Exercise):
         value = outcome.value if isinstance(outcome, Answer) else None
         right = self.source(*case.given.values())
         place = (case.given["x"], case.given["y"])
-        draw_heading(case.given["problem"].problem, place, value, right, self.words(f"pictures.{case.kind}"), ax)
+        draw_heading(
+            case.given["problem"].problem,
+            place,
+            value,
+            right,
+            self.words(f"pictures.{case.kind}"),
+            ax,
+        )
 
 
 def case(robot: Any, world: Any, place: Any) -> Case:
@@ -92,9 +109,15 @@ def case(robot: Any, world: Any, place: Any) -> Case:
 
 
 def slot(angle: float, half: float) -> Any:
-    """A room with a dead end of a width of twice `half` round its middle, which opens in one direction."""
-    bars = np.array([[(-1.2, half), (3.0, half), (3.0, half + 0.4), (-1.2, half + 0.4)],
-                     [(-1.2, -half - 0.4), (3.0, -half - 0.4), (3.0, -half), (-1.2, -half)],
-                     [(-1.2, -half - 0.4), (-0.8, -half - 0.4), (-0.8, half + 0.4), (-1.2, half + 0.4)]])  # fmt: skip
+    """A room with a dead end of a width of twice `half` round its middle, which opens in one
+    direction.
+    """
+    bars = np.array(
+        [
+            [(-1.2, half), (3.0, half), (3.0, half + 0.4), (-1.2, half + 0.4)],
+            [(-1.2, -half - 0.4), (3.0, -half - 0.4), (3.0, -half), (-1.2, -half)],
+            [(-1.2, -half - 0.4), (-0.8, -half - 0.4), (-0.8, half + 0.4), (-1.2, half + 0.4)],
+        ]
+    )
     c, s = np.cos(angle), np.sin(angle)
     return PolygonWorld(SQUARE, list((bars @ np.array([[c, s], [-s, c]]) + 5.0).round(3)))

@@ -16,7 +16,9 @@ from ...whole_shapes import Whole, WholeNumbers
 from ..graphs.paths import PathExercise
 from ..shared.random_graphs import Neighbours, symmetric
 
-CROWD = np.pad(1 - np.eye(13, dtype=np.int64), (0, 1))  # everyone is joined to everyone, but for the last
+CROWD = np.pad(
+    1 - np.eye(13, dtype=np.int64), (0, 1)
+)  # everyone is joined to everyone, but for the last
 
 
 LESSON = "11_polygons_in_the_plane"
@@ -63,12 +65,16 @@ class OnMatrix(PathExercise):
     given = Record(matrix=MATRIX, start=Whole(), goal=Whole())
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Those of lesson 4 whose edges lead both ways; before the larger ones a crowd, of more ways than can be tried."""
+        """Those of lesson 4 whose edges lead both ways; before the larger ones a crowd, of more
+        ways than can be tried.
+        """
         found = []
         for case in super().cases(rng):
             neighbours, start, goal = case.given.values()
             if case.kind != "directed" and symmetric(neighbours):
-                matrix = np.array([[int(v in row) for v in range(len(neighbours))] for row in neighbours])
+                matrix = np.array(
+                    [[int(v in row) for v in range(len(neighbours))] for row in neighbours]
+                )
                 found.append(Case(case.kind, {"matrix": matrix, "start": start, "goal": goal}))
         at = next(i for i, case in enumerate(found) if len(case.given["matrix"]) > len(CROWD))
         yield from found[:at]

@@ -1,4 +1,6 @@
-"""Pictures of failing cases of lesson 11. What is true is green and solid, what the student's program says orange and dashed."""
+"""Pictures of failing cases of lesson 11. What is true is green and solid, what the student's
+program says orange and dashed.
+"""
 
 from typing import Any
 
@@ -10,7 +12,9 @@ from ....words import say
 # figures are imported inside the functions: matplotlib is not needed until something is wrong
 
 
-def draw_heading(problem: Any, place: Any, value: float | None, right: float | None, words: str, ax: Any) -> None:
+def draw_heading(
+    problem: Any, place: Any, value: float | None, right: float | None, words: str, ax: Any
+) -> None:
     """The world, the robot as it could stand, and as the student turned it."""
     from ....figures import palette, plane
     from ....figures.drawing import draw_robot, draw_world
@@ -29,7 +33,9 @@ def draw_heading(problem: Any, place: Any, value: float | None, right: float | N
 
 
 def draw_matrix(problem: Any, nodes: Array, truth: Any, value: Any, words: str, ax: Any) -> None:
-    """The configurations with their numbers; free motions; those that the student has and should not, or lacks."""
+    """The configurations with their numbers; free motions; those that the student has and should
+    not, or lacks.
+    """
     from ....figures import palette, plane
     from ....figures.drawing import draw_robot, draw_world
 
@@ -38,7 +44,9 @@ def draw_matrix(problem: Any, nodes: Array, truth: Any, value: Any, words: str, 
     for i, j in np.argwhere(np.triu(truth, 1)):
         plane.stretch(nodes[i, :2], nodes[j, :2], "", ax, colour=palette.START)
     for i, j in np.argwhere((value != truth) & (value != 0)) if fits else []:
-        plane.stretch(nodes[i, :2], nodes[j, :2], "", ax, colour=palette.GOAL, style="--", width=4.0)
+        plane.stretch(
+            nodes[i, :2], nodes[j, :2], "", ax, colour=palette.GOAL, style="--", width=4.0
+        )
     for number, q in enumerate(nodes):
         draw_robot(problem.robot, q, ax)
         plane.label(q[:2], str(number), ax, offset=(3, 3))
@@ -48,7 +56,9 @@ def draw_matrix(problem: Any, nodes: Array, truth: Any, value: Any, words: str, 
 
 
 def draw_swept(value: Any, chords: Any, words: str, ax: Any) -> None:
-    """What a disk of radius 1 sweeps from a to b, the chords that stand for it, and an obstacle: value is (a, b, obstacle)."""
+    """What a disk of radius 1 sweeps from a to b, the chords that stand for it, and an obstacle:
+    value is (a, b, obstacle).
+    """
     from ....figures import palette, plane
     from ....figures.bars import draw_bar
 

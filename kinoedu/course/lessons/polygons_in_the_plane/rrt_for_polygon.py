@@ -1,4 +1,6 @@
-"""The exercise on an RRT for a polygon that turns: lesson 9's planner, asked with configurations (x, y, theta)."""
+"""The exercise on an RRT for a polygon that turns: lesson 9's planner, asked with configurations
+(x, y, theta).
+"""
 
 from collections.abc import Iterator
 from typing import Any
@@ -31,7 +33,9 @@ TASKS = {
     "wall": stick((2, 2, 1.57), (8, 2, 1.57), box(4, 0, 6, 7.5)),
     "sealed": stick((2, 2, 0), (8.85, 8.85, 0), box(7.5, 7.5, 10, 7.7), box(7.5, 7.5, 7.7, 10)),
 }
-SHEET = stick((4.3, 2, 1.57), (5.9, 2, 1.57), box(5, 0, 5.002, 7.5), robot=NEEDLE)  # between places along the motion
+SHEET = stick(
+    (4.3, 2, 1.57), (5.9, 2, 1.57), box(5, 0, 5.002, 7.5), robot=NEEDLE
+)  # between places along the motion
 
 
 class RrtForPolygon(Rrt):
@@ -43,7 +47,9 @@ class RrtForPolygon(Rrt):
     shared = ("rrt", "planner", "exercise")
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Every task twice, the wall once as a thin one; then straight to the goal, with a way to it and without."""
+        """Every task twice, the wall once as a thin one; then straight to the goal, with a way to
+        it and without.
+        """
         for tasks in (TASKS, {**TASKS, "wall": SHEET}):
             for kind in tasks:
                 yield self.asked(kind, tasks[kind], rng)
@@ -57,5 +63,11 @@ class RrtForPolygon(Rrt):
     def asked(self, kind: str, problem: Asked, rng: np.random.Generator) -> Case:
         """Fewer iterations where there is no way."""
         most = 300 if kind == "sealed" else 800
-        given = {"problem": problem, "step": STEP, "goal_bias": BIAS, "iterations": most, "rng": int(rng.integers(1000))}
+        given = {
+            "problem": problem,
+            "step": STEP,
+            "goal_bias": BIAS,
+            "iterations": most,
+            "rng": int(rng.integers(1000)),
+        }
         return Case(kind, given)

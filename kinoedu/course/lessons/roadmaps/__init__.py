@@ -1,4 +1,6 @@
-"""Lesson 8: Roadmaps, or build the map once and ask it a thousand times. Its exercises, as the notebook asks for them."""
+"""Lesson 8: Roadmaps, or build the map once and ask it a thousand times. Its exercises, as the
+notebook asks for them.
+"""
 
 from .component_k_closest import ComponentNeighbours
 from .exposing_sight import ExposeSight

@@ -16,7 +16,9 @@ from .rules import NODES, ROUND, Pairs, RuleExercise, closest_pairs, rule_case, 
 
 
 def component_pairs(problem: Any, nodes: Array, k: int) -> Pairs:
-    """Each node in turn joined to every component of those before it, by the first free motion to one of its k closest."""
+    """Each node in turn joined to every component of those before it, by the first free motion to
+    one of its k closest.
+    """
     return in_components(problem, nodes, k)
 
 
@@ -41,7 +43,9 @@ class ComponentNeighbours(RuleExercise):
     )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """A row, two parts that a third node joins, a wall round which the second closest leads; then many."""
+        """A row, two parts that a third node joins, a wall round which the second closest leads;
+        then many.
+        """
         apart = ((6, 3), (10, 3), (8, 8))
         yield rule_case("few", hall(), ((1, 1), (3, 1)), 1)
         yield rule_case("few", hall(), ((1, 1), (3, 1), (6, 1)), 1)
@@ -50,11 +54,15 @@ class ComponentNeighbours(RuleExercise):
         yield rule_case("wall", hall(WALL), ((10, 3), (10, 8), (6, 4)), 2)
         yield from two_nodes(1)
         for i in range(ROUND):
-            yield rule_case("few", hall(), free_nodes(rng, hall(), 3 + i % 2), int(rng.integers(1, 4)))
+            yield rule_case(
+                "few", hall(), free_nodes(rng, hall(), 3 + i % 2), int(rng.integers(1, 4))
+            )
             sides = np.vstack([beside(rng, 4, 6), beside(rng, 10, 12), beside(rng, 4, 12, low=7.5)])
             yield rule_case("parts", hall(WALL), sides, int(rng.integers(1, 4)))
             for kind, problem in worlds(rng, i):
-                yield rule_case(kind, problem, free_nodes(rng, problem, 5 + i), int(rng.integers(1, 4)))
+                yield rule_case(
+                    kind, problem, free_nodes(rng, problem, 5 + i), int(rng.integers(1, 4))
+                )
 
 
 def beside(rng: np.random.Generator, left: float, right: float, low: float = 1.0) -> Array:

@@ -44,7 +44,9 @@ class ExposeSight(Exercise):
         rule = world_fault(value)
         if not rule and case.kind != "valid":
             rule = "" if wrong_views(value) else "exposes"
-            rule = rule or ("smallest" if case.kind == "smallest" and sum(map(len, value)) > FEWEST else "")
+            rule = rule or (
+                "smallest" if case.kind == "smallest" and sum(map(len, value)) > FEWEST else ""
+            )
         return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
 
     def wanted(self, case: Case) -> str:
@@ -72,7 +74,12 @@ def world_fault(obstacles: Any) -> str:
     rings = list(obstacles)
     if not rings or sum(map(len, rings)) > MOST:
         return "valid"
-    if any(not np.isfinite(ring).all() or (np.abs(ring) > LARGEST).any() or (ring != np.rint(ring)).any() for ring in rings):
+    if any(
+        not np.isfinite(ring).all()
+        or (np.abs(ring) > LARGEST).any()
+        or (ring != np.rint(ring)).any()
+        for ring in rings
+    ):
         return "range"
     import shapely
 
@@ -92,7 +99,9 @@ def room_round(rings: Any) -> Array:
 
 
 def wrong_views(obstacles: Any) -> list[tuple[Array, Array]]:
-    """The pairs of convex corners of which `sees` says something else than the course's own collision code."""
+    """The pairs of convex corners of which `sees` says something else than the course's own
+    collision code.
+    """
     world = PolygonWorld(room_round(obstacles), obstacles)
     corners = np.vstack([ring[bends(ring) > 0.0] for ring in obstacles])
     return [
@@ -103,13 +112,18 @@ def wrong_views(obstacles: Any) -> list[tuple[Array, Array]]:
 
 
 def sees(a: Array, b: Array, obstacles: list[Array]) -> bool:
-    """Whether two corners see each other: the way crosses no edge, and half of it is not inside an obstacle.
+    """Whether two corners see each other: the way crosses no edge, and half of it is not inside an
+    obstacle.
 
     It is wrong somewhere. Where?
     """
     for cx, cy, dx, dy in edges_round(obstacles[0], obstacles[1:]):
-        across = turn(*a, *b, cx, cy) * turn(*a, *b, dx, dy) < 0  # the edge's ends are on both sides of the way,
-        if across and turn(cx, cy, dx, dy, *a) * turn(cx, cy, dx, dy, *b) < 0:  # and a and b on both sides of the edge
+        across = (
+            turn(*a, *b, cx, cy) * turn(*a, *b, dx, dy) < 0
+        )  # the edge's ends are on both sides of the way,
+        if (
+            across and turn(cx, cy, dx, dy, *a) * turn(cx, cy, dx, dy, *b) < 0
+        ):  # and a and b on both sides of the edge
             return False
     x, y = (a + b) / 2
     return not any(place(x, y, ring) > 0 for ring in obstacles)  # 1 is inside, 0 on the boundary

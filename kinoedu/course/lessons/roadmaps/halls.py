@@ -1,4 +1,6 @@
-"""Problems and nodes for cases on roadmaps: a point in halls with obstacles that stand apart, and an arm, whose angles wrap."""
+"""Problems and nodes for cases on roadmaps: a point in halls with obstacles that stand apart, and
+an arm, whose angles wrap.
+"""
 
 from typing import Any
 
@@ -16,9 +18,14 @@ from ..shared.random_worlds import has_room, round_polygon
 FULL = 2.0 * np.pi
 HALL = np.array([(0, 0), (16, 0), (16, 10), (0, 10)], float)
 WALL = np.array([(7, 0.5), (9, 0.5), (9, 6), (7, 6)], float)
-SHEET = np.array([(8, 0.5), (8.001, 0.5), (8.001, 9), (8, 9)], float)  # thinner than places along a motion are apart
+SHEET = np.array(
+    [(8, 0.5), (8.001, 0.5), (8.001, 9), (8, 9)], float
+)  # thinner than places along a motion are apart
 GRAZING = (5.5, 4.5), (8.0, 7.0)  # the motion between them touches a corner of the wall
-ASTRIDE = (5.1, 3.0), (11.37, 4.0)  # of the sheet: no round share of the way between them lies in it
+ASTRIDE = (
+    (5.1, 3.0),
+    (11.37, 4.0),
+)  # of the sheet: no round share of the way between them lies in it
 START, GOAL = (1.0, 1.0), (15.0, 1.0)
 
 
@@ -30,7 +37,9 @@ def hall(*obstacles: Any, start: Any = START, goal: Any = GOAL, room: Array = HA
 def arm() -> Asked:
     """An arm beside a disc: its configurations are two angles."""
     room = np.array([(-6, -6), (6, -6), (6, 6), (-6, 6)], float)
-    return Asked(Problem(TwoLinkArm(2, 1.5, 0.3), PolygonWorld(room, [((0, 2.9), 0.6)]), (0, 0), (3, 0)))
+    return Asked(
+        Problem(TwoLinkArm(2, 1.5, 0.3), PolygonWorld(room, [((0, 2.9), 0.6)]), (0, 0), (3, 0))
+    )
 
 
 def is_arm(problem: Any) -> bool:
@@ -39,7 +48,9 @@ def is_arm(problem: Any) -> bool:
 
 
 def random_obstacles(rng: np.random.Generator, n: int, *, convex: bool = True) -> list[Array]:
-    """So many polygons in the hall, which leave its start and its goal free, counter-clockwise, two decimals."""
+    """So many polygons in the hall, which leave its start and its goal free, counter-clockwise, two
+    decimals.
+    """
     rings: list[Array] = []
     while len(rings) < n:
         corners, middle = int(rng.integers(3, 7)), rng.uniform((3.5, 2.5), (12.5, 7.5))
@@ -56,14 +67,18 @@ def is_clear(ring: Array) -> bool:
 
 
 def bends(ring: Array) -> Array:
-    """At each vertex of a ring twice the area of the triangle with its neighbours: positive for a turn to the left, (n,)."""
+    """At each vertex of a ring twice the area of the triangle with its neighbours: positive for a
+    turn to the left, (n,).
+    """
     a, b = ring - np.roll(ring, 1, axis=0), np.roll(ring, -1, axis=0) - ring
     turned: Array = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
     return turned
 
 
 def free_nodes(rng: np.random.Generator, problem: Any, n: int) -> Array:
-    """n free configurations of a problem, with two decimals, all distances between them different; shape (n, 2)."""
+    """n free configurations of a problem, with two decimals, all distances between them different;
+    shape (n, 2).
+    """
     lo, hi = ((0.0, 0.0), (FULL - 0.01, FULL - 0.01)) if is_arm(problem) else (HALL[0], HALL[2])
     while True:
         nodes: list[Array] = []

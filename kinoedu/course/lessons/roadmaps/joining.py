@@ -25,13 +25,25 @@ def unique(rows: Pairs) -> Pairs:
 
 def are_pairs(pairs: Pairs, n: int) -> bool:
     """Whether rows are pairs (i, j) of numbers of n things, i < j, each once."""
-    return bool(((pairs >= 0) & (pairs < n)).all() and (pairs[:, 0] < pairs[:, 1]).all() and len(unique(pairs)) == len(pairs))
+    return bool(
+        ((pairs >= 0) & (pairs < n)).all()
+        and (pairs[:, 0] < pairs[:, 1]).all()
+        and len(unique(pairs)) == len(pairs)
+    )
 
 
 def closest_rows(
-    problem: Any, nodes: Array, k: int, *, farthest: bool = False, only_free: bool = False, only_later: bool = False
+    problem: Any,
+    nodes: Array,
+    k: int,
+    *,
+    farthest: bool = False,
+    only_free: bool = False,
+    only_later: bool = False,
 ) -> Pairs:
-    """Rows (i, j) where j is among the k closest of i, of equally far ones the lower numbers; or among other k of its choice."""
+    """Rows (i, j) where j is among the k closest of i, of equally far ones the lower numbers; or
+    among other k of its choice.
+    """
     apart, rows = distances(problem, nodes), []
     for i in range(len(nodes)):
         order = np.argsort(-apart[i] if farthest else apart[i], kind="stable").tolist()
@@ -42,10 +54,20 @@ def closest_rows(
     return np.array(rows, np.int64).reshape(-1, 2)
 
 
-def in_components(problem: Any, nodes: Array, k: int, *, blind: bool = False, goes_on: bool = False, one: bool = False) -> Pairs:
-    """Each node joined to every component before it, by the first free motion to one of its k closest.
+def in_components(
+    problem: Any,
+    nodes: Array,
+    k: int,
+    *,
+    blind: bool = False,
+    goes_on: bool = False,
+    one: bool = False,
+) -> Pairs:
+    """Each node joined to every component before it, by the first free motion to one of its k
+    closest.
 
-    blind : motions are not asked. goes_on : all free ones of the k are joined. one : only the first component that can be joined.
+    blind : motions are not asked. goes_on : all free ones of the k are joined. one : only the first
+        component that can be joined.
     """
     apart, part, pairs = distances(problem, nodes), list(range(len(nodes))), []
     for i in range(1, len(nodes)):
@@ -64,7 +86,9 @@ def in_components(problem: Any, nodes: Array, k: int, *, blind: bool = False, go
 
 
 class Mistaken(NamedTuple):
-    """A problem as a program asks it that takes something else for a distance, or for a free motion."""
+    """A problem as a program asks it that takes something else for a distance, or for a free
+    motion.
+    """
 
     distance: Callable[[Array, Array], float]
     is_free_path: Callable[[Array, Array], bool]
@@ -72,7 +96,11 @@ class Mistaken(NamedTuple):
 
 def without_wrap(problem: Any) -> Any:
     """The arm's problem with distances on the page, not on the torus; another problem as it is."""
-    return Mistaken(lambda a, b: float(np.hypot(*(a - b))), problem.is_free_path) if is_arm(problem) else problem
+    return (
+        Mistaken(lambda a, b: float(np.hypot(*(a - b))), problem.is_free_path)
+        if is_arm(problem)
+        else problem
+    )
 
 
 def with_contact(problem: Any) -> Mistaken:
@@ -84,4 +112,6 @@ def by_samples(problem: Any) -> Mistaken:
     """A problem in which a motion is judged by places along it."""
     is_free = problem.problem.is_free
     shares = np.linspace(0.0, 1.0, SAMPLES)
-    return Mistaken(problem.distance, lambda a, b: all(is_free(a + share * (b - a)) for share in shares))
+    return Mistaken(
+        problem.distance, lambda a, b: all(is_free(a + share * (b - a)) for share in shares)
+    )

@@ -23,13 +23,17 @@ class KClosestNeighbours(RuleExercise):
     reference = staticmethod(closest_pairs)
     source = staticmethod(closest_pairs)
     slips = (
-        Slip("farthest", lambda p, q, k: allowed(p, q, unique(closest_rows(p, q, k, farthest=True)))),
+        Slip(
+            "farthest", lambda p, q, k: allowed(p, q, unique(closest_rows(p, q, k, farthest=True)))
+        ),
         Slip("blind", lambda p, q, k: unique(closest_rows(p, q, k))),
         Slip("itself", lambda p, q, k: closest_pairs(p, q, k - 1)),
         Slip("replaced", lambda p, q, k: unique(closest_rows(p, q, k, only_free=True))),
         Slip("mutual", lambda p, q, k: allowed(p, q, twice_named(closest_rows(p, q, k)))),
         Slip("lost", lambda p, q, k: allowed(p, q, upwards(closest_rows(p, q, k)))),
-        Slip("later", lambda p, q, k: allowed(p, q, unique(closest_rows(p, q, k, only_later=True)))),
+        Slip(
+            "later", lambda p, q, k: allowed(p, q, unique(closest_rows(p, q, k, only_later=True)))
+        ),
         Slip("straight", lambda p, q, k: closest_pairs(without_wrap(p), q, k)),
         Slip("touching", lambda p, q, k: closest_pairs(with_contact(p), q, k)),
         Slip("sampled", lambda p, q, k: closest_pairs(by_samples(p), q, k)),
@@ -37,7 +41,9 @@ class KClosestNeighbours(RuleExercise):
     )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Three nodes, a node that is nobody's closest, ties on squared paper, a wall; then many."""
+        """Three nodes, a node that is nobody's closest, ties on squared paper, a wall; then
+        many.
+        """
         row, tail = ((1, 1), (3, 1), (6, 1)), ((6, 1), (3, 1), (1, 1))
         yield rule_case("few", hall(), row[:2], 1)
         yield rule_case("few", hall(), row, 2)
@@ -51,9 +57,13 @@ class KClosestNeighbours(RuleExercise):
         for i in range(ROUND):
             yield rule_case("few", hall(), free_nodes(rng, hall(), 3), int(rng.integers(2, 5)))
             yield rule_case("one_sided", hall(), chain(rng), 1)
-            yield rule_case("ties", hall(), rng.permutation(lattice(2 + i % 3)), int(rng.integers(1, 4)))
+            yield rule_case(
+                "ties", hall(), rng.permutation(lattice(2 + i % 3)), int(rng.integers(1, 4))
+            )
             for kind, problem in worlds(rng, i):
-                yield rule_case(kind, problem, free_nodes(rng, problem, 4 + i), int(rng.integers(1, 4)))
+                yield rule_case(
+                    kind, problem, free_nodes(rng, problem, 4 + i), int(rng.integers(1, 4))
+                )
 
 
 def lattice(k: int) -> Array:

@@ -1,4 +1,6 @@
-"""Pictures of failing cases on roadmaps. What is true is solid and green, what the student's program says dashed and orange."""
+"""Pictures of failing cases on roadmaps. What is true is solid and green, what the student's
+program says dashed and orange.
+"""
 
 from typing import Any
 
@@ -18,12 +20,21 @@ def draw_joined(problem: Any, nodes: Array, truth: Any, value: Any, ax: Any) -> 
 
     draw_problem_ground(problem, ax)
     wraps = is_arm(problem)
-    for pairs, colour, style, width in ((truth, palette.START, "-", 5.0), (value, palette.GOAL, "--", 2.2)):
+    for pairs, colour, style, width in (
+        (truth, palette.START, "-", 5.0),
+        (value, palette.GOAL, "--", 2.2),
+    ):
         for i, j in [] if pairs is None else pairs:
             if 0 <= i < len(nodes) and 0 <= j < len(nodes) and i != j:
-                draw_edge(nodes[i], nodes[j], ax, wraps, color=colour, linestyle=style, linewidth=width)
+                draw_edge(
+                    nodes[i], nodes[j], ax, wraps, color=colour, linestyle=style, linewidth=width
+                )
     number_nodes(nodes, ax)
-    note = say("picture.no_answer") if value is None else say("roadmap_picture.edges", true=len(truth), yours=len(value))
+    note = (
+        say("picture.no_answer")
+        if value is None
+        else say("roadmap_picture.edges", true=len(truth), yours=len(value))
+    )
     plane.corner_note(note, ax, colour=palette.GOAL)
 
 
@@ -43,7 +54,9 @@ def draw_problem_ground(problem: Any, ax: Any) -> None:
 
 
 def draw_edge(a: Array, b: Array, ax: Any, wraps: bool, **look: Any) -> None:
-    """A straight motion; where angles wrap, the shorter way, in two pieces if it leaves the square."""
+    """A straight motion; where angles wrap, the shorter way, in two pieces if it leaves the
+    square.
+    """
     way = b - a
     if wraps:
         way = (way + np.pi) % FULL - np.pi
@@ -64,17 +77,24 @@ def number_nodes(nodes: Array, ax: Any, *, first: int = 0) -> None:
 
 
 def draw_roadmap_answer(problem: Any, truth: Any, value: Any, ax: Any) -> None:
-    """The world, the right roadmap where there is but one, and the student's; each is nodes and edges, or None."""
+    """The world, the right roadmap where there is but one, and the student's; each is nodes and
+    edges, or None.
+    """
     from ....figures import palette, plane
 
     draw_problem_ground(problem, ax)
-    for roadmap, colour, style, width in ((truth, palette.START, "-", 5.0), (value, palette.GOAL, "--", 1.8)):
+    for roadmap, colour, style, width in (
+        (truth, palette.START, "-", 5.0),
+        (value, palette.GOAL, "--", 1.8),
+    ):
         if roadmap is None:
             continue
         nodes, pairs = roadmap
         for i, j in pairs:
             if 0 <= i < len(nodes) and 0 <= j < len(nodes) and np.isfinite(nodes[[i, j]]).all():
-                draw_edge(nodes[i], nodes[j], ax, False, color=colour, linestyle=style, linewidth=width)
+                draw_edge(
+                    nodes[i], nodes[j], ax, False, color=colour, linestyle=style, linewidth=width
+                )
     if value is None:
         plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
     else:
@@ -90,10 +110,21 @@ def draw_way(nodes: Array, edges: Any, truth: Any, value: Any, ax: Any) -> None:
     plane.frame(nodes[:, :2], ax, margin=0.2)
     for i, j in edges:
         draw_edge(nodes[i, :2], nodes[j, :2], ax, False, color=palette.ROADMAP, linewidth=1.2)
-    for path, colour, style, width in ((truth, palette.START, "-", 6.0), (value, palette.GOAL, "--", 2.8)):
+    for path, colour, style, width in (
+        (truth, palette.START, "-", 6.0),
+        (value, palette.GOAL, "--", 2.8),
+    ):
         steps = [int(u) for u in ([] if path is None else path) if 0 <= u < len(nodes)]
         for i, j in zip(steps, steps[1:]):
-            draw_edge(nodes[i, :2], nodes[j, :2], ax, False, color=colour, linestyle=style, linewidth=width)
+            draw_edge(
+                nodes[i, :2],
+                nodes[j, :2],
+                ax,
+                False,
+                color=colour,
+                linestyle=style,
+                linewidth=width,
+            )
     number_nodes(nodes[:, :2], ax)
     if value is None:
         plane.corner_note(say("picture.yours", value="None"), ax, colour=palette.GOAL)

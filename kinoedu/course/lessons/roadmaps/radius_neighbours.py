@@ -30,8 +30,16 @@ class RadiusNeighbours(RuleExercise):
     slips = (
         Slip("strict", lambda p, q, r: radius_pairs(p, q, np.nextafter(r, 0.0))),
         Slip("blind", lambda p, q, r: np.argwhere(np.triu(distances(p, q) <= r, 1))),
-        Slip("twice", lambda p, q, r: np.vstack([radius_pairs(p, q, r), radius_pairs(p, q, r)[:, ::-1]])),
-        Slip("itself", lambda p, q, r: np.vstack([radius_pairs(p, q, r), np.repeat(np.arange(len(q)), 2).reshape(-1, 2)])),
+        Slip(
+            "twice",
+            lambda p, q, r: np.vstack([radius_pairs(p, q, r), radius_pairs(p, q, r)[:, ::-1]]),
+        ),
+        Slip(
+            "itself",
+            lambda p, q, r: np.vstack(
+                [radius_pairs(p, q, r), np.repeat(np.arange(len(q)), 2).reshape(-1, 2)]
+            ),
+        ),
         Slip("straight", lambda p, q, r: radius_pairs(without_wrap(p), q, r)),
         Slip("touching", lambda p, q, r: radius_pairs(with_contact(p), q, r)),
         Slip("sampled", lambda p, q, r: radius_pairs(by_samples(p), q, r)),
@@ -41,14 +49,25 @@ class RadiusNeighbours(RuleExercise):
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Two nodes, three, a wall; then many."""
-        for row, far in ((((2, 2), (4, 2)), 3), (((2, 2), (6, 5)), 5), (((2, 2), (6, 5)), 4), (((1, 1), (4, 5), (7, 1)), 5)):
+        for row, far in (
+            (((2, 2), (4, 2)), 3),
+            (((2, 2), (6, 5)), 5),
+            (((2, 2), (6, 5)), 4),
+            (((1, 1), (4, 5), (7, 1)), 5),
+        ):
             yield rule_case("pair", hall(), row, float(far))
         yield rule_case("wall", hall(WALL), ((5, 3), (11, 3)), 8.0)
         yield rule_case("wall", hall(WALL), ((5, 3), (11, 3), (8, 8)), 8.0)
         yield from two_nodes(8.0)
         for i in range(ROUND):
             at = rng.integers(1, 5, 2)
-            yield rule_case("pair", hall(), (at, at + ((3, 4), (4, 3))[i % 2]), (5.0, 4.5, 5.0, 5.5)[i % 4])
+            yield rule_case(
+                "pair", hall(), (at, at + ((3, 4), (4, 3))[i % 2]), (5.0, 4.5, 5.0, 5.5)[i % 4]
+            )
             for kind, problem in worlds(rng, i):
-                r = float(rng.integers(2, 6)) if kind != "torus" else round(float(rng.uniform(1.0, 2.0)), 2)
+                r = (
+                    float(rng.integers(2, 6))
+                    if kind != "torus"
+                    else round(float(rng.uniform(1.0, 2.0)), 2)
+                )
                 yield rule_case(kind, problem, free_nodes(rng, problem, 4 + i), r)

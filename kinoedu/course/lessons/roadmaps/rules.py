@@ -1,4 +1,6 @@
-"""Shared by the exercises on the rules by which a roadmap's nodes are joined. Bullo & Smith, chapter 5; LaValle, section 5.6."""
+"""Shared by the exercises on the rules by which a roadmap's nodes are joined. Bullo & Smith,
+chapter 5; LaValle, section 5.6.
+"""
 
 from collections.abc import Iterator
 from typing import Any
@@ -41,10 +43,15 @@ class RuleExercise(ValueExercise):
 
     def same(self, value: Any, truth: Any) -> bool:
         """The same pairs, as often, in any order."""
-        return bool(sorted(map(tuple, np.asarray(value).tolist())) == sorted(map(tuple, np.asarray(truth).tolist())))
+        return bool(
+            sorted(map(tuple, np.asarray(value).tolist()))
+            == sorted(map(tuple, np.asarray(truth).tolist()))
+        )
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """Pairs of numbers of nodes, the smaller first, each once; their motions free; and the right ones."""
+        """Pairs of numbers of nodes, the smaller first, each once; their motions free; and the
+        right ones.
+        """
         problem, nodes, _ = case.given.values()
         wanted = self.wanted(case)
         if not are_pairs(value, len(nodes)):
@@ -69,11 +76,20 @@ def titled(exercise: Any, case: Case, ax: Any) -> None:
 
 def rule_case(kind: str, problem: Any, nodes: Any, number: float) -> Case:
     """A case: the number is a radius or K."""
-    return Case(kind, {"problem": problem, "nodes": np.array(nodes, float), "r" if isinstance(number, float) else "k": number})
+    return Case(
+        kind,
+        {
+            "problem": problem,
+            "nodes": np.array(nodes, float),
+            "r" if isinstance(number, float) else "k": number,
+        },
+    )
 
 
 def two_nodes(number: float) -> Iterator[Case]:
-    """Motions that only the problem can judge: one that touches a corner, one through a thin wall, and an arm's short way."""
+    """Motions that only the problem can judge: one that touches a corner, one through a thin wall,
+    and an arm's short way.
+    """
     yield rule_case("wall", hall(WALL), GRAZING, number)
     yield rule_case("wall", hall(SHEET), ASTRIDE, number)
     yield rule_case("torus", arm(), ((5.9, 0.3), (0.4, 0.3)), number)

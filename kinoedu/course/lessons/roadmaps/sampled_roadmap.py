@@ -18,7 +18,10 @@ from .rules import Pairs, closest_pairs
 
 BUILT = Together((Numbers(("n", "d")), WholeNumbers(("m", 2))))
 MANY, SIDE = 160, 4  # nodes from which on boxes are counted, four along each side of the hall
-EVEN, UNEVEN = 0.5, 90.0  # of 16 boxes' squared deviations over what is expected; outside once in 10^8 for random points
+EVEN, UNEVEN = (
+    0.5,
+    90.0,
+)  # of 16 boxes' squared deviations over what is expected; outside once in 10^8 for random points
 
 
 def sampled(problem: Any, n: int, k: int, rng: int) -> tuple[Array, Pairs]:
@@ -43,7 +46,9 @@ class SampledRoadmap(PlannerExercise):
     source = staticmethod(sampled)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """No samples, an empty room, a wall, more; and so many nodes that one can count how they are spread."""
+        """No samples, an empty room, a wall, more; and so many nodes that one can count how they
+        are spread.
+        """
 
         def case(kind: str, problem: Any, n: int, k: int) -> Case:
             return Case(kind, {"problem": problem, "n": n, "k": k, "rng": int(rng.integers(1000))})
@@ -87,8 +92,15 @@ class SampledRoadmap(PlannerExercise):
     def fault_of_edges(self, problem: Any, nodes: Array, pairs: Pairs, k: int) -> Fault | None:
         """An edge that is not free, that the rule does not join, or that is missing."""
         free = set(map(tuple, allowed(problem.problem, nodes, pairs).tolist()))
-        found, right = (set(map(tuple, rows.tolist())) for rows in (pairs, closest_pairs(problem.problem, nodes, k)))
-        for rule, wrong in (("free", found - free), ("extra", found - right), ("missing", right - found)):
+        found, right = (
+            set(map(tuple, rows.tolist()))
+            for rows in (pairs, closest_pairs(problem.problem, nodes, k))
+        )
+        for rule, wrong in (
+            ("free", found - free),
+            ("extra", found - right),
+            ("missing", right - found),
+        ):
             if wrong:
                 return Fault(rule, nodes[list(min(wrong))])
         return None
@@ -107,7 +119,12 @@ class SampledRoadmap(PlannerExercise):
         nodes, pairs = value[0]
         fault = self.fault_of_three(case, value)
         marked = [] if fault is None else np.round(fault.marked, 3).tolist()
-        return say(f"{self.name}.yours", nodes=len(nodes), edges=len(pairs), marked=f": {marked}" if marked else "")
+        return say(
+            f"{self.name}.yours",
+            nodes=len(nodes),
+            edges=len(pairs),
+            marked=f": {marked}" if marked else "",
+        )
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """The student's roadmap, and a cross on what is at fault."""
@@ -116,16 +133,27 @@ class SampledRoadmap(PlannerExercise):
 
         value = outcome.value if isinstance(outcome, Answer) else None
         good = value is not None and value[0][0].ndim == 2 and value[0][0].shape[1:] == (2,)
-        draw_roadmap_answer(case.given["problem"], None, value[0] if value is not None and good else None, ax)
+        draw_roadmap_answer(
+            case.given["problem"], None, value[0] if value is not None and good else None, ax
+        )
         fault = self.fault_of_three(case, value) if value is not None else None
         if fault is not None and len(fault.marked) and good:
-            ax.plot(*fault.marked.T, "X", color=palette.GOAL, markersize=14, markeredgecolor="white", zorder=9)
+            ax.plot(
+                *fault.marked.T,
+                "X",
+                color=palette.GOAL,
+                markersize=14,
+                markeredgecolor="white",
+                zorder=9,
+            )
         rule = self.judge(case, outcome).rule
         plane.title(self.words(f"pictures.{rule}"), ax)
 
 
 def unevenness(points: Array, size: Array) -> float:
-    """Of 16 equal boxes of a hall of a size, the sum of (count - expected)^2 / expected: about 15 for random points."""
+    """Of 16 equal boxes of a hall of a size, the sum of (count - expected)^2 / expected: about 15
+    for random points.
+    """
     places = np.clip(np.floor(SIDE * points / size), 0, SIDE - 1).astype(np.int64)
     counts = np.bincount(SIDE * places[:, 0] + places[:, 1], minlength=SIDE * SIDE)
     expected = len(points) / (SIDE * SIDE)

@@ -28,9 +28,14 @@ def shortest(nodes: Array, edges: Pairs, start: int, goal: int) -> Way:
     return along(nodes, edges, lengths(nodes, edges), start, goal)
 
 
-def along(nodes: Array, edges: Pairs, weights: Array, start: int, goal: int, *, directed: bool = False) -> Way:
+def along(
+    nodes: Array, edges: Pairs, weights: Array, start: int, goal: int, *, directed: bool = False
+) -> Way:
     """A path of the least weight and its length, (None, inf) where there is none."""
-    return measured(nodes, dijkstra_path(graphs.Graph(len(nodes), edges, weights, directed=directed), start, goal))
+    return measured(
+        nodes,
+        dijkstra_path(graphs.Graph(len(nodes), edges, weights, directed=directed), start, goal),
+    )
 
 
 def fewest(nodes: Array, edges: Pairs, start: int, goal: int) -> Way:
@@ -72,7 +77,9 @@ class ShortestPath(ValueExercise):
     name = "shortest_path"
     lesson = "08_roadmaps"
     kinds = ("small", "detour", "many", "space", "apart", "same")
-    given = Record(nodes=Numbers(("n", "d")), edges=WholeNumbers(("m", 2)), start=Whole(), goal=Whole())
+    given = Record(
+        nodes=Numbers(("n", "d")), edges=WholeNumbers(("m", 2)), start=Whole(), goal=Whole()
+    )
     answer = Together((Maybe(WholeNumbers(("k",))), Number()))
     reference = staticmethod(shortest)
     source = staticmethod(shortest)
@@ -80,9 +87,20 @@ class ShortestPath(ValueExercise):
         Slip("fewest", fewest),
         Slip("counted", summed_otherwise(lambda nodes, edges: np.ones(len(edges)))),
         Slip("squared", summed_otherwise(lambda nodes, edges: lengths(nodes, edges) ** 2)),
-        Slip("one_way", lambda nodes, edges, s, g: along(nodes, edges, lengths(nodes, edges), s, g, directed=True)),
+        Slip(
+            "one_way",
+            lambda nodes, edges, s, g: along(
+                nodes, edges, lengths(nodes, edges), s, g, directed=True
+            ),
+        ),
         Slip("plane", lambda nodes, edges, s, g: shortest(nodes[:, :2], edges, s, g)),
-        Slip("straight", lambda nodes, edges, s, g: (shortest(nodes, edges, s, g)[0], float(np.linalg.norm(nodes[s] - nodes[g])))),
+        Slip(
+            "straight",
+            lambda nodes, edges, s, g: (
+                shortest(nodes, edges, s, g)[0],
+                float(np.linalg.norm(nodes[s] - nodes[g])),
+            ),
+        ),
     )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
@@ -98,7 +116,9 @@ class ShortestPath(ValueExercise):
         ):
             yield way_case(kind, np.array(nodes, float), np.array(edges), s, g)
         for n in (3, 4, 5, 6, 7, 8, 10, 12, 16, 24, 40, 60):
-            for kind, shape in zip(self.kinds, ("tree", "cycle", "cycle", "cycle", "parts", "cycle")):
+            for kind, shape in zip(
+                self.kinds, ("tree", "cycle", "cycle", "cycle", "parts", "cycle")
+            ):
                 size = max(n, 4)
                 rows = random_rows(shape, size, rng)
                 pairs = np.unique(np.sort([row[:2] for row in rows], axis=1), axis=0)
@@ -114,16 +134,28 @@ class ShortestPath(ValueExercise):
         return both and self.near(far, least) and (path is None or list(path) == list(right))
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """None and inf where there is no path; else along edges from start to goal, none shorter, and its length is right."""
+        """None and inf where there is no path; else along edges from start to goal, none shorter,
+        and its length is right.
+        """
         (path, far), (right, least) = value, self.truth(case)
         if path is None or right is None:
             fine = path is None and right is None and far == np.inf
-            return RIGHT if fine else Verdict(0.0, "missed" if right is not None else "apart", self.wanted(case))
+            return (
+                RIGHT
+                if fine
+                else Verdict(0.0, "missed" if right is not None else "apart", self.wanted(case))
+            )
         rule = self.fault_of(case, path)
         if not rule:
             steps = np.column_stack([path[:-1], path[1:]])
             long = float(lengths(case.given["nodes"], steps).sum())
-            rule = "shortest" if not self.near(long, least) else "length" if not self.near(far, least) else ""
+            rule = (
+                "shortest"
+                if not self.near(long, least)
+                else "length"
+                if not self.near(far, least)
+                else ""
+            )
         return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
 
     def fault_of(self, case: Case, path: Pairs) -> str:
@@ -132,12 +164,20 @@ class ShortestPath(ValueExercise):
         if len(path) == 0 or path[0] != start or path[-1] != goal:
             return "ends"
         known = {*map(tuple, edges.tolist()), *map(tuple, edges[:, ::-1].tolist())}
-        return "edges" if any(step not in known for step in zip(path[:-1].tolist(), path[1:].tolist())) else ""
+        return (
+            "edges"
+            if any(step not in known for step in zip(path[:-1].tolist(), path[1:].tolist()))
+            else ""
+        )
 
     def wanted(self, case: Case) -> str:
         """One right path, and its length."""
         path, far = self.truth(case)
-        return say("shortest_path.wanted", path=spoken(path), length=spoken(far)) if path is not None else "(None, inf)"
+        return (
+            say("shortest_path.wanted", path=spoken(path), length=spoken(far))
+            if path is not None
+            else "(None, inf)"
+        )
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """The roadmap, a shortest path and the student's."""
@@ -160,4 +200,6 @@ def ends(rng: np.random.Generator, kind: str, n: int, edges: Pairs) -> tuple[int
     if kind == "same":
         return start, start
     reached = np.isfinite(far)
-    return start, int(np.argmin(reached)) if kind == "apart" else int(np.argmax(np.where(reached, far, -1)))
+    return start, int(np.argmin(reached)) if kind == "apart" else int(
+        np.argmax(np.where(reached, far, -1))
+    )

@@ -25,8 +25,12 @@ Seen = tuple[Array, NDArray[np.int64]]
 BOX = np.array([(6, 3), (10, 3), (10, 7), (6, 7)], float)
 TENT = np.array([(5, 3), (11, 3), (8, 7)], float)
 ANGLE = np.array([(5, 2), (11, 2), (11, 4), (7, 4), (7, 8), (5, 8)], float)
-CROWN = np.array([(5, 2), (11, 2), (11, 8), (9.5, 4), (8, 6), (6.5, 4), (5, 8)], float)  # its middle tip is not on its hull
-BENT_BOX = np.array([(6, 3), (8, 3), (10, 3), (10, 5), (10, 7), (6, 7)], float)  # two straight angles
+CROWN = np.array(
+    [(5, 2), (11, 2), (11, 8), (9.5, 4), (8, 6), (6.5, 4), (5, 8)], float
+)  # its middle tip is not on its hull
+BENT_BOX = np.array(
+    [(6, 3), (8, 3), (10, 3), (10, 5), (10, 7), (6, 7)], float
+)  # two straight angles
 
 
 def seen_corners(problem: Any, obstacles: list[Array]) -> Seen:
@@ -49,13 +53,17 @@ def is_on_hull(ring: Array) -> Any:
     return [tuple(v) in corners for v in ring.tolist()]
 
 
-def roadmap_on(problem: Any, obstacles: list[Array], *, kept: Any = is_convex, how: str = "is_semi_free_path") -> Seen:
+def roadmap_on(
+    problem: Any, obstacles: list[Array], *, kept: Any = is_convex, how: str = "is_semi_free_path"
+) -> Seen:
     """Start, goal and the vertices that are kept, and the pairs of them whose motion is allowed."""
     nodes = np.vstack([problem.start, problem.goal, *(ring[kept(ring)] for ring in obstacles)])
     pairs = np.argwhere(np.triu(np.ones((len(nodes), len(nodes))), 1))
     if how != "is_semi_free_path":
         return nodes, allowed(problem, nodes, pairs)
-    return nodes, pairs[[bool(problem.is_semi_free_path(nodes[i], nodes[j])) for i, j in pairs]].reshape(-1, 2)
+    return nodes, pairs[
+        [bool(problem.is_semi_free_path(nodes[i], nodes[j])) for i, j in pairs]
+    ].reshape(-1, 2)
 
 
 def without_ends(problem: Any, obstacles: list[Array]) -> Seen:
@@ -67,7 +75,9 @@ def without_ends(problem: Any, obstacles: list[Array]) -> Seen:
 def between_obstacles(problem: Any, obstacles: list[Array]) -> Seen:
     """No edge joins two vertices of one obstacle."""
     nodes, pairs = roadmap_on(problem, obstacles)
-    owner = np.concatenate([[-1, -2], *(np.full(int((bends(ring) > 0).sum()), i) for i, ring in enumerate(obstacles))])
+    owner = np.concatenate(
+        [[-1, -2], *(np.full(int((bends(ring) > 0).sum()), i) for i, ring in enumerate(obstacles))]
+    )
     return nodes, pairs[owner[pairs[:, 0]] != owner[pairs[:, 1]]]
 
 
@@ -83,10 +93,23 @@ class VisibleCorners(ValueExercise):
     reference = staticmethod(seen_corners)
     source = staticmethod(seen_corners)
     slips = (
-        Slip("every_vertex", lambda problem, obstacles: roadmap_on(problem, obstacles, kept=lambda ring: slice(None))),
-        Slip("not_reflex", lambda problem, obstacles: roadmap_on(problem, obstacles, kept=lambda ring: bends(ring) > -1e-9)),
+        Slip(
+            "every_vertex",
+            lambda problem, obstacles: roadmap_on(
+                problem, obstacles, kept=lambda ring: slice(None)
+            ),
+        ),
+        Slip(
+            "not_reflex",
+            lambda problem, obstacles: roadmap_on(
+                problem, obstacles, kept=lambda ring: bends(ring) > -1e-9
+            ),
+        ),
         Slip("hull", lambda problem, obstacles: roadmap_on(problem, obstacles, kept=is_on_hull)),
-        Slip("no_contact", lambda problem, obstacles: roadmap_on(problem, obstacles, how="is_free_path")),
+        Slip(
+            "no_contact",
+            lambda problem, obstacles: roadmap_on(problem, obstacles, how="is_free_path"),
+        ),
         Slip("no_ends", without_ends),
         Slip("between", between_obstacles),
     )
@@ -116,10 +139,14 @@ class VisibleCorners(ValueExercise):
             return False
         back = np.argsort(np.array(placed(found, nodes)))
         renamed = np.sort(back[edges], axis=1).reshape(-1, 2)
-        return sorted(map(tuple, np.asarray(pairs).tolist())) == sorted(map(tuple, renamed.tolist()))
+        return sorted(map(tuple, np.asarray(pairs).tolist())) == sorted(
+            map(tuple, renamed.tolist())
+        )
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """Start and goal first, then the convex vertices; then pairs i < j, each once; then the right ones."""
+        """Start and goal first, then the convex vertices; then pairs i < j, each once; then the
+        right ones.
+        """
         if self.same(value, self.truth(case)):
             return Verdict(1.0)
         (found, pairs), problem = value, case.given["problem"]
@@ -151,15 +178,20 @@ class VisibleCorners(ValueExercise):
 
 
 def seen_case(kind: str, obstacles: list[Array]) -> Case:
-    """A case in the hall. It is asked once here, so that no student's time is spent on compiling."""
+    """A case in the hall. It is asked once here, so that no student's time is spent on
+    compiling.
+    """
     problem = hall(*obstacles)
     problem.is_semi_free_path(problem.start, problem.goal)
-    return Case(kind, {"problem": problem, "obstacles": [np.array(ring, float) for ring in obstacles]})
+    return Case(
+        kind, {"problem": problem, "obstacles": [np.array(ring, float) for ring in obstacles]}
+    )
 
 
 def without_doubt(rng: np.random.Generator, n: int, *, convex: bool = True) -> list[Array]:
-    """Obstacles by chance, of whose vertices, start and goal no three are in line: with two decimals such are in line on paper, and
-    miss that in the computer by less than a motion's judge can see.
+    """Obstacles by chance, of whose vertices, start and goal no three are in line: with two
+    decimals such are in line on paper, and miss that in the computer by less than a motion's judge
+    can see.
     """
     rings = random_obstacles(rng, n, convex=convex)
     while is_in_line(np.vstack([START, GOAL, *rings])):
@@ -175,7 +207,9 @@ def is_in_line(points: Array) -> bool:
 
 
 def placed(found: Array, nodes: Array) -> list[int] | None:
-    """For each node that was found the number it should have, start and goal first; None where they are not the same nodes."""
+    """For each node that was found the number it should have, start and goal first; None where they
+    are not the same nodes.
+    """
     numbers = {tuple(node): i for i, node in enumerate(np.asarray(nodes).tolist())}
     order = [numbers.get(tuple(node), -1) for node in np.asarray(found).tolist()]
     return order if sorted(order) == list(range(len(nodes))) and order[:2] == [0, 1] else None

@@ -1,4 +1,6 @@
-"""Lesson 6: Sampling, or a hundred probes and where to put them. Its exercises, as the notebook asks for them."""
+"""Lesson 6: Sampling, or a hundred probes and where to put them. Its exercises, as the notebook
+asks for them.
+"""
 
 from .corner_grid import CornerGrid
 from .dispersion_bounds import DispersionBounds

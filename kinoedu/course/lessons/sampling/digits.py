@@ -1,4 +1,6 @@
-"""Shared by the exercises on van der Corput's and Halton's sequences. Bullo & Smith, chapter 4; LaValle, section 5.2.4."""
+"""Shared by the exercises on van der Corput's and Halton's sequences. Bullo & Smith, chapter 4;
+LaValle, section 5.2.4.
+"""
 
 
 def digits(i: int, base: int) -> list[int]:

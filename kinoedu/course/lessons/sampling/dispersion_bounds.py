@@ -1,4 +1,6 @@
-"""The exercise on dispersion: two bounds, from a lattice of probes. Bullo & Smith, chapter 4; LaValle, section 5.2.3."""
+"""The exercise on dispersion: two bounds, from a lattice of probes. Bullo & Smith, chapter 4;
+LaValle, section 5.2.3.
+"""
 
 import math
 from collections.abc import Iterator
@@ -87,11 +89,15 @@ def hole_case(points: Array) -> Case:
     """A case of the kind that it is: one point, or where the centre of the largest hole lies."""
     centre = largest_empty_ball(points).centre
     walls = int(((centre < SLACK) | (centre > 1.0 - SLACK)).sum())
-    return Case("one" if len(points) == 1 else ("inside", "wall", "corner")[walls], {"points": points})
+    return Case(
+        "one" if len(points) == 1 else ("inside", "wall", "corner")[walls], {"points": points}
+    )
 
 
 def cloud(rng: np.random.Generator) -> Array:
-    """Points of the unit square, 2 to 60 of them: random ones, Halton's, or a grid moved a little."""
+    """Points of the unit square, 2 to 60 of them: random ones, Halton's, or a grid moved a
+    little.
+    """
     n = int(rng.integers(2, 40))
     if rng.random() < 0.4:
         return np.round(uniform_random(n, rng=rng), 2)

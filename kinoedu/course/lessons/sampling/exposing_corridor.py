@@ -18,7 +18,9 @@ SLACK = 1e-9
 
 
 class ExposeGrids(Exercise):
-    """Break it: a corridor across the unit square, as wide as possible, that `finds_corridor` does not find."""
+    """Break it: a corridor across the unit square, as wide as possible, that `finds_corridor` does
+    not find.
+    """
 
     name = "exposing_corridor"
     lesson = "06_sampling"
@@ -52,7 +54,8 @@ class ExposeGrids(Exercise):
 
 
 def finds_corridor(corridor: Array) -> bool:
-    """Whether there is a way along a corridor, an open rectangle (x0, y0, x1, y1): some grid has a point in it.
+    """Whether there is a way along a corridor, an open rectangle (x0, y0, x1, y1): some grid has a
+    point in it.
 
     It says False of corridors that are wide open. Which?
     """

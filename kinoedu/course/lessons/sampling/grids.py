@@ -22,7 +22,23 @@ TOLERANCE = 1e-9
 DIMENSIONS = {1: "line", 2: "plane", 3: "space"}
 
 
-SMALL = [(2, 1), (4, 2), (3, 1), (1, 1), (1, 2), (9, 2), (5, 1), (2, 2), (8, 3), (8, 2), (100, 2), (1, 3), (27, 3), (4, 3), (64, 3)]
+SMALL = [
+    (2, 1),
+    (4, 2),
+    (3, 1),
+    (1, 1),
+    (1, 2),
+    (9, 2),
+    (5, 1),
+    (2, 2),
+    (8, 3),
+    (8, 2),
+    (100, 2),
+    (1, 3),
+    (27, 3),
+    (4, 3),
+    (64, 3),
+]
 
 
 SMALL += [(125, 3), (99, 2), (100, 3)]
@@ -54,7 +70,9 @@ class GridExercise(ValueExercise):
         return self.fault_of_points(case, value) or super().value_verdict(case, value)
 
     def fault_of_points(self, case: Case, value: Array) -> Verdict | None:
-        """The verdict on points of which there are too many or too few, or that lie outside the cube."""
+        """The verdict on points of which there are too many or too few, or that lie outside the
+        cube.
+        """
         rule = fault_of_points(value, case.given["n"], case.given["d"])
         return Verdict(0.0, rule, self.wanted(case)) if rule else None
 
@@ -66,7 +84,14 @@ class GridExercise(ValueExercise):
         """The points that should be there, and the student's."""
         found, truth = outcome.value if isinstance(outcome, Answer) else None, self.truth(case)
         no_grid, (n, d) = isinstance(truth, ValueError), case.given.values()
-        draw_points(self, case, found, None if no_grid else truth, ax, cells=0 if no_grid or d == 1 else root(n, d))
+        draw_points(
+            self,
+            case,
+            found,
+            None if no_grid else truth,
+            ax,
+            cells=0 if no_grid or d == 1 else root(n, d),
+        )
 
 
 def grid_case(n: int, d: int) -> Case:
@@ -76,7 +101,9 @@ def grid_case(n: int, d: int) -> Case:
 
 
 def fault_of_points(points: Array, n: int, d: int) -> str:
-    """The rule that an array of points breaks, whatever they are meant to be: n of them, in the closed unit cube; or ""."""
+    """The rule that an array of points breaks, whatever they are meant to be: n of them, in the
+    closed unit cube; or "".
+    """
     if points.shape != (n, d):
         return "count"
     return "" if ((points >= -TOLERANCE) & (points <= 1.0 + TOLERANCE)).all() else "outside"

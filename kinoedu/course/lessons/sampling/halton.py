@@ -30,18 +30,44 @@ class Halton(ValueExercise):
     slips = (
         Slip("from_zero", lambda n, primes: halton(n, primes, start=0)),
         Slip("from_two", lambda n, primes: halton(n, primes, start=2)),
-        Slip("one_base", lambda n, primes: np.tile(van_der_corput(n, primes[0])[:, None], (1, len(primes)))),
-        Slip("own_bases", lambda n, primes: np.column_stack([van_der_corput(n, base) for base in range(2, 2 + len(primes))])),
+        Slip(
+            "one_base",
+            lambda n, primes: np.tile(van_der_corput(n, primes[0])[:, None], (1, len(primes))),
+        ),
+        Slip(
+            "own_bases",
+            lambda n, primes: np.column_stack(
+                [van_der_corput(n, base) for base in range(2, 2 + len(primes))]
+            ),
+        ),
         Slip("own_primes", lambda n, primes: halton(n, PRIMES[: len(primes)])),
         Slip("sorted", lambda n, primes: halton(n, sorted(primes))),
         Slip("backwards", lambda n, primes: halton(n, primes)[:, ::-1]),
-        Slip("forward", lambda n, primes: np.array([[unmirrored(i, p) for p in primes] for i in range(1, n + 1)])),
+        Slip(
+            "forward",
+            lambda n, primes: np.array(
+                [[unmirrored(i, p) for p in primes] for i in range(1, n + 1)]
+            ),
+        ),
     )
     reference = staticmethod(halton)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """One prime, then two, then more; then primes that are not the first, in any order. All a hundred of the book."""
-        for n, *primes in ((1, 2), (3, 2), (2, 3), (1, 2, 3), (4, 2, 3), (6, 2, 3), (5, 2, 3, 5), (3, 3, 2), (4, 5, 2), (8, 7)):
+        """One prime, then two, then more; then primes that are not the first, in any order. All a
+        hundred of the book.
+        """
+        for n, *primes in (
+            (1, 2),
+            (3, 2),
+            (2, 3),
+            (1, 2, 3),
+            (4, 2, 3),
+            (6, 2, 3),
+            (5, 2, 3, 5),
+            (3, 3, 2),
+            (4, 5, 2),
+            (8, 7),
+        ):
             yield halton_case(n, primes)
         yield halton_case(100, (2, 3))
         for _ in range(10):
@@ -49,12 +75,18 @@ class Halton(ValueExercise):
             yield halton_case(int(rng.integers(4, 60)), (2, 3))
             yield halton_case(int(rng.integers(4, 60)), PRIMES[: int(rng.integers(3, 7))])
             primes = rng.permutation(PRIMES)[: int(rng.integers(2, 5))].tolist()
-            yield halton_case(int(rng.integers(4, 60)), primes[::-1] if primes == sorted(primes) else primes)
+            yield halton_case(
+                int(rng.integers(4, 60)), primes[::-1] if primes == sorted(primes) else primes
+            )
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
         """How many, whether they are in the cube, whether in another order, then where."""
         rule = fault_of_points(value, case.given["n"], len(case.given["primes"]))
-        if not rule and not self.same(value, self.truth(case)) and super().same(in_order(value), in_order(self.truth(case))):
+        if (
+            not rule
+            and not self.same(value, self.truth(case))
+            and super().same(in_order(value), in_order(self.truth(case)))
+        ):
             rule = "order"
         return Verdict(0.0, rule, self.wanted(case)) if rule else super().value_verdict(case, value)
 
@@ -64,7 +96,9 @@ class Halton(ValueExercise):
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """The points that should be there, and the student's."""
-        draw_points(self, case, outcome.value if isinstance(outcome, Answer) else None, self.truth(case), ax)
+        draw_points(
+            self, case, outcome.value if isinstance(outcome, Answer) else None, self.truth(case), ax
+        )
 
 
 def halton_case(n: int, primes: Any) -> Case:

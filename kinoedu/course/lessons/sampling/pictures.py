@@ -1,4 +1,6 @@
-"""Pictures of failing cases in the unit cube. What is true is green, what the student's program says orange."""
+"""Pictures of failing cases in the unit cube. What is true is green, what the student's program
+says orange.
+"""
 
 from textwrap import fill
 from typing import Any
@@ -17,8 +19,17 @@ FAR = 3.0  # points farther out are told in words
 BESIDE = 1.07  # where words stand, on the right of the unit square
 
 
-def draw_points(exercise: Exercise, case: Case, found: Array | None, truth: Array | None, ax: Any, *, cells: int = 0) -> None:
-    """The points that should be there as rings, the student's as crosses; of points in space the first two coordinates.
+def draw_points(
+    exercise: Exercise,
+    case: Case,
+    found: Array | None,
+    truth: Array | None,
+    ax: Any,
+    *,
+    cells: int = 0,
+) -> None:
+    """The points that should be there as rings, the student's as crosses; of points in space the
+    first two coordinates.
 
     cells : draw so many cells along each side.
     """
@@ -32,27 +43,49 @@ def draw_points(exercise: Exercise, case: Case, found: Array | None, truth: Arra
         plane.stretch((share, 0), (share, 1), "", ax, colour=palette.OUTSIDE, width=0.9)
         plane.stretch((0, share), (1, share), "", ax, colour=palette.OUTSIDE, width=0.9)
     if truth is not None:
-        ring: Any = {"markerfacecolor": "none", "markeredgecolor": palette.START, "markeredgewidth": 2.2, "markersize": 11}
+        ring: Any = {
+            "markerfacecolor": "none",
+            "markeredgecolor": palette.START,
+            "markeredgewidth": 2.2,
+            "markersize": 11,
+        }
         ax.plot(*flat(truth).T, "o", label=say("picture.true"), zorder=5, **ring)
     if len(near):
         size = 9 if len(near) <= 150 else 4
-        ax.plot(*near.T, "x", color=palette.GOAL, markersize=size, markeredgewidth=2.2, label=say("picture.yours_short"), zorder=6)
+        ax.plot(
+            *near.T,
+            "x",
+            color=palette.GOAL,
+            markersize=size,
+            markeredgewidth=2.2,
+            label=say("picture.yours_short"),
+            zorder=6,
+        )
     else:
-        beside(say("picture.no_answer") if found is None else say("samples.elsewhere"), 0.05, ax, colour=palette.GOAL)
+        beside(
+            say("picture.no_answer") if found is None else say("samples.elsewhere"),
+            0.05,
+            ax,
+            colour=palette.GOAL,
+        )
     if truth is not None or len(near):
         ax.legend(fontsize=palette.TEXT_SIZE, loc="upper right", framealpha=1.0)
     plane.title(exercise.words(f"pictures.{case.kind}"), ax)
 
 
 def flat(points: Array) -> Array:
-    """Places in the plane for points (n, d): those of a line at half height, those in space without their third coordinate."""
+    """Places in the plane for points (n, d): those of a line at half height, those in space without
+    their third coordinate.
+    """
     if points.shape[1] == 1:
         return np.column_stack([points[:, 0], np.full(len(points), 0.5)])
     return points[:, :2].reshape(-1, 2)
 
 
 def square(ax: Any, others: Array, outline: Any = CORNERS) -> None:
-    """The outline of the unit square, or a line, with room for other points, and for words on the right."""
+    """The outline of the unit square, or a line, with room for other points, and for words on the
+    right.
+    """
     from ....figures import palette, plane
 
     plane.frame(np.vstack([[(0, 0), (1.45, 1)], others]), ax, margin=0.06)
@@ -78,15 +111,39 @@ def draw_mirrored(exercise: Exercise, case: Case, found: float | None, ax: Any) 
     plane.frame([(0, -0.3), (1, 0.3)], ax, margin=0.06)
     plane.stretch((0, 0), (1, 0), "", ax, colour=palette.OBSTACLE)
     if len(digits_of(i, base)) <= 24:
-        words = say("samples.mirrored", i=i, digits=digits_of(i, base), mirrored=mirrored_digits(i, base), base=base)
-        ax.text(0.5, 0.27, fill(words, 60), ha="center", fontsize=palette.TEXT_SIZE, color=palette.INK)
+        words = say(
+            "samples.mirrored",
+            i=i,
+            digits=digits_of(i, base),
+            mirrored=mirrored_digits(i, base),
+            base=base,
+        )
+        ax.text(
+            0.5, 0.27, fill(words, 60), ha="center", fontsize=palette.TEXT_SIZE, color=palette.INK
+        )
     plane.dot((truth, 0), "", ax, colour=palette.START)
-    plane.label((truth, 0), say("picture.should_be", value=f"{truth:.6g}"), ax, colour=palette.START, offset=(9, 14))
+    plane.label(
+        (truth, 0),
+        say("picture.should_be", value=f"{truth:.6g}"),
+        ax,
+        colour=palette.START,
+        offset=(9, 14),
+    )
     if found is not None and -0.1 <= found <= 1.1:
         plane.dot((found, 0), "", ax, colour=palette.GOAL, marker="X")
-        plane.label((found, 0), say("picture.yours", value=f"{found:.6g}"), ax, colour=palette.GOAL, offset=(9, -32))
+        plane.label(
+            (found, 0),
+            say("picture.yours", value=f"{found:.6g}"),
+            ax,
+            colour=palette.GOAL,
+            offset=(9, -32),
+        )
     else:
-        words = say("picture.no_answer") if found is None else say("picture.yours", value=f"{found:.6g}")
+        words = (
+            say("picture.no_answer")
+            if found is None
+            else say("picture.yours", value=f"{found:.6g}")
+        )
         plane.corner_note(words, ax, colour=palette.GOAL)
     ax.set_yticks([])
     ax.set_ylabel("")
@@ -95,7 +152,9 @@ def draw_mirrored(exercise: Exercise, case: Case, found: float | None, ax: Any) 
 
 
 def draw_holes(exercise: Exercise, case: Case, found: Array | None, ax: Any) -> None:
-    """The points, the largest ball without any of them, and round its centre a circle for each of the student's bounds."""
+    """The points, the largest ball without any of them, and round its centre a circle for each of
+    the student's bounds.
+    """
     from ....figures import palette, plane
 
     points = case.given["points"]
@@ -103,13 +162,21 @@ def draw_holes(exercise: Exercise, case: Case, found: Array | None, ax: Any) -> 
     square(ax, np.empty((0, 2)))
     (inside,) = ax.fill(*np.transpose(CORNERS), alpha=0.0)
     low, high = (np.nan, np.nan) if found is None else found
-    for radius, colour, style in ((ball.radius, palette.START, "-"), (low, palette.GOAL, ":"), (high, palette.GOAL, "--")):
+    for radius, colour, style in (
+        (ball.radius, palette.START, "-"),
+        (low, palette.GOAL, ":"),
+        (high, palette.GOAL, "--"),
+    ):
         if 0 < radius < FAR:
             for circle in plane.ring(ball.centre, radius, "", ax, colour=colour, style=style):
                 circle.set_clip_path(inside)
     ax.plot(*points.T, "o", color=palette.TREE, markersize=7, zorder=5)
     plane.dot(ball.centre, "", ax, colour=palette.START, marker="X")
-    words = say("picture.no_answer") if found is None else say("samples.bounds", low=f"{low:.4f}", high=f"{high:.4f}")
+    words = (
+        say("picture.no_answer")
+        if found is None
+        else say("samples.bounds", low=f"{low:.4f}", high=f"{high:.4f}")
+    )
     beside(words, 0.05, ax, colour=palette.GOAL)
     beside(say("picture.should_be", value=f"{ball.radius:.4f}"), 0.85, ax, colour=palette.START)
     plane.title(exercise.words(f"pictures.{case.kind}"), ax)
@@ -123,9 +190,22 @@ def draw_corridor(corridor: Array | None, ax: Any) -> None:
     points = np.vstack([sukharev_grid(k * k) for k in (1, 2, 4, 8, 16)])
     ax.plot(*points.T, "o", color=palette.TREE, markersize=4, zorder=4)
     if corridor is None or not (np.abs(corridor) <= FAR).all():
-        beside(say("picture.no_answer") if corridor is None else say("samples.elsewhere"), 0.05, ax, colour=palette.GOAL)
+        beside(
+            say("picture.no_answer") if corridor is None else say("samples.elsewhere"),
+            0.05,
+            ax,
+            colour=palette.GOAL,
+        )
         return
     x0, y0, x1, y1 = corridor
-    ax.fill([x0, x1, x1, x0], [y0, y0, y1, y1], facecolor=palette.PATH, alpha=0.4, edgecolor=palette.GOAL, linewidth=1.5, zorder=3)
+    ax.fill(
+        [x0, x1, x1, x0],
+        [y0, y0, y1, y1],
+        facecolor=palette.PATH,
+        alpha=0.4,
+        edgecolor=palette.GOAL,
+        linewidth=1.5,
+        zorder=3,
+    )
     inside = points[((points > (x0, y0)) & (points < (x1, y1))).all(axis=1)]
     ax.plot(*inside.T, "x", color=palette.GOAL, markersize=10, markeredgewidth=2.5, zorder=6)

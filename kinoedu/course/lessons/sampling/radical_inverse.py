@@ -15,7 +15,22 @@ from .digits import digits, unmirrored
 from .grids import TOLERANCE
 from .pictures import draw_mirrored
 
-SMALL = [(1, 2), (0, 2), (2, 3), (2, 2), (6, 2), (4, 3), (0, 5), (7, 10), (31, 16), (11, 12), (3, 2), (5, 3), (10, 10), (1000, 2)]
+SMALL = [
+    (1, 2),
+    (0, 2),
+    (2, 3),
+    (2, 2),
+    (6, 2),
+    (4, 3),
+    (0, 5),
+    (7, 10),
+    (31, 16),
+    (11, 12),
+    (3, 2),
+    (5, 3),
+    (10, 10),
+    (1000, 2),
+]
 
 
 SMALL += [(243, 3), (1000, 10), (10**6, 10)]  # powers of the base, whose logarithm is rounded down

@@ -16,7 +16,10 @@ from .pictures import draw_points
 
 BOXES = {1: 64, 2: 8, 3: 4}  # along each side: always 64 boxes
 MANY = 640  # points from which on the boxes are counted: ten for each
-EVEN, UNEVEN = 16.0, 160.0  # of 64 boxes' squared deviations over what is expected; outside once in 10^9 for random points
+EVEN, UNEVEN = (
+    16.0,
+    160.0,
+)  # of 64 boxes' squared deviations over what is expected; outside once in 10^9 for random points
 
 
 class UniformRandom(Exercise):
@@ -30,11 +33,15 @@ class UniformRandom(Exercise):
     source = staticmethod(uniform_random)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Few points, the hundred of the book, then so many that one can count how they are spread."""
+        """Few points, the hundred of the book, then so many that one can count how they are
+        spread.
+        """
         for n, d in ((3, 1), (4, 2), (1, 2), (2, 3), (100, 2)):
             yield random_case(n, d, int(rng.integers(1000)))
         for _ in range(10):
-            yield random_case(int(rng.integers(1, 50)), int(rng.integers(1, 4)), int(rng.integers(1000)))
+            yield random_case(
+                int(rng.integers(1, 50)), int(rng.integers(1, 4)), int(rng.integers(1000))
+            )
             for d in DIMENSIONS:
                 yield random_case(int(rng.integers(MANY, 2000)), d, int(rng.integers(1000)))
 
@@ -49,7 +56,9 @@ class UniformRandom(Exercise):
         return uniform_random(n, d, rng=rng)
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """How many and where; the same again, others for another seed; how they are spread, and whether the seeds share them."""
+        """How many and where; the same again, others for another seed; how they are spread, and
+        whether the seeds share them.
+        """
         n, d, _ = case.given.values()
         first, again, other = value
         rule = fault_of_points(first, n, d)
@@ -100,14 +109,18 @@ def fault_of_chance(points: Array) -> str:
 
 
 def shares(first: Array, other: Array) -> bool:
-    """Whether half of the points of one seed, or a coordinate of all of them, come again with another; asked of three and more."""
+    """Whether half of the points of one seed, or a coordinate of all of them, come again with
+    another; asked of three and more.
+    """
     rows = set(map(tuple, first.tolist())) & set(map(tuple, other.tolist()))
     columns = (first.T[:, None] == other.T).all(axis=2)
     return len(first) > 2 and (2 * len(rows) >= len(first) or bool(columns.any()))
 
 
 def unevenness(points: Array) -> float:
-    """Of 64 equal boxes, the sum of (count - expected)^2 / expected: about 63 for random points, whatever their number."""
+    """Of 64 equal boxes, the sum of (count - expected)^2 / expected: about 63 for random points,
+    whatever their number.
+    """
     n, d = points.shape
     places = np.clip(np.floor(points * BOXES[d]), 0, BOXES[d] - 1).astype(np.int64)
     counts = np.bincount(np.ravel_multi_index(tuple(places.T), (BOXES[d],) * d), minlength=64)

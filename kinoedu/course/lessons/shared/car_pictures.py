@@ -1,4 +1,6 @@
-"""Pictures of failing cases of lesson 12. What is true is solid and green, what the student's program says dashed and orange."""
+"""Pictures of failing cases of lesson 12. What is true is solid and green, what the student's
+program says dashed and orange.
+"""
 
 import math
 from typing import Any
@@ -17,17 +19,25 @@ from ...exercise import Case, ValueExercise
 def arc(pose: Array, distance: float, curvature: float) -> Array:
     """Poses along an arc, shape (k, 3)."""
     k = 2 + int(min(40.0 * abs(distance * curvature), 2000.0))
-    return np.array([driven(*pose, share * distance, curvature) for share in np.linspace(0.0, 1.0, k)])
+    return np.array(
+        [driven(*pose, share * distance, curvature) for share in np.linspace(0.0, 1.0, k)]
+    )
 
 
-def frame_both(truth: Array, value: Array | None, words: str, ax: Any) -> tuple[float, Array | None]:
-    """Axes round the true poses, and the student's where they are in reach; how long an arrow is, and those that are shown."""
+def frame_both(
+    truth: Array, value: Array | None, words: str, ax: Any
+) -> tuple[float, Array | None]:
+    """Axes round the true poses, and the student's where they are in reach; how long an arrow is,
+    and those that are shown.
+    """
     from ....figures import palette, plane
 
     size = max(float(np.ptp(truth[:, :2], axis=0).max()), 1.0)
     shown = None if value is None or not len(value) or not np.isfinite(value).all() else value
     if shown is not None and np.abs(shown[:, :2] - truth[0, :2]).max() > 4.0 * size:
-        plane.corner_note(say("picture.outside", what=say("picture.yours_short")), ax, colour=palette.GOAL)
+        plane.corner_note(
+            say("picture.outside", what=say("picture.yours_short")), ax, colour=palette.GOAL
+        )
         shown = None
     elif shown is None:
         plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
@@ -42,12 +52,16 @@ def draw_moves(exercise: ValueExercise, case: Case, value: Array | None, ax: Any
 
     pose, v, phi, t, wheelbase = case.given.values()
     way = arc(pose, v * t, math.tan(phi) / wheelbase)
-    size, shown = frame_both(way, None if value is None else value[None], exercise.words(f"pictures.{case.kind}"), ax)
+    size, shown = frame_both(
+        way, None if value is None else value[None], exercise.words(f"pictures.{case.kind}"), ax
+    )
     ax.plot(*way[:, :2].T, "-", color=palette.START, linewidth=2.6, zorder=3)
     cars.draw_pose(pose, size, say("car_picture.start"), ax, colour=palette.INK, below=True)
     cars.draw_pose(way[-1], size, say("picture.true"), ax, colour=palette.START)
     if shown is not None:
-        cars.draw_pose(shown[0], size, say("picture.yours_short"), ax, colour=palette.GOAL, below=True)
+        cars.draw_pose(
+            shown[0], size, say("picture.yours_short"), ax, colour=palette.GOAL, below=True
+        )
 
 
 def draw_drives(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
@@ -73,26 +87,58 @@ def draw_steps(exercise: ValueExercise, case: Case, value: Array | None, ax: Any
     pose, v, phi, t, wheelbase, _ = case.given.values()
     truth = exercise.truth(case)
     size, shown = frame_both(truth, value, exercise.words(f"pictures.{case.kind}"), ax)
-    ax.plot(*arc(pose, v * t, math.tan(phi) / wheelbase)[:, :2].T, ":", color=palette.INK, linewidth=2.0, zorder=2)
-    ax.plot(*truth[:, :2].T, "-o", color=palette.START, linewidth=2.6, markersize=6, zorder=4, label=say("picture.true"))
+    ax.plot(
+        *arc(pose, v * t, math.tan(phi) / wheelbase)[:, :2].T,
+        ":",
+        color=palette.INK,
+        linewidth=2.0,
+        zorder=2,
+    )
+    ax.plot(
+        *truth[:, :2].T,
+        "-o",
+        color=palette.START,
+        linewidth=2.6,
+        markersize=6,
+        zorder=4,
+        label=say("picture.true"),
+    )
     if shown is not None:
         words = say("picture.yours_short")
-        ax.plot(*shown[:, :2].T, "--s", color=palette.GOAL, linewidth=2.2, markersize=6, zorder=5, label=words)
+        ax.plot(
+            *shown[:, :2].T,
+            "--s",
+            color=palette.GOAL,
+            linewidth=2.2,
+            markersize=6,
+            zorder=5,
+            label=words,
+        )
     cars.draw_pose(pose, size, "", ax, colour=palette.INK)
     ax.legend(fontsize=palette.TEXT_SIZE, loc="best")
 
 
 def draw_orders(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
-    """The errors against the step on scales of powers; at each slope what it is, and what the student says."""
+    """The errors against the step on scales of powers; at each slope what it is, and what the
+    student says.
+    """
     from ....figures import palette, plane
 
     h, errors = case.given.values()
     ax.loglog(h, errors, "-o", color=palette.TREE, linewidth=2.6, markersize=8)
     truth = exercise.truth(case)
     for k, order in enumerate(truth):
-        yours = f"{value[k]:.3g}" if value is not None and k < len(value) else say("car_picture.none")
+        yours = (
+            f"{value[k]:.3g}" if value is not None and k < len(value) else say("car_picture.none")
+        )
         at = math.sqrt(h[k] * h[k + 1]), math.sqrt(errors[k] * errors[k + 1])
-        plane.label(at, say("car_picture.order", true=f"{order:.3g}", yours=yours), ax, colour=palette.GOAL, offset=(9, -16))
+        plane.label(
+            at,
+            say("car_picture.order", true=f"{order:.3g}", yours=yours),
+            ax,
+            colour=palette.GOAL,
+            offset=(9, -16),
+        )
     ax.margins(x=0.35, y=0.2)
     ax.set_xlabel(say("car_picture.step"), fontsize=palette.TEXT_SIZE)
     ax.set_ylabel(say("car_picture.error"), fontsize=palette.TEXT_SIZE)
@@ -105,9 +151,20 @@ def draw_tangents(exercise: ValueExercise, case: Case, value: float | None, ax: 
     from ....figures import cars, palette, plane
 
     a, b, r = case.given.values()
-    curve = min((one for one in dubins.every_word(a, b, r) if one.word[1] == "S"), key=lambda one: one.length)
-    centres = [p[:2] + side * r * np.array([-math.sin(p[2]), math.cos(p[2])]) for p in (a, b) for side in (1, -1)]
-    plane.frame(np.vstack([curve.at(np.linspace(0.0, curve.length, 60))[:, :2], np.array(centres)]), ax, margin=0.3)
+    curve = min(
+        (one for one in dubins.every_word(a, b, r) if one.word[1] == "S"),
+        key=lambda one: one.length,
+    )
+    centres = [
+        p[:2] + side * r * np.array([-math.sin(p[2]), math.cos(p[2])])
+        for p in (a, b)
+        for side in (1, -1)
+    ]
+    plane.frame(
+        np.vstack([curve.at(np.linspace(0.0, curve.length, 60))[:, :2], np.array(centres)]),
+        ax,
+        margin=0.3,
+    )
     for centre in centres:
         plane.ring(centre, r, "", ax, colour=palette.OUTSIDE, style=":")
     cars.draw_curve(curve, ax, colour=palette.START)
@@ -131,7 +188,17 @@ def draw_lost(value: tuple[float, float] | None, wheelbase: float, ax: Any) -> N
     true, believed = arc(start, t, math.tan(phi) / wheelbase), arc(start, t, phi / wheelbase)
     plane.frame(np.vstack([true, believed])[:, :2], ax, margin=0.2)
     size = 0.15 * max(float(np.ptp(true[:, :2], axis=0).max()), 1.0)
-    for way, colour, style, words in ((true, palette.START, "-", "car"), (believed, palette.GOAL, "--", "program")):
+    for way, colour, style, words in (
+        (true, palette.START, "-", "car"),
+        (believed, palette.GOAL, "--", "program"),
+    ):
         ax.plot(*way[:, :2].T, style, color=colour, linewidth=2.4, zorder=3)
-        cars.draw_pose(way[-1], size, say(f"car_picture.{words}"), ax, colour=colour, below=colour == palette.GOAL)
+        cars.draw_pose(
+            way[-1],
+            size,
+            say(f"car_picture.{words}"),
+            ax,
+            colour=colour,
+            below=colour == palette.GOAL,
+        )
     plane.title(say("exposing_drive.picture"), ax)

@@ -33,7 +33,10 @@ class PoseExercise(ValueExercise):
         found, wanted = np.reshape(value, (-1, 3)), np.reshape(truth, (-1, 3))
         if not np.isfinite(found).all() or not super().same(found[:, :2], wanted[:, :2]):
             return False
-        return all(abs(short_way(wrapped(a), wrapped(b))) <= self.tolerance for a, b in zip(found[:, 2], wanted[:, 2]))
+        return all(
+            abs(short_way(wrapped(a), wrapped(b))) <= self.tolerance
+            for a, b in zip(found[:, 2], wanted[:, 2])
+        )
 
 
 def with_curvature(bend: Callable[[float, float], float]) -> Mover:

@@ -13,8 +13,11 @@ from .random_graphs import Neighbours, Weights
 Answer = Callable[..., Any]
 
 
-def first_in(neighbours: Neighbours, start: int, *, at: int = 0, late: bool = False) -> tuple[list[int], list[int]]:
-    """Parents, and the order of visit, of a search that takes out the oldest of those that wait (at = 0) or the newest (-1).
+def first_in(
+    neighbours: Neighbours, start: int, *, at: int = 0, late: bool = False
+) -> tuple[list[int], list[int]]:
+    """Parents, and the order of visit, of a search that takes out the oldest of those that wait (at
+    = 0) or the newest (-1).
 
     late : nodes are marked when they are taken out, not when they are put in.
     """
@@ -42,7 +45,9 @@ def undirected_weights(neighbours: Neighbours, weights: Weights) -> Weights:
     """The weights beside `undirected`: of edges each way that of the lesser one."""
     leads = [dict(zip(row, beside)) for row, beside in zip(neighbours, weights)]
     both = undirected(neighbours)
-    return [[min(leads[u].get(v, inf), leads[v].get(u, inf)) for v in row] for u, row in enumerate(both)]
+    return [
+        [min(leads[u].get(v, inf), leads[v].get(u, inf)) for v in row] for u, row in enumerate(both)
+    ]
 
 
 def followed(parent: list[int], goal: int) -> list[int] | None:
@@ -64,11 +69,15 @@ def tree_path(neighbours: Neighbours, start: int, goal: int, **how: Any) -> list
 def depths(neighbours: Neighbours, start: int) -> list[int]:
     """How many edges away each node is, -1 where it is out of reach."""
     parent, order = first_in(neighbours, start)
-    return [len(followed(parent, u) or []) - 1 if u in order else -1 for u in range(len(neighbours))]
+    return [
+        len(followed(parent, u) or []) - 1 if u in order else -1 for u in range(len(neighbours))
+    ]
 
 
 def entered(neighbours: Neighbours, start: int, goal: int) -> list[int]:
-    """The nodes in the order in which a depth-first search enters them, up to the goal: dead ends and all."""
+    """The nodes in the order in which a depth-first search enters them, up to the goal: dead ends
+    and all.
+    """
     order: list[int] = []
 
     def visit(u: int) -> bool:
@@ -125,9 +134,10 @@ def best_first(
 ) -> tuple[list[float], list[int]]:
     """Costs and parents of Dijkstra's algorithm or A*, with a mistake built in.
 
-    cost_counts = 0 : by the estimate alone. improves, reopens = False : a cost once found stays, or that of a node once taken out.
-    overwrites : a cost is replaced also by a greater one. at_sight : stops when the goal is first seen. from_node = False : the
-    last edge alone counts.
+    cost_counts = 0 : by the estimate alone. improves, reopens = False : a cost once found stays, or
+    that of a node once taken out.
+    overwrites : a cost is replaced also by a greater one. at_sight : stops when the goal is first
+    seen. from_node = False : the last edge alone counts.
     """
     cost, parent = [inf] * len(neighbours), [-1] * len(neighbours)
     left, waiting, done = estimate or [0.0] * len(neighbours), [start], set()
@@ -151,7 +161,14 @@ def best_first(
     return cost, parent
 
 
-def best_path(neighbours: Neighbours, weights: Weights, estimate: list[float], start: int, goal: int, **how: Any) -> Any:
+def best_path(
+    neighbours: Neighbours,
+    weights: Weights,
+    estimate: list[float],
+    start: int,
+    goal: int,
+    **how: Any,
+) -> Any:
     """The path of `best_first`, or None."""
     parent = best_first(neighbours, weights, start, goal, estimate=estimate, **how)[1]
     path = followed(parent, goal)
@@ -159,14 +176,20 @@ def best_path(neighbours: Neighbours, weights: Weights, estimate: list[float], s
 
 
 def fewest_edges(graph: Graph, start: int, goal: int) -> NDArray[np.int64] | None:
-    """A path of the fewest edges; of several that which a heap of costs and nodes leads to, where the lesser number goes first."""
+    """A path of the fewest edges; of several that which a heap of costs and nodes leads to, where
+    the lesser number goes first.
+    """
     neighbours = [graph.neighbours(u).tolist() for u in range(graph.size)]
-    path = best_path(neighbours, [[1] * len(row) for row in neighbours], [0.0] * graph.size, start, goal)
+    path = best_path(
+        neighbours, [[1] * len(row) for row in neighbours], [0.0] * graph.size, start, goal
+    )
     return None if path is None else np.array(path, np.int64)
 
 
 def lightest_first(neighbours: Neighbours, weights: Weights, start: int) -> list[float]:
-    """Costs when the edge of least weight comes first, whatever was paid before it; each node is expanded once."""
+    """Costs when the edge of least weight comes first, whatever was paid before it; each node is
+    expanded once.
+    """
     cost, waiting, done = [inf] * len(neighbours), [(0.0, start)], set()
     cost[start] = 0.0
     while waiting:

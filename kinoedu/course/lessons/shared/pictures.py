@@ -1,4 +1,6 @@
-"""Pictures of failing cases in the plane. What is true is solid and green, what the student's program says dashed and orange."""
+"""Pictures of failing cases in the plane. What is true is solid and green, what the student's
+program says dashed and orange.
+"""
 
 from typing import Any
 
@@ -24,7 +26,9 @@ def draw_line(exercise: ValueExercise, case: Case, value: Array | None, ax: Any)
         plane.endless(line_through_points(p1, p2), say("picture.true"), ax, colour=palette.START)
     if value is not None:
         numbers = ", ".join(f"{number if abs(number) > 1e-12 else 0.0:.3g}" for number in value)
-        plane.endless(value, say("picture.yours", value=numbers), ax, colour=palette.GOAL, style="--")
+        plane.endless(
+            value, say("picture.yours", value=numbers), ax, colour=palette.GOAL, style="--"
+        )
     if ax.lines:
         ax.legend(fontsize=palette.TEXT_SIZE, loc="best")
     plane.dot(p1, "p1" if (p1 != p2).any() else "p1 = p2", ax)
@@ -35,7 +39,9 @@ def draw_line(exercise: ValueExercise, case: Case, value: Array | None, ax: Any)
 
 
 def title_words(exercise: ValueExercise, case: Case, value: Array | None) -> str:
-    """What to see: the length, where that is what is wrong, else what this kind of input is about."""
+    """What to see: the length, where that is what is wrong, else what this kind of input is
+    about.
+    """
     wrong_length = value is not None and exercise.judge(case, Answer(value)).rule == "unit"
     return exercise.words(f"pictures.{'unit' if wrong_length else case.kind}")
 
@@ -45,7 +51,11 @@ def draw_distance(exercise: ValueExercise, case: Case, value: float | None, ax: 
     from ....figures import palette, plane
 
     q, truth = case.given["q"], exercise.truth(case)
-    target = case.given["polygon"] if "polygon" in case.given else np.array([case.given["p1"], case.given["p2"]])
+    target = (
+        case.given["polygon"]
+        if "polygon" in case.given
+        else np.array([case.given["p1"], case.given["p2"]])
+    )
     nearest = None if isinstance(truth, ValueError) else nearest_point(exercise, case)
     plane.frame(np.vstack([q, target] + ([] if nearest is None else [nearest])), ax, margin=0.35)
     draw_target(exercise, target, ax)
@@ -55,9 +65,20 @@ def draw_distance(exercise: ValueExercise, case: Case, value: float | None, ax: 
         if truth > 0:
             plane.stretch(q, nearest, words, ax, colour=palette.START)
     if value is not None and np.isfinite(value) and value > 0:
-        plane.ring(q, value, say("picture.yours", value=f"{value:.4g}"), ax, colour=palette.GOAL, style="--")
+        plane.ring(
+            q,
+            value,
+            say("picture.yours", value=f"{value:.4g}"),
+            ax,
+            colour=palette.GOAL,
+            style="--",
+        )
     else:
-        words = say("picture.no_answer") if value is None else say("picture.yours", value=f"{value:.4g}")
+        words = (
+            say("picture.no_answer")
+            if value is None
+            else say("picture.yours", value=f"{value:.4g}")
+        )
         plane.corner_note(words, ax, colour=palette.GOAL)
     plane.dot(q, "q", ax)
     plane.title(exercise.words(f"pictures.{case.kind}"), ax)
@@ -99,16 +120,26 @@ def draw_tangent(exercise: ValueExercise, case: Case, value: Array | None, ax: A
     reach = 0.25 * float(np.ptp(np.vstack([polygon, q]), axis=0).max())
     truth = exercise.truth(case)
     size = 0.0 if value is None else float(np.linalg.norm(value))
-    seen = value if value is None or size <= 4.0 else 4.0 * value / size  # a longer arrow is drawn as long as fits
-    ends = [q + reach * truth] + ([q + reach * seen] if seen is not None and np.isfinite(seen).all() else [])
+    seen = (
+        value if value is None or size <= 4.0 else 4.0 * value / size
+    )  # a longer arrow is drawn as long as fits
+    ends = [q + reach * truth] + (
+        [q + reach * seen] if seen is not None and np.isfinite(seen).all() else []
+    )
     plane.frame(np.vstack([q, polygon, *ends]), ax, margin=0.15)
     plane.polygon(polygon, ax)
     plane.stretch(q, (x, y), "", ax, style=":")
     if region != 0:
-        plane.ring((x, y), float(np.hypot(*(q - (x, y)))), "", ax, colour=palette.OUTSIDE, style=":")
+        plane.ring(
+            (x, y), float(np.hypot(*(q - (x, y)))), "", ax, colour=palette.OUTSIDE, style=":"
+        )
     plane.arrow(q, reach * truth, say("picture.true"), ax, colour=palette.START)
     if seen is not None and np.isfinite(seen).all() and seen.any():
-        words = say("picture.yours_short") if abs(size - 1.0) < 1e-6 else say("picture.yours_long", length=f"{size:.3g}")
+        words = (
+            say("picture.yours_short")
+            if abs(size - 1.0) < 1e-6
+            else say("picture.yours_long", length=f"{size:.3g}")
+        )
         plane.arrow(q, reach * seen, words, ax, colour=palette.GOAL, style="--")
     plane.dot(q, "q", ax)
     plane.title(title_words(exercise, case, value), ax)

@@ -1,9 +1,12 @@
-"""What all exercises share that ask for a planner: the problem it is given, the judge of its paths and trees, and the traps.
+"""What all exercises share that ask for a planner: the problem it is given, the judge of its paths
+and trees, and the traps.
 
-A planner exercise is a `PlannerExercise`: its `given` begins with `problem=Task()` and ends with `rng=Whole()`, a seed; `result` is
-the shape of one answer. The planner is called three times, twice with the seed and once with another, each time with a new problem
-that writes down what it is asked. `fault` says what is wrong with one answer, by `why_not_a_path` and `why_not_a_tree`, which go
-along every motion again with the course's own collision code; whether chance comes from `rng` alone is judged here.
+A planner exercise is a `PlannerExercise`: its `given` begins with `problem=Task()` and ends with
+`rng=Whole()`, a seed; `result` is the shape of one answer. The planner is called three times, twice
+with the seed and once with another, each time with a new problem that writes down what it is asked.
+`fault` says what is wrong with one answer, by `why_not_a_path` and `why_not_a_tree`, which go along
+every motion again with the course's own collision code; whether chance comes from `rng` alone is
+judged here.
 
 Rules that planners share have their words in planner.toml; an exercise's own words come first.
 """
@@ -48,14 +51,18 @@ ROUNDING = 1e-9  # what a length or an end may be off, beside the world's size
 
 
 class Fault(NamedTuple):
-    """A rule that an answer breaks, and the configurations where it does: two for a motion; shape (k, d), also none."""
+    """A rule that an answer breaks, and the configurations where it does: two for a motion; shape
+    (k, d), also none.
+    """
 
     rule: str
     marked: Array
 
 
 def why_not_a_path(problem: Any, path: Array) -> Fault | None:
-    """The first thing that keeps it from being a free path from start to goal; None where nothing does."""
+    """The first thing that keeps it from being a free path from start to goal; None where nothing
+    does.
+    """
     fault = not_configurations(problem, path)
     if fault is not None or len(path) == 0:
         return fault or Fault("start", np.empty((0, len(problem.start))))
@@ -65,8 +72,12 @@ def why_not_a_path(problem: Any, path: Array) -> Fault | None:
     return first_not_free(problem, path[:-1], path[1:])
 
 
-def why_not_a_tree(problem: Any, nodes: Array, parent: NDArray[np.int64], step: float, root: Array | None = None) -> Fault | None:
-    """The first thing that keeps it from being a tree that grew from its root by free steps: by default from the start."""
+def why_not_a_tree(
+    problem: Any, nodes: Array, parent: NDArray[np.int64], step: float, root: Array | None = None
+) -> Fault | None:
+    """The first thing that keeps it from being a tree that grew from its root by free steps: by
+    default from the start.
+    """
     fault = not_configurations(problem, nodes)
     if fault is not None:
         return fault
@@ -87,13 +98,16 @@ def why_not_a_tree(problem: Any, nodes: Array, parent: NDArray[np.int64], step: 
 def not_to_nearest(problem: Any, nodes: Array, parent: NDArray[np.int64]) -> Fault | None:
     """A node that hangs on another than the nearest of those before it, the goal excepted.
 
-    Steered straight from its nearest node towards a sample, a new node is nearer to none of the others: the triangle inequality.
+    Steered straight from its nearest node towards a sample, a new node is nearer to none of the
+    others: the triangle inequality.
     """
     for i in range(1, len(nodes)):
         if same(problem, nodes[i], problem.goal):
             continue
         apart = problem.distance(nodes[parent[i]], nodes[i])
-        if min(problem.distance(node, nodes[i]) for node in nodes[:i]) < apart - 1e-7 * (1.0 + apart):
+        if min(problem.distance(node, nodes[i]) for node in nodes[:i]) < apart - 1e-7 * (
+            1.0 + apart
+        ):
             return Fault("nearest", nodes[[parent[i], i]])
     return None
 
@@ -129,13 +143,17 @@ def first_not_free(problem: Any, a: Array, b: Array) -> Fault | None:
 
 
 def empty_boxes(nodes: Array, lo: Array, hi: Array, k: int) -> int:
-    """Of k x k equal boxes between two corners, how many hold no node: what a sampler of all of them leaves out."""
+    """Of k x k equal boxes between two corners, how many hold no node: what a sampler of all of
+    them leaves out.
+    """
     places = np.clip(np.floor(k * (nodes[:, :2] - lo[:2]) / (hi[:2] - lo[:2])), 0, k - 1)
     return k * k - len(np.unique(places, axis=0))
 
 
 class PlannerExercise(Exercise):
-    """A planner to write, called three times. Subclasses declare `result`, and `answer = three_times(result)`."""
+    """A planner to write, called three times. Subclasses declare `result`, and `answer =
+    three_times(result)`.
+    """
 
     result: ClassVar[Shape]
     shared: ClassVar[tuple[str, ...]] = ("planner", "exercise")
@@ -154,11 +172,15 @@ class PlannerExercise(Exercise):
         return case.kind not in ("same", "trivial")
 
     def call(self, function: Callable[..., Any], given: dict[str, Any]) -> Any:
-        """Three answers, for rng, rng and rng + 1, and whether Python's and numpy's own chance were left alone."""
+        """Three answers, for rng, rng and rng + 1, and whether Python's and numpy's own chance were
+        left alone.
+        """
         kept = random.getstate(), np.random.get_state()
         answers = []
         for rng in (given["rng"], given["rng"], given["rng"] + 1):
-            answers.append(function(*{**given, "problem": given["problem"].anew(), "rng": rng}.values()))
+            answers.append(
+                function(*{**given, "problem": given["problem"].anew(), "rng": rng}.values())
+            )
         now = random.getstate(), np.random.get_state()
         random.setstate(kept[0])
         np.random.set_state(kept[1])
@@ -197,7 +219,11 @@ class PlannerExercise(Exercise):
         """How much was built, and where it is at fault."""
         trees, path = self.drawn(value[0])
         told = [self.words("answers.tree", nodes=len(tree.nodes)) for tree in trees]
-        told.append(self.words("answers.no_path") if path is None else self.words("answers.path", rows=len(path)))
+        told.append(
+            self.words("answers.no_path")
+            if path is None
+            else self.words("answers.path", rows=len(path))
+        )
         fault = self.fault_of_three(case, value)
         if fault is not None and len(fault.marked):
             told.append(self.words("answers.at", marked=spoken(np.round(fault.marked, 3))))
@@ -211,7 +237,9 @@ class PlannerExercise(Exercise):
         fault = None if value is None else self.fault_of_three(case, value)
         trees, path = ([], None) if value is None else self.drawn(value[0])
         rule = self.judge(case, outcome).rule
-        draw_answer(case.given["problem"].problem, trees, path, fault, self.words(f"pictures.{rule}"), ax)
+        draw_answer(
+            case.given["problem"].problem, trees, path, fault, self.words(f"pictures.{rule}"), ax
+        )
 
 
 def three_times(result: Shape) -> Together:

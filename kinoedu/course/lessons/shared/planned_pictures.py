@@ -11,8 +11,12 @@ from ....words import say
 # figures are imported inside the functions: matplotlib is not needed until something is wrong
 
 
-def draw_answer(problem: ProblemRecord, trees: list[Tree], path: Array | None, fault: Any, words: str, ax: Any) -> None:
-    """The problem; the trees, in blue; the path, in yellow; and the motion or configuration that is at fault, in orange."""
+def draw_answer(
+    problem: ProblemRecord, trees: list[Tree], path: Array | None, fault: Any, words: str, ax: Any
+) -> None:
+    """The problem; the trees, in blue; the path, in yellow; and the motion or configuration that is
+    at fault, in orange.
+    """
     from ....figures import palette, plane
     from ....figures.drawing import draw_path, draw_problem, draw_tree
     from ....figures.robots import place_of, track_of
@@ -26,8 +30,12 @@ def draw_answer(problem: ProblemRecord, trees: list[Tree], path: Array | None, f
         draw_path(track_of(problem.robot, path[np.isfinite(path).all(axis=1)]), ax)
     if fault is not None and len(fault.marked):
         marks = np.array([place_of(problem.robot, q) for q in fault.marked])
-        ax.plot(*marks.T, "--", color=palette.GOAL, linewidth=3.5, zorder=8, scalex=False, scaley=False)
-        ax.plot(*marks[-1], "X", color=palette.GOAL, markersize=13, markeredgecolor="white", zorder=9)
+        ax.plot(
+            *marks.T, "--", color=palette.GOAL, linewidth=3.5, zorder=8, scalex=False, scaley=False
+        )
+        ax.plot(
+            *marks[-1], "X", color=palette.GOAL, markersize=13, markeredgecolor="white", zorder=9
+        )
     if not trees and path is None:
         plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
     plane.title(words, ax)

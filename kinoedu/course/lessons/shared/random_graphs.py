@@ -1,4 +1,6 @@
-"""Graphs for cases, as adjacency lists: a few made by hand, and random ones of every kind, from small to large."""
+"""Graphs for cases, as adjacency lists: a few made by hand, and random ones of every kind, from
+small to large.
+"""
 
 from collections.abc import Iterable, Iterator
 from typing import Any
@@ -13,7 +15,8 @@ SIZES = (3, 4, 5, 6, 7, 8, 10, 12, 16, 24, 40, 60)  # random cases grow with the
 
 
 def lists(n: int, rows: Iterable[Any], *, directed: bool = False) -> tuple[Neighbours, Weights]:
-    """Adjacency lists in increasing order, and the weights beside them, from rows (u, v) or (u, v, weight); the last of doubles.
+    """Adjacency lists in increasing order, and the weights beside them, from rows (u, v) or (u, v,
+    weight); the last of doubles.
 
     >>> lists(3, [(0, 2, 5), (0, 1)])
     ([[1, 2], [0], [0]], [[1.0, 5.0], [1.0], [5.0]])
@@ -27,9 +30,16 @@ def lists(n: int, rows: Iterable[Any], *, directed: bool = False) -> tuple[Neigh
 
 
 def as_graph(neighbours: Neighbours, weights: Weights | None = None) -> Graph:
-    """The library's graph of adjacency lists, directed. Raises InvalidGraph where weights are negative."""
+    """The library's graph of adjacency lists, directed. Raises InvalidGraph where weights are
+    negative.
+    """
     edges = [(u, v) for u, row in enumerate(neighbours) for v in row]
-    return Graph(len(neighbours), edges, None if weights is None else [w for row in weights for w in row], directed=True)
+    return Graph(
+        len(neighbours),
+        edges,
+        None if weights is None else [w for row in weights for w in row],
+        directed=True,
+    )
 
 
 def symmetric(neighbours: Neighbours, weights: Weights | None = None) -> bool:
@@ -42,19 +52,29 @@ def symmetric(neighbours: Neighbours, weights: Weights | None = None) -> bool:
 def random_rows(kind: str, n: int, rng: np.random.Generator) -> list[tuple[int, int, float]]:
     """Edges with weights, between nodes numbered at random.
 
-    "tree": just enough to hold together. "cycle": with more. "directed": a ring with more, one way. "parts": two such graphs apart.
+    "tree": just enough to hold together. "cycle": with more. "directed": a ring with more, one way.
+    "parts": two such graphs apart.
     """
     name = rng.permutation(n)
     parts = [range(n)] if kind != "parts" else [range(n // 2), range(n // 2, n)]
-    pairs = [(part[int(rng.integers(max(i - 3, 0), i))], part[i]) for part in parts for i in range(1, len(part))]
+    pairs = [
+        (part[int(rng.integers(max(i - 3, 0), i))], part[i])
+        for part in parts
+        for i in range(1, len(part))
+    ]
     if kind == "directed":
-        pairs = [(i, (i + 1) % n) for i in range(n)] + [pair for pair in pairs if rng.random() < 0.3]
+        pairs = [(i, (i + 1) % n) for i in range(n)] + [
+            pair for pair in pairs if rng.random() < 0.3
+        ]
     extra = 0 if kind == "tree" else 1 + n // 2
     for part in parts * extra:
         if len(part) > 2:
             u, v = rng.choice(part, 2, replace=False).tolist()
             pairs.append((u, v))
-    return [(int(name[u]), int(name[v]), float(rng.integers(0 if i % 7 == 6 else 1, 10))) for i, (u, v) in enumerate(pairs)]
+    return [
+        (int(name[u]), int(name[v]), float(rng.integers(0 if i % 7 == 6 else 1, 10)))
+        for i, (u, v) in enumerate(pairs)
+    ]
 
 
 def random_graphs(rng: np.random.Generator) -> Iterator[tuple[str, Neighbours, Weights]]:
@@ -65,7 +85,9 @@ def random_graphs(rng: np.random.Generator) -> Iterator[tuple[str, Neighbours, W
 
 
 def far_pair(neighbours: Neighbours, rng: np.random.Generator) -> tuple[int, int]:
-    """A start and a goal that can be reached, at least two edges away where there is such a goal."""
+    """A start and a goal that can be reached, at least two edges away where there is such a
+    goal.
+    """
     from ....graphs import bfs
 
     graph = as_graph(neighbours)

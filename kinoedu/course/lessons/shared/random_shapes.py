@@ -1,4 +1,6 @@
-"""Random points and polygons for cases: short decimals, so that a case that fails can be read, and copied by hand."""
+"""Random points and polygons for cases: short decimals, so that a case that fails can be read, and
+copied by hand.
+"""
 
 from collections.abc import Iterator
 
@@ -42,7 +44,9 @@ def sizes(each: int) -> Iterator[float]:
 
 
 def convex_polygon(rng: np.random.Generator, n: int, size: float) -> Array:
-    """A convex polygon of at most n corners on squared paper, between -size and size, counter-clockwise from any of them."""
+    """A convex polygon of at most n corners on squared paper, between -size and size,
+    counter-clockwise from any of them.
+    """
     while True:
         corners = convex_hull(rng.integers(-int(size), int(size) + 1, (n, 2)).astype(float))
         if len(corners) > 2:

@@ -1,4 +1,6 @@
-"""Random worlds of polygons in general position: no two vertices share an x, nothing touches anything."""
+"""Random worlds of polygons in general position: no two vertices share an x, nothing touches
+anything.
+"""
 
 from typing import Any
 
@@ -8,7 +10,9 @@ from ....geometry.checks import Array
 from .random_shapes import star_polygon
 
 
-def general_world(rng: np.random.Generator, obstacles: int, size: float, *, convex: bool = False) -> dict[str, Any]:
+def general_world(
+    rng: np.random.Generator, obstacles: int, size: float, *, convex: bool = False
+) -> dict[str, Any]:
     """A boundary and obstacles as an exercise gives them, counter-clockwise, two decimals."""
     while True:
         n = int(rng.integers(4, 9))
@@ -16,8 +20,12 @@ def general_world(rng: np.random.Generator, obstacles: int, size: float, *, conv
         holes: list[Array] = []
         for _ in range(60 * obstacles):
             if len(holes) < obstacles:
-                small = star_polygon(rng, int(rng.integers(3, 6)), 0.28 * size) + np.round(rng.uniform(-0.6, 0.6, 2) * size, 2)
-                holes += [np.round(small, 2)] if has_room(np.round(small, 2), boundary, holes) else []
+                small = star_polygon(rng, int(rng.integers(3, 6)), 0.28 * size) + np.round(
+                    rng.uniform(-0.6, 0.6, 2) * size, 2
+                )
+                holes += (
+                    [np.round(small, 2)] if has_room(np.round(small, 2), boundary, holes) else []
+                )
         if len(holes) == obstacles and is_general([boundary, *holes]):
             return {"boundary": boundary, "obstacles": holes}
 
@@ -25,7 +33,9 @@ def general_world(rng: np.random.Generator, obstacles: int, size: float, *, conv
 def round_polygon(rng: np.random.Generator, n: int, size: float) -> Array:
     """A convex polygon of n vertices, near an ellipse."""
     angles = 2.0 * np.pi * (np.arange(n) + rng.uniform(-0.3, 0.3, n)) / n
-    drawn: Array = np.column_stack([size * np.cos(angles), 0.7 * size * np.sin(angles)]).astype(float)
+    drawn: Array = np.column_stack([size * np.cos(angles), 0.7 * size * np.sin(angles)]).astype(
+        float
+    )
     return drawn.round(2) + 0.0
 
 
@@ -48,12 +58,18 @@ def is_general(rings: list[Array]) -> bool:
 
 
 def edges_round(boundary: Array, obstacles: list[Array]) -> Array:
-    """All edges of a world, (n, 4): rows x, y of the first vertex, x, y of the second, ring after ring."""
-    return np.vstack([np.hstack([ring, np.roll(ring, -1, axis=0)]) for ring in (boundary, *obstacles)])
+    """All edges of a world, (n, 4): rows x, y of the first vertex, x, y of the second, ring after
+    ring.
+    """
+    return np.vstack(
+        [np.hstack([ring, np.roll(ring, -1, axis=0)]) for ring in (boundary, *obstacles)]
+    )
 
 
 def between_vertices(rng: np.random.Generator, edges: Array) -> float:
-    """A random x between the leftmost and the rightmost vertex, clearly off every vertex, short in writing."""
+    """A random x between the leftmost and the rightmost vertex, clearly off every vertex, short in
+    writing.
+    """
     x = np.unique(edges[:, 0])
     gaps = np.flatnonzero(np.diff(x) > 0.015)
     i = int(rng.choice(gaps))

@@ -23,7 +23,16 @@ def box(x0: float, y0: float, x1: float, y1: float) -> list[tuple[float, float]]
 ROOM = in_room((2, 3), (8, 7))
 SAME = in_room((4, 5), (4, 5))
 WALL = in_room((2, 2), (8, 2), box(4.5, 0, 5.5, 7))
-THIN = in_room((2, 5), (8.4, 5), box(7.9, 3, 7.91, 7))  # between start and goal, near the goal, and thinner than any step
+THIN = in_room(
+    (2, 5), (8.4, 5), box(7.9, 3, 7.91, 7)
+)  # between start and goal, near the goal, and thinner than any step
 PASSAGE = in_room((2, 8), (8, 2), box(4, 0, 6, 4.3), box(4, 5.7, 6, 10))
 SEALED = in_room((2, 2), (8, 8), box(6, 6, 10, 6.4), box(6, 6, 6.4, 10))
-TRAPS = {"room": ROOM, "same": SAME, "wall": WALL, "thin": THIN, "passage": PASSAGE, "sealed": SEALED}
+TRAPS = {
+    "room": ROOM,
+    "same": SAME,
+    "wall": WALL,
+    "thin": THIN,
+    "passage": PASSAGE,
+    "sealed": SEALED,
+}

@@ -1,4 +1,6 @@
-"""Shared by the exercises on rapidly-exploring random trees. LaValle, section 5.5; Bullo & Smith, chapter 5."""
+"""Shared by the exercises on rapidly-exploring random trees. LaValle, section 5.5; Bullo & Smith,
+chapter 5.
+"""
 
 from collections.abc import Iterator
 
@@ -22,7 +24,14 @@ PARENTS = WholeNumbers(("n",))
 STEP, BIAS = 1.0, 0.1
 
 
-ENOUGH = {"same": 10, "room": 200, "sealed": 300, "wall": 1200, "passage": 1200, "thin": 1500}  # of 2,000 seeds all needed less
+ENOUGH = {
+    "same": 10,
+    "room": 200,
+    "sealed": 300,
+    "wall": 1200,
+    "passage": 1200,
+    "thin": 1500,
+}  # of 2,000 seeds all needed less
 
 
 KINDS = tuple(ENOUGH)
@@ -33,7 +42,9 @@ def room_by_chance(rng: np.random.Generator) -> Asked:
     low = round(float(rng.uniform(1.0, 7.0)), 1)
     x = round(float(rng.uniform(3.5, 6.0)), 1)
     ends = np.round(rng.uniform((0.5, 0.5), (2.5, 9.5), (2, 2)), 1)
-    return in_room(ends[0], ends[1] + (7.0, 0.0), box(x, 0, x + 0.5, low), box(x, low + 1.6, x + 0.5, 10))
+    return in_room(
+        ends[0], ends[1] + (7.0, 0.0), box(x, 0, x + 0.5, low), box(x, low + 1.6, x + 0.5, 10)
+    )
 
 
 class TreeExercise(PlannerExercise):

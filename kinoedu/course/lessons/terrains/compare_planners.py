@@ -1,4 +1,6 @@
-"""The exercise that compares planners: many seeds, medians with quartiles, and failures that are counted."""
+"""The exercise that compares planners: many seeds, medians with quartiles, and failures that are
+counted.
+"""
 
 from collections.abc import Callable, Iterator
 from typing import Any
@@ -15,17 +17,26 @@ QUARTERS = (0.25, 0.5, 0.75)
 
 
 class ComparePlanners(ValueExercise):
-    """A row for each planner: the share of seeds with a path, and the quartiles and median of the lengths of those."""
+    """A row for each planner: the share of seeds with a path, and the quartiles and median of the
+    lengths of those.
+    """
 
     name = "compare_planners"
     lesson = "10_terrains"
     kinds = ("all_found", "other_seeds", "some_fail", "none_found", "outlier")
-    given = Record(lengths=Numbers(("planners", "seeds")), planners=Listed(Text(40)), seeds=Listed(Whole()))
+    given = Record(
+        lengths=Numbers(("planners", "seeds")), planners=Listed(Text(40)), seeds=Listed(Whole())
+    )
     answer = Numbers(("n", 4))
     slips = (
         Slip("mean", lambda lengths, *_: table_of(lengths, middle=np.mean)),
         Slip("with_failures", lambda lengths, *_: table_of(lengths, found=np.ones_like)),
-        Slip("failures_are_zero", lambda lengths, *_: table_of(np.where(np.isfinite(lengths), lengths, 0.0), share_of=lengths)),
+        Slip(
+            "failures_are_zero",
+            lambda lengths, *_: table_of(
+                np.where(np.isfinite(lengths), lengths, 0.0), share_of=lengths
+            ),
+        ),
         Slip("percent", lambda lengths, *_: table_of(lengths) * (100.0, 1.0, 1.0, 1.0)),
         Slip("whole_spread", lambda lengths, *_: table_of(lengths, quarters=(0.0, 0.5, 1.0))),
         Slip("not_between", lambda lengths, *_: table_of(lengths, method="nearest")),
@@ -44,13 +55,20 @@ class ComparePlanners(ValueExercise):
     source = reference
 
     def call(self, function: Callable[..., Any], given: dict[str, Any]) -> Any:
-        """Hand over a runner that answers for those planners with those seeds, and for no others."""
+        """Hand over a runner that answers for those planners with those seeds, and for no
+        others.
+        """
         lengths, planners, seeds = given.values()
 
         def run(planner: str, seed: int) -> float:
-            """The length of the path that a planner finds with a seed, infinite where it finds none."""
+            """The length of the path that a planner finds with a seed, infinite where it finds
+            none.
+            """
             if planner not in planners or int(seed) not in seeds:
-                raise ValueError(f"run was asked for {planner!r} with seed {seed!r}; known are {planners} and {seeds}")
+                raise ValueError(
+                    f"run was asked for {planner!r} with seed {seed!r}; known are {planners} and "
+                    f"{seeds}"
+                )
             return float(lengths[planners.index(planner), seeds.index(int(seed))])
 
         return function(run, list(planners), list(seeds))
@@ -60,7 +78,9 @@ class ComparePlanners(ValueExercise):
         return table_of(np.array([[run(planner, seed) for seed in seeds] for planner in planners]))
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Four runs that can be reckoned by hand; then more, with planners that fail and runs that go far astray."""
+        """Four runs that can be reckoned by hand; then more, with planners that fail and runs that
+        go far astray.
+        """
         inf = float("inf")
         for kind, rows, numbers in (
             ("all_found", [[4.0, 2.0, 6.0, 8.0, 10.0]], [0, 1, 2, 3, 4]),
@@ -81,7 +101,9 @@ class ComparePlanners(ValueExercise):
                     lengths[-1] = inf
                 elif kind == "outlier":
                     lengths[:, m // 2] *= 30.0
-                seeds = rng.permutation(100)[:m].tolist() if kind == "other_seeds" else list(range(m))
+                seeds = (
+                    rng.permutation(100)[:m].tolist() if kind == "other_seeds" else list(range(m))
+                )
                 yield self.asked(kind, lengths, seeds)
 
     def asked(self, kind: str, lengths: Array, seeds: list[int]) -> Case:
@@ -93,7 +115,9 @@ class ComparePlanners(ValueExercise):
         """Every run as a dot, the right quartiles and median, and the student's."""
         from .pictures import draw_runs
 
-        draw_runs(self, case, outcome.value if isinstance(outcome, Answer) else None, self.truth(case), ax)
+        draw_runs(
+            self, case, outcome.value if isinstance(outcome, Answer) else None, self.truth(case), ax
+        )
 
 
 def table_of(
@@ -110,13 +134,17 @@ def table_of(
     for runs, shown in zip(lengths, lengths if share_of is None else share_of):
         kept = runs[np.asarray(found(runs), bool)]
         low, half, high = np.quantile(kept, quarters, method=method) if len(kept) else (np.nan,) * 3
-        rows.append((np.isfinite(shown).mean(), low, middle(kept) if middle and len(kept) else half, high))
+        rows.append(
+            (np.isfinite(shown).mean(), low, middle(kept) if middle and len(kept) else half, high)
+        )
     return np.array(rows)
 
 
 def deviations(lengths: Array) -> Array:
     """The mean, and a standard deviation to both sides."""
     table = table_of(lengths, middle=np.mean)
-    sigma = np.array([np.std(runs[np.isfinite(runs)]) if np.isfinite(runs).any() else np.nan for runs in lengths])
+    sigma = np.array(
+        [np.std(runs[np.isfinite(runs)]) if np.isfinite(runs).any() else np.nan for runs in lengths]
+    )
     table[:, 1], table[:, 3] = table[:, 2] - sigma, table[:, 2] + sigma
     return table

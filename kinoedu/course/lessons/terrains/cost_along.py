@@ -103,14 +103,22 @@ def exact(cost: Array, a: Array, b: Array) -> float:
 def transposed(cost: Array, a: Array, b: Array) -> float:
     """The sum with cost[column, row], where there is one."""
     stretches = np.diff(cuts(a, b)) * length(a, b)
-    inside = [(s, i, j) for s, (i, j) in zip(stretches, crossed(cost, a, b)) if i < len(cost) and j < len(cost[0])]
+    inside = [
+        (s, i, j)
+        for s, (i, j) in zip(stretches, crossed(cost, a, b))
+        if i < len(cost) and j < len(cost[0])
+    ]
     return float(sum(cost[i, j] * s for s, i, j in inside))
 
 
 def summed(cost: Array, a: Array, b: Array, shares: Array, look: float) -> float:
-    """The sum over the pieces between shares of a motion, each looked up at one of its places: 0 is its first end, 1 its last."""
+    """The sum over the pieces between shares of a motion, each looked up at one of its places: 0 is
+    its first end, 1 its last.
+    """
     looked = shares[:-1] + look * np.diff(shares)
-    return float(sum(at(cost, a + (b - a) * t) * s for t, s in zip(looked, np.diff(shares) * length(a, b))))
+    return float(
+        sum(at(cost, a + (b - a) * t) * s for t, s in zip(looked, np.diff(shares) * length(a, b)))
+    )
 
 
 def at(cost: Array, q: Array) -> float:
@@ -121,4 +129,8 @@ def at(cost: Array, q: Array) -> float:
 def sampled(cost: Array, a: Array, b: Array, step: float) -> float:
     """A sum over samples, each worth a step."""
     whole = length(a, b)
-    return sum(at(cost, a + (b - a) * (s / whole)) * step for s in np.arange(0.0, whole, step)) if whole else 0.0
+    return (
+        sum(at(cost, a + (b - a) * (s / whole)) * step for s in np.arange(0.0, whole, step))
+        if whole
+        else 0.0
+    )

@@ -1,4 +1,6 @@
-"""The exercise "break it" of lesson 10: a motion judged by samples half a cell apart goes through a rock."""
+"""The exercise "break it" of lesson 10: a motion judged by samples half a cell apart goes through a
+rock.
+"""
 
 from collections.abc import Iterator
 from typing import Any
@@ -17,7 +19,9 @@ DEEP = 0.49  # of the half that samples are apart
 
 
 class ExposeSampling(Exercise):
-    """Break it: a terrain and a motion through a blocked cell that `is_free_by_samples` lets pass."""
+    """Break it: a terrain and a motion through a blocked cell that `is_free_by_samples` lets
+    pass.
+    """
 
     name = "exposing_motion"
     lesson = "10_terrains"
@@ -30,7 +34,9 @@ class ExposeSampling(Exercise):
         return (Case(kind, {}) for kind in self.kinds)
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """A terrain with a motion; that is let pass; and goes through the rock for as long as can be."""
+        """A terrain with a motion; that is let pass; and goes through the rock for as long as can
+        be.
+        """
         rule = fault_of_motion(*value)
         if not rule and case.kind != "valid":
             rule = exposing_fault(*value)
@@ -46,7 +52,9 @@ class ExposeSampling(Exercise):
         """The cells, the motion, and its samples."""
         from .pictures import draw_samples_on
 
-        draw_samples_on(outcome.value if isinstance(outcome, Answer) else None, self.words("picture"), ax)
+        draw_samples_on(
+            outcome.value if isinstance(outcome, Answer) else None, self.words("picture"), ax
+        )
 
 
 def is_free_by_samples(free: Array, a: Array, b: Array) -> bool:
@@ -67,4 +75,6 @@ def exposing_fault(free: Array, a: Array, b: Array) -> str:
 def deepest(free: Array, a: Array, b: Array) -> float:
     """The longest stretch of a motion inside one blocked cell."""
     pieces = np.diff(cuts(a, b)) * length(a, b)
-    return max((float(s) for s, (i, j) in zip(pieces, crossed(free, a, b)) if not free[j, i]), default=0.0)
+    return max(
+        (float(s) for s, (i, j) in zip(pieces, crossed(free, a, b)) if not free[j, i]), default=0.0
+    )

@@ -1,4 +1,6 @@
-"""Straight motions on a terrain: where they cross cells, samples along them, and what may be wrong with one."""
+"""Straight motions on a terrain: where they cross cells, samples along them, and what may be wrong
+with one.
+"""
 
 import numpy as np
 
@@ -22,7 +24,9 @@ def cuts(a: Array, b: Array) -> Array:
 
 
 def crossed(cost: Array, a: Array, b: Array) -> list[tuple[int, int]]:
-    """The cells (i, j) that a motion passes through, in order; the one that holds it where it stays."""
+    """The cells (i, j) that a motion passes through, in order; the one that holds it where it
+    stays.
+    """
     shares = cuts(a, b)
     middles = [a + (b - a) * t for t in (shares[1:] + shares[:-1]) / 2]
     return [(int(x), int(y)) for x, y in middles]

@@ -1,4 +1,6 @@
-"""Pictures of failing cases of lesson 10. What is true is green, what the student's program says orange."""
+"""Pictures of failing cases of lesson 10. What is true is green, what the student's program says
+orange.
+"""
 
 from typing import Any
 
@@ -18,9 +20,24 @@ def draw_costs(exercise: Exercise, case: Case, found: float | None, truth: str, 
 
     cost, a, b = case.given.values()
     rows, columns = cost.shape
-    ax.imshow(cost, origin="lower", extent=(0, columns, 0, rows), cmap="Greys", vmin=0.0, vmax=2.2 * cost.max(), zorder=0)
+    ax.imshow(
+        cost,
+        origin="lower",
+        extent=(0, columns, 0, rows),
+        cmap="Greys",
+        vmin=0.0,
+        vmax=2.2 * cost.max(),
+        zorder=0,
+    )
     for j, i in np.ndindex(rows, columns):
-        ax.text(i + 0.08, j + 0.08, f"{cost[j, i]:g}", fontsize=palette.TEXT_SIZE, color=palette.INK, zorder=3)
+        ax.text(
+            i + 0.08,
+            j + 0.08,
+            f"{cost[j, i]:g}",
+            fontsize=palette.TEXT_SIZE,
+            color=palette.INK,
+            zorder=3,
+        )
     places = a + cuts(a, b)[:, None] * (b - a)
     ax.plot(*np.array([a, b]).T, color=palette.PATH, linewidth=3.0, zorder=4)
     ax.plot(*places.T, "o", color=palette.INK, markersize=6, zorder=5)
@@ -54,33 +71,68 @@ def draw_table(exercise: Exercise, case: Case, found: Array | None, truth: Any, 
     ax.set_ylim(n - 0.4, -1.0)
     ax.axis("off")
     right = {(row, c) for i, j, c in truth for row in (i, j)}
-    named = {(row, c) for i, j, c in np.reshape(found if found is not None else [], (-1, 3)).tolist() for row in (i, j)}
+    named = {
+        (row, c)
+        for i, j, c in np.reshape(found if found is not None else [], (-1, 3)).tolist()
+        for row in (i, j)
+    }
     size = palette.TEXT_SIZE if n <= 12 else 10
     for (row, c), value in np.ndenumerate(table):
-        colour = palette.START if (row, c) in right else palette.GOAL if (row, c) in named else palette.INK
+        colour = (
+            palette.START
+            if (row, c) in right
+            else palette.GOAL
+            if (row, c) in named
+            else palette.INK
+        )
         weight = "bold" if (row, c) in right | named else "normal"
         ax.text(c, row, f"{value:.7g}", fontsize=size, color=colour, fontweight=weight, va="center")
     for row in range(n):
         ax.text(-0.5, row, f"{row}", fontsize=size, color=palette.OBSTACLE, va="center")
     for c in range(m):
-        ax.text(c, -0.8, say("repeated_rows.column", number=c), fontsize=size, color=palette.OBSTACLE, va="center")
+        ax.text(
+            c,
+            -0.8,
+            say("repeated_rows.column", number=c),
+            fontsize=size,
+            color=palette.OBSTACLE,
+            va="center",
+        )
     plane.title(exercise.words(f"pictures.{case.kind}"), ax)
 
 
 def draw_runs(exercise: Exercise, case: Case, found: Array | None, truth: Array, ax: Any) -> None:
-    """Every run with a path as a dot; the right quartiles and median in green, the student's in orange below."""
+    """Every run with a path as a dot; the right quartiles and median in green, the student's in
+    orange below.
+    """
     from ....figures import palette, plane
 
     lengths, planners, _ = case.given.values()
     for i, (runs, row) in enumerate(zip(lengths, truth)):
         ends = np.isfinite(runs)
-        ax.plot(runs[ends], np.full(ends.sum(), i), "o", color=palette.TREE, markersize=6, alpha=0.6, zorder=3)
+        ax.plot(
+            runs[ends],
+            np.full(ends.sum(), i),
+            "o",
+            color=palette.TREE,
+            markersize=6,
+            alpha=0.6,
+            zorder=3,
+        )
         rows = [(row, 0.15, palette.START)]
         if found is not None and len(found) == len(truth):
             rows.append((found[i], 0.3, palette.GOAL))
         for (_, low, median, high), below, colour in rows:
             ax.plot([low, high], [i + below] * 2, color=colour, linewidth=4.0, zorder=4)
-            ax.plot(median, i + below, "D", color=colour, markersize=9, markeredgecolor="white", zorder=5)
+            ax.plot(
+                median,
+                i + below,
+                "D",
+                color=colour,
+                markersize=9,
+                markeredgecolor="white",
+                zorder=5,
+            )
     ax.set_yticks(range(len(planners)), planners, fontsize=palette.TEXT_SIZE)
     ax.set_ylim(len(planners) - 0.4, -0.5)
     ax.set_xlabel(say("comparisons.cost"), fontsize=palette.TEXT_SIZE)
@@ -94,12 +146,31 @@ def draw_samples_on(value: Any, words: str, ax: Any) -> None:
 
     if value is None or fault_of_motion(*value):
         plane.frame([(0, 0), (3, 2)], ax)
-        plane.corner_note(say("picture.no_answer" if value is None else "exposing_motion.outside"), ax, colour=palette.GOAL)
+        plane.corner_note(
+            say("picture.no_answer" if value is None else "exposing_motion.outside"),
+            ax,
+            colour=palette.GOAL,
+        )
     else:
         free, a, b = value
         rows, columns = free.shape
-        ax.imshow(1.0 - free, origin="lower", extent=(0, columns, 0, rows), cmap="Greys", vmin=0, vmax=1.4, zorder=0)
+        ax.imshow(
+            1.0 - free,
+            origin="lower",
+            extent=(0, columns, 0, rows),
+            cmap="Greys",
+            vmin=0,
+            vmax=1.4,
+            zorder=0,
+        )
         ax.plot(*np.array([a, b]).T, color=palette.PATH, linewidth=3.0, zorder=4)
-        ax.plot(*samples_along(a, b).T, "o", color=palette.TREE, markersize=8, markeredgecolor="white", zorder=5)
+        ax.plot(
+            *samples_along(a, b).T,
+            "o",
+            color=palette.TREE,
+            markersize=8,
+            markeredgecolor="white",
+            zorder=5,
+        )
         dress(ax, columns, rows)
     plane.title(words, ax)

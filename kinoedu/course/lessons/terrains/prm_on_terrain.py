@@ -1,4 +1,6 @@
-"""The exercise that asks for the document's second planner: PRM on a bitmap, with every free pair joined."""
+"""The exercise that asks for the document's second planner: PRM on a bitmap, with every free pair
+joined.
+"""
 
 from typing import Any
 
@@ -27,7 +29,12 @@ def own_prm(problem: Any, n: int, rng: int) -> Any:
         q = problem.sample(chance)
         if problem.is_free(q):
             nodes.append(q)
-    edges = [(i, j) for i in range(n + 2) for j in range(i + 1, n + 2) if problem.is_free_path(nodes[i], nodes[j])]
+    edges = [
+        (i, j)
+        for i in range(n + 2)
+        for j in range(i + 1, n + 2)
+        if problem.is_free_path(nodes[i], nodes[j])
+    ]
     numbers = shortest(problem, np.array(nodes), np.array(edges))
     return nodes, edges, None if numbers is None else np.array(nodes)[numbers]
 
@@ -35,7 +42,9 @@ def own_prm(problem: Any, n: int, rng: int) -> Any:
 def shortest(problem: Any, nodes: Array, edges: Array) -> Any:
     """The numbers of the nodes on a shortest path from node 0 to node 1, or None."""
     lengths = [problem.distance(nodes[i], nodes[j]) for i, j in edges]
-    return astar(Graph(len(nodes), np.reshape(edges, (-1, 2)), np.array(lengths)), 0, 1, np.zeros(len(nodes)))[0]
+    return astar(
+        Graph(len(nodes), np.reshape(edges, (-1, 2)), np.array(lengths)), 0, 1, np.zeros(len(nodes))
+    )[0]
 
 
 class PrmOnTerrain(TerrainPlanner):
@@ -57,7 +66,9 @@ class PrmOnTerrain(TerrainPlanner):
         return True
 
     def fault(self, case: Case, answer: Any) -> Fault | None:
-        """The nodes; the edges, each free pair once; the path, along them, and as short as they allow."""
+        """The nodes; the edges, each free pair once; the path, along them, and as short as they
+        allow.
+        """
         nodes, edges, path = answer
         problem, n = case.given["problem"], case.given["n"]
         fault = fault_of_nodes(problem, nodes, n) or fault_of_edges(problem, nodes, edges)
@@ -81,7 +92,9 @@ def fault_of_nodes(problem: Any, nodes: Array, n: int) -> Fault | None:
     for q in nodes:
         if not problem.problem.is_free(q):
             return Fault("free_node", q[None])
-    return Fault("corner", nodes[:0]) if n >= 40 and empty_boxes(nodes, *bounds(problem), 2) else None
+    return (
+        Fault("corner", nodes[:0]) if n >= 40 and empty_boxes(nodes, *bounds(problem), 2) else None
+    )
 
 
 def fault_of_edges(problem: Any, nodes: Array, edges: Array) -> Fault | None:
@@ -107,5 +120,7 @@ def fault_of_way(problem: Any, nodes: Array, edges: Array, path: Array) -> Fault
         if not on_nodes or ((i, j) not in pairs and i != j):
             return Fault("along_edges", np.array([a, b]))
     best = nodes[shortest(problem, nodes, edges)]
-    found, least = (sum(problem.distance(a, b) for a, b in zip(way[:-1], way[1:])) for way in (path, best))
+    found, least = (
+        sum(problem.distance(a, b) for a, b in zip(way[:-1], way[1:])) for way in (path, best)
+    )
     return Fault("shortest", nodes[:0]) if found > least + 1e-6 * (1.0 + least) else None

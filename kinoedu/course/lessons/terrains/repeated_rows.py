@@ -1,4 +1,6 @@
-"""The exercise on a table of measurements in which numbers come twice: what chance does not do, and copying does."""
+"""The exercise on a table of measurements in which numbers come twice: what chance does not do, and
+copying does.
+"""
 
 from collections.abc import Iterator
 from typing import Any
@@ -11,8 +13,8 @@ from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record
 from ...whole_shapes import WholeNumbers
 
-# path length and seconds, RRT on six terrains, then PRM on the same: P. A. Maniar, "AI path prediction and planning for autonomous
-# vehicles", section 6
+# path length and seconds, RRT on six terrains, then PRM on the same: P. A. Maniar, "AI path
+# prediction and planning for autonomous vehicles", section 6
 PUBLISHED = (
     (810.1928, 11.88077), (1295.298, 36.51574), (925.14, 23.3382), (1400.944, 36.13657), (1388.704, 36.13657), (1718.973, 25.15795),
     (685.8932, 7.299953), (1076.54, 6.519054), (925.14, 23.3382), (1311.246, 9.929559), (1228.797, 5.207032), (1433.969, 9.230730),
@@ -29,12 +31,22 @@ class RepeatedRows(ValueExercise):
     answer = WholeNumbers(("k", 3))
     slips = (
         Slip("neighbours", lambda table: [r for r in repeats(table) if r[1] == r[0] + 1]),
-        Slip("whole", lambda table: [r for r in repeats(table) if (table[r[0]] == table[r[1]]).all()]),
+        Slip(
+            "whole", lambda table: [r for r in repeats(table) if (table[r[0]] == table[r[1]]).all()]
+        ),
         Slip("one_each", lambda table: one_each(repeats(table))),
         Slip("first_column", lambda table: [r for r in repeats(table) if r[2] == 0]),
         Slip("from_one", lambda table: [(i + 1, j + 1, c + 1) for i, j, c in repeats(table)]),
-        Slip("both_ways", lambda table: [r for i, j, c in repeats(table) for r in ((i, j, c), (j, i, c))]),
-        Slip("itself", lambda table: sorted(repeats(table) + [(i, i, c) for i, c in np.argwhere(table == table).tolist()])),
+        Slip(
+            "both_ways",
+            lambda table: [r for i, j, c in repeats(table) for r in ((i, j, c), (j, i, c))],
+        ),
+        Slip(
+            "itself",
+            lambda table: sorted(
+                repeats(table) + [(i, i, c) for i, c in np.argwhere(table == table).tolist()]
+            ),
+        ),
         Slip("missing", lambda table: repeats(np.where(np.isnan(table), -1.0, table))),
         Slip("close", lambda table: repeats(table, 0.5)),
         Slip("close", lambda table: repeats(table, 0.01)),
@@ -69,19 +81,35 @@ class RepeatedRows(ValueExercise):
 
     def same(self, value: Any, truth: Any) -> bool:
         """The same triples, in any order, each once."""
-        return sorted(map(tuple, np.reshape(value, (-1, 3)).tolist())) == sorted(map(tuple, np.reshape(truth, (-1, 3)).tolist()))
+        return sorted(map(tuple, np.reshape(value, (-1, 3)).tolist())) == sorted(
+            map(tuple, np.reshape(truth, (-1, 3)).tolist())
+        )
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """The table, what is repeated in green, what was said besides in orange."""
         from .pictures import draw_table
 
-        draw_table(self, case, np.asarray(outcome.value) if isinstance(outcome, Answer) else None, self.truth(case), ax)
+        draw_table(
+            self,
+            case,
+            np.asarray(outcome.value) if isinstance(outcome, Answer) else None,
+            self.truth(case),
+            ax,
+        )
 
 
 def repeats(table: Array, near: float = 0.0) -> list[tuple[int, int, int]]:
-    """All (i, j, column), i < j, in which rows i and j differ by at most `near`; what is missing (nan) is equal to nothing."""
+    """All (i, j, column), i < j, in which rows i and j differ by at most `near`; what is missing
+    (nan) is equal to nothing.
+    """
     n, m = table.shape
-    return [(i, j, c) for i in range(n) for j in range(i + 1, n) for c in range(m) if abs(table[i, c] - table[j, c]) <= near]
+    return [
+        (i, j, c)
+        for i in range(n)
+        for j in range(i + 1, n)
+        for c in range(m)
+        if abs(table[i, c] - table[j, c]) <= near
+    ]
 
 
 def one_each(found: list[tuple[int, int, int]]) -> list[tuple[int, int, int]]:
@@ -90,8 +118,12 @@ def one_each(found: list[tuple[int, int, int]]) -> list[tuple[int, int, int]]:
 
 
 def table_by_chance(kind: str, n: int, rng: np.random.Generator) -> Array:
-    """Lengths, seconds and counts of n runs, all different but for what is copied; two are near each other where nothing is."""
-    table = np.column_stack([700.0 + rng.permutation(10 * n)[:n] * 7.31, 5.0 + rng.permutation(9 * n)[:n] * 0.37])
+    """Lengths, seconds and counts of n runs, all different but for what is copied; two are near
+    each other where nothing is.
+    """
+    table = np.column_stack(
+        [700.0 + rng.permutation(10 * n)[:n] * 7.31, 5.0 + rng.permutation(9 * n)[:n] * 0.37]
+    )
     table = np.column_stack([table, 20.0 + rng.permutation(5 * n)[:n]])
     i = int(rng.integers(0, n - 3))
     c = int(rng.integers(3))

@@ -1,4 +1,6 @@
-"""What the exercises share that ask for the two planners of the document, and the one on RRT on a bitmap, with its parameters."""
+"""What the exercises share that ask for the two planners of the document, and the one on RRT on a
+bitmap, with its parameters.
+"""
 
 from collections.abc import Iterator
 from typing import Any
@@ -44,8 +46,12 @@ def on_terrain(blocked: Any, start: Any, goal: Any) -> Asked:
 TERRAINS = {
     "same": on_terrain([], (20.5, 20.5), (20.5, 20.5)),
     "open": on_terrain([(17, 12, 20, 16)], (5.5, 5.5), (34.5, 33.5)),
-    "thin": on_terrain([(33, 14, 34, 26)], (6.5, 20.5), (35.5, 20.5)),  # one cell thick, less than a step before the goal
-    "bag": on_terrain([(26, 10, 28, 30), (14, 10, 28, 12), (14, 28, 28, 30)], (22.5, 20.5), (34.5, 20.5)),
+    "thin": on_terrain(
+        [(33, 14, 34, 26)], (6.5, 20.5), (35.5, 20.5)
+    ),  # one cell thick, less than a step before the goal
+    "bag": on_terrain(
+        [(26, 10, 28, 30), (14, 10, 28, 12), (14, 28, 28, 30)], (22.5, 20.5), (34.5, 20.5)
+    ),
     "sealed": on_terrain([(28, 28, 40, 30), (28, 28, 30, 40)], (5.5, 5.5), (35.5, 35.5)),
 }
 EMPTY = on_terrain([], (5.5, 5.5), (34.5, 33.5))
@@ -65,7 +71,9 @@ class TerrainPlanner(PlannerExercise):
         for _ in range(2):
             corners = rng.integers(8, 28, (5, 2))
             rocks = [(x, y, x + 4, y + 4) for x, y in corners.tolist()]
-            yield self.asked("open", on_terrain(rocks, (3.5, 3.5), (36.5, 36.5)), int(rng.integers(1000)))
+            yield self.asked(
+                "open", on_terrain(rocks, (3.5, 3.5), (36.5, 36.5)), int(rng.integers(1000))
+            )
 
     def asked(self, kind: str, problem: Asked, rng: int) -> Case:
         """The case of a problem, with a seed."""
@@ -78,7 +86,9 @@ class TerrainPlanner(PlannerExercise):
         return why_not_a_path(case.given["problem"], path)
 
 
-def own_rrt(problem: Any, step: float, spacing: float, goal_bias: float, failures: int, rng: int) -> Any:
+def own_rrt(
+    problem: Any, step: float, spacing: float, goal_bias: float, failures: int, rng: int
+) -> Any:
     """RRT as the exercise asks for it."""
     chance, nodes, parent, in_a_row = np.random.default_rng(rng), [problem.start], [-1], 0
 
@@ -106,7 +116,14 @@ class RrtOnTerrain(TerrainPlanner):
     """One tree, half of whose samples are the goal, given up after so many failures in a row."""
 
     name = "rrt_on_terrain"
-    given = Record(problem=Task(), step=Number(), spacing=Number(), goal_bias=Number(), failures=Whole(), rng=Whole())
+    given = Record(
+        problem=Task(),
+        step=Number(),
+        spacing=Number(),
+        goal_bias=Number(),
+        failures=Whole(),
+        rng=Whole(),
+    )
     result = Together((NODES, WholeNumbers(("n",)), Maybe(PATH)))
     answer = three_times(result)
     source = staticmethod(own_rrt)
@@ -129,13 +146,25 @@ class RrtOnTerrain(TerrainPlanner):
         return super().uses_chance(case) and case.given["goal_bias"] < 1.0
 
     def fault(self, case: Case, answer: Any) -> Fault | None:
-        """The path; the tree and its rule; whether the one belongs to the other; where it gave up."""
+        """The path; the tree and its rule; whether the one belongs to the other; where it gave
+        up.
+        """
         nodes, parent, path = answer
         problem = case.given["problem"]
         fault = None if path is None else self.fault_of_end(case, path)
-        fault = fault or why_not_a_tree(problem, nodes, parent, case.given["step"]) or not_to_nearest(problem, nodes, parent)
-        fault = fault or too_near(problem, nodes, case.given["spacing"]) or went_past(problem, nodes, path, case.given["step"])
-        fault = fault or (not_at_the_goal(problem, nodes) if case.given["goal_bias"] == 1.0 else None)
+        fault = (
+            fault
+            or why_not_a_tree(problem, nodes, parent, case.given["step"])
+            or not_to_nearest(problem, nodes, parent)
+        )
+        fault = (
+            fault
+            or too_near(problem, nodes, case.given["spacing"])
+            or went_past(problem, nodes, path, case.given["step"])
+        )
+        fault = fault or (
+            not_at_the_goal(problem, nodes) if case.given["goal_bias"] == 1.0 else None
+        )
         if fault is None and path is not None:
             fault = not_along_tree(path, nodes, parent)
         if fault is None and case.kind == "sealed" and len(nodes) < LEAST:
@@ -161,9 +190,13 @@ def too_near(problem: Any, nodes: Array, spacing: float) -> Fault | None:
 
 
 def went_past(problem: Any, nodes: Array, path: Array | None, step: float) -> Fault | None:
-    """A node in free reach of the goal, after which the tree went on: with a path, any but the goal and the one it hangs on."""
+    """A node in free reach of the goal, after which the tree went on: with a path, any but the goal
+    and the one it hangs on.
+    """
     for q in nodes[: len(nodes) - (0 if path is None else 2)]:
-        if problem.distance(q, problem.goal) <= step * (1.0 - 1e-9) and problem.problem.is_free_path(q, problem.goal):
+        if problem.distance(q, problem.goal) <= step * (
+            1.0 - 1e-9
+        ) and problem.problem.is_free_path(q, problem.goal):
             return Fault("went_past", np.array([q, problem.goal]))
     return None
 
@@ -172,6 +205,8 @@ def not_at_the_goal(problem: Any, nodes: Array) -> Fault | None:
     """A node off the straight way from start to goal, where every sample is the goal."""
     whole = problem.distance(problem.start, problem.goal)
     for q in nodes:
-        if problem.distance(problem.start, q) + problem.distance(q, problem.goal) > whole + 1e-6 * (1.0 + whole):
+        if problem.distance(problem.start, q) + problem.distance(q, problem.goal) > whole + 1e-6 * (
+            1.0 + whole
+        ):
             return Fault("always_the_goal", q[None])
     return None

@@ -1,4 +1,6 @@
-"""Lesson 9: Trees, or one question, one answer, now. Its exercises, as the notebook asks for them."""
+"""Lesson 9: Trees, or one question, one answer, now. Its exercises, as the notebook asks for
+them.
+"""
 
 from .exposing_room import ExposeHastyGoal
 from .follow import Follow

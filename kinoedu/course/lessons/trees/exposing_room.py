@@ -20,7 +20,9 @@ POINT = Numbers((2,))
 
 
 class ExposeHastyGoal(Exercise):
-    """Break it: start, goal and one triangle in a room of 10 x 10, with which `hasty_rrt` goes through a wall."""
+    """Break it: start, goal and one triangle in a room of 10 x 10, with which `hasty_rrt` goes
+    through a wall.
+    """
 
     name = "exposing_room"
     lesson = "09_trees"
@@ -38,7 +40,13 @@ class ExposeHastyGoal(Exercise):
         rule = "valid" if problem is None else ""
         if problem is not None and case.kind != "valid":
             path = hasty_rrt(problem, 1.0, 0.05, 500, 0)
-            rule = "none" if path is None else "exposes" if why_not_a_path(problem, path) is None else ""
+            rule = (
+                "none"
+                if path is None
+                else "exposes"
+                if why_not_a_path(problem, path) is None
+                else ""
+            )
             if not rule and case.kind == "no_way" and in_one_part(*value):
                 rule = "no_way"
         return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
@@ -67,14 +75,21 @@ def problem_with(start: Array, goal: Array, triangle: Array) -> Asked | None:
 
 
 def in_one_part(start: Array, goal: Array, triangle: Array) -> bool:
-    """Whether a way leads from start to goal, both free: whether they lie in one part of what the triangle leaves of the room."""
+    """Whether a way leads from start to goal, both free: whether they lie in one part of what the
+    triangle leaves of the room.
+    """
     import shapely
 
     parts = shapely.get_parts(shapely.Polygon(SQUARE) - shapely.Polygon(triangle))
-    return any(part.intersects(shapely.Point(start)) and part.intersects(shapely.Point(goal)) for part in parts)
+    return any(
+        part.intersects(shapely.Point(start)) and part.intersects(shapely.Point(goal))
+        for part in parts
+    )
 
 
-def hasty_rrt(problem: Any, step: float, goal_bias: float, iterations: int, rng: int) -> Array | None:
+def hasty_rrt(
+    problem: Any, step: float, goal_bias: float, iterations: int, rng: int
+) -> Array | None:
     """A path from start to goal by a rapidly-exploring random tree, or None.
 
     It is wrong somewhere. Where?

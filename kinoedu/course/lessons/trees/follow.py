@@ -1,4 +1,6 @@
-"""The exercise on planning with a receding horizon: how far a plan is followed. Bullo & Smith, chapter 5."""
+"""The exercise on planning with a receding horizon: how far a plan is followed. Bullo & Smith,
+chapter 5.
+"""
 
 from collections.abc import Iterator
 from typing import Any
@@ -42,7 +44,9 @@ def to_the_corner(problem: Any, path: Array, horizon: float) -> Array:
 def before_the_corner(problem: Any, path: Array, horizon: float) -> Array:
     """Stops at the last corner before the horizon."""
     whole = followed(problem, path, horizon)
-    return whole if len(whole) < 2 or np.array_equal(whole[-1], path[len(whole) - 1]) else whole[:-1]
+    return (
+        whole if len(whole) < 2 or np.array_equal(whole[-1], path[len(whole) - 1]) else whole[:-1]
+    )
 
 
 def trusting(problem: Any, path: Array, horizon: float) -> Array:
@@ -101,25 +105,48 @@ class Follow(ValueExercise):
         return followed(*given)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """One motion; round corners; a horizon beyond the goal; a wall that the plan did not know."""
+        """One motion; round corners; a horizon beyond the goal; a wall that the plan did not
+        know.
+        """
         free = in_room((1, 1), (9, 5))
         yield case("straight", free, [(1, 1), (9, 1)], 3.0)
         yield case("corners", free, [(1, 1), (4, 1), (4, 9)], 5.0)
         yield case("corners", free, [(1, 1), (4, 1), (4, 9)], 3.0)
         yield case("whole", free, [(1, 1), (4, 1)], 5.0)
-        yield case("blocked", in_room((1, 1), (9, 5), box(6, 0, 7, 3)), [(1, 1), (4, 1), (9, 1), (9, 5)], 7.0)
-        yield case("blocked", in_room((1, 1), (9, 5), box(2, 0, 3, 3)), [(1, 1), (9, 1), (9, 5)], 2.0)
-        yield case("blocked", in_room((1, 1), (9, 5), box(5, 0, 6, 3)), [(1, 1), (9, 1), (9, 5)], 2.0)
+        yield case(
+            "blocked",
+            in_room((1, 1), (9, 5), box(6, 0, 7, 3)),
+            [(1, 1), (4, 1), (9, 1), (9, 5)],
+            7.0,
+        )
+        yield case(
+            "blocked", in_room((1, 1), (9, 5), box(2, 0, 3, 3)), [(1, 1), (9, 1), (9, 5)], 2.0
+        )
+        yield case(
+            "blocked", in_room((1, 1), (9, 5), box(5, 0, 6, 3)), [(1, 1), (9, 1), (9, 5)], 2.0
+        )
         for _ in range(14):
             path = np.round(rng.uniform(0.5, 9.5, (int(rng.integers(4, 8)), 2)), 1)
             motions = np.linalg.norm(np.diff(path, axis=0), axis=1)
-            yield case("straight", free, path[:2], round(float(rng.uniform(0.2, 0.9) * motions[0]), 2))
-            yield case("corners", free, path, round(float(motions[:2].sum() + rng.uniform(0.2, 0.8) * motions[2]), 2))
+            yield case(
+                "straight", free, path[:2], round(float(rng.uniform(0.2, 0.9) * motions[0]), 2)
+            )
+            yield case(
+                "corners",
+                free,
+                path,
+                round(float(motions[:2].sum() + rng.uniform(0.2, 0.8) * motions[2]), 2),
+            )
             yield case("whole", free, path, round(float(motions.sum() + rng.uniform(0.5, 5.0)), 2))
             i = int(rng.integers(1, len(path) - 1))
             x, y = np.round(0.5 * (path[i] + path[i + 1]), 2)
             wall = in_room((0.1, 0.1), (9.9, 9.9), box(x - 0.2, y - 0.2, x + 0.2, y + 0.2))
-            yield case("blocked", wall, path, round(float(motions[:i].sum() + rng.uniform(0.1, 1.5) * motions[i]), 2))
+            yield case(
+                "blocked",
+                wall,
+                path,
+                round(float(motions[:i].sum() + rng.uniform(0.1, 1.5) * motions[i]), 2),
+            )
 
     def same(self, value: Any, truth: Any) -> bool:
         """Row for row."""
@@ -134,7 +161,9 @@ class Follow(ValueExercise):
         value = outcome.value if isinstance(outcome, Answer) else np.empty((0, 2))
         if len(value) and value.shape[1] == 2 and np.isfinite(value).all():
             fault = Fault("", value)
-        draw_answer(problem.problem, [], self.truth(case), fault, self.words(f"pictures.{case.kind}"), ax)
+        draw_answer(
+            problem.problem, [], self.truth(case), fault, self.words(f"pictures.{case.kind}"), ax
+        )
         ax.plot(*path.T, ":o", color=palette.INK, linewidth=1.5, markersize=4, zorder=3)
 
 

@@ -1,4 +1,6 @@
-"""The exercise on one insertion of RRT*. Karaman, Frazzoli, "Sampling-based algorithms for optimal motion planning" (2011)."""
+"""The exercise on one insertion of RRT*. Karaman, Frazzoli, "Sampling-based algorithms for optimal
+motion planning" (2011).
+"""
 
 from collections.abc import Iterator
 from typing import Any
@@ -37,16 +39,24 @@ def inserted(
     passes_on: bool = True,
     checks: bool = True,
 ) -> tuple[list[int], list[float]]:
-    """Parents and costs after one insertion; without one of its parts, what those get who forget it."""
+    """Parents and costs after one insertion; without one of its parts, what those get who forget
+    it.
+    """
     apart = [problem.distance(q, q_new) for q in nodes]
-    near = [i for i in range(len(nodes)) if apart[i] <= radius and (not checks or problem.is_free_path(nodes[i], q_new))]
+    near = [
+        i
+        for i in range(len(nodes))
+        if apart[i] <= radius and (not checks or problem.is_free_path(nodes[i], q_new))
+    ]
     best = min(near, key=lambda i: cost[i] + apart[i] if chooses else apart[i])
     parents, costs = [*parent.tolist(), best], [*cost.tolist(), cost[best] + apart[best]]
     for i in near if rewires else []:
         gain = costs[i] - (costs[-1] + apart[i])
         if gain > 0.0:
             parents[i] = len(nodes)
-            for below in [j for j in range(len(nodes)) if i in upwards(j, parents)] if passes_on else [i]:
+            for below in (
+                [j for j in range(len(nodes)) if i in upwards(j, parents)] if passes_on else [i]
+            ):
                 costs[below] -= gain
     return parents, costs
 
@@ -66,7 +76,14 @@ class Insert(ValueExercise):
     name = "insert"
     lesson = "09_trees"
     kinds = ("parent", "rewire", "below", "blocked", "grown")
-    given = Record(problem=Task(), nodes=NODES, parent=LISTS[0], cost=LISTS[1], q_new=Numbers(("d",)), radius=Number())
+    given = Record(
+        problem=Task(),
+        nodes=NODES,
+        parent=LISTS[0],
+        cost=LISTS[1],
+        q_new=Numbers(("d",)),
+        radius=Number(),
+    )
     answer = Together(LISTS)
     source = staticmethod(inserted)
     shown = staticmethod(grow_shortest)
@@ -86,13 +103,23 @@ class Insert(ValueExercise):
         """On paper; then by chance, each of the kind that it is."""
         yield by_hand("parent", OPEN, [(1, 1), (4, 1), (4, 4)], [-1, 0, 1], (3, 3), 3.0)
         yield by_hand("parent", OPEN, [(1, 1), (1, 5), (5, 5)], [-1, 0, 0], (7, 8), 7.0)
-        yield by_hand("parent", OPEN, [(1, 1), (1, 5), (6, 5)], [-1, 0, 0], (4, 5), 5.0)  # the root is as far away as the radius
+        yield by_hand(
+            "parent", OPEN, [(1, 1), (1, 5), (6, 5)], [-1, 0, 0], (4, 5), 5.0
+        )  # the root is as far away as the radius
         yield by_hand("rewire", OPEN, [(1, 1), (1, 5), (5, 5)], [-1, 0, 1], (3, 3), 3.0)
-        yield by_hand("rewire", OPEN, [(1, 1), (1, 4), (4, 6.5), (6.5, 4)], [-1, 0, 1, 2], (4, 4), 4.5)
+        yield by_hand(
+            "rewire", OPEN, [(1, 1), (1, 4), (4, 6.5), (6.5, 4)], [-1, 0, 1, 2], (4, 4), 4.5
+        )
         yield by_hand("below", OPEN, [(1, 1), (1, 5), (5, 5), (9, 5)], [-1, 0, 1, 2], (3, 3), 3.0)
-        yield by_hand("below", OPEN, [(1, 1), (9, 9), (9, 5), (5, 5), (1, 5)], [-1, 2, 3, 4, 0], (3, 3), 3.0)
-        yield by_hand("below", OPEN, [(1, 1), (1, 5), (5, 5), (9, 5), (9, 9)], [-1, 0, 1, 2, 3], (3, 3), 3.0)
-        yield by_hand("blocked", WALL, [(1, 1), (2, 2), (5, 2), (6, 5)], [-1, 0, 0, 2], (3.5, 4), 3.0)
+        yield by_hand(
+            "below", OPEN, [(1, 1), (9, 9), (9, 5), (5, 5), (1, 5)], [-1, 2, 3, 4, 0], (3, 3), 3.0
+        )
+        yield by_hand(
+            "below", OPEN, [(1, 1), (1, 5), (5, 5), (9, 5), (9, 9)], [-1, 0, 1, 2, 3], (3, 3), 3.0
+        )
+        yield by_hand(
+            "blocked", WALL, [(1, 1), (2, 2), (5, 2), (6, 5)], [-1, 0, 0, 2], (3.5, 4), 3.0
+        )
         left = dict.fromkeys(self.kinds, 12)
         while any(left.values()):
             blocked = bool(rng.random() < 0.5)
@@ -106,28 +133,56 @@ class Insert(ValueExercise):
 
     def same(self, value: Any, truth: Any) -> bool:
         """The same parents, and costs that are equal but for rounding."""
-        return len(value[0]) == len(truth[0]) and (np.array(value[0]) == truth[0]).all() and super().same(value[1], truth[1])
+        return (
+            len(value[0]) == len(truth[0])
+            and (np.array(value[0]) == truth[0]).all()
+            and super().same(value[1], truth[1])
+        )
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The tree that should be, and a cross on the first node that has another parent or cost."""
+        """The tree that should be, and a cross on the first node that has another parent or
+        cost.
+        """
         from ....figures import palette, plane
 
-        problem, nodes = case.given["problem"], np.vstack([case.given["nodes"], case.given["q_new"]])
+        problem, nodes = (
+            case.given["problem"],
+            np.vstack([case.given["nodes"], case.given["q_new"]]),
+        )
         parent, cost = self.truth(case)
         trees, fault = [Tree(nodes, np.array(parent))], None
         if isinstance(outcome, Answer):
-            fault = next((Fault("", nodes[i : i + 1]) for i in range(len(nodes)) if differs(outcome.value, parent, cost, i)), None)
+            fault = next(
+                (
+                    Fault("", nodes[i : i + 1])
+                    for i in range(len(nodes))
+                    if differs(outcome.value, parent, cost, i)
+                ),
+                None,
+            )
         draw_answer(problem.problem, trees, None, fault, self.words(f"pictures.{case.kind}"), ax)
-        plane.ring(case.given["q_new"], case.given["radius"], "", ax, colour=palette.OUTSIDE, style=":")
+        plane.ring(
+            case.given["q_new"], case.given["radius"], "", ax, colour=palette.OUTSIDE, style=":"
+        )
         if len(nodes) <= 9:
             for number, (q, c) in enumerate(zip(nodes, cost)):
-                plane.label(q, f"{number}: {c:.3g}", ax, colour=palette.INK, offset=(8, -16 if number % 2 else 8))
+                plane.label(
+                    q,
+                    f"{number}: {c:.3g}",
+                    ax,
+                    colour=palette.INK,
+                    offset=(8, -16 if number % 2 else 8),
+                )
 
 
 def differs(value: Any, parent: list[int], cost: list[float], i: int) -> bool:
     """Whether an answer is another for node i."""
     parents, costs = value
-    return i >= min(len(parents), len(costs)) or parents[i] != parent[i] or not abs(costs[i] - cost[i]) < 1e-6
+    return (
+        i >= min(len(parents), len(costs))
+        or parents[i] != parent[i]
+        or not abs(costs[i] - cost[i]) < 1e-6
+    )
 
 
 def by_hand(kind: str, problem: Asked, nodes: Any, parent: Any, q_new: Any, radius: float) -> Case:
@@ -142,7 +197,9 @@ def by_hand(kind: str, problem: Asked, nodes: Any, parent: Any, q_new: Any, radi
 
 
 def by_chance(rng: np.random.Generator, problem: Asked, n: int) -> Case | None:
-    """A small free tree and a new node, of the kind that it is; None where two answers would be nearly as good."""
+    """A small free tree and a new node, of the kind that it is; None where two answers would be
+    nearly as good.
+    """
     nodes = np.round(rng.uniform(0.5, 9.5, (n, 2)), 1)
     nodes[0] = problem.start
     parent = [-1, *(int(rng.integers(i)) * int(rng.integers(2)) for i in range(1, n))]
@@ -152,8 +209,12 @@ def by_chance(rng: np.random.Generator, problem: Asked, n: int) -> Case | None:
 
 
 def grown_case(rng: np.random.Generator, problem: Asked) -> Case:
-    """A tree that an RRT grew, in which two nodes were put in already, and a new node within a step of it."""
-    nodes, parent, _ = own_rrt(problem, 1.0, 0.0, int(rng.integers(20, 80)), int(rng.integers(10**6)))
+    """A tree that an RRT grew, in which two nodes were put in already, and a new node within a step
+    of it.
+    """
+    nodes, parent, _ = own_rrt(
+        problem, 1.0, 0.0, int(rng.integers(20, 80)), int(rng.integers(10**6))
+    )
     for left in (2, 1, 0):
         while True:
             q_new = nodes[int(rng.integers(len(nodes)))] + np.round(rng.uniform(-0.6, 0.6, 2), 2)
@@ -166,14 +227,21 @@ def grown_case(rng: np.random.Generator, problem: Asked) -> Case:
 
 
 def is_fair(given: dict[str, Any]) -> bool:
-    """Whether the tree is free, the new node has a free neighbour, and no two costs that are compared are nearly equal."""
+    """Whether the tree is free, the new node has a free neighbour, and no two costs that are
+    compared are nearly equal.
+    """
     problem, nodes, parent, cost, q_new, radius = given.values()
-    if not all(problem.is_free(q) for q in (*nodes, q_new)) or problem.distance(problem.start, q_new) == 0.0:
+    if (
+        not all(problem.is_free(q) for q in (*nodes, q_new))
+        or problem.distance(problem.start, q_new) == 0.0
+    ):
         return False
     if not all(problem.is_free_path(nodes[p], q) for p, q in zip(parent[1:], nodes[1:])):
         return False
     apart = np.array([problem.distance(q, q_new) for q in nodes])
-    near = [i for i in range(len(nodes)) if apart[i] <= radius and problem.is_free_path(nodes[i], q_new)]
+    near = [
+        i for i in range(len(nodes)) if apart[i] <= radius and problem.is_free_path(nodes[i], q_new)
+    ]
     if not near or (np.abs(apart - radius) < 1e-6).any() or (apart < 1e-3).any():
         return False
     through = np.sort(cost[near] + apart[near])

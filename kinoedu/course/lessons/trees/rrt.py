@@ -32,7 +32,9 @@ from ..shared.tree_exercise import BIAS, ENOUGH, PARENTS, STEP, TreeExercise
 def own_rrt(problem: Any, step: float, goal_bias: float, iterations: int, rng: int) -> Any:
     """RRT as the exercise asks for it."""
     chance, nodes, parent = np.random.default_rng(rng), [problem.start], [-1]
-    if problem.distance(problem.start, problem.goal) <= step and problem.is_free_path(problem.start, problem.goal):
+    if problem.distance(problem.start, problem.goal) <= step and problem.is_free_path(
+        problem.start, problem.goal
+    ):
         return [problem.start, problem.goal], [-1, 0], [problem.start, problem.goal]
     for _ in range(iterations):
         q_rand = problem.goal if chance.random() < goal_bias else problem.sample(chance)
@@ -42,7 +44,9 @@ def own_rrt(problem: Any, step: float, goal_bias: float, iterations: int, rng: i
             continue
         nodes.append(q_new)
         parent.append(near)
-        if problem.distance(q_new, problem.goal) <= step and problem.is_free_path(q_new, problem.goal):
+        if problem.distance(q_new, problem.goal) <= step and problem.is_free_path(
+            q_new, problem.goal
+        ):
             nodes.append(problem.goal)
             parent.append(len(nodes) - 2)
             return nodes, parent, np.array(nodes)[extract_path(np.array(parent), len(nodes) - 1)]
@@ -53,7 +57,9 @@ class Rrt(TreeExercise):
     """One tree."""
 
     name = "rrt"
-    given = Record(problem=Task(), step=Number(), goal_bias=Number(), iterations=Whole(), rng=Whole())
+    given = Record(
+        problem=Task(), step=Number(), goal_bias=Number(), iterations=Whole(), rng=Whole()
+    )
     result = Together((NODES, PARENTS, Maybe(PATH)))
     answer = three_times(result)
     source = staticmethod(own_rrt)
@@ -61,11 +67,19 @@ class Rrt(TreeExercise):
 
     def asked(self, kind: str, problem: Asked, rng: np.random.Generator) -> Case:
         """As many iterations as the trap needs, and more."""
-        given = {"problem": problem, "step": STEP, "goal_bias": BIAS, "iterations": ENOUGH[kind], "rng": int(rng.integers(1000))}
+        given = {
+            "problem": problem,
+            "step": STEP,
+            "goal_bias": BIAS,
+            "iterations": ENOUGH[kind],
+            "rng": int(rng.integers(1000)),
+        }
         return Case(kind, given)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Some chance is left to the goal in most; then all of it, with a way to the goal and without."""
+        """Some chance is left to the goal in most; then all of it, with a way to the goal and
+        without.
+        """
         yield from super().cases(rng)
         for kind in ("room", "sealed"):
             yield straight(self.asked(kind, TRAPS[kind], rng))
@@ -76,21 +90,33 @@ class Rrt(TreeExercise):
 
     def wanted(self, case: Case) -> str:
         """What is asked for."""
-        return super().wanted(case) if case.given["goal_bias"] < 1.0 else self.words("wanted.straight")
+        return (
+            super().wanted(case) if case.given["goal_bias"] < 1.0 else self.words("wanted.straight")
+        )
 
     def fault(self, case: Case, answer: Any) -> Fault | None:
-        """The path; the tree and its rule; whether the one belongs to the other; what the samples leave out."""
+        """The path; the tree and its rule; whether the one belongs to the other; what the samples
+        leave out.
+        """
         nodes, parent, path = answer
         if case.given["goal_bias"] == 1.0 and not has_same_nodes(case, nodes):
             return Fault("bias", nodes[:0])
         problem, step = case.given["problem"], case.given["step"]
         fault = None if path is None else self.fault_of_end(case, path)
-        fault = fault or why_not_a_tree(problem, nodes, parent, step) or not_to_nearest(problem, nodes, parent)
+        fault = (
+            fault
+            or why_not_a_tree(problem, nodes, parent, step)
+            or not_to_nearest(problem, nodes, parent)
+        )
         if fault is None and len(nodes) > case.given["iterations"] + 2:
             fault = Fault("iterations", nodes[:0])
         if fault is None and path is not None:
             fault = not_along_tree(path, nodes, parent) or not_returned(problem, nodes, step)
-        if fault is None and leaves_out(case) and empty_boxes(nodes, problem.world.lo, problem.world.hi, 4) > LEFT_OUT:
+        if (
+            fault is None
+            and leaves_out(case)
+            and empty_boxes(nodes, problem.world.lo, problem.world.hi, 4) > LEFT_OUT
+        ):
             fault = Fault("corner", nodes[:0])
         return fault or self.fault_of_end(case, path)
 
@@ -106,15 +132,23 @@ def straight(case: Case) -> Case:
 
 
 def has_same_nodes(case: Case, nodes: Array) -> bool:
-    """Whether they are the nodes of the course's own RRT: where every sample is the goal, nothing is left to chance."""
+    """Whether they are the nodes of the course's own RRT: where every sample is the goal, nothing
+    is left to chance.
+    """
     own = own_rrt(*case.given.values())[0]
-    return nodes.shape == (len(own), len(own[0])) and all(same(case.given["problem"], a, b) for a, b in zip(nodes, own))
+    return nodes.shape == (len(own), len(own[0])) and all(
+        same(case.given["problem"], a, b) for a, b in zip(nodes, own)
+    )
 
 
 def not_returned(problem: Any, nodes: Array, step: float) -> Fault | None:
-    """A node, the last two excepted, from which the goal could have been reached by one free motion."""
+    """A node, the last two excepted, from which the goal could have been reached by one free
+    motion.
+    """
     for q in nodes[:-2]:
-        if problem.distance(q, problem.goal) < step * (1.0 - 1e-9) and problem.problem.is_free_path(q, problem.goal):
+        if problem.distance(q, problem.goal) < step * (1.0 - 1e-9) and problem.problem.is_free_path(
+            q, problem.goal
+        ):
             return Fault("returned", np.array([q, problem.goal]))
     return None
 

@@ -11,7 +11,17 @@ from ....problems import Tree
 from ...exercise import Case
 from ...shapes import Maybe, Number, Record, Together
 from ...whole_shapes import Whole
-from ..shared.planned import NODES, PATH, Asked, Fault, Task, not_along_tree, not_to_nearest, three_times, why_not_a_tree
+from ..shared.planned import (
+    NODES,
+    PATH,
+    Asked,
+    Fault,
+    Task,
+    not_along_tree,
+    not_to_nearest,
+    three_times,
+    why_not_a_tree,
+)
 from ..shared.tree_exercise import ENOUGH, PARENTS, STEP, TreeExercise
 
 
@@ -57,18 +67,36 @@ class RrtConnect(TreeExercise):
 
     def asked(self, kind: str, problem: Asked, rng: np.random.Generator) -> Case:
         """As many iterations as the trap needs, and more."""
-        return Case(kind, {"problem": problem, "step": STEP, "iterations": ENOUGH[kind], "rng": int(rng.integers(1000))})
+        return Case(
+            kind,
+            {
+                "problem": problem,
+                "step": STEP,
+                "iterations": ENOUGH[kind],
+                "rng": int(rng.integers(1000)),
+            },
+        )
 
     def fault(self, case: Case, answer: Any) -> Fault | None:
-        """The path; both trees and their rule; whether it belongs to them; whether one tree runs all the way to the other."""
+        """The path; both trees and their rule; whether it belongs to them; whether one tree runs
+        all the way to the other.
+        """
         *both, path = answer
         problem, step = case.given["problem"], case.given["step"]
         fault = None if path is None else self.fault_of_end(case, path)
         for nodes, parent, root in ((*both[:2], problem.start), (*both[2:], problem.goal)):
-            fault = fault or why_not_a_tree(problem, nodes, parent, step, root) or not_to_nearest(problem, nodes, parent)
+            fault = (
+                fault
+                or why_not_a_tree(problem, nodes, parent, step, root)
+                or not_to_nearest(problem, nodes, parent)
+            )
         if fault is None and path is not None:
             fault = not_along_trees(path, *both)
-        if fault is None and case.kind == "room" and not ran_straight(problem, both[0], both[2], step):
+        if (
+            fault is None
+            and case.kind == "room"
+            and not ran_straight(problem, both[0], both[2], step)
+        ):
             fault = Fault("greedy", both[0][:0])
         return fault or self.fault_of_end(case, path)
 
@@ -78,17 +106,24 @@ class RrtConnect(TreeExercise):
 
 
 def ran_straight(problem: Any, nodes: Array, goal_nodes: Array, step: float) -> bool:
-    """Whether one tree took a step, and the other ran to its end in as few steps as there can be."""
+    """Whether one tree took a step, and the other ran to its end in as few steps as there can
+    be.
+    """
     for tree in (nodes, goal_nodes):
         if len(tree) > 1 + np.ceil(problem.distance(tree[0], tree[-1]) / step + 1e-6):
             return False
     return min(len(nodes), len(goal_nodes)) <= 2
 
 
-def not_along_trees(path: Array, nodes: Array, parent: Any, goal_nodes: Array, goal_parent: Any) -> Fault | None:
+def not_along_trees(
+    path: Array, nodes: Array, parent: Any, goal_nodes: Array, goal_parent: Any
+) -> Fault | None:
     """A stretch of a path that is an edge of neither tree: down the start's, then up the goal's."""
     for a, b in zip(path[:-1], path[1:]):
         down = not_along_tree(np.array([a, b]), nodes, parent)
-        if down is not None and not_along_tree(np.array([b, a]), goal_nodes, goal_parent) is not None:
+        if (
+            down is not None
+            and not_along_tree(np.array([b, a]), goal_nodes, goal_parent) is not None
+        ):
             return down
     return None

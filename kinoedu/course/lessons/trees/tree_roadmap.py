@@ -21,7 +21,9 @@ from ..shared.small_problems import box, in_room
 PILLARS = in_room((1, 1), (9, 9), box(3, 3, 5, 5), box(6, 1, 7, 6), box(2, 7, 8, 8))
 
 
-def grown(problem: Any, expand: Any, iterations: int, rng: int, *, accepts: Callable[..., bool]) -> tuple[Array, NDArray[np.int64]]:
+def grown(
+    problem: Any, expand: Any, iterations: int, rng: int, *, accepts: Callable[..., bool]
+) -> tuple[Array, NDArray[np.int64]]:
     """The tree that an expansion grows, with those of its edges that are accepted."""
     chance, nodes, parent = np.random.default_rng(rng), [problem.start], [-1]
     for _ in range(iterations):
@@ -32,9 +34,13 @@ def grown(problem: Any, expand: Any, iterations: int, rng: int, *, accepts: Call
     return np.array(nodes), np.array(parent)
 
 
-def free_tree(problem: Any, expand: Any, iterations: int, rng: int) -> tuple[Array, NDArray[np.int64]]:
+def free_tree(
+    problem: Any, expand: Any, iterations: int, rng: int
+) -> tuple[Array, NDArray[np.int64]]:
     """The tree of all edges that are free."""
-    return grown(problem, expand, iterations, rng, accepts=lambda problem, a, b: problem.is_free_path(a, b))
+    return grown(
+        problem, expand, iterations, rng, accepts=lambda problem, a, b: problem.is_free_path(a, b)
+    )
 
 
 def unchecked(*given: Any) -> Any:
@@ -89,11 +95,20 @@ class TreeRoadmap(ValueExercise):
         for _ in range(4):
             for name in EXPANSIONS:
                 yield case("room", TRAPS["room"], name, int(rng.integers(10, 40)), rng)
-                yield case("pillars", (PILLARS, TRAPS["passage"])[int(rng.integers(2))], name, int(rng.integers(20, 80)), rng)
+                yield case(
+                    "pillars",
+                    (PILLARS, TRAPS["passage"])[int(rng.integers(2))],
+                    name,
+                    int(rng.integers(20, 80)),
+                    rng,
+                )
 
     def same(self, value: Any, truth: Any) -> bool:
         """The same nodes, in the same order, with the same parents."""
-        return all(np.shape(a) == np.shape(b) and np.allclose(a, b, rtol=0, atol=1e-9) for a, b in zip(value, truth))
+        return all(
+            np.shape(a) == np.shape(b) and np.allclose(a, b, rtol=0, atol=1e-9)
+            for a, b in zip(value, truth)
+        )
 
     def wanted(self, case: Case) -> str:
         """How many nodes of how many were to be added."""
@@ -128,4 +143,7 @@ def first_other(value: Any, truth: Any) -> int:
 def case(kind: str, problem: Any, name: str, iterations: int, rng: np.random.Generator) -> Case:
     """A case with a seed by chance."""
     seed = int(rng.integers(1000))
-    return Case(kind, {"problem": problem, "expand": EXPANSIONS[name], "iterations": iterations, "rng": seed})
+    return Case(
+        kind,
+        {"problem": problem, "expand": EXPANSIONS[name], "iterations": iterations, "rng": seed},
+    )
