@@ -19,9 +19,9 @@ from typing import Any
 
 from grading_soak import HOUSE, SECRET, below, class_of, grader, results
 
-from kinoedu.grading.grading import grade
-from kinoedu.grading.questions import assignment
-from kinoedu.grading.sandbox import Sandbox
+from kinoedu.grading.assignments.questions import assignment
+from kinoedu.grading.judge.submission import grade
+from kinoedu.grading.sandbox.sandbox import Sandbox
 
 NAME = "01_geometry"
 

@@ -20,8 +20,8 @@ ATTACKERS = 0.05
 GRADER = """
 import sys
 from pathlib import Path
-from kinoedu.grading.running import dask, grade_all, local
-from kinoedu.grading.submissions import collect
+from kinoedu.grading.judge.running import dask, grade_all, local
+from kinoedu.grading.collect.submissions import collect
 if __name__ == "__main__":
     place = local(int(sys.argv[3])) if sys.argv[3].isdigit() else dask(sys.argv[3])
     graded = grade_all(collect(Path(sys.argv[1])), Path(sys.argv[2]), bytes.fromhex(sys.argv[4]), place=place)

@@ -19,9 +19,9 @@ from worlds import SIDE, SQUARE, among_boxes, among_polygons, bitmap
 
 import kinoedu as ke
 from kinoedu.collision import free_motions
-from kinoedu.grading.grading import grade
-from kinoedu.grading.questions import assignment
-from kinoedu.grading.sandbox import Sandbox, why_not
+from kinoedu.grading.assignments.questions import assignment
+from kinoedu.grading.judge.submission import grade
+from kinoedu.grading.sandbox.sandbox import Sandbox, why_not
 from kinoedu.planners.roadmaps.neighbours import k_closest
 
 K, STEP, PAIRS, PROVED = 10, 5.0, 3000, 2**18

@@ -21,20 +21,28 @@ if TYPE_CHECKING:  # what a type checker sees of the table below
         collision,
         curves,
         decomposition,
+        files,
         geometry,
         graphs,
         planners,
         problems,
         robots,
-        scenes,
         spaces,
         worlds,
     )
-    from .collision import collision_bound, collision_probability, link_in_contact
+    from .collision import clearance_of, collision_bound, collision_probability, link_in_contact
     from .curves import dubins_path, reeds_shepp_path
     from .decomposition import decomposition_roadmap, sweep, trapezoidation, triangulation
+    from .files import (
+        read_mesh,
+        read_plan,
+        read_problem,
+        read_scene,
+        read_world,
+        write_plan,
+        write_scene,
+    )
     from .graphs import Graph, astar, bfs_path, bfs_tree, dfs_path, dijkstra
-    from .plan_files import read_plan, write_plan
     from .planners import (
         ComponentKClosest,
         KClosest,
@@ -80,20 +88,19 @@ if TYPE_CHECKING:  # what a type checker sees of the table below
     )
     from .problems import Plan, Problem, Recorder, TimedProblem
     from .robots import Car, Disk, Point, RigidPolygon, Trajectory, TranslatingPolygon, TwoLinkArm
-    from .scenes import read_problem, read_scene, write_scene
     from .spaces import circle_distance, torus_distance
-    from .worlds import Moving, MovingWorld, PolygonWorld, Terrain, UncertainWorld, read_world, scan
+    from .worlds import Moving, MovingWorld, PolygonWorld, Terrain, UncertainWorld, scan
 
 __version__ = "0.1.0"
 
 # Where each name at the top comes from.
 ROOMS = {
     "boards": "board",
-    "collision": "collision_bound collision_probability link_in_contact",
+    "collision": "clearance_of collision_bound collision_probability link_in_contact",
     "curves": "dubins_path reeds_shepp_path",
     "decomposition": "decomposition_roadmap sweep trapezoidation triangulation",
+    "files": "read_mesh read_plan read_problem read_scene read_world write_plan write_scene",
     "graphs": "Graph astar bfs_path bfs_tree dfs_path dijkstra",
-    "plan_files": "read_plan write_plan",
     "planners": (
         "ComponentKClosest KClosest Radius after_change alternative_routes best_within "
         "bug0 bug1 bug2 bug2_prelim bug_base build_roadmap cells_with_headings "
@@ -107,13 +114,12 @@ ROOMS = {
     "problems": "Plan Problem Recorder TimedProblem",
     "robots": "Car Disk Point RigidPolygon Trajectory TranslatingPolygon TwoLinkArm",
     "sampling": "corner_grid dispersion halton sukharev_grid uniform_random",
-    "scenes": "read_problem read_scene write_scene",
     "spaces": "circle_distance torus_distance",
-    "worlds": "Moving MovingWorld PolygonWorld Terrain UncertainWorld read_world scan",
+    "worlds": "Moving MovingWorld PolygonWorld Terrain UncertainWorld scan",
 }
 MODULES = (
-    "boards c_space collision course curves decomposition experiments figures geometry graphs "
-    "planners problems robots sampling scenes spaces worlds"
+    "boards c_space collision course curves decomposition experiments figures files geometry "
+    "graphs planners problems robots sampling spaces worlds"
 )
 HOME = {name: room for room, names in ROOMS.items() for name in names.split()}
 

@@ -13,10 +13,10 @@ from pathlib import Path
 
 import pytest
 
-from kinoedu.grading import sandbox
-from kinoedu.grading.grading import grade
-from kinoedu.grading.questions import assignment, cases_of, spelled
-from kinoedu.grading.sandbox import Sandbox
+from kinoedu.grading.assignments.questions import assignment, cases_of, spelled
+from kinoedu.grading.judge.submission import grade
+from kinoedu.grading.sandbox import sandbox
+from kinoedu.grading.sandbox.sandbox import Sandbox
 
 NO_SANDBOX = sandbox.why_not()
 HOUSE = Path(__file__).resolve().parent.parent

@@ -14,9 +14,9 @@ from pathlib import Path
 import pytest
 
 from kinoedu.cli import main
-from kinoedu.grading import sandbox
-from kinoedu.grading.autograder import the_submission
-from kinoedu.grading.questions import assignment
+from kinoedu.grading.assignments.questions import assignment
+from kinoedu.grading.export.autograder import the_submission
+from kinoedu.grading.sandbox import sandbox
 
 HOUSE = Path(__file__).resolve().parent.parent
 NAME = "01_geometry"
@@ -135,7 +135,7 @@ def test_the_zip_asks_what_the_solution_asks_and_tells_no_answer(packed, root):
 
 def test_the_scripts_are_bash():
     """setup.sh, which needs a container and the network, is at least read by bash."""
-    from kinoedu.grading.autograder_zip import RUN, SETUP
+    from kinoedu.grading.export.autograder_zip import RUN, SETUP
 
     for script in (SETUP, RUN):
         assert subprocess.run(["bash", "-n"], input=script, text=True, check=False).returncode == 0
@@ -245,8 +245,8 @@ def main_record(root: Path, tools: Path) -> str:
     """What the spying cell raised, from the record of the grade itself."""
     code = (
         "import sys, tempfile; from pathlib import Path\n"
-        "from kinoedu.grading.autograder import the_submission\n"
-        "from kinoedu.grading.running import grade_all, local\n"
+        "from kinoedu.grading.export.autograder import the_submission\n"
+        "from kinoedu.grading.judge.running import grade_all, local\n"
         "if __name__ == '__main__':\n"
         f"    one = the_submission(Path({str(root / 'submission')!r}), {NAME!r})\n"
         "    found = grade_all([one], Path(tempfile.mkdtemp()), b'x' * 16, place=local(1), "

@@ -15,19 +15,19 @@ import pytest
 from kinoedu.cli import main
 from kinoedu.course.lessons import find
 from kinoedu.errors import InvalidParameter
-from kinoedu.grading import sandbox
-from kinoedu.grading.cells_of_csv import harmless, unharmed
-from kinoedu.grading.class_list import Class, Entry, read_class, with_earlier, write_class
-from kinoedu.grading.decisions import read_decisions
-from kinoedu.grading.exports import export_canvas, export_csv, export_gradescope
-from kinoedu.grading.feedback_page import file_name, page_name
-from kinoedu.grading.handing_in import hand_in
-from kinoedu.grading.notebook import UnreadableSubmission
-from kinoedu.grading.questions import assignment
+from kinoedu.grading.assignments.questions import assignment
+from kinoedu.grading.collect.handing_in import hand_in
+from kinoedu.grading.collect.notebook import UnreadableSubmission
+from kinoedu.grading.collect.submissions import collect
+from kinoedu.grading.export.tables import export_canvas, export_csv, export_gradescope
+from kinoedu.grading.judge.class_list import Class, Entry, read_class, with_earlier, write_class
+from kinoedu.grading.judge.running import keep
 from kinoedu.grading.regrading import changes_between
-from kinoedu.grading.running import keep
-from kinoedu.grading.submissions import collect
-from kinoedu.grading.writing import write_all
+from kinoedu.grading.report.decisions import read_decisions
+from kinoedu.grading.report.feedback_page import file_name, page_name
+from kinoedu.grading.report.writing import write_all
+from kinoedu.grading.sandbox import sandbox
+from kinoedu.support.csv_cells import harmless, unharmed
 
 HOUSE = Path(__file__).resolve().parent.parent
 NAME, HAND = "01_geometry", "02_bug_algorithms"
@@ -435,8 +435,12 @@ def test_hand_grading_goes_to_nbgrader_and_back(tmp_path):
     pytest.importorskip("nbgrader")
     from nbgrader.api import Gradebook
 
-    from kinoedu.grading.class_list import digest_of
-    from kinoedu.grading.nbgrader_course import address, export_nbgrader, scores_from_nbgrader
+    from kinoedu.grading.export.nbgrader_course import (
+        address,
+        export_nbgrader,
+        scores_from_nbgrader,
+    )
+    from kinoedu.grading.judge.class_list import digest_of
 
     submissions, out = tmp_path / "in" / "ann", tmp_path / "out"
     submissions.mkdir(parents=True)

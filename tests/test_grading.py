@@ -13,12 +13,12 @@ import pytest
 
 from kinoedu.course.lessons import find
 from kinoedu.course.release import assignments
-from kinoedu.grading import sandbox
-from kinoedu.grading.grading import grade
-from kinoedu.grading.notebook import MOST_BYTES, UnreadableSubmission, cells_in
-from kinoedu.grading.questions import assignment, cases_of
-from kinoedu.grading.sandbox import Sandbox
-from kinoedu.grading.submissions import collect
+from kinoedu.grading.assignments.questions import assignment, cases_of
+from kinoedu.grading.collect.notebook import MOST_BYTES, UnreadableSubmission, cells_in
+from kinoedu.grading.collect.submissions import collect
+from kinoedu.grading.judge.submission import grade
+from kinoedu.grading.sandbox import sandbox
+from kinoedu.grading.sandbox.sandbox import Sandbox
 
 NO_SANDBOX = sandbox.why_not()
 HOUSE = Path(__file__).resolve().parent.parent

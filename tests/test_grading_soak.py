@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from kinoedu.grading import sandbox
+from kinoedu.grading.sandbox import sandbox
 
 HOUSE = Path(__file__).resolve().parent.parent
 sys.path.append(str(HOUSE / "benchmarks"))
@@ -78,8 +78,8 @@ sys.path.insert(0, {str(HOUSE / "benchmarks")!r})
 if __name__ == "__main__":
     from distributed import LocalCluster
     from grading_soak import SECRET, results
-    from kinoedu.grading.running import dask, grade_all
-    from kinoedu.grading.submissions import collect
+    from kinoedu.grading.judge.running import dask, grade_all
+    from kinoedu.grading.collect.submissions import collect
     out = Path(sys.argv[2])
     with LocalCluster(n_workers=2, threads_per_worker=2, dashboard_address=None, silence_logs=50) as cluster:
         def kill():

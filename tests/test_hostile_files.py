@@ -13,15 +13,22 @@ import pytest
 from kinoedu.course.judging import attempt, report_on
 from kinoedu.course.lessons import find
 from kinoedu.course.outcomes import Late, Misshapen, Raised
-from kinoedu.grading import asking, talk
-from kinoedu.grading.asking import Cell, Question, answers
-from kinoedu.grading.found import MOST_OF_ONE
-from kinoedu.grading.handing_in import answers_in
-from kinoedu.grading.marks import most_marks, shared_marks
-from kinoedu.grading.notebook import MOST_PARTS, UnreadableSubmission, notebook_in, source_of
-from kinoedu.grading.sandbox import Reply
-from kinoedu.grading.submissions import collect
-from kinoedu.grading.talk import Talk
+from kinoedu.grading.collect.found import MOST_OF_ONE
+from kinoedu.grading.collect.handing_in import answers_in
+from kinoedu.grading.collect.marks import most_marks, shared_marks
+from kinoedu.grading.collect.notebook import (
+    MOST_PARTS,
+    Cell,
+    UnreadableSubmission,
+    notebook_in,
+    source_of,
+)
+from kinoedu.grading.collect.submissions import collect
+from kinoedu.grading.judge import answers as asking
+from kinoedu.grading.judge.answers import Question, answers
+from kinoedu.grading.sandbox import talk
+from kinoedu.grading.sandbox.sandbox import Reply
+from kinoedu.grading.sandbox.talk import Talk
 
 NOTEBOOK = json.dumps({"nbformat": 4, "nbformat_minor": 5, "metadata": {}, "cells": []}).encode()
 EXERCISE = find("point_line_distance")
@@ -90,8 +97,8 @@ def test_names_without_end_are_cut(tmp_path):
 
 def test_a_name_steers_no_terminal(tmp_path, capsys):
     from kinoedu.cli.grade import sum_up
-    from kinoedu.grading.class_list import Class, Entry
-    from kinoedu.grading.rows import UNREADABLE, Row
+    from kinoedu.grading.judge.class_list import Class, Entry
+    from kinoedu.grading.report.rows import UNREADABLE, Row
 
     (tmp_path / "ann").mkdir()
     (tmp_path / "ann" / "01_geometry\x1b[2J\u202e.ipynb").write_bytes(b"")
@@ -104,8 +111,8 @@ def test_a_name_steers_no_terminal(tmp_path, capsys):
 
 
 def test_nothing_alike_is_said_too(tmp_path):
-    from kinoedu.grading.similar import Similar
-    from kinoedu.grading.similar_page import write_similar
+    from kinoedu.grading.report.similar import Similar
+    from kinoedu.grading.report.similar_page import write_similar
 
     assert write_similar([Similar("01_geometry", [], [], [])], tmp_path / "new") == 0
     assert (tmp_path / "new" / "similar.html").exists()

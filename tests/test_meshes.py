@@ -22,7 +22,7 @@ from kinoedu.errors import (
     UnknownFormat,
     UnreadableScene,
 )
-from kinoedu.worlds import mesh_outline, mesh_world, read_benchmr, read_mesh
+from kinoedu.files import mesh_outline, mesh_world, read_benchmr, read_mesh
 from kinoedu.worlds.polygon_world import rings_of
 
 BENCHMR = Path(__file__).parent / "data" / "benchmr"

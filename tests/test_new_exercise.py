@@ -21,7 +21,7 @@ ROOM = "kinoedu/course/lessons/midpoints"
 # without its file's fixture, which compiles everything
 WORDS = "import test_course as t; t.test_every_word_is_there_and_used()"
 MARKS = (
-    "from kinoedu.grading.questions import assignment as a; print([one.points for one in "
+    "from kinoedu.grading.assignments.questions import assignment as a; print([one.points for one in "
     "a({!r}).questions])"
 )
 

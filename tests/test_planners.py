@@ -8,8 +8,8 @@ import pytest
 
 import kinoedu as ke
 from kinoedu.errors import InvalidParameter
+from kinoedu.files.movingai import read_scenario
 from kinoedu.planners.grids.grid import plan_on_grid
-from kinoedu.worlds.movingai import read_scenario
 
 GRID = Path(__file__).parent / "data" / "grid"
 SQUARE = [(0, 0), (10, 0), (10, 10), (0, 10)]

@@ -25,10 +25,10 @@ from kinoedu.errors import (
     UnknownFormat,
     UnreadableScene,
 )
-from kinoedu.worlds.images import read_image
-from kinoedu.worlds.movingai import read_map, read_scenario, scenario_beside
-from kinoedu.worlds.reading import read_world
-from kinoedu.worlds.ros_map import read_ros_map
+from kinoedu.files.images import read_image
+from kinoedu.files.movingai import read_map, read_scenario, scenario_beside
+from kinoedu.files.ros_map import read_ros_map
+from kinoedu.files.worlds import read_world
 
 GRIDS = Path(__file__).parent / "data" / "grid"
 FREE_CELLS = {  # counted with tail, tr and wc

@@ -29,8 +29,8 @@ from kinoedu.errors import (
     InvalidRobot,
     InvalidStart,
 )
+from kinoedu.files.scenes import read_scene, write_scene
 from kinoedu.robots import ArmChain, Disk, placed, why_unreachable
-from kinoedu.scenes import read_scene, write_scene
 
 CASES = json.loads(
     (Path(__file__).parent / "data" / "arm" / "cases.json").read_text(encoding="utf-8")

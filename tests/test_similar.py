@@ -11,11 +11,11 @@ from pathlib import Path
 import pytest
 
 from kinoedu.cli import main
-from kinoedu.grading.fingerprints import RUN, WINDOW, crc, pieces, prints
-from kinoedu.grading.notebook import cells_in
-from kinoedu.grading.similar import similar
-from kinoedu.grading.similar_page import write_similar
-from kinoedu.grading.submissions import Submission
+from kinoedu.grading.collect.notebook import cells_in
+from kinoedu.grading.collect.submissions import Submission
+from kinoedu.grading.report.fingerprints import RUN, WINDOW, crc, pieces, prints
+from kinoedu.grading.report.similar import similar
+from kinoedu.grading.report.similar_page import write_similar
 
 HOUSE = Path(__file__).resolve().parent.parent
 NAME = "01_geometry"

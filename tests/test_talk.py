@@ -7,7 +7,7 @@ import time
 
 import pytest
 
-from kinoedu.grading import talk
+from kinoedu.grading.sandbox import talk
 
 
 def talked(program: str, patience: float = 1.0) -> tuple[list[bytes], str, float]:

@@ -10,15 +10,8 @@ import pytest
 import kinoedu as ke
 from kinoedu.collision.costs import integral
 from kinoedu.errors import InvalidParameter, InvalidWorld
-from kinoedu.worlds import (
-    LANDSCAPES,
-    clearance_of_cells,
-    hills,
-    landscape,
-    read_heights,
-    roughness,
-    slope,
-)
+from kinoedu.files import read_heights
+from kinoedu.worlds import LANDSCAPES, clearance_of_cells, hills, landscape, roughness, slope
 from kinoedu.worlds.landscapes import GOAL, START
 
 

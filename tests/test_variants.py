@@ -14,12 +14,18 @@ from kinoedu.course.judging import attempt, report_on
 from kinoedu.course.lessons import find
 from kinoedu.course.lessons.shared.graph_slips import first_in
 from kinoedu.errors import InvalidParameter
-from kinoedu.grading import sandbox
-from kinoedu.grading.contracts import choice, choices, personal, refuse_forgotten, with_variants
-from kinoedu.grading.questions import assignment, cases_of
-from kinoedu.grading.running import key_of
-from kinoedu.grading.submissions import Submission
-from kinoedu.grading.variants import write_variants
+from kinoedu.grading.assignments.questions import assignment, cases_of
+from kinoedu.grading.collect.submissions import Submission
+from kinoedu.grading.judge.contracts import (
+    choice,
+    choices,
+    personal,
+    refuse_forgotten,
+    with_variants,
+)
+from kinoedu.grading.judge.running import key_of
+from kinoedu.grading.judge.variants import write_variants
+from kinoedu.grading.sandbox import sandbox
 from kinoedu.planners import bug1, bug2
 
 NO_SANDBOX = sandbox.why_not()

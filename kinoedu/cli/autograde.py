@@ -39,8 +39,8 @@ def add_autograde(commands: Any) -> None:
 
 def run_autograde(arguments: argparse.Namespace) -> int:
     """Grade, and say what came out: on Gradescope only instructors read that."""
-    from ..grading.autograder import autograde
-    from ..grading.questions import course_secret
+    from ..grading.assignments.questions import course_secret
+    from ..grading.export.autograder import autograde
 
     if not arguments.secret.is_file():
         raise InvalidParameter(

@@ -88,9 +88,9 @@ def add_export(commands: Any) -> None:
 
 def run_export(arguments: argparse.Namespace) -> int:
     """Read the class, and write what is asked for."""
-    from ..grading.class_list import read_class
-    from ..grading.decisions import read_decisions
-    from ..grading.rows import class_rows
+    from ..grading.judge.class_list import read_class
+    from ..grading.report.decisions import read_decisions
+    from ..grading.report.rows import class_rows
 
     if arguments.gradescope_autograder is not None:
         return to_autograder(arguments)
@@ -112,7 +112,7 @@ def run_export(arguments: argparse.Namespace) -> int:
 
 def to_csv(arguments: argparse.Namespace, of: Any, rows: Any) -> str:
     """A plain table."""
-    from ..grading.exports import export_csv
+    from ..grading.export.tables import export_csv
 
     file = arguments.out or of.out / "totals.csv"
     export_csv(rows, file)
@@ -121,8 +121,8 @@ def to_csv(arguments: argparse.Namespace, of: Any, rows: Any) -> str:
 
 def to_canvas(arguments: argparse.Namespace, of: Any, rows: Any) -> str:
     """Canvas's own table, filled in."""
-    from ..grading.cells_of_csv import one_line
-    from ..grading.exports import export_canvas
+    from ..grading.export.tables import export_canvas
+    from ..support.csv_cells import one_line
 
     if arguments.template is None:
         raise InvalidParameter(
@@ -137,7 +137,7 @@ def to_canvas(arguments: argparse.Namespace, of: Any, rows: Any) -> str:
 
 def to_gradescope(arguments: argparse.Namespace, of: Any, rows: Any) -> str:
     """Results for each submission."""
-    from ..grading.exports import export_gradescope
+    from ..grading.export.tables import export_gradescope
 
     folder = arguments.out or of.out / "gradescope"
     return f"wrote {export_gradescope(rows, folder)} files in {folder}"
@@ -146,8 +146,8 @@ def to_gradescope(arguments: argparse.Namespace, of: Any, rows: Any) -> str:
 def to_autograder(arguments: argparse.Namespace) -> int:
     """What Gradescope grades with."""
     require_nbgrader()
-    from ..grading.autograder_zip import pack_autograder
-    from ..grading.questions import course_secret
+    from ..grading.assignments.questions import course_secret
+    from ..grading.export.autograder_zip import pack_autograder
     from .grade import secret_of
 
     if not arguments.assignment:
@@ -168,7 +168,7 @@ def to_autograder(arguments: argparse.Namespace) -> int:
 def to_nbgrader(arguments: argparse.Namespace, of: Any, rows: Any) -> str:
     """nbgrader's gradebook."""
     require_nbgrader()
-    from ..grading.nbgrader_course import export_nbgrader
+    from ..grading.export.nbgrader_course import export_nbgrader
 
     folder = arguments.out or of.out / "nbgrader"
     entries = [entry for entry in of.entries if arguments.assignment in ("", entry.assignment)]
@@ -183,8 +183,8 @@ def to_nbgrader(arguments: argparse.Namespace, of: Any, rows: Any) -> str:
 def from_nbgrader(of: Any, folder: Path) -> int:
     """Scores that people gave come back, and the grades are written anew."""
     require_nbgrader()
-    from ..grading.nbgrader_course import scores_from_nbgrader
-    from ..grading.writing import write_all
+    from ..grading.export.nbgrader_course import scores_from_nbgrader
+    from ..grading.report.writing import write_all
 
     if not (folder / "gradebook.db").exists():
         raise InvalidParameter(

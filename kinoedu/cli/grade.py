@@ -116,7 +116,7 @@ def add_how(command: argparse.ArgumentParser) -> None:
 def run_grade(arguments: argparse.Namespace) -> int:
     """Grade, write, and say what came out."""
     from ..grading.class_grading import grade_class
-    from ..grading.rows import class_rows
+    from ..grading.report.rows import class_rows
 
     secret_file = secret_of(arguments, "")
     with counted("grading") as grading, counted("writing pages") as writing:
@@ -127,10 +127,10 @@ def run_grade(arguments: argparse.Namespace) -> int:
 
 def run_regrade(arguments: argparse.Namespace) -> int:
     """Grade anew, and list what changed."""
-    from ..grading.cells_of_csv import number, one_line
-    from ..grading.class_list import read_class
+    from ..grading.judge.class_list import read_class
     from ..grading.regrading import regrade
-    from ..grading.rows import class_rows
+    from ..grading.report.rows import class_rows
+    from ..support.csv_cells import number, one_line
 
     secret_file = secret_of(arguments, read_class(arguments.old).secret_file)
     with counted("grading") as grading, counted("writing pages") as writing:
@@ -157,7 +157,7 @@ def run_regrade(arguments: argparse.Namespace) -> int:
 
 def secret_of(arguments: argparse.Namespace, before: str) -> Path:
     """The secret's file: as given, as before, or this user's own; says so where it is made."""
-    from ..grading.secret_place import usual_secret
+    from ..grading.assignments.secret_place import usual_secret
 
     file = arguments.secret or (Path(before) if before else usual_secret())
     if not file.exists() and not before:
@@ -172,7 +172,7 @@ def secret_of(arguments: argparse.Namespace, before: str) -> Path:
 def run_of(arguments: argparse.Namespace, secret_file: Path, grading: Any, writing: Any) -> Any:
     """How it is to be done."""
     from ..grading.class_grading import Run
-    from ..grading.running import dask, local
+    from ..grading.judge.running import dask, local
 
     if arguments.workers is not None and arguments.workers < 1:
         raise InvalidParameter(f"--workers is a number from 1, got {arguments.workers}")
@@ -184,8 +184,8 @@ def run_of(arguments: argparse.Namespace, secret_file: Path, grading: Any, writi
 
 def sum_up(of: Any, rows: Any) -> int:
     """One line on what was graded, one for each that was not, and what to do next."""
-    from ..grading.cells_of_csv import one_line
-    from ..grading.rows import NOT_GRADED, UNREADABLE
+    from ..grading.report.rows import NOT_GRADED, UNREADABLE
+    from ..support.csv_cells import one_line
 
     bad = {row[:2]: row for row in rows if row.status in (UNREADABLE, NOT_GRADED)}
     lost = [entry for entry in of.entries if (entry.student, entry.assignment) in bad]

@@ -33,7 +33,7 @@ def add_hand_in(commands: Any) -> None:
 
 def run_hand_in(arguments: argparse.Namespace) -> int:
     """Pack, and show the receipt."""
-    from ..grading.handing_in import hand_in
+    from ..grading.collect.handing_in import hand_in
 
     zip_file = arguments.out or Path(f"{arguments.file.stem}.zip")
     receipt = hand_in(arguments.file, zip_file, datetime.now(UTC))

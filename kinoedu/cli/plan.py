@@ -76,7 +76,8 @@ PLAN_HELP = f"""\
 Plan a path in a scene, a map or a picture, and draw it.
 
 SCENE is one of
-  .json            a scene: robot, world, start and goal (see kinoedu/scenes.py); or a map of polygons; needs --start and --goal
+  .json            a scene: robot, world, start and goal (see kinoedu/files/scenes.py); or a map
+                   of polygons; needs --start and --goal
   .map             a MovingAI map; --query K takes start and goal from the .scen beside it
   .png .bmp .pgm   a picture: bright is free, dark is blocked; needs --start and --goal
   .yaml            a ROS map with its picture; needs --start and --goal
@@ -210,8 +211,8 @@ def run_plan(arguments: argparse.Namespace) -> int:
     """Read, plan, draw, and say in one line what came out."""
     check_writable("--out", arguments.out, arguments.scene, "a picture ends in .png, .svg or .pdf")
     check_writable("--save", arguments.save, arguments.scene, "a plan ends in .json or .csv")
+    from ..files.scenes import read_problem
     from ..geometry.checks import as_generator  # imported here so that --help is quick
-    from ..scenes import read_problem
 
     as_generator(arguments.seed)
     with stage(f"reading {arguments.scene.name}"):
@@ -234,7 +235,7 @@ def run_plan(arguments: argparse.Namespace) -> int:
             save_plan(plan, arguments.out)
     if arguments.save is not None:
         with stage(f"writing {arguments.save.name}"):
-            from ..plan_files import write_plan
+            from ..files.plans import write_plan
 
             write_plan(plan, arguments.save)
     counts = ", ".join(f"{count:,} {name}" for name, count in plan.stats.items())

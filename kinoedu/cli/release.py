@@ -76,8 +76,8 @@ def run_release(arguments: argparse.Namespace) -> int:
 
 def release_variants(arguments: argparse.Namespace) -> int:
     """Write each student's own exercises, and say where they are."""
-    from ..grading.questions import course_secret
-    from ..grading.variants import write_variants
+    from ..grading.assignments.questions import course_secret
+    from ..grading.judge.variants import write_variants
     from .grade import secret_of
 
     if arguments.out is None or not arguments.assignments:

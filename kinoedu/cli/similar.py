@@ -52,9 +52,9 @@ def add_similar(commands: Any) -> None:
 
 def run_similar(arguments: argparse.Namespace) -> int:
     """Compare, and say where to look."""
-    from ..grading.similar import similar
-    from ..grading.similar_page import write_similar
-    from ..grading.submissions import collect
+    from ..grading.collect.submissions import collect
+    from ..grading.report.similar import similar
+    from ..grading.report.similar_page import write_similar
 
     if arguments.most < 1:
         raise InvalidParameter(f"--most is a number from 1, got {arguments.most}")

@@ -31,7 +31,7 @@ PACKAGE = Path(__file__).resolve().parent.parent
 NAME = __name__.partition(".")[0]
 
 # Nothing below these rooms calls them: none of what they compile is kept.
-UPPER_ROOMS = ("bench", "boards", "cli", "course", "experiments", "figures", "grading")
+UPPER_ROOMS = ("bench", "boards", "cli", "course", "experiments", "figures", "files", "grading")
 STALE = 30 * 24 * 3600.0  # seconds after which the code of other versions is cleared away
 IMPORTED = time.time()  # sources that were changed later are not those that run here
 

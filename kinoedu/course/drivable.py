@@ -10,9 +10,9 @@ from typing import Any
 import numpy as np
 
 from ..curves.arcs import driven
+from ..files.scenes import problem_from
 from ..geometry.checks import Array
 from ..problems import ProblemRecord
-from ..scenes import problem_from
 from ..support.json_fields import Field
 from .plain import WrongShape
 from .tasks import Asked, Task, scene_of

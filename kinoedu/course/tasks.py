@@ -4,9 +4,9 @@ from itertools import groupby
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from ..files.scene_robots import described
+from ..files.scenes import problem_from
 from ..problems import ProblemRecord, Recorder
-from ..scene_robots import described
-from ..scenes import problem_from
 from ..support.json_fields import Field
 from ..words import say
 from .plain import WrongShape, wrong

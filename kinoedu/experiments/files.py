@@ -33,9 +33,9 @@ from typing import Any, get_args
 
 from .. import planners
 from ..errors import KinoeduError, UnreadableScene
+from ..files.scene_robots import ROBOTS
+from ..files.scenes import read_problem
 from ..problems import Plan
-from ..scene_robots import ROBOTS
-from ..scenes import read_problem
 from ..support.json_fields import Field
 from ..support.reading import read_text
 from .experiment import Experiment, ExperimentRecord, tuned

@@ -1,5 +1,6 @@
-"""Grading: submissions are run where they can do no harm, and judged where they are not.
+"""Grading, by stage. Students' programs run where they can do no harm, and are judged elsewhere.
 
-`submissions` finds out what is whose, `sandbox` and `inside` run it, `asking` hears what comes out,
-`grading` judges one, and `running` a whole class.
+`assignments` knows the questions, `collect` reads what was handed in, `sandbox` runs it, `judge`
+compares the answers with the truth, `report` writes the pages, and `export` the tables for other
+programs. `class_grading` takes a whole class through all stages.
 """

@@ -5,14 +5,14 @@ from pathlib import Path
 from typing import NamedTuple
 
 from ..errors import InvalidParameter
-from .class_list import FILE, Class, entry_of, mark_of, read_class, with_earlier, write_class
-from .contracts import personal, refuse_forgotten
-from .decisions import read_decisions
-from .questions import course_secret
-from .running import Place, Progress, grade_all, local
-from .sandbox import why_not
-from .submissions import Submission, collect
-from .writing import write_all
+from .assignments.questions import course_secret
+from .collect.submissions import Submission, collect
+from .judge.class_list import FILE, Class, entry_of, mark_of, read_class, with_earlier, write_class
+from .judge.contracts import personal, refuse_forgotten
+from .judge.running import Place, Progress, grade_all, local
+from .report.decisions import read_decisions
+from .report.writing import write_all
+from .sandbox.sandbox import why_not
 
 
 class Run(NamedTuple):

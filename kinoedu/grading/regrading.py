@@ -8,13 +8,13 @@ from pathlib import Path
 from typing import NamedTuple
 
 from ..errors import InvalidParameter
-from .cells_of_csv import harmless, number, write_rows
+from ..support.csv_cells import harmless, number, write_rows
+from .assignments.questions import course_secret
 from .class_grading import Run, grade_found
-from .class_list import Class, Entry, mark_of, read_class
-from .decisions import BY_HAND, OVERRIDES, Decisions, read_decisions
-from .questions import course_secret
-from .rows import Row, class_rows
-from .submissions import collect
+from .collect.submissions import collect
+from .judge.class_list import Class, Entry, mark_of, read_class
+from .report.decisions import BY_HAND, OVERRIDES, Decisions, read_decisions
+from .report.rows import Row, class_rows
 
 COLUMNS = ("student", "assignment", "question", "before", "after", "why", "kept")
 

@@ -1,13 +1,10 @@
-"""Worlds: where a robot moves, made from polygons or bitmaps or read from files."""
+"""Worlds: where a robot moves, made from polygons or bitmaps."""
 
-from .benchmr import read_benchmr
-from .heights import clearance_of_cells, read_heights, roughness, slope
+from .heights import clearance_of_cells, roughness, slope
 from .landscapes import LANDSCAPES, hills, landscape
-from .meshes import mesh_outline, mesh_world, read_mesh
 from .moving import Moving, MovingWorld, movers_at
 from .polygon_world import PolygonWorld
 from .range_sensor import Scan, scan
-from .reading import read_world
 from .scattered import scattered
 from .terrain import Terrain
 from .uncertain import UncertainWorld, as_it_is, chance_margins, inflated, scenarios
@@ -26,13 +23,7 @@ __all__ = [
     "hills",
     "inflated",
     "landscape",
-    "mesh_outline",
-    "mesh_world",
     "movers_at",
-    "read_benchmr",
-    "read_heights",
-    "read_mesh",
-    "read_world",
     "roughness",
     "scan",
     "scattered",

@@ -5,7 +5,6 @@ Each is an array with a number for each cell, made to be put together into a ter
 `Terrain(slope(h) < 1.0, cost=1.0 + 4.0 * slope(h) + 2.0 * roughness(h))`.
 """
 
-import os
 from itertools import product
 
 import numpy as np
@@ -13,17 +12,7 @@ from numpy.typing import ArrayLike
 
 from ..errors import InvalidWorld
 from ..geometry.checks import Array, as_array, positive, whole
-
-
-def read_heights(path: str | os.PathLike[str], *, highest: float = 1.0) -> Array:
-    """The heights (rows, columns) in a grey picture: black is 0, white `highest`; row 0 is the
-    lowest, as in `Terrain`.
-
-    Raises UnreadableScene, SceneTooLarge, InvalidParameter.
-    """
-    from .images import brightness  # images imports readers that ask this room's questions
-
-    return positive(highest, "highest") * brightness(path)[::-1]
+from .terrain import Terrain
 
 
 def as_heights(heights: ArrayLike) -> Array:
@@ -93,8 +82,6 @@ def clearance_of_cells(free: ArrayLike, *, resolution: float = 1.0) -> Array:
     [[1.0, 1.0, 1.0], [1.0, 1.0, 0.0], [1.0, 1.0, 1.0]]
     """
     from scipy.ndimage import distance_transform_edt
-
-    from .terrain import Terrain
 
     cells = Terrain(free).free
     return positive(resolution, "resolution") * distance_transform_edt(np.pad(cells, 1))[1:-1, 1:-1]

@@ -1,0 +1,233 @@
+"""Worlds and robots from meshes: triangles in space become polygons in the plane, seen from above
+or sliced at a height.
+
+trimesh reads the files. What a file says of which way is up, a program that writes it often does
+not mean, and trimesh turns nothing: z is up unless `up` says otherwise.
+"""
+
+import io
+import os
+import re
+import warnings
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ..errors import InvalidParameter, InvalidRobot, SceneTooLarge, UnknownFormat, UnreadableScene
+from ..geometry.checks import LIMIT, Array, as_array, as_point, positive
+from ..support.reading import regular_file
+from ..support.text import shortened
+from ..worlds.polygon_world import PolygonWorld, PolygonWorldRecord
+from .outlines import Solid, rectangle, shadow, slice_of
+
+ENDINGS = (".dae", ".glb", ".obj", ".stl")
+MAX_TRIANGLES = 500_000
+MAX_BYTES = 200_000_000
+UPRIGHT = {  # which rows become x, y and z, each with its sign, where another axis is up
+    "z": ((0, 1), (1, 1), (2, 1)),
+    "y": ((0, 1), (2, -1), (1, 1)),
+    "x": ((1, -1), (2, -1), (0, 1)),
+}
+
+
+def read_mesh(
+    path: str | os.PathLike[str], *, slice_at: float | None = None, up: str = "z"
+) -> list[Solid]:
+    """The polygons that a mesh makes in the plane, as pairs (outline, rooms): obstacles for
+    `PolygonWorld`.
+
+    Parameters
+    ----------
+    path : .stl, .obj, .dae or .glb. All of a scene's bodies count, each where the file puts it.
+    slice_at : the height to slice at, which needs closed bodies; by default the mesh is seen from
+    above, with all that it covers.
+    up : the axis of the file that points up: "z", "y", "x", or "file" for what the file says:
+    `<up_axis>` of a .dae, y in a .glb,
+        z else. Programs often write an `<up_axis>` that they do not mean, so it is not followed
+        unless asked for. With y up, the plane is (x, -z); with x up, (-y, -z).
+
+    Outlines are counter-clockwise and disjoint, with rooms where the mesh has holes. Coordinates
+    are exact to 2^-39 of the mesh's size. A slice has what is just above its height. An .obj cut
+    short between two lines cannot be told from a whole one.
+
+    Raises UnreadableScene for a file that is missing, damaged or empty, covers no area, or is to be
+    sliced and is not closed; SceneTooLarge; UnknownFormat; InvalidParameter for a height where
+    nothing is.
+
+    >>> from pathlib import Path
+    >>> from tempfile import TemporaryDirectory
+    >>> with TemporaryDirectory() as folder:
+    ...     file = Path(folder) / "tile.obj"
+    ...     _ = file.write_text("v 0 0 1\\nv 2 0 1\\nv 2 1 1\\nv 0 1 1\\nf 1 2 3\\nf 1 3 4\\n")
+    ...     [(outline, rooms)] = read_mesh(file)
+    >>> sorted(outline.tolist()), rooms
+    ([[0.0, 0.0], [0.0, 1.0], [2.0, 0.0], [2.0, 1.0]], [])
+    """
+    if up not in (*UPRIGHT, "file"):
+        raise InvalidParameter(f'up must be "x", "y", "z" or "file", got {shortened(up)}')
+    file = Path(path)
+    triangles = triangles_in(file, up)
+    if slice_at is None:
+        made: list[Solid] | None = shadow(triangles)
+        if not made:
+            raise UnreadableScene(
+                f"{file}: its triangles cover no area seen along {up}; is another axis up? Then "
+                "say so by `up`"
+            )
+        return made
+    height = as_array(slice_at, "slice_at")
+    low, high = triangles[:, :, 2].min(), triangles[:, :, 2].max()
+    if height.ndim or not low <= height < high:
+        raise InvalidParameter(
+            f"{file}: slice_at must be a height from {low:g} to below {high:g}, got "
+            f"{shortened(slice_at)}"
+        )
+    made = slice_of(triangles, float(height))
+    if made is None:
+        raise UnreadableScene(
+            f"{file}: the mesh is not closed at height {float(height):g}, or some of its "
+            "triangles face the other way; "
+            "repair it, or leave out slice_at to see it from above"
+        )
+    if not made:
+        raise InvalidParameter(
+            f"{file}: no body is at height {float(height):g}; choose another slice_at"
+        )
+    return made
+
+
+def mesh_world(
+    path: str | os.PathLike[str],
+    *,
+    boundary: ArrayLike | None = None,
+    margin: float | None = None,
+    slice_at: float | None = None,
+    up: str = "z",
+) -> PolygonWorldRecord:
+    """The world whose obstacles are a mesh's polygons.
+
+    Parameters
+    ----------
+    boundary : (n, 2), a simple polygon; by default a rectangle round all, `margin` away.
+    margin : a length, by default a tenth of the mesh's longer side.
+    path, slice_at, up : as in `read_mesh`, and so are the errors; InvalidPolygon for the boundary.
+    """
+    obstacles = read_mesh(path, slice_at=slice_at, up=up)
+    if boundary is None:
+        corners = np.concatenate([outline for outline, _ in obstacles])
+        lo, hi = corners.min(axis=0), corners.max(axis=0)
+        off = (hi - lo).max() / 10.0 if margin is None else positive(margin, "margin")
+        boundary = rectangle(lo - off, hi + off)
+    elif margin is not None:
+        raise InvalidParameter("give a boundary or a margin, not both")
+    return PolygonWorld(boundary, obstacles)
+
+
+def mesh_outline(
+    path: str | os.PathLike[str],
+    *,
+    slice_at: float | None = None,
+    up: str = "z",
+    reference: ArrayLike = (0.0, 0.0),
+) -> Array:
+    """The outline (n, 2) of a mesh of one piece: vertices for `RigidPolygon` or
+    `TranslatingPolygon`. Its holes are filled.
+
+    reference : the point of the mesh, in its own plane, that becomes the origin: the robot's
+        reference point.
+
+    All else as in `read_mesh`; InvalidRobot where there is more than one piece.
+    """
+    pieces = read_mesh(path, slice_at=slice_at, up=up)
+    if len(pieces) > 1:
+        raise InvalidRobot(f"{path}: a robot must be in one piece, got {len(pieces)}")
+    return pieces[0][0] - as_point(reference, "reference")
+
+
+def triangles_in(file: Path, up: str) -> Array:
+    """A file's triangles, (m, 3, 3), z up."""
+    ending = file.suffix.lower()
+    if ending not in ENDINGS:
+        raise UnknownFormat(f"{file}: expected {', '.join(ENDINGS)}, got {ending or 'no ending'}")
+    with regular_file(file).open("rb") as stream:
+        data = stream.read(MAX_BYTES + 1)
+    if len(data) > MAX_BYTES:
+        raise SceneTooLarge(
+            f"{file}: expected at most {MAX_BYTES:,} bytes, got more; simplify the mesh"
+        )
+    triangles = loaded(data, ending[1:], file)
+    if len(triangles) == 0:
+        raise UnreadableScene(f"{file}: it holds no triangles; export the surfaces as a mesh")
+    if len(triangles) > MAX_TRIANGLES:
+        raise SceneTooLarge(
+            f"{file}: expected at most {MAX_TRIANGLES:,} triangles, got {len(triangles):,}; "
+            "simplify the mesh"
+        )
+    if not (np.abs(triangles) <= LIMIT).all():
+        raise UnreadableScene(
+            f"{file}: coordinates must be finite and at most 1e150; export it again"
+        )
+    axes = UPRIGHT[said_up(data, ending) if up == "file" else up]
+    return np.stack([sign * triangles[:, :, row] for row, sign in axes], axis=2)
+
+
+def loaded(data: bytes, kind: str, file: Path) -> Array:
+    """Triangles as trimesh reads them, every body of a scene where the scene puts it."""
+    import trimesh
+
+    if damage := why_cut(data, kind):
+        raise UnreadableScene(
+            f"{file}: expected a whole .{kind} file, got {damage}; export it again"
+        )
+    options: dict[str, Any] = {"skip_materials": True} if kind in ("obj", "glb") else {}
+    try:
+        with warnings.catch_warnings(), np.errstate(all="ignore"):
+            warnings.simplefilter("ignore")  # what matters of it is judged here
+            scene = trimesh.load_scene(io.BytesIO(data), file_type=kind, process=False, **options)
+            surfaces = any(isinstance(body, trimesh.Trimesh) for body in scene.geometry.values())
+            return np.array(scene.triangles, np.float64) if surfaces else np.empty((0, 3, 3))
+    except ImportError as error:
+        raise UnreadableScene(
+            f"{file}: reading .{kind} needs a package that is not installed: {error}"
+        ) from error
+    except (
+        Exception
+    ) as error:  # on damaged bytes the readers fail with anything from KeyError to struct.error
+        raise UnreadableScene(
+            f"{file}: expected a mesh in .{kind}, got damage: {shortened(error)}; export it again"
+        ) from error
+
+
+def why_cut(data: bytes, kind: str) -> str:
+    """What shows that a file was cut short, where trimesh would read what is left as a smaller
+    mesh, or as none; else empty.
+    """
+    if kind == "obj":
+        short = re.search(rb"^f(?:[ \t]+[^\s]+){0,2}[ \t\r]*$", data, re.MULTILINE)
+        return (
+            f"the face {short[0].decode(errors='replace').strip()!r}, of fewer than three corners"
+            if short
+            else ""
+        )
+    if kind != "stl":
+        return ""
+    count = int.from_bytes(data[80:84], "little")
+    if len(data) == 84 + 50 * count and len(data) > 84:
+        return ""
+    if not data.lstrip().startswith(b"solid"):
+        return (
+            f"{len(data):,} bytes where a binary one of {count:,} triangles has {84 + 50 * count:,}"
+        )
+    return "" if b"endsolid" in data else "one that stops before endsolid"
+
+
+def said_up(data: bytes, ending: str) -> str:
+    """The axis that the file says is up."""
+    found = re.search(rb"<up_axis>\s*([XYZ])_UP", data) if ending == ".dae" else None
+    if found:
+        return found[1].decode().lower()
+    return (
+        "y" if ending in (".dae", ".glb") else "z"
+    )  # what the two formats prescribe where nothing is said

@@ -1,0 +1,171 @@
+"""Grid maps and scenarios of MovingAI (Sturtevant 2012,
+https://movingai.com/benchmarks/formats.html).
+"""
+
+import os
+import re
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import UnreadableScene
+from ..support.reading import read_text
+from ..worlds.terrain import Terrain, TerrainRecord
+from .sizes import check_size
+
+_PASSABLE, _BLOCKED = ".GS", "@OTW"
+
+
+class Query(NamedTuple):
+    """One line of a scenario: where to go on which map, and the length of the best way.
+
+    `start` and `goal` (2,) are centres of cells in a terrain of resolution 1 at the origin, y up.
+    `length` is the shortest octile length: moves between centres, diagonally only past two free
+    cells. `columns` and `rows` are the size of the map that is meant.
+    """
+
+    map_name: str
+    start: NDArray[np.float64]
+    goal: NDArray[np.float64]
+    length: float
+    columns: int
+    rows: int
+
+
+def read_map(path: str | os.PathLike[str]) -> TerrainRecord:
+    """A terrain from a MovingAI map: `.`, `G` and `S` are free, `@`, `O`, `T` and `W` are blocked.
+
+    Raises
+    ------
+    UnreadableScene, SceneTooLarge
+        The file is missing or no text, a character is unknown, rows contradict the header; too many
+        cells.
+
+    Examples
+    --------
+    >>> from tempfile import TemporaryDirectory
+    >>> with TemporaryDirectory() as folder:
+    ...     corner = Path(folder) / "corner.map"
+    ...     _ = corner.write_text("type octile\\nheight 2\\nwidth 3\\nmap\\n..@\\n@@@\\n")
+    ...     read_map(corner).free.tolist()  # row 0 is the lowest
+    [[False, False, False], [True, True, False]]
+    """
+    path = Path(path)
+    parts = re.split(r"^map[ \t]*(?:\n|\Z)", read_text(path), maxsplit=1, flags=re.MULTILINE)
+    if len(parts) != 2:
+        raise UnreadableScene(f"{path}: expected a line that says 'map' before the rows, got none")
+    height, width = _header(path, parts[0])
+    rows = parts[1].rstrip().split("\n")
+    _check_rows(path, rows, height, width)
+    return Terrain(_free_cells(path, rows)[::-1])
+
+
+def _header(path: Path, head: str) -> tuple[int, int]:
+    """The height and the width that the lines before `map` announce, in whatever order."""
+    entries = [line.split() for line in head.splitlines() if line.strip()]
+    keys = sorted(words[0] for words in entries)
+    if keys != ["height", "type", "width"] or any(len(words) != 2 for words in entries):
+        raise UnreadableScene(
+            f"{path}: expected lines 'type octile', 'height ...', 'width ...' before 'map', got "
+            f"{head[:80]!r}"
+        )
+    header = dict(entries)
+    if header["type"] != "octile":
+        raise UnreadableScene(f"{path}: expected 'type octile', got 'type {header['type'][:40]}'")
+    height, width = (_whole_number(header[key], f"{path}: {key}") for key in ("height", "width"))
+    check_size(path, width, height)
+    return height, width
+
+
+def _check_rows(path: Path, rows: list[str], height: int, width: int) -> None:
+    """Refuse rows that are not what the header says: too many or few, too long or short."""
+    if len(rows) != height:
+        raise UnreadableScene(f"{path}: expected {height} rows as the header says, got {len(rows)}")
+    for number, row in enumerate(rows, start=1):
+        if len(row) != width:
+            raise UnreadableScene(
+                f"{path}: expected {width} characters in row {number}, got {len(row)}"
+            )
+
+
+def _free_cells(path: Path, rows: list[str]) -> NDArray[np.bool_]:
+    """Which cells (rows, columns) are passable, top row first."""
+    codes = np.frombuffer("".join(rows).encode("ascii", "replace"), np.uint8).reshape(len(rows), -1)
+    unknown = ~np.isin(codes, list((_PASSABLE + _BLOCKED).encode()))
+    if unknown.any():
+        row, column = np.argwhere(unknown)[0]
+        raise UnreadableScene(
+            f"{path}: row {row + 1}, column {column + 1} of the map: expected one of "
+            f"{_PASSABLE}{_BLOCKED},"
+            f" got {rows[row][column]!r}"
+        )
+    return np.isin(codes, list(_PASSABLE.encode()))
+
+
+def read_scenario(path: str | os.PathLike[str]) -> list[Query]:
+    """The queries of a MovingAI scenario, in the file's order.
+
+    Raises
+    ------
+    UnreadableScene, SceneTooLarge
+        The file is missing or is not text, or a line, which the message names, makes no sense.
+    """
+    path = Path(path)
+    version, *lines = read_text(path).split("\n")
+    if not re.fullmatch(r"version\s+1(\.0*)?", version.strip()):
+        raise UnreadableScene(f"{path}: line 1: expected 'version 1', got {version[:40]!r}")
+    return [
+        _query(line, f"{path}: line {n}") for n, line in enumerate(lines, start=2) if line.strip()
+    ]
+
+
+def _query(line: str, where: str) -> Query:
+    """The query on one line, whose cells are counted from the top left corner."""
+    words = [word.strip() for word in line.strip().split("\t" if "\t" in line else None)]
+    if len(words) != 9:
+        raise UnreadableScene(
+            f"{where}: expected 9 columns, from bucket to optimal length, got {len(words)}"
+        )
+    _, width, height, *cells = (_whole_number(word, where) for word in words[:1] + words[2:8])
+    check_size(where, width, height)
+    for x, y in (ends := (cells[:2], cells[2:])):
+        if x >= width or y >= height:
+            raise UnreadableScene(
+                f"{where}: expected a cell of the {width} x {height} map, got ({x}, {y})"
+            )
+    start, goal = (np.array([x + 0.5, height - 1 - y + 0.5]) for x, y in ends)
+    return Query(words[1], start, goal, _length(words[8], where), width, height)
+
+
+def _whole_number(word: str, where: str) -> int:
+    """A number of cells; so many digits that no terrain is meant are refused before `int` chokes on
+    them.
+    """
+    if not re.fullmatch("[0-9]{1,18}", word):
+        raise UnreadableScene(f"{where}: expected a whole number, got {word[:40]!r}")
+    return int(word)
+
+
+def _length(word: str, where: str) -> float:
+    """The length of a path: finite and not negative, in decimals."""
+    if not re.fullmatch(r"[0-9]{1,18}(\.[0-9]*)?(e[+-]?[0-9]{1,2})?", word):
+        raise UnreadableScene(f"{where}: expected a length, got {word[:40]!r}")
+    return float(word)
+
+
+def scenario_beside(path: str | os.PathLike[str]) -> Path | None:
+    """The scenario of a map `X.map`: `X.map.scen`, else `X.scen`, else the first `X-even-1.scen`,
+    ...
+    """
+    path = Path(path)
+    numbered = re.compile(re.escape(path.stem) + r"-(even|random)-[0-9]+\.scen")
+    try:
+        beside = sorted(name for name in os.listdir(path.parent) if numbered.fullmatch(name))
+    except (OSError, ValueError):  # no such folder: nothing lies in it
+        return None
+    names = [f"{path.name}.scen", f"{path.stem}.scen", *beside]
+    return next(
+        (path.with_name(name) for name in names if os.path.isfile(path.with_name(name))), None
+    )

@@ -1,0 +1,185 @@
+"""Maps of ROS: a picture, and a YAML file that says what it means
+(https://wiki.ros.org/map_server).
+"""
+
+import math
+import os
+from collections.abc import Iterator
+from contextlib import suppress
+from difflib import get_close_matches
+from itertools import pairwise
+from pathlib import Path
+from reprlib import repr as brief
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import UnreadableScene
+from ..support.reading import read_text
+from ..worlds.terrain import Terrain, TerrainRecord
+from .images import deep_grey, load_image
+
+if TYPE_CHECKING:
+    from PIL.Image import Image
+
+_REQUIRED = ("image", "resolution", "origin", "negate", "occupied_thresh", "free_thresh")
+_MAX_YAML = 20_000  # bytes: a map's settings are ten lines
+
+
+def read_ros_map(path: str | os.PathLike[str]) -> TerrainRecord:
+    """A terrain from a ROS map, in metres.
+
+    A pixel of shade x, the mean of its channels in 0..255, is occupied with probability p = (255 -
+    x) / 255, or x / 255 under `negate`. It is free when p < free_thresh; what is occupied or
+    unknown is not free. In mode `trinary` an alpha channel is averaged in, as ROS does; in mode
+    `scale` transparent is unknown.
+
+    Parameters
+    ----------
+    path : str or path
+        The YAML file, with the keys image (a path relative to it), resolution (metres a cell),
+        origin (x, y, yaw of the lower left corner), negate, occupied_thresh, free_thresh, and mode
+        if it is not trinary.
+
+    Raises
+    ------
+    UnreadableScene, SceneTooLarge
+        A file is missing, damaged or too large; a setting is missing, misspelt or senseless; yaw;
+        mode `raw`.
+    """
+    path = Path(path)
+    settings = _settings(path)
+    resolution = _number(path, "resolution", settings["resolution"])
+    _expect(resolution > 0, path, "a resolution above 0 metres a cell", resolution)
+    origin = _origin(path, settings["origin"])
+    negate, name, mode = settings["negate"], settings["image"], settings.get("mode", "trinary")
+    _expect(negate in (0, 1), path, "negate: 0 or negate: 1", negate)
+    _expect(
+        mode in ("trinary", "scale"),
+        path,
+        "mode: trinary or scale (raw cannot tell what is free)",
+        mode,
+    )
+    _expect(isinstance(name, str) and name != "", path, "image: the name of a picture", name)
+    free_below, image = _free_threshold(path, settings), load_image(path.parent / str(name))
+    free = _free_cells(image, free_below, bool(negate), averages_alpha=mode == "trinary")
+    return Terrain(free[::-1], resolution=resolution, origin=origin)
+
+
+def _expect(holds: bool, path: Path, wanted: str, got: object) -> None:
+    """Refuse a setting unless the condition holds."""
+    if not holds:
+        raise UnreadableScene(f"{path}: expected {wanted}, got {brief(got)}; correct it")
+
+
+def _settings(path: Path) -> dict[object, object]:
+    """The mapping in a YAML file, with every key that is needed."""
+    settings = _load_yaml(path)
+    if not isinstance(settings, dict):
+        raise UnreadableScene(
+            f"{path}: expected lines like 'resolution: 0.05', got {brief(settings)}"
+        )
+    missing = [key for key in _REQUIRED if key not in settings]
+    known = [*_REQUIRED, "mode"]
+    others = (str(key)[:40] for key in settings if key not in known)
+    misspelt = [key for key in others if get_close_matches(key, known, cutoff=0.75)]
+    if missing or misspelt:
+        raise UnreadableScene(
+            f"{path}: expected the keys {', '.join(known)}; missing: "
+            f"{', '.join(missing) or 'none'};"
+            f" misspelt: {brief(misspelt) if misspelt else 'none'}"
+        )
+    return settings
+
+
+def _load_yaml(path: Path) -> object:
+    """What a small YAML file says."""
+    import yaml
+
+    text = read_text(path, _MAX_YAML)
+    try:
+        _check_tokens(yaml.scan(text))
+        _check_twins(yaml.compose(text, Loader=yaml.SafeLoader))
+        return yaml.safe_load(text)
+    except Exception as error:  # besides YAMLError it lets ValueError and RecursionError through
+        raise UnreadableScene(
+            f"{path}: expected YAML, got: {str(error)[:300]}; mend that line"
+        ) from error
+
+
+def _check_tokens(tokens: Iterator[Any]) -> None:
+    """Refuse what no map needs and what costs a parser minutes: aliases, heaps of lists, endless
+    numbers.
+    """
+    nested = 0
+    for token in tokens:
+        kind = type(token).__name__
+        nested += kind.endswith(("SequenceStartToken", "MappingStartToken"))
+        if kind == "AliasToken" or nested > 100 or len(getattr(token, "value", None) or "") > 1_000:
+            raise ValueError(
+                "an alias (*name), more than 100 lists, or a value longer than 1,000 characters"
+            )
+
+
+def _check_twins(node: Any) -> None:
+    """Refuse a key that stands twice: ROS would take the first of them, and the parser here the
+    last.
+    """
+    pairs = node.value if getattr(node, "id", None) == "mapping" else []
+    keys = sorted(str(key.value) for key, _ in pairs)
+    if twins := [key for key, following in pairwise(keys) if key == following]:
+        raise ValueError(f"the key {brief(twins[0])} twice")
+
+
+def _number(path: Path, key: str, value: object) -> float:
+    """A finite number. `1e-2` is text in YAML 1.1 but a number to ROS, so text is tried too."""
+    number = math.nan
+    if isinstance(value, int | float | str) and not isinstance(value, bool):
+        with suppress(ValueError, OverflowError):
+            number = float(value)
+    _expect(math.isfinite(number), path, f"a finite number for {key}", value)
+    return number
+
+
+def _origin(path: Path, value: object) -> tuple[float, float]:
+    """Where the lower left corner lies, in metres."""
+    if not isinstance(value, list) or len(value) != 3:
+        raise UnreadableScene(
+            f"{path}: expected origin: [x, y, yaw], got {brief(value)}; correct it"
+        )
+    x, y, yaw = (_number(path, "origin", coordinate) for coordinate in value)
+    _expect(yaw == 0, path, "an origin with yaw 0 (turn the picture instead)", yaw)
+    return x, y
+
+
+def _free_threshold(path: Path, settings: dict[object, object]) -> float:
+    """Below which occupancy a cell is free; no more than where it is occupied, so that no cell is
+    both.
+    """
+    free, occupied = (
+        _number(path, key, settings[key]) for key in ("free_thresh", "occupied_thresh")
+    )
+    _expect(
+        0 <= free <= occupied <= 1,
+        path,
+        "0 <= free_thresh <= occupied_thresh <= 1",
+        (free, occupied),
+    )
+    return free
+
+
+def _free_cells(
+    image: "Image", free_below: float, negate: bool, averages_alpha: bool
+) -> NDArray[np.bool_]:
+    """Which cells (rows, columns) are free, top row first. The rule is applied once a shade."""
+    shade = deep_grey(image)
+    full, opaque = 65535, True
+    if shade is None:
+        pixels = np.asarray(image.convert("RGBA"))
+        channels = 4 if averages_alpha and image.has_transparency_data else 3
+        shade, full = pixels[..., :channels].sum(axis=2, dtype=np.uint16), 255 * channels
+        opaque = True if averages_alpha else pixels[..., 3] == 255
+    levels = np.arange(full + 1)
+    free_levels = (levels if negate else full - levels) / full < free_below
+    return np.asarray(free_levels[shade] & opaque)

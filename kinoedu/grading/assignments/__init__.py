@@ -1,0 +1,1 @@
+"""Assignments: the questions of one, and the secret from which hidden cases are drawn."""

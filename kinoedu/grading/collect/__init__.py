@@ -1,0 +1,1 @@
+"""Collecting: which file is whose, and what a submission's cells are; nothing of it is run."""

@@ -1,0 +1,180 @@
+"""What a student hands in: one zip with the notebook as it is and a receipt that says what is in
+it. Nothing is run.
+"""
+
+import ast
+import hashlib
+import re
+import zipfile
+from datetime import datetime
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from ...course.lessons import EXERCISES
+from ...errors import InvalidParameter
+from ...support.whole_files import written_whole
+from ...words import say
+from .notebook import cells_in, joined, notebook_in, read_bytes
+
+UNTOUCHED = "YOUR ANSWER HERE"
+
+
+class Receipt(NamedTuple):
+    """What was packed: the assignment, the notebook's SHA-256, when, and for each question whether
+    there is an answer and what its check said last, or why Python cannot read it ("" where there is
+    nothing to say).
+    """
+
+    assignment: str
+    sha256: str
+    time: datetime
+    answers: dict[str, tuple[bool, str]]
+
+    def __str__(self) -> str:
+        done = sum(answered for answered, _ in self.answers.values())
+        lines = [
+            say("hand_in.title", assignment=self.assignment),
+            say("hand_in.time", time=self.time.isoformat(sep=" ", timespec="seconds")),
+            say("hand_in.digest", sha256=self.sha256),
+            say("hand_in.answered", done=done, questions=len(self.answers)),
+        ]
+        for name, (answered, said) in self.answers.items():
+            state = say("hand_in.yes" if answered else "hand_in.no")
+            lines.append(f"  {name}: {state}" + (f"; {said}" if said else ""))
+        return "\n".join(lines)
+
+
+def hand_in(file: Path, zip_file: Path, now: datetime) -> Receipt:
+    """Check a notebook and pack it. Raises UnreadableSubmission where it could not be graded,
+    InvalidParameter for no exercise.
+    """
+    data, assignment = read_bytes(file), assignment_of(file)
+    answers = answers_in(data, assignment)
+    asked = {
+        EXERCISES[name].lesson for name in marks_in(notebook_in(data)["cells"]) if name in EXERCISES
+    }
+    if asked and assignment not in asked:
+        raise InvalidParameter(
+            f"{file.name} is named like {assignment}, but its cells are those of {min(asked)}: is "
+            "it the wrong file?"
+        )
+    receipt = Receipt(assignment, hashlib.sha256(data).hexdigest(), now, answers)
+    with (
+        written_whole(zip_file) as part,
+        zipfile.ZipFile(part, "w", zipfile.ZIP_DEFLATED) as archive,
+    ):
+        archive.writestr(f"{receipt.assignment}.ipynb", data)
+        archive.writestr("receipt.txt", f"{receipt}\n")
+    return receipt
+
+
+def assignment_of(file: Path) -> str:
+    """The assignment that a notebook answers, by its name. Raises InvalidParameter."""
+    lessons = sorted({exercise.lesson for exercise in EXERCISES.values()})
+    found = [lesson for lesson in lessons if file.stem.lower().startswith(lesson)]
+    if file.suffix.lower() != ".ipynb" or not found:
+        raise InvalidParameter(
+            f"{file.name} is named like no exercise; its name should begin with one of: "
+            f"{', '.join(lessons)}"
+        )
+    return max(found, key=len)
+
+
+def answers_in(data: bytes, assignment: str) -> dict[str, tuple[bool, str]]:
+    """For each question whether it is answered, and what its check said last. Raises
+    UnreadableSubmission.
+    """
+    sources = [cell.source for cell in cells_in(data)]
+    written, broken = written_functions(sources), broken_functions(sources)
+    book = notebook_in(data)["cells"]
+    said = said_by_checks(book)
+    asked = [name for name, exercise in EXERCISES.items() if exercise.lesson == assignment]
+    answers = {
+        name: (True, said.get(name, "")) if written.get(name) else (False, broken.get(name, ""))
+        for name in asked
+    }
+    return answers | {name: (is_touched, "") for name, is_touched in by_hand(book)}
+
+
+def broken_functions(sources: list[str]) -> dict[str, str]:
+    """The functions in cells that Python cannot read, and why it cannot."""
+    found: dict[str, str] = {}
+    for source in sources:
+        try:
+            ast.parse(source)
+        except SyntaxError as error:
+            words = say("hand_in.unreadable", message=error.msg, line=error.lineno)
+            found |= dict.fromkeys(re.findall(r"^def (\w+)", source, re.MULTILINE), words)
+        except (ValueError, RecursionError, MemoryError):
+            continue
+    return found
+
+
+def written_functions(sources: list[str]) -> dict[str, bool]:
+    """The functions that a notebook defines, and whether each has more in it than what it was given
+    with.
+    """
+    found = {}
+    for source in sources:
+        try:
+            body = ast.parse(source).body
+        except (SyntaxError, ValueError, RecursionError, MemoryError):
+            continue
+        for node in body:
+            if isinstance(node, ast.FunctionDef):
+                steps = [
+                    step
+                    for step in node.body
+                    if not (isinstance(step, ast.Expr) and isinstance(step.value, ast.Constant))
+                ]
+                found[node.name] = bool(steps) and not is_stub(steps[0])
+            elif isinstance(node, ast.Assign):
+                found |= {
+                    target.id: True for target in node.targets if isinstance(target, ast.Name)
+                }
+    return found
+
+
+def is_stub(step: ast.stmt) -> bool:
+    """Whether a function begins with what stands for an answer."""
+    return isinstance(step, ast.Raise) and "NotImplementedError" in ast.dump(step)
+
+
+def said_by_checks(cells: list[Any]) -> dict[str, str]:
+    """The first line of what each check() left in the notebook."""
+    said = {}
+    for cell in cells:
+        outputs = table(cell).get("outputs")
+        called = re.match(r"\s*check\((\w+)", joined(table(cell).get("source")))
+        if called and isinstance(outputs, list) and outputs:
+            text = joined(table(table(outputs[0]).get("data")).get("text/plain")).partition("\n")[0]
+            stale = text == say(
+                "check.unanswered", name=called[1]
+            )  # the exercise as it was handed out
+            said[called[1]] = (
+                say("hand_in.unchecked") if stale else text.removeprefix(f"{called[1]}: ")
+            )
+    return said
+
+
+def marks_in(cells: list[Any]) -> set[str]:
+    """The names that nbgrader's marks give to cells."""
+    found = (
+        table(table(table(cell).get("metadata")).get("nbgrader")).get("grade_id") for cell in cells
+    )
+    return {str(name) for name in found if name}
+
+
+def by_hand(cells: list[Any]) -> list[tuple[str, bool]]:
+    """The answers that people grade, and whether each was touched."""
+    marked = [(cell, table(table(table(cell).get("metadata")).get("nbgrader"))) for cell in cells]
+    return [
+        (str(mark["grade_id"]), UNTOUCHED not in joined(cell.get("source")))
+        for cell, mark in marked
+        if mark.get("grade") and mark.get("solution") and "grade_id" in mark
+    ]
+
+
+def table(data: Any) -> dict[str, Any]:
+    """A table of a notebook; what else stands in its place is an empty one."""
+    return data if isinstance(data, dict) else {}

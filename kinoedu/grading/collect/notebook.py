@@ -1,0 +1,143 @@
+"""A submission's cells, read with care: a notebook may be empty, cut off, no notebook at all, or
+made to break its reader.
+"""
+
+import ast
+import json
+import os
+import stat
+import warnings
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from ...errors import KinoeduError
+
+MOST_BYTES = 60 * 2**20  # a notebook's pictures and all
+MOST_PARTS = (
+    2**21
+)  # commas and brackets: each may be a value, and takes far more memory than a byte
+MOST_SOURCE = 2**20  # characters of code
+MOST_CELLS = 2_000
+UNHEARD = ("%", "!", "?")  # how lines begin that are for a notebook only
+ALL_THE_SAME = ("%%time", "%%capture")  # first lines of cells that are run as they are
+LONGEST = 200_000  # characters of a cell to be read as Python
+
+
+class Cell(NamedTuple):
+    """A cell of code: its number in the notebook, from 1, and its source."""
+
+    number: int
+    source: str
+
+
+class UnreadableSubmission(KinoeduError):
+    """A file is not a notebook that can be graded; the message says why, for the student who handed
+    it in.
+    """
+
+
+def read_bytes(file: Path) -> bytes:
+    """The bytes of a plain file, not too many. Raises UnreadableSubmission."""
+    try:
+        handle = os.open(
+            file, os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0)
+        )
+    except OSError as error:
+        raise UnreadableSubmission(f"the file cannot be opened: {error.strerror}") from error
+    with os.fdopen(handle, "rb") as stream:
+        about = os.fstat(handle)
+        if not stat.S_ISREG(about.st_mode):
+            raise UnreadableSubmission("this is not a plain file")
+        if about.st_size > MOST_BYTES:
+            raise UnreadableSubmission(
+                f"the file is too large: {about.st_size / 2**20:.0f} MB, and "
+                f"{MOST_BYTES / 2**20:.0f} MB is the most"
+            )
+        return stream.read(MOST_BYTES)
+
+
+def cells_in(data: bytes) -> list[Cell]:
+    """The cells of code of a notebook in their order, numbered among all cells from 1. Raises
+    UnreadableSubmission.
+
+    >>> cells_in(b'{"nbformat": 4, "cells": [{"cell_type": "code", "source": ["x = 1\\\\n", "%time x"]}]}')
+    [Cell(number=1, source='x = 1\\n')]
+    """
+    cells = notebook_in(data)["cells"]
+    if not isinstance(cells, list) or len(cells) > MOST_CELLS:
+        raise UnreadableSubmission(
+            f"a notebook has a list of at most {MOST_CELLS:,} cells, and this has not"
+        )
+    codes = [
+        (number, cell)
+        for number, cell in enumerate(cells, 1)
+        if isinstance(cell, dict) and cell.get("cell_type") == "code"
+    ]
+    found = [Cell(number, source_of(cell)) for number, cell in codes]
+    if sum(len(cell.source) for cell in found) > MOST_SOURCE:
+        raise UnreadableSubmission(
+            f"the notebook holds more than {MOST_SOURCE:,} characters of code"
+        )
+    return [cell for cell in found if cell.source.strip()]
+
+
+def notebook_in(data: bytes) -> dict[str, Any]:
+    """A notebook of version 4 as JSON has it. Raises UnreadableSubmission."""
+    if not data.strip():
+        raise UnreadableSubmission("the file is empty")
+    if sum(map(data.count, (b",", b"[", b"{"))) > MOST_PARTS:
+        raise UnreadableSubmission("the file holds more numbers and words than a notebook does")
+    try:
+        book = json.loads(data.decode("utf-8-sig"))
+    except (ValueError, RecursionError) as error:
+        raise UnreadableSubmission(
+            f"the file is not a whole notebook ({' '.join(str(error).split())[:100]})"
+        ) from error
+    if not isinstance(book, dict) or "cells" not in book:
+        raise UnreadableSubmission("the file is not a notebook: it has no cells")
+    if book.get("nbformat") != 4:
+        raise UnreadableSubmission(
+            f"the notebook is of version {str(book.get('nbformat'))[:20]}; open it in JupyterLab "
+            "and save it as version 4"
+        )
+    return book
+
+
+def source_of(cell: dict[str, Any]) -> str:
+    """A cell's code as Python reads it: without the lines that only a notebook understands, and
+    what no file can hold replaced.
+    """
+    lines = (
+        joined(cell.get("source"))
+        .encode("utf-8", "replace")
+        .decode("utf-8")
+        .splitlines(keepends=True)
+    )
+    if lines and lines[0].startswith("%%"):
+        lines = lines[1:] if lines[0].split()[0] in ALL_THE_SAME else []
+    left = [
+        lines,
+        [line for line in lines if not line.startswith(UNHEARD)],
+    ]  # within brackets or text such lines are Python's
+    left += [[line for line in lines if not line.lstrip().startswith(UNHEARD)]]
+    sources = list(dict.fromkeys(map("".join, left)))
+    return next(filter(is_python, sources[:-1]), sources[-1])
+
+
+def is_python(source: str) -> bool:
+    """Whether Python can read it."""
+    if len(source) > LONGEST:
+        return False
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            ast.parse(source)
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return False
+    return True
+
+
+def joined(text: Any) -> str:
+    """Text, of which notebooks may make a list of lines; what else stands in its place is none."""
+    parts = text if isinstance(text, list) else [text]
+    return "".join(part for part in parts if isinstance(part, str))

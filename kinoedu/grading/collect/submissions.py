@@ -1,0 +1,255 @@
+"""Which file is whose: a folder of submissions as nbgrader, Canvas, Moodle or Gradescope lay it
+out, or as a teacher does by hand.
+
+    student/assignment.ipynb, student/assignment/assignment.ipynb    by hand, nbgrader
+    name_12345_67890_file.ipynb, name_LATE_12345_67890_file.ipynb    Canvas
+    Full Name_12345_assignsubmission_file_/file.ipynb                Moodle
+    submission_12345/file.ipynb beside submission_metadata.yml       Gradescope
+
+Any of them may be a zip, and a student's file may be a zip.
+"""
+
+import re
+from collections.abc import Callable, Iterable, Iterator
+from pathlib import Path, PurePosixPath
+from typing import NamedTuple
+
+from ...course.release import HOUSE, assignments
+from ...errors import InvalidParameter
+from ...support.csv_cells import one_line
+from .found import METADATA, Found, files_in
+from .marks import assignment_of, most_marks, shared_marks, unzipped
+from .notebook import MOST_BYTES
+
+CANVAS = re.compile(
+    r"^(?P<student>[^_]+)_(?P<late>late_)?(?P<id>\d+)_\d+_(?P<file>.+)$", re.IGNORECASE
+)
+MOODLE = re.compile(r"^(?P<student>.+)_(?P<id>\d+)_assignsubmission_(?:file|onlinetext)_?$")
+GRADESCOPE = re.compile(r"^submission_\d+$")
+LONGEST_NAME, MOST_NAMED = 300, 5  # characters of a file's place, files in a sentence
+
+
+class Submission(NamedTuple):
+    """What a student handed in: the bytes of a notebook, or the trouble with it. `file` is where it
+    was, for people to read. `variants` are the student's own contracts, as pairs of a question and
+    a name, where the class has such. `late` : Canvas marked it so.
+    """
+
+    student: str
+    assignment: str
+    file: str
+    data: bytes
+    trouble: str = ""
+    variants: tuple[tuple[str, str], ...] = ()
+    late: bool = False
+
+
+def collect(folder: Path, only: str = "", house: Path = HOUSE) -> list[Submission]:
+    """All submissions in a folder or zip, ordered by student and assignment; of one assignment
+    where `only` names it.
+
+    Every file that may be a submission comes back: what cannot be read, is handed in twice or
+    belongs to no assignment has its trouble with it, and so has who handed in something and no
+    notebook. Raises InvalidParameter.
+    """
+    if not folder.exists():
+        raise InvalidParameter(f"there is no folder {folder}")
+    known = assignments(house)
+    if only and only not in known:
+        raise InvalidParameter(f"there is no assignment {only!r}; there are: {', '.join(known)}")
+    found = unwrapped(list(files_in(folder)), known)
+    owners = gradescope_owners(found)
+    submissions = [submission_of(file, owners, known, only) for file in found if is_candidate(file)]
+    submissions += without_notebook(found, {one.student for one in submissions}, owners, known)
+    submissions = (
+        [*only_for(only, submissions)] if only else [*map(known_or_troubled(known), submissions)]
+    )
+    return sorted(
+        without_doubles(submissions), key=lambda one: (one.student, one.assignment, one.file)
+    )
+
+
+def unwrapped(files: list[Found], known: list[str]) -> list[Found]:
+    """Files without the folders that hold all of them: what stands first in a place then is the
+    instructor's, and all after that may be a student's own, who is not asked there whose it is. A
+    folder of assignments, or of one zip, is a lone student's. What Gradescope says of its folders
+    stands beside them.
+    """
+    places = [file.place for file in files if not file.place[-1].startswith(".")]
+    if any(GRADESCOPE.match(place[1]) for place in places if len(place) > 2):
+        places = [place for place in places if place[1:] != (METADATA,)]
+    while (
+        places
+        and all(len(place) > 2 for place in places)
+        and len({place[0] for place in places}) == 1
+    ):
+        below = {place[1] for place in places}
+        if below <= set(known) or (len(below) == 1 and min(below).lower().endswith(".zip")):
+            break
+        places = [place[1:] for place in places]
+        files = [file._replace(place=file.place[1:] or file.place) for file in files]
+    return files
+
+
+def is_candidate(file: Found) -> bool:
+    """Whether a file may be a submission: a notebook, or what could not be opened."""
+    return file.place[-1].lower().endswith(".ipynb") or (
+        bool(file.trouble) and not file.place[-1].startswith(".")
+    )
+
+
+def submission_of(file: Found, owners: dict[str, str], known: list[str], only: str) -> Submission:
+    """Whose a file is, and which assignment it answers; "" where that cannot be known. Named like
+    one and with the cells of another it is the wrong file, unless it is the other that is asked
+    for.
+    """
+    student, name = owner(file.place, owners)
+    named, shared = (
+        assignment_of(name, file.place, file.data, known),
+        shared_marks(file.data, known),
+    )
+    marked = most_marks(shared)
+    one = Submission(student, named, where(file), file.data, file.trouble, late=marked_late(file))
+    if not marked or not named or shared[named]:
+        return one
+    if only == marked:
+        return one._replace(assignment=marked, trouble="")
+    return one._replace(
+        trouble=f"it is named like {named}, but its cells are those of {marked}: is it the wrong file?"
+    )
+
+
+def marked_late(file: Found) -> bool:
+    """Whether Canvas marked a file, as in doejane_LATE_1234_56789_file.ipynb; the other systems
+    mark none.
+    """
+    canvas = CANVAS.match(unzipped(file.place[0]))
+    return canvas is not None and canvas["late"] is not None
+
+
+def where(file: Found) -> str:
+    """Where a file was, in a line."""
+    return one_line("/".join(file.place)[-LONGEST_NAME:])
+
+
+def without_notebook(
+    found: list[Found], have: set[str], owners: dict[str, str], known: list[str]
+) -> list[Submission]:
+    """Of who handed in something and no notebook, one submission that says so."""
+    rest: dict[str, list[Found]] = {}
+    for file in found:
+        if not file.place[-1].startswith(".") and (
+            len(file.place) > 1 or CANVAS.match(file.place[0])
+        ):
+            rest.setdefault(owner(file.place, owners)[0], []).append(file)
+    lost = []
+    for student, files in rest.items():
+        if student not in have:
+            named = assignment_of(files[0].place[-1], files[0].place, b"", known)
+            seen = some_of([where(file) for file in files])
+            late = any(map(marked_late, files))
+            lost.append(
+                Submission(
+                    student,
+                    named,
+                    seen,
+                    b"",
+                    "there is no notebook in what was handed in",
+                    late=late,
+                )
+            )
+    return lost
+
+
+def known_or_troubled(known: list[str]) -> Callable[[Submission], Submission]:
+    """Gives a submission to no assignment its trouble."""
+    unknown = (
+        "it answers no assignment that is known; its name should begin with one of: "
+        f"{', '.join(known)}"
+    )
+    return lambda one: one if one.assignment or one.trouble else one._replace(trouble=unknown)
+
+
+def only_for(only: str, submissions: list[Submission]) -> Iterator[Submission]:
+    """What is for one assignment, or may be, and of who handed in only something else, that."""
+    answered = {one.student for one in submissions if one.assignment in ("", only)}
+    for one in submissions:
+        if one.assignment in ("", only):
+            yield one._replace(assignment=only)
+        elif one.student not in answered:
+            yield one._replace(
+                assignment=only,
+                data=b"",
+                trouble=f"it is for {one.assignment}, and {only} is what is graded",
+            )
+
+
+def owner(place: tuple[str, ...], owners: dict[str, str]) -> tuple[str, str]:
+    """The student whom a place belongs to, and the name of the file without what was put before it.
+
+    >>> owner(("doejane_LATE_1234_56789_01_geometry-1.ipynb",), {})
+    ('doejane_1234', '01_geometry-1.ipynb')
+    >>> owner(("Jane Doe_4711_assignsubmission_file_", "01_geometry.ipynb"), {})
+    ('Jane Doe_4711', '01_geometry.ipynb')
+    >>> owner(("jane", "01_geometry", "01_geometry.ipynb"), {})
+    ('jane', '01_geometry.ipynb')
+    """
+    first, name = unzipped(place[0]), place[-1]
+    if first in owners:
+        return owners[first], name
+    if (moodle := MOODLE.match(first)) is not None:
+        return f"{moodle['student']}_{moodle['id']}", name
+    if (canvas := CANVAS.match(first)) is not None:
+        return f"{canvas['student']}_{canvas['id']}", canvas["file"] if len(place) == 1 else name
+    return (first if len(place) > 1 else PurePosixPath(first).stem), name
+
+
+def gradescope_owners(files: Iterable[Found]) -> dict[str, str]:
+    """Whose each folder of a Gradescope export is, by the submission_metadata.yml beside them and
+    no other, since a student may hand in one too: submission_12345 -> the first submitter's id.
+    """
+    import yaml
+
+    owners: dict[str, str] = {}
+    for file in files:
+        if file.place == (METADATA,) and len(file.data) < MOST_BYTES:
+            try:
+                about = yaml.safe_load(file.data)
+                entries = {str(key): value[":submitters"][0] for key, value in about.items()}
+                owners |= {
+                    key: str(one.get(":sid") or one.get(":email") or one[":name"])
+                    for key, one in entries.items()
+                }
+            except (
+                yaml.YAMLError,
+                AttributeError,
+                KeyError,
+                TypeError,
+                IndexError,
+                RecursionError,
+            ):
+                continue
+    return owners
+
+
+def without_doubles(submissions: list[Submission]) -> Iterator[Submission]:
+    """Two files of one student for one assignment: neither is chosen, both are named; the same
+    bytes twice are one.
+    """
+    groups: dict[tuple[str, str], list[Submission]] = {}
+    for one in submissions:
+        groups.setdefault((one.student, one.assignment), []).append(one)
+    for group in groups.values():
+        if len({one.data for one in group}) == 1 or not group[0].assignment:
+            yield from group[: 1 if group[0].assignment else None]
+        else:
+            files = some_of([one.file for one in group])
+            wrong = f"handed in more than once, with differences: {files}; leave one"
+            yield group[0]._replace(
+                data=b"", file=files, trouble=wrong, late=any(one.late for one in group)
+            )
+
+
+def some_of(names: list[str]) -> str:
+    """The first few names."""
+    return ", ".join(names[:MOST_NAMED] + ["..."] * (len(names) > MOST_NAMED))

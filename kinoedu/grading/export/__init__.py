@@ -1,0 +1,1 @@
+"""Exports: grades for other programs, and the autograder for Gradescope."""

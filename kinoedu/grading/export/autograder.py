@@ -1,0 +1,138 @@
+"""What Gradescope's container runs: the one submission in ROOT/submission is graded into
+ROOT/results/results.json.
+
+The judges are those of `kinoedu grade`, and so is the sandbox, where the container lets one be
+made. Where it does not, and the instructor trusts the container to be the wall, programs run as a
+user whom the system does not know: they can neither write what the grader reads nor read the
+course's secret, but they see Gradescope's other files and whatever network the container has.
+"""
+
+import json
+import os
+import tempfile
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from ...course.feedback import laid_out
+from ...errors import InvalidParameter
+from ...support.whole_files import written_whole
+from ...words import say
+from ..assignments.questions import assignment
+from ..collect.found import files_in
+from ..collect.marks import assignment_of, marks_in, shared_marks
+from ..collect.submissions import Submission, is_candidate, without_doubles
+from ..judge.running import grade_all, local
+from ..judge.submission import RIGHT, Grade
+from ..report.failures import told_of
+from ..report.rows import Row
+from ..sandbox.sandbox import why_not
+from .tables import gradescope_results
+
+Results = dict[str, Any]  # JSON data, as Gradescope reads it
+
+
+def autograde(root: Path, name: str, secret: bytes, *, container_is_wall: bool = False) -> Results:
+    """Grade what was handed in for an assignment, write the results, and return them.
+
+    What the student can mend, such as a file that is no notebook, is told and has no points; where
+    the machine is in trouble, InvalidParameter is raised and nothing is written, so that Gradescope
+    reports a failure and gives no score.
+    """
+    one = the_submission(root / "submission", name)
+    with tempfile.TemporaryDirectory() as results:
+        found = grade_all(
+            [one], Path(results), secret, place=local(1), trusted=is_trusted(container_is_wall)
+        )[0]
+    if found.grade is None and not one.trouble:
+        raise InvalidParameter(
+            f"this could not be graded, and has no score: {found.trouble}; run it again"
+        )
+    answer = results_of(name, found.grade, one.trouble)
+    with written_whole(root / "results" / "results.json") as part:
+        part.write_text(json.dumps(answer, indent=1) + "\n", encoding="ascii")
+    return answer
+
+
+def is_trusted(container_is_wall: bool) -> bool:
+    """Whether to run without a sandbox: where none can be made and its place is taken. Raises
+    InvalidParameter.
+    """
+    reason = why_not()
+    if not reason:
+        return False
+    if not container_is_wall:
+        raise InvalidParameter(
+            f"submissions cannot be shut in here: {reason}. If this container is wall enough, "
+            "pack with --trust-container"
+        )
+    if os.geteuid() != 0:
+        raise InvalidParameter(
+            "without a sandbox the grader must be root, so that programs can be run as somebody "
+            "else"
+        )
+    return True
+
+
+def the_submission(folder: Path, name: str) -> Submission:
+    """The notebook in a folder: the one that answers the assignment, or the only one. What stands
+    in its way is its trouble.
+    """
+    found = [file for file in files_in(folder) if is_candidate(file)] if folder.is_dir() else []
+    mine = [
+        file for file in found if assignment_of(file.place[-1], file.place, file.data, [name])
+    ] or found
+    if not mine:
+        return Submission("", name, "", b"", say("gradescope.nothing", name=name))
+    one = next(
+        without_doubles(
+            [Submission("", name, "/".join(file.place), file.data, file.trouble) for file in mine]
+        )
+    )
+    if marks_in(one.data) and not any(shared_marks(one.data, [name]).values()):
+        return one._replace(trouble=say("gradescope.wrong_file", name=name))
+    return one
+
+
+def results_of(name: str, record: Grade | None, trouble: str) -> Results:
+    """What Gradescope shows: a test for each question; a submission that cannot be read has no
+    tests, but says why.
+    """
+    if record is None or record["status"] == "unreadable":
+        why = trouble if record is None else record["message"]
+        return {
+            "score": 0.0,
+            "visibility": "visible",
+            "output": say("gradescope.unreadable", why=why),
+            "tests": [],
+        }
+    results = gradescope_results(row_of(name, question) for question in record["questions"])
+    by_hand = assignment(name).by_hand
+    said = [say("gradescope.by_hand", names=", ".join(by_hand))] if by_hand else []
+    said += (
+        [say("gradescope.cells", numbers=", ".join(str(one["cell"]) for one in record["cells"]))]
+        if record["cells"]
+        else []
+    )
+    return {**results, "output": "\n".join(said), "stdout_visibility": "hidden"}
+
+
+def row_of(name: str, question: Grade) -> Row:
+    """A question's row, with all that its student may know as the message."""
+    said = "\n".join([question["message"], *explained(question)])
+    return Row(
+        "",
+        name,
+        question["question"],
+        question["score"],
+        question["max_score"],
+        question["status"],
+        said,
+    )
+
+
+def explained(question: Grade) -> Iterator[str]:
+    """The smallest case that failed, unless it is hidden, and the hint."""
+    if question["status"] != RIGHT:
+        for title, text in told_of(question):
+            yield laid_out(title, text)

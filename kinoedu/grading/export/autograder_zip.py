@@ -1,0 +1,90 @@
+"""The zip that Gradescope makes an autograder of: setup.sh, run_autograder, the library with its
+judges, the questions of one assignment without their answers, and the secret from which hidden
+cases are drawn.
+
+    setup.sh         run once, as root, when the container is built     kinoedu-course/   the library, start.py, the questions
+    run_autograder   run, as root, for each submission                  course_secret     for root's eyes only
+"""
+
+import os
+from collections.abc import Iterator
+from pathlib import Path
+
+from ...course.release import HOUSE, Packed, is_by_product, solution, without_answers, write_zip
+
+COURSE = "kinoedu-course"
+SECRET = "course_secret"
+FILES = ("LICENSE", "start.py", "pyproject.toml", "environment.txt")
+
+SETUP = f"""\
+#!/usr/bin/env bash
+# Run once, as root, when Gradescope builds the container: Python, bubblewrap, the course's packages; what is slow to compile.
+set -euo pipefail
+here="$(cd "$(dirname "$0")" && pwd)"
+export DEBIAN_FRONTEND=noninteractive
+apt-get update
+apt-get install -y --no-install-recommends bubblewrap ca-certificates python3 python3-venv
+python=python3
+if ! python3 -c 'import sys; sys.exit(sys.version_info < (3, 11))'; then
+    apt-get install -y --no-install-recommends python3.11 python3.11-venv  # Ubuntu 22.04 has it beside its 3.10
+    python=python3.11
+fi
+chmod 600 "$here/{SECRET}"
+chmod -R a+rX "$here/{COURSE}"
+KINOEDU_CACHE="$here/cache" "$python" "$here/{COURSE}/start.py" warm
+"""
+
+RUN = f"""\
+#!/usr/bin/env bash
+# Run, as root, for each submission. `run_autograder ROOT` tries it with another folder in the place of /autograder.
+set -euo pipefail
+root="${{1:-/autograder}}"
+course="$root/source/{COURSE}"
+chmod 600 "$root/source/{SECRET}"
+chmod go-w "$root/results"
+export PYTHONPATH="$course" KINOEDU_CACHE="${{KINOEDU_CACHE:-$root/source/cache}}"
+exec "${{KINOEDU_PYTHON:-$course/.venv/bin/python}}" -P -m kinoedu \\
+    autograde "$root" --assignment ASSIGNMENT --secret "$root/source/{SECRET}"CONTAINER
+"""
+
+
+def pack_autograder(
+    zip_file: str | os.PathLike[str],
+    name: str,
+    secret: bytes,
+    *,
+    container_is_wall: bool = False,
+    house: Path = HOUSE,
+) -> int:
+    """Write the zip for an assignment. Who has it has the secret. Returns the number of files;
+    raises InvalidParameter.
+
+    container_is_wall : where no sandbox can be made there, run programs without one.
+    """
+    run = RUN.replace("ASSIGNMENT", name).replace(
+        "CONTAINER", " --trust-container" if container_is_wall else ""
+    )
+    files = [
+        Packed("setup.sh", SETUP.encode(), 0o755),
+        Packed("run_autograder", run.encode(), 0o755),
+        Packed(SECRET, secret.hex().encode() + b"\n", 0o600),
+        Packed(f"{COURSE}/solutions/{name}.ipynb", questions_of(solution(name, house))),
+        *library(house),
+    ]
+    write_zip(zip_file, files)
+    os.chmod(zip_file, 0o600)
+    return len(files)
+
+
+def questions_of(file: Path) -> bytes:
+    """A solution notebook as the grader reads it, without the answers."""
+    import nbformat
+
+    return (str(nbformat.writes(without_answers(file))) + "\n").encode()
+
+
+def library(house: Path) -> Iterator[Packed]:
+    """The library and what installs it: no solution, no bank, no tests."""
+    for file in [house / name for name in FILES] + sorted((house / "kinoedu").rglob("*")):
+        if file.is_file() and not is_by_product(file):
+            yield Packed(f"{COURSE}/{file.relative_to(house).as_posix()}", file.read_bytes())

@@ -1,0 +1,236 @@
+"""nbgrader's gradebook, for the answers that people grade: scores go there, formgrader shows the
+answers, and its scores come back.
+
+A course folder is made that `nbgrader` knows: gradebook.db, nbgrader_config.py, an empty folder in
+source/ for each assignment, as formgrader lists no other, and in autograded/ the notebooks. What a
+notebook shows there is cleaned first: text and pictures stay, and no tag of HTML does.
+"""
+
+import json
+import re
+import warnings
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import Any
+
+from ...course.release import solution
+from ...support.csv_cells import harmless, number, write_rows
+from ...support.file_names import file_name
+from ...support.whole_files import written_whole
+from ..assignments.questions import assignment
+from ..collect.notebook import UnreadableSubmission, joined, notebook_in
+from ..collect.submissions import collect
+from ..judge.class_list import Class, Entry, digest_of
+from ..report.decisions import BY_HAND, COLUMNS
+from ..report.rows import BY_HAND as TO_GRADE
+from ..report.rows import DECIDED, Row
+
+CONFIG = """\
+# Written by kinoedu export --to nbgrader. In this folder: jupyter lab, then Nbgrader, Formgrader.
+import os
+
+c = get_config()
+c.CourseDirectory.root = os.path.dirname(os.path.abspath(__file__))
+"""
+SHOWN = ("text/plain", "image/png", "image/jpeg")
+TAG = re.compile(r"<(?=[A-Za-z/!?])")
+NO_ANSWER = "(There is no such cell in the notebook that was handed in.)"
+Marks = dict[str, dict[str, Any]]  # nbgrader's metadata of a cell, by its name
+
+
+def export_nbgrader(of: Class, rows: Iterable[Row], folder: Path) -> int:
+    """Write scores into the gradebook and notebooks beside it; what was graded there stays. Returns
+    how many notebooks.
+
+    Raises InvalidParameter where a folder of submissions is gone.
+    """
+    from nbgrader.api import Gradebook
+
+    folder.mkdir(parents=True, exist_ok=True)
+    with written_whole(folder / "nbgrader_config.py") as part:
+        part.write_text(CONFIG, encoding="utf-8")
+    mine: dict[tuple[str, str], list[Row]] = {}
+    for row in rows:
+        mine.setdefault((row.student, row.assignment), []).append(row)
+    count = 0
+    with warnings.catch_warnings(), Gradebook(address(folder)) as gradebook:
+        warnings.simplefilter("ignore")  # SQLAlchemy's remarks on how nbgrader uses it
+        for name in sorted({entry.assignment for entry in of.entries if entry.assignment}):
+            add_assignment(gradebook, name)
+        for entry, data in readable(of.entries):
+            count += add_notebook(gradebook, entry, data, folder)
+            for row in mine[entry.student, entry.assignment]:
+                add_score(gradebook, row)
+        gradebook.db.commit()
+    return count
+
+
+def address(folder: Path) -> str:
+    """Where the gradebook is, as its database says it."""
+    return f"sqlite:///{(folder / 'gradebook.db').resolve()}"
+
+
+def readable(entries: list[Entry]) -> Iterator[tuple[Entry, bytes]]:
+    """The entries whose files are still what was graded, and their bytes."""
+    found = {
+        (where, one.student, one.assignment): one
+        for where in dict.fromkeys((entry.folder, entry.only) for entry in entries)
+        for one in collect(Path(where[0]), where[1])
+    }
+    for entry in entries:
+        one = found.get(((entry.folder, entry.only), entry.student, entry.assignment))
+        if entry.key and one is not None and digest_of(one) == entry.digest:
+            yield entry, one.data
+
+
+def marks_of(name: str) -> Marks:
+    """An assignment's marks, as its solution has them."""
+    book = json.loads(solution(name).read_text(encoding="utf-8"))
+    marked = [
+        (cell, cell["metadata"]["nbgrader"])
+        for cell in book["cells"]
+        if "nbgrader" in cell["metadata"]
+    ]
+    return {mark["grade_id"]: {**mark, "cell_type": cell["cell_type"]} for cell, mark in marked}
+
+
+def add_assignment(gradebook: Any, name: str) -> None:
+    """An assignment and its cells."""
+    gradebook.update_or_create_assignment(name)
+    gradebook.update_or_create_notebook(name, name)
+    for cell, mark in marks_of(name).items():
+        if mark["grade"]:
+            gradebook.update_or_create_grade_cell(
+                cell, name, name, max_score=mark["points"], cell_type=mark["cell_type"]
+            )
+        if mark["solution"]:
+            gradebook.update_or_create_solution_cell(cell, name, name)
+
+
+def add_notebook(gradebook: Any, entry: Entry, data: bytes, folder: Path) -> bool:
+    """A student's notebook, for formgrader to show; whether it can be read."""
+    try:
+        book = cleaned(notebook_in(data), marks_of(entry.assignment))
+    except UnreadableSubmission:
+        return False
+    student, name = file_name(entry.student), entry.assignment
+    gradebook.update_or_create_student(student, last_name=printable(entry.student))
+    gradebook.update_or_create_submission(name, student)
+    file = folder / "autograded" / student / name / f"{name}.ipynb"
+    file.parent.mkdir(parents=True, exist_ok=True)
+    (folder / "source" / name).mkdir(parents=True, exist_ok=True)
+    with written_whole(file) as part:
+        part.write_text(json.dumps(book, indent=1) + "\n", encoding="ascii")
+    return True
+
+
+def printable(text: str) -> str:
+    """Text that a database takes."""
+    return text.encode("utf-8", "replace").decode("utf-8")
+
+
+def printed(text: Any) -> str:
+    """Text of a notebook that a database takes."""
+    return printable(joined(text))
+
+
+def add_score(gradebook: Any, row: Row) -> None:
+    """A score of the grader's, or a person's in its place; what people grade is marked as theirs
+    until they have.
+    """
+    from nbgrader.api import MissingEntry
+
+    by_hand = row.question in assignment(row.assignment).by_hand
+    cell = row.question if by_hand else f"check_{row.question}"
+    try:
+        grade = gradebook.find_grade(cell, row.assignment, row.assignment, file_name(row.student))
+    except MissingEntry:
+        return  # the file could not be read, or the assignment no longer asks for this
+    if by_hand:
+        grade.needs_manual_grade = row.status == TO_GRADE and grade.manual_score is None
+        return
+    grade.auto_score = row.score
+    grade.manual_score = row.score if row.status == DECIDED else None
+    grade.needs_manual_grade = False
+
+
+def cleaned(book: dict[str, Any], marks: Marks) -> dict[str, Any]:
+    """A notebook that is safe to look at, with the solution's marks and no others, each once."""
+    left = dict(marks)
+    cells = (
+        [clean_cell(cell, left) for cell in book["cells"] if isinstance(cell, dict)]
+        if isinstance(book["cells"], list)
+        else []
+    )
+    cells += [
+        markdown(NO_ANSWER, mark) for mark in left.values() if mark["grade"] and mark["solution"]
+    ]
+    return {"nbformat": 4, "nbformat_minor": 4, "metadata": {}, "cells": cells}
+
+
+def clean_cell(cell: dict[str, Any], left: Marks) -> dict[str, Any]:
+    """One cell; it has a mark if that was not given to one before it."""
+    metadata = cell.get("metadata")
+    mine = metadata.get("nbgrader") if isinstance(metadata, dict) else None
+    name = mine.get("grade_id") if isinstance(mine, dict) else None
+    mark = left.pop(name, None) if isinstance(name, str) else None
+    source = printed(cell.get("source"))
+    if cell.get("cell_type") != "code":
+        return markdown(TAG.sub("&lt;", source), mark)
+    return {
+        **markdown(source, mark),
+        "cell_type": "code",
+        "execution_count": None,
+        "outputs": list(clean_outputs(cell)),
+    }
+
+
+def markdown(source: str, mark: dict[str, Any] | None) -> dict[str, Any]:
+    """A cell of text."""
+    kept = {key: value for key, value in (mark or {}).items() if key != "cell_type"}
+    return {
+        "cell_type": "markdown",
+        "metadata": {"nbgrader": kept} if mark else {},
+        "source": source,
+    }
+
+
+def clean_outputs(cell: dict[str, Any]) -> Iterator[dict[str, Any]]:
+    """Text and pictures that a cell has left."""
+    outputs = cell.get("outputs")
+    for output in outputs if isinstance(outputs, list) else ():
+        if not isinstance(output, dict):
+            continue
+        if output.get("output_type") == "stream":
+            yield {"output_type": "stream", "name": "stdout", "text": printed(output.get("text"))}
+        data = output.get("data")
+        shown = (
+            {kind: printed(value) for kind, value in data.items() if kind in SHOWN}
+            if isinstance(data, dict)
+            else {}
+        )
+        if shown:
+            yield {"output_type": "display_data", "metadata": {}, "data": shown}
+
+
+def scores_from_nbgrader(of: Class, folder: Path) -> int:
+    """Bring what people graded in formgrader back, scores and comments, into GRADES/by_hand.csv.
+    Returns how many scores.
+    """
+    from nbgrader.api import Gradebook, MissingEntry
+
+    lines = []
+    with Gradebook(address(folder)) as gradebook:
+        for entry in of.entries:
+            for question in assignment(entry.assignment).by_hand if entry.assignment else ():
+                whose = (question, entry.assignment, entry.assignment, file_name(entry.student))
+                try:
+                    grade, comment = gradebook.find_grade(*whose), gradebook.find_comment(*whose)
+                except MissingEntry:
+                    continue
+                if grade.manual_score is not None and not grade.needs_manual_grade:
+                    score = number(grade.manual_score + (grade.extra_credit or 0.0))
+                    who = map(harmless, (entry.student, entry.assignment, question))
+                    lines.append([*who, score, harmless(comment.manual_comment or "")])
+    write_rows(of.out / BY_HAND, [COLUMNS, *lines])
+    return len(lines)

@@ -1,0 +1,176 @@
+"""Grades for other programs: a plain table, what Canvas takes back, and Gradescope's results."""
+
+import csv
+import io
+import json
+import re
+from collections.abc import Iterable
+from itertools import groupby
+from pathlib import Path
+
+from ...errors import InvalidParameter
+from ...support.csv_cells import harmless, number, write_rows
+from ...support.file_names import file_name
+from ...support.whole_files import written_whole
+from ..report.rows import Row, Total, totals
+
+IDENTITIES = (
+    "Student",
+    "ID",
+    "SIS User ID",
+    "SIS Login ID",
+)  # Canvas's columns that tell who a student is
+
+
+def export_csv(rows: list[Row], file: Path) -> None:
+    """A line for each student, a column for each assignment; empty where a total is not whole
+    yet.
+    """
+    found = totals(rows)
+    names = sorted({name for _, name in found if name})
+    lines = [
+        [harmless(student), *(whole_score(found.get((student, name))) for name in names)]
+        for student in sorted({row.student for row in rows})
+    ]
+    write_rows(file, [["student", *names], *lines])
+
+
+def whole_score(total: Total | None) -> str:
+    """A total that leaves nothing open, as a cell."""
+    return "" if total is None or total.waiting else number(total.score)
+
+
+def export_canvas(rows: list[Row], template: Path, file: Path, column: str = "") -> list[str]:
+    """The instructor's own export from Canvas with the assignments' columns filled in: those that
+    are named like an assignment, or for the only assignment that there is `column`. Cells of
+    students without a whole total stay as they are.
+
+    Returns the students of the grades whom Canvas does not have. Raises InvalidParameter.
+    """
+    lines = canvas_lines(template)
+    head, found = lines[0], totals(rows)
+    places = canvas_columns(head, sorted({name for _, name in found if name}), column, template)
+    known = canvas_students(lines)
+    missing: list[str] = []
+    for (student, assignment), total in found.items():
+        line = known.get(student.lower())
+        if line is None:
+            missing.append(student)
+        elif assignment in places and whole_score(total):
+            line += [""] * (len(head) - len(line))
+            line[places[assignment]] = whole_score(total)
+    stream = io.StringIO(newline="")
+    csv.writer(stream, lineterminator="\n").writerows(
+        lines
+    )  # names as Canvas spells them, by which it knows its students
+    with written_whole(file) as part:
+        part.write_text(stream.getvalue(), encoding="utf-8")
+    return sorted(set(missing))
+
+
+def canvas_students(lines: list[list[str]]) -> dict[str, list[str]]:
+    """Each student's line by every name that is theirs alone: id, login, and what Canvas puts
+    before a file, as in doejane_1234.
+    """
+    head, names = lines[0], dict[str, list[list[str]]]()
+    for line in lines[1:]:
+        cells = {
+            name: line[at].strip().lower()
+            for at, name in enumerate(head)
+            if name in IDENTITIES and at < len(line)
+        }
+        called = re.sub(r"\W", "", cells.get("Student", ""))
+        for name in {*cells.values(), f"{called}_{cells.get('ID', '')}"} - {"", "_"}:
+            names.setdefault(name, []).append(line)
+    return {name: found[0] for name, found in names.items() if len(found) == 1}
+
+
+def canvas_lines(template: Path) -> list[list[str]]:
+    """The rows of a Canvas export. Raises InvalidParameter."""
+    try:
+        lines = list(csv.reader(io.StringIO(template.read_text(encoding="utf-8-sig"), newline="")))
+    except (UnicodeDecodeError, csv.Error) as error:
+        raise InvalidParameter(f"{template} cannot be read as CSV: {error}") from error
+    if not lines or not {"Student", "ID"} <= set(lines[0]):
+        raise InvalidParameter(
+            f"{template} is no export of Canvas's gradebook: its first line has no columns "
+            "Student and ID"
+        )
+    return lines
+
+
+def canvas_columns(
+    head: list[str], names: list[str], column: str, template: Path
+) -> dict[str, int]:
+    """The place of each assignment's column. Canvas writes "01 Geometry (12345)" for
+    01_geometry.
+    """
+    plain = [re.sub(r"[^a-z0-9]", "", re.sub(r"\(\d+\)\s*$", "", name).lower()) for name in head]
+    if column:
+        at = [
+            place
+            for place, name in enumerate(head)
+            if column in (name, re.sub(r"\s*\(\d+\)\s*$", "", name))
+        ]
+        if len(names) != 1:
+            raise InvalidParameter(
+                f"--column is for one assignment; say with --assignment which of {', '.join(names)}"
+            )
+        if len(at) != 1:
+            raise InvalidParameter(
+                f"{len(at)} columns of {template} are named {column!r}; there are: "
+                f"{', '.join(head)}"
+            )
+        return {names[0]: at[0]}
+    places = {
+        name: plain.index(key)
+        for name in names
+        if (key := re.sub(r"[^a-z0-9]", "", name.lower())) in plain
+    }
+    if not places:
+        raise InvalidParameter(
+            f"no column of {template} is named like {' or '.join(names)}; say which with "
+            "--assignment and --column"
+        )
+    return places
+
+
+def export_gradescope(rows: list[Row], folder: Path) -> int:
+    """A results.json for each submission, as Gradescope's autograders write it. Returns how
+    many.
+    """
+    folder.mkdir(parents=True, exist_ok=True)
+    count = 0
+    for (student, assignment), group in groupby(rows, key=lambda row: row[:2]):
+        if assignment:
+            file = folder / f"{file_name(student)}.{file_name(assignment)}.json"
+            with written_whole(file) as part:
+                part.write_text(
+                    json.dumps(gradescope_results(group), indent=1) + "\n", encoding="ascii"
+                )
+            count += 1
+    return count
+
+
+def gradescope_results(rows: Iterable[Row]) -> dict[str, object]:
+    """What Gradescope reads of one submission; a question without a score yet has no points, and
+    says so.
+    """
+    tests = [
+        {
+            "name": row.question,
+            "score": round(row.score or 0.0, 6),
+            "max_score": row.max_score,
+            "status": "passed"
+            if row.score is not None and row.score >= row.max_score
+            else "failed",
+            "output": f"{row.status}: {row.message}" if row.message else row.status,
+            "output_format": "text",
+        }
+        for row in rows
+    ]
+    return {
+        "score": round(sum(float(str(test["score"])) for test in tests), 6),
+        "visibility": "visible",
+        "tests": tests,
+    }

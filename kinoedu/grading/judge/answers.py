@@ -1,0 +1,289 @@
+"""From a student's cells to the outcomes of their functions: ask the sandbox, and where a program
+broke off, again for the rest.
+
+What comes back is a stranger's word. Each line is read by the shapes that the exercise declares; a
+line that does not fit counts as no answer, and one that was not asked for as nothing at all. A
+sandbox is asked in three parts: the cells, the cases that everybody has seen, and the hidden ones.
+So what a student may read, such as an exception's message, was said before a hidden case was there.
+"""
+
+import time
+from typing import Any, NamedTuple
+
+from ...course import drawn, drivable, expansions, shapes, tasks, whole_shapes
+from ...course.exercise import Case, Exercise
+from ...course.judging import is_unwritten
+from ...course.outcomes import Late, Misshapen, Outcome, Raised, decode_outcome
+from ...course.plain import WrongShape
+from ...course.shapes import Maybe, Shape, Truth
+from ...errors import InvalidParameter
+from ...support.time_limit import WAITING, speed
+from ...words import say
+from ..collect.notebook import Cell
+from ..sandbox.sandbox import Reply, Sandbox
+from ..sandbox.talk import LONGEST
+
+MEMORY = 2**30  # bytes beyond what Python and the library take
+FILES = 16 * 2**20
+CELL_SECONDS = 10.0
+GRACE = 2.0  # seconds in which what inside.py stops itself must be heard of
+DRAWING = ("kinoedu.figures.plane", "matplotlib.pyplot")  # to be loaded once, not by each program
+BROKEN_CELLS = 3  # after so many cells that could not even be stopped the others are not run
+KNOWN = {
+    name
+    for module in (shapes, whole_shapes, drawn, tasks, drivable, expansions)
+    for name in vars(module)
+}
+
+
+class Question(NamedTuple):
+    """An exercise and the cases to ask; the first `shown` of them everybody has seen."""
+
+    exercise: Exercise
+    cases: list[Case]
+    shown: int
+
+    @property
+    def name(self) -> str:
+        """The function that is asked for."""
+        return self.exercise.name
+
+
+class Answers(NamedTuple):
+    """What came of each question, its outcomes in the order of its cases, or None where there is no
+    such function; and of each cell that failed.
+    """
+
+    outcomes: dict[str, list[Outcome] | None]
+    troubles: dict[int, Outcome]
+
+
+CELLS, SHOWN, HIDDEN = range(3)  # the parts
+
+
+def answers(
+    sandbox: Sandbox,
+    cells: list[Cell],
+    questions: list[Question],
+    lent: tuple[str, ...] = (),
+    *,
+    patience: float = 1.0,
+) -> Answers:
+    """Run the cells and ask the questions, as many times as it takes. Raises NoSandbox.
+
+    lent : what the assignment takes from the exercises' own modules, as "module:name". patience :
+        how many times its usual time everything is given; a slow computer gives more. What is not
+        asked when all that time is over, however often it broke off, counts as late.
+    """
+    patience *= speed()
+    found = Answers({}, {})
+    cells, questions = list(cells), list(questions)
+    until = time.monotonic() + LONGEST * patience
+    while questions:
+        if time.monotonic() > until:
+            found.outcomes.update(
+                {question.name: [Late(left_running=False)] for question in questions}
+            )
+            break
+        longest = (
+            max([CELL_SECONDS, *(question.exercise.seconds for question in questions)]) * patience
+        )
+        drawn = any(own_call(question.exercise) for question in questions)
+        request = request_for(cells, questions, patience)
+        request[CELLS]["lent"] = lent
+        reply = sandbox.ask(request, WAITING * longest + GRACE, DRAWING if drawn else ())
+        take(reply, questions, found)
+        if reply.end == "done":
+            break
+        cells, questions = what_remains(reply, cells, questions, found)
+    return found
+
+
+def request_for(
+    cells: list[Cell], questions: list[Question], patience: float
+) -> list[dict[str, Any]]:
+    """What inside.py reads, in its parts."""
+    sources = [question.exercise.source for question in questions]
+    seconds = sum(CELL_SECONDS for _ in cells) + sum(
+        len(q.cases) * q.exercise.seconds for q in questions
+    )
+    first = {
+        "cells": [{**cell._asdict(), "seconds": CELL_SECONDS * patience} for cell in cells],
+        "questions": [question_for(question.exercise, patience) for question in questions],
+        "withheld": [
+            f"{source.__module__}:{source.__name__}" for source in sources if source is not None
+        ],
+        "limits": {
+            "memory": MEMORY,
+            "cpu": int(min(seconds, LONGEST) * patience) + 1,
+            "files": FILES,
+        },
+    }
+    return [
+        first,
+        *(
+            {question.name: given_in(question, part) for question in questions}
+            for part in (SHOWN, HIDDEN)
+        ),
+    ]
+
+
+def question_for(exercise: Exercise, patience: float) -> dict[str, Any]:
+    """One question without its cases: of an exercise only the shapes go there, and its way to call.
+    Raises InvalidParameter.
+    """
+    if not (is_known(exercise.given) and is_known(exercise.answer)):
+        raise InvalidParameter(
+            f"{exercise.name} has a shape of its own; only those of kinoedu.course are known "
+            "where it is graded"
+        )
+    return {
+        "name": exercise.name,
+        "call": own_call(exercise),
+        "given": repr(exercise.given),
+        "answer": repr(exercise.answer),
+        "seconds": exercise.seconds * patience,
+    }
+
+
+def own_call(exercise: Exercise) -> str:
+    """Where an exercise's own way to call is, "" where it has none."""
+    call = type(exercise).call
+    return "" if call is Exercise.call else f"{call.__module__}:{call.__qualname__}"
+
+
+def given_in(question: Question, part: int) -> list[Any]:
+    """The cases of a part as they travel."""
+    cases = question.cases[: question.shown] if part == SHOWN else question.cases[question.shown :]
+    return [question.exercise.given.encode(case.given) for case in cases]
+
+
+def is_known(shape: Any) -> bool:
+    """Whether a shape is made of those that every exercise shares, so that its repr says all of
+    it.
+    """
+    parts = (
+        shape.fields.values()
+        if isinstance(shape, shapes.Record)
+        else shape
+        if isinstance(shape, tuple)
+        else ()
+    )
+    return type(shape).__name__ in KNOWN and all(
+        is_known(part) for part in parts if hasattr(part, "encode")
+    )
+
+
+def take(reply: Reply, questions: list[Question], found: Answers) -> None:
+    """Keep what a reply says of the cells and questions that were asked, in their order, each in
+    its part.
+    """
+    asked = {question.name: question for question in questions}
+    for part, lines in enumerate(reply.parts):
+        for line in lines:
+            name = line.get("question")
+            if part == CELLS:
+                if type(line.get("cell")) is int and line.get("trouble") is not None:
+                    found.troubles[line["cell"]] = outcome_in(line["trouble"], Maybe(Truth()))
+            elif isinstance(name, str) and name in asked:
+                take_outcome(line, asked[name], part, found)
+    if reply.end == "done":
+        found.outcomes.update({name: found.outcomes.get(name) for name in asked})
+        for outcomes in (
+            found.outcomes[question.name]
+            for question in questions
+            if is_open(question, found, HIDDEN)
+        ):
+            if outcomes is not None:  # it said that it is done, and was not asked all
+                outcomes.append(Misshapen(say("grading.no_outcome")))
+
+
+def take_outcome(line: dict[str, Any], question: Question, part: int, found: Answers) -> None:
+    """Keep what a line says of a case, if that is the next and one of its part."""
+    outcomes = found.outcomes.setdefault(question.name, [])
+    if outcomes is None:
+        return
+    first, end = (0, question.shown) if part == SHOWN else (question.shown, len(question.cases))
+    if line.get("missing") is True and not outcomes:
+        found.outcomes[question.name] = None
+    elif line.get("case") == len(outcomes) and first <= len(outcomes) < end:
+        outcomes.append(outcome_in(line.get("outcome"), question.exercise.answer))
+
+
+def outcome_in(data: Any, shape: Shape) -> Outcome:
+    """The outcome that a line tells of; what tells of none is an answer of the wrong shape."""
+    try:
+        return decode_outcome(data, shape)
+    except (WrongShape, TypeError, ValueError, RecursionError):
+        return Misshapen(say("grading.no_outcome"))
+
+
+def what_remains(
+    reply: Reply, cells: list[Cell], questions: list[Question], found: Answers
+) -> tuple[list[Cell], list[Question]]:
+    """After a program broke a sandbox off: which it was is said, and left out; the rest is asked
+    again.
+    """
+    end = ending(reply)
+    part = len(reply.parts) - 1
+    if part == CELLS:
+        done = {line["cell"] for line in reply.parts[CELLS] if type(line.get("cell")) is int}
+        culprit = next((cell for cell in cells if cell.number not in done), None)
+        if culprit is not None:
+            found.troubles[culprit.number] = end
+            return without(culprit, cells, done, found), questions
+    at = next((question for question in questions if is_open(question, found, part)), questions[0])
+    if is_open(at, found, HIDDEN):
+        found.outcomes[at.name] = [*(found.outcomes.get(at.name) or []), end]
+    left = [
+        question
+        for question in questions
+        if question is not at and is_open(question, found, HIDDEN)
+    ]
+    for question in left:
+        found.outcomes.pop(question.name, None)
+    return cells, left
+
+
+def without(culprit: Cell, cells: list[Cell], done: set[int], found: Answers) -> list[Cell]:
+    """The cells to run without one that could not be stopped; after several of that kind no more
+    than were ever done.
+    """
+    broken = sum(
+        isinstance(trouble, Late) or is_stopped(trouble) for trouble in found.troubles.values()
+    )
+    return [
+        cell for cell in cells if cell != culprit and (broken < BROKEN_CELLS or cell.number in done)
+    ]
+
+
+def is_open(question: Question, found: Answers, part: int) -> bool:
+    """Whether a question still has cases up to a part that may be asked."""
+    outcomes = found.outcomes.get(question.name, [])
+    if outcomes is None or (
+        outcomes and (isinstance(outcomes[-1], Late) or is_unwritten(outcomes[-1]))
+    ):
+        return False
+    return len(outcomes) < (len(question.cases) if part == HIDDEN else question.shown)
+
+
+def ending(reply: Reply) -> Outcome:
+    """How a sandbox ended, as the outcome of what was running then."""
+    if reply.end == "late":
+        return Late(left_running=False)
+    key = (
+        "grading.flood"
+        if reply.end == "flood"
+        else "grading.ended"
+        if reply.status >= 0
+        else "grading.stopped"
+    )
+    return Raised([STOPPED], say(key, status=reply.status), [], "")
+
+
+STOPPED = "Stopped"
+
+
+def is_stopped(outcome: Outcome) -> bool:
+    """Whether a program ended the very process that ran it."""
+    return isinstance(outcome, Raised) and outcome.kinds == [STOPPED]

@@ -1,0 +1,263 @@
+"""Grade a whole class: what is missing of it, on all workers, each result kept as soon as it is
+there.
+
+A result is a file named by what was handed in, what was asked, the course's secret and kinoedu's
+sources. A run that was stopped, even killed, goes on where it was; nothing is graded twice; trouble
+of the machine is tried again and then said, never scored.
+"""
+
+import atexit
+import functools
+import hashlib
+import json
+import multiprocessing
+import os
+import threading
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import Executor, ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from ...compiled.store import source_digest
+from ...course.release import HOUSE, solution
+from ...support.completed_futures import Arrivals
+from ...support.whole_files import written_whole
+from ..assignments.questions import assignment
+from ..collect.submissions import Submission
+from ..sandbox.sandbox import NoSandbox, Sandbox, without_walls
+from .contracts import with_variants
+from .submission import Grade, grade, is_late
+
+TRIES = 5
+TRIES_BESIDE = 2  # of them beside other jobs
+PATIENT = 3.0  # times its usual time, for what took too long beside others
+
+Progress = Callable[[int, int], None]
+
+
+class Job(NamedTuple):
+    """One notebook to grade."""
+
+    key: str
+    assignment: str
+    data: bytes
+    secret: bytes
+    patience: float = 1.0
+    trusted: bool = False
+    variants: tuple[tuple[str, str], ...] = ()
+
+
+class Graded(NamedTuple):
+    """A submission and its grade, or None and why there is none."""
+
+    submission: Submission
+    grade: Grade | None
+    trouble: str = ""
+
+
+def grade_all(
+    submissions: list[Submission],
+    out: Path,
+    secret: bytes,
+    *,
+    place: "Place | None" = None,
+    progress: Progress | None = None,
+    trusted: bool = False,
+) -> list[Graded]:
+    """Grade submissions, in their order. Whoever works, the grades are the same.
+
+    out : the folder of the results. place : where to work, by default `local()`. trusted : run the
+        programs without a sandbox.
+    Raises OSError where `out` cannot be written.
+    """
+    results = out / "results"
+    results.mkdir(parents=True, exist_ok=True)
+    readable = [one for one in submissions if not one.trouble]
+    jobs = {
+        key: job_of(one, key, secret, trusted) for one in readable for key in [key_of(one, secret)]
+    }
+    known = {key: record for key in jobs if (record := kept(results / f"{key}.json")) is not None}
+    tell = progress or (lambda done, everything: None)
+    tell(len(known), len(jobs))
+    troubles: dict[str, str] = {}
+    missing = [job for key, job in jobs.items() if key not in known]
+    for patience, alone in (
+        (1.0, False),
+        (PATIENT, True),
+    ):  # what was late beside others is asked again, alone and with patience
+        late = []
+        for job, record, trouble in worked(missing, place or local(), 1 if alone else None):
+            if record is None:
+                troubles[job.key] = trouble
+            elif patience == 1.0 and is_late(record):
+                late.append(job._replace(patience=PATIENT))
+                continue
+            else:
+                keep(results / f"{job.key}.json", record)
+                known[job.key] = record
+            tell(len(known) + len(troubles), len(jobs))
+        missing = late
+    return [graded(one, known, troubles, secret) for one in submissions]
+
+
+def job_of(one: Submission, key: str, secret: bytes, trusted: bool) -> Job:
+    """What is to be done for a submission."""
+    return Job(key, one.assignment, one.data, secret, trusted=trusted, variants=one.variants)
+
+
+def graded(
+    one: Submission, known: dict[str, Grade], troubles: dict[str, str], secret: bytes
+) -> Graded:
+    """A submission with what came of it."""
+    if one.trouble:
+        return Graded(one, None, one.trouble)
+    key = key_of(one, secret)
+    return Graded(one, known.get(key), troubles.get(key, ""))
+
+
+def key_of(one: Submission, secret: bytes) -> str:
+    """The name of a result: the same for the same bytes, questions, contracts, secret and
+    sources.
+    """
+    parts = [
+        one.assignment.encode(),
+        one.data,
+        hashlib.sha256(secret).digest(),
+        sources(one.assignment),
+    ]
+    parts += [repr(one.variants).encode()] if one.variants else []
+    return hashlib.sha256(b"".join(hashlib.sha256(part).digest() for part in parts)).hexdigest()[
+        :40
+    ]
+
+
+@functools.cache
+def sources(name: str) -> bytes:
+    """What a grade depends on beside the submission."""
+    return source_digest(HOUSE / "kinoedu").encode() + solution(name).read_bytes()
+
+
+def kept(file: Path) -> Grade | None:
+    """A result kept before; None where there is none or it is damaged."""
+    try:
+        record = json.loads(file.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return None
+    return (
+        record
+        if isinstance(record, dict) and {"status", "questions", "cells"} <= set(record)
+        else None
+    )
+
+
+def keep(file: Path, record: Grade) -> None:
+    """Keep a result, whole or not at all."""
+    with written_whole(file) as part:
+        part.write_text(json.dumps(record, indent=1, sort_keys=True) + "\n", encoding="utf-8")
+
+
+Place = Callable[[int | None], Any]  # how many workers, None for all -> a context with an Executor
+
+
+def local(workers: int | None = None) -> Place:
+    """Processes of this computer, by default one for each processor."""
+
+    @contextmanager
+    def place(most: int | None) -> Iterator[Executor]:
+        new = multiprocessing.get_context("spawn")
+        with ProcessPoolExecutor(
+            most or workers, mp_context=new, initializer=end_with_parent
+        ) as executor:
+            yield executor
+
+    return place
+
+
+def end_with_parent() -> None:
+    """See to it that this process ends when its parent does, even one that was killed."""
+
+    def watch() -> None:
+        parent = multiprocessing.parent_process()
+        if parent is not None:
+            parent.join()
+            os._exit(1)
+
+    threading.Thread(target=watch, daemon=True).start()
+
+
+def dask(address: str) -> Place:
+    """The workers of a Dask cluster, each with this very kinoedu and a sandbox."""
+
+    @contextmanager
+    def place(most: int | None) -> Iterator[Executor]:
+        from dask.distributed import Client
+
+        with Client(address, timeout=10, set_as_default=False) as client:
+            workers = sorted(client.scheduler_info()["workers"])
+            yield client.get_executor(
+                pure=False, retries=TRIES, **({"workers": workers[:1]} if most == 1 else {})
+            )
+
+    return place
+
+
+def worked(
+    jobs: Iterable[Job], place: Place, most: int | None
+) -> Iterator[tuple[Job, Grade | None, str]]:
+    """Every job with its record, as they come; one whose worker is lost or whose machine is in
+    trouble is tried again, and alone after the second time, so that whatever ends workers takes no
+    other job with it.
+    """
+    left, tries = list(jobs), dict[str, int]()
+    while left:
+        calm = [job for job in left if tries.get(job.key, 0) < TRIES_BESIDE]
+        now = calm or left[:1]
+        left = [job for job in left if job not in calm] if calm else left[1:]
+        with place(most if calm else 1) as executor:
+            arrivals, begun = Arrivals[Job](), set[str]()
+            for job in now:
+                arrivals.expect(executor.submit(work, job), job)
+            for job, future in arrivals:
+                trouble = future.exception()
+                if trouble is None:
+                    begun = {
+                        other.key
+                        for waiting, other in arrivals.waiting.items()
+                        if waiting.running()
+                    }
+                    yield job, future.result(), ""
+                    continue
+                tries[job.key] = tries.get(job.key, 0) + (
+                    job.key in begun or not isinstance(trouble, BrokenProcessPool)
+                )
+                if tries[job.key] < TRIES:
+                    left.append(job)
+                else:
+                    yield job, None, f"{type(trouble).__name__}: {trouble}"
+
+
+class Own(threading.local):
+    """Sandboxes for each thread that grades, as Dask's workers may have several: one with walls,
+    and one for what is trusted.
+    """
+
+    def __init__(self) -> None:
+        self.sandboxes = {False: Sandbox(), True: Sandbox(without_walls)}
+        for sandbox in self.sandboxes.values():
+            atexit.register(sandbox.close)
+
+
+OWN = Own()
+
+
+def work(job: Job) -> Grade:
+    """Grade a notebook, in this process and its sandbox. Raises NoSandbox."""
+    sandbox = OWN.sandboxes[job.trusted]
+    try:
+        task = with_variants(assignment(job.assignment), job.variants)
+        return grade(job.data, task, job.secret, sandbox, patience=job.patience)
+    except NoSandbox:
+        sandbox.close()
+        raise

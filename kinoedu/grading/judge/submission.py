@@ -1,0 +1,161 @@
+"""One submission graded: the sandbox runs it, the judges judge what comes out, and a record says
+what it is worth and why.
+"""
+
+from collections.abc import Sequence
+from typing import Any
+
+from ...course.feedback import hint_words, rule_words
+from ...course.judging import Judged, Report, report_on
+from ...course.outcomes import Late, Outcome, encode_outcome
+from ...course.shapes import Maybe, Truth
+from ...words import say
+from ..assignments.questions import Asked, Assignment, Cases, cases_of
+from ..collect.notebook import Cell, UnreadableSubmission, cells_in
+from ..sandbox.sandbox import Sandbox
+from .answers import Answers, Question, answers, is_stopped
+
+RIGHT, PARTLY, WRONG, UNANSWERED, LATE, STOPPED = (
+    "right",
+    "partly right",
+    "wrong",
+    "not answered",
+    "too late",
+    "stopped",
+)
+Grade = dict[str, Any]  # JSON data: what is kept of a graded submission
+
+
+def grade(
+    data: bytes, task: Assignment, secret: bytes, sandbox: Sandbox, *, patience: float = 1.0
+) -> Grade:
+    """Grade the bytes of a notebook. Raises NoSandbox, and nothing else.
+
+    Returns {"status", "message", "questions", "cells"}: for each question its score, what the
+    student may read, and the case that failed, where everybody has seen that case.
+    """
+    try:
+        cells = cells_in(data)
+    except UnreadableSubmission as trouble:
+        return {
+            "status": "unreadable",
+            "message": str(trouble),
+            "questions": [blank(asked) for asked in task.questions],
+            "cells": [],
+        }
+    asked = {
+        one.exercise.name: (one, cases_of(one.exercise.name, secret, one.exercise.variant))
+        for one in task.questions
+    }
+    to_ask = [Question(one.exercise, *known) for one, known in asked.values()]
+    found = answers(sandbox, cells, to_ask, task.lent, patience=patience)
+    questions = [judged(one, known, found.outcomes[name]) for name, (one, known) in asked.items()]
+    return {
+        "status": "graded",
+        "message": "",
+        "questions": questions,
+        "cells": troubles(found, cells),
+    }
+
+
+def blank(asked: Asked) -> Grade:
+    """A question to which there is no answer."""
+    variant = {"variant": asked.exercise.variant} if asked.exercise.variant else {}
+    return variant | {
+        "question": asked.exercise.name,
+        "score": 0.0,
+        "max_score": asked.points,
+        "status": UNANSWERED,
+        "message": say("grading.unanswered", name=asked.exercise.name),
+        "failure": None,
+        "late": False,
+    }
+
+
+def judged(asked: Asked, known: Cases, outcomes: Sequence[Outcome] | None) -> Grade:
+    """A question's grade."""
+    if not outcomes:
+        return blank(asked)
+    report = report_on(asked.exercise, known.cases, outcomes)
+    if report.unwritten and report.failure is not None and report.failure.number == 0:
+        return blank(asked)
+    late = any(isinstance(outcome, Late) for outcome in outcomes)
+    record = blank(asked) | {
+        "score": asked.points * report.score,
+        "status": status_of(report),
+        "message": say("grading.right"),
+        "late": late,
+    }
+    if report.failure is None:
+        return record
+    return record | told(asked, report, hidden=report.failure.number >= known.seen)
+
+
+def status_of(report: Report) -> str:
+    """In a word or two."""
+    if report.is_right:
+        return RIGHT
+    if report.score > 0.0:
+        return PARTLY
+    outcome = report.failure.outcome if report.failure is not None else None
+    return (
+        LATE
+        if isinstance(outcome, Late)
+        else STOPPED
+        if outcome is not None and is_stopped(outcome)
+        else WRONG
+    )
+
+
+def told(asked: Asked, report: Report, *, hidden: bool) -> Grade:
+    """What a student may know of a failure: the rule and the hint; and the case, unless it is a
+    hidden one.
+    """
+    failure, exercise = report.failure, asked.exercise
+    assert failure is not None
+    shown = None if hidden else shown_failure(report)
+    message = rule_words(exercise, failure) + (" " + say("grading.hidden") if hidden else "")
+    return {
+        "message": message,
+        "hint": hint_words(exercise, failure),
+        "failure": shown,
+        "kinds": list(report.failed),
+        "reason": reason_of(failure),
+    }
+
+
+def reason_of(failure: Judged) -> str:
+    """The key of the misconception that was recognised, or of the rule that was broken: what
+    instructors count.
+    """
+    return f"slips.{failure.slip}" if failure.slip else f"rules.{failure.verdict.rule}"
+
+
+def shown_failure(report: Report) -> Grade:
+    """The failing case and its outcome as JSON data, so that its picture can be drawn later."""
+    failure, exercise = report.failure, report.exercise
+    assert failure is not None
+    case = {"kind": failure.case.kind, "given": exercise.given.encode(failure.case.given)}
+    return {
+        "case": case,
+        "outcome": encode_outcome(failure.outcome, exercise.answer),
+        "number": failure.number,
+        "slip": failure.slip,
+    }
+
+
+def troubles(found: Answers, cells: list[Cell]) -> list[Grade]:
+    """The cells that failed, for the student."""
+    numbers = {cell.number for cell in cells}
+    nothing = Maybe(Truth())
+    return [
+        {"cell": number, "trouble": encode_outcome(outcome, nothing)}
+        for number, outcome in sorted(found.troubles.items())
+        if number in numbers
+    ]
+
+
+def is_late(record: Grade) -> bool:
+    """Whether something took too long, which a slow or busy machine may have caused."""
+    cells = [trouble["trouble"]["kind"] for trouble in record["cells"]]
+    return "Late" in cells or any(question["late"] for question in record["questions"])

@@ -1,0 +1,79 @@
+"""Exercises with contracts: for each student a notebook whose statements and checks know which
+contract is theirs.
+"""
+
+import json
+from pathlib import Path
+from typing import Any
+
+from ...course.lessons import find
+from ...course.release import HOUSE, solution
+from ...errors import InvalidParameter
+from ...support.csv_cells import harmless, write_rows
+from ...support.file_names import file_name
+from ...support.whole_files import written_whole
+from ...words import say
+from ..assignments.questions import assignment
+from .contracts import Choices, choices
+
+COLUMNS = ("student", "assignment", "question", "variant")
+
+
+def write_variants(
+    names: list[str], students: list[str], secret: bytes, out: Path, house: Path = HOUSE
+) -> int:
+    """For each student the assignments' exercises with their own contracts, OUT/STUDENT/NAME.ipynb;
+    and who has which, as OUT/variants.csv. Returns how many notebooks. Raises InvalidParameter
+    where an assignment has no exercise with contracts.
+    """
+    books = {name: released(name, house) for name in names}
+    lines = []
+    for student in students:
+        for name, book in books.items():
+            mine = choices(assignment(name, house), secret, student)
+            if not mine:
+                raise InvalidParameter(f"no exercise of {name} has contracts to choose from")
+            file = out / file_name(student) / f"{name}.ipynb"
+            file.parent.mkdir(parents=True, exist_ok=True)
+            with written_whole(file) as part:
+                part.write_text(
+                    json.dumps(with_contracts(book, mine), indent=1, ensure_ascii=False) + "\n",
+                    encoding="utf-8",
+                )
+            lines += [[harmless(student), name, *pair] for pair in mine]
+    write_rows(out / "variants.csv", [COLUMNS, *lines])
+    return len(books) * len(students)
+
+
+def released(name: str, house: Path) -> Any:
+    """The exercise as it was released. Raises InvalidParameter."""
+    solution(name, house)
+    file = house / "exercises" / f"{name}.ipynb"
+    if not file.is_file():
+        raise InvalidParameter(f"exercises/{name}.ipynb is not there: release {name} first")
+    return json.loads(file.read_text(encoding="utf-8"))
+
+
+def with_contracts(book: Any, chosen: Choices) -> Any:
+    """An exercise in which the statement and the check of each question know a contract."""
+    mine, cells = dict(chosen), []
+    for cell in book["cells"]:
+        name = cell["metadata"].get("nbgrader", {}).get("grade_id", "")
+        if name in mine:
+            words = say("variants.yours", contract=find(name, mine[name]).contract)
+            cells.append(
+                {
+                    "cell_type": "markdown",
+                    "id": f"contract_{name}",
+                    "metadata": {},
+                    "source": [words],
+                }
+            )
+        if name.removeprefix("check_") in mine and name.startswith("check_"):
+            asked = name.removeprefix("check_")
+            source = "".join(cell["source"]).replace(
+                f"check({asked}", f'check({asked}, variant="{mine[asked]}"', 1
+            )
+            cell = {**cell, "source": source.splitlines(keepends=True)}
+        cells.append(cell)
+    return {**book, "cells": cells}

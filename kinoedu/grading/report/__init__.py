@@ -1,0 +1,1 @@
+"""Reports: the grades as tables and pages, for the instructor and for each student."""

@@ -1,0 +1,92 @@
+"""What people decide: scores that overrule the grader's, and those of answers that only people can
+grade.
+
+Both stand in a small table, GRADES/overrides.csv and GRADES/by_hand.csv, with the columns student,
+assignment, question, score, comment. No command of kinoedu writes to the first; the second is what
+nbgrader's gradebook says. Where both speak, the first holds.
+"""
+
+import csv
+import io
+import math
+from pathlib import Path
+from typing import NamedTuple
+
+from ...errors import InvalidParameter
+from ...support.csv_cells import unharmed
+
+OVERRIDES, BY_HAND = "overrides.csv", "by_hand.csv"
+COLUMNS = ("student", "assignment", "question", "score", "comment")
+
+
+class Decision(NamedTuple):
+    """A score, or None where only a comment is given; and where it is said, such as "overrides.csv,
+    line 2".
+    """
+
+    score: float | None
+    comment: str
+    said_in: str
+
+
+Decisions = dict[tuple[str, str, str], Decision]  # of student, assignment, question
+
+
+def read_decisions(out: Path) -> Decisions:
+    """All that was decided of a class. Raises InvalidParameter, with the line that is wrong."""
+    found, over = decisions_in(out / BY_HAND), decisions_in(out / OVERRIDES)
+    for whose, decision in over.items():
+        below = found.get(whose, decision)
+        score = below.score if decision.score is None else decision.score
+        found[whose] = decision._replace(score=score, comment=decision.comment or below.comment)
+    return found
+
+
+def decisions_in(file: Path) -> Decisions:
+    """What a table says; nothing where there is none."""
+    if not file.exists():
+        return {}
+    try:
+        reader = csv.DictReader(io.StringIO(file.read_text(encoding="utf-8-sig"), newline=""))
+        missing = [name for name in COLUMNS[:4] if name not in (reader.fieldnames or ())]
+        if missing:
+            raise InvalidParameter(
+                f"{file} has no column {missing[0]!r}; its first line should be {','.join(COLUMNS)}"
+            )
+        rows = [
+            (reader.line_num, {name: unharmed((row.get(name) or "").strip()) for name in COLUMNS})
+            for row in reader
+        ]
+    except (UnicodeDecodeError, csv.Error) as error:
+        raise InvalidParameter(
+            f"{file} cannot be read: {error}; save it as CSV in UTF-8"
+        ) from error
+    found: Decisions = {}
+    for number, row in rows:
+        said_in = f"{file.name}, line {number}"
+        whose = (row["student"], row["assignment"], row["question"])
+        if not any(row.values()):
+            continue
+        if whose in found:
+            raise InvalidParameter(
+                f"{said_in}: {' '.join(whose)} has a line already, in {found[whose].said_in}; "
+                "leave one"
+            )
+        found[whose] = Decision(score_in(row["score"], said_in), row["comment"], said_in)
+    return found
+
+
+def score_in(text: str, said_in: str) -> float | None:
+    """A score, or None for an empty cell."""
+    if not text:
+        return None
+    try:
+        score = float(text)
+    except ValueError:
+        score = math.nan
+    if not 0.0 <= score < math.inf:
+        raise InvalidParameter(
+            f"{said_in}: a score is a number from 0, with a point and no comma, or empty; got "
+            f"{text[:40]!r}"
+        )
+    return score

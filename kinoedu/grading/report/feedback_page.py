@@ -1,0 +1,119 @@
+"""A student's page: what each answer is worth and why, the smallest case that failed as code and as
+a picture, and cells that failed. No hidden case is on it: the record of a grade holds none.
+"""
+
+import base64
+from collections.abc import Iterator, Mapping
+from html import escape
+from pathlib import Path
+from typing import Any
+
+from ...course.outcomes import Raised, decode_outcome
+from ...course.plain import WrongShape
+from ...course.shapes import Maybe, Truth
+from ...support.csv_cells import number
+from ...support.file_names import file_name
+from ...words import say
+from ..judge.answers import is_stopped
+from ..judge.submission import RIGHT, Grade
+from .failures import picture_for, told_of
+from .pages import heading, page, paragraph
+from .rows import BY_HAND, DECIDED, Row, totals
+
+
+def page_name(student: str, assignment: str) -> str:
+    """Where a page stands in the folder of the grades."""
+    return f"feedback/{file_name(student)}/{file_name(assignment or 'unknown')}.html"
+
+
+def feedback_page(rows: list[Row], record: Grade | None, trouble: str, pictures: Path) -> str:
+    """The page for the rows of one submission. pictures : the folder in which they are kept."""
+    student, assignment = rows[0].student, rows[0].assignment
+    total = totals(rows)[student, assignment]
+    body = [paragraph(student, "quiet")]
+    if rows[0].late:
+        body.append(paragraph(say("grades.late")))
+    if trouble:
+        body += [heading(say("grades.trouble")), paragraph(trouble)]
+    if assignment:
+        waiting = say("grades.waiting", count=total.waiting) if total.waiting else ""
+        score, most = number(total.score), number(total.max_score)
+        body.append(paragraph(say("grades.total", score=score, most=most) + waiting))
+    records = {one["question"]: one for one in record["questions"]} if record is not None else {}
+    for row in rows:
+        if row.question:
+            body += section(row, records.get(row.question), pictures)
+    if record is not None and record["cells"]:
+        body += cells(record["cells"])
+    return page(assignment or say("grades.unknown"), body)
+
+
+def section(row: Row, question: Grade | None, pictures: Path) -> Iterator[str]:
+    """One question."""
+    share = 0.0 if row.score is None else row.score / (row.max_score or 1.0)
+    kind = "" if row.score is None else "all" if share >= 1.0 else "some" if share > 0.0 else "none"
+    score = (
+        say("grades.no_score", most=number(row.max_score))
+        if row.score is None
+        else f"{number(row.score)} / {number(row.max_score)}"
+    )
+    yield f'<section class="{kind}"><h2><span>{escape(row.question)}</span><span class="n">{score}</span></h2>'
+    if row.score is None or row.status in (BY_HAND, DECIDED):
+        yield paragraph(
+            say(f"grades.status.{row.status.replace(' ', '_')}")
+            + (f": {row.message}" if row.message else ".")
+        )
+    if question is not None and question["status"] != RIGHT:
+        if row.status != DECIDED:
+            yield paragraph(question["message"])
+            if row.comment:
+                yield paragraph(say("grades.comment", comment=row.comment))
+        yield from explained(question, pictures)
+    elif row.status == RIGHT:
+        yield paragraph(row.message)
+    yield "</section>"
+
+
+def explained(question: Grade, pictures: Path) -> Iterator[str]:
+    """What a wrong answer met: the case, if everybody has seen it, its picture, and the hint."""
+    told = told_of(question)
+    if told:
+        plain = (say("check.wanted"), say("check.hint"), say("check.read"))
+        pairs = [
+            (title, escape(text) if title in plain else f"<code>{escape(text)}</code>")
+            for title, text in told
+        ]
+        yield (
+            "<dl>"
+            + "".join(f"<dt>{escape(title)}</dt><dd>{text}</dd>" for title, text in pairs)
+            + "</dl>"
+        )
+    picture = picture_for(question, pictures)
+    if picture is not None:
+        alt = escape(say("check.picture", name=question["question"]))
+        yield f'<img alt="{alt}" src="data:image/png;base64,{base64.b64encode(picture).decode()}">'
+
+
+def cells(troubles: list[Grade]) -> Iterator[str]:
+    """The cells that failed, with the student's own lines."""
+    yield heading(say("grades.cells"))
+    yield paragraph(say("grades.cells_about"), "quiet")
+    for trouble in troubles:
+        words, lines = cell_words(trouble["trouble"])
+        yield paragraph(say("grades.cell", number=trouble["cell"], words=words))
+        if lines:
+            yield f"<pre>{escape(chr(10).join(lines))}</pre>"
+
+
+def cell_words(data: Mapping[str, Any]) -> tuple[str, list[str]]:
+    """What came of a cell, and the lines in which it failed."""
+    try:
+        outcome = decode_outcome(data, Maybe(Truth()))
+    except WrongShape:
+        return say("grading.no_outcome"), []
+    if not isinstance(outcome, Raised):
+        return say("grades.cell_late"), []
+    if is_stopped(outcome):
+        return outcome.message, []
+    kind = outcome.kinds[0] if outcome.kinds else ""
+    return f"{kind}: {outcome.message}" if outcome.message else kind, outcome.lines

@@ -1,0 +1,134 @@
+"""The grades as one table: a row for each question of each submission, and GRADES/grades.csv."""
+
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import NamedTuple
+
+from ...errors import InvalidParameter
+from ...support.csv_cells import harmless, number, write_rows
+from ...words import say
+from ..assignments.questions import assignment
+from ..judge.class_list import Class, Entry, record_of
+from ..judge.submission import Grade
+from .decisions import Decision, Decisions
+
+UNREADABLE, NOT_GRADED, BY_HAND, DECIDED = (
+    "unreadable",
+    "not graded",
+    "to grade by hand",
+    "set by hand",
+)
+COLUMNS = ("student", "assignment", "question", "score", "max_score", "status", "message")
+
+
+class Row(NamedTuple):
+    """One question of one student; `score` is None as long as there is none. late : Canvas marked
+    what was handed in so.
+    comment : a person's, or "".
+    """
+
+    student: str
+    assignment: str
+    question: str
+    score: float | None
+    max_score: float
+    status: str
+    message: str
+    late: bool = False
+    comment: str = ""
+
+
+def class_rows(of: Class, decisions: Decisions) -> list[Row]:
+    """All rows of a class, with what people decided. Raises InvalidParameter where a decision is
+    about nothing that there is.
+    """
+    rows = [row for entry in of.entries for row in entry_rows(entry, record_of(entry, of.out))]
+    there = {row[:3] for row in rows}
+    for whose, decision in decisions.items():
+        if whose not in there:
+            raise InvalidParameter(
+                f"{decision.said_in}: grades.csv would have no row for {' '.join(whose)}; check "
+                "the names"
+            )
+    return [decided(row, decisions.get(row[:3])) for row in rows]
+
+
+def entry_rows(entry: Entry, record: Grade | None) -> list[Row]:
+    """The rows of one submission, as the grader has it; where there is trouble, they say which."""
+    if not entry.assignment:
+        return [
+            Row(entry.student, "", "", None, 0.0, UNREADABLE, trouble_of(entry, record), entry.late)
+        ]
+    task = assignment(entry.assignment)
+    if record is None or record["status"] == UNREADABLE:
+        trouble = (trouble_status(entry, record), trouble_of(entry, record))
+        told = [(asked.exercise.name, None, asked.points, *trouble) for asked in task.questions]
+    else:
+        told = [
+            (one["question"], one["score"], one["max_score"], one["status"], one["message"])
+            for one in record["questions"]
+        ]
+    told += [(name, None, most, BY_HAND, "") for name, most in task.by_hand.items()]
+    return [Row(entry.student, entry.assignment, *rest, entry.late) for rest in told]
+
+
+def trouble_status(entry: Entry, record: Grade | None) -> str:
+    """Whose the trouble is: the file's, or the machine's."""
+    return UNREADABLE if record is not None or not entry.key else NOT_GRADED
+
+
+def trouble_of(entry: Entry, record: Grade | None) -> str:
+    """Why a submission has no scores, in words; "" where it has."""
+    if record is not None:
+        return str(record["message"])
+    return entry.trouble or say("grades.not_graded")
+
+
+def decided(row: Row, decision: Decision | None) -> Row:
+    """A row with what somebody decided."""
+    if decision is None:
+        return row
+    row = row._replace(message=decision.comment or row.message, comment=decision.comment)
+    return row if decision.score is None else row._replace(score=decision.score, status=DECIDED)
+
+
+class Total(NamedTuple):
+    """What a student has for an assignment: the sum of its scores, of how much, how many questions
+    have no score yet, of all.
+    """
+
+    score: float
+    max_score: float
+    waiting: int
+    questions: int
+
+
+def totals(rows: Iterable[Row]) -> dict[tuple[str, str], Total]:
+    """The total for each student and assignment, in the order of the rows."""
+    found: dict[tuple[str, str], Total] = {}
+    for row in rows:
+        before = found.get((row.student, row.assignment), Total(0.0, 0.0, 0, 0))
+        sums = (before.score + (row.score or 0.0), before.max_score + row.max_score)
+        found[row.student, row.assignment] = Total(
+            *sums, before.waiting + (row.score is None), before.questions + 1
+        )
+    return found
+
+
+def write_grades(rows: Iterable[Row], file: Path) -> None:
+    """Write grades.csv: the same bytes for the same rows."""
+    write_rows(file, [COLUMNS, *cells(rows)])
+
+
+def cells(rows: Iterable[Row]) -> Iterator[tuple[str, ...]]:
+    """Rows as text."""
+    for row in rows:
+        yield (
+            harmless(row.student),
+            harmless(row.assignment),
+            harmless(row.question),
+            number(row.score),
+            number(row.max_score),
+            row.status,
+            harmless(row.message),
+        )

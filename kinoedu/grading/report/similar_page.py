@@ -1,0 +1,146 @@
+"""What programs have in common, for a person to look at: a list of pairs as a page and as a table,
+and a page for each pair.
+"""
+
+from collections.abc import Iterable, Iterator
+from html import escape
+from itertools import repeat
+from pathlib import Path
+
+from ...support.csv_cells import harmless, number, write_rows
+from ...words import say
+from .fingerprints import Piece
+from .pages import breakable, heading, page, paragraph, table, write_page
+from .similar import Likeness, Similar
+
+COLUMNS = ("assignment", "first", "second", "weight", "share_of_first", "share_of_second", "page")
+
+
+def write_similar(found: list[Similar], folder: Path) -> int:
+    """Write similar.html, similar.csv and pairs/*.html; pages of pairs that are gone are removed.
+    Returns how many pairs.
+    """
+    pairs = [(place, of, one) for of in found for place, one in placed(of)]
+    for place, of, one in pairs:
+        write_page(folder / place, pair_page(of, one))
+    for file in (folder / "pairs").glob("*.html"):
+        if file.relative_to(folder).as_posix() not in {place for place, _, _ in pairs}:
+            file.unlink()
+    lines = [
+        [
+            *map(harmless, (of.assignment, one.first.name, one.second.name)),
+            *map(number, one[2:]),
+            place,
+        ]
+        for place, of, one in pairs
+    ]
+    folder.mkdir(parents=True, exist_ok=True)
+    write_rows(folder / "similar.csv", [COLUMNS, *lines])
+    write_page(
+        folder / "similar.html",
+        page(say("similar.title"), [paragraph(say("similar.about")), *map(summary, found)]),
+    )
+    return len(pairs)
+
+
+def placed(of: Similar) -> Iterator[tuple[str, Likeness]]:
+    """Each likeness of an assignment, with the place of its page."""
+    for at, one in enumerate((*of.each_other, *of.course), 1):
+        yield f"pairs/{of.assignment}-{at:04d}.html", one
+
+
+def summary(of: Similar) -> str:
+    """An assignment's pairs, as two tables."""
+    all_placed = list(placed(of))
+    parts = [paragraph(f"{of.assignment}: {say('similar.count', count=len(of.programs))}", "quiet")]
+    for key, pairs in (
+        ("each_other", all_placed[: len(of.each_other)]),
+        ("course", all_placed[len(of.each_other) :]),
+    ):
+        parts.append(heading(f"{of.assignment}: {say(f'similar.{key}')}"))
+        head = [
+            say(f"similar.{column}")
+            for column in ("first", "second", "of_first", "of_second", "weight")
+        ]
+        parts.append(
+            table(head, map(row, pairs), numbers=3)
+            if pairs
+            else paragraph(say("similar.nothing"), "quiet")
+        )
+    return "\n".join(parts)
+
+
+def row(pair: tuple[str, Likeness]) -> list[str]:
+    """A pair's cells, in HTML."""
+    place, one = pair
+    first = f'<a href="{place}">{breakable(one.first.name)}</a>'
+    return [
+        first,
+        breakable(one.second.name),
+        percent(one.of_first),
+        percent(one.of_second),
+        f"{one.weight:.0f}",
+    ]
+
+
+def percent(share: float) -> str:
+    """A share in words.
+
+    >>> percent(0.996)
+    '100 %'
+    """
+    return f"{100.0 * share:.0f} %"
+
+
+def pair_page(of: Similar, one: Likeness) -> str:
+    """Two programs beside each other: only their pieces that have something in common, and there
+    marked what it is.
+    """
+    shared = one.first.prints & one.second.prints
+    shares = say("similar.shares", first=percent(one.of_first), second=percent(one.of_second))
+    body = [paragraph(say("similar.about")), paragraph(shares, "quiet"), '<div class="two">']
+    body += [f"<h2>{escape(name)}</h2>" for name in (one.first.name, one.second.name)]
+    for pieces in beside(one.first.pieces, one.second.pieces, shared):
+        body += map(shown, pieces, (one.first.name, one.second.name), repeat(shared))
+    return page(f"{of.assignment}: {say('similar.title')}", [*body, "</div>"])
+
+
+def beside(
+    first: Iterable[Piece], second: Iterable[Piece], shared: set[int]
+) -> Iterator[tuple[Piece | None, Piece | None]]:
+    """The pieces that share something, each of the first with the one of the second that shares the
+    most with it.
+    """
+    left = [piece for piece in second if shared & piece.prints.keys()]
+    for piece in first:
+        common = shared & piece.prints.keys()
+        if common:
+            partner = max(left, key=lambda other: len(common & other.prints.keys()), default=None)
+            left = [other for other in left if other is not partner]
+            yield piece, partner
+    for other in left:
+        yield None, other
+
+
+def shown(piece: Piece | None, name: str, shared: set[int]) -> str:
+    """A piece, and whose it is, which a narrow page says above it; or the place where the other
+    program has nothing like it.
+    """
+    return (
+        "<pre></pre>"
+        if piece is None
+        else f'<pre title="{escape(name)}">{marked(piece, shared)}</pre>'
+    )
+
+
+def marked(piece: Piece, shared: set[int]) -> str:
+    """A piece's lines, those that are shared marked."""
+    common = {
+        line
+        for one in shared & piece.prints.keys()
+        for line in range(piece.prints[one][0], piece.prints[one][1] + 1)
+    }
+    return "\n".join(
+        f"<mark>{escape(line)}</mark>" if at in common else escape(line)
+        for at, line in enumerate(piece.lines)
+    )

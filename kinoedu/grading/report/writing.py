@@ -1,0 +1,51 @@
+"""From a graded class to what people read: grades.csv, report.html, and a page for each student."""
+
+import shutil
+from pathlib import Path
+
+from ..judge.class_list import Class, Entry, record_of
+from ..judge.running import Progress
+from .decisions import read_decisions
+from .feedback_page import feedback_page, page_name
+from .pages import write_page
+from .report_page import report_page
+from .rows import Row, class_rows, write_grades
+
+
+def write_all(of: Class, progress: Progress | None = None) -> list[Row]:
+    """Write everything that people read; the same bytes for the same class. Returns the rows of
+    grades.csv.
+
+    Raises InvalidParameter where a decision is wrong, OSError where nothing can be written.
+    """
+    rows = class_rows(of, read_decisions(of.out))
+    write_grades(rows, of.out / "grades.csv")
+    write_page(of.out / "report.html", report_page(of, rows))
+    mine: dict[tuple[str, str], list[Row]] = {}
+    for row in rows:
+        mine.setdefault((row.student, row.assignment), []).append(row)
+    pages = {page_name(*whose): whose for whose in mine}
+    entries = {(entry.student, entry.assignment): entry for entry in of.entries}
+    for done, (name, whose) in enumerate(pages.items(), 1):
+        write_page(of.out / name, one_page(mine[whose], entries[whose], of.out))
+        if progress is not None:
+            progress(done, len(pages))
+    remove_others(of.out / "feedback", {of.out / name for name in pages})
+    return rows
+
+
+def one_page(rows: list[Row], entry: Entry, out: Path) -> str:
+    """The page of one submission."""
+    record = record_of(entry, out)
+    trouble = entry.trouble if record is None else record["message"]
+    return feedback_page(rows, record, trouble, out / "pictures")
+
+
+def remove_others(folder: Path, kept: set[Path]) -> None:
+    """Remove the pages of submissions that are no longer there, lest somebody hands them out."""
+    for file in folder.rglob("*.html"):
+        if file not in kept:
+            file.unlink()
+    for below in folder.iterdir() if folder.is_dir() else ():
+        if below.is_dir() and not any(below.iterdir()):
+            shutil.rmtree(below)

@@ -1,0 +1,1 @@
+"""The sandbox: where students' programs run and can do no harm."""

@@ -1,0 +1,257 @@
+"""What runs in the sandbox: a student's cells, and then their functions on cases. Nothing else ever
+runs a student's program.
+
+`python inside.py SOCKET [MODULE...]`, started by `sandbox.py`, loads the library once, and those
+modules too, and waits. For each request it forks a process that shuts itself in, runs what it can,
+and writes a line of JSON for each cell and each case as soon as it is done; whoever reads believes
+none of it. A request comes as two files, one to read and one to write lines to:
+
+    cells      the source of each cell, its number in the notebook, and its seconds
+    questions  each with its name, the shapes of what is given and answered, its seconds, and where it has a call of its own, which
+    withheld   functions of the library that the questions ask for, as "module:name"
+    lent       functions of the exercises' own modules that the assignment uses, named so too
+    limits     bytes of memory, seconds of processor, bytes of files, and the user to become
+
+and then, each on a line when what was asked before is done, cases for each question: so what was
+said before could not know them.
+"""
+
+import builtins
+import contextlib
+import gc
+import importlib
+import json
+import linecache
+import os
+import signal
+import socket
+import sys
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any, NamedTuple
+
+PRACTICE = 50
+ALARMS = (signal.ITIMER_PROF, signal.ITIMER_REAL)
+AGAIN = 0.05  # seconds after which an alarm rings again
+HERE = Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE), str(HERE.parent.parent.parent)]
+sys.path += map(str, HERE.parent.parent.parent.glob("site-packages-*"))
+
+import library  # noqa: E402  (beside this file: to import them from kinoedu would load all of it, before the mode is known)
+import shut_in  # noqa: E402
+
+
+def main() -> None:
+    """Load the library, and serve requests until nobody asks any more."""
+    grader = socket.socket(fileno=int(sys.argv[1]))
+    sys.modules["numba"] = None  # type: ignore[assignment]  # not there: the library answers the same, and starts at once
+    library.open_library()
+    for name in (*library.USUAL, *sys.argv[2:]):
+        importlib.import_module(name)
+    practise()
+    gc.freeze()
+    grader.send(b"ready")
+    while True:
+        message, files, _, _ = socket.recv_fds(grader, 16, 2)
+        if not message:
+            return
+        child = shut_in.forked_alone()
+        if child == 0:
+            grader.close()
+            serve(*files)
+        for file in files:
+            os.close(file)
+        grader.send(str(ended(child, grader)).encode())
+
+
+def practise() -> None:
+    """Do once what every request does: Python is quicker in what it has done before, and words are
+    read from their files once.
+    """
+    import numpy as np
+
+    from kinoedu.course.shapes import Number, Numbers, Record
+
+    def length(q: Any, ring: Any, r: float) -> Any:
+        return np.linalg.norm(np.roll(ring, 1, axis=0) @ q) + np.hypot(*q) + (ring - q).min() + r
+
+    exercise = Asked(
+        Record(q=Numbers((2,)), ring=Numbers(("n", 2)), r=Number()),
+        Number(),
+        1.0,
+        library.own_call(""),
+    )
+    cases = [{"q": [0.0, 1.0], "ring": [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]], "r": 1.0}] * PRACTICE
+    with open(os.devnull, "w", encoding="utf-8") as nowhere:
+        for function in (length, str, float):  # an answer, something of another shape, an exception
+            answered("", exercise, cases, {"": 0}, function, Channel(nowhere))
+
+
+def ended(child: int, grader: socket.socket) -> int:
+    """Wait until the grader has heard enough, and end what still runs; how it ended."""
+    grader.recv(16)
+    with contextlib.suppress(ProcessLookupError):
+        os.kill(child, signal.SIGKILL)
+    return os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
+
+
+def serve(asking: int, answering: int) -> None:
+    """Run a request. Never returns."""
+    nowhere = os.open(os.devnull, os.O_RDWR)
+    with contextlib.suppress(BaseException), os.fdopen(answering, "w", encoding="utf-8") as out:
+        channel = Channel(out)
+        for number in (0, 1, 2):
+            os.dup2(nowhere, number)
+        try:
+            with os.fdopen(asking, encoding="utf-8") as stream:
+                run(map(json.loads, iter(stream.readline, "")), channel)
+        except BaseException as error:
+            channel.say(broken=f"{type(error).__name__}: {error}")
+    os._exit(0)  # what a program left behind, such as functions to be called at the end, has no say
+
+
+class Channel:
+    """The one way out: lines of JSON. What a program prints goes nowhere."""
+
+    def __init__(self, stream: Any) -> None:
+        self.stream = stream
+
+    def say(self, **line: Any) -> None:
+        """Write a line, and see to it that it is on its way."""
+        self.stream.write(json.dumps(line) + "\n")
+        self.stream.flush()
+
+
+class Asked(NamedTuple):
+    """As much of an exercise as a call needs."""
+
+    given: Any
+    answer: Any
+    seconds: float
+    call: Callable[..., Any]
+
+
+def run(requests: Iterator[dict[str, Any]], channel: Channel) -> None:
+    """Give up every right, then run the cells and ask the questions, a part of their cases at a
+    time.
+    """
+    request = next(requests)
+    library.withhold(request["withheld"])
+    questions = {question["name"]: asked(question) for question in request["questions"]}
+    names = {cell["number"]: f"cell {cell['number']}" for cell in request["cells"]}
+    for cell in request["cells"]:
+        linecache.cache[names[cell["number"]]] = (
+            len(cell["source"]),
+            None,
+            cell["source"].splitlines(True),
+            names[cell["number"]],
+        )
+    shut_in.without_rights(**request["limits"], hidden=library.without_judges(request["lent"]))
+    channel.say(ready=True)
+    space: dict[str, Any] = {
+        "__name__": "__main__",
+        "__builtins__": builtins,
+        "display": silent,
+        "get_ipython": silent,
+    }
+    for cell in request["cells"]:
+        run_cell(cell, names[cell["number"]], space, channel)
+    channel.say(done=True)
+    counts = dict.fromkeys(questions, 0)
+    for part in requests:
+        for name, cases in part.items():
+            if name in counts and not answered(
+                name, questions[name], cases, counts, space.get(name), channel
+            ):
+                del counts[name]
+        channel.say(done=True)
+
+
+def asked(question: dict[str, Any]) -> Asked:
+    """What a question's calls need: shapes that stand in the request as Python writes them, and its
+    way to call.
+    """
+    known: dict[str, Any] = {}
+    planned = ("tasks", "drivable", "expansions") if "Task()" in question["given"] else ()
+    for name in ("shapes", "whole_shapes", "drawn", *planned):
+        known |= vars(importlib.import_module(f"kinoedu.course.{name}"))
+    given, wanted = (eval(question[part], known) for part in ("given", "answer"))
+    return Asked(given, wanted, question["seconds"], library.own_call(question["call"]))
+
+
+def run_cell(cell: dict[str, Any], name: str, space: dict[str, Any], channel: Channel) -> None:
+    """Run one cell; one that fails does not lose the others."""
+    from kinoedu.course.outcomes import Answer, encode_outcome, outcome_of
+    from kinoedu.course.shapes import Maybe, Truth
+
+    nothing = Maybe(Truth())
+    outcome = outcome_of(
+        lambda: exec(compile(cell["source"], name, "exec"), space),
+        nothing,
+        cell["seconds"],
+        by_alarm,
+    )
+    trouble = None if isinstance(outcome, Answer) else encode_outcome(outcome, nothing)
+    channel.say(cell=cell["number"], trouble=trouble)
+
+
+def answered(
+    name: str,
+    exercise: Asked,
+    cases: list[Any],
+    counts: dict[str, int],
+    function: Any,
+    channel: Channel,
+) -> bool:
+    """Run a function on some cases, until one takes too long; whether it may be asked more."""
+    from kinoedu.course.judging import attempted, is_unwritten
+    from kinoedu.course.outcomes import Late, encode_outcome
+
+    if not callable(function):
+        channel.say(question=name, missing=True)
+        return False
+    for case in cases:
+        outcome = attempted(exercise, function, case, by_alarm)  # type: ignore[arg-type]
+        channel.say(
+            question=name, case=counts[name], outcome=encode_outcome(outcome, exercise.answer)
+        )
+        counts[name] += 1
+        if isinstance(outcome, Late) or is_unwritten(outcome):
+            return False
+    return True
+
+
+def silent(*_: Any, **__: Any) -> None:
+    """Stands for what only a notebook can do."""
+
+
+def by_alarm(seconds: float, work: Callable[[], Any]) -> Any:
+    """What work() returns or raises; TimeUp where it computes for longer than `seconds` of
+    processor time, or WAITING times that pass on the wall. No thread may be started here, so alarms
+    ring, again and again until Python code stops; what does not hear them is ended from outside.
+    """
+    from kinoedu.support.time_limit import WAITING, TimeUp
+
+    wall, processor = time.monotonic(), time.process_time()
+
+    def ring(*_: Any) -> None:
+        raise TimeUp(time.process_time() - processor, seconds, time.monotonic() - wall)
+
+    signal.signal(signal.SIGPROF, ring)
+    signal.signal(signal.SIGALRM, ring)
+    try:
+        signal.setitimer(signal.ITIMER_PROF, seconds, AGAIN)
+        signal.setitimer(signal.ITIMER_REAL, seconds * WAITING, AGAIN)
+        return work()
+    finally:
+        while any(signal.getitimer(which)[1] for which in ALARMS):
+            try:
+                for which in ALARMS:
+                    signal.setitimer(which, 0.0)
+            except TimeUp:  # it rang just now
+                continue
+
+
+if __name__ == "__main__":
+    main()

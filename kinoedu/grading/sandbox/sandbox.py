@@ -1,0 +1,308 @@
+"""A place from which a program can do no harm.
+
+bubblewrap shuts Python in: there is no network, nothing of the machine but Python and the library
+(both read-only), and no secret: judges, answers, grades and other students are never there. Inside,
+`inside.py` loads the library once, and for each request forks a process that sees no other, and
+whose few megabytes of files vanish with it. So every program has a sandbox of its own, and none
+waits for a library to load. Linux only; where it cannot be had, `why_not` says how to get it.
+"""
+
+import contextlib
+import functools
+import json
+import os
+import platform
+import shutil
+import socket
+import subprocess
+import sys
+import sysconfig
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from .forbidden import REFUSED
+from .talk import START, Talk
+
+PACKAGE = Path(__file__).resolve().parent.parent.parent
+LIBRARY = "/course/kinoedu"  # where the library is inside
+INSIDE = f"{LIBRARY}/grading/sandbox/inside.py"
+NOBODY = 61_184  # a user that no system has
+ENVIRONMENT = {
+    "HOME": "/tmp",
+    "TMPDIR": "/tmp",
+    "LANG": "C.UTF-8",
+    "PATH": "/usr/bin:/bin",
+    "MPLBACKEND": "agg",
+    "MPLCONFIGDIR": "/tmp/matplotlib",
+    "OPENBLAS_NUM_THREADS": "1",
+    "OMP_NUM_THREADS": "1",
+    "MKL_NUM_THREADS": "1",
+    "NUMBA_NUM_THREADS": "1",
+    "PYTHONDONTWRITEBYTECODE": "1",
+    "PYTHONHASHSEED": "0",
+}
+
+
+class NoSandbox(RuntimeError):
+    """The sandbox is not to be had, or broke: the machine's trouble, and nobody's fault."""
+
+
+class Reply(NamedTuple):
+    """What came out: the lines that followed each part of a request, and how it ended: "done",
+    "late" (a line did not come in time), "flood", or "died" with the status of its end, negative
+    for a signal.
+    """
+
+    parts: list[list[dict[str, Any]]]
+    end: str
+    status: int = 0
+
+
+def why_not() -> str:
+    """Why programs cannot be shut in on this machine, and what to do; "" where they can."""
+    if sys.platform != "linux":
+        return (
+            "only Linux can shut programs in; on Windows use WSL2, on macOS the container of the "
+            "instructor's guide"
+        )
+    if not REFUSED:
+        return (
+            "programs can be shut in on x86_64 and aarch64, and this machine is "
+            f"{platform.machine()}"
+        )
+    if shutil.which("bwrap") is None:
+        return (
+            "bubblewrap is not installed (Debian, Ubuntu: sudo apt install bubblewrap; Fedora: "
+            "sudo dnf install bubblewrap)"
+        )
+    trial = subprocess.run(
+        walled("-c", "print(6 * 7)"), capture_output=True, text=True, timeout=START, check=False
+    )
+    if trial.stdout.strip() == "42":
+        return ""
+    said = " ".join(trial.stderr.split())[-300:]
+    return (
+        f"bubblewrap cannot make a sandbox here ({said}); user namespaces must be allowed: see "
+        "the instructor's guide"
+    )
+
+
+def python(executable: str) -> list[str]:
+    """A Python that sees nothing of the user's; not even the order of a set of words is left to
+    chance, which `-I` would do.
+    """
+    return [executable, "-s", "-P", "-B"]
+
+
+@functools.cache
+def walls() -> tuple[str, ...]:
+    """bubblewrap's arguments: what there is inside."""
+    command = [
+        "bwrap",
+        "--unshare-pid",
+        "--unshare-net",
+        "--unshare-ipc",
+        "--unshare-uts",
+        "--unshare-cgroup-try",
+    ]
+    command += ["--die-with-parent", "--new-session", "--clearenv", "--cap-drop", "ALL"]
+    if (
+        os.geteuid() == 0
+    ):  # inside.py becomes a user whose processes the kernel counts, as root's are not
+        for right in ("CAP_SETUID", "CAP_SETGID", "CAP_KILL"):
+            command += ["--cap-add", right]
+    else:
+        command += ["--unshare-user"]
+    command += ["--cap-add", "CAP_SYS_ADMIN"]  # to shut each request in; gone before a program runs
+    above = {
+        str(folder): None
+        for place in readable().values()
+        for folder in reversed(Path(place).parents[:-1])
+    }
+    for folder in ("/etc", *above):
+        command += ["--perms", "0755", "--dir", folder]
+    for path in ("/usr", "/lib", "/lib64", "/bin", "/etc/ld.so.cache", "/etc/alternatives"):
+        command += (
+            ["--symlink", os.readlink(path), path]
+            if os.path.islink(path)
+            else ["--ro-bind-try", path, path]
+        )
+    for source, place in readable().items():
+        command += ["--ro-bind", str(source), place]
+    command += ["--proc", "/proc", "--dev", "/dev"]
+    for path, most in (("/dev/shm", 2**20), ("/tmp", 64 * 2**20)):
+        command += ["--perms", "1777", "--size", str(most), "--tmpfs", path]
+    for name, value in ENVIRONMENT.items():
+        command += ["--setenv", name, value]
+    return (
+        *command,
+        "--remount-ro",
+        "/dev",
+        "--remount-ro",
+        "/",
+        "--chdir",
+        "/tmp",
+        "--hostname",
+        "sandbox",
+        "--",
+    )
+
+
+def readable() -> dict[Path, str]:
+    """What of this machine a program may read, beside the system, and where it is inside: Python
+    itself where it is; the library and Python's packages beside each other, wherever the course is
+    kept.
+    """
+    places = {
+        Path(sysconfig.get_path(kind)): f"/course/site-packages-{kind}"
+        for kind in ("purelib", "platlib")
+    }
+    itself = Path(sys.base_prefix)
+    return {PACKAGE: LIBRARY, **places} | (
+        {} if itself.is_relative_to("/usr") else {itself: str(itself)}
+    )
+
+
+class Sandbox:
+    """Runs requests one after another, each shut in alone."""
+
+    def __init__(self, program: Callable[[], list[str]] | None = None) -> None:
+        self.program = program or functools.partial(walled, INSIDE)
+        self.user = NOBODY if os.geteuid() == 0 else 0
+        self.started: dict[tuple[str, ...], Started] = {}
+
+    def ask(
+        self, parts: list[dict[str, Any]], patience: float, modules: tuple[str, ...] = ()
+    ) -> Reply:
+        """Run a request, with the modules loaded already; each part is only told when the one
+        before is done. After its start a line must come at least every `patience` seconds. Raises
+        NoSandbox.
+        """
+        first = {**parts[0], "limits": {**parts[0]["limits"], "user": self.user}}
+        inside = self.started.get(modules) or self.started.setdefault(
+            modules, start(self.program(), modules)
+        )
+        try:
+            heard, end = exchange(
+                inside.grader, [spelled(part) for part in (first, *parts[1:])], patience
+            )
+            status = inside.grader.recv(16)
+        except OSError as error:
+            self.close()
+            raise NoSandbox(f"the sandbox broke: {error}") from error
+        if (
+            not status or not heard or heard[0][:1] != [{"ready": True}]
+        ):  # no program was run yet: it cannot be its fault
+            self.close()
+            raise NoSandbox(f"the sandbox broke before a program was run: {str(heard)[:300]}")
+        return Reply(heard, end, int(status))
+
+    def close(self) -> None:
+        """End what was started."""
+        for inside in self.started.values():
+            inside.grader.close()
+            inside.process.kill()
+            inside.process.communicate()
+        self.started.clear()
+
+
+class Started(NamedTuple):
+    """inside.py, ready, and the socket by which it is asked."""
+
+    process: "subprocess.Popen[bytes]"
+    grader: socket.socket
+
+
+def walled(*program: str) -> list[str]:
+    """The command that starts a program of Python's in the sandbox, but for more arguments."""
+    base = (
+        getattr(sys, "_base_executable", None) or sys.executable
+    )  # that of .venv may be a copy, which is not inside
+    return [*walls(), *python(os.path.realpath(base)), *program]
+
+
+def without_walls() -> list[str]:
+    """The command that starts trusted.py, inside.py without walls, but for its arguments."""
+    return [
+        "env",
+        "-i",
+        *(f"{name}={value}" for name, value in ENVIRONMENT.items()),
+        *python(sys.executable),
+        str(PACKAGE / "grading" / "sandbox" / "trusted.py"),
+    ]
+
+
+def start(program: list[str], modules: tuple[str, ...]) -> Started:
+    """Start inside.py, with some modules loaded beside the usual. Raises NoSandbox."""
+    ours, theirs = socket.socketpair()
+    command = [*program, str(theirs.fileno()), *modules]
+    process = subprocess.Popen(
+        command,
+        pass_fds=[theirs.fileno()],
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+    )
+    theirs.close()
+    ours.settimeout(START)
+    try:
+        is_ready = ours.recv(16) == b"ready"
+    except OSError:
+        is_ready = False
+    if not is_ready:
+        ours.close()
+        process.kill()
+        _, said = process.communicate()
+        raise NoSandbox(
+            f"the sandbox did not start: {' '.join(said.decode(errors='replace').split())[-300:]}"
+        )
+    return Started(process, ours)
+
+
+def spelled(part: dict[str, Any]) -> bytes:
+    """A line that inside.py reads."""
+    return json.dumps(part).encode() + b"\n"
+
+
+def exchange(
+    grader: socket.socket, parts: list[bytes], patience: float
+) -> tuple[list[list[dict[str, Any]]], str]:
+    """Hand a request over, part by part, and hear the lines that come of each; what is not done
+    then is stopped.
+    """
+    with contextlib.ExitStack() as files:
+        (asking, request_end), (answer_end, answering) = (
+            [
+                files.enter_context(os.fdopen(end, mode, buffering=0))
+                for end, mode in zip(os.pipe(), ("rb", "wb"), strict=True)
+            ]
+            for _ in range(2)
+        )
+        socket.send_fds(grader, [b"ask"], [asking.fileno(), answering.fileno()])
+        asking.close()
+        answering.close()
+        heard, end = dialogue(Talk(request_end.fileno(), answer_end.fileno(), patience), parts)
+    grader.send(b"end")
+    return heard, end
+
+
+def dialogue(talk: Talk, parts: list[bytes]) -> tuple[list[list[dict[str, Any]]], str]:
+    """The lines that came after each part, up to one that is none, and how that ended."""
+    heard: list[list[dict[str, Any]]] = []
+    for part in parts:
+        heard.append([])
+        talk.say(part)
+        for line in talk.lines():
+            try:
+                said = json.loads(line)
+            except (ValueError, RecursionError):
+                return heard, "died"
+            if not isinstance(said, dict):
+                return heard, "died"
+            if said == {"done": True}:
+                break
+            heard[-1].append(said)
+        else:
+            return heard, talk.end
+    return heard, "done"

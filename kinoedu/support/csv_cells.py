@@ -1,0 +1,67 @@
+"""Tables for spreadsheets: a cell that begins as a formula would is made harmless, and nothing in a
+cell breaks its row.
+"""
+
+import csv
+import io
+from collections.abc import Iterable
+from pathlib import Path
+
+from .whole_files import written_whole
+
+FORMULA = (
+    "=",
+    "+",
+    "-",
+    "@",
+    "\uff1d",
+    "\uff0b",
+    "\uff0d",
+    "\uff20",
+)  # the last four as wide as a Chinese character, and heard too
+
+
+def one_line(text: str) -> str:
+    """Text on one line, without what would steer a terminal or turn the direction of writing.
+
+    >>> one_line("ann\\x1b[2J\\u202e\\nb")
+    'ann [2J b'
+    """
+    return " ".join("".join(c if c.isprintable() else " " for c in text).split())
+
+
+def harmless(text: str) -> str:
+    """Text as a cell that no spreadsheet takes for a formula: on one line, and with an apostrophe
+    before = + - @.
+
+    >>> harmless("=cmd|' /C calc'!A0"), harmless("two\\nlines"), harmless("-1")
+    ("'=cmd|' /C calc'!A0", 'two lines', "'-1")
+    """
+    line = one_line(text)
+    return f"'{line}" if line.lstrip("'").startswith(FORMULA) else line
+
+
+def unharmed(text: str) -> str:
+    """What a cell said before it was made harmless.
+
+    >>> unharmed(harmless("=ann")), unharmed("'tis")
+    ('=ann', "'tis")
+    """
+    return text[1:] if text.startswith("'") and text.lstrip("'").startswith(FORMULA) else text
+
+
+def number(score: float | None) -> str:
+    """A score as a cell; empty where there is none.
+
+    >>> number(2.0000000000000004), number(1 / 3), number(None)
+    ('2', '0.333333', '')
+    """
+    return "" if score is None else f"{round(score, 6):.12g}"
+
+
+def write_rows(file: Path, rows: Iterable[Iterable[str]]) -> None:
+    """Write a table, whole or not at all, in UTF-8."""
+    stream = io.StringIO(newline="")
+    csv.writer(stream, lineterminator="\n").writerows(rows)
+    with written_whole(file) as part:
+        part.write_bytes(stream.getvalue().encode("utf-8", "replace"))

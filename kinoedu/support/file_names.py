@@ -1,0 +1,19 @@
+"""Names of files that any disk can hold, made from any text."""
+
+import hashlib
+import re
+
+PLAIN = re.compile(r"[a-z0-9][a-z0-9._-]{0,58}[a-z0-9]|[a-z0-9]")
+TAKEN = re.compile(r"(con|nul|aux|prn|com\d|lpt\d)(\..*)?")  # what Windows keeps for itself
+
+
+def file_name(text: str) -> str:
+    """A name that any disk can hold, and that no other text has.
+
+    >>> file_name("ann"), file_name("../Ann"), file_name("ann "), file_name("con")
+    ('ann', 'Ann-eb825571', 'ann-c10969e7', 'con-1143da2b')
+    """
+    if PLAIN.fullmatch(text) and not TAKEN.fullmatch(text):
+        return text
+    readable = re.sub(r"[^A-Za-z0-9]+", "_", text).strip("_")[:40]
+    return f"{readable or 'name'}-{hashlib.sha256(text.encode('utf-8', 'surrogatepass')).hexdigest()[:8]}"
