@@ -18,23 +18,16 @@ from .planners import (
     Radius,
     bug2,
     cells_with_headings,
-    hybrid_astar,
-    informed_rrt_star,
-    kinodynamic_prm,
-    kinodynamic_rrt,
     plan_by_decomposition,
-    plan_by_visibility,
     plan_in_time,
     plan_on_grid,
     prm,
-    receding_horizon,
     roadmap_properties,
-    rrt,
     rrt_connect,
     rrt_star,
     shortcut,
-    sst,
 )
+from .planners.registry import ARM, CAR, DISK, PLANNERS, POINT, TRANSLATING, TURNING
 from .problems import Problem, ProblemRecord
 from .problems.in_time import TimedProblem
 from .robots import Car, Disk, Point, RigidPolygon, TranslatingPolygon, TwoLinkArm
@@ -87,7 +80,10 @@ def first_jobs() -> Iterator[Job]:
         [*ROOM[:3], (5, 8), ROOM[3]], [[(4, 0), (5, 0), (5, 5)], ((7, 5), 1.0)]
     )
     for kind, world in {"polygons": round_and_not, "a terrain": Terrain([[1] * 9] * 9)}.items():
-        yield f"rrt, prm and A* on {kind}", plan_first, Problem(Point(), world, (1, 1), (8, 8))
+        task = Problem(Point(), world, (1, 1), (8, 8))
+        for planner in PLANNERS.values():
+            if planner.board is not None:
+                yield f"{planner.name} on {kind}", planner.quick_plan, task
     yield (
         "A* of a disk on a terrain",
         plan_on_grid,
@@ -96,13 +92,6 @@ def first_jobs() -> Iterator[Job]:
     yield "cells", plan_by_decomposition, room(Point(), (1, 1), (8, 8))
     yield "bugs", bug2, (1, 1), (8, 8), [[(4, 2), (5, 2), (5, 6)], [(1, 8), (2, 8), (2, 9)]], 1.0
     yield "searches on graphs", search_a_graph
-
-
-def plan_first(problem: ProblemRecord) -> None:
-    """The three planners of the tour."""
-    rrt(problem, rng=0)
-    prm(problem, rng=0)
-    plan_on_grid(problem)
 
 
 def search_a_graph() -> None:
@@ -117,22 +106,21 @@ def search_a_graph() -> None:
 def later_jobs() -> Iterator[Job]:
     """Other planners for a point, all sampling planners for other robots, the car's own."""
     problem = room(Point(), (1, 1), (8, 8))
-    yield "visibility", plan_by_visibility, problem
-    yield "trees that rewire", plan_by_rewiring, problem
-    yield "a robot that explores", partial(receding_horizon, max_moves=2, rng=0), problem
-    car = room(Car(1.0, 0.5, 0.6), (1, 1, 0), (8, 8, 1))
-    bodies: dict[str, ProblemRecord] = {
-        "a point": problem,
-        "a disk": room(Disk(0.3), (1, 1), (8, 8)),
-        "a translating polygon": room(TranslatingPolygon(BEAM), (1, 1), (8, 8)),
-        "a turning polygon": room(RigidPolygon(BEAM), (1, 1, 0), (8, 8, 1)),
-        "an arm": room(TwoLinkArm(1.0, 0.8, 0.1, base=(2, 6)), (1.5, 0), (2.5, 0.5)),
-        "a car": car,
+    tasks: dict[str, ProblemRecord] = {
+        POINT: problem,
+        DISK: room(Disk(0.3), (1, 1), (8, 8)),
+        TRANSLATING: room(TranslatingPolygon(BEAM), (1, 1), (8, 8)),
+        TURNING: room(RigidPolygon(BEAM), (1, 1, 0), (8, 8, 1)),
+        ARM: room(TwoLinkArm(1.0, 0.8, 0.1, base=(2, 6)), (1.5, 0), (2.5, 0.5)),
+        CAR: room(Car(1.0, 0.5, 0.6), (1, 1, 0), (8, 8, 1)),
     }
-    for name, task in bodies.items():
-        yield f"rrt, rrt-connect and prm of {name}", plan_by_samples, task
-    for name in ("a point", "a translating polygon", "a turning polygon"):
-        yield f"many configurations and motions of {name}", judge_many, bodies[name]
+    for planner in PLANNERS.values():
+        for robot in planner.robots:
+            yield f"{planner.name} of a {robot}", planner.quick_plan, tasks[robot]
+    for robot, task in tasks.items():
+        yield f"shortcuts of a {robot}", shorten, task
+    for robot in (POINT, TRANSLATING, TURNING):
+        yield f"many configurations and motions of a {robot}", judge_many, tasks[robot]
     yield (
         "a terrain with costs",
         plan_on_priced_terrain,
@@ -142,21 +130,11 @@ def later_jobs() -> Iterator[Job]:
     yield (
         "cells with headings",
         partial(cells_with_headings, neighbours=Radius(7.0)),
-        bodies["a turning polygon"],
+        tasks[TURNING],
     )
     yield "obstacles that move", plan_among_movers
-    yield "kinodynamic_rrt", partial(kinodynamic_rrt, max_iterations=50, rng=0), car
-    yield "kinodynamic_prm", partial(kinodynamic_prm, iterations=20, rng=0), car
-    yield "hybrid_astar", hybrid_astar, car
-    yield "sst", partial(sst, max_iterations=50, rng=0), car
     for curve in (dubins_path, reeds_shepp_path):
         yield curve.__name__, curve, (0, 0, 0), (3, 2, 1), 1.0
-
-
-def plan_by_rewiring(problem: ProblemRecord) -> None:
-    """RRT* and its informed kin."""
-    rrt_star(problem, max_nodes=200, rng=0)
-    informed_rrt_star(problem, max_nodes=200, rng=0)
 
 
 def judge_many(problem: ProblemRecord) -> None:
@@ -185,11 +163,9 @@ def plan_among_movers() -> None:
     plan_in_time(problem, n=20, rng=0)
 
 
-def plan_by_samples(problem: ProblemRecord) -> None:
-    """A tree, two trees made shorter, a roadmap."""
-    rrt(problem, rng=0, max_nodes=50)
+def shorten(problem: ProblemRecord) -> None:
+    """A path made shorter."""
     shortcut(rrt_connect(problem, rng=0, max_nodes=500), tries=5, rng=0)
-    prm(problem, n=20, rng=0)
 
 
 def room(robot: object, start: tuple[float, ...], goal: tuple[float, ...]) -> ProblemRecord:

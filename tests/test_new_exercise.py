@@ -39,8 +39,8 @@ def house(tmp_path_factory):
             copy / "solutions" / room,
             ignore=shutil.ignore_patterns("__pycache__"),
         )
-    for room in ("tests", "exercises", "docs"):
-        (copy / room).mkdir()
+    for room in ("tests/lessons", "exercises", "docs"):
+        (copy / room).mkdir(parents=True)
     tests = [
         f"tests/{name}"
         for name in ("test_course.py", "test_bank.py", "test_release.py", "nbval.cfg")
@@ -85,7 +85,7 @@ def test_a_new_exercise_passes_the_tests_of_the_house(house):
     assert {
         f"solutions/{LESSON}.ipynb",
         f"{ROOM}/{NAME}.py",
-        f"tests/test_{NAME}.py",
+        f"tests/lessons/test_{NAME}.py",
         f"{ROOM}/__init__.py",
     } <= set(listed)
     assert "right, for all" in (house / "solutions" / f"{LESSON}.ipynb").read_text(encoding="utf-8")
@@ -94,7 +94,7 @@ def test_a_new_exercise_passes_the_tests_of_the_house(house):
     assert not any(
         "p1 + p2" in source for source in sources(house / "exercises" / f"{LESSON}.ipynb")
     )
-    files = [f"tests/test_{NAME}.py", "tests/test_bank.py", "tests/test_release.py"]
+    files = [f"tests/lessons/test_{NAME}.py", "tests/test_bank.py", "tests/test_release.py"]
     chosen = f"{NAME} or {LESSON}"
     tests = run(
         house,
@@ -160,7 +160,7 @@ def test_what_fails_half_way_leaves_nothing(tmp_path, lesson):
     """A notebook that does not run: the list of a room is as it was, a new room is gone, and no
     file is there.
     """
-    for folder in ("kinoedu/course/lessons/trees", "solutions/bank", "tests"):
+    for folder in ("kinoedu/course/lessons/trees", "solutions/bank", "tests/lessons"):
         (tmp_path / folder).mkdir(parents=True)
     shutil.copy(HOUSE / LIST.format(room="trees"), tmp_path / LIST.format(room="trees"))
     shutil.copytree(HOUSE / "solutions" / "new_exercise", tmp_path / "solutions" / "new_exercise")

@@ -15,7 +15,7 @@ from there.
 NEXT = """\
 Edit these, in this order; the word Edit marks the places. Then
 
-  python start.py test tests/test_{name}.py tests/test_course.py tests/test_bank.py -k {name}
+  python start.py test tests/lessons/test_{name}.py tests/test_course.py tests/test_bank.py -k {name}
   python start.py release {lesson}
 """
 

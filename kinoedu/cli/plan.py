@@ -7,70 +7,14 @@ import time
 from collections.abc import Callable
 from concurrent.futures import Future, wait
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 from ..errors import InvalidParameter
+from ..planners.registry import PLANNERS
 from ..support.progress import stage
 
-
-class Choice(NamedTuple):
-    """A planner: its function in kinoedu.planners, what it is, its options here and in the
-    function, and whether it draws lots.
-    """
-
-    function: str
-    about: str
-    options: dict[str, str]
-    seeded: bool
-
-
-PLANNERS = {
-    "rrt": Choice(
-        "rrt",
-        "a tree that grows at random; any scene",
-        {"step": "step", "nodes": "max_nodes"},
-        True,
-    ),
-    "rrt-connect": Choice(
-        "rrt_connect",
-        "a tree from either end; any scene",
-        {"step": "step", "nodes": "max_nodes"},
-        True,
-    ),
-    "rrt-star": Choice(
-        "rrt_star",
-        "a tree whose paths become shortest; any scene",
-        {"step": "step", "nodes": "max_nodes"},
-        True,
-    ),
-    "prm": Choice(
-        "prm", "a roadmap of random samples; any scene", {"nodes": "n", "neighbours": "k"}, True
-    ),
-    "astar": Choice(
-        "plan_on_grid", "a search on a grid; for a point or a disk", {"spacing": "spacing"}, False
-    ),
-    "kinodynamic-rrt": Choice(
-        "kinodynamic_rrt", "a tree of drives, for a car", {"iterations": "max_iterations"}, True
-    ),
-    "sst": Choice(
-        "sst",
-        "a sparse tree of ever shorter drives, for a car",
-        {"iterations": "max_iterations"},
-        True,
-    ),
-    "hybrid-astar": Choice(
-        "hybrid_astar", "a search among short drives, for a car", {"spacing": "spacing"}, False
-    ),
-    "visibility": Choice(
-        "plan_by_visibility",
-        "from corner to corner; the shortest path, but only for a point *",
-        {},
-        False,
-    ),
-    "decomposition": Choice(
-        "plan_by_decomposition", "cells of the free space; exact, but only for a point *", {}, False
-    ),
-}
+CHOICES = {planner.name.replace("_", "-"): planner for planner in PLANNERS.values()}
+SETTINGS = ("step", "nodes", "neighbours", "spacing", "iterations")
 
 PLAN_HELP = f"""\
 Plan a path in a scene, a map or a picture, and draw it.
@@ -84,7 +28,7 @@ SCENE is one of
   .stl .obj .dae .glb  a mesh, seen from above; needs --start and --goal
 
 PLANNER is one of
-{chr(10).join(f"  {name:<16} {choice.about}" for name, choice in PLANNERS.items())}
+{chr(10).join(f"  {name:<20} {planner.about}" for name, planner in CHOICES.items())}
   * among polygons: no map, picture, disc, radius or clearance
 
 x goes right, y goes up, from the lower left corner; a pixel or map cell is one unit long (a ROS map's are in metres).
@@ -118,7 +62,11 @@ def add_plan_options(plan: argparse.ArgumentParser) -> None:
     """The options of `kinoedu plan`."""
     plan.add_argument("scene", metavar="SCENE", type=Path, help="the file to plan in")
     plan.add_argument(
-        "--planner", choices=tuple(PLANNERS), default="rrt", help="default: %(default)s"
+        "--planner",
+        choices=tuple(CHOICES),
+        metavar="PLANNER",
+        default="rrt",
+        help="default: %(default)s",
     )
     plan.add_argument(
         "--seed",
@@ -278,21 +226,14 @@ def planned(problem: Any, arguments: argparse.Namespace) -> Any:
     """Ask the planner that was named, with the options that were given; one that it does not have
     is refused.
     """
-    from .. import planners
-
-    choice = PLANNERS[arguments.planner]
-    given = {
-        name: getattr(arguments, name)
-        for name in ("step", "nodes", "neighbours", "spacing", "iterations")
-    }
+    planner = CHOICES[arguments.planner]
+    given = {name: getattr(arguments, name) for name in SETTINGS}
     given = {name: value for name, value in given.items() if value is not None}
     for name in given:
-        if name not in choice.options:
-            has = ", ".join(f"--{other}" for other in choice.options) or "no such options"
+        if name not in planner.options:
+            has = ", ".join(f"--{other}" for other in planner.options) or "no such options"
             raise InvalidParameter(f"--planner {arguments.planner} has no --{name}; it has {has}")
-    tuning = {choice.options[name]: value for name, value in given.items()}
-    random = {"rng": arguments.seed} if choice.seeded else {}
-    return getattr(planners, choice.function)(problem, **tuning, **random)
+    return planner.plan(problem, seed=arguments.seed, **given)
 
 
 def check_writable(option: str, path: Path | None, scene: Path, endings: str) -> None:

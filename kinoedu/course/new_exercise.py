@@ -27,7 +27,7 @@ PLACES = {  # where each template's file goes
     "exercise.py": "kinoedu/course/lessons/{room}/{name}.py",
     "messages.toml": "kinoedu/course/lessons/{room}/{name}.toml",
     "bank.py": "solutions/bank/{name}.py",
-    "its_test.py": "tests/test_{name}.py",
+    "its_test.py": "tests/lessons/test_{name}.py",
 }
 LIST = "kinoedu/course/lessons/{room}/__init__.py"
 POINTS = 3  # one for each kind of input

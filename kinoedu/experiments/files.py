@@ -31,11 +31,10 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any, get_args
 
-from .. import planners
 from ..errors import KinoeduError, UnreadableScene
 from ..files.scene_robots import ROBOTS
 from ..files.scenes import read_problem
-from ..problems import Plan
+from ..planners.registry import PLANNERS
 from ..support.json_fields import Field
 from ..support.reading import read_text
 from .experiment import Experiment, ExperimentRecord, tuned
@@ -136,21 +135,8 @@ def planners_from(field: Field) -> list[Callable[..., Any]]:
 
 
 def planners_by_name() -> dict[str, Callable[..., Any]]:
-    """The functions of kinoedu.planners that make a Plan of a problem alone."""
-    found = {}
-    for name in planners.__all__:
-        signature = inspect.signature(getattr(planners, name))
-        first, *rest = signature.parameters.values()
-        needed = [
-            parameter.name for parameter in rest if parameter.default is inspect.Parameter.empty
-        ]
-        if (
-            first.name == "problem"
-            and signature.return_annotation is Plan
-            and set(needed) <= {"rng"}
-        ):
-            found[name] = getattr(planners, name)
-    return found
+    """The planners' functions by their own names, as `kinoedu.planners` has them."""
+    return {planner.function.__name__: planner.function for planner in PLANNERS.values()}
 
 
 def arguments_from(

@@ -16,10 +16,10 @@ from ...planners.tuning import one_of
 from ...problems import Plan, Walk
 from ...words import say
 from ..core.canvas import Canvas, with_picture
+from ..core.controls import look
 from ..core.drawing import Drawing
 from ..core.printed import side_by_side
 from ..core.scene import Scene, handle, make_scene, place_of, polygon
-from ..planning.board import look
 from ..planning.plans import GOAL, START
 from .walks import Clock, clock_for, plot_drawn, plot_scene, race_drawn, told_of, walk_drawn
 

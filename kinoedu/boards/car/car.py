@@ -2,9 +2,9 @@
 drives there; or you drive it.
 """
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from dataclasses import replace
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -12,7 +12,8 @@ from ...collision import is_free
 from ...errors import InvalidParameter, KinoeduError
 from ...figures.drawing import growth_of, summary
 from ...geometry.checks import Array
-from ...planners import kinodynamic_prm, kinodynamic_rrt, rrt, trajectory_along
+from ...planners import trajectory_along
+from ...planners.registry import PLANNERS
 from ...planners.tuning import one_of, whole
 from ...problems import Plan, Problem, ProblemRecord
 from ...robots.car import CarRobot
@@ -21,8 +22,9 @@ from ...support.text import shortened
 from ...words import say
 from ...worlds.polygon_world import PolygonWorldRecord
 from ..arm.arm import standing
+from ..core.controls import counter, menu, title_of
 from ..core.drawing import Drawing, Layer
-from ..core.framed import Framed, counter, menu
+from ..core.framed import Framed
 from ..core.scene import Scene, everything, moved
 from ..planning.plans import canvas_of, world_in
 from .car_drawn import (
@@ -43,24 +45,7 @@ YOU = "you"
 VIEWS = ("above", "followed")
 
 
-class Choice(NamedTuple):
-    """A planner: how it is called with a problem, its iterations and a seed, and how many those are
-    to begin with.
-    """
-
-    plan: Callable[[ProblemRecord, int, int], Plan]
-    iterations: int
-
-
-PLANNERS = {
-    "kinodynamic_rrt": Choice(
-        lambda problem, most, seed: kinodynamic_rrt(problem, max_iterations=most, rng=seed), 1000
-    ),
-    "kinodynamic_prm": Choice(
-        lambda problem, n, seed: kinodynamic_prm(problem, iterations=n, rng=seed), 350
-    ),
-    "rrt": Choice(lambda problem, most, seed: rrt(problem, max_iterations=most, rng=seed), 1000),
-}
+ON_BOARD = {name: planner for name, planner in PLANNERS.items() if planner.car_board}
 
 
 def car_board(
@@ -108,11 +93,10 @@ class CarBoard(Framed):
     ) -> None:
         self.problem = of_a_car(problem)
         self.plan: Plan | None = None
-        chosen = one_of(planner, "planner", (*PLANNERS, YOU))
-        most = (
-            PLANNERS.get(chosen, PLANNERS["rrt"]).iterations if iterations is None else iterations
-        )
-        self.planner = menu("board.planner", named((*PLANNERS, YOU)), chosen)
+        chosen = one_of(planner, "planner", (*ON_BOARD, YOU))
+        most = ON_BOARD.get(chosen, ON_BOARD["rrt"]).car_board if iterations is None else iterations
+        titles = [(title_of(planner, "car_board"), name) for name, planner in ON_BOARD.items()]
+        self.planner = menu("board.planner", [*titles, *named([YOU])], chosen)
         self.iterations = counter(
             "car_board.iterations", whole(most, "iterations", least=1), 50, 3000
         )
@@ -179,8 +163,8 @@ class CarBoard(Framed):
 
     def _planned(self) -> Plan:
         """The plan of the planner that is chosen."""
-        return PLANNERS[self.planner.value].plan(
-            self.problem, self.iterations.value, self.seed.value
+        return ON_BOARD[self.planner.value].plan(
+            self.problem, seed=self.seed.value, iterations=self.iterations.value
         )
 
     def _by_planner(self, plan: Plan) -> Drawing:
@@ -248,7 +232,7 @@ class CarBoard(Framed):
         self._dress()
         if change["owner"] is self.planner and change["new"] != YOU:
             self.iterations.unobserve(self._changed, "value")
-            self.iterations.value = PLANNERS[change["new"]].iterations
+            self.iterations.value = ON_BOARD[change["new"]].car_board
             self.iterations.observe(self._changed, "value")
         super()._changed(change)
 

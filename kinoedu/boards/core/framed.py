@@ -5,8 +5,6 @@ from typing import Any
 
 import ipywidgets as widgets
 
-from ...words import say
-from ..planning.board import look
 from .canvas import Canvas, with_picture
 from .printed import side_by_side
 
@@ -47,17 +45,3 @@ def in_a_row(canvases: Sequence[Canvas]) -> widgets.HBox:
     for canvas in canvases:
         canvas.layout = widgets.Layout(flex="1 1 19em", min_width="0", padding="0 2px 0 0")
     return widgets.HBox(list(canvases), layout=widgets.Layout(flex_flow="row wrap", grid_gap="8px"))
-
-
-def menu(name: str, options: Sequence[tuple[str, str]], chosen: str) -> widgets.Dropdown:
-    """A menu whose name is the words under a key; options : words and value of each."""
-    return widgets.Dropdown(
-        options=options, value=chosen, **{**look("planner"), "description": say(name)}
-    )
-
-
-def counter(name: str, value: int, least: int, most: int) -> widgets.IntSlider:
-    """A slider for a whole number whose name is the words under a key."""
-    return widgets.IntSlider(
-        value, min(least, value), max(most, value), **{**look("seed"), "description": say(name)}
-    )

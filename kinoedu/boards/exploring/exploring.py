@@ -11,10 +11,10 @@ from ...robots.round import RoundRobot
 from ...support.text import shortened
 from ...words import say
 from ...worlds.polygon_world import PolygonWorldRecord
+from ..core.controls import counter, length_slider
 from ..core.drawing import Drawing
-from ..core.framed import Framed, counter
+from ..core.framed import Framed
 from ..core.scene import Scene
-from ..planning.board import length_slider
 from ..planning.plans import canvas_for, in_plane, problem_in
 from .explored import exploration_drawn
 

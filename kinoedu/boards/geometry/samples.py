@@ -14,9 +14,9 @@ from ...planners.tuning import one_of
 from ...sampling import corner_grid, halton, largest_empty_ball, sukharev_grid, uniform_random
 from ...words import say
 from ..core.canvas import Canvas, with_picture
+from ..core.controls import look
 from ..core.drawing import Drawing, dots, edges
 from ..core.scene import Scene, handle, make_scene, place_of
-from ..planning.board import look
 
 MOST = 400
 SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]

@@ -14,9 +14,9 @@ from ...geometry.checks import Array, as_points
 from ...geometry.polygons import nearest_on_ring
 from ...words import say
 from ..core.canvas import Canvas, with_picture
+from ..core.controls import look
 from ..core.drawing import Drawing, Layer, bodies, dots, edges, labels
 from ..core.scene import Scene, drawn, handle, make_scene, polygon
-from ..planning.board import look
 
 NOTCH = 0.002  # of the slider
 CONTACTS = {"EV": "slide_board.ev", "VE": "slide_board.ve", "EE": "slide_board.ee"}

@@ -22,10 +22,10 @@ from ...words import say
 from ...worlds.polygon_world import rings_of
 from ...worlds.uncertain import UncertainWorldRecord, inflated, scenarios
 from ..core.canvas import Canvas
+from ..core.controls import counter, look
 from ..core.drawing import Drawing, Layer, bodies, edges, path
-from ..core.framed import Framed, counter
+from ..core.framed import Framed
 from ..core.scene import Scene, handle, make_scene, place_of
-from ..planning.board import look
 from ..planning.plans import GOAL, START
 
 SHOWN, TRIED = 60, 4000  # scenarios that are drawn, and those that are tried

@@ -21,10 +21,10 @@ from ...words import say
 from ...worlds.moving import MovingWorldRecord, movers_at
 from ..arm.rides import line
 from ..core.canvas import Canvas
+from ..core.controls import counter, look
 from ..core.drawing import Drawing, Layer, bodies, dots, edges
-from ..core.framed import Framed, counter
+from ..core.framed import Framed
 from ..core.scene import Scene, handle, place_of
-from ..planning.board import look
 from ..planning.plans import GOAL, START, scene_with, world_in
 
 STEPS = 150  # of the time slider

@@ -10,18 +10,22 @@ import ipywidgets as widgets
 from ...errors import InvalidParameter
 from ...planners import rrt
 from ...planners.problem_input import world_size
-from ...planners.tuning import positive, whole
+from ...planners.registry import PLANNERS
+from ...planners.tuning import whole
 from ...problems import Plan, ProblemRecord
 from ...support.text import shortened
 from ...words import say
 from ..core.canvas import with_picture
+from ..core.controls import length_slider, look, title_of
 from ..core.drawing import Drawing
 from ..core.scene import Scene
 from .own import Attempt, attempt, drawing_of_attempt
-from .plans import PLANNERS, Settings, canvas_for, drawing_of, in_plane, problem_in
+from .plans import canvas_for, drawing_of, in_plane, problem_in
 
 OWN = "own"
 CONTROLS = ("seed", "step", "samples")
+SETTINGS = {"step": "step", "samples": "nodes"}  # what controls are called by planners
+ON_BOARD = {name: planner for name, planner in PLANNERS.items() if planner.board is not None}
 
 
 def board(
@@ -84,7 +88,7 @@ class Board(widgets.VBox):
             control.observe(self._changed, "value")
 
     def _menu(self, chosen: str) -> widgets.Dropdown:
-        options = [(say(f"board.{name}"), name) for name in PLANNERS]
+        options = [(title_of(planner, "board"), name) for name, planner in ON_BOARD.items()]
         if self._own is not None:
             options.append((say("board.own_name", name=getattr(self._own, "__name__", "?")), OWN))
         return widgets.Dropdown(options=options, value=chosen, **look("planner"))
@@ -100,15 +104,16 @@ class Board(widgets.VBox):
     def answer(self, scene: Scene) -> Drawing:
         """Plan in a scene, with what the controls say, and draw it."""
         problem = problem_in(scene, self._given)
-        settings = Settings(self.seed.value, self.step.value, self.samples.value)
-        self.problem = problem
+        seed, self.problem = self.seed.value, problem
         if self.planner.value == OWN and self._own is not None:
-            ours = rrt(problem, step=settings.step, rng=settings.seed)
-            tried = self._stuck or attempt(self._own, problem, settings.seed)
+            ours = rrt(problem, step=self.step.value, rng=seed)
+            tried = self._stuck or attempt(self._own, problem, seed)
             self._stuck = tried if tried.still_running else None
             self.plan = tried
             return drawing_of_attempt(tried, ours)
-        self.plan = PLANNERS[self.planner.value].plan(problem, settings)
+        given = {name: getattr(self, control).value for control, name in SETTINGS.items()}
+        planner = ON_BOARD[self.planner.value]
+        self.plan = planner.plan(problem, seed=seed, **{n: given[n] for n in planner.board or ()})
         return drawing_of(self.plan)
 
     def _changed(self, _: Any) -> None:
@@ -117,9 +122,7 @@ class Board(widgets.VBox):
 
     def _dress(self) -> None:
         """Show the controls that the planner takes."""
-        takes = (
-            ("seed", "step") if self.planner.value == OWN else PLANNERS[self.planner.value].takes
-        )
+        takes = ("seed", "step") if self.planner.value == OWN else controls_of(self.planner.value)
         for name in CONTROLS:
             getattr(self, name).layout.display = None if name in takes else "none"
 
@@ -130,45 +133,24 @@ class Board(widgets.VBox):
         return with_picture(super()._repr_mimebundle_(**kwargs), self, self.canvas)
 
 
+def controls_of(name: str) -> list[str]:
+    """The controls that a planner takes."""
+    planner = ON_BOARD[name]
+    takes = [control for control, setting in SETTINGS.items() if setting in (planner.board or ())]
+    return [*(["seed"] if planner.is_random else []), *takes]
+
+
 def chosen_planner(planner: Any) -> tuple[Callable[..., Any] | None, str]:
     """A reader's function or None, and the name that the menu begins with. Raises
     InvalidParameter.
     """
-    if isinstance(planner, str) and planner in PLANNERS:
+    if isinstance(planner, str) and planner in ON_BOARD:
         return None, planner
-    for name, choice in PLANNERS.items():
+    for name, choice in ON_BOARD.items():
         if planner is choice.function:
             return None, name
     if callable(planner):
         return planner, OWN
     raise InvalidParameter(
-        say("board.unknown_planner", names=", ".join(PLANNERS), given=shortened(planner))
+        say("board.unknown_planner", names=", ".join(ON_BOARD), given=shortened(planner))
     )
-
-
-def length_slider(key: str, size: float, given: float | None) -> widgets.FloatSlider:
-    """A slider for a length in a world of a size, named by the words under a key: it begins at what
-    is given, or at a twentieth of the size. Raises InvalidParameter.
-    """
-    first = size / 20.0 if given is None else positive(given, key.rpartition(".")[2])
-    notch = (
-        first / 20.0
-    )  # the browser moves a slider to the nearest notch: the first value must lie on one
-    return widgets.FloatSlider(
-        first,
-        min=min(first, notch * max(1, round(size / 200.0 / notch))),
-        max=notch * max(20, round(size / 4.0 / notch)),
-        step=notch,
-        readout_format=".3g",
-        **{**look("step"), "description": say(key)},
-    )
-
-
-def look(name: str) -> dict[str, Any]:
-    """How a control looks."""
-    layout = widgets.Layout(width="30em", max_width="100%")
-    return {
-        "description": say(f"board.{name}"),
-        "layout": layout,
-        "style": {"description_width": "6em"},
-    }

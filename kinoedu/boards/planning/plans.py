@@ -7,7 +7,6 @@ import numpy as np
 
 from ...errors import InvalidParameter
 from ...figures.drawing import dot_size, growth_of, line_width, summary
-from ...planners import plan_on_grid, prm, rrt
 from ...problems import Plan, Problem, ProblemRecord
 from ...support.text import shortened
 from ...worlds import PolygonWorld
@@ -26,29 +25,6 @@ class Settings(NamedTuple):
     seed: int
     step: float
     samples: int
-
-
-class Choice(NamedTuple):
-    """A planner of this package: its public function, how it is called, which settings it takes. In
-    words it is `board.<key>`.
-    """
-
-    function: Any
-    plan: Callable[[ProblemRecord, Settings], Plan]
-    takes: tuple[str, ...]
-
-
-PLANNERS = {
-    "rrt": Choice(
-        rrt, lambda problem, given: rrt(problem, step=given.step, rng=given.seed), ("seed", "step")
-    ),
-    "prm": Choice(
-        prm,
-        lambda problem, given: prm(problem, n=given.samples, rng=given.seed),
-        ("seed", "samples"),
-    ),
-    "astar": Choice(plan_on_grid, lambda problem, given: plan_on_grid(problem), ()),
-}
 
 
 def in_plane(problem: Any) -> ProblemRecord:

@@ -12,10 +12,10 @@ from ...problems import Plan, ProblemRecord
 from ...support.text import shortened
 from ...words import say
 from ..core.canvas import Canvas
+from ..core.controls import counter, length_slider
 from ..core.drawing import Drawing
-from ..core.framed import Framed, counter
+from ..core.framed import Framed
 from ..core.scene import Scene
-from .board import length_slider
 from .own import Attempt
 from .plans import Settings, canvas_for, in_plane, problem_in
 from .racing import Runner, on_clock, run

@@ -14,10 +14,10 @@ from ...planners.tuning import one_of, whole
 from ...problems import Plan, ProblemRecord, Roadmap
 from ...sampling import halton, sukharev_grid
 from ...words import say
+from ..core.controls import counter, length_slider, menu
 from ..core.drawing import Drawing, Layer, dots, edges, path
-from ..core.framed import Framed, counter, menu
+from ..core.framed import Framed
 from ..core.scene import Scene
-from ..planning.board import length_slider
 from ..planning.plans import canvas_for, in_plane, problem_in
 
 RULES = ("closest", "radius", "component")

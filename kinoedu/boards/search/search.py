@@ -12,9 +12,9 @@ from ...graphs import Expansion, Graph, astar_expansions, bfs_expansions, dfs_ex
 from ...planners.tuning import one_of
 from ...words import say
 from ..core.canvas import Canvas, with_picture
+from ..core.controls import look
 from ..core.drawing import Drawing
 from ..core.scene import Scene
-from ..planning.board import look
 from .expanding import search_drawn
 from .ground import ENDS, graph_in, ground_of
 

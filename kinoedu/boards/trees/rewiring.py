@@ -5,10 +5,10 @@ from ...planners.trees.rewiring import rrt_star_rewirings
 from ...planners.tuning import whole
 from ...problems import Plan, ProblemRecord
 from ...words import say
+from ..core.controls import counter, length_slider
 from ..core.drawing import Drawing
-from ..core.framed import Framed, counter
+from ..core.framed import Framed
 from ..core.scene import Scene
-from ..planning.board import length_slider
 from ..planning.plans import canvas_for, in_plane, problem_in
 from .rewired import (
     costs_at,

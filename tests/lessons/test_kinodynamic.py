@@ -26,7 +26,7 @@ from kinoedu.experiments import read_experiment
 from kinoedu.robots.trajectory import DrivenTree
 from kinoedu.spaces.angles import short_way, wrapped
 
-EXPERIMENTS = Path(__file__).resolve().parent.parent / "notebooks" / "experiments"
+EXPERIMENTS = Path(__file__).resolve().parent.parent.parent / "notebooks" / "experiments"
 
 
 @pytest.mark.parametrize("name", garages.KINDS)
