@@ -16,8 +16,8 @@ import tomllib
 from pathlib import Path
 
 HOUSE = Path(__file__).resolve().parent.parent
-# the page is the lab, nothing is tested, and nothing compiles for a browser
-ELSEWHERE = {"jupyterlab", "nbval", "numba"}
+# nothing compiles for a browser
+ELSEWHERE = {"numba"}
 
 
 def packages() -> list[str]:

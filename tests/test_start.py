@@ -700,6 +700,7 @@ def test_pins_satisfy_pyproject_on_every_platform(machine):
         others[name] == site[name] for name in others.keys() & site.keys()
     )
     held_by = {
+        "course": course,
         "teach": course | teaching,
         "test": course | tests,
         "cluster": course | tests,
