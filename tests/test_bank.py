@@ -21,6 +21,10 @@ HOUSE = Path(__file__).resolve().parent.parent
 BANK = [
     item for file in sorted((HOUSE / "solutions" / "bank").glob("*.py")) for item in read_bank(file)
 ]
+FIRST_OF_ITS_SLIP = [
+    next(item for item in BANK if (item.exercise, item.slip) == pair)
+    for pair in {(item.exercise, item.slip): None for item in BANK}
+]
 
 
 @lru_cache(maxsize=1)
@@ -41,8 +45,8 @@ def travelled(exercise, function, sent):
 
 @pytest.mark.parametrize("item", BANK, ids=lambda item: f"{item.exercise}-{item.function.__name__}")
 def test_a_wrong_answer_is_rejected_with_its_reason(item, monkeypatch):
-    """Every program of the bank fails, the misconception is recognised where it has a name, and its
-    case is drawn.
+    """Every program of the bank fails, and the misconception is recognised where it has a name; the
+    case of the first with each misconception is drawn.
     """
     exercise = EXERCISES[item.exercise]
     cases, given = cases_of(exercise)
@@ -54,9 +58,10 @@ def test_a_wrong_answer_is_rejected_with_its_reason(item, monkeypatch):
     assert report.score < 1.0
     assert report.failure.slip == item.slip
     assert rule_words(exercise, report.failure)
-    for said in (repr(Feedback(report)), Feedback(report)._repr_html_()):
-        assert words.say("check.hint") in said
-    assert picture_of(exercise, report.failure).startswith(b"\x89PNG")
+    assert words.say("check.hint") in repr(Feedback(report))
+    if item in FIRST_OF_ITS_SLIP:  # a page is drawn in a third of the time that a case is judged
+        assert words.say("check.hint") in Feedback(report)._repr_html_()
+        assert picture_of(exercise, report.failure).startswith(b"\x89PNG")
 
 
 @pytest.mark.parametrize("exercise", EXERCISES.values(), ids=list(EXERCISES))
