@@ -24,7 +24,7 @@ from kinoedu.geometry import (
     convex_pairs_intersect,
     convex_polygons_intersect,
 )
-from kinoedu.geometry.convex_pairs import as_convex_polygons, convex_turn
+from kinoedu.geometry.convex_pairs import as_convex_polygons, convex_orientation
 from kinoedu.worlds.known_cells import (
     ALONG,
     FINE,
@@ -399,7 +399,7 @@ def test_rings_are_refused_as_single_polygons_are(ring: Any) -> None:
         if len(ring) < 7
         else [(k, k * k) for k in range(7)]
     )
-    assert (convex_turn(np.array(ring, float)) == 0) == bool(refused)
+    assert (convex_orientation(np.array(ring, float)) == 0) == bool(refused)
     if refused:
         with pytest.raises(InvalidPolygon) as caught:
             convex_pairs_intersect([good, ring], [good, ring])
@@ -416,7 +416,7 @@ def test_polygons_are_checked_once() -> None:
     checked = ConvexPolygons(mine)
     mine[:] = np.nan
     assert as_convex_polygons(checked, "P") is checked
-    assert [convex_turn(ring) for ring in checked.rings] == [1, 1]
+    assert [convex_orientation(ring) for ring in checked.rings] == [1, 1]
     assert {(*box,) for box in checked.boxes.tolist()} == {
         (*np.min(TRIANGLE, axis=0), *np.max(TRIANGLE, axis=0))
     }

@@ -93,7 +93,7 @@ def test_a_slow_computer_gets_more_time(monkeypatch):
 def test_the_speed_of_a_computer_is_kept_in_bounds(monkeypatch):
     """A fast one is typical, a very slow one as slow as any."""
     for seconds, factor in ((1e-9, 1.0), (2 * time_limit.REFERENCE, 2.0), (1e9, 20.0)):
-        monkeypatch.setattr(time_limit, "practice", lambda seconds=seconds: seconds)
+        monkeypatch.setattr(time_limit, "time_practice_loop", lambda seconds=seconds: seconds)
         assert measured() == factor
 
 
@@ -124,7 +124,7 @@ def test_to_load_a_module_is_not_on_the_programs_time():
 
 def test_places_are_told_where_they_are_few():
     """Of a program that was everywhere nothing is said."""
-    places = time_limit.Places()
+    places = time_limit.SeenCalls()
 
     def look():
         places.add(sys._getframe())
@@ -134,7 +134,7 @@ def test_places_are_told_where_they_are_few():
     seen = places.seen()
     assert seen is not None and seen.function == "test_places_are_told_where_they_are_few"
     assert seen.first == seen.last
-    places = time_limit.Places()
+    places = time_limit.SeenCalls()
     places.add(sys._getframe())
     assert places.seen() is None
 
