@@ -17,7 +17,9 @@ def disc_polygon(radius: float) -> Array:
     --------
     >>> disc_polygon(0.0)
     array([[0., 0.]])
-    >>> bool(np.hypot(*(disc_polygon(1.0) + np.roll(disc_polygon(1.0), 1, axis=0)).T).min() / 2 >= 1.0)
+    >>> corners = disc_polygon(1.0)
+    >>> midpoints = (corners + np.roll(corners, 1, axis=0)) / 2
+    >>> bool(np.hypot(*midpoints.T).min() >= 1.0)
     True
     """
     if radius == 0.0:

@@ -49,9 +49,8 @@ def as_ring(vertices: ArrayLike, name: str = "polygon") -> Array:
         raise InvalidPolygon(f"{name} has no area or folds back on itself")
     i, j = find_crossing(ring)
     if i >= 0:
-        raise InvalidPolygon(
-            f"{name} crosses or touches itself: {describe_edge(ring, i)} meets {describe_edge(ring, j)}"
-        )
+        edges = f"{describe_edge(ring, i)} meets {describe_edge(ring, j)}"
+        raise InvalidPolygon(f"{name} crosses or touches itself: {edges}")
     return ring if ring_turn(ring) > 0 else ring[::-1].copy()
 
 

@@ -92,7 +92,8 @@ def fill_van_der_corput(numbers: Array, base: int, start: int) -> None:
     scale, block = base**digits, base**low
     if scale > EXACT:
         raise InvalidParameter(
-            f"number {end - 1:,} has too many digits in base {base:,} to be exact; use a smaller start"
+            f"number {end - 1:,} has too many digits in base {base:,} to be exact; "
+            "use a smaller start"
         )
     of_k = (mirrored(np.arange(block), base, low) * base ** (digits - low)).astype(np.float64)
     blocks = np.arange(start // block, (end - 1) // block + 1)
