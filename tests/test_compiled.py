@@ -378,7 +378,7 @@ def test_restarts_as_machine_code_give_the_same_tree(trees, looks, monkeypatch) 
     monkeypatch.setattr(Impatient, "looks", looks)
     monkeypatch.setattr(Impatient, "ended", 0)
     monkeypatch.setattr(
-        tiers.Specialization, "run", lambda self, args: self.interpret_until_code_comes(args)
+        tiers.Specialization, "run", lambda self, args: self.interpret_or_restart(args)
     )
     monkeypatch.setattr(tiers.TieredFunction, "__call__", interpreted_at_first)
     assert digests() == trees
@@ -428,7 +428,7 @@ def test_an_error_is_raised_though_machine_code_is_loaded(monkeypatch) -> None:
     monkeypatch.setattr(WatchedCall, "close", told_at_the_end)
     specialization = tiers.Specialization(fails, kinds_of((1.0,)))
     with pytest.raises(KeyboardInterrupt):
-        specialization.interpret_until_code_comes((1.0,))
+        specialization.interpret_or_restart((1.0,))
 
 
 # ---- kinds -------------------------------------------------------------------------------------

@@ -45,7 +45,7 @@ class WatchedCall:
         from .tiers import BUDGET, IMPORTING
 
         call, seconds = self.specialization, time.perf_counter() - self.began
-        if seconds > IMPORTING and not call.is_loaded and call.has_come():
+        if seconds > IMPORTING and not call.is_loaded and call.is_on_disk():
             call.load_here()
         if call.is_loaded:
             self.interrupt()

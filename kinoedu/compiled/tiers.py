@@ -75,9 +75,8 @@ class TieredFunction:
         self.is_algorithm = is_algorithm
         self.options = options
         self.can_be_stored = store.is_digested(function)
-        self.machine: Callable[..., Any] | None = (
-            None  # the dispatcher, once machine code is loaded
-        )
+        # the dispatcher, once machine code is loaded
+        self.machine: Callable[..., Any] | None = None
         self.inner: Any = None  # numba's function for compiled callers, in a process that compiles
         self.specializations: dict[tuple[Kind, ...], Specialization] = {}
         TIERED.append(self)
@@ -130,17 +129,17 @@ class Specialization:
         """Run a call in the better way."""
         if modes.mode is modes.COMPILED_FIRST and not self.is_tried:
             self.compile_now()
-        elif interpreted.seconds > IMPORTING and self.has_come():
+        elif interpreted.seconds > IMPORTING and self.is_on_disk():
             self.load()
         if self.is_loaded and self.function.machine is not None:
             return self.function.machine(*args)
         if self.function.is_algorithm and not self.is_never_stored:
-            return self.interpret_until_code_comes(args)
+            return self.interpret_or_restart(args)
         with self.counting_time():
             return self.function.py_func(*args)
 
     @property
-    def compilation_request(self) -> store.Request:
+    def to_compile(self) -> store.Request:
         """The request for its machine code."""
         return store.Request(self.function.__module__, self.function.__name__, self.kinds)
 
@@ -148,9 +147,9 @@ class Specialization:
     def file(self) -> Path | None:
         """The file of its machine code, which may not exist yet."""
         place = None if self.is_never_stored else store.folder()
-        return None if place is None else place / f"{self.compilation_request.name}.code"
+        return None if place is None else place / f"{self.to_compile.name}.code"
 
-    def has_come(self) -> bool:
+    def is_on_disk(self) -> bool:
         """Whether machine code is on the disk; looks only every LOOK_AGAIN seconds."""
         now = time.monotonic()
         if self.is_never_stored or now < self.looked + LOOK_AGAIN:
@@ -200,9 +199,7 @@ class Specialization:
         from .requests import request_compilation
 
         place = store.folder()
-        self.is_never_stored = place is None or not request_compilation(
-            place, self.compilation_request
-        )
+        self.is_never_stored = place is None or not request_compilation(place, self.to_compile)
 
     def compile_now(self) -> None:
         """Compile it and wait, at most once; what numba cannot compile stays interpreted.
@@ -222,7 +219,7 @@ class Specialization:
         place = store.folder()
         if self.is_never_stored or place is None:
             NUMBA_THREAD.run_and_wait(self.compile_here)
-        elif compile_and_wait(place, self.compilation_request):
+        elif compile_and_wait(place, self.to_compile):
             self.load()
         log.info(DONE, self.function.__name__)
 
@@ -256,7 +253,7 @@ class Specialization:
             if self.spent > BUDGET:
                 self.request()
 
-    def interpret_until_code_comes(self, args: tuple[Any, ...]) -> Any:
+    def interpret_or_restart(self, args: tuple[Any, ...]) -> Any:
         """Interpret an algorithm; if its machine code is loaded meanwhile, restart with that."""
         from .keeper import MachineCodeLoaded, WatchedCall
 
@@ -300,7 +297,7 @@ def restore_state(value: Any, saved: Any) -> None:
 def called() -> list[store.Request]:
     """Requests for all algorithms that this process has called and that can be compiled."""
     kinds_of_calls = [s for f in TIERED if f.is_algorithm for s in f.specializations.values()]
-    return [s.compilation_request for s in kinds_of_calls if not s.is_never_stored]
+    return [s.to_compile for s in kinds_of_calls if not s.is_never_stored]
 
 
 # ---- the decorators -----------------------------------------------------------------------------

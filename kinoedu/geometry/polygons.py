@@ -38,8 +38,10 @@ def point_in_polygon(q: ArrayLike, polygon: ArrayLike) -> bool:
     Examples
     --------
     >>> corner = [(0, 0), (4, 0), (4, 4), (2, 4), (2, 2), (0, 2)]
-    >>> point_in_polygon([(1, 1), (1, 3), (1, 2)], corner).tolist()
-    [True, False, True]
+    >>> point_in_polygon((1, 1), corner), point_in_polygon((1, 3), corner)
+    (True, False)
+    >>> point_in_polygon([(1, 2), (1, 3)], corner).tolist()
+    [True, False]
     """
     return one_or_many(q, places(as_points(q, "q"), as_ring(polygon)) >= 0)
 

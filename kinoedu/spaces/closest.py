@@ -32,12 +32,12 @@ def visit_for_closest(
     node = tree.head[bucket]
     while node >= 0:
         d = squared_distance(space, tree.nodes, node, q)
-        i = k  # insertion sort by distance, then by index
-        while i > 0 and (d < apart[i - 1] or (d == apart[i - 1] and node < found[u, i - 1])):
-            i -= 1
-        if node != u and i < k:
-            for j in range(k - 1, i, -1):
-                apart[j], found[u, j] = apart[j - 1], found[u, j - 1]
+        is_closer = d < apart[k - 1] or (d == apart[k - 1] and node < found[u, k - 1])
+        if node != u and is_closer:
+            i = k - 1  # insertion sort by distance, then by index
+            while i > 0 and (d < apart[i - 1] or (d == apart[i - 1] and node < found[u, i - 1])):
+                apart[i], found[u, i] = apart[i - 1], found[u, i - 1]
+                i -= 1
             apart[i], found[u, i] = d, node
         node = tree.next[node]
     return search
