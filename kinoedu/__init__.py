@@ -1,22 +1,24 @@
 """kinoedu: a motion-planning course you can run.
 
-A plan in four lines:
+A first plan:
 
 >>> import kinoedu as ke
->>> world = ke.PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
+>>> boundary = [(0, 0), (10, 0), (10, 10), (0, 10)]
+>>> obstacle = [(4, 0), (6, 0), (6, 8), (4, 8)]
+>>> world = ke.PolygonWorld(boundary, [obstacle])
 >>> plan = ke.rrt(ke.Problem(ke.Point(), world, start=(1, 1), goal=(9, 1)), rng=0)
 >>> plan.path is not None
 True
 
-The rooms of the house: `geometry`, `graphs`, `spaces`, `curves`, `worlds`, `robots`, `collision`,
+The modules are `geometry`, `graphs`, `spaces`, `curves`, `worlds`, `robots`, `collision`,
 `problems`, `decomposition`, `planners`, `scenes`, `sampling`, `c_space`, `course`, `experiments`,
-`figures` and `boards`. Each is imported when it is first used.
+`figures` and `boards`. Each is imported at its first use.
 """
 
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-if TYPE_CHECKING:  # what a type checker sees of the table below
+if TYPE_CHECKING:  # shows type checkers the names of the table below
     from . import (
         collision,
         curves,
@@ -93,7 +95,7 @@ if TYPE_CHECKING:  # what a type checker sees of the table below
 
 __version__ = "0.1.0"
 
-# Where each name at the top comes from.
+# The top-level names, by the module that defines them.
 ROOMS = {
     "boards": "board",
     "collision": "clearance_of collision_bound collision_probability link_in_contact",
@@ -125,7 +127,7 @@ HOME = {name: room for room, names in ROOMS.items() for name in names.split()}
 
 
 def __getattr__(name: str) -> Any:
-    """Import a room, or what it is known for, at the first use."""
+    """Import a module, or a name from one, at its first use."""
     if name in MODULES.split():
         return import_module(f"{__name__}.{name}")
     if name in HOME:
@@ -135,7 +137,7 @@ def __getattr__(name: str) -> Any:
 
 
 def __dir__() -> list[str]:
-    """All names, those as well that are not imported yet."""
+    """All public names, including those not imported yet."""
     return __all__
 
 

@@ -1,4 +1,4 @@
-"""What can be said of a chance that was tried a number of times."""
+"""Confidence intervals of probabilities that were measured by repeated trials."""
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -6,16 +6,35 @@ from numpy.typing import ArrayLike
 from .errors import InvalidParameter
 from .geometry.checks import Array, as_array
 
-Z = 1.959963984540054  # 95 percent of a normal distribution lie within so many standard deviations
+Z = 1.959963984540054  # 95 percent of a normal distribution lie within Z standard deviations
 
 
 def wilson(successes: ArrayLike, trials: int) -> tuple[Array, Array]:
-    """The ends of Wilson's 95 percent interval for a share, each of the shape of `successes`; never
-    empty, also at 0 and at all, and from 0 to 1 where nothing was tried.
+    """Wilson's 95 percent confidence interval of a proportion.
 
-    E. B. Wilson, "Probable inference, the law of succession, and statistical inference" (1927).
-    Raises InvalidParameter.
+    Source: E. B. Wilson, "Probable inference, the law of succession, and statistical inference"
+    (1927).
 
+    Parameters
+    ----------
+    successes : array of any shape, each from 0 to `trials`.
+    trials : how many trials there were.
+
+    Returns
+    -------
+    low, high
+        The ends of the intervals, each of the shape of `successes`. An interval is never empty, not
+        even for 0 or `trials` successes. It is from 0 to 1 where there were no trials.
+
+    Raises
+    ------
+    InvalidParameter
+        Where a count is negative or larger than `trials`.
+    InvalidPoint
+        Where `successes` are not numbers.
+
+    Examples
+    --------
     >>> low, high = wilson([0, 50, 100], 100)
     >>> low.round(3).tolist(), high.round(3).tolist()
     ([0.0, 0.404, 0.963], [0.037, 0.596, 1.0])

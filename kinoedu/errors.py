@@ -1,37 +1,41 @@
-"""Every failure that kinoedu names.
+"""The errors that kinoedu raises for wrong input.
 
-All derive from `KinoeduError`, and that from `ValueError`: the input was at fault, and the message
-says what was expected, what came and what to do. That no path exists is not an error: it is an
-answer (`plan.path is None`, with `plan.reason`).
+All derive from `KinoeduError`, which derives from `ValueError`. A message says what was expected,
+what was given and what to do. The absence of a path is not an error but a result: `plan.path` is
+None and `plan.reason` explains it.
 """
 
 
 class KinoeduError(ValueError):
-    """What every error named here has in common."""
+    """The base class of all errors of kinoedu."""
 
 
 class InvalidPoint(KinoeduError):
-    """A point, a set of points or a configuration has the wrong shape, is not finite, or is too
-    large or too small to be exact.
+    """A point, a set of points or a configuration cannot be used.
+
+    Its shape is wrong, or a coordinate is not finite, or too large or too small for exact
+    arithmetic.
     """
 
 
 class InvalidSegment(KinoeduError):
-    """Two points that should span a line coincide."""
+    """The two points that should define a line coincide."""
 
 
 class InvalidPolygon(KinoeduError):
-    """A ring of vertices is too short, has no area, repeats a vertex, meets itself, or is not
-    convex where it must be.
+    """A polygon cannot be used.
+
+    It has too few vertices or no area, repeats a vertex, intersects itself, or is not convex where
+    it must be.
     """
 
 
 class InvalidWorld(KinoeduError):
-    """A boundary, an obstacle or a bitmap cannot make a world."""
+    """A boundary, an obstacle or a bitmap does not define a world."""
 
 
 class InvalidRobot(KinoeduError):
-    """A robot's size makes no sense."""
+    """The dimensions of a robot are not possible."""
 
 
 class InvalidStart(KinoeduError):
@@ -47,28 +51,27 @@ class InvalidParameter(KinoeduError):
 
 
 class InvalidGraph(KinoeduError):
-    """A node, an edge or a place is not there, a weight is one that no search can use, or what was
-    given is no graph.
-    """
+    """A node or an edge does not exist, a weight is not allowed, or the value is not a graph."""
 
 
 class UnreadableScene(KinoeduError):
-    """A file is damaged, contradicts itself, or is not what its name says."""
+    """A file is damaged, contradicts itself, or does not match its extension."""
 
 
 class UnknownFormat(UnreadableScene):
-    """No reader knows the file's extension."""
+    """No reader exists for the file's extension."""
 
 
 class SceneTooLarge(UnreadableScene):
-    """A file holds more cells than a planner on this computer should be given."""
+    """A file holds more cells than a planner can handle on this computer."""
 
 
 class DuplicateKind(KinoeduError):
-    """A generic question already has an answer for these kinds of record."""
+    """A generic function already has an implementation for these record types."""
 
 
 class MendedPolygons(UserWarning):
-    """A map's polygons were not simple; the message says which, and what was made of them. It is a
-    warning: the world is there.
+    """A map's polygons were not simple and have been repaired.
+
+    This is a warning: the world can be used. The message says which polygons, and what they became.
     """

@@ -1,6 +1,4 @@
-"""Many questions at once: answered as the single questions are, and exactly on whole-numbered
-worlds, where touching is common.
-"""
+"""Many collision queries at once: equal to the single queries, and exact on integer worlds."""
 
 import math
 from itertools import pairwise
@@ -24,7 +22,7 @@ from kinoedu.geometry import (
     convex_pairs_intersect,
     convex_polygons_intersect,
 )
-from kinoedu.geometry.convex_pairs import as_convex_polygons, convex_turn
+from kinoedu.geometry.convex_pairs import as_convex_polygons, convex_orientation
 from kinoedu.worlds.known_cells import (
     ALONG,
     FINE,
@@ -42,20 +40,17 @@ TRIANGLE, SQUARE = [(0, 0), (2, 0), (0, 2)], [(1, 1), (2, 1), (2, 2), (1, 2)]
 WORLD = PolygonWorld(
     BOX, [[(1, 1), (3, 1), (3, 3), (1, 3)], [(5, 5), (20, 5), (12, 20)], ((-8, -8), 3)]
 )
-UNKNOWN = WORLD._replace(known=nothing_known())  # the same, every question judged
+UNKNOWN = WORLD._replace(known=nothing_known())  # the same without occupancy cells
 NONE = np.empty((0, 2))
 
 
-# ---- configurations and motions
-# ----------------------------------------------------------------------------------------------
+# ---- configurations and motions ----------------------------------------------------------------
 
 
 @SLOW_LAW
 @given(exact_worlds(), st.lists(st.tuples(whole, whole), min_size=1, max_size=20))
 def test_batches_are_exact(world: ExactWorld, motions: Any) -> None:
-    """Points and motions with whole coordinates, against fractions: on edges, through corners,
-    along walls, on the spot.
-    """
+    """Integer points and motions, on edges, through corners and along walls."""
     a, b = map(np.array, zip(*motions, strict=True))
     assert free_configurations(Point(), world.record, a).tolist() == [
         not world.is_solid(exact(p)) for p in a.tolist()
@@ -70,10 +65,8 @@ def test_batches_are_exact(world: ExactWorld, motions: Any) -> None:
 )
 @pytest.mark.parametrize("robot", [Point(), Disk(0.7)], ids=["point", "disk"])
 @pytest.mark.parametrize("clearance", [0.0, 0.25])
-def test_a_batch_answers_as_the_single_questions_do(
-    robot: Any, world: Any, clearance: float
-) -> None:
-    """For every kind of world, robot and clearance, outside the world too."""
+def test_batches_agree_with_single_queries(robot: Any, world: Any, clearance: float) -> None:
+    """For every kind of world, robot and clearance, also outside the world."""
     rng = np.random.default_rng(1)
     a, b = rng.uniform(world.lo - 2, world.hi + 2, (2, 300, 2))
     ones = [bool(is_free(robot, world, q, clearance)) for q in a]
@@ -87,7 +80,7 @@ def test_a_batch_answers_as_the_single_questions_do(
 @pytest.mark.parametrize("size", [1e-300, 5e-324, 1e-120, 1.0, 1e120])
 @pytest.mark.parametrize("shift", [0.0, 1e12])
 def test_points_are_located_at_any_scale(size: float, shift: float) -> None:
-    """In the middle free, on the rim and beyond it not; whether or not cells are known."""
+    """Free in the middle, not on the boundary or outside, with and without occupancy cells."""
     x, far = shift * size, 24 * size
     world = PolygonWorld([(x - far, -far), (x + far, -far), (x + far, far), (x - far, far)])
     qs = [(x, 0), (x + far, 0), (x, -far), (x + 2 * far, 0), (-x - 2 * far, 0)]
@@ -96,7 +89,7 @@ def test_points_are_located_at_any_scale(size: float, shift: float) -> None:
 
 
 def test_points_are_located_between_the_smallest_numbers() -> None:
-    """Among more obstacles than the world is numbers wide: it is not cut up."""
+    """The world is not divided if it is narrower, in floats, than the number of its obstacles."""
     u, places = 5e-324, range(1, 7)
     obstacles = [
         [(x * u, y * u), ((x + 1) * u, y * u), (x * u, (y + 1) * u)] for x in places for y in places
@@ -107,8 +100,8 @@ def test_points_are_located_between_the_smallest_numbers() -> None:
     assert free_configurations(Point(), world, qs).tolist() == [False, False, True, True, False]
 
 
-def test_what_is_known_of_a_cell_is_true_of_its_points() -> None:
-    """Many points of each kind of cell; most cells are known."""
+def test_occupancy_cells_are_right() -> None:
+    """Many points of each kind of cell; most cells are entirely free or entirely blocked."""
     rng = np.random.default_rng(2)
     known = WORLD.known
     assert known.reach.shape == (FINE * WORLD.cells.rows, FINE * WORLD.cells.columns)
@@ -128,7 +121,7 @@ def test_what_is_known_of_a_cell_is_true_of_its_points() -> None:
 
 
 def test_the_reach_of_a_cell_is_its_distance_to_what_is_not_free() -> None:
-    """In moves of a chess king, as far as it is looked at."""
+    """Measured in moves of a chess king, up to a limit."""
     far = distance_transform_cdt(WORLD.known.reach >= FREE, "chessboard")
     assert far.max() > MOST == WORLD.known.reach.max()
     assert (np.maximum(WORLD.known.reach, 0) == np.minimum(far, MOST)).all()
@@ -136,15 +129,13 @@ def test_the_reach_of_a_cell_is_its_distance_to_what_is_not_free() -> None:
 
 @pytest.mark.parametrize("excess", [0.0, 1e-12, 1e-4, 0.005, 0.0099, 0.3])
 @pytest.mark.parametrize("upright", [False, True])
-def test_what_is_known_is_true_in_oblong_worlds(excess: float, upright: bool) -> None:
-    """Where the shorter side is a little more than a number of cells: up to the edge, past which
-    nothing is free.
-    """
+def test_occupancy_cells_are_right_in_oblong_worlds(excess: float, upright: bool) -> None:
+    """The shorter side is a little longer than a whole number of cells."""
     rng = np.random.default_rng(8)
     turned = slice(None, None, -1 if upright else 1)
     for cells in range(1, 8):
         height = (cells + excess) / 8
-        # 16 parts make 8 cells along
+        # 16 parts make 8 cells per side
         boxes = [
             (0.055 * k, height - 0.001 * k, 0.055 * k + 0.05, height - 0.0003 * k)
             for k in range(1, 17)
@@ -171,9 +162,7 @@ def test_what_is_known_is_true_in_oblong_worlds(excess: float, upright: bool) ->
 
 
 def test_a_disc_fills_the_reach_and_no_more() -> None:
-    """At the corners of free cells, discs of about their reach; just inside an edge a point is not
-    free.
-    """
+    """At the corners of free cells, for discs of about their reach."""
     known, rng = WORLD.known, np.random.default_rng(3)
     for j, i in rng.permutation(np.argwhere(known.reach >= FREE))[:400].tolist():
         corner = np.array(
@@ -199,8 +188,8 @@ def test_a_disc_fills_the_reach_and_no_more() -> None:
     )[0]
 
 
-def test_most_answers_are_known() -> None:
-    """Of points and short motions; of discs in the open."""
+def test_occupancy_cells_decide_most_queries() -> None:
+    """The cells decide most queries of points and short motions, and of discs in open space."""
     rng = np.random.default_rng(4)
     ends = [
         (*a, *np.clip(a + step, WORLD.lo, WORLD.hi))
@@ -223,7 +212,7 @@ def test_most_answers_are_known() -> None:
 
 
 def test_a_world_of_many_parts_has_no_more_small_cells() -> None:
-    """The more cells the index of a city has, the fewer pieces each is cut into."""
+    """The more cells the index of a city has, the fewer occupancy cells each is divided into."""
     x, y = np.meshgrid(np.arange(-23.0, 23.0), np.arange(-23.0, 23.0))
     parts = [[(x, y), (x + 0.5, y), (x, y + 0.5)] for x, y in zip(x.flat, y.flat, strict=True)]
     world = PolygonWorld(BOX, parts)
@@ -231,9 +220,10 @@ def test_a_world_of_many_parts_has_no_more_small_cells() -> None:
 
 
 @pytest.mark.parametrize("robot", [Point(), Disk(0.05), Disk(1.7)])
-def test_what_is_known_changes_no_answer(robot: Any) -> None:
-    """Motions anywhere, and such as run along the cells' sides and through their corners;
-    interpreted, too.
+def test_occupancy_cells_change_no_answer(robot: Any) -> None:
+    """For random motions, and motions along the sides and through the corners of cells.
+
+    Compiled and interpreted.
     """
     rng, known = np.random.default_rng(5), WORLD.known
     corners = (
@@ -258,11 +248,11 @@ def test_what_is_known_changes_no_answer(robot: Any) -> None:
         assert (free[:40] == judge_motions.py_func(robot, WORLD, a[:40], b[:40], 0.0)).all()
 
 
-def test_a_readers_own_robot_is_asked_by_the_interpreter() -> None:
-    """A kind that is no record registers its answers and its number of coordinates."""
+def test_a_users_own_robot_is_interpreted() -> None:
+    """A class that is not a record registers its implementations and its number of coordinates."""
 
     class Bead:
-        """It slides on a wire."""
+        """A bead on a wire."""
 
     coordinates.register(Bead)(lambda robot: 1)
     is_free_path.register(Bead, type(WORLD))(
@@ -275,8 +265,8 @@ def test_a_readers_own_robot_is_asked_by_the_interpreter() -> None:
     assert free_motions(Bead(), WORLD, [[0.0], [0.0]], [[0.5], [2.0]]).tolist() == [True, False]
 
 
-def test_no_questions_have_no_answers() -> None:
-    """Empty arrays and lists."""
+def test_empty_batches_have_empty_results() -> None:
+    """Empty arrays and lists give empty results."""
     assert (
         free_configurations(Point(), WORLD, []).shape
         == free_configurations(Point(), WORLD, NONE).shape
@@ -314,7 +304,7 @@ def test_bad_configurations_are_refused_by_name(bad: Any) -> None:
 
 
 def test_bad_robots_clearances_and_lengths_are_refused_by_name() -> None:
-    """And so are lists of different lengths."""
+    """Lists of different lengths are refused too."""
     with pytest.raises(InvalidParameter, match=r"Point\(\)"):
         free_configurations("robot", WORLD, NONE)
     for clearance in (-1.0, math.nan, (1, 2)):
@@ -324,14 +314,11 @@ def test_bad_robots_clearances_and_lengths_are_refused_by_name() -> None:
         free_motions(Point(), WORLD, [(0, 0)], [(0, 0), (1, 1)])
 
 
-# ---- pairs of convex polygons
-# ------------------------------------------------------------------------------------------------
+# ---- pairs of convex polygons ------------------------------------------------------------------
 
 
 def meet_exactly(P: Any, Q: Any) -> bool:
-    """An edge of one meets an edge of the other, or one holds a corner of the other; in
-    fractions.
-    """
+    """Whether edges intersect, or a polygon contains a corner of the other; in fractions."""
     sides = [list(pairwise([*map(exact, ring), exact(ring[0])])) for ring in (P, Q)]
     return (
         any(shared_exactly(*e, *f) for e in sides[0] for f in sides[1])
@@ -357,9 +344,7 @@ hulls = (
     st.booleans(),
 )
 def test_convex_pairs_are_exact(P: Any, Q: Any, shift: Any, first: int, reverse: bool) -> None:
-    """On a small lattice, where polygons touch, share edges, hold each other and coincide; any
-    first vertex, either direction.
-    """
+    """On a small lattice: touching, shared edges, containment and coincidence."""
     Q = [(x + shift[0], y + shift[1]) for x, y in Q]
     turned = np.roll(Q, first, axis=0)[:: -1 if reverse else 1]
     truth = meet_exactly(P, Q)
@@ -369,8 +354,8 @@ def test_convex_pairs_are_exact(P: Any, Q: Any, shift: Any, first: int, reverse:
     assert convex_pairs_intersect(ConvexPolygons([P]), ConvexPolygons([turned])).tolist() == [truth]
 
 
-def test_pairs_answer_as_the_single_question_does() -> None:
-    """Near and far, one inside the other, touching at a corner by a hair's breadth or not."""
+def test_pairs_agree_with_single_queries() -> None:
+    """Near and far, contained, and touching or almost touching at a corner."""
     cases = [
         (SQUARE, True),
         (np.add(SQUARE, 9), False),
@@ -385,10 +370,8 @@ def test_pairs_answer_as_the_single_question_does() -> None:
 
 @SLOW_LAW
 @given(st.lists(st.tuples(st.integers(0, 3), st.integers(0, 3)), min_size=3, max_size=7))
-def test_rings_are_refused_as_single_polygons_are(ring: Any) -> None:
-    """Repeated vertices, folds, straight angles, stars that go round twice: the same rings, in the
-    same words.
-    """
+def test_rings_are_refused_with_the_messages_of_single_polygons(ring: Any) -> None:
+    """The same rings are refused, with the same messages as for single polygons."""
     try:
         convex_polygons_intersect(ring, ring)
         refused = ""
@@ -399,7 +382,7 @@ def test_rings_are_refused_as_single_polygons_are(ring: Any) -> None:
         if len(ring) < 7
         else [(k, k * k) for k in range(7)]
     )
-    assert (convex_turn(np.array(ring, float)) == 0) == bool(refused)
+    assert (convex_orientation(np.array(ring, float)) == 0) == bool(refused)
     if refused:
         with pytest.raises(InvalidPolygon) as caught:
             convex_pairs_intersect([good, ring], [good, ring])
@@ -409,14 +392,12 @@ def test_rings_are_refused_as_single_polygons_are(ring: Any) -> None:
 
 
 def test_polygons_are_checked_once() -> None:
-    """They turn counter-clockwise then, are a copy, and are not checked when they are asked
-    about.
-    """
+    """The checked polygons are a counter-clockwise copy, and are not checked again."""
     mine = np.array([TRIANGLE, TRIANGLE[::-1]], float)
     checked = ConvexPolygons(mine)
     mine[:] = np.nan
     assert as_convex_polygons(checked, "P") is checked
-    assert [convex_turn(ring) for ring in checked.rings] == [1, 1]
+    assert [convex_orientation(ring) for ring in checked.rings] == [1, 1]
     assert {(*box,) for box in checked.boxes.tolist()} == {
         (*np.min(TRIANGLE, axis=0), *np.max(TRIANGLE, axis=0))
     }
@@ -426,15 +407,15 @@ def test_polygons_are_checked_once() -> None:
         convex_pairs_intersect(checked, [SQUARE])
 
 
-def test_a_pentagram_is_no_convex_polygon() -> None:
-    """It turns left at every corner, but goes round twice."""
+def test_a_pentagram_is_not_a_convex_polygon() -> None:
+    """It turns left at every corner, but winds around twice."""
     star = [(math.cos(0.8 * math.pi * k), math.sin(0.8 * math.pi * k)) for k in range(5)]
     with pytest.raises(InvalidPolygon, match=r"^Q\[1\] crosses"):
         convex_pairs_intersect([TRIANGLE] * 2, [np.array(star)[[0, 2, 4, 1, 3]], star])
 
 
 def test_bad_pairs_are_refused_by_name() -> None:
-    """Shapes that are no polygons, numbers that are none, different counts."""
+    """Wrong shapes, values that are not numbers, different counts."""
     for bad in (TRIANGLE, [], [TRIANGLE[:2]], np.zeros((1, 3, 3))):
         with pytest.raises(InvalidPolygon, match=r"^P must be polygons of shape \(m, n, 2\)"):
             convex_pairs_intersect(bad, [SQUARE])

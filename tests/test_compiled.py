@@ -1,6 +1,4 @@
-"""Machine code and the interpreter give the same trees to the last bit; nobody waits for the
-compiler; no code is stale.
-"""
+"""Machine code and the interpreter give identical trees; no call waits, no code is stale."""
 
 import hashlib
 import json
@@ -30,9 +28,9 @@ from kinoedu.compiled import (
     store,
     tiers,
 )
-from kinoedu.compiled.keeper import Watch
+from kinoedu.compiled.keeper import WatchedCall
 from kinoedu.compiled.kinds import kind_of, kinds_of, spelled
-from kinoedu.compiled.store import UPPER_ROOMS, Wanted, is_digested, source_digest
+from kinoedu.compiled.store import UPPER_ROOMS, Request, is_digested, source_digest
 from kinoedu.course.exercise import Exercise
 from kinoedu.errors import DuplicateKind, InvalidParameter
 from kinoedu.planners.trees.rrt import grow
@@ -46,9 +44,7 @@ needs_compiler = pytest.mark.skipif(not HAS_COMPILER, reason="numba is absent or
 
 
 def problems() -> dict[str, Any]:
-    """Problems of round robots in every kind of world, with walls, rooms, pockets, discs and a
-    clearance.
-    """
+    """Problems of round robots in every kind of world, with walls, discs and a clearance."""
     walls = PolygonWorld(
         [(0, 0), (10, 0), (10, 10), (5, 9), (0, 10)],
         [
@@ -75,7 +71,7 @@ def problems() -> dict[str, Any]:
 
 
 def digest(plan: Any) -> str:
-    """Every bit of a plan's tree, path, cost and counts."""
+    """A digest of all bits of a plan's tree, path, cost and statistics."""
     path = b"" if plan.path is None else plan.path.tobytes()
     told = json.dumps([plan.stats, plan.cost], sort_keys=True).encode()
     return hashlib.sha256(
@@ -84,9 +80,7 @@ def digest(plan: Any) -> str:
 
 
 def digests(wrapped: Any = lambda problem: problem, nodes: int = 450) -> dict[str, str]:
-    """One digest for each problem; trees grow past the size from which the nearest node is looked
-    up in buckets.
-    """
+    """A digest for each problem; the trees are large enough to use buckets."""
     return {
         f"{name}, seed {seed}": digest(
             rrt(wrapped(problem), step=0.4, max_nodes=nodes, max_iterations=1500, rng=seed)
@@ -97,15 +91,13 @@ def digests(wrapped: Any = lambda problem: problem, nodes: int = 450) -> dict[st
 
 
 def run(code: str, *, path: Path = PACKAGE.parent, **variables: str) -> Any:
-    """What a Python process of its own prints last, as JSON, given the code it runs and its
-    environment.
-    """
+    """The last line that a separate Python process prints, as JSON."""
     environment = {
         **os.environ,
         "PYTHONPATH": os.pathsep.join([str(path), str(TESTS)]),
         **variables,
     }
-    command = [sys.executable, "-c", code]  # which looks for modules in the current folder first
+    command = [sys.executable, "-c", code]  # imports modules of the current folder first
     done = subprocess.run(
         command,
         env=environment,
@@ -124,22 +116,21 @@ PLAN = "import json, test_compiled as t; print(json.dumps([t.HAS_COMPILER, t.dig
 
 @pytest.fixture(scope="module")
 def trees() -> dict[str, str]:
-    """The digests that machine code gives, which every other way must give too."""
+    """The digests for machine code, which every other way must reproduce."""
     with running(COMPILED_FIRST):
         return digests()
 
 
-# ---- one body
-# ----------------------------------------------------------------------------------------------------------------
+# ---- one algorithm -----------------------------------------------------------------------------
 
 
 def test_a_recorder_grows_the_very_same_tree(trees: dict[str, str]) -> None:
-    """The interpreted body, asked through a recorder."""
+    """The algorithm is interpreted with a recorder in place of the problem."""
     assert digests(Recorder) == trees
 
 
 def test_the_trees_are_worth_comparing() -> None:
-    """Some problems are solved, one is not; trees are larger than what is searched node by node."""
+    """Some problems are solved and one is not, and the trees are large enough to use buckets."""
     plans = {
         name: rrt(problem, step=0.4, max_nodes=450, max_iterations=1500, rng=0)
         for name, problem in problems().items()
@@ -151,14 +142,14 @@ def test_the_trees_are_worth_comparing() -> None:
 
 
 def test_interpreted_the_very_same_tree_grows(trees: dict[str, str]) -> None:
-    """The same lines by the interpreter, and all that they call."""
+    """The same source, interpreted with all functions it calls."""
     with running(INTERPRETED):
         assert digests() == trees
 
 
 @needs_compiler
-def test_the_python_body_grows_the_very_same_tree() -> None:
-    """`grow.py_func` handed the record itself: no recorder between."""
+def test_the_python_function_grows_the_very_same_tree() -> None:
+    """`grow.py_func` with the record itself, without a recorder."""
     from kinoedu.geometry.checks import as_generator
     from kinoedu.spaces.buckets import empty_tree
 
@@ -176,19 +167,17 @@ def test_the_python_body_grows_the_very_same_tree() -> None:
 
 @needs_compiler
 def test_numba_switched_off_grows_the_very_same_tree(trees: dict[str, str]) -> None:
-    """NUMBA_DISABLE_JIT=1, as a debugger or coverage wants it."""
+    """NUMBA_DISABLE_JIT=1, as for a debugger or coverage."""
     assert run(PLAN, NUMBA_DISABLE_JIT="1") == [False, trees]
 
 
 def test_without_numba_kinoedu_imports_and_grows_the_very_same_tree(trees: dict[str, str]) -> None:
-    """A process in which numba cannot be imported."""
+    """In a process where numba cannot be imported."""
     assert run(f"import sys; sys.modules['numba'] = None; {PLAN}") == [False, trees]
 
 
-def test_a_recorder_writes_down_what_was_asked() -> None:
-    """As many motions as the plan's statistics count; every edge of the tree among those found
-    free.
-    """
+def test_a_recorder_records_all_queries() -> None:
+    """As many motions as the statistics count; every edge of the tree is among the free ones."""
     recorder = Recorder(problems()["point among polygons"])
     plan = rrt(recorder, step=0.4, max_nodes=200, rng=0)
     asked = [question for question in recorder.log if question.name == "is_free_path"]
@@ -199,7 +188,7 @@ def test_a_recorder_writes_down_what_was_asked() -> None:
 
 
 class PlainProblem:
-    """A reader's own problem: a plain object with the six names a planner needs."""
+    """A user's own problem: a plain object with the six names that a planner needs."""
 
     def __init__(self, problem: Any) -> None:
         self.start, self.goal = tuple(problem.start), list(problem.goal)
@@ -234,21 +223,19 @@ class PlainProblem:
         )
 
 
-def test_a_readers_own_problem_grows_the_very_same_tree(trees: dict[str, str]) -> None:
-    """Same answers, same tree; a recorder takes it as well."""
+def test_a_users_own_problem_grows_the_very_same_tree(trees: dict[str, str]) -> None:
+    """The tree is the same, also through a recorder."""
     assert digests(PlainProblem) == trees
 
 
-def test_what_a_readers_problem_lacks_is_named() -> None:
+def test_what_a_users_problem_lacks_is_named() -> None:
     """InvalidParameter lists the missing names."""
     with pytest.raises(InvalidParameter, match=r"lacks sample, distance, steer, is_free_path"):
         rrt(type("Half", (), {"start": (0, 0), "goal": (1, 1)})(), rng=0)
 
 
 def test_a_planner_leaves_its_problem_as_it_was() -> None:
-    """Nothing but the count of questions changes, and no array is released that the problem still
-    holds.
-    """
+    """Only the count of queries changes, and no array that the problem still holds is released."""
     problem = problems()["point among polygons"]
     held = [
         problem.start,
@@ -265,13 +252,12 @@ def test_a_planner_leaves_its_problem_as_it_was() -> None:
     assert problem.asked[0] > 0
 
 
-# ---- questions that each kind answers
-# ----------------------------------------------------------------------------------------
+# ---- generic functions -------------------------------------------------------------------------
 
 
 @record
 class Cat(NamedTuple):
-    """A record of this file."""
+    """A record defined in this file."""
 
     weight: float
 
@@ -282,7 +268,7 @@ class Cat(NamedTuple):
 
 @record
 class Dog(NamedTuple):
-    """Another with a method of the same name."""
+    """Another record with a method of the same name."""
 
     weight: float
 
@@ -293,7 +279,7 @@ class Dog(NamedTuple):
 
 @generic(2)
 def noise(first: Any, second: Any, loudness: float) -> float:
-    """What two animals make of each other; nothing in general."""
+    """The noise that two animals make; by default none."""
     return 0.0
 
 
@@ -319,8 +305,8 @@ def heavier_of(animal: Any, by: float) -> float:
     return animal.heavier(by)
 
 
-def test_each_pair_of_kinds_has_its_own_answer_compiled_and_not() -> None:
-    """The order of the pair counts; pairs without an answer get the default."""
+def test_each_pair_of_kinds_has_its_own_implementation() -> None:
+    """The order of the pair counts, and pairs without an implementation use the default."""
     cat, dog = Cat(3.0), Dog(7.0)
     for first, second, expected in (
         (cat, dog, 6.0),
@@ -338,7 +324,7 @@ def test_each_pair_of_kinds_has_its_own_answer_compiled_and_not() -> None:
 
 
 def test_methods_of_one_name_belong_to_their_records() -> None:
-    """Compiled code calls the method of the record it is handed."""
+    """Compiled code calls the method of the record that it is given."""
     for animal, expected in ((Cat(3.0), 4.0), (Dog(7.0), 9.0)):
         assert (
             animal.heavier(1.0)
@@ -348,8 +334,8 @@ def test_methods_of_one_name_belong_to_their_records() -> None:
         )
 
 
-def test_a_pair_is_answered_once() -> None:
-    """DuplicateKind names the question and the kinds, here and for the package's own."""
+def test_a_pair_is_implemented_once() -> None:
+    """DuplicateKind names the function and the kinds, for this file and for the package."""
     with pytest.raises(DuplicateKind, match=r"noise.*Cat, Dog"):
         noise.register(Cat, Dog)(bark)
     with pytest.raises(DuplicateKind, match=r"is_free_path.*RoundRobot, PolygonWorldRecord"):
@@ -358,22 +344,22 @@ def test_a_pair_is_answered_once() -> None:
 
 
 def test_a_robot_that_no_world_knows_is_a_type_error() -> None:
-    """The default of a collision question says so instead of answering."""
+    """The default of a collision query raises an error."""
     with pytest.raises(TypeError, match="cannot be moved"):
         is_free_path(
             Cat(1.0), problems()["point among polygons"].world, np.zeros(2), np.ones(2), 0.0
         )
 
 
-# ---- changing over ---------------------------------------------------------------------------
+# ---- restarts as machine code ------------------------------------------------------------------
 
 
-class Impatient(Watch):
-    """A watch that ends the interpreted call after so many looks."""
+class Impatient(WatchedCall):
+    """A watch that interrupts the interpreted call after some checks."""
 
     looks = ended = 0
 
-    def look(self) -> None:
+    def check(self) -> None:
         """Count down."""
         self.waits = getattr(self, "waits", Impatient.looks) - 1
         if self.waits < 0:
@@ -383,47 +369,43 @@ class Impatient(Watch):
 
 @needs_compiler
 @pytest.mark.parametrize("looks", [0, 1, 2, 3, 5, 8])
-def test_whenever_machine_code_comes_the_tree_is_the_same(trees, looks, monkeypatch) -> None:
-    """The interpreted call is ended after a while of any length, and begun again: same tree, same
-    random numbers, same counts.
-    """
+def test_restarts_as_machine_code_give_the_same_tree(trees, looks, monkeypatch) -> None:
+    """An interpreted call is interrupted at any time and restarted, with identical results."""
     import kinoedu.compiled.keeper as keeper
 
-    monkeypatch.setattr(keeper, "Watch", Impatient)
-    monkeypatch.setattr(keeper, "LOOK", 0.004)
+    monkeypatch.setattr(keeper, "WatchedCall", Impatient)
+    monkeypatch.setattr(keeper, "POLL_INTERVAL", 0.004)
     monkeypatch.setattr(Impatient, "looks", looks)
     monkeypatch.setattr(Impatient, "ended", 0)
     monkeypatch.setattr(
-        tiers.Specialization, "run", lambda self, args: self.interpret_until_code_comes(args)
+        tiers.Specialization, "run", lambda self, args: self.interpret_or_restart(args)
     )
-    monkeypatch.setattr(tiers.Tiered, "__call__", interpreted_at_first)
+    monkeypatch.setattr(tiers.TieredFunction, "__call__", interpreted_at_first)
     assert digests() == trees
     assert Impatient.ended > 0
 
 
 def interpreted_at_first(self: Any, *args: Any) -> Any:
-    """An algorithm begins interpreted though its machine code is loaded; what it is begun again
-    with is that.
-    """
-    if self.is_algorithm and kinds_of(args) is not None and not tiers.here.interpreting:
+    """Interpret an algorithm though its machine code is loaded; the restart uses machine code."""
+    if self.is_algorithm and kinds_of(args) is not None and not tiers.thread_state.interpreting:
         specialization = self.specializations[kinds_of(args)]
         assert specialization.is_loaded
         return specialization.run(args)
     return (
         self.without_machine_code(*args)
-        if self.machine is None or tiers.here.interpreting
+        if self.machine is None or tiers.thread_state.interpreting
         else self.machine(*args)
     )
 
 
 @needs_compiler
-def test_what_an_algorithm_changed_is_as_it_was_when_it_begins_again() -> None:
+def test_a_restart_begins_with_the_original_arguments() -> None:
     """Arrays, also inside records, and a generator's state."""
     given = (np.arange(3.0), (np.zeros(2, np.int64), 1.5), np.random.default_rng(4), 7)
-    saved = tiers.copied(given)
+    saved = tiers.copy_state(given)
     given[0][:], given[1][0][1] = -1.0, 5
     drawn = given[2].random()
-    tiers.restore(given, saved)
+    tiers.restore_state(given, saved)
     assert (
         given[0].tolist() == [0.0, 1.0, 2.0]
         and given[1][0].tolist() == [0, 0]
@@ -432,8 +414,8 @@ def test_what_an_algorithm_changed_is_as_it_was_when_it_begins_again() -> None:
 
 
 @needs_compiler
-def test_an_error_of_the_algorithm_is_raised_though_its_machine_code_has_come(monkeypatch) -> None:
-    """Also Ctrl-C at that moment."""
+def test_an_error_is_raised_though_machine_code_is_loaded(monkeypatch) -> None:
+    """The same holds for Ctrl-C at that moment."""
     import kinoedu.compiled.keeper as keeper
 
     @tiers.algorithm
@@ -441,15 +423,15 @@ def test_an_error_of_the_algorithm_is_raised_though_its_machine_code_has_come(mo
         raise KeyboardInterrupt
 
     def told_at_the_end(self):
-        raise keeper.ChangeOver
+        raise keeper.MachineCodeLoaded
 
-    monkeypatch.setattr(Watch, "close", told_at_the_end)
+    monkeypatch.setattr(WatchedCall, "close", told_at_the_end)
     specialization = tiers.Specialization(fails, kinds_of((1.0,)))
     with pytest.raises(KeyboardInterrupt):
-        specialization.interpret_until_code_comes((1.0,))
+        specialization.interpret_or_restart((1.0,))
 
 
-# ---- kinds -----------------------------------------------------------------------------------
+# ---- kinds -------------------------------------------------------------------------------------
 
 VALUES = [
     1,
@@ -479,8 +461,8 @@ VALUES = [
 
 @needs_compiler
 @pytest.mark.parametrize("value", VALUES, ids=lambda value: type(value).__name__)
-def test_a_kind_says_what_the_compilers_type_says(value: Any) -> None:
-    """So machine code that is found by kinds fits the arguments."""
+def test_kinds_agree_with_the_types_of_numba(value: Any) -> None:
+    """So machine code found by kinds fits the arguments."""
     import numba
 
     from kinoedu.compiled.machine import numba_type
@@ -489,7 +471,7 @@ def test_a_kind_says_what_the_compilers_type_says(value: Any) -> None:
 
 
 def test_kinds_are_told_apart_by_their_names() -> None:
-    """The name of a file on the disk is another for every kind."""
+    """Different kinds have different file names."""
     kinds = {kind_of(value) for value in VALUES}
     assert len({spelled(kind) for kind in kinds}) == len(kinds)
 
@@ -497,8 +479,8 @@ def test_kinds_are_told_apart_by_their_names() -> None:
 @pytest.mark.parametrize(
     "value", ["text", [1.0], 2**63, np.zeros(2, object), np.zeros(2, complex), {}, int]
 )
-def test_what_has_no_kind_is_interpreted(value: Any) -> None:
-    """A call with it is made all the same."""
+def test_values_without_a_kind_are_interpreted(value: Any) -> None:
+    """Such a call still works."""
 
     @compiled
     def same(x):
@@ -508,7 +490,7 @@ def test_what_has_no_kind_is_interpreted(value: Any) -> None:
     assert same(value) is value
 
 
-# ---- where machine code lies -----------------------------------------------------------------
+# ---- the folder of machine code ----------------------------------------------------------------
 
 ORIENT = """
 import json, sys
@@ -517,13 +499,16 @@ from kinoedu.geometry import orientation
 from kinoedu.geometry.exact import turn
 found = orientation((0, 0), (1, 0), (0, 1))
 loaded = any(call.is_loaded for call in turn.specializations.values())
-print(json.dumps([found, loaded, requests.started != {}, str(store.folder()), "numba" in sys.modules]))
+has_started, folder = requests.started != {}, str(store.folder())
+print(json.dumps([found, loaded, has_started, folder, "numba" in sys.modules]))
 """
 
 
 def orient(*, cache: Path, mode: str = "when-it-pays", **variables: str) -> Any:
-    """The answer of a process; whether it ran machine code; whether it started one that compiles;
-    its folder; whether it imported numba.
+    """Run a process and return what it prints.
+
+    That is its answer, whether it ran machine code, whether it started a worker, its folder, and
+    whether it imported numba.
     """
     code = variables.pop("code", ORIENT)
     path = Path(variables.pop("path", PACKAGE.parent))
@@ -537,9 +522,10 @@ PATIENT = ORIENT.replace(
 
 
 @needs_compiler
-def test_code_of_one_process_serves_the_next_wherever_the_package_lies(tmp_path: Path) -> None:
-    """Made once in a process apart; loaded by others, those of a second copy of the sources too;
-    not while little is to be done.
+def test_machine_code_of_one_process_is_used_by_the_next(tmp_path: Path) -> None:
+    """Compiled once in a separate process, then loaded by others, also by a copy of the sources.
+
+    A process with little to do does not load it.
     """
     cache = tmp_path / "cache"
     assert orient(cache=cache, mode="first")[:3] == [1, True, True]
@@ -552,10 +538,8 @@ def test_code_of_one_process_serves_the_next_wherever_the_package_lies(tmp_path:
 
 
 @needs_compiler
-def test_what_costs_too_much_is_compiled_by_another_process_and_found(tmp_path: Path) -> None:
-    """A call whose time is up asks for machine code; when that is there, the same process runs
-    it.
-    """
+def test_an_expensive_call_is_compiled_by_another_process(tmp_path: Path) -> None:
+    """A call over its budget requests machine code, which the same process then runs."""
     code = """
 import json, time, kinoedu.compiled.tiers as t
 t.BUDGET, t.IMPORTING, t.LOOK_AGAIN = 0.0, 0.0, 0.0
@@ -575,7 +559,7 @@ print(json.dumps([sorted(answers), call.is_loaded, call.is_requested]))
 
 @needs_compiler
 def test_a_first_plan_imports_no_compiler(tmp_path: Path) -> None:
-    """Nor does importing kinoedu."""
+    """Importing kinoedu does not import it either."""
     code = (
         "import sys, kinoedu; before = 'numba' in "
         f"sys.modules\n{OWN_WORLD}\nprint(json.dumps([before, 'numba' in sys.modules]))"
@@ -592,14 +576,12 @@ assert rrt(Problem(Point(), world, start=(1, 1), goal=(9, 1)), rng=0).path is no
 
 
 @needs_compiler
-def test_a_folder_that_cannot_be_written_does_not_hinder(tmp_path: Path) -> None:
-    """A file in the folder's place, a file as its parent, a folder that only reads: the answers are
-    right.
-    """
+def test_a_folder_that_cannot_be_written_is_no_error(tmp_path: Path) -> None:
+    """A file instead of the folder or its parent, or a read-only folder: the answers are right."""
     taken = tmp_path / "taken"
     taken.write_text("a file", encoding="utf-8")
     places = [taken, taken / "below"]
-    if os.name == "posix" and os.getuid() != 0:  # root writes everywhere
+    if os.name == "posix" and os.getuid() != 0:  # root can write everywhere
         sealed = tmp_path / "sealed"
         sealed.mkdir(mode=0o500)
         places.append(sealed)
@@ -615,10 +597,8 @@ def test_a_folder_that_cannot_be_written_does_not_hinder(tmp_path: Path) -> None
 
 
 @needs_compiler
-def test_users_begin_with_what_was_warmed_for_all(tmp_path: Path) -> None:
-    """A copy of their own, private, from which nothing is compiled. A file where a warmed folder is
-    expected does not hinder.
-    """
+def test_a_new_folder_starts_as_a_copy_of_the_warmed_one(tmp_path: Path) -> None:
+    """They get a private copy, and nothing is compiled again; an invalid folder is ignored."""
     warmed, own = tmp_path / "warmed", tmp_path / "own"
     assert orient(cache=warmed, mode="first")[1]
     for path in warmed.rglob("*"):
@@ -634,10 +614,8 @@ def test_users_begin_with_what_was_warmed_for_all(tmp_path: Path) -> None:
 
 
 @needs_compiler
-def test_a_change_in_a_callee_is_never_answered_from_the_disk(tmp_path: Path) -> None:
-    """A copy of the package whose innermost function is edited between processes that share one
-    folder.
-    """
+def test_a_change_in_a_callee_is_never_ignored(tmp_path: Path) -> None:
+    """The innermost function of a copy of the package is edited between two processes."""
     copy = tmp_path / "site" / "kinoedu"
     shutil.copytree(PACKAGE, copy, ignore=shutil.ignore_patterns("__pycache__"))
     cache, where = tmp_path / "cache", {"path": str(copy.parent)}
@@ -655,7 +633,7 @@ def test_a_change_in_a_callee_is_never_answered_from_the_disk(tmp_path: Path) ->
 
 @needs_compiler
 def test_damaged_code_is_not_run(tmp_path: Path) -> None:
-    """A file cut short, or of another computer, is removed, and the call interpreted."""
+    """A truncated file, or one of another computer, is removed, and the call is interpreted."""
     orient(cache=tmp_path, mode="first")
     (file,) = tmp_path.rglob("*.code")
     whole = file.read_bytes()
@@ -666,32 +644,30 @@ def test_damaged_code_is_not_run(tmp_path: Path) -> None:
 
 
 @needs_compiler
-def test_what_cannot_be_compiled_stays_interpreted_and_is_not_tried_again(
-    tmp_path: Path, monkeypatch
-) -> None:
-    """Neither is what ended its process again and again."""
+def test_what_cannot_be_compiled_stays_interpreted(tmp_path: Path, monkeypatch) -> None:
+    """The same holds for a function whose compilation repeatedly ended its process."""
     import pickle
 
-    from kinoedu.compiled.worker import recover
+    from kinoedu.compiled.worker import retry_unfinished
 
     monkeypatch.setattr(store, "user_cache", lambda: tmp_path)
     place = store.folder.__wrapped__()
-    impossible = Wanted("kinoedu.geometry.exact", "turn", ("none",) * 6)
+    impossible = Request("kinoedu.geometry.exact", "turn", ("none",) * 6)
     assert requests.compile_all(place, [impossible], workers=1) == [impossible]
     assert "none" in (place / f"{impossible.name}.refused").read_text()
-    assert not requests.have_compiled(place, impossible)
-    deadly = Wanted("kinoedu.geometry.exact", "turn", ("f8",) * 6)
+    assert not requests.request_compilation(place, impossible)
+    deadly = Request("kinoedu.geometry.exact", "turn", ("f8",) * 6)
     taken = place / "taken-7"
     taken.mkdir()
     for attempt in range(3):
         (taken / deadly.name).write_bytes(pickle.dumps(deadly._replace(attempts=attempt)))
-        recover(place, taken)
+        retry_unfinished(place, taken)
         assert requests.is_refused(place, deadly) == (attempt == 2)
         assert not list(taken.iterdir())
 
 
-def test_modes_are_named() -> None:
-    """Another is refused; a block leaves the mode as it was, also when it fails."""
+def test_only_known_modes_are_accepted() -> None:
+    """Other modes are refused; a block restores the mode, also when it fails."""
     before = modes.mode
     with pytest.raises(ValueError, match="first"), running("fast"):
         pass
@@ -737,12 +713,10 @@ print(json.dumps([plans[0].tree.nodes[:, 0].min(), plans[0].tree.nodes[:, 0].max
 
 
 @needs_compiler
-def test_a_kind_from_elsewhere_is_interpreted_compiled_when_asked_and_never_stale(
+def test_records_of_a_users_file_work_both_ways_and_are_never_stale(
     tmp_path: Path,
 ) -> None:
-    """A robot of a reader's own file works in planners both ways, an edit of that file counts at
-    once, and nothing is stored.
-    """
+    """A robot of a user's file works both ways, edits take effect, and nothing is stored."""
     cache = str(tmp_path / "cache")
     (tmp_path / "mine.py").write_text(OWN_ROBOT.replace("LIMIT", "<"), encoding="utf-8")
     paths = {
@@ -763,26 +737,23 @@ def test_a_kind_from_elsewhere_is_interpreted_compiled_when_asked_and_never_stal
     assert not list(Path(cache).rglob("*grow*.code"))
 
 
-# ---- importing
-# ---------------------------------------------------------------------------------------------------------------
+# ---- importing ---------------------------------------------------------------------------------
 
 
 def test_importing_is_light() -> None:
-    """What only some readers need is imported where it is used."""
+    """Packages that few users need are imported where they are used."""
     code = """
 import json, sys, numpy
 already = set(sys.modules)
 import kinoedu
-heavy = {"numba", "scipy", "matplotlib", "shapely", "trimesh", "IPython", "PIL", "yaml", "nbgrader", "ipywidgets", "anywidget"}
-print(json.dumps(sorted((heavy | {"networkx"}) & set(sys.modules) - already)))
+heavy = "numba scipy matplotlib shapely trimesh IPython PIL yaml nbgrader ipywidgets anywidget"
+print(json.dumps(sorted({*heavy.split(), "networkx"} & set(sys.modules) - already)))
 """
     assert run(code) == []
 
 
-def test_only_sources_that_code_is_made_of_name_its_folder(tmp_path: Path) -> None:
-    """Another algorithm, another folder; another exercise, the same folder, and nothing compiled of
-    exercises is kept.
-    """
+def test_the_folder_depends_only_on_sources_that_are_compiled(tmp_path: Path) -> None:
+    """The folder depends on algorithms, not on exercises, whose machine code is not stored."""
     for room in ("planners", "course"):
         (tmp_path / room).mkdir()
         (tmp_path / room / "one.py").write_text("a = 1")

@@ -1,6 +1,4 @@
-"""Dubins' and Reeds and Shepp's curves: they reach the goal, nothing shorter does, and moving the
-plane changes nothing.
-"""
+"""Dubins and Reeds-Shepp curves reach the goal, are shortest, and respect symmetries."""
 
 import json
 import math
@@ -22,15 +20,12 @@ CASES = json.loads((Path(__file__).parent / "data" / "kino" / "cases_expected.js
 ]
 PATHS = {"dubins": dubins_path, "rs": reeds_shepp_path}
 CURVES = [case for case in CASES if case["kind"] in PATHS]
-A_TURN_TOO_LONG = {
-    "dubins_quarter"
-}  # the file gives a quarter turn a whole turn more: an angle of -1e-17 was wrapped to 2 pi
+# The file's length is a full turn too long: an angle of -1e-17 was wrapped to 2 pi.
+A_TURN_TOO_LONG = {"dubins_quarter"}
 
 
 def poses(rng: np.random.Generator, n: int) -> Any:
-    """Poses here and there; every third one on a lattice, where words become equal and pieces
-    vanish.
-    """
+    """Random poses; every third is on a lattice, where lengths are equal and pieces vanish."""
     drawn = np.column_stack([rng.uniform(-6, 6, (n, 2)), rng.uniform(-np.pi, np.pi, n)])
     drawn[::3] = np.column_stack(
         [
@@ -42,14 +37,14 @@ def poses(rng: np.random.Generator, n: int) -> Any:
 
 
 def miss(curve: Curve, goal: Any) -> float:
-    """How far the curve's end is from the goal, in place or in heading."""
+    """The error of the curve's end, in position or heading."""
     end = curve.at(curve.length)
     return max(math.dist(end[:2], goal[:2]), abs(wrapped(end[2] - wrapped(goal[2]))))
 
 
 @pytest.mark.parametrize("case", CURVES, ids=lambda case: case["id"])
 def test_lengths_of_the_reference_cases(case: dict[str, Any]) -> None:
-    """Equal to 1e-9, but for one where the reference goes round once too often."""
+    """Equal to 1e-9, except for one case where the reference contains a superfluous full turn."""
     curve = PATHS[case["kind"]](case["q0"], case["q1"], case["R"])
     too_long = 2 * np.pi * case["R"] if case["id"] in A_TURN_TOO_LONG else 0.0
     assert curve.length == pytest.approx(case["expected"]["length"] - too_long, abs=1e-9)
@@ -58,9 +53,7 @@ def test_lengths_of_the_reference_cases(case: dict[str, Any]) -> None:
 
 @pytest.mark.parametrize("path", PATHS.values())
 def test_the_end_is_the_goal_and_pieces_are_driven_in_order(path: Any) -> None:
-    """Random poses, and those where pieces vanish; along the way the pose moves no faster than one
-    length a length.
-    """
+    """Random poses, and poses where pieces vanish; positions change at most by the length."""
     rng = np.random.default_rng(1)
     for q0, q1 in zip(poses(rng, 600), poses(rng, 600)):
         curve = path(q0, q1, 1.5)
@@ -72,7 +65,7 @@ def test_the_end_is_the_goal_and_pieces_are_driven_in_order(path: Any) -> None:
 
 
 def drawn_word(rng: np.random.Generator, pieces: int, forward: bool) -> tuple[Any, Any]:
-    """Random turns, no two neighbours alike in turn and gear, and lengths."""
+    """Random turns and lengths; neighbouring pieces differ in turn or gear."""
     turns, lengths = rng.integers(-1, 2, pieces), rng.uniform(0.0, 2.5, pieces)
     if rng.random() < 0.3:
         lengths[rng.integers(pieces)] = 0.5 * np.pi
@@ -83,7 +76,7 @@ def drawn_word(rng: np.random.Generator, pieces: int, forward: bool) -> tuple[An
     ("path", "forward", "pieces"), [(dubins_path, True, 3), (reeds_shepp_path, False, 5)]
 )
 def test_no_random_word_is_shorter(path: Any, forward: bool, pieces: int) -> None:
-    """Whatever a random word reaches is reached by a curve no longer than it."""
+    """No random word reaches its end by a shorter way than the curve to that end."""
     rng = np.random.default_rng(2)
     for _ in range(4000):
         word = Curve(
@@ -114,9 +107,7 @@ FAMILIES = [
 def test_every_family_of_reeds_and_shepp_is_found(
     turns: Any, lengths: Any, mirror: int, gear: int, order: int
 ) -> None:
-    """A shortest curve of each family, in the mirror, driven the other way, and from its end, is
-    found again.
-    """
+    """A shortest curve of each family is found, also mirrored, backwards and reversed."""
     word = Curve(
         np.zeros(3), 1.0, mirror * np.array(turns)[::order], gear * np.array(lengths)[::order]
     )
@@ -124,9 +115,10 @@ def test_every_family_of_reeds_and_shepp_is_found(
     assert found.length == pytest.approx(word.length, abs=1e-9)
 
 
-def test_reeds_and_shepp_go_back_the_way_they_came() -> None:
-    """Symmetric, and never longer than Dubins'; both unchanged in a mirror and by a displacement
-    and a change of scale.
+def test_lengths_are_symmetric_and_invariant() -> None:
+    """Reeds-Shepp lengths are symmetric and at most Dubins' lengths.
+
+    Both are invariant under reflections, displacements and scaling.
     """
     rng = np.random.default_rng(3)
     for q0, q1 in zip(poses(rng, 400), poses(rng, 400)):
@@ -145,7 +137,7 @@ def test_reeds_and_shepp_go_back_the_way_they_came() -> None:
 
 @pytest.mark.parametrize("path", PATHS.values())
 def test_a_displacement_changes_nothing(path: Any) -> None:
-    """Start and goal turned and moved together."""
+    """Start and goal are rotated and translated together."""
     rng = np.random.default_rng(4)
     for q0, q1 in zip(poses(rng, 300)[1::3], poses(rng, 300)[1::3]):
         turn, c, s = 0.7, math.cos(0.7), math.sin(0.7)
@@ -157,14 +149,14 @@ def test_a_displacement_changes_nothing(path: Any) -> None:
 
 
 @pytest.mark.parametrize("path", PATHS.values())
-def test_staying_where_one_is(path: Any) -> None:
-    """Nothing is driven, however the heading is written."""
+def test_a_curve_from_a_pose_to_itself_is_empty(path: Any) -> None:
+    """The curve from a pose to itself has length 0, for every representation of its heading."""
     assert path((1, 2, 0.5), (1, 2, 0.5), 1.0).length == 0.0
     assert path((1, 2, 0.5), (1, 2, 0.5 + 2 * np.pi), 1.0).length == pytest.approx(0.0, abs=1e-12)
 
 
 def test_compiled_and_interpreted_agree() -> None:
-    """The very same turns and lengths."""
+    """Turns and lengths are identical."""
     rng = np.random.default_rng(5)
     for x, y, phi in poses(rng, 60):
         for file, name in ((dubins_file, "shortest_forward"), (reeds_shepp_file, "shortest")):
@@ -174,8 +166,8 @@ def test_compiled_and_interpreted_agree() -> None:
 
 
 @pytest.mark.parametrize("path", PATHS.values())
-def test_nonsense_is_refused_by_name(path: Any) -> None:
-    """Poses of three numbers, a positive radius, distances that are numbers."""
+def test_invalid_arguments_are_refused(path: Any) -> None:
+    """A pose has three numbers, a radius is positive, distances are numbers."""
     for q in ((1, 2), (1, 2, np.nan), "abc", None, [(1, 2, 3)]):
         with pytest.raises(InvalidPoint):
             path(q, (0, 0, 0), 1.0)
@@ -189,8 +181,10 @@ def test_nonsense_is_refused_by_name(path: Any) -> None:
 
 
 def test_a_curve_is_the_same_from_either_end():
-    """Also where several are as short, as between poses that hardly differ in place: an edge is
-    judged from one end and driven from the other."""
+    """This also holds where several curves have equal length, as between almost equal positions.
+
+    A planner may check an edge from one end and drive it from the other.
+    """
     rng = np.random.default_rng(8)
     for spread in (0.0, 0.1, 1.0, 10.0):
         for a, b in rng.uniform(-1, 1, (200, 2, 3)) * (spread, spread, np.pi):

@@ -1,9 +1,8 @@
-"""Geometry of the plane against rational arithmetic: relations are never wrong, distances are good
-to 1e-12 of themselves.
+"""Plane geometry compared with rational arithmetic.
 
-The oracles below work on fractions and share no formula with the library where another one exists:
-segments are intersected by solving for both parameters, membership counts windings, convex polygons
-are clipped against each other.
+Predicates are never wrong, and distances have a relative error of at most 1e-12. The oracles below
+use fractions, and where possible another formula than the library: segments are intersected by
+solving for both parameters, membership uses winding numbers, convex polygons are clipped.
 """
 
 import json
@@ -58,8 +57,7 @@ CORNER = [(0, 0), (4, 0), (4, 4), (2, 4), (2, 2), (0, 2)]
 SQUARE = [(0, 0), (4, 0), (4, 4), (0, 4)]
 
 
-# ---- exact oracles
-# -----------------------------------------------------------------------------------------------------------
+# ---- exact oracles -----------------------------------------------------------------------------
 
 
 def exact(p: Any) -> Exact:
@@ -90,9 +88,7 @@ def turn_of(a: Any, b: Any, c: Any) -> int:
 
 
 def nearest_exactly(q: Any, a: Any, b: Any) -> tuple[Fraction, Exact, int]:
-    """Squared distance, nearest point and region of a point and a segment, by clamping the
-    projection's parameter.
-    """
+    """Squared distance, nearest point and region, by clamping the parameter of the projection."""
     q, a, b = exact(q), exact(a), exact(b)
     u = minus(b, a)
     t = dot(minus(q, a), u) / dot(u, u) if a != b else Fraction(0)
@@ -103,9 +99,7 @@ def nearest_exactly(q: Any, a: Any, b: Any) -> tuple[Fraction, Exact, int]:
 
 
 def shared_exactly(a: Any, b: Any, c: Any, d: Any) -> list[Exact]:
-    """What two closed segments share: nothing, a point, or the two ends of an overlap in the order
-    from a to b.
-    """
+    """The points that two closed segments share; an overlap runs from a to b."""
     a, b, c, d = exact(a), exact(b), exact(c), exact(d)
     u, v, w = minus(b, a), minus(d, c), minus(c, a)
     across = cross(u, v)
@@ -125,7 +119,7 @@ def shared_exactly(a: Any, b: Any, c: Any, d: Any) -> list[Exact]:
 
 
 def place_exactly(q: Any, polygon: Any) -> int:
-    """1 inside, 0 on the boundary, -1 outside, by the winding number of the boundary round q."""
+    """1 inside, 0 on the boundary, -1 outside, by the winding number of the boundary around q."""
     q, ring = exact(q), [exact(p) for p in polygon]
     winding = 0
     for a, b in zip(ring, ring[1:] + ring[:1], strict=True):
@@ -144,7 +138,7 @@ def twice_area(polygon: Any) -> Fraction:
 
 
 def is_simple(polygon: Any) -> bool:
-    """Whether edges meet only where one ends and the next begins."""
+    """Whether edges meet only at the vertex between two consecutive ones."""
     n = len(polygon)
     for i, j in combinations(range(n), 2):
         shared = shared_exactly(polygon[i], polygon[(i + 1) % n], polygon[j], polygon[(j + 1) % n])
@@ -156,9 +150,7 @@ def is_simple(polygon: Any) -> bool:
 
 
 def overlap_exactly(P: Any, Q: Any) -> list[Exact]:
-    """The intersection of two convex polygons, P cut by the half-plane of each edge of Q
-    (Sutherland and Hodgman).
-    """
+    """The intersection of two convex polygons, by Sutherland and Hodgman's clipping."""
     P, Q = [exact(p) for p in P], [exact(q) for q in Q]
     Q = Q if twice_area(Q) > 0 else Q[::-1]
     for c, d in zip(Q, Q[1:] + Q[:1], strict=True):
@@ -175,12 +167,11 @@ def overlap_exactly(P: Any, Q: Any) -> list[Exact]:
 
 
 def is_close(value: float, squared: Fraction, tolerance: Fraction = Fraction(1, 10**12)) -> bool:
-    """Whether a float is the root of an exact square, to 1e-12 of itself."""
+    """Whether a float is the root of an exact square, with relative error at most 1e-12."""
     return (1 - tolerance) ** 2 * squared <= Fraction(value) ** 2 <= (1 + tolerance) ** 2 * squared
 
 
-# ---- what is drawn
-# -----------------------------------------------------------------------------------------------------------
+# ---- strategies --------------------------------------------------------------------------------
 
 lattice = st.tuples(st.integers(-6, 6), st.integers(-6, 6)).map(
     lambda p: (float(p[0]), float(p[1]))
@@ -211,7 +202,7 @@ coordinate = st.one_of(
 )
 wild = st.tuples(coordinate, coordinate)
 point = st.one_of(lattice, tenths, st.one_of(ulps, diagonal), wild)
-# no coordinate between 0 and 1e-100: whose squares, and products with errors, are ordinary numbers
+# no coordinate between 0 and 1e-100, so that squares and products of errors are normal numbers
 measured = st.one_of(
     lattice,
     tenths,
@@ -225,15 +216,13 @@ KINDS = (lattice, tenths, st.one_of(ulps, diagonal), wild)
 
 
 def alike(count: int, kinds: Any = KINDS) -> Any:
-    """Several points of one kind, now and then repeated, so that degenerate cases are common."""
+    """Several points of one kind, sometimes repeated, so that degenerate cases are common."""
     return st.one_of(*[st.lists(kind, min_size=count, max_size=count).map(tuple) for kind in kinds])
 
 
 @st.composite
 def simple_polygons(draw: Any, most: int = 8, reach: int = 6) -> list[Floats]:
-    """A simple lattice polygon: points are put, one after another, into the first edge where
-    nothing crosses.
-    """
+    """A simple lattice polygon: points are inserted into the first edge where nothing crosses."""
     number = st.integers(-reach, reach)
     points = draw(st.lists(st.tuples(number, number), min_size=3, max_size=most, unique=True))
     assume(turn_of(*points[:3]))
@@ -248,7 +237,7 @@ def simple_polygons(draw: Any, most: int = 8, reach: int = 6) -> list[Floats]:
 
 @st.composite
 def convex_polygons(draw: Any, reach: int = 6) -> list[Floats]:
-    """A convex lattice polygon in either direction, with points on its edges now and then."""
+    """A convex lattice polygon in either direction, sometimes with points on its edges."""
     number = st.integers(-reach, reach)
     points = draw(st.lists(st.tuples(number, number), min_size=3, max_size=7, unique=True))
     corners = hull_exactly(points)
@@ -260,8 +249,9 @@ def convex_polygons(draw: Any, reach: int = 6) -> list[Floats]:
 
 
 def hull_exactly(points: Any) -> list[Any]:
-    """The corners of the convex hull of whole-numbered points, counter-clockwise: those in no
-    triangle or segment of others.
+    """The corners of the convex hull of lattice points, counter-clockwise, by brute force.
+
+    A corner is in no triangle and on no segment of other points.
     """
     points = sorted(set(points))
     corners = [
@@ -299,12 +289,11 @@ moves = st.sampled_from(
 
 
 def moved(points: Any, move: tuple[float, float]) -> list[Floats]:
-    """Points scaled and shifted, with all the rounding that brings."""
+    """Points scaled and shifted in floating-point arithmetic, with its rounding."""
     return [(x * move[0] + move[1], y * move[0] + move[1]) for x, y in points]
 
 
-# ---- the collected cases
-# -----------------------------------------------------------------------------------------------------
+# ---- the collected cases -----------------------------------------------------------------------
 
 
 def cases(kind: str) -> list[Any]:
@@ -315,7 +304,7 @@ def cases(kind: str) -> list[Any]:
     ]
 
 
-def test_no_case_is_left_out() -> None:
+def test_every_kind_of_collected_case_is_tested() -> None:
     """Every kind of case in the collection has a test below."""
     kinds = Counter(case["kind"] for case in CASES)
     points = {"orient": 45, "point_seg": 29, "point_poly": 41, "point_poly_dist": 41, "tangent": 30}
@@ -324,13 +313,13 @@ def test_no_case_is_left_out() -> None:
 
 @pytest.mark.parametrize(("case", "expected"), cases("orient"))
 def test_collected_orientations(case: Any, expected: Any) -> None:
-    """No sign is wrong, not even where the determinant is 1e-300."""
+    """The sign is right, even where the determinant is 1e-300."""
     assert orientation(case["a"], case["b"], case["c"]) == expected["sign"]
 
 
 @pytest.mark.parametrize(("case", "expected"), cases("seg_seg"))
 def test_collected_segment_pairs(case: Any, expected: Any) -> None:
-    """The number of shared points is exact, the points good to 1e-12."""
+    """The number of shared points is exact, and the points are accurate to 1e-12."""
     ends = [case[name] for name in "abcd"]
     shared = segment_intersection(*ends)
     assert len(shared) == {"none": 0, "point": 1, "overlap": 2}[expected["relation"]]
@@ -354,7 +343,7 @@ def test_collected_points_and_segments(case: Any, expected: Any) -> None:
 
 @pytest.mark.parametrize(("case", "expected"), cases("point_poly"))
 def test_collected_points_and_polygons(case: Any, expected: Any) -> None:
-    """Inside and on the boundary is in; outside is out."""
+    """Points inside and on the boundary are in the polygon."""
     held = expected["where"] != "outside"
     assert point_in_polygon(case["p"], case["poly"]) is held
     if expected["convex"]:
@@ -363,7 +352,7 @@ def test_collected_points_and_polygons(case: Any, expected: Any) -> None:
 
 @pytest.mark.parametrize(("case", "expected"), cases("point_poly_dist"))
 def test_collected_distances_to_polygons(case: Any, expected: Any) -> None:
-    """The polygon is solid: the distance is zero inside."""
+    """The distance is zero inside the polygon."""
     assert point_polygon_distance(case["p"], case["poly"]) == pytest.approx(
         expected["distance_to_solid"], rel=1e-12, abs=0.0
     )
@@ -378,14 +367,13 @@ def test_collected_convex_pairs(case: Any, expected: Any) -> None:
 
 @pytest.mark.parametrize(("case", "expected"), cases("tangent"))
 def test_collected_tangents(case: Any, expected: Any) -> None:
-    """The way to circle a polygon counter-clockwise, whichever way round it was given."""
+    """The direction is counter-clockwise, for vertices in either order."""
     assert polygon_tangent(case["p"], case["poly"]) == pytest.approx(
         np.array(expected["tangent_ccw"]), rel=1e-12, abs=1e-12
     )
 
 
-# ---- orientation
-# -------------------------------------------------------------------------------------------------------------
+# ---- orientation -------------------------------------------------------------------------------
 
 
 @LAW
@@ -395,14 +383,12 @@ def test_collected_tangents(case: Any, expected: Any) -> None:
 @example(((-1e150, -1e150), (1e150, 1e150), (1e-150, 5e-324)))
 @example(((1e150, 5e-324), (0.0, 0.0), (-1e150, -5e-324)))
 def test_orientation_is_the_exact_sign(points: Any) -> None:
-    """From subnormal numbers to 1e150, on lattices and a rounding error away from one line."""
+    """From subnormal numbers to 1e150, on lattices and one rounding error away from a line."""
     assert orientation(*points) == turn_of(*points)
 
 
 def test_orientation_near_a_diagonal_is_exact_for_every_neighbour() -> None:
-    """The classroom picture: each float of a 16 x 16 patch round a line through two far points, and
-    through two near ones.
-    """
+    """All floats of a 16 x 16 patch around a line through two points, far and near."""
     for far, further in (
         ((12.0, 12.0), (24.0, 24.0)),
         ((17.3, 17.3), (24.0, 24.0)),
@@ -417,7 +403,7 @@ def test_orientation_near_a_diagonal_is_exact_for_every_neighbour() -> None:
 @LAW
 @given(alike(3))
 def test_orientation_changes_sign_when_two_points_swap(points: Any) -> None:
-    """Even permutations keep the sign, odd ones turn it."""
+    """Even permutations keep the sign, odd permutations change it."""
     straight = orientation(*points)
     for order in permutations(range(3)):
         even = sum(order[i] > order[j] for i, j in combinations(range(3), 2)) % 2 == 0
@@ -426,8 +412,9 @@ def test_orientation_changes_sign_when_two_points_swap(points: Any) -> None:
 
 @st.composite
 def near_a_line(draw: Any) -> tuple[Floats, Floats, Floats]:
-    """Two points anywhere and a third within two floats of their line, from where products
-    underflow to where they are huge.
+    """Two points anywhere and a third within two floats of their line.
+
+    The products of coordinates range from underflow to huge numbers.
     """
     number, scale = (
         st.floats(-30.0, 30.0),
@@ -454,7 +441,7 @@ def near_a_line(draw: Any) -> tuple[Floats, Floats, Floats]:
 )
 @example(((8.8, 8.8), (12.1, 12.1), (0.5, 0.5000000000000001)), (0, 1, 2))
 def test_orientation_near_a_line_is_exact(points: Any, order: Any) -> None:
-    """Where the rounded determinant is noise, and where its products underflow."""
+    """The floating-point determinant is noise there, or its products underflow."""
     a, b, c = (points[i] for i in order)
     assert orientation(a, b, c) == turn_of(a, b, c)
 
@@ -462,20 +449,18 @@ def test_orientation_near_a_line_is_exact(points: Any, order: Any) -> None:
 @LAW
 @given(near_a_line())
 def test_distances_near_a_line_are_good_to_1e12(points: Any) -> None:
-    """Even where all leading digits of the determinant cancel."""
+    """All leading digits of the determinant cancel there."""
     a, b, c = points
     assume(max(map(abs, (*a, *b))) > 1e-100 and a != b)
     u = minus(exact(b), exact(a))
     squared = cross(u, minus(exact(c), exact(a))) ** 2 / dot(u, u)
-    assume(
-        squared == 0 or squared > Fraction(1e-300) ** 2
-    )  # subnormal numbers have no twelve digits
+    # subnormal numbers do not have twelve digits
+    assume(squared == 0 or squared > Fraction(1e-300) ** 2)
     assert is_close(point_line_distance(c, a, b), squared)
     assert is_close(point_segment_distance(c, a, b), nearest_exactly(c, a, b)[0])
 
 
-# ---- segments
-# ----------------------------------------------------------------------------------------------------------------
+# ---- segments ----------------------------------------------------------------------------------
 
 
 @LAW
@@ -489,7 +474,7 @@ def test_distances_near_a_line_are_good_to_1e12(points: Any) -> None:
 @example(((0.0, 0.0), (0.0, 0.0), (1.0, 1.0), (2.0, 2.0)))
 @example(((0.0, 3.0), (0.0, 0.0), (0.0, 1.0), (0.0, 2.0)))
 def test_segments_intersect_exactly(ends: Any) -> None:
-    """Whether two segments share a point, in whatever order their ends are given."""
+    """Whether two segments share a point, for every order of their ends."""
     a, b, c, d = ends
     meet = bool(shared_exactly(a, b, c, d))
     assert [
@@ -507,8 +492,9 @@ def test_segments_intersect_exactly(ends: Any) -> None:
 @example(((1.0, 1.0), (1.0, 1.0), (2.0, 2.0), (0.0, 0.0)))
 @example(((2.0, 2.0), (0.0, 0.0), (1.0, 1.0), (1.0, 1.0)))
 def test_segment_intersection_is_what_they_share(ends: Any) -> None:
-    """The number of points is exact, ends of segments are themselves, an overlap runs from p1 to
-    p2, a crossing is near.
+    """The number of points is exact, ends are returned unrounded, and crossings are close.
+
+    An overlap runs in the direction from p1 to p2.
     """
     expected = shared_exactly(*ends)
     shared = segment_intersection(*ends)
@@ -523,9 +509,7 @@ def test_segment_intersection_is_what_they_share(ends: Any) -> None:
 @LAW
 @given(alike(4, (wild, measured)))
 def test_crossings_of_any_size_are_near(ends: Any) -> None:
-    """A crossing is good to 1e-12 of the largest coordinate, from 5e-324 to 1e150, and is never
-    nan.
-    """
+    """A crossing is within 1e-12 of the largest coordinate, from 5e-324 to 1e150, and never NaN."""
     expected, shared = shared_exactly(*ends), segment_intersection(*ends)
     assert len(shared) == len(expected)
     reach = max(abs(Fraction(x)) for p in ends for x in p)
@@ -547,7 +531,7 @@ def test_a_tiny_crossing_is_a_point() -> None:
 @LAW
 @given(alike(3, (lattice, tenths, ulps, measured)))
 def test_distance_to_a_segment_is_good_to_1e12(points: Any) -> None:
-    """Point to segment, against the exact square; zero exactly where they touch."""
+    """Compared with the exact square; zero exactly where the point is on the segment."""
     q, a, b = points
     assert is_close(point_segment_distance(q, a, b), nearest_exactly(q, a, b)[0])
     assert point_segment_distance(q, a, b) == pytest.approx(
@@ -574,9 +558,7 @@ def test_distances_below_1e_150_are_not_lost() -> None:
 @example(((0.0, 5.0), (0.0, 0.0), (4.0, 0.0)))
 @example(((4.0, 5.0), (0.0, 0.0), (4.0, 0.0)))
 def test_closest_point_and_its_region(points: Any) -> None:
-    """The region is exact: 0 strictly between the perpendiculars, else the end; an end is returned
-    as it is.
-    """
+    """The region is exact, and a nearest point that is an end is returned unrounded."""
     q, a, b = points
     _, wanted, region = nearest_exactly(q, a, b)
     near, got = closest_point_on_segment(q, a, b)
@@ -587,14 +569,13 @@ def test_closest_point_and_its_region(points: Any) -> None:
     assert max(abs(Fraction(g) - w) for g, w in zip(near, wanted, strict=True)) <= reach / 10**12
 
 
-# ---- lines
-# -------------------------------------------------------------------------------------------------------------------
+# ---- lines -------------------------------------------------------------------------------------
 
 
 @LAW
 @given(alike(3, (lattice, tenths, ulps, measured)))
 def test_distance_to_a_line_is_good_to_1e12(points: Any) -> None:
-    """Against the exact square of the distance."""
+    """Compared with the exact square of the distance."""
     q, a, b = points
     assume(a != b)
     u = minus(exact(b), exact(a))
@@ -606,9 +587,7 @@ def test_distance_to_a_line_is_good_to_1e12(points: Any) -> None:
 @LAW
 @given(alike(3, (lattice, tenths, ulps)))
 def test_line_is_unit_holds_both_points_and_has_left_positive(points: Any) -> None:
-    """a^2 + b^2 = 1; both points satisfy it; its value is the signed distance, positive on the left
-    of the way.
-    """
+    """a^2 + b^2 = 1, both points are on the line, and the value is the signed distance."""
     q, p1, p2 = points
     assume(p1 != p2)
     a, b, c = line_through_points(p1, p2)
@@ -637,15 +616,15 @@ def test_a_line_has_no_negative_zero() -> None:
         assert "-0.0" not in [str(number) for number in line_through_points(p1, p2)]
 
 
-# ---- polygons
-# ----------------------------------------------------------------------------------------------------------------
+# ---- polygons ----------------------------------------------------------------------------------
 
 
 @SLOW_LAW
 @given(simple_polygons(), st.lists(lattice, min_size=1, max_size=8), moves, st.booleans())
 def test_point_in_polygon_is_exact(polygon: Any, points: Any, move: Any, reverse: bool) -> None:
-    """Against the winding number; on a lattice that is scaled and shifted with rounding; either way
-    round; its own vertices too.
+    """Compared with the winding number, on lattices scaled and shifted with rounding.
+
+    Vertices in either order; the vertices themselves are tested too.
     """
     ring, points = moved(polygon, move), moved([*points, *polygon], move)
     assume(is_simple(ring))
@@ -660,7 +639,7 @@ def test_point_in_polygon_is_exact(polygon: Any, points: Any, move: Any, reverse
 def test_points_a_rounding_error_off_an_edge(
     polygon: Any, edge: int, right: int, up: int, move: Any
 ) -> None:
-    """Within two floats of the middle of an edge, membership is still exact."""
+    """Membership is exact within two floats of the middle of an edge."""
     ring = moved(polygon, move)
     assume(is_simple(ring))
     (ax, ay), (bx, by) = ring[edge % len(ring)], ring[(edge + 1) % len(ring)]
@@ -674,7 +653,7 @@ def test_points_a_rounding_error_off_an_edge(
 @SLOW_LAW
 @given(convex_polygons(), st.lists(lattice, min_size=1, max_size=8), moves)
 def test_point_in_convex_polygon_is_exact(polygon: Any, points: Any, move: Any) -> None:
-    """Against the winding number, either way round, straight angles included."""
+    """Compared with the winding number, for vertices in either order and with straight angles."""
     ring, points = moved(polygon, move), moved([*points, *polygon], move)
     order = sign(twice_area(ring))
     n = len(ring)
@@ -692,9 +671,7 @@ def test_point_in_convex_polygon_is_exact(polygon: Any, points: Any, move: Any) 
 @example([(0.0, 0.0), (2.0, 0.0), (0.0, 2.0)], [(1.0, 1.0), (2.0, 1.0), (2.0, 2.0)], (0.0, 0.0))
 @example([(0.0, 0.0), (2.0, 0.0), (0.0, 2.0)], [(2.0, 0.0), (4.0, 0.0), (4.0, 2.0)], (0.0, 0.0))
 def test_convex_polygons_intersect_exactly(P: Any, Q: Any, shift: Floats) -> None:
-    """Against clipping one by the other; touching at a corner or along an edge counts; the order
-    does not matter.
-    """
+    """Compared with clipping; touching counts, and the order does not matter."""
     Q = [(x + shift[0], y + shift[1]) for x, y in Q]
     meet = bool(overlap_exactly(P, Q))
     assert [convex_polygons_intersect(P, Q), convex_polygons_intersect(Q, P)] == [meet, meet]
@@ -721,9 +698,7 @@ def test_distance_to_a_polygon_is_good_to_1e12(polygon: Any, q: Floats, move: An
 @SLOW_LAW
 @given(simple_polygons(), lattice)
 def test_the_tangent_follows_the_nearest_boundary_point(polygon: Any, q: Floats) -> None:
-    """A unit vector: along the edge where one edge is nearest; else square to the way from the
-    vertex, turning left about it.
-    """
+    """A unit vector along the nearest edge, or square to the line from the nearest vertex."""
     ring = [tuple(p) for p in as_ring(polygon).tolist()]
     nearest = [
         (nearest_exactly(q, a, b), a, b) for a, b in zip(ring, ring[1:] + ring[:1], strict=True)
@@ -751,9 +726,7 @@ def test_the_tangent_follows_the_nearest_boundary_point(polygon: Any, q: Floats)
 @example([(0, 0), (0, 3), (0, 1), (0, 1)])
 @example([(2, 2), (2, 2)])
 def test_convex_hull_is_what_brute_force_says(points: Any) -> None:
-    """Its corners are the points inside no triangle and on no segment of others, counter-clockwise
-    from the leftmost.
-    """
+    """The corners are the points in no triangle and on no segment of others, from the leftmost."""
     hull = convex_hull(points)
     assert [tuple(p) for p in hull.tolist()] == hull_exactly(points)
 
@@ -761,9 +734,7 @@ def test_convex_hull_is_what_brute_force_says(points: Any) -> None:
 @SLOW_LAW
 @given(st.lists(st.one_of(ulps, diagonal), min_size=3, max_size=9))
 def test_convex_hull_is_exact_near_a_line(points: Any) -> None:
-    """Rounding errors of points do not spoil it: strictly convex, made of the points, none of them
-    outside.
-    """
+    """The hull is strictly convex, consists of given points, and contains all of them."""
     hull = [tuple(p) for p in convex_hull(points).tolist()]
     assert set(hull) <= set(points)
     n = len(hull)
@@ -774,14 +745,11 @@ def test_convex_hull_is_exact_near_a_line(points: Any) -> None:
         assert all(turn_of(hull[0], hull[-1], p) == 0 for p in points)
 
 
-# ---- convex parts
-# ------------------------------------------------------------------------------------------------------------
+# ---- convex parts ------------------------------------------------------------------------------
 
 
 def holes_in(polygon: Any, corners: Any) -> list[list[Floats]]:
-    """Small triangles at the corners given, as many as lie strictly inside a polygon and apart from
-    each other.
-    """
+    """Small disjoint triangles at given corners, as many as lie strictly inside a polygon."""
     region, holes = shapely.Polygon(polygon), []
     for x, y in corners:
         hole = shapely.Polygon([(x, y), (x + 2, y), (x + 1, y + 2)])
@@ -801,9 +769,7 @@ def holes_in(polygon: Any, corners: Any) -> list[list[Floats]]:
 def test_convex_parts_cover_a_polygon_once(
     polygon: Any, corners: Any, probes: Any, move: Any
 ) -> None:
-    """Areas add up exactly; every part is convex and made of the rings' own vertices; a point is in
-    the polygon iff in a part.
-    """
+    """Areas add up exactly, parts are convex, and a point is in the polygon iff it is in a part."""
     outline = [(4 * x, 4 * y) for x, y in polygon]
     holes = [as_ring(moved(hole, move)) for hole in holes_in(outline, corners)]
     assume(is_simple(moved(outline, move)))
@@ -825,14 +791,14 @@ def test_convex_parts_cover_a_polygon_once(
 
 
 def test_a_convex_ring_is_its_own_part() -> None:
-    """Nothing is cut that need not be."""
+    """A convex polygon is not cut."""
     (part,) = convex_parts(as_ring(SQUARE))
     assert part.tolist() == as_ring(SQUARE).tolist()
     assert len(convex_parts(as_ring(CORNER))) == 2
 
 
 def test_a_comb_is_cut_into_few_parts() -> None:
-    """At most four times as many as are needed: a comb of 20 teeth needs 20 or 21."""
+    """At most four times as many parts as needed: a comb of 20 teeth needs 20 or 21."""
     comb = [(0.0, 3.0), (0.0, 0.0), (39.0, 0.0), (39.0, 3.0)]
     for tooth in range(19, 0, -1):
         comb += [
@@ -846,14 +812,13 @@ def test_a_comb_is_cut_into_few_parts() -> None:
     assert sum(map(twice_area, parts)) == twice_area(as_ring(comb))
 
 
-# ---- batches
-# -----------------------------------------------------------------------------------------------------------------
+# ---- batches -----------------------------------------------------------------------------------
 
 
 @LAW
 @given(st.lists(alike(4), min_size=1, max_size=5))
-def test_batches_answer_as_one_by_one(rows: Any) -> None:
-    """Many points at once give the very same answers, one shared point is used for all."""
+def test_batches_agree_with_single_calls(rows: Any) -> None:
+    """Many points give the same answers as single points; one point is paired with each of many."""
     p1, p2, p3, p4 = (np.array([row[k] for row in rows]) for k in range(4))
     one_by_one = [segments_intersect(*row) for row in rows]
     assert segments_intersect(p1, p2, p3, p4).tolist() == one_by_one
@@ -866,7 +831,7 @@ def test_batches_answer_as_one_by_one(rows: Any) -> None:
 
 
 def test_one_answer_is_a_plain_python_value() -> None:
-    """bool and float for one point, arrays of shape (m,) for m points, also when m is 1."""
+    """bool or float for one point, an array of shape (m,) for m points, also for m = 1."""
     assert type(point_in_polygon((1, 1), CORNER)) is bool
     assert type(point_in_convex_polygon((1, 1), SQUARE)) is bool
     assert type(segments_intersect((0, 0), (1, 1), (0, 1), (1, 0))) is bool
@@ -883,8 +848,7 @@ def test_one_answer_is_a_plain_python_value() -> None:
     assert segments_intersect([(0, 0)], (1, 1), (0, 1), (1, 0)).shape == (1,)
 
 
-# ---- what enters
-# -------------------------------------------------------------------------------------------------------------
+# ---- checks of arguments -----------------------------------------------------------------------
 
 BAD_POINTS = [
     pytest.param((math.nan, 0), "finite", id="nan"),
@@ -924,7 +888,7 @@ POINT_TAKERS = {
 @pytest.mark.parametrize(("bad", "words"), BAD_POINTS)
 @pytest.mark.parametrize("taker", POINT_TAKERS)
 def test_a_bad_point_is_refused_by_name(taker: str, bad: Any, words: str) -> None:
-    """InvalidPoint and nothing else; the message says what is wrong."""
+    """InvalidPoint, with a message that says what is wrong."""
     with pytest.raises(InvalidPoint) as caught:
         POINT_TAKERS[taker](bad)
     assert type(caught.value) is InvalidPoint
@@ -974,7 +938,7 @@ POLYGON_TAKERS = {
 @pytest.mark.parametrize(("bad", "words"), BAD_POLYGONS)
 @pytest.mark.parametrize("taker", POLYGON_TAKERS)
 def test_a_bad_polygon_is_refused_by_name(taker: str, bad: Any, words: str) -> None:
-    """InvalidPolygon, in either direction; the message says what is wrong."""
+    """InvalidPolygon for vertices in either order, with a message that says what is wrong."""
     for polygon in (bad, bad[::-1]):
         with pytest.raises(InvalidPolygon) as caught:
             POLYGON_TAKERS[taker](polygon)
@@ -986,7 +950,7 @@ def test_a_bad_polygon_is_refused_by_name(taker: str, bad: Any, words: str) -> N
 @pytest.mark.parametrize("taker", POLYGON_TAKERS)
 @pytest.mark.parametrize("bad", [math.nan, math.inf, 1e151, "x", None])
 def test_a_bad_coordinate_of_a_polygon_is_a_bad_point(taker: str, bad: Any) -> None:
-    """InvalidPoint names what the coordinate should be."""
+    """InvalidPoint says what the coordinate should be."""
     with pytest.raises(InvalidPoint):
         POLYGON_TAKERS[taker]([(0, 0), (4, bad), (4, 4)])
 
@@ -994,9 +958,7 @@ def test_a_bad_coordinate_of_a_polygon_is_a_bad_point(taker: str, bad: Any) -> N
 @SLOW_LAW
 @given(st.lists(st.tuples(st.integers(-3, 3), st.integers(-3, 3)), min_size=3, max_size=7))
 def test_exactly_the_simple_polygons_are_accepted(vertices: Any) -> None:
-    """A ring of any lattice points enters iff brute force finds it simple, and then turns
-    counter-clockwise.
-    """
+    """A lattice ring is accepted iff it is simple by brute force, and made counter-clockwise."""
     if is_simple(vertices):
         ring = as_ring(vertices)
         assert twice_area(ring) == abs(twice_area(vertices))
@@ -1008,10 +970,8 @@ def test_exactly_the_simple_polygons_are_accepted(vertices: Any) -> None:
             as_ring(vertices)
 
 
-def test_convex_is_asked_for_by_name() -> None:
-    """A non-convex polygon is refused where a convex one is needed, and the vertex that spoils it
-    is named.
-    """
+def test_polygons_that_are_not_convex_are_refused() -> None:
+    """Where a convex polygon is needed, the error names the first reflex vertex."""
     for ask in (
         lambda: point_in_convex_polygon((1, 1), CORNER),
         lambda: convex_polygons_intersect(CORNER, SQUARE),
@@ -1033,8 +993,8 @@ def test_a_line_needs_two_points() -> None:
     assert point_segment_distance((4, 6), (1, 2), (1, 2)) == 5.0
 
 
-def test_what_is_given_is_not_changed() -> None:
-    """Rings and points are copied where they enter."""
+def test_arguments_are_not_changed() -> None:
+    """Arguments are copied."""
     ring, points = np.array(SQUARE[::-1], float), np.array([[1.0, 1.0], [9.0, 9.0]])
     before = ring.copy(), points.copy()
     point_in_polygon(points, ring)
@@ -1046,7 +1006,7 @@ def test_what_is_given_is_not_changed() -> None:
 
 
 def test_every_error_is_a_value_error() -> None:
-    """So that `except ValueError` catches what a reader expects it to."""
+    """So `except ValueError` catches them."""
     assert issubclass(KinoeduError, ValueError)
     for error in (InvalidPoint, InvalidPolygon, InvalidSegment):
         assert issubclass(error, KinoeduError)

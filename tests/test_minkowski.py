@@ -1,5 +1,6 @@
-"""Sums of convex polygons against the hull of all sums of corners, in rational numbers; differences
-against collision.
+"""Minkowski sums compared with the hull of all sums of corners, in rational arithmetic.
+
+Differences and erosions are compared with collision tests.
 """
 
 from fractions import Fraction
@@ -23,9 +24,7 @@ SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
 
 
 def lattice_shapes(seed, count=120, reach=6):
-    """Convex polygons, segments and points with whole coordinates: many parallel edges, every sum
-    exact.
-    """
+    """Convex polygons, segments and points with integer coordinates: parallel edges, exact sums."""
     rng = np.random.default_rng(seed)
     return [
         convex_hull(rng.integers(-reach, reach, size=(rng.integers(1, 9), 2))) for _ in range(count)
@@ -33,7 +32,7 @@ def lattice_shapes(seed, count=120, reach=6):
 
 
 def float_shapes(seed, count=60):
-    """Convex polygons of all sizes, far from the origin or near."""
+    """Convex polygons of all sizes, near the origin or far away."""
     rng = np.random.default_rng(seed)
     return [
         convex_hull(
@@ -45,7 +44,7 @@ def float_shapes(seed, count=60):
 
 
 def all_sums(P, Q):
-    """The hull of all sums of corners, made without rounding: Andrew's chains on fractions."""
+    """The hull of all sums of corners, by Andrew's algorithm on fractions."""
     points = sorted({tuple(Fraction(a) + Fraction(b) for a, b in zip(p, q)) for p in P for q in Q})
     if len(points) < 3:
         return points
@@ -67,19 +66,17 @@ def cross(a, b, c):
 
 
 def area(P):
-    """The area of a polygon, 0 for fewer than three corners; exact where fractions come."""
+    """The area of a polygon, 0 for fewer than three corners; exact for fractions."""
     return sum(a[0] * b[1] - a[1] * b[0] for a, b in zip(P, [*P[1:], *P[:1]])) / 2
 
 
 def perimeter(P):
-    """The length of the way round."""
+    """The length of the boundary."""
     return float(np.linalg.norm(np.asarray(P) - np.roll(P, -1, axis=0), axis=1).sum())
 
 
 def test_a_sum_on_the_lattice_is_the_hull_of_all_sums_of_corners():
-    """The same corners in the same order, for polygons, segments and points; no repeated ones, none
-    on an edge.
-    """
+    """The same corners in the same order, for polygons, segments and points."""
     for P, Q in zip(lattice_shapes(1, 400), lattice_shapes(2, 400)):
         assert [tuple(map(Fraction, p)) for p in minkowski_sum(P, Q).tolist()] == all_sums(
             P.tolist(), Q.tolist()
@@ -91,23 +88,17 @@ def test_a_sum_on_the_lattice_is_the_hull_of_all_sums_of_corners():
 
 
 def test_a_sum_of_floats_is_within_one_rounding_of_the_exact_one():
-    """Each exact corner is next to one of the answer's, or to its outline where rounding has
-    straightened it; and it is convex.
-    """
+    """The sum is convex, and each exact corner is near one of its corners, or near its boundary."""
     for P, Q in zip(float_shapes(3), float_shapes(4)):
         S, exact = minkowski_sum(P, Q), all_sums(P.tolist(), Q.tolist())
-        assert np.array_equal(
-            as_convex_ring(S), convex_hull(S)
-        )  # strictly convex, from the leftmost
+        # strictly convex, from the leftmost corner
+        assert np.array_equal(as_convex_ring(S), convex_hull(S))
         size = max(np.abs(P).max() + np.abs(Q).max(), 1e-300)
         corners = np.array([[float(x) for x in corner] for corner in exact])
-        assert (
-            shapely.distance(shapely.polygons(S).exterior, shapely.points(corners)).max()
-            <= 4e-16 * size
-        )
-        assert abs(
-            area([tuple(map(Fraction, p)) for p in S.tolist()]) - area(exact)
-        ) <= 1e-15 * size * perimeter(S)
+        distances = shapely.distance(shapely.polygons(S).exterior, shapely.points(corners))
+        assert distances.max() <= 4e-16 * size
+        error = area([tuple(map(Fraction, p)) for p in S.tolist()]) - area(exact)
+        assert abs(error) <= 1e-15 * size * perimeter(S)
 
 
 def test_sums_commute_and_associate():
@@ -135,9 +126,7 @@ def test_areas_follow_the_mixed_area():
 
 
 def test_nearly_parallel_edges_keep_their_order():
-    """Edges whose directions differ by the last bit are two edges, in the right order; equal
-    directions are one.
-    """
+    """Edges whose directions differ in the last bit stay two edges; equal directions become one."""
     P = [(0, 0), (3.0, 1.0), (0, 5.0)]
     for end in (1.0, np.nextafter(1.0, 2), np.nextafter(1.0, 0)):
         Q = [(0, 0), (3.0, end), (0, 4.0)]
@@ -147,9 +136,7 @@ def test_nearly_parallel_edges_keep_their_order():
 
 
 def test_directions_are_compared_exactly():
-    """`bend` has the sign of the cross product of differences in rational numbers, for directions a
-    bit apart and far away.
-    """
+    """The sign is that of the rational cross product, also for almost equal directions."""
     rng = np.random.default_rng(12)
     for _ in range(3000):
         a, u, c = rng.normal(size=(3, 2)) * 10.0 ** rng.integers(-8, 8, size=(3, 1))
@@ -171,9 +158,7 @@ def test_the_difference_is_where_the_robot_touches():
 
 
 def test_an_erosion_is_where_the_robot_fits():
-    """q is inside erosion(P, Q) exactly when Q moved to q is inside P; erosion of a sum gives back
-    the summand.
-    """
+    """q is in erosion(P, Q) exactly when Q moved to q is in P; the erosion of P + Q by Q is P."""
     rng = np.random.default_rng(16)
     for P, Q in zip(lattice_shapes(17, 300, 12), lattice_shapes(18, 300, 3)):
         if len(P) < 3:
@@ -188,8 +173,8 @@ def test_an_erosion_is_where_the_robot_fits():
         assert shapely.Polygon(back).symmetric_difference(whole).area <= 1e-12 * whole.area
 
 
-def test_what_does_not_fit_leaves_nothing():
-    """Too large, or so tight that it touches on both sides: no area, no corners."""
+def test_the_erosion_is_empty_where_nothing_fits():
+    """The result is empty if Q is too large, or touches P on opposite sides."""
     assert (
         erosion(SQUARE, 2 * np.array(SQUARE)).shape
         == erosion(SQUARE, [(0, 0), (1, 0)]).shape
@@ -199,9 +184,7 @@ def test_what_does_not_fit_leaves_nothing():
 
 
 def test_points_and_segments():
-    """A point moves a polygon, two segments span a parallelogram, parallel ones add to one, two
-    points to a point.
-    """
+    """Sums of points, of segments, and of a point and a polygon."""
     assert minkowski_sum(SQUARE, (3, 4)).tolist() == [[3, 4], [4, 4], [4, 5], [3, 5]]
     assert minkowski_sum([(0, 0), (2, 0)], [(0, 0), (1, 3)]).tolist() == [
         [0, 0],
@@ -214,13 +197,13 @@ def test_points_and_segments():
 
 
 def test_straight_angles_and_clockwise_polygons_are_taken():
-    """What as_convex_ring takes is taken; the answer has corners only."""
+    """Arguments are as for as_convex_ring; the result has only true corners."""
     straight = [(0, 0), (0, 1), (0.5, 1), (1, 1), (1, 0)]
     assert minkowski_sum(straight, SQUARE).tolist() == [[0, 0], [2, 0], [2, 2], [0, 2]]
 
 
 def test_huge_and_tiny_together():
-    """A summand too small for the other's digits leaves it as it is, without repeated corners."""
+    """A polygon too small for the other's digits changes nothing, and no corner is repeated."""
     huge, tiny = 1e150 * np.array(SQUARE), 1e-150 * np.array(SQUARE)
     assert np.array_equal(minkowski_sum(huge, tiny), huge)
     assert minkowski_sum(tiny, tiny).tolist() == (2 * tiny).tolist()
@@ -237,8 +220,8 @@ def test_huge_and_tiny_together():
         ([(0, 0, 0)], InvalidPoint),
     ],
 )
-def test_what_is_not_convex_is_refused_by_name(P, error):
-    """Reflex, without area, empty, not finite, not of the plane."""
+def test_polygons_that_are_not_convex_are_refused(P, error):
+    """Reflex, without area, empty, not finite, not two-dimensional."""
     for function in (minkowski_sum, minkowski_difference):
         for arguments in ((P, SQUARE), (SQUARE, P)):
             with pytest.raises(error):

@@ -1,4 +1,4 @@
-"""Readers of world files: right on good files, and an error with a name on everything else."""
+"""Readers of world files: right on good files, and a named error for everything else."""
 
 import os
 import struct
@@ -41,19 +41,23 @@ FREE_CELLS = {  # counted with tail, tr and wc
     "room-64-64-8": 3232,
     "warehouse-10-20-10-2-1": 5699,
 }
-PAGE = np.array([[1, 0, 0], [1, 1, 0]], dtype=bool)  # as it looks on the page: an L, white
+PAGE = np.array([[1, 0, 0], [1, 1, 0]], dtype=bool)  # as it looks in the picture: a white L
 WORLD = [[True, True, False], [True, False, False]]  # the same, row 0 lowest
 NOT_FINITE: list[Any] = [float("nan"), float("inf"), "x", True, [], 10**400]
 CORNER = "type octile\nheight 2\nwidth 3\nmap\n.@T\nGSW\n"
 LINE = "0\tcorner.map\t3\t2\t0\t0\t1\t1\t1.41421356\n"
 SETTINGS = {
-    "image": "map.pgm", "resolution": 0.05, "origin": [-1.5, 2, 0], "negate": 0, "occupied_thresh": 0.65,
+    "image": "map.pgm",
+    "resolution": 0.05,
+    "origin": [-1.5, 2, 0],
+    "negate": 0,
+    "occupied_thresh": 0.65,
     "free_thresh": 0.196,
-}  # fmt: skip
+}
 
 
 def write(path: Path, content: str | bytes) -> Path:
-    """Make a file of exactly these bytes."""
+    """Write a file of exactly these bytes."""
     path.write_bytes(content.encode() if isinstance(content, str) else content)
     return path
 
@@ -61,7 +65,7 @@ def write(path: Path, content: str | bytes) -> Path:
 def png(
     width: int, height: int, depth: int, kind: int, rows: bytes, *chunks: tuple[bytes, bytes]
 ) -> bytes:
-    """A PNG put together by hand, for what Pillow does not write."""
+    """A PNG made by hand, for variants that Pillow does not write."""
     header = struct.pack(">IIBBBBB", width, height, depth, kind, 0, 0, 0)
     parts = [(b"IHDR", header), *chunks, (b"IDAT", zlib.compress(rows)), (b"IEND", b"")]
     packed = [
@@ -78,13 +82,13 @@ def ros(folder: Path, picture: np.ndarray | None = None, **changes: Any) -> Path
     return write(folder / "map.yaml", yaml.safe_dump(kept))
 
 
-# -- pictures
+# ---- pictures ----------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("name", ["l.png", "l.bmp", "l.pgm", "L.PNG"])
 @pytest.mark.parametrize("mode", ["1", "L", "P", "RGB", "RGBA", "LA"])
 def test_a_picture_looks_in_the_world_as_on_the_page(tmp_path: Path, name: str, mode: str) -> None:
-    """x right, y up, one cell a pixel, in every mode that a format can hold."""
+    """x to the right, y up, one cell per pixel, in every mode of each format."""
     if (name.endswith("pgm") and mode in ("P", "RGBA", "LA")) or (
         name.endswith("bmp") and mode == "LA"
     ):
@@ -102,7 +106,7 @@ def test_a_picture_looks_in_the_world_as_on_the_page(tmp_path: Path, name: str, 
 def test_half_of_full_scale_divides_free_from_blocked(
     tmp_path: Path, kind: str, greys: list[int]
 ) -> None:
-    """Every grey, in every format, against the plain comparison."""
+    """Every grey value in every format, compared with the plain inequality."""
     Image.fromarray(np.array([greys], np.uint8)).save(tmp_path / f"x.{kind}")
     assert read_image(tmp_path / f"x.{kind}").free.tolist() == [[grey >= 127.5 for grey in greys]]
 
@@ -110,7 +114,7 @@ def test_half_of_full_scale_divides_free_from_blocked(
 @pytest.mark.parametrize("most", [1, 7, 100, 254, 255, 256, 1001, 65534, 65535])
 @pytest.mark.parametrize("plain", [True, False])
 def test_a_pgm_is_judged_by_its_own_full_scale(tmp_path: Path, most: int, plain: bool) -> None:
-    """P2 and P5, 8 and 16 bit, odd maxima, comments."""
+    """P2 and P5, 8 and 16 bits, odd maxima, comments."""
     values = sorted({0, most // 3, (most - 1) // 2, (most + 1) // 2, most})
     head = f"P{2 if plain else 5}\n# a comment\n{len(values)} 1\n# another\n{most}\n".encode()
     binary = struct.pack(f">{len(values)}{'B' if most < 256 else 'H'}", *values)
@@ -121,7 +125,7 @@ def test_a_pgm_is_judged_by_its_own_full_scale(tmp_path: Path, most: int, plain:
 
 
 def test_sixteen_bit_png(tmp_path: Path) -> None:
-    """A 16-bit grey is not clipped to 8 bits: 300 of 65535 is nearly black."""
+    """A 16-bit grey value is not clipped to 8 bits: 300 of 65535 is nearly black."""
     Image.fromarray(np.array([[0, 300, 32767, 32768, 65535]], np.uint16)).save(tmp_path / "x.png")
     assert read_image(tmp_path / "x.png").free.tolist() == [[False, False, False, True, True]]
     colour = b"\0" + struct.pack(">6H", *[300] * 3, *[40000] * 3)
@@ -131,14 +135,14 @@ def test_sixteen_bit_png(tmp_path: Path) -> None:
 
 
 def test_colour_counts_by_its_luminance(tmp_path: Path) -> None:
-    """Pure green and yellow are bright; pure red and blue are dark."""
+    """Pure green and yellow are bright, pure red and blue are dark."""
     colours = np.array([[[255, 0, 0], [0, 255, 0], [0, 0, 255], [255, 255, 0]]], np.uint8)
     Image.fromarray(colours).save(tmp_path / "x.png")
     assert read_image(tmp_path / "x.png").free.tolist() == [[False, True, False, True]]
 
 
 def test_transparency_is_seen_on_white(tmp_path: Path) -> None:
-    """Clear black is white, faint black is bright, solid black is dark."""
+    """Transparent black is white, faint black is bright, opaque black is dark."""
     veils = np.array([[[0, 0, 0, alpha] for alpha in (0, 60, 200, 255)]], np.uint8)
     Image.fromarray(veils).save(tmp_path / "x.png")
     assert read_image(tmp_path / "x.png").free.tolist() == [[True, True, False, False]]
@@ -150,7 +154,7 @@ def test_transparency_is_seen_on_white(tmp_path: Path) -> None:
     ("depth", "row"), [(1, b"\0\x40"), (2, b"\0\x10"), (4, b"\0\x01"), (8, b"\0\0\1")]
 )
 def test_one_transparent_grey_at_every_depth(tmp_path: Path, depth: int, row: bytes) -> None:
-    """Pixels 0 and 1 where grey 1 is transparent: black, then paper."""
+    """Pixels 0 and 1, of which grey 1 is transparent, are black and white."""
     path = write(tmp_path / "x.png", png(2, 1, depth, 0, row, (b"tRNS", b"\0\1")))
     assert read_image(path).free.tolist() == [[False, True]]
 
@@ -159,7 +163,7 @@ def test_one_transparent_grey_at_every_depth(tmp_path: Path, depth: int, row: by
 def test_a_transparent_colour_in_16_bits_is_refused(
     tmp_path: Path, kind: int, channels: int
 ) -> None:
-    """Pillow loses the low bits that would say which pixels are meant."""
+    """Pillow loses the low bits, which decide which pixels are transparent."""
     key = (b"tRNS", b"\x10\5" * channels)
     path = write(tmp_path / "x.png", png(1, 1, 16, kind, b"\0" + b"\x10\5" * channels, key))
     with pytest.raises(UnreadableScene, match="transparent 16-bit"):
@@ -167,7 +171,7 @@ def test_a_transparent_colour_in_16_bits_is_refused(
 
 
 def test_an_animation_gives_its_first_picture(tmp_path: Path) -> None:
-    """APNG: the later frames are not looked at."""
+    """Later frames of an APNG are ignored."""
     first, second = (Image.fromarray(np.uint8(page * 255)) for page in (PAGE, ~PAGE))
     first.save(tmp_path / "x.png", save_all=True, append_images=[second])
     assert read_image(tmp_path / "x.png").free.tolist() == WORLD
@@ -176,7 +180,7 @@ def test_an_animation_gives_its_first_picture(tmp_path: Path) -> None:
 @pytest.mark.parametrize("kind", ["png", "bmp", "pgm"])
 @pytest.mark.parametrize("share", [0, 0.1, 0.5, 0.9])
 def test_a_truncated_picture_is_refused_by_name(tmp_path: Path, kind: str, share: float) -> None:
-    """Nothing of it is guessed; the message names the file."""
+    """No pixels are guessed, and the message names the file."""
     noise = np.random.default_rng(0).integers(0, 255, (40, 40), np.uint8)
     Image.fromarray(noise).save(tmp_path / f"whole.{kind}")
     data = (tmp_path / f"whole.{kind}").read_bytes()
@@ -204,14 +208,14 @@ def test_a_truncated_picture_is_refused_by_name(tmp_path: Path, kind: str, share
         png(1, 1, 3, 0, b"\0\0"),
     ],
 )
-def test_nonsense_is_no_picture(tmp_path: Path, content: str | bytes) -> None:
-    """Whatever it is, the error has a name and the file's."""
+def test_invalid_pictures_are_refused(tmp_path: Path, content: str | bytes) -> None:
+    """The error is a named one, and its message names the file."""
     with pytest.raises(UnreadableScene, match=r"x\.png"):
         read_image(write(tmp_path / "x.png", content))
 
 
 def test_a_jpeg_in_disguise_is_refused(tmp_path: Path) -> None:
-    """JPEG smears edges; only the formats that the docs list are tried, whatever the name."""
+    """JPEG blurs edges; only the documented formats are tried, whatever the file's name."""
     Image.new("CMYK", (4, 4)).save(tmp_path / "x.png", format="JPEG")
     with pytest.raises(UnreadableScene):
         read_image(tmp_path / "x.png")
@@ -222,7 +226,7 @@ def test_a_jpeg_in_disguise_is_refused(tmp_path: Path) -> None:
 def test_a_huge_picture_is_judged_by_its_header(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, side: int, kind: str
 ) -> None:
-    """No pixel is decoded, and none of Pillow's warnings leaks out."""
+    """No pixel is decoded, and Pillow's warnings do not appear."""
     bmp = b"BM" + struct.pack("<IHHIIiiHHIIiiII", 54, 0, 0, 54, 40, side, side, 1, 24, *[0] * 6)
     heads = {
         "png": png(side, side, 8, 0, b"\0"),
@@ -235,12 +239,12 @@ def test_a_huge_picture_is_judged_by_its_header(
         read_image(write(tmp_path / f"x.{kind}", heads[kind]))
 
 
-# -- MovingAI
+# ---- MovingAI ----------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("name", FREE_CELLS)
 def test_the_benchmark_maps(name: str) -> None:
-    """Each has the number of free cells counted by other means, and the rows of its file."""
+    """The number of free cells agrees with an independent count, and the rows with the file."""
     terrain = read_world(GRIDS / f"{name}.map")
     rows = (GRIDS / f"{name}.map").read_text().split()[7:]
     assert terrain.free.sum() == FREE_CELLS[name]
@@ -249,9 +253,7 @@ def test_the_benchmark_maps(name: str) -> None:
 
 @pytest.mark.parametrize("name", FREE_CELLS)
 def test_the_benchmark_scenarios(name: str) -> None:
-    """Every start and goal is the centre of a free cell of its map, the length at least the
-    beeline.
-    """
+    """Starts and goals are centres of free cells; lengths are at least the distance."""
     free = read_map(GRIDS / f"{name}.map").free
     path = scenario_beside(GRIDS / f"{name}.map")
     assert path == GRIDS / f"{name}-even-1.scen"
@@ -319,10 +321,10 @@ def test_a_map_that_contradicts_itself_is_refused(
 
 @pytest.mark.parametrize("encoding", ["utf-16", "utf-16-le", "utf-16-be", "utf-32"])
 @pytest.mark.parametrize("read", [read_map, read_scenario, read_ros_map])
-def test_wide_characters_are_no_plain_text(
+def test_wide_characters_are_refused(
     tmp_path: Path, read: Callable[[Path], object], encoding: str
 ) -> None:
-    """With or without a byte-order mark."""
+    """With and without a byte-order mark."""
     with pytest.raises(UnreadableScene, match="plain text"):
         read(write(tmp_path / "x", CORNER.encode(encoding)))
 
@@ -347,7 +349,7 @@ def test_a_query_leads_between_centres(tmp_path: Path, first: str, line: str) ->
 
 
 def test_a_scenario_may_be_empty_and_a_map_name_may_have_blanks(tmp_path: Path) -> None:
-    """Tabs alone divide a line that has them."""
+    """A line with tabs is split at tabs only."""
     assert read_scenario(write(tmp_path / "x.scen", "version 1")) == []
     (query,) = read_scenario(
         write(tmp_path / "x.scen", "version 1\n" + LINE.replace("corner", "a corner"))
@@ -374,10 +376,10 @@ def test_a_scenario_may_be_empty_and_a_map_name_may_have_blanks(tmp_path: Path) 
         (8, "", "9 columns.*got 8"),
     ],
 )
-def test_a_senseless_query_is_refused_with_its_line(
+def test_an_invalid_query_is_refused_with_its_line(
     tmp_path: Path, column: int, word: str, message: str
 ) -> None:
-    """Here line 4: the version, a good line, a blank one, the bad one."""
+    """Here line 4, after the version, a good line and a blank one."""
     words = LINE.strip().split("\t")
     words[column] = word
     path = write(tmp_path / "x.scen", f"version 1\n{LINE}\n" + "\t".join(words))
@@ -389,13 +391,13 @@ def test_a_senseless_query_is_refused_with_its_line(
 
 @pytest.mark.parametrize("first", ["", "version 2", "version", LINE, "version 1.5", "x\nversion 1"])
 def test_a_scenario_says_its_version(tmp_path: Path, first: str) -> None:
-    """Version 1 on the first line, or it is another format."""
+    """The first line must be "version 1"."""
     with pytest.raises(UnreadableScene, match="line 1: expected 'version 1'"):
         read_scenario(write(tmp_path / "x.scen", first))
 
 
 def test_the_scenario_beside_a_map(tmp_path: Path) -> None:
-    """The nearer the name the better; a folder or another map's scenario does not count."""
+    """The most similar name is preferred; folders and scenarios of other maps are ignored."""
     path = write(tmp_path / "a[1].map", CORNER)
     write(tmp_path / "a1-even-1.scen", "")
     write(tmp_path / "a[1]-evening.scen", "")
@@ -415,11 +417,11 @@ def test_the_scenario_beside_a_map(tmp_path: Path) -> None:
     assert scenario_beside("a\0.map") is None
 
 
-# -- ROS
+# ---- ROS ---------------------------------------------------------------------------------------
 
 
 def test_a_ros_map_lies_where_its_yaml_says(tmp_path: Path) -> None:
-    """The lower left corner at the origin, cells of the resolution's size."""
+    """The lower left corner is at the origin, and the cells have the size of the resolution."""
     terrain = read_world(ros(tmp_path))
     assert terrain.free.tolist() == WORLD
     assert terrain.resolution == 0.05
@@ -451,7 +453,7 @@ def test_the_unknown_grey_of_ros_is_not_free(tmp_path: Path) -> None:
 
 
 def test_colour_alpha_and_16_bits_in_a_ros_map(tmp_path: Path) -> None:
-    """Channels are averaged, not weighted; clear white is not free; 16 bits keep their scale."""
+    """Channels have equal weights, transparent white is not free, 16 bits keep their scale."""
     path = ros(tmp_path, np.array([[65535, 60000, 300, 0]], np.uint16))
     assert read_ros_map(path).free.tolist() == [[True, True, False, False]]
     path = ros(tmp_path, np.array([[[255, 255, 60], [0, 255, 0]]], np.uint8), free_thresh=0.3)
@@ -465,7 +467,7 @@ def test_colour_alpha_and_16_bits_in_a_ros_map(tmp_path: Path) -> None:
 
 
 def test_numbers_that_yaml_takes_for_text(tmp_path: Path) -> None:
-    """1e-2 has no dot, so YAML 1.1 calls it a string; ROS calls it a number."""
+    """1e-2 has no dot, so YAML 1.1 reads a string where ROS reads a number."""
     path = ros(tmp_path)
     write(path, path.read_text().replace("0.05", "5e-2").replace("negate: 0", "negate: false"))
     assert read_ros_map(path).resolution == 0.05
@@ -500,7 +502,7 @@ def test_numbers_that_yaml_takes_for_text(tmp_path: Path) -> None:
         ({"image": "a\0b"}, "check the path"),
     ],
 )
-def test_a_senseless_setting_is_refused(
+def test_an_invalid_setting_is_refused(
     tmp_path: Path, changes: dict[str, Any], message: str
 ) -> None:
     """The message names the file and the setting."""
@@ -510,17 +512,15 @@ def test_a_senseless_setting_is_refused(
 
 
 def test_a_list_and_a_repeated_key_are_told_apart(tmp_path: Path) -> None:
-    """A list is shown as what came; of two equal keys ROS and this parser would take different
-    ones.
-    """
+    """The message shows a list; of a repeated key, ROS and this parser use different ones."""
     with pytest.raises(UnreadableScene, match=r"got \['image'\]"):
         read_ros_map(write(tmp_path / "x.yaml", "- image"))
     with pytest.raises(UnreadableScene, match="'resolution' twice"):
         read_ros_map(write(tmp_path / "x.yaml", ros(tmp_path).read_text() + "resolution: 1\n"))
 
 
-def test_settings_of_other_tools_are_let_be(tmp_path: Path) -> None:
-    """A key that resembles none of ours is another program's."""
+def test_settings_of_other_tools_are_ignored(tmp_path: Path) -> None:
+    """A key that resembles none of ours belongs to another program."""
     assert read_ros_map(ros(tmp_path, author="me", map_type="2d")).free.tolist() == WORLD
 
 
@@ -556,26 +556,24 @@ BOMB = "a0: &a0 {x: 1}\n" + "".join(NINEFOLD.format(i, i + 1) for i in range(9))
         "\t",
     ],
 )
-def test_a_yaml_that_is_no_map_is_refused(tmp_path: Path, text: str) -> None:
-    """Bombs, depths, tags, scraps: one name for all."""
+def test_yaml_that_is_not_a_map_is_refused(tmp_path: Path, text: str) -> None:
+    """Expanding aliases, deep nesting, tags and fragments raise the same error."""
     with pytest.raises(UnreadableScene, match=r"x\.yaml"):
         read_ros_map(write(tmp_path / "x.yaml", text))
 
 
-# -- the door, and what is not a file
+# ---- all formats, and what is not a file -------------------------------------------------------
 
 
 @pytest.mark.parametrize("read", [read_world, read_image, read_map, read_scenario, read_ros_map])
 @pytest.mark.parametrize("ending", [".png", ".map", ".yaml"])
-def test_what_is_not_a_file_has_a_sentence(
+def test_what_is_not_a_file_is_refused(
     tmp_path: Path, read: Callable[[Path], object], ending: str
 ) -> None:
-    """Missing, a folder, a circle of links, a pipe, a name too long or with a NUL, an empty file,
-    ...
-    """
+    """Missing, a folder, a cycle of links, a pipe, a name too long or with a NUL, ..."""
     (tmp_path / f"folder{ending}").mkdir()
     (tmp_path / f"loop{ending}").symlink_to(tmp_path / f"loop{ending}")
-    if hasattr(os, "mkfifo"):  # not on Windows, where the name is then one more that is missing
+    if hasattr(os, "mkfifo"):  # not on Windows, where the file is simply missing
         os.mkfifo(tmp_path / f"pipe{ending}")
     write(tmp_path / f"empty{ending}", "")
     names = (
@@ -595,7 +593,7 @@ def test_what_is_not_a_file_has_a_sentence(
 
 
 def test_an_unknown_ending_lists_the_known_ones(tmp_path: Path) -> None:
-    """A scene and a folder get advice of their own."""
+    """The messages for a scene and a folder say what to do instead."""
     with pytest.raises(UnknownFormat, match=r"\.bmp, .*\.map, .*\.stl, \.yaml or \.yml, got \.txt"):
         read_world(write(tmp_path / "x.txt", ""))
     with pytest.raises(UnknownFormat, match="no ending"):
@@ -624,13 +622,14 @@ def good_files(folder: Path) -> dict[str, bytes]:
         files[f"x.{kind}"] = (folder / f"x.{kind}").read_bytes()
     files |= good_meshes()
     files["x.json"] = (
-        b'{"polygons": [[[0, 0], [1, 0], [0, 1]], [[0, 0], [2, 2], [2, 0], [0, 2]]], "start": [0.9, 0.9]}'
+        b'{"polygons": [[[0, 0], [1, 0], [0, 1]], [[0, 0], [2, 2], [2, 0], [0, 2]]],'
+        b' "start": [0.9, 0.9]}'
     )
     return {**files, "x.yaml": ros(folder).read_bytes()}
 
 
 def read_or_refuse(path: Path) -> None:
-    """Read a file; only a named error may come out."""
+    """Read a file; only a named error is allowed."""
     with suppress(KinoeduError), warnings.catch_warnings():
         warnings.simplefilter("ignore", MendedPolygons)
         read_scenario(path) if path.suffix == ".scen" else read_world(path)
@@ -655,7 +654,7 @@ KINDS = [
 @settings(suppress_health_check=[HealthCheck.function_scoped_fixture], deadline=None)
 @pytest.mark.parametrize("name", KINDS)
 def test_random_bytes_read_or_are_refused(tmp_path: Path, name: str, data: bytes) -> None:
-    """No reader lets another exception through."""
+    """No reader raises another exception."""
     read_or_refuse(write(tmp_path / name, data))
 
 
@@ -673,7 +672,7 @@ def test_random_bytes_read_or_are_refused(tmp_path: Path, name: str, data: bytes
 def test_a_damaged_file_reads_or_is_refused(
     tmp_path: Path, name: str, edits: list[tuple[int, int, bytes]]
 ) -> None:
-    """A few bytes of a valid file cut, replaced or put in."""
+    """Some bytes of a valid file are removed, replaced or inserted."""
     data = good_files(tmp_path)[name]
     for place, cut, patch in edits:
         at = place % (len(data) + 1)
@@ -697,5 +696,5 @@ VALUES = st.recursive(
 @given(changes=st.dictionaries(st.sampled_from([*SETTINGS, "mode", "other"]), VALUES))
 @settings(suppress_health_check=[HealthCheck.function_scoped_fixture], deadline=None)
 def test_any_settings_read_or_are_refused(tmp_path: Path, changes: dict[str, Any]) -> None:
-    """Values of every kind that YAML can say."""
+    """Values of every kind that YAML has."""
     read_or_refuse(ros(tmp_path, **changes))

@@ -1,6 +1,4 @@
-"""Sampling: grids, Halton's sequence against fractions, dispersion against closed forms and a fine
-lattice.
-"""
+"""Sampling: grids, Halton's sequence and dispersion, compared with exact values."""
 
 import json
 import math
@@ -31,7 +29,7 @@ NORMS = (2, math.inf)
 
 
 def both_ends(n: int, d: int) -> Any:
-    """The points i/(k-1), which the library leaves out."""
+    """The points i/(k-1), a grid that the library does not offer."""
     k = round(n ** (1 / d))
     return np.stack(np.meshgrid(*[np.arange(k) / (k - 1)] * d, indexing="ij"), axis=-1).reshape(
         -1, d
@@ -43,9 +41,7 @@ GRIDS = {"corner": corner_grid, "sukharev": sukharev_grid, "both_ends": both_end
 
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case["id"])
 def test_shared_cases(case):
-    """Halton's fractions to the last bit; dispersions of grids in closed form and of point sets to
-    nine digits.
-    """
+    """Halton's fractions are exact; dispersions agree with closed forms, or to nine digits."""
     expected = case["expected"]
     if case["kind"] == "halton":
         points = halton(case["n"], PRIMES[: case["dim"]], case["start"])
@@ -63,14 +59,14 @@ def test_shared_cases(case):
 
 
 @pytest.mark.parametrize("d", [1, 2, 5, 10])
-def test_halton_begins_like_ompls_tables(d):
-    """Number 1 comes first; six digits."""
+def test_halton_agrees_with_the_tables_of_ompl(d):
+    """The first point has number 1; six digits agree."""
     table = np.loadtxt(DATA / f"halton_{d}d.txt", ndmin=2)
     assert np.abs(halton(len(table), PRIMES[:d]) - table).max() < 1e-6
 
 
 def exact_mirrored(i: int, base: int) -> Fraction:
-    """The digits of i behind the point, last one first."""
+    """The digits of i reflected at the radix point."""
     value, scale = Fraction(0), Fraction(1, base)
     while i:
         value, scale, i = value + scale * (i % base), scale / base, i // base
@@ -93,9 +89,7 @@ def exact_mirrored(i: int, base: int) -> Fraction:
     ],
 )
 def test_van_der_corput_is_the_float_nearest_to_the_fraction(base, start):
-    """Across the blocks in which it is made, far out, in small, composite and large bases; the
-    sequence may begin anywhere.
-    """
+    """Across blocks, for large indices, in small, composite and large bases, from any start."""
     numbers = van_der_corput(9000, base, start)
     for i in (0, 1, 2, 95, 96, 4095, 4096, 4097, 8191, 8192, 8999):
         assert numbers[i] == float(exact_mirrored(start + i, base))
@@ -104,7 +98,7 @@ def test_van_der_corput_is_the_float_nearest_to_the_fraction(base, start):
 
 
 def test_the_sequence_has_each_fraction_once():
-    """The first 3^7 points are the fractions with the denominator 3^7, each once."""
+    """The first 3^7 points are the fractions with denominator 3^7, each once."""
     assert np.array_equal(np.sort(van_der_corput(3**7, 3, start=0)), np.arange(3**7) / 3**7)
 
 
@@ -121,8 +115,8 @@ def test_the_sequence_has_each_fraction_once():
         ((True,), "prime"),
     ],
 )
-def test_what_is_no_prime_is_refused(primes, words):
-    """By name, with its factors."""
+def test_bases_that_are_not_prime_are_refused(primes, words):
+    """The message names the number and its factors."""
     with pytest.raises(InvalidParameter, match=words):
         halton(5, primes)
 
@@ -145,7 +139,7 @@ def test_what_is_no_prime_is_refused(primes, words):
     ],
 )
 def test_bad_parameters_are_refused(call):
-    """InvalidParameter."""
+    """Each raises InvalidParameter."""
     with pytest.raises(InvalidParameter):
         call()
 
@@ -154,7 +148,7 @@ def test_bad_parameters_are_refused(call):
     "bad", [[], [[]], [0.5], [[0.5, 1.1]], [[-1e-9, 0]], [[np.nan, 0]], "ab", [[[0.5]]]]
 )
 def test_bad_points_are_refused(bad):
-    """InvalidPoint: none, of the wrong shape, outside the cube, not finite."""
+    """InvalidPoint for no points, a wrong shape, points outside the cube and numbers not finite."""
     for norm in NORMS:
         with pytest.raises(InvalidPoint):
             dispersion(bad, norm)
@@ -162,7 +156,7 @@ def test_bad_points_are_refused(bad):
 
 @pytest.mark.parametrize("grid", [corner_grid, sukharev_grid])
 def test_grids_say_which_sizes_they_have(grid):
-    """Perfect powers only; the nearest are named."""
+    """Only perfect powers are allowed; the message names the nearest."""
     with pytest.raises(InvalidParameter, match="perfect square, got 10; the nearest are 9 and 16"):
         grid(10)
     with pytest.raises(
@@ -185,7 +179,7 @@ def test_grids_stand_at_corners_and_centres():
 
 
 def test_random_points_follow_the_seed():
-    """The same seed the same points; a generator goes on; the cube is filled."""
+    """Equal seeds give equal points, a Generator continues its stream, and the cube is filled."""
     points = uniform_random(4000, 3, rng=5)
     assert np.array_equal(points, uniform_random(4000, 3, rng=np.random.default_rng(5)))
     assert min(np.histogram(coordinate, 10, (0, 1))[0].min() for coordinate in points.T) > 330
@@ -213,9 +207,7 @@ def drawn(kind: str, rng: np.random.Generator) -> Any:
     "kind", ["spread", "lattice", "upright", "in a corner", "corners", "nearly a lattice"]
 )
 def test_the_largest_empty_ball_is_what_a_fine_lattice_finds(kind, norm):
-    """Empty, its centre in the square, and no smaller than what any place of the lattice has; no
-    larger than that and a cell.
-    """
+    """Empty, centred in the square, and at most one cell larger than the best ball of a lattice."""
     from scipy.spatial import cKDTree
 
     rng, side = np.random.default_rng(3), 201
@@ -239,9 +231,7 @@ def test_the_largest_empty_ball_is_what_a_fine_lattice_finds(kind, norm):
 
 @pytest.mark.parametrize("norm", NORMS)
 def test_dispersion_keeps_the_symmetries_of_the_square(norm):
-    """Mirrored, turned, in another order, with points repeated: the same; with a point more: never
-    larger.
-    """
+    """Invariant under symmetries, order and repetition; another point never increases it."""
     points = halton(60)
     radius = dispersion(points, norm)
     for same in (points[::-1], points[:, ::-1], 1 - points, np.vstack([points, points[:7]])):
@@ -250,9 +240,7 @@ def test_dispersion_keeps_the_symmetries_of_the_square(norm):
 
 
 def test_dispersion_on_the_line_and_in_space():
-    """Half the largest gap, or a whole one at an end; for d = 3 the corner of the cube is farthest
-    from its opposite.
-    """
+    """Half the largest gap, or a whole gap at an end; in space the opposite corner is farthest."""
     for norm in NORMS:
         assert dispersion([[0.5], [0.2]], norm) == 0.5
         assert largest_empty_ball([[0.1], [0.9]], norm) == (np.array([0.5]), 0.4)
@@ -260,8 +248,9 @@ def test_dispersion_on_the_line_and_in_space():
 
 
 def test_evenly_spread_points_beat_random_ones():
-    """At n = 400 in the sup norm Sukharev's grid meets its bound, Halton is within three times it,
-    random points are worse.
+    """In the sup norm at n = 400: Sukharev's grid meets its bound, Halton is within three times it.
+
+    Random points are worse.
     """
     bound = sukharev_bound(400)
     assert dispersion(sukharev_grid(400), math.inf) == pytest.approx(bound, rel=1e-12)
@@ -273,16 +262,14 @@ def test_evenly_spread_points_beat_random_ones():
     )
 
 
-def test_the_names_are_at_the_top():
-    """As in the table of public names."""
+def test_sampling_functions_are_public():
+    """The public names are available as kinoedu.name."""
     assert (ke.halton, ke.corner_grid, ke.sukharev_grid) == (halton, corner_grid, sukharev_grid)
     assert (ke.uniform_random, ke.dispersion) == (uniform_random, dispersion)
 
 
 def test_figures_show_points_holes_and_rates():
-    """Points up to a number, the hole in both norms with its radius in words, cells, a name at each
-    curve; shapes are checked.
-    """
+    """Points, the empty ball in both norms, cells and labelled curves; shapes are checked."""
     from matplotlib import pyplot as plt
 
     from kinoedu.figures import draw_dispersion, draw_samples

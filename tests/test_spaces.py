@@ -1,4 +1,4 @@
-"""Spaces: steering, sampling, and the nearest node by buckets against looking at every node."""
+"""Spaces: steering, sampling, and nearest nodes by buckets compared with brute force."""
 
 import math
 from fractions import Fraction
@@ -58,7 +58,7 @@ KINDS = ["spread", "clumped", "lattice", "one place", "on a line", "beyond the b
 
 
 def drawn_nodes(rng: np.random.Generator, kind: str, n: int, d: int) -> Any:
-    """n configurations of d numbers for the box from -5 to 5, in many arrangements."""
+    """n configurations of d numbers in the box from -5 to 5, in many arrangements."""
     if kind == "clumped":
         return rng.uniform(-5, 5, (4, d))[rng.integers(4, size=n)] + rng.normal(0, 1e-3, (n, d))
     if kind == "lattice":
@@ -75,7 +75,7 @@ def drawn_nodes(rng: np.random.Generator, kind: str, n: int, d: int) -> Any:
 
 
 def first_nearest(nodes: Any, q: Any) -> int:
-    """The first of the nearest nodes, its squares summed one after another as the library does."""
+    """The first of the nearest nodes; squares are added in the same order as in the library."""
     total = np.zeros(len(nodes))
     for i in range(nodes.shape[1]):
         total += (nodes[:, i] - q[i]) * (nodes[:, i] - q[i])
@@ -85,9 +85,7 @@ def first_nearest(nodes: Any, q: Any) -> int:
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("d", [1, 2, 3])
 def test_the_nearest_node_is_what_brute_force_finds(kind: str, d: int) -> None:
-    """From 1 to 3,000 nodes, with queries in the box, outside, far outside, and at nodes; ties go
-    to the first node.
-    """
+    """1 to 3,000 nodes, queries inside, outside, far outside and at nodes; ties go to the first."""
     rng = np.random.default_rng(KINDS.index(kind) * 3 + d)
     nodes = drawn_nodes(rng, kind, 3000, d)
     space = RealSpace(np.full(d, -5.0), np.full(d, 5.0))
@@ -121,7 +119,7 @@ def test_the_nearest_node_is_what_brute_force_finds(kind: str, d: int) -> None:
 )
 @pytest.mark.parametrize("capacity", [500, 10_000])
 def test_the_nearest_node_in_odd_boxes(lo: Any, hi: Any, capacity: int) -> None:
-    """Thin, far away, flat and empty boxes; room for just these nodes or for far more."""
+    """Thin, distant, flat and empty boxes, with capacity for just these nodes or far more."""
     rng = np.random.default_rng(7)
     space = RealSpace(np.array(lo, float), np.array(hi, float))
     nodes = rng.uniform(space.lo, space.hi, (500, 2))
@@ -144,9 +142,7 @@ def box(d: int) -> Any:
 @LAW
 @given(st.integers(1, 3).flatmap(lambda d: st.tuples(box(d), box(d), box(d))), st.floats(0, 1))
 def test_distance_and_interpolation_obey_their_laws(points: Any, t: float) -> None:
-    """A metric; the ends at 0 and 1; a fraction t of the way at t; halves are the same from both
-    ends.
-    """
+    """The distance is a metric, and interpolation divides it in the ratio t : 1 - t."""
     a, b, c = points
     space = RealSpace(np.full(len(a), -1e3), np.full(len(a), 1e3))
     whole = distance(space, a, b)
@@ -164,9 +160,7 @@ def test_distance_and_interpolation_obey_their_laws(points: Any, t: float) -> No
 @LAW
 @given(box(2), box(2), st.floats(1e-3, 1e4))
 def test_steering_goes_at_most_a_step_and_arrives(a: Any, b: Any, step: float) -> None:
-    """Exactly to b where it is within a step, never farther than the step, always straight; what it
-    returns is new.
-    """
+    """The result is new, on the straight line, at most one step away, and b itself if b is near."""
     world = PolygonWorld([(-2e3, -2e3), (2e3, -2e3), (2e3, 2e3), (-2e3, 2e3)])
     problem = Problem(Point(), world, (0, 0), (1, 1))
     q, whole = problem.steer(a, b, step), problem.distance(a, b)
@@ -188,7 +182,7 @@ def test_steering_goes_at_most_a_step_and_arrives(a: Any, b: Any, step: float) -
     ids=["polygons", "terrain"],
 )
 def test_samples_fill_the_box_and_follow_the_seed(world: Any) -> None:
-    """Uniform in each coordinate; the same seed draws the same samples, another seed others."""
+    """Uniform in each coordinate; equal seeds give equal samples, other seeds others."""
     middle = 0.5 * (world.lo + world.hi)
     problem = Problem(Point(), world, middle, middle)
     first, again, other = (
@@ -205,9 +199,7 @@ def test_samples_fill_the_box_and_follow_the_seed(world: Any) -> None:
 
 
 def test_samples_are_one_random_number_for_each_coordinate() -> None:
-    """So that the stream of a seed is spent as documented: lo + (hi - lo) u, coordinate by
-    coordinate.
-    """
+    """The stream of a seed is used as documented: lo + (hi - lo) u, coordinate by coordinate."""
     space = RealSpace(np.array([1.0, -2.0, 0.0]), np.array([3.0, 2.0, 0.5]))
     q, u = sample(space, np.random.default_rng(3)), np.random.default_rng(3).random(3)
     assert q.tolist() == (space.lo + (space.hi - space.lo) * u).tolist()
@@ -215,9 +207,7 @@ def test_samples_are_one_random_number_for_each_coordinate() -> None:
 
 @pytest.mark.parametrize("bad", [-1, 1.5, True, None, "0"])
 def test_a_bad_seed_is_refused(bad: Any) -> None:
-    """InvalidParameter says what a seed is; a numpy integer is one, a Generator is used as it
-    is.
-    """
+    """InvalidParameter says what a seed is; numpy integers and Generators are allowed."""
     with pytest.raises(InvalidParameter, match="seed"):
         as_generator(bad)
     generator = np.random.default_rng(0)
@@ -225,8 +215,8 @@ def test_a_bad_seed_is_refused(bad: Any) -> None:
     assert as_generator(np.int64(4)).random() == np.random.default_rng(4).random()
 
 
-def test_a_space_without_answers_says_so() -> None:
-    """The default of each question is an error in words, or brute force for the nearest node."""
+def test_a_space_without_implementations_raises_errors() -> None:
+    """The default of each operation is an error, or brute force for the nearest node."""
     for ask in (
         lambda: distance("space", 1, 2),
         lambda: interpolate("space", 1, 2, 0.5),
@@ -239,7 +229,7 @@ def test_a_space_without_answers_says_so() -> None:
 @pytest.mark.parametrize("shape", [(2, 1), (40, 1), (2, 2), (300, 2), (900, 2)], ids=str)
 @pytest.mark.parametrize("kind", ["spread", "lattice", "clumped", "one line", "one place"])
 def test_k_closest_in_buckets_equals_brute_force(shape, kind):
-    """The same distances in the same order, the first among equals, never the node itself."""
+    """The same distances in the same order, ties to the first, without the node itself."""
     rng = np.random.default_rng(5)
     nodes = {
         "spread": rng.random(shape),
@@ -258,8 +248,7 @@ def test_k_closest_in_buckets_equals_brute_force(shape, kind):
         assert np.array_equal(found, np.argsort(apart, axis=1, kind="stable")[:, :k])
 
 
-# ---- spaces with angles
-# ----------------------------------------------------------------------------------------------------------
+# ---- spaces with angles ------------------------------------------------------------------------
 
 PI, TURN = math.pi, Fraction(FULL_TURN)
 SPACES = {
@@ -293,9 +282,7 @@ def arc(a: float, b: float) -> float:
     st.one_of(ANGLES, st.floats(-1e6, 1e6)),
 )
 def test_circle_distance_is_exact(a: float, b: float) -> None:
-    """As in exact arithmetic, rounded once, for any angles; the same both ways; turns make no
-    difference.
-    """
+    """Equal to exact arithmetic rounded once, symmetric, and independent of full turns."""
     assert circle_distance(a, b) == circle_distance(b, a) == arc(a, b)
     assert circle_distance(a, a) == circle_distance(PI, -PI) == 0.0
     assert torus_distance((a, b), (b, a)) == pytest.approx(math.sqrt(2) * arc(a, b), rel=1e-14)
@@ -303,10 +290,8 @@ def test_circle_distance_is_exact(a: float, b: float) -> None:
 
 @LAW
 @given(ANGLES, ANGLES, st.floats(0, 1))
-def test_the_short_way_is_exact_and_short(a: float, b: float, t: float) -> None:
-    """As long as the circle distance, to the last bit; it leads from a to b; what it passes is
-    wrapped and on the way.
-    """
+def test_differences_of_angles_are_exact_and_short(a: float, b: float, t: float) -> None:
+    """Its length is the circle distance, it leads from a to b, and its points are wrapped."""
     turn = short_way(a, b)
     assert (
         -PI <= turn < PI and abs(turn) == circle_distance(a, b) and turn == short_way.py_func(a, b)
@@ -318,7 +303,7 @@ def test_the_short_way_is_exact_and_short(a: float, b: float, t: float) -> None:
 
 
 def test_distances_of_many_angles() -> None:
-    """One with many, many with many; a number or an array; other shapes are refused by name."""
+    """One with many and many with many; a number or an array; other shapes are refused."""
     a, b = np.array([0.0, 3.0, -3.0]), np.array([1.0, -3.0, 2.5])
     assert circle_distance(a, b).tolist() == [arc(x, y) for x, y in zip(a, b, strict=True)]
     assert circle_distance(3, b).tolist() == [arc(3, y) for y in b]
@@ -357,7 +342,7 @@ def around(space: Any, kind: str, rng: np.random.Generator, n: int) -> Any:
 
 
 def squares_from(space: Any, nodes: Any, q: Any) -> Any:
-    """Squared distances, by the public distances on the circle."""
+    """Squared distances by the public functions for the circle."""
     total = np.zeros(len(nodes))
     for i in range(len(q)):
         apart = space.weight[i] * (
@@ -370,9 +355,7 @@ def squares_from(space: Any, nodes: Any, q: Any) -> Any:
 @pytest.mark.parametrize("name", SPACES)
 @pytest.mark.parametrize("kind", ["spread", "at the wrap", "lattice", "one place"])
 def test_near_nodes_across_the_wrap_are_what_brute_force_finds(name: str, kind: str) -> None:
-    """The nearest of 1 to 1,500 nodes, the first among equals, and the k closest of 300, nearest
-    first.
-    """
+    """The nearest of 1 to 1,500 nodes, and the k nearest of 300, with ties to the first."""
     rng, space = np.random.default_rng(4), SPACES[name]
     nodes, tree = around(space, kind, rng, 1500), empty_tree(1500, space.lo, space.hi)
     for n, node in enumerate(nodes, start=1):
@@ -400,31 +383,27 @@ def test_near_nodes_across_the_wrap_are_what_brute_force_finds(name: str, kind: 
 
 
 class Band(NamedTuple):
-    """A world whose first coordinate must keep farther than this from 0."""
+    """A world that forbids a band around 0 in the first coordinate."""
 
     width: float
 
 
 @is_free.register(RoundRobot, Band)
 def outside_the_band(robot: RoundRobot, world: Band, q: Any, clearance: float) -> bool:
-    """Not within the band."""
+    """Whether the configuration is outside the band."""
     return abs(q[0]) > world.width
 
 
 @is_free_path.register(RoundRobot, Band)
 def does_not_cross(robot: RoundRobot, world: Band, a: Any, b: Any, clearance: float) -> bool:
-    """The ends on the same side, or the motion across the wrap, which is on the side away from the
-    band.
-    """
+    """Whether the ends are on the same side, or the motion wraps around away from the band."""
     ends = abs(a[0]) > world.width and abs(b[0]) > world.width
     return ends and (a[0] * b[0] > 0.0 or abs(a[0] - b[0]) > PI)
 
 
 @pytest.mark.parametrize("name", ["torus", "torus of three", "SE(2)"])
 def test_planners_go_the_short_way_round(name: str) -> None:
-    """RRT and PRM find the way across the wrap, or the turn across it; the interpreted planners
-    build the same.
-    """
+    """RRT and PRM plan motions that wrap around; the interpreted planners return the same."""
     space = SPACES[name]
     turns = name != "SE(2)"
     start, goal = np.full(len(space.lo), 1.5), np.full(len(space.lo), 1.5)
@@ -449,7 +428,7 @@ def test_planners_go_the_short_way_round(name: str) -> None:
 
 
 def test_a_wrapping_space_is_as_large_as_it_is_wide() -> None:
-    """Its diameter is attained and never exceeded; a planner's default step is a share of it."""
+    """Its diameter is attained and never exceeded; a planner's default step is a fraction of it."""
     rng = np.random.default_rng(0)
     for space in SPACES.values():
         ends = np.array(
@@ -481,14 +460,14 @@ def test_a_wrapping_space_is_as_large_as_it_is_wide() -> None:
         lambda: Box((1, 0), (0, 1)),
     ],
 )
-def test_spaces_that_make_no_sense_are_refused(bad: Any) -> None:
-    """By name: no dimension, no weight, corners that are no corners."""
+def test_invalid_spaces_are_refused(bad: Any) -> None:
+    """No dimensions, no weight, bounds that are not bounds."""
     with pytest.raises((InvalidParameter, InvalidPoint)):
         bad()
 
 
 def test_angles_are_wrapped() -> None:
-    """Into [-pi, pi); one or many configurations; the other coordinates stay."""
+    """To [-pi, pi), for one or many configurations; other coordinates are unchanged."""
     space = SE2((-4, 1), (3, 2), turn_weight=1)
     assert wrapped_configuration(space, (9, 9, PI)).tolist() == [9, 9, -PI]
     assert (
@@ -500,8 +479,7 @@ def test_angles_are_wrapped() -> None:
         assert circle_distance(wrapped(angle), angle) < 1e-9
 
 
-# ---- displacements
-# ---------------------------------------------------------------------------------------------------------------
+# ---- displacements -----------------------------------------------------------------------------
 
 
 @LAW
@@ -510,8 +488,9 @@ def test_angles_are_wrapped() -> None:
     st.tuples(st.floats(-9, 9), st.floats(-9, 9), st.floats(-9, 9)),
 )
 def test_displacements_are_a_group_of_rigid_motions(p: Any, q: Any) -> None:
-    """They keep lengths, compose, are undone by their inverse, and give back their configuration; a
-    turn by 0 moves nothing.
+    """They preserve lengths, compose, have inverses, and return their configuration.
+
+    A rotation by 0 is the identity.
     """
     a, b = displacement(*p), displacement(*q)
     corners = np.array([(0.0, 0.0), (3.0, 0.0), (0.0, 4.0)])
@@ -540,8 +519,8 @@ def test_displacements_are_a_group_of_rigid_motions(p: Any, q: Any) -> None:
         [[1, 0, 0], [0, 1, 0], [1, 0, 1]],
     ],
 )
-def test_what_is_no_displacement_is_refused(bad: Any) -> None:
-    """Wrong shapes, reflections, scalings, perspectives."""
+def test_matrices_that_are_not_displacements_are_refused(bad: Any) -> None:
+    """Wrong shapes, reflections, scalings, perspective transformations."""
     for ask in (inverse, configuration, lambda matrix: displaced((0, 0), matrix)):
         with pytest.raises(InvalidPoint, match="displacement"):
             ask(bad)

@@ -1,4 +1,4 @@
-"""Clocks that are fair: a student's program is timed alone, and on a slow computer it gets more."""
+"""Time limits count a student's own program only, and are longer on a slow computer."""
 
 import subprocess
 import sys
@@ -22,12 +22,12 @@ has_clocks = pytest.mark.skipif(
 
 @pytest.fixture(autouse=True)
 def usual_speed(monkeypatch):
-    """A computer as fast as a typical one, whatever it is."""
+    """Treat this computer as a typical one."""
     monkeypatch.setattr(time_limit, "speed", lambda: 1.0)
 
 
 def compute(seconds):
-    """Compute for so long in this thread."""
+    """Compute for the given time in this thread."""
     until = time.thread_time() + seconds
     while time.thread_time() < until:
         pass
@@ -41,21 +41,21 @@ def endless():
 
 
 def stopped(seconds, work):
-    """How a program was stopped."""
+    """The TimeUp of a program."""
     with pytest.raises(TimeUp) as over:
         within_processor_time(seconds, work)
     return over.value
 
 
 def test_an_answer_and_an_error_come_through():
-    """What work returns, and what it raises."""
+    """The work's result is returned, and its error is raised."""
     assert within_processor_time(5.0, lambda: 42) == within(5.0, lambda: 42) == 42
     with pytest.raises(ZeroDivisionError):
         within_processor_time(5.0, lambda: 1 / 0)
 
 
 def test_an_endless_loop_is_stopped_and_the_next_program_runs():
-    """Both numbers are told, and where it was all the time."""
+    """TimeUp has both times, and the lines in which the program was."""
     over = stopped(0.3, endless)
     assert over.used > over.allowed == 0.3 and not over.left_running
     assert over.seen is not None and over.seen.function == "endless"
@@ -65,42 +65,42 @@ def test_an_endless_loop_is_stopped_and_the_next_program_runs():
 @has_clocks
 @pytest.mark.parametrize("wait", [lambda: time.sleep(100), lambda: threading.Event().wait(100)])
 def test_a_program_that_waits_is_ended(wait):
-    """It computes next to nothing; the time on the wall ends it."""
+    """It computes next to nothing, so wall-clock time ends it."""
     over = stopped(0.05, wait)
     assert over.used < over.allowed == 0.05 < over.passed and over.seen is None
 
 
 @has_clocks
 def test_a_program_may_wait_for_a_while():
-    """What passes while others have the processor is not on its time."""
+    """Time in which other processes use the processor does not count."""
     assert within_processor_time(0.2, lambda: time.sleep(0.4)) is None
 
 
 def test_what_the_library_takes_is_not_counted(monkeypatch):
-    """All the time goes to interpreted functions of the library: the program is not refused."""
+    """Interpreted functions of the library take all the time, and the program is not stopped."""
     monkeypatch.setattr(time_limit, "library_seconds", lambda thread: time.perf_counter())
     assert within_processor_time(0.1, lambda: compute(0.5)) == 0.5
-    assert stopped(0.02, endless).passed > 20 * 0.02  # but nothing runs for ever
+    assert stopped(0.02, endless).passed > 20 * 0.02  # the longest time for any program
 
 
 def test_a_slow_computer_gets_more_time(monkeypatch):
-    """Its limit is as many times longer as it is slower, and the message says so."""
+    """Its limit is longer in proportion, and the message says so."""
     monkeypatch.setattr(time_limit, "speed", lambda: 10.0)
     assert within_processor_time(0.05, lambda: compute(0.2)) == 0.2
     assert stopped(0.03, endless).allowed == pytest.approx(0.3)
 
 
 def test_the_speed_of_a_computer_is_kept_in_bounds(monkeypatch):
-    """A fast one is typical, a very slow one as slow as any."""
+    """A fast computer counts as typical, and a very slow one as 20 times slower."""
     for seconds, factor in ((1e-9, 1.0), (2 * time_limit.REFERENCE, 2.0), (1e9, 20.0)):
-        monkeypatch.setattr(time_limit, "practice", lambda seconds=seconds: seconds)
+        monkeypatch.setattr(time_limit, "time_practice_loop", lambda seconds=seconds: seconds)
         assert measured() == factor
 
 
 measured = time_limit.speed.__wrapped__
 
 
-def test_where_no_thread_tells_its_time_the_wall_counts(monkeypatch):
+def test_wall_clock_time_counts_where_processor_time_is_unknown(monkeypatch):
     """A sleeping program ends there too."""
     monkeypatch.setattr(time_limit, "clock_of_this_thread", lambda: None)
     over = stopped(0.1, lambda: time.sleep(100))
@@ -108,8 +108,8 @@ def test_where_no_thread_tells_its_time_the_wall_counts(monkeypatch):
     assert within_processor_time(5.0, lambda: 42) == 42
 
 
-def test_to_load_a_module_is_not_on_the_programs_time():
-    """What is imported is told by the calls that are running."""
+def test_imports_do_not_count():
+    """Imports are recognized by the calls on the stack."""
 
     def calls(module):
         names = {}
@@ -122,9 +122,9 @@ def test_to_load_a_module_is_not_on_the_programs_time():
     assert not time_limit.waits_for_machine_code(calls("student.py"))
 
 
-def test_places_are_told_where_they_are_few():
-    """Of a program that was everywhere nothing is said."""
-    places = time_limit.Places()
+def test_a_location_is_reported_only_for_few_lines():
+    """For a program that was in many places there is no location."""
+    places = time_limit.SeenCalls()
 
     def look():
         places.add(sys._getframe())
@@ -132,15 +132,15 @@ def test_places_are_told_where_they_are_few():
     for _ in range(10):
         look()
     seen = places.seen()
-    assert seen is not None and seen.function == "test_places_are_told_where_they_are_few"
+    assert seen is not None and seen.function == "test_a_location_is_reported_only_for_few_lines"
     assert seen.first == seen.last
-    places = time_limit.Places()
+    places = time_limit.SeenCalls()
     places.add(sys._getframe())
     assert places.seen() is None
 
 
 def test_the_message_has_both_numbers():
-    """What was used and what is allowed here; a word of loops only where one was seen."""
+    """The time used and the time allowed; loops are mentioned only where one was seen."""
     late = late_words(Late(False, 7.61, 7.5, 8.0, []))
     assert "7.6 s" in late and "7.5 s" in late and "this computer" in late
     waited = late_words(Late(True, 0.01, 5.0, 20.0, []))
@@ -148,8 +148,8 @@ def test_the_message_has_both_numbers():
     assert "time that is allowed" in late_words(Late(False))
 
 
-def test_loops_are_spoken_of_where_one_was_seen(monkeypatch):
-    """The line is shown; a program that waits hears nothing of loops."""
+def test_the_message_mentions_loops_only_where_one_was_seen(monkeypatch):
+    """The line is shown; the message for a waiting program does not mention loops."""
     monkeypatch.setattr(type(EXERCISES["polygon_tangent"]), "seconds", 0.3)
 
     def polygon_tangent(q, polygon):
@@ -169,7 +169,7 @@ def test_loops_are_spoken_of_where_one_was_seen(monkeypatch):
 
 
 def test_the_same_time_out_earns_no_further_hint(monkeypatch):
-    """Its seconds differ each time; it is the same failure."""
+    """The seconds differ each time, but it is the same failure."""
     from kinoedu.course import feedback
 
     monkeypatch.setattr(feedback, "TRIES", {})
@@ -183,7 +183,7 @@ def test_the_same_time_out_earns_no_further_hint(monkeypatch):
 
 
 def test_alarms_count_processor_time_where_there_are_no_threads():
-    """In the sandbox: a program that computes and one that waits are ended, a short wait is not."""
+    """In the sandbox, a computing and a waiting program are stopped, but not after a short wait."""
     code = """
 import sys, time
 sys.argv = ["inside.py"]

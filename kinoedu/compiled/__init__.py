@@ -1,25 +1,29 @@
-"""The one door to numba: the lines a student reads are the lines that run.
+"""The only access to numba: functions that run interpreted or as machine code.
 
-Every algorithm has two ways to run. Python interprets it at once; machine code, made by numba from
-the same lines, runs some hundred times as fast and gives the same bits. Nobody waits for the
-compiler: machine code that lies on the disk is loaded, and otherwise a call is interpreted. What
-costs too much that way is compiled by another process, and later calls find its code on the disk.
+Every algorithm can run in two ways, from the same source. Python interprets it at once. Machine
+code, made by numba, runs some hundred times as fast and gives bit-identical results. No call waits
+for the compiler: machine code on the disk is loaded, and otherwise the call is interpreted. A call
+that takes too long to interpret is compiled by another process, and later calls find its machine
+code on the disk.
 
-| file | what it does |
+| file | content |
 |---|---|
-| tiers.py | chooses how a call runs, and adds up what interpreting has cost |
-| kinds.py | says of which kinds a call's arguments are: machine code is made for kinds |
-| keeper.py | one thread that loads machine code, and ends long interpreted calls when it has come |
-| store.py | where machine code lies on the disk, and which is wanted |
+| tiers.py | decides how a call runs, and measures the time of interpreted calls |
+| kinds.py | the kinds of a call's arguments, for which machine code is made |
+| keeper.py | the thread that loads machine code, and interrupts long interpreted calls |
+| store.py | the folder of machine code, and the requests for more |
+| requests.py | requests machine code, and starts the processes that compile |
 | machine.py | loads machine code with numba |
-| compiler.py, worker.py | make machine code with numba, in a process of their own |
+| compiler.py, worker.py | make machine code with numba, in a separate process |
+| choices.py | generic functions, and methods of records |
+| modes.py | the modes in which calls run |
 
-`compiled` is for kernels, `inlined` for short ones that are handed records, `algorithm` for whole
-algorithms that Python starts. `generic` makes a question that each kind of record answers in its
-own way; `record` lets compiled code call a record's methods. A *record* is a NamedTuple of arrays,
-numbers and records: the one kind of object that Python and machine code share.
+Decorators: `compiled` is for kernels, `inlined` for short kernels that take records, `algorithm`
+for whole algorithms that Python starts. `generic` makes a function with an implementation for each
+kind of record, and `record` lets compiled code call a record's methods. A *record* is a NamedTuple
+of arrays, numbers and records, the only objects that Python and machine code share.
 
-Without numba, or under NUMBA_DISABLE_JIT=1, the decorators leave functions as they are.
+Without numba, or under NUMBA_DISABLE_JIT=1, the decorators leave functions unchanged.
 """
 
 from .choices import generic, record

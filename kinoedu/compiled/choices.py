@@ -1,7 +1,7 @@
-"""Questions that each kind of record answers in its own way, and methods of records.
+"""Generic functions with implementations for kinds of records, and methods of records.
 
-In Python both are ordinary calls. What compiled code needs to know of them is listed here, and read
-by compiler.py before it compiles.
+In Python both are ordinary calls. This module lists what compiled code must know of them;
+compiler.py reads the lists before it compiles.
 """
 
 import functools
@@ -14,17 +14,27 @@ from ..errors import DuplicateKind
 F = TypeVar("F", bound=Callable[..., Any])
 C = TypeVar("C", bound=type)
 
-GENERICS: list[tuple[Callable[..., Any], Callable[..., Any]]] = []  # a question; what chooses
-METHODS: dict[str, dict[type, Callable[..., Any]]] = {}  # by name, then by class
+GENERICS: list[
+    tuple[Callable[..., Any], Callable[..., Any]]
+] = []  # generic functions, each with the function that selects its implementation
+METHODS: dict[str, dict[type, Callable[..., Any]]] = {}  # methods by name, then by class
 CALLABLE: list[Callable[..., Any]] = []  # plain functions that compiled code may call
 
 
 def generic(records: int) -> Callable[[Callable[..., Any]], Any]:
-    """Make a question whose answer depends on the kinds of its first `records` arguments.
+    """Make a generic function, which selects its implementation by its first `records` arguments.
 
-    The decorated function answers for kinds that have registered no answer of their own. Answers
-    are plain functions: compiled code takes them in, the interpreter runs them.
+    The decorated function is the default for kinds without an implementation. Implementations are
+    plain functions: compiled code inlines them, and Python interprets them. Register one with
+    `@function.register(kind, ...)`.
 
+    Raises
+    ------
+    DuplicateKind
+        By `register`, where the kinds have an implementation already.
+
+    Examples
+    --------
     >>> @generic(1)
     ... def legs(animal):
     ...     return 0
@@ -36,32 +46,32 @@ def generic(records: int) -> Callable[[Callable[..., Any]], Any]:
     """
 
     def make(default: Callable[..., Any]) -> Any:
-        answers: dict[tuple[type, ...], Callable[..., Any]] = {}
+        implementations: dict[tuple[type, ...], Callable[..., Any]] = {}
 
         @functools.wraps(default)
-        def ask(*args: Any) -> Any:
-            return answers.get(tuple(map(type, args[:records])), default)(*args)
+        def dispatch(*args: Any) -> Any:
+            return implementations.get(tuple(map(type, args[:records])), default)(*args)
 
         def register(*kinds: type) -> Callable[[F], F]:
-            def keep(answer: F) -> F:
-                if kinds in answers:
+            def add(implementation: F) -> F:
+                if kinds in implementations:
                     names = ", ".join(kind.__name__ for kind in kinds)
                     raise DuplicateKind(
-                        f"{default.__name__} already has an answer for ({names}); register a kind "
-                        "of your own"
+                        f"{default.__name__} already has an implementation for ({names}); register "
+                        "a kind of your own"
                     )
-                answers[kinds] = answer
-                return answer
+                implementations[kinds] = implementation
+                return implementation
 
-            return keep
+            return add
 
         def choose(*args: Any) -> Callable[..., Any]:
             kinds = (getattr(arg, "instance_class", arg) for arg in args[:records])
-            return answers.get(tuple(kinds), default)
+            return implementations.get(tuple(kinds), default)
 
-        ask.register = register  # type: ignore[attr-defined]
-        GENERICS.append((ask, choose))
-        return ask
+        dispatch.register = register  # type: ignore[attr-defined]
+        GENERICS.append((dispatch, choose))
+        return dispatch
 
     return make
 
@@ -69,6 +79,8 @@ def generic(records: int) -> Callable[[Callable[..., Any]], Any]:
 def record(record_class: C) -> C:
     """Let compiled code call the methods of a NamedTuple class, as Python can.
 
+    Examples
+    --------
     >>> from typing import NamedTuple
     >>> @record
     ... class Circle(NamedTuple):
@@ -85,12 +97,12 @@ def record(record_class: C) -> C:
 
 
 def method_chooser(name: str) -> Callable[..., Any]:
-    """What chooses, for the class of its first argument, the method of a name; or None."""
+    """A function that selects the method of a name for the class of its first argument, or None."""
     methods = METHODS[name]
 
     def choose(self: Any, *args: Any) -> Callable[..., Any] | None:
         return methods.get(getattr(self, "instance_class", type(None)))
 
     signature = inspect.signature(next(iter(methods.values())))
-    choose.__signature__ = signature  # type: ignore[attr-defined]  # numba folds arguments by it
+    choose.__signature__ = signature  # type: ignore[attr-defined]  # numba binds arguments by it
     return choose

@@ -1,7 +1,7 @@
-"""Machine code made by numba: a function and all that it calls become one piece.
+"""Compilation with numba of a function and all functions it calls, as one piece of machine code.
 
-Only that piece is called from Python. What it calls is neither given an entry from Python nor
-turned into machine code of its own, which saves most of the time that numba would take.
+Python calls only that piece. The functions inside it have no entry from Python and no machine code
+of their own, which saves most of numba's compilation time.
 """
 
 import functools
@@ -28,15 +28,15 @@ from numba.np.arrayobj import raise_with_shape_context
 from . import choices
 from .kinds import Kind
 from .machine import OPTIONS, numba_type
-from .tiers import Tiered
+from .tiers import TieredFunction
 
 INLINED = {"forceinline": True, "error_model": "numpy"}
 registered = {"generics": 0, "callable": 0}
 methods_known: set[str] = set()
 
 
-def compile_entry(function: Tiered, kinds: tuple[Kind, ...]) -> CompileResult:
-    """Compile a function for some kinds of arguments, to be called from Python.
+def compile_entry(function: TieredFunction, kinds: tuple[Kind, ...]) -> CompileResult:
+    """Compile a function that Python calls, for given kinds of arguments.
 
     Raises numba's error where it cannot be compiled.
     """
@@ -54,9 +54,9 @@ def compile_entry(function: Tiered, kinds: tuple[Kind, ...]) -> CompileResult:
 
 
 def register_choices() -> None:
-    """Tell numba of the questions, methods and functions that were defined since the last time."""
-    for ask, choose in choices.GENERICS[registered["generics"] :]:
-        overload(ask, strict=False, jit_options=INLINED)(choose)
+    """Register with numba the functions and methods defined since the last call."""
+    for generic, choose in choices.GENERICS[registered["generics"] :]:
+        overload(generic, strict=False, jit_options=INLINED)(choose)
     registered["generics"] = len(choices.GENERICS)
     for function in choices.CALLABLE[registered["callable"] :]:
         register_jitable(function)
@@ -67,23 +67,25 @@ def register_choices() -> None:
         methods_known.add(name)
 
 
-@typeof_impl.register(Tiered)
-def type_of_tiered(function: Tiered, context: Any) -> Any:
-    """A function of ours that compiled code calls."""
+@typeof_impl.register(TieredFunction)
+def type_of_tiered(function: TieredFunction, context: Any) -> Any:
+    """The numba type of a function of this package that compiled code calls."""
     if function.inner is None:
         function.inner = numba.njit(**{**OPTIONS, **function.options})(function.py_func)
     return types.Dispatcher(function.inner)
 
 
-# ---- what is only called from compiled code -----------------------------------------------------
+# ---- functions that only compiled code calls ----------------------------------------------------
 
 
 class LeanLibrary(JITCodeLibrary):
-    """A compiled function. Unless Python enters it, it stays in LLVM's language: it becomes machine
-    code as a part of those that call it."""
+    """A compiled function that stays in LLVM's intermediate language, unless Python calls it.
+
+    It becomes machine code as a part of its callers.
+    """
 
     is_entry = False
-    has_one_caller = False  # optimized there, and not before
+    has_one_caller = False  # then it is optimized only as a part of its caller
 
     def _optimize_final_module(self) -> None:
         if self.is_entry:
@@ -91,7 +93,9 @@ class LeanLibrary(JITCodeLibrary):
             return
         if self.has_one_caller:
             return
-        passes, builder = self._codegen._module_pass_manager()  # numba runs a cheaper one before
+        passes, builder = (
+            self._codegen._module_pass_manager()
+        )  # numba has run cheaper passes before
         passes.run(self._final_module, builder)
 
     def _finalize_final_module(self) -> None:
@@ -106,7 +110,7 @@ class LeanLibrary(JITCodeLibrary):
 
 
 def executable(self: Any, library: Any, description: Any, environment: Any) -> Any:
-    """numba's get_executable; what Python does not enter gets an entry that leads nowhere."""
+    """numba's get_executable, but with a dummy entry for functions that Python does not call."""
     if not isinstance(library, LeanLibrary) or library.is_entry:
         return executable_of_numba(self, library, description, environment)
     name = description.qualname.rpartition(".")[2]
@@ -116,13 +120,13 @@ def executable(self: Any, library: Any, description: Any, environment: Any) -> A
 
 
 def entry_from_python(self: Any, release_gil: bool) -> None:
-    """numba's create_cpython_wrapper, for what Python enters."""
+    """numba's create_cpython_wrapper, only for functions that Python calls."""
     if not isinstance(self.library, LeanLibrary) or self.library.is_entry:
         entry_from_python_of_numba(self, release_gil)
 
 
 def entry_from_c(self: Any) -> None:
-    """In place of numba's create_cfunc_wrapper: nothing is entered from C."""
+    """Replaces numba's create_cfunc_wrapper: C calls none of the functions."""
 
 
 executable_of_numba = cpu.CPUContext.get_executable
@@ -131,7 +135,7 @@ entry_from_python_of_numba = Lower.create_cpython_wrapper
 
 @contextmanager
 def lean_libraries() -> Iterator[None]:
-    """While the block runs, new libraries are lean."""
+    """Make new libraries lean while the block runs."""
     codegen = numba.core.registry.cpu_target.target_context.codegen()
     with (
         replaced(codegen, "_library_class", LeanLibrary),
@@ -144,7 +148,7 @@ def lean_libraries() -> Iterator[None]:
 
 @contextmanager
 def replaced(owner: Any, name: str, value: Any) -> Iterator[None]:
-    """While the block runs, an attribute has another value."""
+    """Give an attribute another value while the block runs."""
     usual = getattr(owner, name)
     setattr(owner, name, value)
     try:
@@ -155,10 +159,10 @@ def replaced(owner: Any, name: str, value: Any) -> Iterator[None]:
 
 @functools.cache
 def shorten_message_about_shapes() -> None:
-    """Let an assignment to a row of another length fail in few words.
+    """Shorten numba's error message for an assignment to a row of another length.
 
-    numba's message tells both shapes. Making the text of it took a third of the time and of the
-    code of whatever assigns a row.
+    The full message contains both shapes. Formatting it took a third of the compilation time and of
+    the code of every function that assigns a row.
     """
     numba.core.registry.cpu_target.typing_context.refresh()
     kind = numba.core.registry.cpu_target.typing_context.resolve_value_type(
@@ -169,7 +173,7 @@ def shorten_message_about_shapes() -> None:
 
 
 def fail_by_shape(source: Any, rows: Any) -> Callable[..., None]:
-    """What compiled code does when an array does not fit."""
+    """The compiled code for an array that does not fit."""
 
     def fail(source: Any, rows: Any) -> None:
         raise ValueError("an array of another shape cannot be assigned")
@@ -177,11 +181,11 @@ def fail_by_shape(source: Any, rows: Any) -> Callable[..., None]:
     return fail
 
 
-# ---- what Python enters -------------------------------------------------------------------------
+# ---- functions that Python calls ----------------------------------------------------------------
 
 
 class EntryCompiler(CompilerBase):
-    """numba's usual passes, for a function that Python enters."""
+    """numba's usual passes, for a function that Python calls."""
 
     mark = "is_entry"
 
@@ -194,30 +198,29 @@ class EntryCompiler(CompilerBase):
 
 
 class InnerCompiler(EntryCompiler):
-    """The same, for a function that only an entry calls."""
+    """The same passes, for a function that only an entry calls."""
 
     mark = "has_one_caller"
 
 
 def borrowing(function: Callable[..., Any]) -> Callable[..., Any]:
-    """The same algorithm, which only borrows the arrays that it is given.
+    """Wrap an algorithm so that it borrows the arrays of its arguments.
 
-    Nothing counts references to them while it runs, which makes planners two and a half times as
-    fast. It may write into them, but must return only numbers and arrays of its own.
+    No references to them are counted while it runs, which makes planners two and a half times as
+    fast. It may write into the arrays, but must return only numbers and its own arrays.
     """
     options = {**OPTIONS, "forceinline": True}
-    whole = numba.njit(**options, pipeline_class=InnerCompiler)(function)
-    # written out with a name for each argument: numba takes 0.2 ms to look at an *args tuple that
-    # holds a Generator
+    inner = numba.njit(**options, pipeline_class=InnerCompiler)(function)
+    # Every argument has a name, because numba takes 0.2 ms for an *args tuple with a Generator.
     names = ", ".join(inspect.signature(function).parameters)
-    scope = {"whole": whole, "borrowed": borrowed, "__name__": function.__module__}
-    exec(f"def {function.__name__}({names}): return whole(*borrowed(({names},)))", scope)
+    scope = {"inner": inner, "borrowed": borrowed, "__name__": function.__module__}
+    exec(f"def {function.__name__}({names}): return inner(*borrowed(({names},)))", scope)
     return scope[function.__name__]
 
 
 @intrinsic
 def borrowed(typing_context: Any, value: Any) -> Any:
-    """The same value; the arrays in it without owners."""
+    """The same value, with arrays that have no owners."""
 
     def disowned(context: Any, builder: Any, kind: Any, item: Any) -> Any:
         if isinstance(kind, types.Array):

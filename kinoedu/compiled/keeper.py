@@ -1,7 +1,8 @@
-"""The keeper: one thread that works with numba, and watches algorithms that are interpreted.
+"""The one thread that works with numba, and that watches interpreted algorithms.
 
-It loads machine code for whoever waits for it. An algorithm that outlasts its budget it has
-compiled; when the machine code has come it ends the interpreted call, which is begun again.
+It loads machine code for other threads, which wait for it. It requests the compilation of an
+algorithm that exceeds its budget. When the machine code exists, it interrupts the interpreted call,
+which is restarted.
 """
 
 import logging
@@ -20,15 +21,15 @@ if TYPE_CHECKING:
 log = logging.getLogger(__name__)
 
 WAITING_FILES.add(__file__)
-LOOK = 0.1  # seconds between two looks at what is watched
-IDLE = 5.0  # seconds without work after which the keeper looks more rarely
+POLL_INTERVAL = 0.1  # seconds between two checks of the watched calls
+IDLE_INTERVAL = 5.0  # seconds between two checks after as many seconds without work
 
 
-class ChangeOver(BaseException):
-    """Raised in an interpreted algorithm: its machine code has come."""
+class MachineCodeLoaded(BaseException):
+    """Raised in an interpreted algorithm when its machine code has been loaded."""
 
 
-class Watch:
+class WatchedCall:
     """An algorithm that a thread is interpreting."""
 
     def __init__(self, specialization: "Specialization") -> None:
@@ -37,52 +38,52 @@ class Watch:
         self.began = time.perf_counter()
         self.lock = threading.Lock()
         self.is_closed = self.is_interrupted = False
-        KEEPER.watch(self)
+        NUMBA_THREAD.watch(self)
 
-    def look(self) -> None:
-        """Do what its time calls for."""
+    def check(self) -> None:
+        """Load, interrupt or request compilation, depending on the time that the call has taken."""
         from .tiers import BUDGET, IMPORTING
 
-        it, seconds = self.specialization, time.perf_counter() - self.began
-        if seconds > IMPORTING and not it.is_loaded and it.has_come():
-            it.load_here()
-        if it.is_loaded:
+        call, seconds = self.specialization, time.perf_counter() - self.began
+        if seconds > IMPORTING and not call.is_loaded and call.is_on_disk():
+            call.load_here()
+        if call.is_loaded:
             self.interrupt()
-        elif it.spent + seconds > BUDGET:
-            it.request()
+        elif call.spent + seconds > BUDGET:
+            call.request()
 
     def interrupt(self) -> None:
-        """End the interpreted call, unless it has ended."""
+        """Interrupt the interpreted call, unless it has ended."""
         with self.lock:
             if not self.is_closed and not self.is_interrupted:
                 self.is_interrupted = True
-                raise_in(self.thread, ChangeOver)
+                raise_in(self.thread, MachineCodeLoaded)
 
     def close(self) -> None:
-        """The call has ended: it is not to be interrupted any more, and perhaps was just now."""
-        KEEPER.forget(self)
+        """End the watch after the call, and cancel an interruption that is still pending."""
+        NUMBA_THREAD.unwatch(self)
         with self.lock:
             self.is_closed = True
         if self.is_interrupted:
             raise_in(self.thread, None)
 
 
-class Keeper:
-    """The thread, started when there is something to do."""
+class NumbaThread:
+    """The thread, started when there is work."""
 
     def __init__(self) -> None:
-        self.renew()
+        self.reset()
 
-    def renew(self) -> None:
-        """Begin without a thread, as after a fork."""
+    def reset(self) -> None:
+        """Reset to the state without a thread, as after a fork."""
         self.jobs: queue.SimpleQueue[Callable[[], None] | None] = queue.SimpleQueue()
-        self.watches: set[Watch] = set()
+        self.watches: set[WatchedCall] = set()
         self.thread: threading.Thread | None = None
         self.is_idle = True
         self.starting = threading.Lock()
 
-    def wake(self) -> None:
-        """See to it that the thread runs."""
+    def ensure_running(self) -> None:
+        """Start the thread unless it runs, and end its idle state."""
         if self.thread is None:
             with self.starting:
                 if self.thread is None:
@@ -92,23 +93,25 @@ class Keeper:
         if self.is_idle:
             self.jobs.put(None)
 
-    def watch(self, watch: Watch) -> None:
-        """Look at a watch now and then."""
+    def watch(self, watch: WatchedCall) -> None:
+        """Check a watch periodically from now on."""
         self.watches.add(watch)
-        self.wake()
+        self.ensure_running()
 
-    def forget(self, watch: Watch) -> None:
-        """Do so no more."""
+    def unwatch(self, watch: WatchedCall) -> None:
+        """Stop checking a watch."""
         self.watches.discard(watch)
 
-    def later(self, work: Callable[[], None]) -> None:
-        """Do some work in the keeper's thread, soon."""
-        self.wake()
+    def submit(self, work: Callable[[], None]) -> None:
+        """Run some work in this thread soon."""
+        self.ensure_running()
         self.jobs.put(work)
 
-    def do(self, work: Callable[[], None]) -> None:
-        """Do some work in the keeper's thread, and wait for it: what stops the caller's thread does
-        not stop the work. Raises what the work raises."""
+    def run_and_wait(self, work: Callable[[], None]) -> None:
+        """Run some work in this thread and wait for it; raises what the work raises.
+
+        An interruption of the calling thread does not interrupt the work.
+        """
         if threading.current_thread() is self.thread:
             work()
             return
@@ -121,7 +124,7 @@ class Keeper:
                 done["error"] = error
             done["done"] = True
 
-        self.wake()
+        self.ensure_running()
         self.jobs.put(job)
         while "done" not in done:
             time.sleep(0.001)
@@ -129,12 +132,12 @@ class Keeper:
             raise done["error"]
 
     def run(self) -> None:
-        """Work, for ever."""
+        """The loop of the thread."""
         last = time.monotonic()
         while True:
-            self.is_idle = not self.watches and time.monotonic() - last > IDLE
+            self.is_idle = not self.watches and time.monotonic() - last > IDLE_INTERVAL
             try:
-                job = self.jobs.get(timeout=IDLE if self.is_idle else LOOK)
+                job = self.jobs.get(timeout=IDLE_INTERVAL if self.is_idle else POLL_INTERVAL)
             except queue.Empty:
                 job = None
             self.is_idle = False
@@ -144,12 +147,12 @@ class Keeper:
             for watch in tuple(self.watches):
                 last = time.monotonic()
                 try:
-                    watch.look()
+                    watch.check()
                 except Exception:
                     log.exception("an interpreted call could not be watched")
                     self.watches.discard(watch)
 
 
-KEEPER = Keeper()
+NUMBA_THREAD = NumbaThread()
 if hasattr(os, "register_at_fork"):
-    os.register_at_fork(after_in_child=KEEPER.renew)
+    os.register_at_fork(after_in_child=NUMBA_THREAD.reset)

@@ -1,7 +1,7 @@
-"""Machine code with numba: read from the disk, and called.
+"""Machine code in numba's format: reading it from the disk, and calling it.
 
-Only the keeper's thread works with numba in a reader's process, so that stopping any other thread
-never leaves numba's lock held.
+In a user's process only one thread (keeper.py) works with numba, so that the interruption of
+another thread never leaves numba's lock held.
 """
 
 import pickle
@@ -18,17 +18,16 @@ from numba.core.compiler_lock import global_compiler_lock
 from numba.core.serialize import dumps
 from numba.np.numpy_support import from_dtype
 
-from .kinds import NOTHING, RNG, Kind, is_tuple_kind
+from .kinds import NONE, RNG, Kind, is_tuple_kind
 
-# error_model: a float divided by zero is inf, without a check at every division. forceinline: said
-# of every function, or numba would pass it on from a function that is taken in to all that it
-# calls.
+# error_model: a float divided by zero is inf, without a check at every division.
+# forceinline: set for every function, or numba would pass it on from an inlined one to its callees.
 OPTIONS: dict[str, Any] = {"nogil": True, "error_model": "numpy", "forceinline": False}
 RNG_TYPE = numba.typeof(np.random.default_rng(0))
 
 
 def new_dispatcher(function: Callable[..., Any], missed: Callable[..., Any]) -> Any:
-    """What calls a function's machine code; for kinds that have none, `missed`. Never compiles."""
+    """A dispatcher that calls machine code, or `missed` for other kinds; it never compiles."""
     dispatcher = numba.njit(**OPTIONS)(function)
     dispatcher._compile_for_args = lambda *args: missed
     return dispatcher
@@ -37,6 +36,8 @@ def new_dispatcher(function: Callable[..., Any], missed: Callable[..., Any]) -> 
 def numba_type(kind: Kind) -> Any:
     """numba's type for a kind.
 
+    Examples
+    --------
     >>> from .kinds import kind_of
     >>> numba_type(kind_of(np.zeros((2, 3))))
     Array(float64, 2, 'C', False, aligned=True)
@@ -49,32 +50,31 @@ def numba_type(kind: Kind) -> Any:
         return types.Array(from_dtype(np.dtype(dtype)), dimensions, layout, readonly=not writable)
     if kind == RNG:
         return RNG_TYPE
-    return types.none if kind == NOTHING else from_dtype(np.dtype(kind))
+    return types.none if kind == NONE else from_dtype(np.dtype(kind))
 
 
-def magic() -> tuple[Any, ...]:
-    """What machine code fits: numba, and the processor as LLVM knows it."""
+def compatibility_key() -> tuple[Any, ...]:
+    """The versions and the processor that machine code depends on."""
     features = llvmlite.binding.get_host_cpu_features().flatten()
     return numba.__version__, llvmlite.binding.get_host_cpu_name(), features
 
 
-def packed(result: CompileResult) -> bytes:
-    """Machine code as it is kept on the disk."""
-    return pickle.dumps(magic()) + dumps(result._reduce())
+def to_bytes(result: CompileResult) -> bytes:
+    """Machine code as bytes for a file."""
+    return pickle.dumps(compatibility_key()) + dumps(result._reduce())
 
 
 def load(dispatcher: Any, file: Path) -> None:
-    """Give a dispatcher the machine code in a file. Raises where the file does not hold such code
-    for this computer."""
+    """Add the machine code in a file to a dispatcher; raises where it cannot be used."""
     with open(file, "rb") as stream:
-        if pickle.load(stream) != magic():
+        if pickle.load(stream) != compatibility_key():
             raise ValueError(f"{file.name} is for another computer")
         parts = pickle.load(stream)
-    add(dispatcher, parts)
+    add_machine_code(dispatcher, parts)
 
 
 @global_compiler_lock
-def add(dispatcher: Any, parts: tuple[Any, ...]) -> None:
-    """Give a dispatcher machine code, in the parts that it was packed in."""
-    dispatcher.targetctx.refresh()  # what machine code calls of numba's is there from now on
+def add_machine_code(dispatcher: Any, parts: tuple[Any, ...]) -> None:
+    """Add machine code to a dispatcher, in the parts in which it was stored."""
+    dispatcher.targetctx.refresh()  # makes numba's own functions available to the machine code
     dispatcher.add_overload(CompileResult._rebuild(dispatcher.targetctx, *parts))

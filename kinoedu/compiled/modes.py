@@ -1,16 +1,19 @@
-"""How calls run: the three modes, for a process and for a stretch of it."""
+"""The three modes in which calls run, for a process or a block."""
 
 import os
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-WHEN_IT_PAYS = "when-it-pays"  # interpreted at once, compiled elsewhere when that is cheaper
-COMPILED_FIRST = "first"  # whoever times machine code waits for it
+WHEN_IT_PAYS = (
+    "when-it-pays"  # interpreted at once, compiled by another process when that is cheaper
+)
+COMPILED_FIRST = "first"  # every call waits for its machine code, for measurements of time
 INTERPRETED = "never"  # machine code is neither loaded nor made
 MODES = (WHEN_IT_PAYS, COMPILED_FIRST, INTERPRETED)
 
 
 def _mode_of_process() -> str:
+    """The mode that KINOEDU_MACHINE_CODE names, or the default."""
     given = os.environ.get("KINOEDU_MACHINE_CODE", WHEN_IT_PAYS)
     return next((known for known in MODES if known == given), WHEN_IT_PAYS)
 
@@ -22,6 +25,13 @@ mode = _mode_of_process()  # read as modes.mode; set by running()
 def running(new: str) -> Iterator[None]:
     """Run the block, in all threads, in another mode.
 
+    Raises
+    ------
+    ValueError
+        Where the mode is not known.
+
+    Examples
+    --------
     >>> from kinoedu import compiled
     >>> from kinoedu.geometry import orientation
     >>> with compiled.running(compiled.INTERPRETED):

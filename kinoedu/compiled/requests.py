@@ -1,4 +1,4 @@
-"""Asking for machine code: writing down what is wanted, and starting who compiles it."""
+"""Requests for machine code, and the processes that compile it."""
 
 import os
 import subprocess
@@ -8,79 +8,93 @@ from collections.abc import Callable, Collection
 from pathlib import Path
 
 from ..support.threads import WAITING_FILES
-from .store import PACKAGE, Wanted, lock_taken, want
+from .store import PACKAGE, Request, try_lock, write_request
 
-BACKGROUND = 0  # the slot of the one worker that gives way to everything else
-AGAIN = 0.05  # seconds between two looks for what is waited for
-FAILURES = 3  # workers that may fail while something is waited for
+BACKGROUND = 0  # the slot of the worker with low priority
+POLL_INTERVAL = 0.05  # seconds between two looks for machine code
+MAX_FAILURES = 3  # workers that may fail during one wait
 
 WAITING_FILES.add(__file__)
-started: dict[int, "subprocess.Popen[bytes]"] = {}  # by slot
+started: dict[int, "subprocess.Popen[bytes]"] = {}  # workers by slot
 
 
-def is_refused(place: Path, wanted: Wanted) -> bool:
+def is_refused(place: Path, request: Request) -> bool:
     """Whether numba could not compile it."""
-    return (place / f"{wanted.name}.refused").exists()
+    return (place / f"{request.name}.refused").exists()
 
 
-def is_there(place: Path, wanted: Wanted) -> bool:
-    """Whether its machine code has come."""
-    return (place / f"{wanted.name}.code").exists()
+def is_there(place: Path, request: Request) -> bool:
+    """Whether its machine code exists."""
+    return (place / f"{request.name}.code").exists()
 
 
-def have_compiled(place: Path, wanted: Wanted) -> bool:
-    """Have something compiled behind whatever else is running; whether there is hope of it."""
-    if is_refused(place, wanted) or is_there(place, wanted):
-        return is_there(place, wanted)
+def is_pending(place: Path, request: Request) -> bool:
+    """Whether it is neither compiled nor refused."""
+    return not is_there(place, request) and not is_refused(place, request)
+
+
+def request_compilation(place: Path, request: Request) -> bool:
+    """Request machine code at low priority; returns whether it exists or can be expected."""
+    if is_refused(place, request) or is_there(place, request):
+        return is_there(place, request)
     try:
-        want(place, wanted)
+        write_request(place, request)
         start_worker(place, BACKGROUND)
-    except OSError:  # no processes here, or no room on the disk
+    except OSError:  # processes are not possible, or the disk is full
         return False
     return True
 
 
-def wait_for(place: Path, wanted: Wanted) -> bool:
-    """Have something compiled and wait for it; whether it was."""
-    return not compile_all(place, [wanted], workers=1)
+def compile_and_wait(place: Path, request: Request) -> bool:
+    """Request machine code and wait; returns whether it was compiled."""
+    return not compile_all(place, [request], workers=1)
 
 
 def compile_all(
     place: Path,
-    wanted: Collection[Wanted],
+    wanted: Collection[Request],
     *,
     workers: int,
     gives_way: bool = False,
     tell: Callable[[int, int], None] = lambda done, of: None,
-) -> list[Wanted]:
-    """Have all compiled by some processes, and wait; those that could not be compiled.
+) -> list[Request]:
+    """Compile all requests in several processes, and wait.
 
-    tell : is told how many are done, and of how many.
+    Parameters
+    ----------
+    place : the folder of machine code.
+    wanted : the requests.
+    workers : how many processes compile.
+    gives_way : whether they run at low priority.
+    tell : is called with the number of requests that are done, and the number of all.
+
+    Returns
+    -------
+    list
+        The requests that could not be compiled.
     """
-    missing = [one for one in wanted if not is_there(place, one) and not is_refused(place, one)]
-    for one in missing:
-        want(place, one)
-    everything, slots = len(missing), range(1, 1 + min(workers, len(missing)))
+    missing = [request for request in wanted if is_pending(place, request)]
+    for request in missing:
+        write_request(place, request)
+    total, slots = len(missing), range(1, 1 + min(workers, len(missing)))
     failures = 0
     try:
-        while missing and failures < FAILURES:
-            tell(everything - len(missing), everything)
+        while missing and failures < MAX_FAILURES:
+            tell(total - len(missing), total)
             for slot in slots:
                 failures += has_failed(slot)
                 start_worker(place, slot, gives_way=gives_way)
-            time.sleep(AGAIN)
-            missing = [
-                one for one in missing if not is_there(place, one) and not is_refused(place, one)
-            ]
+            time.sleep(POLL_INTERVAL)
+            missing = [request for request in missing if is_pending(place, request)]
     except BaseException:
         for slot in slots:
             stop_worker(slot)
         raise
-    return [one for one in wanted if not is_there(place, one)]
+    return [request for request in wanted if not is_there(place, request)]
 
 
 def start_worker(place: Path, slot: int, *, gives_way: bool = True) -> None:
-    """Start the worker of a slot, unless there is one."""
+    """Start the worker of a slot, unless it runs."""
     worker = started.get(slot)
     if (worker is not None and worker.poll() is None) or has_worker(place, slot):
         return
@@ -94,12 +108,12 @@ def start_worker(place: Path, slot: int, *, gives_way: bool = True) -> None:
             stdout=log,
             stderr=log,
             env={**kept, "PYTHONPATH": path, "KINOEDU_CACHE": str(place.parent)},
-            start_new_session=True,  # Ctrl-C is the reader's
+            start_new_session=True,  # Ctrl-C does not reach the worker
         )
 
 
 def has_failed(slot: int) -> bool:
-    """Whether the worker of a slot ended for another reason than that it had nothing to do."""
+    """Whether the worker of a slot has ended with an error."""
     worker = started.get(slot)
     if worker is None or worker.poll() is None:
         return False
@@ -108,13 +122,13 @@ def has_failed(slot: int) -> bool:
 
 
 def has_worker(place: Path, slot: int) -> bool:
-    """Whether some process is the worker of a slot."""
+    """Whether any process is the worker of a slot."""
     with open(place / f"slot-{slot}", "wb") as lock:
-        return not lock_taken(lock)  # and freed again here
+        return not try_lock(lock)  # closing the file unlocks it
 
 
 def stop_worker(slot: int) -> None:
-    """End the worker of a slot."""
+    """Terminate the worker of a slot."""
     worker = started.pop(slot, None)
     if worker is not None:
         worker.terminate()

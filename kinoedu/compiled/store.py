@@ -1,13 +1,14 @@
-"""Where machine code lies on the disk, and which is wanted there.
+"""The folder of machine code on the disk, and the requests for more.
 
-The folder is private to its user: entries are pickles. Its name is a digest of what machine code is
-made of: the package's sources (not where they lie), the versions of Python and numba, and the
-processor. So a second copy of the same sources finds what is there, and no code is ever stale.
+The folder is private to its user, because its files are pickles. Its name is a digest of everything
+that machine code depends on: the package's sources (not their location), the versions of Python and
+numba, and the processor. So another copy of the same sources uses the same folder, and machine code
+is never stale.
 
     <digest>/
       <module>.<function>.<kinds>.code       machine code
       <module>.<function>.<kinds>.refused    why numba could not compile it: it stays interpreted
-      wanted/<module>.<function>.<kinds>     for the process that compiles
+      wanted/<module>.<function>.<kinds>     a request to the process that compiles
 """
 
 import functools
@@ -25,20 +26,22 @@ from pathlib import Path
 from typing import IO, Any, NamedTuple
 
 from ..support.whole_files import written_whole
-from .kinds import Kind, classes_in, spelled
+from .kinds import Kind, record_classes, spelled
 
 PACKAGE = Path(__file__).resolve().parent.parent
 NAME = __name__.partition(".")[0]
 
-# Nothing below these rooms calls them: none of what they compile is kept.
+# The packages on top of all others. Machine code of their functions is not stored.
 UPPER_ROOMS = ("bench", "boards", "cli", "course", "experiments", "figures", "files", "grading")
-STALE = 30 * 24 * 3600.0  # seconds after which the code of other versions is cleared away
-IMPORTED = time.time()  # sources that were changed later are not those that run here
+STALE = 30 * 24 * 3600.0  # seconds after which the machine code of other versions is removed
+IMPORTED = time.time()  # sources changed later than this do not run in this process
 
 
-class Wanted(NamedTuple):
-    """What is to be compiled: a function by its module and name, the kinds of its arguments; and
-    how often it was begun in vain."""
+class Request(NamedTuple):
+    """A request to compile a function, by module and name, for kinds of arguments.
+
+    attempts : how many processes ended while they compiled it.
+    """
 
     module: str
     function: str
@@ -54,10 +57,10 @@ class Wanted(NamedTuple):
 
 @functools.cache
 def folder() -> Path | None:
-    """The writable folder for machine code of the sources that run here; None where there is none.
+    """The writable folder of machine code for the sources that run here, or None if there is none.
 
-    KINOEDU_CACHE names another place than the user's cache folder; KINOEDU_WARMED one that somebody
-    has warmed for all users, who begin with a copy of it.
+    KINOEDU_CACHE names another place than the user's cache folder. KINOEDU_WARMED names a folder
+    that was prepared for all users; a new folder starts as a copy of it.
     """
     try:
         if changed_since(IMPORTED):
@@ -65,7 +68,7 @@ def folder() -> Path | None:
         place = user_cache() / f"{source_digest(PACKAGE, UPPER_ROOMS)}-{machine_digest()}"
         if not place.exists():
             make_folder(place)
-            clear_stale(place)
+            remove_stale(place)
         tempfile.TemporaryFile(dir=place).close()
     except (OSError, RuntimeError):  # RuntimeError: the user has no home
         return None
@@ -82,13 +85,13 @@ def user_cache() -> Path:
 
 
 def sources(package: Path, without: Collection[str] = ()) -> list[Path]:
-    """A package's source files, those of some rooms left out."""
+    """The source files of a package, without those of some subpackages."""
     found = package.rglob("*.py")
     return sorted(file for file in found if file.relative_to(package).parts[0] not in without)
 
 
 def source_digest(package: Path, without: Collection[str] = ()) -> str:
-    """What tells one version of a package from another, wherever it lies."""
+    """A digest of a package's sources, independent of its location."""
     digest = hashlib.sha256()
     for file in sources(package, without):
         digest.update(file.relative_to(package).as_posix().encode() + b"\0" + file.read_bytes())
@@ -96,12 +99,12 @@ def source_digest(package: Path, without: Collection[str] = ()) -> str:
 
 
 def changed_since(when: float) -> bool:
-    """Whether a source was written later: then this process runs others than those on the disk."""
+    """Whether a source file was changed later, so that it differs from what this process runs."""
     return any(file.stat().st_mtime > when for file in sources(PACKAGE, UPPER_ROOMS))
 
 
 def machine_digest() -> str:
-    """What machine code depends on beside its sources: Python, numba and the processor."""
+    """A digest of the versions of Python and numba, and of the processor."""
     versions = [sys.implementation.cache_tag or "", sys.platform]
     for package in ("numba", "llvmlite", "numpy"):
         try:
@@ -112,24 +115,26 @@ def machine_digest() -> str:
 
 
 def processor() -> str:
-    """What tells one kind of processor from another."""
+    """A text that identifies the kind of processor."""
     try:
         lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").partition("\n\n")[0].splitlines()
-        told = [line for line in lines if line.startswith(("model", "flags", "Features", "CPU "))]
-        return "\n".join(line for line in told if not line.startswith("CPU MHz"))
+        kept = [line for line in lines if line.startswith(("model", "flags", "Features", "CPU "))]
+        return "\n".join(line for line in kept if not line.startswith("CPU MHz"))
     except OSError:
         return f"{platform.machine()} {platform.processor()}"
 
 
 def make_folder(place: Path) -> None:
-    """Make the folder, with what is warmed for all users in it; whole or not at all, as several
-    processes may begin at once."""
+    """Make the folder, with the machine code that was prepared for all users.
+
+    It appears complete or not at all, because several processes may make it at once.
+    """
     place.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
     fresh = Path(tempfile.mkdtemp(dir=place.parent))
     warmed = Path(os.environ.get("KINOEDU_WARMED") or os.devnull) / place.name
     try:
         shutil.copytree(warmed, fresh, dirs_exist_ok=True)
-    except OSError:  # nothing is warmed, or not for this user to read
+    except OSError:  # nothing is prepared, or this user cannot read it
         shutil.rmtree(fresh)
         fresh.mkdir()
     fresh.chmod(0o700)
@@ -140,7 +145,7 @@ def make_folder(place: Path) -> None:
         shutil.rmtree(fresh, ignore_errors=True)
 
 
-def clear_stale(place: Path) -> None:
+def remove_stale(place: Path) -> None:
     """Remove the folders of other versions in which nothing was compiled for a month."""
     for other in place.parent.iterdir():
         is_version = len(other.name) in (16, 25) and other != place
@@ -149,26 +154,24 @@ def clear_stale(place: Path) -> None:
 
 
 def is_digested(thing: Any) -> bool:
-    """Whether a function or a class is among the sources that the folder is named by."""
+    """Whether a function or a class is defined in the sources that the folder's name depends on."""
     package, room = [*thing.__module__.split("."), ""][:2]
     return package == NAME and room not in UPPER_ROOMS and "<locals>" not in thing.__qualname__
 
 
 def are_digested(kinds: tuple[Kind, ...]) -> bool:
-    """Whether kinds are made of numbers, arrays and records of those sources."""
-    return all(map(is_digested, set[type]().union(*map(classes_in, kinds))))
+    """Whether kinds consist of numbers, arrays and records of those sources."""
+    return all(map(is_digested, set[type]().union(*map(record_classes, kinds))))
 
 
-def want(place: Path, wanted: Wanted) -> None:
-    """Write down that machine code is wanted."""
-    with written_whole(place / "wanted" / wanted.name) as part:
-        part.write_bytes(pickle.dumps(wanted))
+def write_request(place: Path, request: Request) -> None:
+    """Write a request for machine code."""
+    with written_whole(place / "wanted" / request.name) as part:
+        part.write_bytes(pickle.dumps(request))
 
 
-def lock_taken(lock: IO[bytes]) -> bool:
-    """Take the lock on a file; whether nobody had it. The system frees it when this process
-    ends.
-    """
+def try_lock(lock: IO[bytes]) -> bool:
+    """Try to lock a file until this process ends; returns whether it succeeded."""
     try:
         if os.name == "nt":
             import msvcrt
@@ -181,17 +184,17 @@ def lock_taken(lock: IO[bytes]) -> bool:
     except (BlockingIOError, PermissionError):
         return False
     except OSError:
-        pass  # some network disks know no locks: then two may compile the same
+        pass  # some network disks have no locks; then two workers may compile the same
     return True
 
 
-def all_wanted(place: Path) -> list[Path]:
-    """What is wanted, the oldest first."""
+def pending_requests(place: Path) -> list[Path]:
+    """The files of all requests, the oldest first."""
     found = []
     for file in (place / "wanted").iterdir():
         if not file.name.endswith(".part"):
             try:
                 found.append((file.stat().st_mtime_ns, file))
-            except OSError:  # it was just taken
+            except OSError:  # a worker has just taken it
                 continue
     return [file for _, file in sorted(found)]

@@ -1,15 +1,15 @@
-"""Two ways to run a function, and which of them is taken.
+"""Functions that run interpreted or as machine code, and the decision between the two.
 
-A call whose machine code is loaded runs it. A call whose code lies on the disk loads it, once this
-process has interpreted long enough to pay for importing numba. Every other call is interpreted, at
-once, and its time added up: what has cost BUDGET seconds is compiled by another process. So the
-total is never much worse than the better of the two, as with skis that one rents until they could
-have been bought. An algorithm that is interpreted for longer is begun again, from the arguments as
-they were, when its machine code has come.
+A call whose machine code is loaded runs it. A call whose machine code is on the disk loads it, once
+this process has spent about as long interpreting as the import of numba takes. Every other call is
+interpreted at once, and its time is added up. After BUDGET seconds it is compiled by another
+process. So the total time is never much more than that of the better way: this is the ski-rental
+problem of online algorithms. An algorithm that is still being interpreted when its machine code
+exists is restarted with its original arguments.
 
-What an interpreted function calls is interpreted too, and not counted by itself. What no machine
-code can be made for (a recorder, a reader's own problem) is interpreted; what that calls is chosen
-call by call.
+Functions called by an interpreted function are interpreted too, and their time is not counted
+separately. A call with arguments that machine code cannot take (a recorder, a user's own problem)
+is interpreted; for the functions it calls, the decision is made call by call.
 """
 
 import functools
@@ -31,11 +31,13 @@ from . import modes, store
 from .choices import CALLABLE
 from .kinds import Kind, kinds_of
 
-BUDGET = 2.0  # seconds that interpreting one kind of call may cost before it is compiled
-IMPORTING = 1.0  # seconds of interpreting, in all, before numba is imported: about what that takes
-LOOK_AGAIN = 0.5  # seconds after which it is looked again whether machine code has come
+BUDGET = 2.0  # seconds of interpreting one kind of call before it is compiled
+IMPORTING = (
+    1.0  # seconds of interpreting in all before numba is imported, which takes about as long
+)
+LOOK_AGAIN = 0.5  # seconds between two looks for machine code on the disk
 
-BEGUN, DONE = "compiling %s once", "compiled %s"  # what is logged when a call waits for it
+BEGUN, DONE = "compiling %s once", "compiled %s"  # log messages of a call that waits
 
 log = logging.getLogger(__name__.partition(".")[0])
 
@@ -43,26 +45,26 @@ F = TypeVar("F", bound=Callable[..., Any])
 
 
 class Compiled(Protocol):
-    """A function with the Python function it was compiled from."""
+    """A function with the Python function from which it was compiled."""
 
     py_func: Callable[..., Any]
 
     def __call__(self, *args: Any) -> Any: ...
 
 
-class Here(threading.local):
+class ThreadState(threading.local):
     """What this thread is doing."""
 
     interpreting = False  # inside an interpreted call whose time is counted
 
 
-here = Here()
-TIERED: list["Tiered"] = []  # all there are
-interpreted = Spent()  # by all threads together
+thread_state = ThreadState()
+TIERED: list["TieredFunction"] = []  # all of them
+interpreted = Spent()  # in all threads together
 
 
-class Tiered:
-    """A function that runs in the one way or the other."""
+class TieredFunction:
+    """A function that runs interpreted or as machine code."""
 
     def __init__(
         self, function: Callable[..., Any], *, is_algorithm: bool = False, **options: bool
@@ -73,20 +75,21 @@ class Tiered:
         self.is_algorithm = is_algorithm
         self.options = options
         self.can_be_stored = store.is_digested(function)
-        self.machine: Callable[..., Any] | None = None  # runs machine code, once some is loaded
-        self.inner: Any = None  # what compiled code calls, in a process that compiles
+        # the dispatcher, once machine code is loaded
+        self.machine: Callable[..., Any] | None = None
+        self.inner: Any = None  # numba's function for compiled callers, in a process that compiles
         self.specializations: dict[tuple[Kind, ...], Specialization] = {}
         TIERED.append(self)
 
     def __call__(self, *args: Any) -> Any:
         machine = self.machine
-        if machine is None or here.interpreting or modes.mode is modes.INTERPRETED:
+        if machine is None or thread_state.interpreting or modes.mode is modes.INTERPRETED:
             return self.without_machine_code(*args)
         return machine(*args)
 
     def without_machine_code(self, *args: Any) -> Any:
         """Run a call for whose kinds no machine code is loaded."""
-        if here.interpreting or modes.mode is modes.INTERPRETED:
+        if thread_state.interpreting or modes.mode is modes.INTERPRETED:
             return self.py_func(*args)
         kinds = kinds_of(args)
         if kinds is None:
@@ -97,21 +100,21 @@ class Tiered:
         return specialization.run(args)
 
     def __reduce__(self) -> Any:
-        return find, (self.__module__, self.__qualname__)
+        return find_function, (self.__module__, self.__qualname__)
 
     def __repr__(self) -> str:
         return f"<compiled function {self.__module__}.{self.__qualname__}>"
 
 
-def find(module: str, name: str) -> Any:
-    """A function of a module."""
+def find_function(module: str, name: str) -> Any:
+    """A function of a module, by name."""
     return getattr(importlib.import_module(module), name)
 
 
 class Specialization:
-    """A function for one kind of arguments: what interpreting it has cost, where its code is."""
+    """A function for given kinds of arguments: the time spent interpreting it, its machine code."""
 
-    def __init__(self, function: Tiered, kinds: tuple[Kind, ...]) -> None:
+    def __init__(self, function: TieredFunction, kinds: tuple[Kind, ...]) -> None:
         self.function = function
         self.kinds = kinds
         self.spent = 0.0
@@ -123,31 +126,31 @@ class Specialization:
         self.looked = -np.inf
 
     def run(self, args: tuple[Any, ...]) -> Any:
-        """Run a call, machine code or not."""
+        """Run a call in the better way."""
         if modes.mode is modes.COMPILED_FIRST and not self.is_tried:
             self.compile_now()
-        elif interpreted.seconds > IMPORTING and self.has_come():
+        elif interpreted.seconds > IMPORTING and self.is_on_disk():
             self.load()
         if self.is_loaded and self.function.machine is not None:
             return self.function.machine(*args)
         if self.function.is_algorithm and not self.is_never_stored:
-            return self.interpret_until_code_comes(args)
-        with self.counted():
+            return self.interpret_or_restart(args)
+        with self.counting_time():
             return self.function.py_func(*args)
 
     @property
-    def wanted(self) -> store.Wanted:
-        """Its name on the disk."""
-        return store.Wanted(self.function.__module__, self.function.__name__, self.kinds)
+    def to_compile(self) -> store.Request:
+        """The request for its machine code."""
+        return store.Request(self.function.__module__, self.function.__name__, self.kinds)
 
     @functools.cached_property
     def file(self) -> Path | None:
-        """Where its machine code is, or would be."""
+        """The file of its machine code, which may not exist yet."""
         place = None if self.is_never_stored else store.folder()
-        return None if place is None else place / f"{self.wanted.name}.code"
+        return None if place is None else place / f"{self.to_compile.name}.code"
 
-    def has_come(self) -> bool:
-        """Whether machine code lies on the disk. Looks there now and then only."""
+    def is_on_disk(self) -> bool:
+        """Whether machine code is on the disk; looks only every LOOK_AGAIN seconds."""
         now = time.monotonic()
         if self.is_never_stored or now < self.looked + LOOK_AGAIN:
             return False
@@ -155,13 +158,13 @@ class Specialization:
         return self.file is not None and self.file.exists()
 
     def load(self) -> None:
-        """Load the machine code from the disk; where it cannot be, the call stays interpreted."""
-        from .keeper import KEEPER
+        """Load the machine code from the disk; if that fails, the call stays interpreted."""
+        from .keeper import NUMBA_THREAD
 
-        KEEPER.do(self.load_here)
+        NUMBA_THREAD.run_and_wait(self.load_here)
 
     def load_here(self) -> None:
-        """The same in this thread."""
+        """`load` in this thread."""
         from .machine import load
 
         if self.is_loaded or self.file is None:
@@ -169,12 +172,12 @@ class Specialization:
         try:
             load(self.dispatcher(), self.file)
             self.is_loaded = True
-        except Exception:  # damaged, or for another computer: made anew when it pays
+        except Exception:  # damaged, or for another computer: made again when it pays
             self.is_never_stored = self.is_requested
             self.file.unlink(missing_ok=True)
 
     def dispatcher(self) -> Any:
-        """numba's dispatcher, which is given machine code as it comes."""
+        """numba's dispatcher, to which machine code is added as it is loaded."""
         from .machine import new_dispatcher
 
         if self.function.machine is None:
@@ -184,25 +187,27 @@ class Specialization:
         return self.function.machine
 
     def request(self) -> None:
-        """Have it compiled by another process."""
-        from .keeper import KEEPER
+        """Request its compilation by another process."""
+        from .keeper import NUMBA_THREAD
 
         if not self.is_requested and not self.is_never_stored:
             self.is_requested = True
-            KEEPER.later(self.request_here)
+            NUMBA_THREAD.submit(self.request_here)
 
     def request_here(self) -> None:
-        """The same in this thread."""
-        from .requests import have_compiled
+        """`request` in this thread."""
+        from .requests import request_compilation
 
         place = store.folder()
-        self.is_never_stored = place is None or not have_compiled(place, self.wanted)
+        self.is_never_stored = place is None or not request_compilation(place, self.to_compile)
 
     def compile_now(self) -> None:
-        """Compile it and wait: in another process, or here what cannot be kept on the disk. Once:
-        what numba cannot compile stays interpreted."""
-        from .keeper import KEEPER
-        from .requests import wait_for
+        """Compile it and wait, at most once; what numba cannot compile stays interpreted.
+
+        Another process compiles it, or this one if it cannot be stored on the disk.
+        """
+        from .keeper import NUMBA_THREAD
+        from .requests import compile_and_wait
 
         self.is_tried = True
         if self.is_generator or self.is_loaded:
@@ -213,8 +218,8 @@ class Specialization:
         log.info(BEGUN, self.function.__name__)
         place = store.folder()
         if self.is_never_stored or place is None:
-            KEEPER.do(self.compile_here)
-        elif wait_for(place, self.wanted):
+            NUMBA_THREAD.run_and_wait(self.compile_here)
+        elif compile_and_wait(place, self.to_compile):
             self.load()
         log.info(DONE, self.function.__name__)
 
@@ -231,16 +236,16 @@ class Specialization:
     # ---- interpreted ---------------------------------------------------------------------------
 
     @contextmanager
-    def counted(self) -> Iterator[None]:
-        """Count the time of the block; what it calls is interpreted."""
+    def counting_time(self) -> Iterator[None]:
+        """Count the time of the block; functions called in it are interpreted."""
         began = time.perf_counter()
         spent = spent_by.setdefault(threading.get_ident(), Spent())
         try:
-            here.interpreting, spent.began = True, began
-            with np.errstate(all="ignore"):  # machine code does not warn either
+            thread_state.interpreting, spent.began = True, began
+            with np.errstate(all="ignore"):  # as machine code, which does not warn
                 yield
         finally:
-            here.interpreting, spent.began = False, None
+            thread_state.interpreting, spent.began = False, None
             seconds = time.perf_counter() - began
             spent.seconds += seconds
             interpreted.seconds += seconds
@@ -248,36 +253,36 @@ class Specialization:
             if self.spent > BUDGET:
                 self.request()
 
-    def interpret_until_code_comes(self, args: tuple[Any, ...]) -> Any:
-        """Interpret an algorithm; where machine code comes first, begin again with that."""
-        from .keeper import ChangeOver, Watch
+    def interpret_or_restart(self, args: tuple[Any, ...]) -> Any:
+        """Interpret an algorithm; if its machine code is loaded meanwhile, restart with that."""
+        from .keeper import MachineCodeLoaded, WatchedCall
 
-        saved = copied(args)
-        watch = Watch(self)
+        saved = copy_state(args)
+        watch = WatchedCall(self)
         try:
             try:
-                with self.counted():
+                with self.counting_time():
                     return self.function.py_func(*args)
             finally:
                 watch.close()
-        except ChangeOver as change:
-            if change.__context__ is not None:  # it came while the call was failing already
+        except MachineCodeLoaded as change:
+            if change.__context__ is not None:  # raised while the call was already failing
                 raise change.__context__ from None
-        restore(args, saved)
-        return self.function.machine(*args)  # type: ignore[misc]  # it has just been loaded
+        restore_state(args, saved)
+        return self.function.machine(*args)  # type: ignore[misc]  # it was loaded just now
 
 
-def copied(value: Any) -> Any:
-    """What an algorithm may change in a value: the content of arrays, a generator's state."""
+def copy_state(value: Any) -> Any:
+    """Copy what an algorithm may change in a value: arrays and a generator's state."""
     if isinstance(value, np.ndarray):
         return value.copy() if value.flags.writeable else None
     if isinstance(value, np.random.Generator):
         return value.bit_generator.state
-    return [copied(field) for field in value] if isinstance(value, tuple) else None
+    return [copy_state(field) for field in value] if isinstance(value, tuple) else None
 
 
-def restore(value: Any, saved: Any) -> None:
-    """Give a value back what was copied."""
+def restore_state(value: Any, saved: Any) -> None:
+    """Restore the copied state of a value."""
     if saved is None:
         return
     if isinstance(value, np.ndarray):
@@ -286,73 +291,77 @@ def restore(value: Any, saved: Any) -> None:
         value.bit_generator.state = saved
     else:
         for field, before in zip(value, saved, strict=True):
-            restore(field, before)
+            restore_state(field, before)
 
 
-def called() -> list[store.Wanted]:
-    """The algorithms that this process has called from Python and that can be compiled."""
+def called() -> list[store.Request]:
+    """Requests for all algorithms that this process has called and that can be compiled."""
     kinds_of_calls = [s for f in TIERED if f.is_algorithm for s in f.specializations.values()]
-    return [s.wanted for s in kinds_of_calls if not s.is_never_stored]
+    return [s.to_compile for s in kinds_of_calls if not s.is_never_stored]
 
 
 # ---- the decorators -----------------------------------------------------------------------------
 
 
-def is_there(name: str) -> bool:
-    """Whether a package could be imported; it is not."""
+def can_import(name: str) -> bool:
+    """Whether a package can be imported; does not import it."""
     try:
         return importlib.util.find_spec(name) is not None
     except (ImportError, ValueError):
         return False
 
 
-HAS_COMPILER = os.environ.get("NUMBA_DISABLE_JIT", "0") in ("", "0") and is_there("numba")
+HAS_COMPILER = os.environ.get("NUMBA_DISABLE_JIT", "0") in ("", "0") and can_import("numba")
 
 
 def compiled(function: Callable[..., Any]) -> Compiled:
-    """Let a function run as machine code where that is there; `.py_func` is the function itself.
+    """Let a function run as machine code where that exists; `.py_func` is the Python function.
 
+    Examples
+    --------
     >>> @compiled
     ... def twice(x):
     ...     return x + x
     >>> twice(2.0) == twice.py_func(2.0)
     True
     """
-    return tiered(function)
+    return make_tiered(function)
 
 
 def inlined(function: Callable[..., Any]) -> Compiled:
-    """The same for a short kernel that is handed records: its compiled callers take its code in, so
-    that no record is passed on.
+    """`compiled` for a short kernel that takes records: its compiled callers inline its code.
 
-    Not for kernels of numbers alone: the compiler knows better which of those to take in.
+    So no record is passed on. Not for kernels that take numbers only: the compiler decides better
+    which of those to inline.
     """
-    return tiered(function, forceinline=True)
+    return make_tiered(function, forceinline=True)
 
 
 def algorithm(function: Callable[..., Any]) -> Compiled:
-    """The same for a whole algorithm, which Python starts on a problem.
+    """`compiled` for a whole algorithm, which Python starts on a problem.
 
-    It only borrows the arrays it is given: it may write into them, but must return only numbers and
-    arrays of its own. A long interpreted run of it is begun again as machine code.
+    It borrows the arrays of its arguments: it may write into them, but must return only numbers and
+    its own arrays. A long interpreted run is restarted as machine code.
     """
-    return tiered(function, is_algorithm=True)
+    return make_tiered(function, is_algorithm=True)
 
 
-def tiered(function: Callable[..., Any], **how: bool) -> Compiled:
-    """A function in two ways; in one where there is no numba. A generator is stepped by Python:
-    numba cannot load machine code of generators."""
+def make_tiered(function: Callable[..., Any], **how: bool) -> Compiled:
+    """Make a function that runs in two ways, or the function itself if numba is not available.
+
+    A generator is always interpreted, because numba cannot load machine code of generators.
+    """
     if HAS_COMPILER:
-        return cast(Compiled, Tiered(function, **how))
+        return cast(Compiled, TieredFunction(function, **how))
     function.py_func = function  # type: ignore[attr-defined]
     return cast(Compiled, function)
 
 
 def callable_from_compiled(function: F) -> F:
-    """Leave `function` as it is in Python, and let compiled code call it too.
+    """Leave a function unchanged in Python, and let compiled code call it too.
 
-    For the steps of an algorithm that are handed a problem: interpreted, they may be handed a
-    recorder or a reader's own object.
+    It is for steps of an algorithm that take a problem: interpreted, they accept a recorder or a
+    user's own object.
     """
     CALLABLE.append(function)
     return function

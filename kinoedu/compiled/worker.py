@@ -1,9 +1,9 @@
 """The process that compiles: python -m kinoedu.compiled.worker FOLDER SLOT [gives-way].
 
-It takes what is wanted, the oldest first, compiles it, and leaves the machine code in the folder.
-It ends when nothing is wanted any more, or when who started it has ended and the one at hand is
-done. Each slot has one worker at a time; what a worker was killed over is tried again by the next
-one, ATTEMPTS times.
+It takes the oldest request, compiles it, and leaves the machine code in the folder. It ends when no
+requests are left, or after its current request if its parent process has ended. Each slot has one
+worker at a time. A request during which a worker was killed is tried again by the next worker, up
+to ATTEMPTS times.
 """
 
 import contextlib
@@ -20,37 +20,37 @@ from . import store
 from .store import (
     PACKAGE,
     UPPER_ROOMS,
-    Wanted,
-    all_wanted,
-    lock_taken,
+    Request,
+    pending_requests,
     sources,
-    want,
+    try_lock,
+    write_request,
 )
 
 ATTEMPTS = 3
-LINGER = 5.0  # seconds in which something else may be wanted
-AGAIN = 0.1
+LINGER = 5.0  # seconds without requests before it ends
+POLL_INTERVAL = 0.1  # seconds between two looks for requests
 
 
 def main(arguments: list[str]) -> int:
-    """Compile what is wanted in a folder."""
+    """Compile the requests in a folder; returns the exit code."""
     place, slot = Path(arguments[0]), arguments[1]
     if "gives-way" in arguments:
-        give_way()
+        lower_priority()
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))
-    if store.folder() != place:  # the sources have changed: others than those that are wanted
+    if store.folder() != place:  # the sources have changed since the request
         return 1
     with contextlib.suppress(FileNotFoundError), open(place / f"slot-{slot}", "wb") as lock:
-        if not lock_taken(lock):
+        if not try_lock(lock):
             return 0
-        recover(place, place / f"taken-{slot}")
-        import_all()
-        serve(place, place / f"taken-{slot}")
+        retry_unfinished(place, place / f"taken-{slot}")
+        import_compiled_modules()
+        compile_requests(place, place / f"taken-{slot}")
     return 0
 
 
-def give_way() -> None:
-    """Compile only while nothing else runs."""
+def lower_priority() -> None:
+    """Lower the priority of this process to the minimum."""
     if hasattr(os, "nice"):
         os.nice(19)
     else:
@@ -61,45 +61,43 @@ def give_way() -> None:
         kernel.SetPriorityClass(kernel.GetCurrentProcess(), idle)
 
 
-def recover(place: Path, taken: Path) -> None:
-    """What the last worker of this slot did not finish is wanted again, unless that was too
-    often.
-    """
+def retry_unfinished(place: Path, taken: Path) -> None:
+    """Repeat the requests that the last worker did not finish, up to ATTEMPTS times."""
     taken.mkdir(exist_ok=True)
     for file in taken.iterdir():
         with contextlib.suppress(Exception):
-            unfinished: Wanted = pickle.loads(file.read_bytes())
+            unfinished: Request = pickle.loads(file.read_bytes())
             again = unfinished._replace(attempts=unfinished.attempts + 1)
             if again.attempts < ATTEMPTS:
-                want(place, again)
+                write_request(place, again)
             else:
-                refuse(place, again, f"compiling it ended {ATTEMPTS} processes")
+                write_refusal(place, again, f"compiling it ended {ATTEMPTS} processes")
         file.unlink(missing_ok=True)
 
 
-def import_all() -> None:
-    """Import all that may be compiled, so that every kind of record has its answers."""
+def import_compiled_modules() -> None:
+    """Import every module with compiled functions, so that all implementations are registered."""
     without = (*UPPER_ROOMS, "compiled", "__init__.py", "__main__.py", "lab.py", "warm.py")
     for source in sources(PACKAGE, without):
         parts = source.relative_to(PACKAGE.parent).with_suffix("").parts
         importlib.import_module(".".join(parts).removesuffix(".__init__"))
 
 
-def serve(place: Path, taken: Path) -> None:
-    """Compile until nothing is wanted for a while, or who started this has ended."""
+def compile_requests(place: Path, taken: Path) -> None:
+    """Compile until there are no requests for LINGER seconds, or the parent process has ended."""
     parent, last = os.getppid(), time.monotonic()
     while os.getppid() == parent and time.monotonic() < last + LINGER:
-        file = next_wanted(place, taken)
+        file = take_request(place, taken)
         if file is None:
-            time.sleep(AGAIN)
+            time.sleep(POLL_INTERVAL)
         else:
-            compile_wanted(place, file)
+            compile_request(place, file)
             last = time.monotonic()
 
 
-def next_wanted(place: Path, taken: Path) -> Path | None:
-    """Take what was wanted first; None where nothing is."""
-    for file in all_wanted(place):
+def take_request(place: Path, taken: Path) -> Path | None:
+    """Take the oldest request; None if there is none."""
+    for file in pending_requests(place):
         mine = taken / file.name
         try:
             file.rename(mine)
@@ -111,28 +109,28 @@ def next_wanted(place: Path, taken: Path) -> Path | None:
     return None
 
 
-def compile_wanted(place: Path, file: Path) -> None:
-    """Compile one, and write its code; or why there is none."""
+def compile_request(place: Path, file: Path) -> None:
+    """Compile a request and write its machine code, or the reason why there is none."""
     from .compiler import compile_entry
-    from .machine import packed
-    from .tiers import find
+    from .machine import to_bytes
+    from .tiers import find_function
 
-    wanted: Wanted = pickle.loads(file.read_bytes())
+    request: Request = pickle.loads(file.read_bytes())
     try:
-        result = compile_entry(find(wanted.module, wanted.function), wanted.kinds)
-        with written_whole(place / f"{wanted.name}.code") as part:
-            part.write_bytes(packed(result))
+        result = compile_entry(find_function(request.module, request.function), request.kinds)
+        with written_whole(place / f"{request.name}.code") as part:
+            part.write_bytes(to_bytes(result))
     except (OSError, SystemExit):
-        want(place, wanted)
+        write_request(place, request)
         raise
     except Exception as error:
-        refuse(place, wanted, f"{type(error).__name__}: {error}")
+        write_refusal(place, request, f"{type(error).__name__}: {error}")
     file.unlink()
 
 
-def refuse(place: Path, wanted: Wanted, why: str) -> None:
-    """Write down that something is not to be compiled."""
-    with written_whole(place / f"{wanted.name}.refused") as part:
+def write_refusal(place: Path, request: Request, why: str) -> None:
+    """Write the reason why a request cannot be compiled."""
+    with written_whole(place / f"{request.name}.refused") as part:
         part.write_text(why, encoding="utf-8")
 
 

@@ -1,5 +1,6 @@
-"""Curves: the shortest ways of a car that turns no tighter than a radius, forward only (Dubins) or
-both ways (Reeds and Shepp).
+"""The shortest curves of a car with a minimal turning radius.
+
+Dubins' cars drive forward only, Reeds and Shepp's cars forward and backward.
 """
 
 from .curve import Curve

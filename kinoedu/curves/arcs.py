@@ -1,4 +1,4 @@
-"""Driving along an arc, in closed form. LaValle, Planning Algorithms, section 13.1.2."""
+"""Driving along an arc, in closed form. Source: LaValle, Planning Algorithms, section 13.1.2."""
 
 import math
 
@@ -10,10 +10,10 @@ from ..spaces.angles import wrapped
 def driven(
     x: float, y: float, theta: float, distance: float, curvature: float
 ) -> tuple[float, float, float]:
-    """Where a distance driven along an arc of a curvature ends, backwards where it is negative.
+    """The pose after a distance driven along an arc of constant curvature.
 
-    The end lies along the arc's chord, whose heading is halfway between the two headings; with
-    curvature 0 the chord is the way.
+    A negative distance is driven backwards. The position moves along the chord of the arc, whose
+    direction is halfway between the two headings. The heading of the result is wrapped.
     """
     half = 0.5 * curvature * distance
     chord = distance if half == 0.0 else distance * (math.sin(half) / half)

@@ -1,5 +1,6 @@
-"""A curve of arcs and straight lines, each driven forward or back. LaValle, Planning Algorithms,
-section 15.3.
+"""Curves made of arcs and straight pieces, each driven forward or backward.
+
+Source: LaValle, Planning Algorithms, section 15.3.
 """
 
 import math
@@ -19,8 +20,11 @@ LETTERS = {1: "L", 0: "S", -1: "R"}
 
 
 class Curve(NamedTuple):
-    """A way driven from `start` (x, y, theta): piece i turns left (1), right (-1) or not (0), for
-    lengths[i] of the world's unit, backwards where it is negative; arcs have the one `radius`."""
+    """A curve from `start` (x, y, theta).
+
+    Piece i turns left (1), right (-1) or not (0), for lengths[i] units, backwards where that is
+    negative. All arcs have the same `radius`.
+    """
 
     start: Array
     radius: float
@@ -29,19 +33,30 @@ class Curve(NamedTuple):
 
     @property
     def length(self) -> float:
-        """How far is driven, forward and back."""
+        """The distance driven, forward and backward."""
         return float(np.abs(self.lengths).sum())
 
     @property
     def word(self) -> str:
-        """The pieces by letter, such as "LSR"."""
+        """The letters of the pieces, such as "LSR"."""
         return "".join(LETTERS[turn] for turn in self.turns.tolist())
 
     def at(self, s: ArrayLike) -> Array:
-        """The pose (x, y, theta) after a distance s driven, shape (3,); for many, shape (m,), the
-        poses (m, 3).
+        """The pose (x, y, theta) at a distance s along the curve.
 
-        s is kept between 0 and the whole length. Raises InvalidPoint where it is not numbers.
+        Parameters
+        ----------
+        s : a distance, or (m,) distances. Each is clipped to the interval from 0 to the curve's
+            length.
+
+        Returns
+        -------
+        (3,) array, or (m, 3) array for many distances.
+
+        Raises
+        ------
+        InvalidPoint
+            Where s is not numbers.
         """
         along = np.clip(as_array(s, "s"), 0.0, self.length)
         poses = poses_along(self.start, self.radius, self.turns, self.lengths, np.atleast_1d(along))
@@ -52,7 +67,7 @@ class Curve(NamedTuple):
 def poses_along(
     start: Array, radius: float, turns: NDArray[np.int64], lengths: Array, along: Array
 ) -> Array:
-    """The poses after each distance, shape (m, 3)."""
+    """The pose after each distance, shape (m, 3)."""
     poses = np.empty((len(along), 3))
     for i in range(len(along)):
         x, y, theta, left = start[0], start[1], start[2], along[i]
@@ -65,7 +80,13 @@ def poses_along(
 
 
 def as_pose(value: ArrayLike, name: str) -> Array:
-    """A pose (x, y, theta), its angle wrapped; or InvalidPoint."""
+    """A pose (x, y, theta) with its angle wrapped, shape (3,).
+
+    Raises
+    ------
+    InvalidPoint
+        Where the value is not three finite numbers.
+    """
     pose = as_array(value, name)
     if pose.shape != (3,):
         raise InvalidPoint(f"{name} must be a pose (x, y, theta), got {shortened(value)}")
@@ -74,7 +95,15 @@ def as_pose(value: ArrayLike, name: str) -> Array:
 
 
 def as_radius(value: ArrayLike) -> float:
-    """A turning radius, positive; or InvalidParameter."""
+    """A positive turning radius.
+
+    Raises
+    ------
+    InvalidParameter
+        Where the value is not one positive number.
+    InvalidPoint
+        Where the value is not a finite number.
+    """
     radius = as_array(value, "radius")
     if radius.ndim or radius <= 0.0:
         raise InvalidParameter(
@@ -84,12 +113,8 @@ def as_radius(value: ArrayLike) -> float:
 
 
 @compiled
-def seen_from(q0: Array, q1: Array, radius: float) -> tuple[float, float, float]:
-    """q1 in the frame of q0, lengths in turning radii."""
-    dx, dy, c, s = (
-        (q1[0] - q0[0]) / radius,
-        (q1[1] - q0[1]) / radius,
-        math.cos(q0[2]),
-        math.sin(q0[2]),
-    )
+def relative_pose(q0: Array, q1: Array, radius: float) -> tuple[float, float, float]:
+    """The pose q1 in the frame of q0, with lengths in turning radii."""
+    dx, dy = (q1[0] - q0[0]) / radius, (q1[1] - q0[1]) / radius
+    c, s = math.cos(q0[2]), math.sin(q0[2])
     return c * dx + s * dy, c * dy - s * dx, wrapped(q1[2] - q0[2])

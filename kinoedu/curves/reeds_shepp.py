@@ -1,8 +1,9 @@
-"""Reeds and Shepp's shortest curves: forward and back. J. A. Reeds and L. A. Shepp, "Optimal paths
-for a car that goes both forwards and backwards" (1990), section 8; LaValle, section 15.3.2.
+"""Reeds-Shepp curves: the shortest curves of a car that drives forward and backward.
 
-Nine base words begin with an arc to the left driven forward. All others are these in a mirror,
-driven the other way, or, for words that are not the same from behind, from the end to the start.
+Nine base words start with an arc to the left, driven forward. All other words are obtained from
+them by reflection, by driving in the opposite direction, and by reversing the order of the pieces
+(for words that are not symmetric). Sources: J. A. Reeds and L. A. Shepp, "Optimal paths for a car
+that goes both forwards and backwards" (1990), section 8; LaValle, section 15.3.2.
 """
 
 import math
@@ -13,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from ..compiled import compiled
 from ..geometry.checks import Array
 from ..spaces.angles import wrapped
-from .curve import Curve, as_pose, as_radius, seen_from
+from .curve import Curve, as_pose, as_radius, relative_pose
 from .tangents import left_centre, lrl, lsl, lsr, right_centre
 
 QUARTER = 0.5 * math.pi
@@ -30,31 +31,43 @@ TURNS = np.array(
     ]
 )
 REVERSIBLE = np.array([False, False, True, False, False, True, True, False])
-ROUNDING = 1e-12  # a piece that goes the wrong way by less has length zero
-TIE = 1e-10
+ROUNDING = 1e-12  # a piece shorter than this has length zero
+TIE = 1e-10  # a later word must be shorter by this many radii
 
 
 def reeds_shepp_path(q0: ArrayLike, q1: ArrayLike, radius: float) -> Curve:
-    """The shortest way from pose q0 to pose q1, shapes (3,) as (x, y, theta), forward and back,
-    turning no tighter than `radius`.
+    """The shortest curve from q0 to q1, forward and backward, that turns no tighter than `radius`.
 
-    Negative lengths are driven backwards. The length is good to 1e-9 of the radius. Raises
-    InvalidPoint, InvalidParameter.
+    Pieces of negative length are driven backwards. The length is accurate to 1e-9 radii.
 
+    Parameters
+    ----------
+    q0, q1 : (3,) poses (x, y, theta).
+
+    Raises
+    ------
+    InvalidPoint
+        Where a pose is not three finite numbers.
+    InvalidParameter
+        Where the radius is not positive.
+
+    Examples
+    --------
     >>> curve = reeds_shepp_path((0, 0, 0), (-3, 0, 0), 1.0)
     >>> curve.word, curve.length, curve.lengths
     ('S', 3.0, array([-3.]))
     """
     start, end, rho = as_pose(q0, "q0"), as_pose(q1, "q1"), as_radius(radius)
-    turns, lengths = shortest(*seen_from(start, end, rho))
-    driven = np.abs(lengths) > ROUNDING
-    return Curve(start, rho, turns[driven], rho * lengths[driven])
+    turns, lengths = shortest(*relative_pose(start, end, rho))
+    is_driven = np.abs(lengths) > ROUNDING
+    return Curve(start, rho, turns[is_driven], rho * lengths[is_driven])
 
 
 @compiled
 def shortest(x: float, y: float, phi: float) -> tuple[NDArray[np.int64], Array]:
-    """The turns and signed lengths of the shortest word from (0, 0, 0) to (x, y, phi), radius 1: up
-    to five pieces.
+    """Turns and signed lengths of the shortest word from (0, 0, 0) to (x, y, phi) for radius 1.
+
+    There are five pieces; those that are not needed have length 0.
     """
     turns, lengths, best = np.zeros(5, np.int64), np.zeros(5), np.inf
     back_x, back_y = x * math.cos(phi) + y * math.sin(phi), x * math.sin(phi) - y * math.cos(phi)
@@ -64,22 +77,20 @@ def shortest(x: float, y: float, phi: float) -> tuple[NDArray[np.int64], Array]:
             from_x, from_y = (back_x, back_y) if reverse else (x, y)
             for gear in (1, -1):
                 for mirror in (1, -1):
-                    found = solve(word, gear * from_x, mirror * from_y, gear * mirror * phi, pieces)
-                    total = (
-                        np.abs(pieces[0])
-                        + np.abs(pieces[1])
-                        + np.abs(pieces[2])
-                        + np.abs(pieces[3])
-                        + np.abs(pieces[4])
+                    found = solve_word(
+                        word, gear * from_x, mirror * from_y, gear * mirror * phi, pieces
                     )
+                    total = 0.0
+                    for i in range(5):
+                        total += abs(pieces[i])
                     if found and total < best - TIE:
                         best = total
-                        write(word, gear, mirror, reverse, pieces, turns, lengths)
+                        write_pieces(word, gear, mirror, reverse, pieces, turns, lengths)
     return turns, lengths
 
 
 @compiled
-def write(
+def write_pieces(
     word: int,
     gear: int,
     mirror: int,
@@ -88,36 +99,35 @@ def write(
     turns: NDArray[np.int64],
     lengths: Array,
 ) -> None:
-    """Write down a word's pieces as they are driven."""
+    """Write a word's turns and signed lengths in the order in which they are driven."""
     for i in range(5):
         j = 4 - i if reverse else i
         turns[i], lengths[i] = mirror * TURNS[word, j], gear * pieces[j]
 
 
 @compiled
-def solve(word: int, x: float, y: float, phi: float, pieces: Array) -> bool:
-    """Write the signed lengths of one base word into pieces (5,); whether it exists, its first arc
-    driven forward.
-    """
+def solve_word(word: int, x: float, y: float, phi: float, pieces: Array) -> bool:
+    """Write the signed lengths of one base word into `pieces` (5,); returns whether it exists."""
     pieces[:] = 0.0
     if word == 0:
         found, t, u, v = lsl(x, y, phi)
-        return found and keep(pieces, t, u, v, 1, 1)
+        return found and store_pieces(pieces, t, u, v, 1, 1)
     if word == 1:
         found, t, u, v = lsr(x, y, phi)
-        return found and keep(pieces, t, u, v, 1, 1)
+        return found and store_pieces(pieces, t, u, v, 1, 1)
     if word == 2:
         found, t, u, v = lrl(x, y, phi)
-        return found and keep(pieces, t, u, v, -1, 0)
-    return (
-        four_arcs(word, x, y, phi, pieces) if word <= 4 else with_quarter(word, x, y, phi, pieces)
-    )
+        return found and store_pieces(pieces, t, u, v, -1, 0)
+    if word <= 4:
+        return solve_four_arcs(word, x, y, phi, pieces)
+    return solve_with_quarter(word, x, y, phi, pieces)
 
 
 @compiled
-def keep(pieces: Array, t: float, u: float, v: float, u_sign: int, v_sign: int) -> bool:
-    """Write three pieces; False where the first goes back, or another the wrong way. A sign of 0
-    leaves both ways open.
+def store_pieces(pieces: Array, t: float, u: float, v: float, u_sign: int, v_sign: int) -> bool:
+    """Write three pieces; returns whether their signs are right: the first not negative.
+
+    A sign of 0 allows both directions.
     """
     t, v = without_rounding(wrapped(t)), without_rounding(wrapped(v))
     pieces[0], pieces[1], pieces[2] = t, u, v
@@ -126,16 +136,17 @@ def keep(pieces: Array, t: float, u: float, v: float, u_sign: int, v_sign: int) 
 
 @compiled
 def without_rounding(angle: float) -> float:
-    """The angle; 0 where it is so but for rounding, and pi rather than -pi."""
+    """The angle, but 0 where it is 0 up to rounding, and pi in place of -pi."""
     if abs(angle) < ROUNDING:
         return 0.0
     return -angle if angle < ROUNDING - math.pi else angle
 
 
 @compiled
-def four_arcs(word: int, x: float, y: float, phi: float, pieces: Array) -> bool:
-    """L R | L R and L | R L | R, formulas 8.7 and 8.8: the two arcs in the middle are of one
-    length.
+def solve_four_arcs(word: int, x: float, y: float, phi: float, pieces: Array) -> bool:
+    """The words L R | L R and L | R L | R, formulas 8.7 and 8.8.
+
+    The two middle arcs have equal lengths.
     """
     ex, ey = x + math.sin(phi), y - 1.0 - math.cos(phi)
     squared = ex * ex + ey * ey
@@ -150,15 +161,16 @@ def four_arcs(word: int, x: float, y: float, phi: float, pieces: Array) -> bool:
     if 2.0 * (math.cos(turn) - math.cos(third) - math.cos(second)) + 3.0 < 0.0:
         first += math.pi
     last = first - second + third - phi
-    found = keep(pieces, first, second, last, 0, -1 if word == 3 else 1)
+    found = store_pieces(pieces, first, second, last, 0, -1 if word == 3 else 1)
     pieces[2], pieces[3] = third, pieces[2]
     return found
 
 
 @compiled
-def with_quarter(word: int, x: float, y: float, phi: float, pieces: Array) -> bool:
-    """L | R quarter and on, formulas 8.9 to 8.11: a straight piece driven back, with a quarter
-    before it or on both sides.
+def solve_with_quarter(word: int, x: float, y: float, phi: float, pieces: Array) -> bool:
+    """The words with a quarter arc, formulas 8.9 to 8.11.
+
+    A straight piece is driven backwards, with a quarter arc before it or on both sides.
     """
     if word == 5:
         apart, direction = left_centre(x, y, phi)
@@ -175,7 +187,7 @@ def with_quarter(word: int, x: float, y: float, phi: float, pieces: Array) -> bo
         straight = 4.0 - math.sqrt(max(apart * apart - 4.0, 0.0))
         first = math.atan2((4.0 - straight) * ex - 2.0 * ey, -2.0 * ex + (straight - 4.0) * ey)
         last, last_sign = first - phi, 1
-    found = apart >= 2.0 - ROUNDING and keep(pieces, first, straight, last, -1, last_sign)
+    found = apart >= 2.0 - ROUNDING and store_pieces(pieces, first, straight, last, -1, last_sign)
     last = pieces[2]
     pieces[1], pieces[2] = -QUARTER, straight
     if word == 7:

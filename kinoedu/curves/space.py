@@ -1,8 +1,7 @@
-"""The space of a car's poses, as far apart as the shortest curve between them is long. LaValle,
-Planning Algorithms, section 15.3.
+"""The space of a car's poses, with the length of the shortest curve as its distance.
 
-So any planner that asks a space for distances and steps steers a car along curves that it can
-drive.
+With this space, every planner that uses a space's distance and interpolation plans curves that a
+car can drive. Source: LaValle, Planning Algorithms, section 15.3.
 """
 
 from typing import Any, NamedTuple
@@ -14,17 +13,19 @@ from ..compiled import compiled, inlined
 from ..geometry.checks import Array
 from ..spaces import diameter, distance, interpolate, near, nearest, sample
 from ..spaces.angles import short_way
-from .curve import poses_along, seen_from
+from ..spaces.asks import sample_box
+from .curve import poses_along, relative_pose
 from .dubins import shortest_forward
 from .reeds_shepp import shortest
 
 
 class CurveSpace(NamedTuple):
-    """Poses (x, y, theta) between lo and hi, shapes (3,), theta from -pi to pi, and a turning
-    radius.
+    """Poses (x, y, theta) between lo and hi, shapes (3,), with a turning radius.
 
-    both_ways : whether the car drives back as well, along Reeds and Shepp's curves, or only
-        forward, along Dubins'; then the distance from a to b is not that from b to a.
+    The angle theta goes from -pi to pi.
+
+    both_ways : whether the car drives backward too, along Reeds-Shepp curves. If not, it drives
+        along Dubins curves, and the distance from a to b differs from that from b to a.
     """
 
     lo: Array
@@ -33,28 +34,31 @@ class CurveSpace(NamedTuple):
     both_ways: bool
 
 
+sample.register(CurveSpace)(sample_box)
+
+
 @compiled
 def pieces_between(
     a: Array, b: Array, radius: float, both_ways: bool
 ) -> tuple[NDArray[np.int64], Array]:
     """The turns and signed lengths of the pieces of the shortest curve from a to b.
 
-    Poses between which several curves are as short are no rarity. Driven both ways a curve is the
-    same from either end, for a planner that judges an edge from one may drive it from the other: it
-    is chosen from the pose that comes first in order.
+    Several curves of equal length often exist. A car that drives both ways may drive an edge from
+    its other end than the one a planner has checked. So the curve is always computed from the pose
+    that comes first in lexicographic order, and reversed where necessary.
     """
     if both_ways and comes_before(b, a):
-        x, y, phi = seen_from(b, a, radius)
+        x, y, phi = relative_pose(b, a, radius)
         turns, lengths = shortest(x, y, phi)
         return turns[::-1].copy(), -radius * lengths[::-1]
-    x, y, phi = seen_from(a, b, radius)
+    x, y, phi = relative_pose(a, b, radius)
     turns, lengths = shortest(x, y, phi) if both_ways else shortest_forward(x, y, phi)
     return turns, radius * lengths
 
 
 @compiled
 def comes_before(a: Array, b: Array) -> bool:
-    """Whether a comes before b in the order of their first numbers that differ."""
+    """Whether a is smaller than b in lexicographic order."""
     for i in range(len(a)):
         if a[i] != b[i]:
             return bool(a[i] < b[i])
@@ -62,8 +66,8 @@ def comes_before(a: Array, b: Array) -> bool:
 
 
 @distance.register(CurveSpace)
-def length_between(space: CurveSpace, a: Array, b: Array) -> float:
-    """The length of the curve, forward and back."""
+def curve_distance(space: CurveSpace, a: Array, b: Array) -> float:
+    """The length of the shortest curve from a to b, forward and backward."""
     _, lengths = pieces_between(a, b, space.radius, space.both_ways)
     total = 0.0
     for length in lengths:
@@ -72,37 +76,29 @@ def length_between(space: CurveSpace, a: Array, b: Array) -> float:
 
 
 @interpolate.register(CurveSpace)
-def along_the_curve(space: CurveSpace, a: Array, b: Array, t: float) -> Array:
+def interpolate_curve(space: CurveSpace, a: Array, b: Array, t: float) -> Array:
     """The pose after a fraction t of the curve."""
     turns, lengths = pieces_between(a, b, space.radius, space.both_ways)
     along = np.array([t * np.abs(lengths).sum()])
     return poses_along(a, space.radius, turns, lengths, along)[0].copy()
 
 
-@sample.register(CurveSpace)
-def pose_in_the_box(space: CurveSpace, rng: np.random.Generator) -> Array:
-    """Each coordinate uniform between its bounds."""
-    q = np.empty(3)
-    for i in range(3):
-        q[i] = space.lo[i] + (space.hi[i] - space.lo[i]) * rng.random()
-    return q
-
-
 @diameter.register(CurveSpace)
-def box_and_turn(space: CurveSpace) -> float:
-    """The box's diagonal, and a whole turn."""
+def curve_space_diameter(space: CurveSpace) -> float:
+    """The diagonal of the box plus the length of a full circle."""
     dx, dy = space.hi[0] - space.lo[0], space.hi[1] - space.lo[1]
     return np.sqrt(dx * dx + dy * dy) + 2.0 * np.pi * space.radius
 
 
 @nearest.register(CurveSpace)
-def nearest_by_curve(space: CurveSpace, tree: Any, q: Array) -> int:
-    """The node from which q is nearest, the first among equals. Curves are found only where one
-    could be shorter than the best.
+def nearest_along_curves(space: CurveSpace, tree: Any, q: Array) -> int:
+    """The node with the shortest curve to q; ties go to the first.
+
+    A curve is computed only where its lower bound is less than the best length so far.
     """
     best, least = 0, np.inf
     for node in range(tree.size[0]):
-        if at_least(space, tree.nodes[node], q) < least:
+        if length_lower_bound(space, tree.nodes[node], q) < least:
             length = distance(space, tree.nodes[node], q)
             if length < least:
                 best, least = node, length
@@ -110,23 +106,22 @@ def nearest_by_curve(space: CurveSpace, tree: Any, q: Array) -> int:
 
 
 @near.register(CurveSpace)
-def near_by_curve(space: CurveSpace, tree: Any, q: Array, radius: float) -> NDArray[np.int64]:
-    """Those from which q is no farther than a radius, by asking; curves are found only where one
-    could be short enough.
+def near_along_curves(space: CurveSpace, tree: Any, q: Array, radius: float) -> NDArray[np.int64]:
+    """The nodes with a curve to q of at most a radius.
+
+    A curve is computed only where its lower bound is small enough.
     """
     found, size = np.empty(tree.size[0], np.int64), 0
     for node in range(tree.size[0]):
-        if (
-            at_least(space, tree.nodes[node], q) <= radius
-            and distance(space, tree.nodes[node], q) <= radius
-        ):
+        pose = tree.nodes[node]
+        if length_lower_bound(space, pose, q) <= radius and distance(space, pose, q) <= radius:
             found[size] = node
             size += 1
     return found[:size].copy()
 
 
 @inlined
-def at_least(space: CurveSpace, a: Array, b: Array) -> float:
-    """No curve is shorter than the straight line, nor than the turn that it must make."""
+def length_lower_bound(space: CurveSpace, a: Array, b: Array) -> float:
+    """A lower bound of a curve's length: the straight distance and the turn that it must make."""
     dx, dy = b[0] - a[0], b[1] - a[1]
     return max(np.sqrt(dx * dx + dy * dy), space.radius * abs(short_way(a[2], b[2])))

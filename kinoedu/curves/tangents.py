@@ -1,30 +1,27 @@
-"""Between two turning circles of radius 1: how words of three pieces join the pose (0, 0, 0) to a
-pose (x, y, phi).
+"""Words of three pieces from the pose (0, 0, 0) to (x, y, phi), for turning radius 1.
 
-Each begins with an arc to the left; the others are their mirror images. Angles come back as they
-are computed, not wrapped. J. A. Reeds and L. A. Shepp, "Optimal paths for a car that goes both
-forwards and backwards" (1990), formulas 8.1 to 8.4.
+Each function starts with an arc to the left; the other words are mirror images. Angles are not
+wrapped. Each returns whether the word exists and its three lengths. Source: J. A. Reeds and L. A.
+Shepp, "Optimal paths for a car that goes both forwards and backwards" (1990), formulas 8.1 to 8.4.
 """
 
 import math
 
 from ..compiled import compiled
 
-SLACK = 1e-12  # circles that touch to rounding have their tangent
+SLACK = 1e-12  # circles that touch up to rounding have a tangent
 
 
 @compiled
 def left_centre(x: float, y: float, phi: float) -> tuple[float, float]:
-    """The distance and direction from the first circle's centre to that of the last, both to the
-    left.
-    """
+    """Distance and direction from the centre of the first left circle to that of the last."""
     ex, ey = x - math.sin(phi), y - 1.0 + math.cos(phi)
     return math.sqrt(ex * ex + ey * ey), math.atan2(ey, ex)
 
 
 @compiled
 def right_centre(x: float, y: float, phi: float) -> tuple[float, float]:
-    """The same for a last circle to the right."""
+    """The same as `left_centre` where the last circle is a right one."""
     ex, ey = x + math.sin(phi), y - 1.0 - math.cos(phi)
     return math.sqrt(ex * ex + ey * ey), math.atan2(ey, ex)
 
@@ -38,7 +35,7 @@ def lsl(x: float, y: float, phi: float) -> tuple[bool, float, float, float]:
 
 @compiled
 def lsr(x: float, y: float, phi: float) -> tuple[bool, float, float, float]:
-    """Left, straight along the inner tangent, right: where the circles do not cross."""
+    """Left, straight along the inner tangent, right. It exists where the circles do not overlap."""
     apart, direction = right_centre(x, y, phi)
     if apart < 2.0 - SLACK:
         return False, 0.0, 0.0, 0.0
@@ -49,8 +46,9 @@ def lsr(x: float, y: float, phi: float) -> tuple[bool, float, float, float]:
 
 @compiled
 def lrl(x: float, y: float, phi: float) -> tuple[bool, float, float, float]:
-    """Left, right round a circle that touches both, backwards and less than half of it, left: where
-    the two are near.
+    """Left, right backwards by less than half a circle, left. It exists where the circles are near.
+
+    The middle circle touches the other two.
     """
     apart, direction = left_centre(x, y, phi)
     if apart > 4.0 + SLACK:

@@ -1,5 +1,6 @@
-"""Geometry of the plane: lines, segments, polygons, convex polygons. Every relation is exact, every
-distance good to 1e-12.
+"""Plane geometry: lines, segments, polygons and convex polygons.
+
+Predicates (on which side, inside, intersecting) are exact. Distances are accurate to 1e-12.
 """
 
 from .convex import convex_hull, convex_polygons_intersect, point_in_convex_polygon

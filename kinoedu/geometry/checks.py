@@ -1,6 +1,4 @@
-"""Where points and numbers enter: each becomes a checked float64 array, a plain number or a
-Generator, or a named error says what is wrong with it.
-"""
+"""Checks of arguments: arrays of float64, numbers and Generators, or a named error."""
 
 from numbers import Real
 from typing import Any
@@ -16,7 +14,13 @@ LIMIT = 1e150  # squares of larger coordinates overflow
 
 
 def as_array(value: ArrayLike, name: str) -> Array:
-    """Any numbers as float64, each finite and at most 1e150 in size; InvalidPoint otherwise."""
+    """Real numbers as a new float64 array of any shape.
+
+    Raises
+    ------
+    InvalidPoint
+        Where a number is missing, not finite, or larger than 1e150 in absolute value.
+    """
     try:
         given = np.asarray(value)
         array = np.array(value, dtype=np.float64) if given.dtype.kind in "iufO" else None
@@ -26,9 +30,8 @@ def as_array(value: ArrayLike, name: str) -> Array:
         raise InvalidPoint(
             f"{name} must be real numbers in a regular array, got {shortened(value)}"
         )
-    if array.size == 0 or (
-        array.min() >= -LIMIT and array.max() <= LIMIT
-    ):  # neither where there is a NaN
+    # a NaN compares False with both limits
+    if array.size == 0 or (array.min() >= -LIMIT and array.max() <= LIMIT):
         return array
     if not np.all(np.isfinite(array)):
         raise InvalidPoint(f"{name} must be finite, got {shortened(value)}")
@@ -41,6 +44,13 @@ def as_array(value: ArrayLike, name: str) -> Array:
 def as_point(value: ArrayLike, name: str = "point") -> Array:
     """One point of the plane, shape (2,).
 
+    Raises
+    ------
+    InvalidPoint
+        Where the value is not two finite numbers.
+
+    Examples
+    --------
     >>> as_point([1, 2])
     array([1., 2.])
     """
@@ -51,7 +61,13 @@ def as_point(value: ArrayLike, name: str = "point") -> Array:
 
 
 def as_points(value: ArrayLike, name: str = "points") -> Array:
-    """One point or many, as shape (m, 2)."""
+    """One point or many points, as an array of shape (m, 2).
+
+    Raises
+    ------
+    InvalidPoint
+        Where the value has neither shape (2,) nor shape (m, 2).
+    """
     points = as_array(value, name)
     if points.shape == (2,):
         return points.reshape(1, 2)
@@ -61,7 +77,13 @@ def as_points(value: ArrayLike, name: str = "points") -> Array:
 
 
 def as_things(value: Any, name: str) -> list[Any]:
-    """Several things in a list. Raises InvalidWorld for what holds none."""
+    """The items of an iterable as a list.
+
+    Raises
+    ------
+    InvalidWorld
+        Where the value cannot be iterated.
+    """
     try:
         return list(value)
     except TypeError:
@@ -69,17 +91,22 @@ def as_things(value: Any, name: str) -> list[Any]:
 
 
 def one_or_many(value: ArrayLike, answers: NDArray[Any]) -> Any:
-    """A plain number or row where one point was asked about, the array of answers where many
-    were.
-    """
+    """The first answer alone if `value` is a single point, else the array of all answers."""
     if np.ndim(value) > 1:
         return answers
     return answers[0].item() if answers.ndim == 1 else answers[0]
 
 
 def positive(value: Any, name: str) -> float:
-    """A finite number above zero.
+    """A number above 0 and at most 1e150, as a float.
 
+    Raises
+    ------
+    InvalidParameter
+        Where the value is anything else.
+
+    Examples
+    --------
     >>> positive(2, "step")
     2.0
     """
@@ -91,7 +118,13 @@ def positive(value: Any, name: str) -> float:
 
 
 def none_or_more(value: Any, name: str) -> float:
-    """A finite number, zero or more."""
+    """A number from 0 to 1e150, as a float.
+
+    Raises
+    ------
+    InvalidParameter
+        Where the value is anything else.
+    """
     if not is_real(value) or not 0.0 <= value <= LIMIT:
         raise InvalidParameter(
             f"{name} must be a number, zero or more, at most 1e150, got {shortened(value)}"
@@ -100,8 +133,12 @@ def none_or_more(value: Any, name: str) -> float:
 
 
 def whole(value: Any, name: str, *, least: int) -> int:
-    """A whole number, not less than `least`; at most ten million, which is what memory holds nodes
-    for.
+    """An integer from `least` to ten million, the most nodes that memory is expected to hold.
+
+    Raises
+    ------
+    InvalidParameter
+        Where the value is anything else.
     """
     if (
         isinstance(value, bool)
@@ -115,13 +152,20 @@ def whole(value: Any, name: str, *, least: int) -> int:
 
 
 def is_real(value: Any) -> bool:
-    """Whether a value is a number; True and False are not."""
+    """Whether the value is a real number; True and False are not."""
     return isinstance(value, Real) and not isinstance(value, bool | np.bool_)
 
 
 def as_generator(rng: int | np.random.Generator) -> np.random.Generator:
-    """A random generator from a seed; a generator is used as it is. Raises InvalidParameter.
+    """A numpy Generator made from a seed; an existing Generator is returned unchanged.
 
+    Raises
+    ------
+    InvalidParameter
+        Where `rng` is neither a nonnegative integer nor a Generator.
+
+    Examples
+    --------
     >>> as_generator(0).random() == np.random.default_rng(0).random()
     True
     """

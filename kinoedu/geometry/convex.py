@@ -1,4 +1,4 @@
-"""Convex polygons: membership, intersection, hulls, and any polygon as a union of them."""
+"""Convex polygons: membership, intersection, hulls, and polygons as unions of convex parts."""
 
 from collections.abc import Sequence
 
@@ -9,19 +9,37 @@ from ..compiled import compiled, inlined
 from ..errors import InvalidPolygon
 from .checks import Array, as_points, one_or_many
 from .exact import turn
-from .rings import as_convex_ring, first_reflex, ring_turn
+from .rings import as_convex_ring, find_reflex_vertex, ring_turn
 
 Corner = tuple[float, float]
 
 
 def point_in_convex_polygon(q: ArrayLike, P: ArrayLike) -> bool:
-    """Whether q lies in the convex polygon P, shape (n, 2), or on its boundary: never to the right
-    of an edge. Exact. O(n) a point, after an O(n^2) check that the polygon is simple.
+    """Whether points lie in a convex polygon or on its boundary. Exact.
 
-    q may be many points, shape (m, 2): then the answer has shape (m,). Raises InvalidPolygon where
-    P is not convex, InvalidPoint.
+    A point lies in P if it is not to the right of any edge. O(n) for each point, after an O(n^2)
+    check that the polygon is simple.
 
-    >>> point_in_convex_polygon((1, 1), [(0, 0), (4, 0), (0, 4)]), point_in_convex_polygon((3, 2), [(0, 0), (4, 0), (0, 4)])
+    Parameters
+    ----------
+    q : (2,) point or (m, 2) points.
+    P : (n, 2) vertices.
+
+    Returns
+    -------
+    bool, or (m,) array for many points.
+
+    Raises
+    ------
+    InvalidPolygon
+        Where P is not convex.
+    InvalidPoint
+        Where a coordinate is not finite.
+
+    Examples
+    --------
+    >>> triangle = [(0, 0), (4, 0), (0, 4)]
+    >>> point_in_convex_polygon((1, 1), triangle), point_in_convex_polygon((3, 2), triangle)
     (True, False)
     """
     points, ring = as_points(q, "q"), as_convex_ring(P, "P")
@@ -29,28 +47,57 @@ def point_in_convex_polygon(q: ArrayLike, P: ArrayLike) -> bool:
 
 
 def convex_polygons_intersect(P1: ArrayLike, P2: ArrayLike) -> bool:
-    """Whether two convex polygons, shapes (n, 2) and (m, 2), share a point; touching counts. Exact.
-    O(n m), after an O(n^2 + m^2) check that both are simple.
+    """Whether two convex polygons share a point; touching counts. Exact.
 
-    They are apart exactly when all of one lies strictly to the right of an edge of the other
-    (separating axis theorem). Raises InvalidPolygon where one is not convex, InvalidPoint.
+    They are disjoint exactly when one lies strictly to the right of an edge of the other
+    (separating axis theorem). O(n m), after an O(n^2 + m^2) check that both are simple.
 
+    Parameters
+    ----------
+    P1, P2 : (n, 2) and (m, 2) vertices.
+
+    Raises
+    ------
+    InvalidPolygon
+        Where a polygon is not convex.
+    InvalidPoint
+        Where a coordinate is not finite.
+
+    Examples
+    --------
     >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
-    >>> convex_polygons_intersect(square, [(1, 1), (2, 1), (2, 2)]), convex_polygons_intersect(square, [(2, 0), (3, 0), (3, 1)])
-    (True, False)
+    >>> convex_polygons_intersect(square, [(1, 1), (2, 1), (2, 2)])
+    True
+    >>> convex_polygons_intersect(square, [(2, 0), (3, 0), (3, 1)])
+    False
     """
     P, Q = as_convex_ring(P1, "P1"), as_convex_ring(P2, "P2")
     return not (has_separating_edge(P, Q) or has_separating_edge(Q, P))
 
 
 def convex_hull(points: ArrayLike) -> Array:
-    """The corners of the smallest convex set that holds the points, counter-clockwise from the
-    leftmost; shape (k, 2).
+    """The corners of the convex hull of points, counter-clockwise from the leftmost.
 
-    Points on an edge of the hull are left out; points of one line give its two ends, equal points
-    give one. O(n log n), exact. Source: A. M. Andrew, "Another efficient algorithm for convex hulls
-    in two dimensions" (1979). Raises InvalidPoint.
+    O(n log n), exact. Source: A. M. Andrew, "Another efficient algorithm for convex hulls in two
+    dimensions" (1979).
 
+    Parameters
+    ----------
+    points : (m, 2) points.
+
+    Returns
+    -------
+    (k, 2) array
+        Points inside an edge of the hull are left out. Collinear points give the two ends, and
+        equal points give one point.
+
+    Raises
+    ------
+    InvalidPoint
+        Where a coordinate is not finite.
+
+    Examples
+    --------
     >>> convex_hull([(0, 0), (1, 0), (2, 0), (1, 1), (2, 2), (0, 2)])
     array([[0., 0.],
            [2., 0.],
@@ -65,22 +112,14 @@ def convex_hull(points: ArrayLike) -> Array:
 
 @compiled
 def chain(points: Array) -> Array:
-    """The points, in their order, without those at which the way does not turn left."""
+    """One half of the hull: the points, in their order, at which the path turns left."""
     kept = np.empty_like(points)
     size = 0
     for p in points:
-        while (
-            size > 1
-            and turn(
-                kept[size - 2, 0],
-                kept[size - 2, 1],
-                kept[size - 1, 0],
-                kept[size - 1, 1],
-                p[0],
-                p[1],
-            )
-            <= 0
-        ):
+        while size > 1:
+            a, b = kept[size - 2], kept[size - 1]
+            if turn(a[0], a[1], b[0], b[1], p[0], p[1]) > 0:
+                break
             size -= 1
         kept[size] = p
         size += 1
@@ -110,8 +149,7 @@ def has_separating_edge(P: Array, Q: Array) -> bool:
     """Whether all of Q lies strictly to the right of one edge of P."""
     n, m = len(P), len(Q)
     ax, ay = P[n - 1, 0], P[n - 1, 1]
-    # a corner of Q that is not to the right of one edge often is not to the right of the next
-    witness = 0
+    witness = 0  # a corner of Q that is not beyond one edge often is not beyond the next either
     for i in range(n):
         bx, by = P[i, 0], P[i, 1]
         beyond = 0
@@ -125,22 +163,19 @@ def has_separating_edge(P: Array, Q: Array) -> bool:
 
 
 def convex_parts(ring: Array, holes: Sequence[Array] = ()) -> list[Array]:
-    """Convex polygons, made of the ring's own vertices, that together are exactly the ring without
-    its holes.
+    """Convex polygons whose union is exactly the ring without its holes.
 
-    A constrained Delaunay triangulation whose triangles are joined, one after another, while they
-    stay convex (after Hertel and Mehlhorn, 1983: at most four times as many parts as needed). The
-    ring is as `as_ring` returns it; so is each hole.
+    The parts use the vertices of the ring and the holes only. A constrained Delaunay triangulation
+    is merged pairwise as long as the union stays convex (after Hertel and Mehlhorn, 1983: at most
+    four times as many parts as needed). The ring and each hole are as `as_ring` returns them.
     """
-    if not holes and first_reflex(ring) < 0:
+    if not holes and find_reflex_vertex(ring) < 0:
         return [ring]
-    return joined(triangles(ring, holes))
+    return merge_convex_parts(triangles(ring, holes))
 
 
 def triangles(ring: Array, holes: Sequence[Array]) -> list[Array]:
-    """A constrained Delaunay triangulation of a ring with holes: counter-clockwise triangles, shape
-    (3, 2) each.
-    """
+    """A constrained Delaunay triangulation of a ring with holes, as counter-clockwise rings."""
     import shapely
 
     polygon = shapely.Polygon(ring, holes)
@@ -153,50 +188,45 @@ def triangles(ring: Array, holes: Sequence[Array]) -> list[Array]:
         np.array(t.exterior.coords)[:3]
         for t in shapely.constrained_delaunay_triangles(polygon).geoms
     ]
-    turns = [ring_turn(t) for t in corners]
-    return [
-        t if sign > 0 else t[::-1].copy() for t, sign in zip(corners, turns, strict=True) if sign
-    ]
+    oriented = [(t, ring_turn(t)) for t in corners]
+    return [t if sign > 0 else t[::-1].copy() for t, sign in oriented if sign]
 
 
-def joined(parts: list[Array]) -> list[Array]:
-    """The same region in fewer convex parts: two that share an edge become one where the result is
-    convex.
-    """
-    whole = {number: corners(part) for number, part in enumerate(parts)}
-    beyond = {
-        edge: number for number, part in whole.items() for edge in sides(part)
-    }  # an edge is shared by its reverse
+def merge_convex_parts(parts: list[Array]) -> list[Array]:
+    """Merge convex parts that share an edge, as long as their union is convex."""
+    merged = {number: corners(part) for number, part in enumerate(parts)}
+    part_of = {edge: number for number, part in merged.items() for edge in sides(part)}
     for number in range(len(parts)):
-        open_edges = sides(whole[number]) if number in whole else []
+        open_edges = sides(merged[number]) if number in merged else []
         while open_edges:
             a, b = open_edges.pop()
-            other = beyond.get((b, a))
+            other = part_of.get((b, a))  # the neighbour has the same edge reversed
             if other is None or other == number:
                 continue
-            union = joined_at_edge(whole[number], whole[other], a, b)
-            if not (
-                turns_right(union, 0) or turns_right(union, len(whole[number]) - 1)
-            ):  # at b and a; the rest stays as it was
-                beyond.update(dict.fromkeys(sides(whole.pop(other)), number))
-                whole[number] = union
-                open_edges = sides(union)
-    return [np.array(part) for part in whole.values()]
+            union = merge_at_edge(merged[number], merged[other], a, b)
+            # only the angles at b and a change
+            if turns_right(union, 0) or turns_right(union, len(merged[number]) - 1):
+                continue
+            part_of.update(dict.fromkeys(sides(merged.pop(other)), number))
+            merged[number] = union
+            open_edges = sides(union)
+    return [np.array(part) for part in merged.values()]
 
 
 def corners(ring: Array) -> list[Corner]:
-    """A ring's points, to be compared and looked up."""
+    """The points of a ring as tuples, which can be compared and looked up."""
     return [(x, y) for x, y in ring.tolist()]
 
 
 def sides(ring: list[Corner]) -> list[tuple[Corner, Corner]]:
-    """A ring's edges as pairs of points."""
+    """The edges of a ring as pairs of points."""
     return list(zip(ring, ring[1:] + ring[:1], strict=True))
 
 
-def joined_at_edge(P: list[Corner], Q: list[Corner], a: Corner, b: Corner) -> list[Corner]:
-    """The ring round two parts of which P has the edge a-b and Q the edge b-a: from b along P to a,
-    and back along Q.
+def merge_at_edge(P: list[Corner], Q: list[Corner], a: Corner, b: Corner) -> list[Corner]:
+    """The union of two parts: P has the edge a-b and Q the edge b-a.
+
+    The ring goes from b along P to a, and back along Q.
     """
     i, j = P.index(b), Q.index(a)
     return P[i:] + P[:i] + (Q[j:] + Q[:j])[1:-1]

@@ -1,4 +1,4 @@
-"""Many pairs of convex polygons at once: which of them meet."""
+"""Intersection tests for many pairs of convex polygons at once."""
 
 from typing import NamedTuple
 
@@ -14,10 +14,10 @@ from .rings import as_convex_ring
 
 
 class ConvexPolygonsRecord(NamedTuple):
-    """What `ConvexPolygons` makes; nothing writes it.
+    """The result of `ConvexPolygons`; treat it as read-only.
 
-    rings : (m, n, 2), counter-clockwise. boxes : (m, 4), round each: least x, least y, greatest x,
-        greatest y.
+    rings : (m, n, 2), counter-clockwise.
+    boxes : (m, 4), their bounding boxes as least x, least y, greatest x, greatest y.
     """
 
     rings: Array
@@ -25,12 +25,23 @@ class ConvexPolygonsRecord(NamedTuple):
 
 
 def ConvexPolygons(vertices: ArrayLike) -> ConvexPolygonsRecord:
-    """Convex polygons of n vertices each, shape (m, n, 2), checked once to be asked about many
-    times.
+    """Convex polygons of n vertices each, checked once for many intersection tests.
 
-    Exact, O(n) for each. Raises InvalidPolygon, which names the polygon by its number, where one is
-    not convex; InvalidPoint.
+    The check is exact and O(n) for each polygon.
 
+    Parameters
+    ----------
+    vertices : (m, n, 2) vertices of m polygons.
+
+    Raises
+    ------
+    InvalidPolygon
+        Where a polygon is not convex; the message gives its number.
+    InvalidPoint
+        Where a coordinate is not finite.
+
+    Examples
+    --------
     >>> ConvexPolygons([[(0, 0), (2, 0), (0, 2)]]).boxes
     array([[0., 0., 2., 2.]])
     """
@@ -40,15 +51,29 @@ def ConvexPolygons(vertices: ArrayLike) -> ConvexPolygonsRecord:
 def convex_pairs_intersect(
     P: ArrayLike | ConvexPolygonsRecord, Q: ArrayLike | ConvexPolygonsRecord
 ) -> NDArray[np.bool_]:
-    """Whether P[i] and Q[i], convex polygons, share a point, for every i; touching counts, and so
-    does one inside the other.
+    """Whether the convex polygons P[i] and Q[i] share a point, for every i. Exact.
 
-    P has shape (m, n, 2) and Q (m, k, 2), or they are `ConvexPolygons`, which are not checked
-    again: m pairs, the answer has shape (m,). Exact, and the same as `convex_polygons_intersect` of
-    each pair. O(1) for pairs whose boxes are apart, O(n k) at worst for others. Raises
-    InvalidPolygon, which names the polygon by its number, where one is not convex or the shapes do
-    not match; InvalidPoint.
+    Touching counts, and so does containment. The answers are those of `convex_polygons_intersect`.
+    O(1) for a pair with disjoint bounding boxes, O(n k) at worst for others.
 
+    Parameters
+    ----------
+    P : (m, n, 2) vertices, or `ConvexPolygons`, which are not checked again.
+    Q : (m, k, 2) vertices, or `ConvexPolygons`.
+
+    Returns
+    -------
+    (m,) array of bool.
+
+    Raises
+    ------
+    InvalidPolygon
+        Where a polygon is not convex (the message gives its number), or the shapes do not match.
+    InvalidPoint
+        Where a coordinate is not finite.
+
+    Examples
+    --------
     >>> triangle, square = [(0, 0), (2, 0), (0, 2)], [(1, 1), (2, 1), (2, 2), (1, 2)]
     >>> convex_pairs_intersect([triangle, triangle], [square, [(3, 3), (4, 3), (4, 4), (3, 4)]])
     array([ True, False])
@@ -65,9 +90,7 @@ def convex_pairs_intersect(
 def as_convex_polygons(
     polygons: ArrayLike | ConvexPolygonsRecord, name: str
 ) -> ConvexPolygonsRecord:
-    """Polygons of shape (m, n, 2), each checked as by `as_convex_ring`; what has been checked stays
-    as it is.
-    """
+    """Polygons (m, n, 2), checked as by `as_convex_ring`; a record is returned unchanged."""
     if isinstance(polygons, ConvexPolygonsRecord):
         return polygons
     rings = as_array(polygons, name)
@@ -76,39 +99,36 @@ def as_convex_polygons(
             f"{name} must be polygons of shape (m, n, 2), each of n >= 3 vertices, got shape "
             f"{rings.shape}"
         )
-    turns = convex_turns(rings)
-    for i in np.flatnonzero(turns == 0)[:1]:
-        as_convex_ring(rings[i], f"{name}[{i}]")  # says what is wrong with it
-    clockwise = turns < 0
+    orientations = convex_orientations(rings)
+    for i in np.flatnonzero(orientations == 0)[:1]:
+        as_convex_ring(rings[i], f"{name}[{i}]")  # raises the error that explains it
+    clockwise = orientations < 0
     rings[clockwise] = rings[clockwise, ::-1]
-    return ConvexPolygonsRecord(rings, boxes_round(rings))
+    return ConvexPolygonsRecord(rings, bounding_boxes(rings))
 
 
 @algorithm
-def convex_turns(rings: Array) -> NDArray[np.int64]:
-    """For each ring 1 where it is convex and counter-clockwise, -1 where convex and clockwise, else
-    0; shape (m,).
-    """
-    turns = np.empty(len(rings), np.int64)
+def convex_orientations(rings: Array) -> NDArray[np.int64]:
+    """`convex_orientation` of each ring, shape (m,)."""
+    orientations = np.empty(len(rings), np.int64)
     for i in range(len(rings)):
-        turns[i] = convex_turn(rings[i])
-    return turns
+        orientations[i] = convex_orientation(rings[i])
+    return orientations
 
 
 @inlined
-def convex_turn(ring: Array) -> int:
-    """The one direction in which a ring turns while its edges go once rightwards and once
-    leftwards, or 0. O(n), exact.
+def convex_orientation(ring: Array) -> int:
+    """1 for a convex counter-clockwise ring, -1 for a convex clockwise ring, else 0. O(n), exact.
 
-    Upwards counts as rightwards, downwards as leftwards. A ring that keeps turning one way meets
-    itself only if it goes round more than once, or folds back.
+    A ring that always turns the same way is simple if its edges go once rightwards and once
+    leftwards. Otherwise it winds around more than once or folds back. Vertical edges count as
+    rightwards if they go up and as leftwards if they go down.
     """
     n = len(ring)
     direction, reversals = 0, 0
     ax, ay, bx, by = ring[n - 2, 0], ring[n - 2, 1], ring[n - 1, 0], ring[n - 1, 1]
-    was_rightwards = (bx > ax) | (
-        (bx == ax) & (by > ay)
-    )  # without branches, which a computer would guess wrong half the time
+    # bitwise operators avoid branches, which would be mispredicted half the time
+    was_rightwards = (bx > ax) | ((bx == ax) & (by > ay))
     for i in range(n):
         cx, cy = ring[i, 0], ring[i, 1]
         side = turn(ax, ay, bx, by, cx, cy)
@@ -126,12 +146,12 @@ def convex_turn(ring: Array) -> int:
 
 
 @algorithm
-def boxes_round(rings: Array) -> Array:
+def bounding_boxes(rings: Array) -> Array:
     """The bounding box of each ring, shape (m, 4)."""
     boxes = np.empty((len(rings), 4))
     for i in range(len(rings)):
-        boxes[i, 0], boxes[i, 2] = span(rings[i], 0)
-        boxes[i, 1], boxes[i, 3] = span(rings[i], 1)
+        boxes[i, 0], boxes[i, 2] = coordinate_range(rings[i], 0)
+        boxes[i, 1], boxes[i, 3] = coordinate_range(rings[i], 1)
     return boxes
 
 
@@ -149,13 +169,13 @@ def pairs_intersect(P: ConvexPolygonsRecord, Q: ConvexPolygonsRecord) -> NDArray
 
 @inlined
 def boxes_meet(a: Array, b: Array) -> bool:
-    """Whether two boxes, each least x, least y, greatest x, greatest y, share a point."""
+    """Whether two boxes (least x, least y, greatest x, greatest y) share a point."""
     return a[0] <= b[2] and b[0] <= a[2] and a[1] <= b[3] and b[1] <= a[3]
 
 
 @inlined
-def span(points: Array, axis: int) -> tuple[float, float]:
-    """The least and the greatest coordinate of a set of points along an axis."""
+def coordinate_range(points: Array, axis: int) -> tuple[float, float]:
+    """The least and the greatest coordinate of points along an axis."""
     low = high = points[0, axis]
     for i in range(1, len(points)):
         value = points[i, axis]

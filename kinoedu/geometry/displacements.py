@@ -1,8 +1,9 @@
-"""Rigid motions of the plane as matrices: rotations (2, 2), and displacements (3, 3) that rotate
-and then move. Bullo & Smith, chapters 3 and 6; LaValle, section 3.2.
+"""Rigid motions of the plane as matrices: rotations (2, 2) and displacements (3, 3).
 
-Displacements are composed with `@`: (A @ B) does B first, or puts a frame B that is given in frame
-A into the world.
+A displacement rotates and then translates. Displacements are composed with `@`: A @ B applies B
+first. If B is a frame given in frame A, then A @ B is that frame in the world.
+
+Sources: Bullo & Smith, chapters 3 and 6; LaValle, section 3.2.
 """
 
 import math
@@ -15,9 +16,17 @@ from .checks import Array, as_array, as_points
 
 
 def rotation(theta: float) -> Array:
-    """The rotation by theta radians about the origin, counter-clockwise, shape (2, 2). By 0 it is
-    the identity, exactly.
+    """The rotation by theta radians about the origin, counter-clockwise, shape (2, 2).
 
+    The rotation by 0 is exactly the identity.
+
+    Raises
+    ------
+    InvalidPoint
+        Where theta is not one finite number.
+
+    Examples
+    --------
     >>> rotation(math.pi / 2).round(12) + 0.0
     array([[ 0., -1.],
            [ 1.,  0.]])
@@ -28,11 +37,21 @@ def rotation(theta: float) -> Array:
 
 
 def displacement(x: float, y: float, theta: float) -> Array:
-    """The displacement that turns by theta about the origin, then moves by (x, y), shape (3, 3).
+    """The displacement that rotates by theta about the origin and then translates by (x, y).
 
-    It takes a point of a robot's body to where it is when the robot is at the configuration (x, y,
-    theta).
+    It maps points given in the robot's frame to the world, for the configuration (x, y, theta).
 
+    Returns
+    -------
+    (3, 3) array
+
+    Raises
+    ------
+    InvalidPoint
+        Where an argument is not one finite number.
+
+    Examples
+    --------
     >>> displacement(3, 4, 0).tolist()
     [[1.0, 0.0, 3.0], [0.0, 1.0, 4.0], [0.0, 0.0, 1.0]]
     """
@@ -43,8 +62,20 @@ def displacement(x: float, y: float, theta: float) -> Array:
 
 
 def displaced(points: ArrayLike, by: ArrayLike) -> Array:
-    """Where a displacement takes a point (2,), or points (n, 2).
+    """The images of a point (2,) or of points (n, 2) under a displacement.
 
+    Parameters
+    ----------
+    points : (2,) point or (n, 2) points.
+    by : (3, 3) displacement.
+
+    Raises
+    ------
+    InvalidPoint
+        Where a coordinate is not finite, or `by` is not a displacement.
+
+    Examples
+    --------
     >>> displaced([(1, 0), (0, 0)], displacement(5, 5, math.pi))
     array([[4., 5.],
            [5., 5.]])
@@ -55,10 +86,19 @@ def displaced(points: ArrayLike, by: ArrayLike) -> Array:
 
 
 def inverse(of: ArrayLike) -> Array:
-    """The displacement that undoes another: its rotation transposed, and the way back seen from
-    there.
+    """The inverse of a displacement, shape (3, 3).
 
-    >>> (inverse(displacement(1, 2, 3)) @ displacement(1, 2, 3)).round(12).tolist() == np.eye(3).tolist()
+    Its rotation is transposed, and its translation is the negative one seen in the rotated frame.
+
+    Raises
+    ------
+    InvalidPoint
+        Where `of` is not a displacement.
+
+    Examples
+    --------
+    >>> A = displacement(1, 2, 3)
+    >>> (inverse(A) @ A).round(12).tolist() == np.eye(3).tolist()
     True
     """
     matrix = as_displacement(of)
@@ -69,8 +109,15 @@ def inverse(of: ArrayLike) -> Array:
 
 
 def configuration(of: ArrayLike) -> Array:
-    """The configuration (x, y, theta) that a displacement leads to, theta in [-pi, pi), shape (3,).
+    """The configuration (x, y, theta) of a displacement, theta in [-pi, pi), shape (3,).
 
+    Raises
+    ------
+    InvalidPoint
+        Where `of` is not a displacement.
+
+    Examples
+    --------
     >>> configuration(displacement(1, 2, 0.5)).tolist()
     [1.0, 2.0, 0.5]
     """
@@ -80,7 +127,7 @@ def configuration(of: ArrayLike) -> Array:
 
 
 def as_displacement(value: ArrayLike) -> Array:
-    """A matrix (3, 3) that turns and moves and does nothing else; InvalidPoint otherwise."""
+    """A (3, 3) matrix that rotates and translates only; raises InvalidPoint for any other."""
     matrix = as_array(value, "displacement")
     if matrix.shape != (3, 3):
         raise InvalidPoint(f"a displacement must have shape (3, 3), got {matrix.shape}")
@@ -96,7 +143,7 @@ def as_displacement(value: ArrayLike) -> Array:
 
 
 def one_number(value: float, name: str) -> float:
-    """One finite number."""
+    """One finite number; raises InvalidPoint for anything else."""
     number = as_array(value, name)
     if number.ndim:
         raise InvalidPoint(f"{name} must be one number, got shape {number.shape}")

@@ -1,9 +1,9 @@
-"""Signs and values that rounding cannot spoil.
+"""Exact signs and accurate values of sums of products.
 
-The arithmetic behind every geometric decision: where the ordinary floating-point result is too
-close to zero to be trusted, the exact one is computed. Nothing here knows what a polygon is.
+Every geometric predicate uses this arithmetic. It takes the floating-point result where an error
+bound proves its sign, and otherwise computes exactly. The module knows only numbers, no polygons.
 
-Source: J. R. Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric
+Sources: J. R. Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric
 predicates", Discrete & Computational Geometry 18 (1997); T. J. Dekker, "A floating-point technique
 for extending the available precision" (1971).
 """
@@ -14,18 +14,18 @@ import numpy as np
 
 from ..compiled import compiled
 
-SPLITTER = 134217729.0  # 2^27 + 1: cuts a 53-bit number into two halves whose products are exact
-# (3 + 16 eps) eps with eps = 2^-53: bounds the relative error of a computed cross product
+SPLITTER = 134217729.0  # 2^27 + 1: splits a 53-bit number into two halves with exact products
+# (3 + 16 eps) eps with eps = 2^-53, the bound of a computed cross product's relative error
 ROUNDING = 3.3306690738754716e-16
-SAFE = 1e-270  # above it a product's rounding error is a normal number
-HUGE = 1e302  # below it a handful of products can be added
+SAFE = 1e-270  # above this, a product's rounding error is a normal number
+HUGE = 1e302  # below this, a few products can be added without overflow
 WINDOW = 800  # exponents that can be summed at once without underflow
-NOTHING = -100000  # below every exponent of a product
+NO_EXPONENT = -100000  # less than every exponent of a product
 
 
 @compiled
 def two_sum(a: float, b: float) -> tuple[float, float]:
-    """The rounded sum of two numbers and its rounding error: together exactly a + b (Knuth)."""
+    """The rounded sum of a and b and its rounding error; together exactly a + b (Knuth)."""
     total = a + b
     b_part = total - a
     a_part = total - b_part
@@ -34,8 +34,9 @@ def two_sum(a: float, b: float) -> tuple[float, float]:
 
 @compiled
 def two_product(a: float, b: float) -> tuple[float, float]:
-    """The rounded product of two numbers and its rounding error: together exactly a * b (Dekker,
-    Veltkamp).
+    """The rounded product of a and b and its rounding error; together exactly a * b.
+
+    Dekker's method with Veltkamp's splitting.
     """
     product = a * b
     c = SPLITTER * a
@@ -51,8 +52,16 @@ def two_product(a: float, b: float) -> tuple[float, float]:
 
 @compiled
 def sum_of_products(x: np.ndarray, y: np.ndarray) -> tuple[float, int]:
-    """The exact sum of x[i] * y[i]: (m, e) with the sum m * 2^e, m rounded once and of the right
-    sign. Any finite numbers.
+    """The sum of x[i] * y[i], computed exactly and rounded once.
+
+    Parameters
+    ----------
+    x, y : (k,) arrays of any finite numbers.
+
+    Returns
+    -------
+    m, e
+        The sum is m * 2^e. The sign of m is exact, and its value is rounded once.
     """
     expansion = np.empty(2 * len(x))
     size = 0
@@ -62,16 +71,16 @@ def sum_of_products(x: np.ndarray, y: np.ndarray) -> tuple[float, int]:
             return scaled_sum_of_products(x, y)
         size = add_exactly(expansion, size, error)
         size = add_exactly(expansion, size, product)
-    return total(expansion, size), 0
+    return expansion_value(expansion, size), 0
 
 
 @compiled
 def scaled_sum_of_products(x: np.ndarray, y: np.ndarray) -> tuple[float, int]:
-    """The same where products overflow or underflow: each becomes two terms m * 2^e with an
-    exponent of its own.
+    """`sum_of_products` where products overflow or underflow.
 
-    The largest terms, as many as fit one window of exponents, are summed exactly; while what is
-    left could still change the result, that sum joins the rest and it begins again.
+    Each product becomes two terms m * 2^e with separate exponents. The largest terms, as many as
+    fit one window of exponents, are summed exactly. While the remaining terms could still change
+    the result, the sum is put back among them and the step is repeated.
     """
     k = len(x)
     m, e = np.zeros(6 * k), np.zeros(6 * k, np.int64)
@@ -79,8 +88,8 @@ def scaled_sum_of_products(x: np.ndarray, y: np.ndarray) -> tuple[float, int]:
         mx, ex = math.frexp(x[i])
         my, ey = math.frexp(y[i])
         high, low = two_product(mx, my)
-        m[2 * i], e[2 * i] = normal(high, ex + ey)
-        m[2 * i + 1], e[2 * i + 1] = normal(low, ex + ey)
+        m[2 * i], e[2 * i] = normalized(high, ex + ey)
+        m[2 * i + 1], e[2 * i + 1] = normalized(low, ex + ey)
     expansion = np.empty(6 * k)
     while True:
         top = largest_exponent(m, e)
@@ -89,18 +98,18 @@ def scaled_sum_of_products(x: np.ndarray, y: np.ndarray) -> tuple[float, int]:
             if m[i] != 0.0 and e[i] > top - WINDOW:
                 size = add_exactly(expansion, size, math.ldexp(m[i], int(e[i] - top)))
                 m[i] = 0.0
-        result, rest = total(expansion, size), largest_exponent(m, e)
-        if rest == NOTHING or abs(result) > math.ldexp(1.0, int(rest - top + 64)):
+        result, rest = expansion_value(expansion, size), largest_exponent(m, e)
+        if rest == NO_EXPONENT or abs(result) > math.ldexp(1.0, int(rest - top + 64)):
             return result, top
         free = 0
         for i in range(size):
             while m[free] != 0.0:
                 free += 1
-            m[free], e[free] = normal(expansion[i], top)
+            m[free], e[free] = normalized(expansion[i], top)
 
 
 @compiled
-def total(expansion: np.ndarray, size: int) -> float:
+def expansion_value(expansion: np.ndarray, size: int) -> float:
     """The value of an expansion, summed from its smallest component."""
     value = 0.0
     for i in range(size):
@@ -109,16 +118,16 @@ def total(expansion: np.ndarray, size: int) -> float:
 
 
 @compiled
-def normal(m: float, e: int) -> tuple[float, int]:
-    """m * 2^e with m in [1/2, 1), or zero."""
+def normalized(m: float, e: int) -> tuple[float, int]:
+    """Mantissa and exponent of m * 2^e, with the mantissa in [1/2, 1) or zero."""
     mantissa, shift = math.frexp(m)
     return mantissa, e + shift
 
 
 @compiled
 def largest_exponent(m: np.ndarray, e: np.ndarray) -> int:
-    """The largest exponent among the terms that are not zero."""
-    top = NOTHING
+    """The largest exponent among the nonzero terms."""
+    top = NO_EXPONENT
     for i in range(len(m)):
         if m[i] != 0.0 and e[i] > top:
             top = e[i]
@@ -127,9 +136,7 @@ def largest_exponent(m: np.ndarray, e: np.ndarray) -> int:
 
 @compiled
 def add_exactly(expansion: np.ndarray, size: int, term: float) -> int:
-    """Add a term to an expansion of `size` components, smallest first, without error; returns its
-    new size.
-    """
+    """Add a term to an expansion of `size` components, smallest first; returns the new size."""
     kept = 0
     for i in range(size):
         term, error = two_sum(term, expansion[i])
@@ -146,7 +153,7 @@ def add_exactly(expansion: np.ndarray, size: int, term: float) -> int:
 def exact_cross(
     ax: float, ay: float, bx: float, by: float, cx: float, cy: float
 ) -> tuple[float, int]:
-    """(b - a) x (c - a), exactly, as (m, e)."""
+    """The cross product (b - a) x (c - a), exact, as (m, e)."""
     return sum_of_products(
         np.array([ax, -ay, bx, -by, cx, -cy]), np.array([by, bx, cy, cx, ay, ax])
     )
@@ -156,7 +163,7 @@ def exact_cross(
 def exact_dot(
     ax: float, ay: float, bx: float, by: float, cx: float, cy: float
 ) -> tuple[float, int]:
-    """(b - a) . (c - a), exactly, as (m, e)."""
+    """The dot product (b - a) . (c - a), exact, as (m, e)."""
     return sum_of_products(
         np.array([bx, -bx, -ax, ax, by, -by, -ay, ay]), np.array([cx, ax, cx, ax, cy, ay, cy, ay])
     )
@@ -164,24 +171,27 @@ def exact_dot(
 
 @compiled
 def turn(ax: float, ay: float, bx: float, by: float, cx: float, cy: float) -> int:
-    """The sign of (b - a) x (c - a) = (a - c) x (b - c): 1 where a, b, c turn left, -1 right, 0 on
-    one line. Never wrong.
+    """The exact sign of (b - a) x (c - a) = (a - c) x (b - c).
 
-    Three steps, each for what the one before cannot decide: the rounded value; the exact difference
-    of the two products, when the coordinate differences are exact (points on a lattice); the exact
-    value.
+    1 where a, b, c turn left, -1 where they turn right, 0 where they lie on one line.
+
+    There are three stages, each for inputs that the one before cannot decide: the floating-point
+    value with an error bound; the exact difference of the two products, if the coordinate
+    differences are exact (points on a lattice); the exact value.
     """
     left, right = (ax - cx) * (by - cy), (ay - cy) * (bx - cx)
     det = left - right
     size = abs(left) + abs(right)
     if abs(det) > ROUNDING * size and abs(det) > SAFE:
         return 1 if det > 0.0 else -1
-    return turn_exactly(ax, ay, bx, by, cx, cy)
+    return orientation_sign_exactly(ax, ay, bx, by, cx, cy)
 
 
 @compiled
-def turn_exactly(ax: float, ay: float, bx: float, by: float, cx: float, cy: float) -> int:
-    """The sign of (b - a) x (c - a), decided without rounding."""
+def orientation_sign_exactly(
+    ax: float, ay: float, bx: float, by: float, cx: float, cy: float
+) -> int:
+    """The sign of (b - a) x (c - a), computed without rounding."""
     acx, e1 = two_sum(ax, -cx)
     bcy, e2 = two_sum(by, -cy)
     acy, e3 = two_sum(ay, -cy)
@@ -190,8 +200,7 @@ def turn_exactly(ax: float, ay: float, bx: float, by: float, cx: float, cy: floa
         left, left_error = two_product(acx, bcy)
         right, right_error = two_product(acy, bcx)
         if abs(left) > SAFE and abs(right) > SAFE:
-            # rounding keeps order, so the rounded products decide unless they are equal, and then
-            # their errors do
+            # rounding is monotonic: rounded products decide unless equal, then their errors do
             difference = left - right if left != right else left_error - right_error
             return int(difference > 0.0) - int(difference < 0.0)
         if (acx == 0.0 or bcy == 0.0) and (acy == 0.0 or bcx == 0.0):
@@ -202,8 +211,9 @@ def turn_exactly(ax: float, ay: float, bx: float, by: float, cx: float, cy: floa
 
 @compiled
 def height(ax: float, ay: float, bx: float, by: float, px: float, py: float) -> float:
-    """The signed distance of p from the line a-b, positive on its left, to within 1e-12 of itself,
-    however near to zero.
+    """The signed distance of p from the line a-b, positive on the left.
+
+    The relative error is at most 1e-12, however near p is to the line.
     """
     left, right = (ax - px) * (by - py), (ay - py) * (bx - px)
     det, base = left - right, length(bx - ax, by - ay)
@@ -215,7 +225,7 @@ def height(ax: float, ay: float, bx: float, by: float, px: float, py: float) -> 
 
 @compiled
 def length(x: float, y: float) -> float:
-    """The length of a vector, without the overflow and underflow of its squares."""
+    """The length of a vector, without overflow or underflow of the squares."""
     size = max(abs(x), abs(y))
     if 1e-140 < size < 1e150:
         return math.sqrt(x * x + y * y)
@@ -227,8 +237,10 @@ def length(x: float, y: float) -> float:
 
 @compiled
 def facing(ax: float, ay: float, bx: float, by: float, cx: float, cy: float) -> int:
-    """The sign of (b - a) . (c - a): 1 where c lies ahead of a as b does, -1 behind, 0 at a right
-    angle. Never wrong.
+    """The exact sign of (b - a) . (c - a).
+
+    1 where the angle at a between b and c is less than a right angle, -1 where it is more, 0 where
+    it is a right angle.
     """
     along, across = (bx - ax) * (cx - ax), (by - ay) * (cy - ay)
     dot = along + across
@@ -242,8 +254,10 @@ def facing(ax: float, ay: float, bx: float, by: float, cx: float, cy: float) -> 
 def bend(
     ax: float, ay: float, bx: float, by: float, cx: float, cy: float, dx: float, dy: float
 ) -> int:
-    """The sign of (b - a) x (d - c): 1 where the direction of c-d is left of that of a-b, -1 right,
-    0 parallel. Never wrong.
+    """The exact sign of (b - a) x (d - c).
+
+    1 where the direction from c to d is left of the direction from a to b, -1 where it is right, 0
+    where the directions are parallel.
     """
     left, right = (bx - ax) * (dy - cy), (by - ay) * (dx - cx)
     det = left - right

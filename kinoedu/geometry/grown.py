@@ -1,4 +1,4 @@
-"""Convex pieces grown by a radius, as polygons on the safe side: never smaller than the truth."""
+"""Polygons that contain a convex piece grown by a radius: never smaller than the exact shape."""
 
 import math
 
@@ -7,16 +7,19 @@ import numpy as np
 from .checks import Array
 from .convex import convex_hull
 
-SIDES = 32  # of the polygon that stands for a disc: it reaches half a percent beyond it
+SIDES = 32  # sides of the polygon around a disc; its corners are half a percent outside the disc
 
 
-def round_disc(radius: float) -> Array:
-    """A regular polygon that holds the disc of a radius round the origin, and touches it; the
-    origin alone for 0. Shape (k, 2).
+def disc_polygon(radius: float) -> Array:
+    """A regular polygon around the disc of a radius at the origin; for radius 0 the origin. (k, 2).
 
-    >>> round_disc(0.0)
+    Examples
+    --------
+    >>> disc_polygon(0.0)
     array([[0., 0.]])
-    >>> bool(np.hypot(*(round_disc(1.0) + np.roll(round_disc(1.0), 1, axis=0)).T).min() / 2 >= 1.0)
+    >>> corners = disc_polygon(1.0)
+    >>> midpoints = (corners + np.roll(corners, 1, axis=0)) / 2
+    >>> bool(np.hypot(*midpoints.T).min() >= 1.0)
     True
     """
     if radius == 0.0:
@@ -27,14 +30,10 @@ def round_disc(radius: float) -> Array:
 
 
 def summed(P: Array, Q: Array) -> Array:
-    """The convex hull of all sums of a point of P, shape (n, 2), and one of Q, (k, 2):
-    counter-clockwise.
-    """
+    """The convex hull, counter-clockwise, of all sums of a point of P, (n, 2), and Q, (k, 2)."""
     return convex_hull((P[:, None] + Q[None]).reshape(-1, 2))
 
 
 def grown(piece: Array, radius: float) -> Array:
-    """A convex polygon that holds all that is within a radius of the convex hull of points (n, 2),
-    and little more.
-    """
-    return summed(piece, round_disc(radius))
+    """A convex polygon slightly larger than the hull of points (n, 2) grown by a radius."""
+    return summed(piece, disc_polygon(radius))

@@ -1,5 +1,6 @@
-"""Lines, and which side of one a point lies on. Bullo & Smith, Lectures on Robotic Planning and
-Kinematics, chapter 1.
+"""Lines, and on which side of a line a point lies.
+
+Source: Bullo & Smith, Lectures on Robotic Planning and Kinematics, chapter 1.
 """
 
 import math
@@ -13,11 +14,24 @@ from .exact import height, length, sum_of_products, turn
 
 
 def orientation(a: ArrayLike, b: ArrayLike, c: ArrayLike) -> int:
-    """Whether a, b, c turn left (1), turn right (-1) or lie on one line (0). Exact for every finite
-    input.
+    """Whether three points turn left, turn right or lie on one line.
 
-    Parameters are points of shape (2,). Raises InvalidPoint.
+    Parameters
+    ----------
+    a, b, c : (2,) points.
 
+    Returns
+    -------
+    int
+        1 for a left turn, -1 for a right turn, 0 on one line. Exact for every finite input.
+
+    Raises
+    ------
+    InvalidPoint
+        Where a point is not two finite numbers.
+
+    Examples
+    --------
     >>> orientation((0, 0), (1, 0), (1, 1)), orientation((0, 0), (0.1, 0.3), (0.2, 0.6))
     (1, 0)
     """
@@ -26,11 +40,27 @@ def orientation(a: ArrayLike, b: ArrayLike, c: ArrayLike) -> int:
 
 
 def line_through_points(p1: ArrayLike, p2: ArrayLike) -> tuple[float, float, float]:
-    """The line {(x, y): a x + b y + c = 0} through two distinct points, with a^2 + b^2 = 1.
+    """The line {(x, y): a x + b y + c = 0} through two distinct points.
 
-    (a, b) points to the left of the way from p1 to p2, so a x + b y + c is the signed distance of
-    (x, y), positive on the left. Raises InvalidSegment where the points coincide, InvalidPoint.
+    Parameters
+    ----------
+    p1, p2 : (2,) points.
 
+    Returns
+    -------
+    a, b, c
+        With a^2 + b^2 = 1. The vector (a, b) points to the left of the direction from p1 to p2, so
+        a x + b y + c is the signed distance of (x, y), positive on the left.
+
+    Raises
+    ------
+    InvalidSegment
+        Where the points coincide.
+    InvalidPoint
+        Where a point is not two finite numbers.
+
+    Examples
+    --------
     >>> line_through_points((0, 1), (5, 1))
     (0.0, 1.0, -1.0)
     """
@@ -42,9 +72,21 @@ def line_through_points(p1: ArrayLike, p2: ArrayLike) -> tuple[float, float, flo
 
 
 def point_line_distance(q: ArrayLike, p1: ArrayLike, p2: ArrayLike) -> float:
-    """The distance from q to the line through p1 and p2. Raises InvalidSegment where p1 and p2
-    coincide, InvalidPoint.
+    """Distance from a point to the line through two points.
 
+    Parameters
+    ----------
+    q, p1, p2 : (2,) points; p1 and p2 are distinct.
+
+    Raises
+    ------
+    InvalidSegment
+        Where p1 and p2 coincide.
+    InvalidPoint
+        Where a point is not two finite numbers.
+
+    Examples
+    --------
     >>> point_line_distance((3, 4), (0, 0), (1, 0))
     4.0
     """
@@ -53,7 +95,7 @@ def point_line_distance(q: ArrayLike, p1: ArrayLike, p2: ArrayLike) -> float:
 
 
 def two_points(p1: ArrayLike, p2: ArrayLike) -> tuple[Array, Array]:
-    """Two distinct points, or InvalidSegment."""
+    """Two distinct points; raises InvalidSegment where they coincide."""
     p1, p2 = as_point(p1, "p1"), as_point(p2, "p2")
     if (p1 == p2).all():
         raise InvalidSegment(f"two distinct points make a line, got {tuple(p1.tolist())} twice")

@@ -1,13 +1,13 @@
-"""Sums and differences of convex sets of points: what a robot's shape does to the obstacles that
-its reference point must avoid.
+"""Minkowski sums and differences, and erosion, of convex polygons.
 
-Two convex polygons are added by walking round both at once and taking, at each step, the edge that
-turns left the least: every edge of either occurs in the sum, and nothing else. Source: de Berg et
-al., Computational Geometry, section 13.3; LaValle, section 4.3.2.
+They describe which positions of a robot's reference point put its shape in contact with an
+obstacle. The boundary of the sum of two convex polygons consists of the edges of both, sorted by
+direction; one walk around both polygons merges them. Sources: de Berg et al., Computational
+Geometry, section 13.3; LaValle, section 4.3.2.
 
-Which edge comes next, and which two are parallel, is decided exactly. A corner of the sum is a
-corner of P plus one of Q, each coordinate rounded once; of the rounded corners the hull is
-returned, so that the answer is strictly convex whatever was rounded.
+The order of the edges is decided exactly, and so is whether two are parallel. A corner of the sum
+is a corner of P plus a corner of Q, each coordinate rounded once. The convex hull of the rounded
+corners is returned, so the result is strictly convex.
 """
 
 import numpy as np
@@ -19,18 +19,34 @@ from .checks import Array, as_points
 from .convex import convex_hull
 from .exact import bend, turn
 from .rings import as_convex_ring
-from .segments import before, proper_crossing
+from .segments import precedes, proper_crossing
 
 
 def minkowski_sum(P: ArrayLike, Q: ArrayLike) -> Array:
-    """P ⊕ Q, all sums p + q: the corners of a convex polygon, counter-clockwise from the leftmost,
-    shape (k, 2), k <= n + m.
+    """P ⊕ Q, the set of all sums p + q of points of two convex polygons.
 
-    P and Q are convex polygons, shapes (n, 2) and (m, 2); two points stand for a segment, one for
-    itself, and a sum of such is a segment or a point where it has no area. Parallel edges become
-    one. O((n + m) log(n + m)), after a check that both are simple. Raises InvalidPolygon where one
-    is not convex, InvalidPoint.
+    O((n + m) log(n + m)), after a check that both polygons are simple.
 
+    Parameters
+    ----------
+    P, Q : (n, 2) and (m, 2) vertices of convex polygons. Two points are a segment, one is a
+        point.
+
+    Returns
+    -------
+    (k, 2) array
+        The corners, counter-clockwise from the leftmost, k <= n + m. Parallel edges become one. The
+        sum of two parallel segments is a segment, and the sum of two points is a point.
+
+    Raises
+    ------
+    InvalidPolygon
+        Where P or Q is not convex.
+    InvalidPoint
+        Where a coordinate is not finite, or there are no points.
+
+    Examples
+    --------
     >>> minkowski_sum([(0, 0), (2, 0), (2, 1), (0, 1)], [(0, 0), (1, 0), (0, 1)])
     array([[0., 0.],
            [3., 0.],
@@ -44,13 +60,17 @@ def minkowski_sum(P: ArrayLike, Q: ArrayLike) -> Array:
 
 
 def minkowski_difference(P: ArrayLike, Q: ArrayLike) -> Array:
-    """P ⊖ Q, all differences p - q: where Q's reference point, the origin, may not be if Q is not
-    to touch P. Shape (k, 2).
+    """P ⊖ Q = P ⊕ (-Q), the set of all differences p - q of points of two convex polygons.
 
-    This is the difference of Bullo & Smith and of LaValle (section 4.3.2), P ⊕ (-Q): the C-obstacle
-    of a robot Q that is moved without turning. Where other books write the same sign for all places
-    at which Q fits into P, see `erosion`. As `minkowski_sum`.
+    It is the C-obstacle of an obstacle P for a robot Q that translates: the positions of Q's
+    reference point, the origin, at which Q touches P. Bullo & Smith and LaValle (section 4.3.2) use
+    the sign ⊖ in this sense. Other books use it for the positions at which Q fits into P, see
+    `erosion`.
 
+    Parameters, result and errors are those of `minkowski_sum`.
+
+    Examples
+    --------
     >>> minkowski_difference([(0, 0), (2, 0), (2, 1), (0, 1)], [(0, 0), (1, 0), (0, 1)])
     array([[-1.,  0.],
            [ 0., -1.],
@@ -62,14 +82,32 @@ def minkowski_difference(P: ArrayLike, Q: ArrayLike) -> Array:
 
 
 def erosion(P: ArrayLike, Q: ArrayLike) -> Array:
-    """Where Q's reference point, the origin, may be for Q to lie in the convex polygon P, contact
-    included: all p with p + Q in P.
+    """The positions of Q's reference point, the origin, at which Q lies in the convex polygon P.
 
-    The corners of a convex polygon, counter-clockwise from the leftmost, shape (k, 2); (0, 2) where
-    Q does not fit, or fits only with contact on two sides at once, so that there is no area. Each
-    edge of P moves inward until Q's outermost corner is inside; which corners remain is decided
-    exactly on the rounded ones. O(n (n + m)). Raises InvalidPolygon, InvalidPoint.
+    These are all p with p + Q in P, contact included. Each edge of P is moved inward until Q's
+    outermost corner is inside. Which corners remain is decided exactly on the rounded
+    ones. O(n (n + m)).
 
+    Parameters
+    ----------
+    P : (n, 2) vertices of a convex polygon.
+    Q : (m, 2) vertices of a convex polygon, the ends of a segment, or a point.
+
+    Returns
+    -------
+    (k, 2) array
+        The corners of a convex polygon, counter-clockwise from the leftmost. Shape (0, 2) where the
+        set has no area: Q does not fit, or fits only with contact on two opposite sides.
+
+    Raises
+    ------
+    InvalidPolygon
+        Where P or Q is not convex.
+    InvalidPoint
+        Where a coordinate is not finite, or there are no points.
+
+    Examples
+    --------
     >>> erosion([(0, 0), (9, 0), (9, 6), (0, 6)], [(0, 0), (1, 0), (0, 1)])
     array([[0., 0.],
            [8., 0.],
@@ -77,28 +115,30 @@ def erosion(P: ArrayLike, Q: ArrayLike) -> Array:
            [0., 5.]])
     """
     P, Q = convex_hull(as_convex_ring(P, "P")), as_convex_corners(Q, "Q")
-    outermost = [Q[farthest_right(a, b, Q)] for a, b in zip(P, np.roll(P, -1, axis=0))]
+    outermost = [Q[find_farthest_right(a, b, Q)] for a, b in zip(P, np.roll(P, -1, axis=0))]
     return moved_inward(P, P - Q[0], -np.array(outermost))
 
 
 def moved_inward(ring: Array, start: Array, shifts: Array) -> Array:
-    """What the edges of a convex ring, each moved by its shift, (n, 2), leave of a convex polygon;
-    (0, 2) where it has no area.
+    """The part of the convex polygon `start` inside all edges of a ring, each moved by its shift.
+
+    Shifts have shape (n, 2). The result is (0, 2) where it has no area.
     """
     for a, b, shift in zip(ring, np.roll(ring, -1, axis=0), shifts):
-        start = left_of(start, a + shift, b + shift)
+        start = clip_to_left_of(start, a + shift, b + shift)
     corners = convex_hull(start) if len(start) else start
     return corners if len(corners) > 2 else np.empty((0, 2))
 
 
 def leftmost(ring: Array) -> int:
-    """The number of a ring's leftmost vertex, the lower of two."""
+    """The index of a ring's leftmost vertex, the lowest of several."""
     return int(np.lexsort(ring.T[::-1])[0])
 
 
 def as_convex_corners(value: ArrayLike, name: str) -> Array:
-    """A convex polygon's corners, straight angles left out, counter-clockwise from the leftmost; a
-    segment's ends; a point.
+    """The corners of a convex polygon, counter-clockwise from the leftmost.
+
+    Straight angles are left out. Two points stand for a segment, one point for itself.
     """
     points = as_points(value, name)
     if len(points) == 0:
@@ -108,45 +148,44 @@ def as_convex_corners(value: ArrayLike, name: str) -> Array:
 
 @compiled
 def corner_pairs(P: Array, Q: Array) -> NDArray[np.int64]:
-    """The corners of P ⊕ Q as rows i, j: corner P[i] + Q[j], shape (k, 2), for corners as
-    `as_convex_corners` returns them.
+    """The corners of P ⊕ Q as rows (i, j), each for the corner P[i] + Q[j]; shape (k, 2).
 
-    From one row to the next i or j goes on by one, along that edge; or both, where two edges are
-    parallel.
+    P and Q are as `as_convex_corners` returns them. From one row to the next, i or j advances by
+    one along its edge, or both do where the two edges are parallel.
     """
     n, m = len(P), len(Q)
-    ends = n - (n == 1), m - (m == 1)  # a point has no edge, a segment has one there and one back
+    ends = n - (n == 1), m - (m == 1)  # numbers of edges: a point has none, a segment has two
     pairs = np.zeros((ends[0] + ends[1] + 1, 2), np.int64)
     i, j, size = 0, 0, 1
     while i < ends[0] or j < ends[1]:
-        side = (
-            1
-            if j == ends[1]
-            else -1
-            if i == ends[0]
-            else first_to_turn(P[i], P[(i + 1) % n], Q[j], Q[(j + 1) % m])
-        )
-        i += side >= 0
-        j += side <= 0
+        if j == ends[1]:
+            order = 1
+        elif i == ends[0]:
+            order = -1
+        else:
+            order = compare_edges(P[i], P[(i + 1) % n], Q[j], Q[(j + 1) % m])
+        i += order >= 0
+        j += order <= 0
         pairs[size, 0], pairs[size, 1] = i % n, j % m
         size += 1
-    return pairs[: max(size - 1, 1)]  # the last row is the first again
+    return pairs[: max(size - 1, 1)]  # the last row repeats the first
 
 
 @compiled
-def first_to_turn(a: Array, b: Array, c: Array, d: Array) -> int:
-    """Which of the edges a-b and c-d comes first on the way round from the leftmost corner: 1, -1,
-    or 0 for both at once.
+def compare_edges(a: Array, b: Array, c: Array, d: Array) -> int:
+    """Compare two edges in the walk from the leftmost corner.
+
+    1 if a-b comes precedes c-d, -1 if it comes after, 0 if they have the same direction.
     """
-    out, back = before(a, b), before(c, d)
-    if out != back:
-        return 1 if out else -1
+    ab_goes_right, cd_goes_right = precedes(a, b), precedes(c, d)
+    if ab_goes_right != cd_goes_right:
+        return 1 if ab_goes_right else -1
     return bend(a[0], a[1], b[0], b[1], c[0], c[1], d[0], d[1])
 
 
 @compiled
-def farthest_right(a: Array, b: Array, points: Array) -> int:
-    """The point that lies farthest to the right of the direction a-b; exact."""
+def find_farthest_right(a: Array, b: Array, points: Array) -> int:
+    """The index of the point farthest to the right of the direction a-b; exact."""
     best = 0
     for k in range(1, len(points)):
         p, q = points[best], points[k]
@@ -156,22 +195,21 @@ def farthest_right(a: Array, b: Array, points: Array) -> int:
 
 
 @compiled
-def left_of(ring: Array, a: Array, b: Array) -> Array:
-    """The part of a convex ring that does not lie to the right of the line a-b, (k, 2); where they
-    cross is rounded.
+def clip_to_left_of(ring: Array, a: Array, b: Array) -> Array:
+    """The part of a convex ring that is not to the right of the line a-b, (k, 2).
+
+    Crossing points are rounded.
     """
     n = len(ring)
     kept, size = np.empty((n + 2, 2)), 0
     for i in range(n):
         p, q = ring[i], ring[(i + 1) % n]
-        here, there = (
-            turn(a[0], a[1], b[0], b[1], p[0], p[1]),
-            turn(a[0], a[1], b[0], b[1], q[0], q[1]),
-        )
-        if here >= 0:
+        p_side = turn(a[0], a[1], b[0], b[1], p[0], p[1])
+        q_side = turn(a[0], a[1], b[0], b[1], q[0], q[1])
+        if p_side >= 0:
             kept[size] = p
             size += 1
-        if here * there < 0:
+        if p_side * q_side < 0:
             kept[size] = proper_crossing(p, q, a, b)
             size += 1
     return kept[:size]

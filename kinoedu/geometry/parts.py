@@ -1,40 +1,34 @@
-"""`Parts`: what every robot's body and every obstacle is made of.
+"""`Parts`: the convex pieces that make up robots and obstacles.
 
-The record table (every record is a NamedTuple; compiled code reads its fields):
+One vertex with a radius is a disc, two are a rounded bar such as an arm's link, three or more are a
+convex polygon, counter-clockwise. A polygon that is not convex is several parts. So one distance
+routine serves them all.
 
-| record | fields |
-|---|---|
-| `Parts` | points (n, 2), first (k + 1,), radius (k,): part i is points[first[i]:first[i + 1]], grown by radius[i] |
-| `RoundRobot` | radius (its body, Parts of one point, is made when asked for) |
-| `TranslatingPolygonRobot` | outline (n, 2) and shape: Parts, at the origin (robots/polygon.py) |
-| `RigidPolygonRobot` | outline, shape, turn_weight (robots/polygon.py) |
-| `ArmRobot` | lengths (n,), base (2,), shape: Parts, each link along its own x-axis (robots/arm.py) |
-| `CarRobot` | outline, shape, wheelbase, max_steering, radius, speeds, both_ways (robots/car.py) |
-| `PolygonWorldRecord` | edges (m, 5), hull, obstacles: Parts, cells: PartsIndex, known, lo and hi (worlds/polygon_world.py) |
-| `PartsIndex` | x, y, cell, columns, rows, first, parts, boxes (worlds/parts_index.py) |
-| `MovingWorldRecord` | still, shapes, times, places, knots, outlines, owner, lo, hi (worlds/moving.py) |
-| `UncertainWorldRecord` | expected, empty, parts, owner (k,), sigma (m,) (worlds/uncertain.py) |
-| `TerrainRecord` | free (rows, columns), resolution, origin, lo and hi (worlds/terrain.py) |
-| `RealSpace` | lo and hi (d,) (spaces/real.py) |
-| `WrappingSpace` | lo, hi, wraps and weight (d,) (spaces/wrapping.py) |
-| `CurveSpace` | lo, hi (3,), radius, both_ways (curves/space.py) |
-| `Curve` | start (3,), radius, turns (k,), lengths (k,) (curves/curve.py) |
-| `Nearest`, `Closest` | what a search of buckets has found so far (spaces/rings.py, spaces/closest.py) |
-| `GrowingTree` | nodes, parent, size, and the buckets of its nearest neighbours (spaces/buckets.py) |
-| `CostTree` | tree, cost, length, child, sibling, log, hung (planners/cost_tree.py) |
-| `Corners` | points, nodes, before, after (planners/corners.py) |
-| `GraphRecord` | size, edges, weights, first, to, weight (graphs/flat.py) |
-| `Sweep` | the state of a sweep line, flat (decomposition/sweep.py) |
-| `Rounded`, `Slide` | a grown convex shape; a robot's way round an obstacle (c_space/rounded.py, c_space/sliding.py) |
-| `ProblemRecord` | robot, world, space, start, goal, clearance, asked (problems.py) |
-| `TimedProblemRecord` | robot, world, start, goal, speed, horizon, clearance (timed_problems.py) |
-| `Grid`; `Cells`, `Motions` | a grid's place and size; what its moves are judged by (planners/grid.py) |
-| `RadixHeap`, `Known` | a search's queue, and what it knows of each node (graphs/radix_heap.py, graphs/search.py) |
+`Parts` is a record, as is every object that compiled code reads: a NamedTuple of arrays, numbers
+and records. Records hold few arrays, because compiled code counts references to each of them
+wherever a record is passed on. These are the records; their fields are listed in their files.
 
-One vertex with a radius is a disc, two a rounded bar such as an arm's link, three or more a convex
-polygon, counter-clockwise; a non-convex polygon is several parts. So one distance routine judges
-them all. Records hold few arrays: compiled code counts a reference to each of them wherever a
-record is handed on.
+| records | meaning | file |
+|---|---|---|
+| `Parts` | convex pieces, each grown by a radius | geometry/parts.py |
+| `RoundRobot` | a point or a disc | robots/round.py |
+| `TranslatingPolygonRobot`, `RigidPolygonRobot` | a polygon | robots/polygon.py |
+| `ArmRobot`, `CarRobot` | an arm; a car | robots/arm.py, robots/car.py |
+| `PolygonWorldRecord` | a polygon with obstacles | worlds/polygon_world.py |
+| `PartsIndex` | a grid of cells that finds nearby parts | worlds/parts_index.py |
+| `MovingWorldRecord` | a world with moving obstacles | worlds/moving.py |
+| `UncertainWorldRecord` | a world with uncertain obstacles | worlds/uncertain.py |
+| `TerrainRecord` | a bitmap | worlds/terrain.py |
+| `RealSpace`, `WrappingSpace` | R^n; spaces with angles | spaces/real.py, spaces/wrapping.py |
+| `CurveSpace`, `Curve` | a car's poses; a curve | curves/space.py, curves/curve.py |
+| `GrowingTree` | a tree with its buckets of nodes | spaces/buckets.py |
+| `Nearest`, `Closest` | results of a bucket search | spaces/rings.py, spaces/closest.py |
+| `CostTree`, `Corners` | an RRT*; a visibility graph | planners/trees/, planners/exact/ |
+| `Grid`, `Cells`, `Motions` | a grid and its motions | planners/grids/grid.py |
+| `GraphRecord`, `RadixHeap`, `Known` | a graph and its search | graphs/ |
+| `Sweep` | the state of a sweep line | decomposition/sweep.py |
+| `Rounded`, `Slide` | shapes and paths in C-space | c_space/ |
+| `ProblemRecord`, `TimedProblemRecord` | a problem | problems/ |
 """
 
 from collections.abc import Sequence
@@ -50,7 +44,7 @@ from .segments import between, segment_distance
 
 
 class Parts(NamedTuple):
-    """Convex pieces in one flat array."""
+    """Convex pieces, each grown by a radius, in one flat array; see the table above."""
 
     points: Array
     first: NDArray[np.int64]
@@ -58,8 +52,10 @@ class Parts(NamedTuple):
 
 
 def make_parts(pieces: Sequence[Array], radius: Sequence[float]) -> Parts:
-    """Lay convex pieces, each of shape (n_i, 2), one after another.
+    """Store convex pieces, each of shape (n_i, 2), one after another.
 
+    Examples
+    --------
     >>> make_parts([np.zeros((1, 2)), np.eye(3, 2)], [0.5, 0.0]).first
     array([0, 1, 4])
     """
@@ -77,11 +73,11 @@ def part_boxes(parts: Parts) -> Array:
 
 @inlined
 def segment_meets_part(ax: float, ay: float, bx: float, by: float, parts: Parts, i: int) -> bool:
-    """Whether the closed segment a-b shares a point with part i, its radius left aside. Exact.
+    """Whether the closed segment a-b shares a point with part i; its radius is ignored. Exact.
 
-    A segment and a polygon are apart exactly when the segment's line has the polygon strictly on
-    one side, or the segment lies strictly to the right of an edge (separating axis theorem). The
-    segment may be a single point.
+    A segment and a polygon are disjoint exactly when the polygon is strictly on one side of the
+    segment's line, or the segment is strictly to the right of an edge (separating axis theorem).
+    The segment may be a single point.
     """
     points, begin, end = parts.points, parts.first[i], parts.first[i + 1]
     if end - begin == 1:
@@ -104,7 +100,7 @@ def segment_meets_part(ax: float, ay: float, bx: float, by: float, parts: Parts,
 def segment_part_distance(
     ax: float, ay: float, bx: float, by: float, parts: Parts, i: int
 ) -> float:
-    """The distance between the segment a-b and part i, its radius left aside; 0 where they meet."""
+    """The distance between the segment a-b and part i, 0 where they meet; the radius is ignored."""
     if segment_meets_part(ax, ay, bx, by, parts, i):
         return 0.0
     points, begin, end = parts.points, parts.first[i], parts.first[i + 1]
@@ -125,8 +121,9 @@ def segment_part_distance(
 def motion_touches_part(
     ax: float, ay: float, bx: float, by: float, radius: float, parts: Parts, i: int
 ) -> bool:
-    """Whether a disc moved along a-b touches part i: exact for a point against a polygon, to 1e-12
-    where something is round.
+    """Whether a disc moved along a-b touches part i.
+
+    Exact for a point and a polygon. Accurate to 1e-12 where a radius is positive.
     """
     reach = radius + parts.radius[i]
     if reach == 0.0:

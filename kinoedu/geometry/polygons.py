@@ -1,7 +1,7 @@
-"""Simple polygons: which points they hold, how far a point is from one, and the way round it. Bullo
-& Smith, chapter 1.
+"""Simple polygons: membership, distance and tangents.
 
-A polygon is a closed set: its boundary belongs to it.
+A polygon is a closed set: its boundary belongs to it. Source: Bullo & Smith, Lectures on Robotic
+Planning and Kinematics, chapter 1.
 """
 
 import numpy as np
@@ -15,26 +15,60 @@ from .segments import between, closest_on_segment, segment_distance
 
 
 def point_in_polygon(q: ArrayLike, polygon: ArrayLike) -> bool:
-    """Whether q lies in a simple polygon, shape (n, 2), or on its boundary. Exact. O(n) a point,
-    after an O(n^2) check that the polygon is simple.
+    """Whether points lie in a simple polygon or on its boundary. Exact.
 
-    q may be many points, shape (m, 2): then the answer has shape (m,). Raises InvalidPolygon,
-    InvalidPoint.
+    O(n) for each point, after an O(n^2) check that the polygon is simple.
 
+    Parameters
+    ----------
+    q : (2,) point or (m, 2) points.
+    polygon : (n, 2) vertices.
+
+    Returns
+    -------
+    bool, or (m,) array for many points.
+
+    Raises
+    ------
+    InvalidPolygon
+        Where the polygon is not simple.
+    InvalidPoint
+        Where a coordinate is not finite.
+
+    Examples
+    --------
     >>> corner = [(0, 0), (4, 0), (4, 4), (2, 4), (2, 2), (0, 2)]
-    >>> point_in_polygon((1, 1), corner), point_in_polygon((1, 3), corner), point_in_polygon((1, 2), corner)
-    (True, False, True)
+    >>> point_in_polygon((1, 1), corner), point_in_polygon((1, 3), corner)
+    (True, False)
+    >>> point_in_polygon([(1, 2), (1, 3)], corner).tolist()
+    [True, False]
     """
     return one_or_many(q, places(as_points(q, "q"), as_ring(polygon)) >= 0)
 
 
 def point_polygon_distance(q: ArrayLike, polygon: ArrayLike) -> float:
-    """The distance from q to a simple polygon, shape (n, 2); 0 inside and on the boundary. O(n) a
-    point, after an O(n^2) check that the polygon is simple.
+    """Distance from points to a simple polygon; 0 inside and on the boundary.
 
-    q may be many points, shape (m, 2): then the answer has shape (m,). Raises InvalidPolygon,
-    InvalidPoint.
+    O(n) for each point, after an O(n^2) check that the polygon is simple.
 
+    Parameters
+    ----------
+    q : (2,) point or (m, 2) points.
+    polygon : (n, 2) vertices.
+
+    Returns
+    -------
+    float, or (m,) array for many points.
+
+    Raises
+    ------
+    InvalidPolygon
+        Where the polygon is not simple.
+    InvalidPoint
+        Where a coordinate is not finite.
+
+    Examples
+    --------
     >>> point_polygon_distance((7, 8), [(0, 0), (4, 0), (4, 4), (0, 4)])
     5.0
     """
@@ -42,14 +76,32 @@ def point_polygon_distance(q: ArrayLike, polygon: ArrayLike) -> float:
 
 
 def polygon_tangent(q: ArrayLike, polygon: ArrayLike) -> Array:
-    """The unit vector in which a robot at q starts to circle a polygon counter-clockwise, shape
-    (2,).
+    """The direction in which a robot at q starts to circle a polygon counter-clockwise.
 
-    Where the nearest boundary point is inside an edge, it is the direction of that edge; where it
-    is a vertex, the tangent to the circle round that vertex through q, in the sense in which the
-    edges go on there; at the vertex itself, the direction of the edge that leaves it. Among equally
-    near edges the first counts. Raises InvalidPolygon, InvalidPoint.
+    If the boundary point nearest to q is inside an edge, the result is the direction of that edge.
+    If it is a vertex, the result is the tangent at q to the circle around that vertex, in the sense
+    of the edges. If q is the vertex itself, the result is the direction of the edge that starts
+    there. Among equally near edges the first counts.
 
+    Parameters
+    ----------
+    q : (2,) point.
+    polygon : (n, 2) vertices.
+
+    Returns
+    -------
+    (2,) array
+        A unit vector.
+
+    Raises
+    ------
+    InvalidPolygon
+        Where the polygon is not simple.
+    InvalidPoint
+        Where a coordinate is not finite.
+
+    Examples
+    --------
     >>> polygon_tangent((2, -1), [(0, 0), (4, 0), (4, 4), (0, 4)])
     array([1., 0.])
     """
@@ -61,14 +113,15 @@ def polygon_tangent(q: ArrayLike, polygon: ArrayLike) -> Array:
     if region == 0 or not direction.any():
         direction = after - vertex
     elif turn(before[0], before[1], vertex[0], vertex[1], after[0], after[1]) < 0:
-        direction = -direction  # a vertex that turns inward is nearest only to what is inside
+        direction = -direction  # a reflex vertex is nearest only to points inside the polygon
     return direction / length(direction[0], direction[1]) + 0.0
 
 
 @compiled
 def place(x: float, y: float, ring: Array) -> int:
-    """Where a point is: 1 inside the ring, 0 on it, -1 outside. Counts the edges that a ray to the
-    right crosses; exact.
+    """Locate a point: 1 inside the ring, 0 on it, -1 outside. Exact.
+
+    Counts the edges that a ray to the right crosses.
     """
     inside = False
     j = len(ring) - 1
@@ -87,7 +140,7 @@ def place(x: float, y: float, ring: Array) -> int:
 
 @compiled
 def places(points: Array, ring: Array) -> NDArray[np.int64]:
-    """Where each point is, shape (m,): 1 inside the ring, 0 on it, -1 outside."""
+    """Locate each point: 1 inside the ring, 0 on it, -1 outside; shape (m,)."""
     answers = np.empty(len(points), np.int64)
     for i in range(len(points)):
         answers[i] = place(points[i, 0], points[i, 1], ring)
@@ -111,8 +164,9 @@ def distances_to_ring(points: Array, ring: Array) -> Array:
 
 @compiled
 def nearest_on_ring(x: float, y: float, ring: Array) -> tuple[int, float, float, int]:
-    """The boundary point nearest to (x, y): its edge (i leaves vertex i), itself, and its region on
-    that edge as in segments.
+    """The boundary point nearest to (x, y), as edge, x, y and region on that edge.
+
+    Edge i starts at vertex i. Regions are those of `closest_point_on_segment`.
     """
     n = len(ring)
     nearest, best = 0, np.inf

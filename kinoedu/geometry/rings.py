@@ -1,6 +1,4 @@
-"""Where polygons enter: vertices become a checked ring, counter-clockwise and simple, or a named
-error says why they cannot.
-"""
+"""Checks of polygons: simple counter-clockwise rings of vertices, or a named error."""
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -13,12 +11,26 @@ from .segments import segments_meet
 
 
 def as_ring(vertices: ArrayLike, name: str = "polygon") -> Array:
-    """A simple polygon's vertices, shape (n, 2), counter-clockwise, the first not repeated at the
-    end.
+    """The vertices of a simple polygon in counter-clockwise order.
 
-    Raises InvalidPolygon where there are fewer than three vertices, one follows itself, or edges
-    cross, touch or overlap; InvalidPoint where a coordinate is not finite or beyond 1e150.
+    Parameters
+    ----------
+    vertices : (n, 2) points in either order, n >= 3; the first is not repeated at the end.
 
+    Returns
+    -------
+    (n, 2) array
+
+    Raises
+    ------
+    InvalidPolygon
+        Where there are fewer than three vertices, a vertex repeats the one before it, or edges
+        cross, touch or overlap.
+    InvalidPoint
+        Where a coordinate is not finite or is larger than 1e150.
+
+    Examples
+    --------
     >>> as_ring([(0, 0), (0, 1), (1, 0)])
     array([[1., 0.],
            [0., 1.],
@@ -30,32 +42,38 @@ def as_ring(vertices: ArrayLike, name: str = "polygon") -> Array:
     if len(ring) < 3:
         raise InvalidPolygon(f"{name} must have at least three vertices, got {len(ring)}")
     for i in np.flatnonzero((ring == np.roll(ring, -1, axis=0)).all(axis=1)):
-        closing = (
-            "; leave out the last vertex, the ring closes itself" if i == len(ring) - 1 else ""
-        )
-        raise InvalidPolygon(f"{name} repeats vertex {i} {tuple(ring[i].tolist())}{closing}")
+        is_last = i == len(ring) - 1
+        advice = "; leave out the last vertex, the ring closes itself" if is_last else ""
+        raise InvalidPolygon(f"{name} repeats vertex {i} {tuple(ring[i].tolist())}{advice}")
     if not ring_turn(ring):
         raise InvalidPolygon(f"{name} has no area or folds back on itself")
-    i, j = first_crossing(ring)
+    i, j = find_crossing(ring)
     if i >= 0:
-        raise InvalidPolygon(
-            f"{name} crosses or touches itself: {edge_text(ring, i)} meets {edge_text(ring, j)}"
-        )
+        edges = f"{describe_edge(ring, i)} meets {describe_edge(ring, j)}"
+        raise InvalidPolygon(f"{name} crosses or touches itself: {edges}")
     return ring if ring_turn(ring) > 0 else ring[::-1].copy()
 
 
-def edge_text(ring: Array, i: int) -> str:
-    """An edge as words: its number and its ends."""
+def describe_edge(ring: Array, i: int) -> str:
+    """The number and the ends of an edge, for an error message."""
     a, b = ring[i].tolist(), ring[(i + 1) % len(ring)].tolist()
     return f"edge {i} from {tuple(a)} to {tuple(b)}"
 
 
 def as_convex_ring(vertices: ArrayLike, name: str = "polygon") -> Array:
-    """A ring as `as_ring` makes it, refused as InvalidPolygon unless it is convex (straight angles
-    are allowed).
+    """The vertices of a convex polygon in counter-clockwise order; straight angles are allowed.
+
+    Parameters and result are those of `as_ring`.
+
+    Raises
+    ------
+    InvalidPolygon
+        Where the polygon is not simple or not convex.
+    InvalidPoint
+        Where a coordinate is not finite or is larger than 1e150.
     """
     ring = as_ring(vertices, name)
-    i = first_reflex(ring)
+    i = find_reflex_vertex(ring)
     if i >= 0:
         raise InvalidPolygon(
             f"{name} must be convex, but turns inward at vertex {tuple(ring[i].tolist())}"
@@ -65,8 +83,9 @@ def as_convex_ring(vertices: ArrayLike, name: str = "polygon") -> Array:
 
 @compiled
 def ring_turn(ring: Array) -> int:
-    """1 for a counter-clockwise ring, -1 for a clockwise one, 0 for one without area: the turn at
-    the leftmost lowest vertex.
+    """1 for a counter-clockwise ring, -1 for a clockwise ring, 0 for a ring without area.
+
+    It is the orientation at the leftmost vertex, the lowest of several.
     """
     low = 0
     for i in range(1, len(ring)):
@@ -77,7 +96,7 @@ def ring_turn(ring: Array) -> int:
 
 
 @compiled
-def first_reflex(ring: Array) -> int:
+def find_reflex_vertex(ring: Array) -> int:
     """The first vertex at which a counter-clockwise ring turns right, or -1."""
     for i in range(len(ring)):
         a, b, c = ring[i - 1], ring[i], ring[(i + 1) % len(ring)]
@@ -87,9 +106,10 @@ def first_reflex(ring: Array) -> int:
 
 
 @compiled
-def first_crossing(ring: Array) -> tuple[int, int]:
-    """The first two edges that share more than the vertex between them, or (-1, -1). Edge i leaves
-    vertex i. O(n^2), exact.
+def find_crossing(ring: Array) -> tuple[int, int]:
+    """The first two edges that share more than the vertex between them, or (-1, -1).
+
+    Edge i starts at vertex i. O(n^2), exact.
     """
     n = len(ring)
     for i in range(n):

@@ -1,5 +1,6 @@
-"""Segments: the nearest point on one, the distance to it, and where two of them meet. Bullo &
-Smith, chapter 1.
+"""Segments: nearest points, distances and intersections.
+
+Source: Bullo & Smith, Lectures on Robotic Planning and Kinematics, chapter 1.
 """
 
 import numpy as np
@@ -11,11 +12,27 @@ from .exact import facing, height, length, turn
 
 
 def closest_point_on_segment(q: ArrayLike, p1: ArrayLike, p2: ArrayLike) -> tuple[Array, int]:
-    """The point of the segment p1-p2 nearest to q, and the region that q lies in.
+    """The point of the segment p1-p2 nearest to q, and the region in which q lies.
 
-    Region 0: the nearest point is inside the segment; 1: it is p1; 2: it is p2. Where p1 = p2 the
-    region is 1. Raises InvalidPoint.
+    Parameters
+    ----------
+    q, p1, p2 : (2,) points; p1 and p2 may coincide.
 
+    Returns
+    -------
+    point
+        Shape (2,).
+    region
+        0 if the nearest point is inside the segment, 1 if it is p1, 2 if it is p2. The region is 1
+        where p1 = p2.
+
+    Raises
+    ------
+    InvalidPoint
+        Where a point is not two finite numbers.
+
+    Examples
+    --------
     >>> closest_point_on_segment((1, 2), (0, 0), (4, 0))
     (array([1., 0.]), 0)
     >>> closest_point_on_segment((7, 4), (0, 0), (4, 0))
@@ -27,11 +44,24 @@ def closest_point_on_segment(q: ArrayLike, p1: ArrayLike, p2: ArrayLike) -> tupl
 
 
 def point_segment_distance(q: ArrayLike, p1: ArrayLike, p2: ArrayLike) -> float:
-    """The distance from q to the segment p1-p2, which may be a single point; to 1e-12 of itself.
-    Raises InvalidPoint.
+    """Distance from one or many points to a segment, with relative error at most 1e-12.
 
-    q may be many points, shape (m, 2): then the answer has shape (m,).
+    Parameters
+    ----------
+    q : (2,) point or (m, 2) points.
+    p1, p2 : (2,) points; they may coincide.
 
+    Returns
+    -------
+    float, or (m,) array for many points.
+
+    Raises
+    ------
+    InvalidPoint
+        Where a point is not two finite numbers.
+
+    Examples
+    --------
     >>> point_segment_distance((7, 4), (0, 0), (4, 0))
     5.0
     """
@@ -40,13 +70,28 @@ def point_segment_distance(q: ArrayLike, p1: ArrayLike, p2: ArrayLike) -> float:
 
 
 def segments_intersect(p1: ArrayLike, p2: ArrayLike, p3: ArrayLike, p4: ArrayLike) -> bool:
-    """Whether the closed segments p1-p2 and p3-p4 share a point; a segment may be a single point.
-    Exact. Raises InvalidPoint.
+    """Whether the closed segments p1-p2 and p3-p4 share a point. Exact.
 
-    Each argument may be many points, shape (m, 2): then the answer has shape (m,).
+    Parameters
+    ----------
+    p1, p2, p3, p4 : (2,) points, or (m, 2) points for m pairs of segments. A segment may be a
+        single point.
 
-    >>> segments_intersect((0, 0), (2, 0), (1, 0), (1, 5)), segments_intersect((0, 0), (2, 0), (3, 0), (5, 0))
-    (True, False)
+    Returns
+    -------
+    bool, or (m,) array for many pairs.
+
+    Raises
+    ------
+    InvalidPoint
+        Where a point is not two finite numbers.
+
+    Examples
+    --------
+    >>> segments_intersect((0, 0), (2, 0), (1, 0), (1, 5))
+    True
+    >>> segments_intersect((0, 0), (2, 0), (3, 0), (5, 0))
+    False
     """
     names = ("p1", "p2", "p3", "p4")
     ends = [as_points(p, name) for p, name in zip((p1, p2, p3, p4), names, strict=True)]
@@ -56,12 +101,25 @@ def segments_intersect(p1: ArrayLike, p2: ArrayLike, p3: ArrayLike, p4: ArrayLik
 
 
 def segment_intersection(p1: ArrayLike, p2: ArrayLike, p3: ArrayLike, p4: ArrayLike) -> Array:
-    """What the closed segments p1-p2 and p3-p4 share: no point, one, or the two ends of an overlap
-    in the order from p1 to p2; shape (k, 2), k = 0, 1, 2.
+    """The points that the closed segments p1-p2 and p3-p4 share.
 
-    How many points there are is decided exactly; a point where one segment ends is that very end.
-    Raises InvalidPoint.
+    Parameters
+    ----------
+    p1, p2, p3, p4 : (2,) points.
 
+    Returns
+    -------
+    (k, 2) array
+        k = 0 for no point, 1 for one point, 2 for the ends of an overlap, in the order from p1 to
+        p2. The number k is exact. A shared point that is an end of a segment is returned unrounded.
+
+    Raises
+    ------
+    InvalidPoint
+        Where a point is not two finite numbers.
+
+    Examples
+    --------
     >>> segment_intersection((0, 0), (4, 4), (0, 4), (4, 0))
     array([[2., 2.]])
     >>> segment_intersection((0, 0), (4, 0), (1, 0), (9, 0))
@@ -77,7 +135,7 @@ def segment_intersection(p1: ArrayLike, p2: ArrayLike, p3: ArrayLike, p4: ArrayL
 def closest_on_segment(
     px: float, py: float, ax: float, ay: float, bx: float, by: float
 ) -> tuple[float, float, int]:
-    """The point of a-b nearest to p as x, y, and the region of p: 0 inside, 1 at a, 2 at b."""
+    """The point (x, y) of a-b nearest to p, and the region of p: 0 inside, 1 at a, 2 at b."""
     if facing(ax, ay, bx, by, px, py) <= 0:
         return ax, ay, 1
     if facing(bx, by, ax, ay, px, py) <= 0:
@@ -85,7 +143,7 @@ def closest_on_segment(
     ux, uy = bx - ax, by - ay
     size = length(ux, uy)
     along = ((px - ax) * (ux / size) + (py - ay) * (uy / size)) / size
-    if along > 0.5:  # from the nearer end, for the smaller error
+    if along > 0.5:  # measured from the nearer end the error is smaller
         along = ((px - bx) * (ux / size) + (py - by) * (uy / size)) / size
         return bx + along * ux, by + along * uy, 0
     return ax + along * ux, ay + along * uy, 0
@@ -93,7 +151,7 @@ def closest_on_segment(
 
 @compiled
 def between(ax: float, ay: float, bx: float, by: float, px: float, py: float) -> bool:
-    """Whether p, known to lie on the line through a and b, lies on the segment from a to b."""
+    """Whether p, which must lie on the line through a and b, lies on the segment a-b."""
     return min(ax, bx) <= px <= max(ax, bx) and min(ay, by) <= py <= max(ay, by)
 
 
@@ -101,9 +159,7 @@ def between(ax: float, ay: float, bx: float, by: float, px: float, py: float) ->
 def segments_meet(
     ax: float, ay: float, bx: float, by: float, cx: float, cy: float, dx: float, dy: float
 ) -> bool:
-    """Whether the closed segments a-b and c-d share a point; either may be a single point.
-    Exact.
-    """
+    """Whether the closed segments a-b and c-d share a point; either may be one point. Exact."""
     if (
         max(ax, bx) < min(cx, dx)
         or max(cx, dx) < min(ax, bx)
@@ -137,7 +193,7 @@ def segment_distance(px: float, py: float, ax: float, ay: float, bx: float, by: 
 def segments_distance(
     ax: float, ay: float, bx: float, by: float, cx: float, cy: float, dx: float, dy: float
 ) -> float:
-    """The distance between the segments a-b and c-d, 0 where they meet."""
+    """The distance between the segments a-b and c-d, 0 where they intersect."""
     if segments_meet(ax, ay, bx, by, cx, cy, dx, dy):
         return 0.0
     return min(
@@ -157,7 +213,7 @@ def distances_to_segment(points: Array, a: Array, b: Array) -> Array:
 
 @compiled
 def pairs_meet(a: Array, b: Array, c: Array, d: Array) -> NDArray[np.bool_]:
-    """Whether segment i of the first kind meets segment i of the second, shape (m,)."""
+    """Whether the segments a[i]-b[i] and c[i]-d[i] share a point, shape (m,)."""
     meet = np.empty(len(a), np.bool_)
     for i in range(len(a)):
         meet[i] = segments_meet(
@@ -168,19 +224,15 @@ def pairs_meet(a: Array, b: Array, c: Array, d: Array) -> NDArray[np.bool_]:
 
 @compiled
 def shared_points(a: Array, b: Array, c: Array, d: Array, out: Array) -> int:
-    """Write what two segments share into out, shape (2, 2), and return how many points it is."""
+    """Write the points that two segments share into `out`, shape (2, 2); returns their number."""
     if not segments_meet(a[0], a[1], b[0], b[1], c[0], c[1], d[0], d[1]):
         return 0
-    a_side, b_side = (
-        turn(c[0], c[1], d[0], d[1], a[0], a[1]),
-        turn(c[0], c[1], d[0], d[1], b[0], b[1]),
-    )
-    c_side, d_side = (
-        turn(a[0], a[1], b[0], b[1], c[0], c[1]),
-        turn(a[0], a[1], b[0], b[1], d[0], d[1]),
-    )
+    a_side = turn(c[0], c[1], d[0], d[1], a[0], a[1])
+    b_side = turn(c[0], c[1], d[0], d[1], b[0], b[1])
+    c_side = turn(a[0], a[1], b[0], b[1], c[0], c[1])
+    d_side = turn(a[0], a[1], b[0], b[1], d[0], d[1])
     if a_side == 0 and b_side == 0 and c_side == 0 and d_side == 0:
-        return shared_stretch(a, b, c, d, out)
+        return write_overlap(a, b, c, d, out)
     if a_side == 0:
         out[0] = a
     elif b_side == 0:
@@ -196,8 +248,9 @@ def shared_points(a: Array, b: Array, c: Array, d: Array, out: Array) -> int:
 
 @compiled
 def proper_crossing(a: Array, b: Array, c: Array, d: Array) -> Array:
-    """Where a-b and c-d cross, both in their insides: the point that divides a-b as its ends'
-    distances from c-d do.
+    """The point where a-b and c-d cross, if both cross in their interiors.
+
+    It divides a-b in the ratio of the distances of a and b from the line c-d.
     """
     from_a = abs(height(c[0], c[1], d[0], d[1], a[0], a[1]))
     from_b = abs(height(c[0], c[1], d[0], d[1], b[0], b[1]))
@@ -207,19 +260,17 @@ def proper_crossing(a: Array, b: Array, c: Array, d: Array) -> Array:
 
 
 @compiled
-def before(p: Array, q: Array) -> bool:
-    """Whether p comes before q from left to right, and from below where neither is further left."""
+def precedes(p: Array, q: Array) -> bool:
+    """Whether p is smaller than q in lexicographic order: by x, then by y."""
     return p[0] < q[0] or (p[0] == q[0] and p[1] < q[1])
 
 
 @compiled
-def shared_stretch(a: Array, b: Array, c: Array, d: Array, out: Array) -> int:
-    """What two meeting segments of one line share, from the end nearer to a to the end nearer
-    to b.
-    """
-    if before(b, a) != before(d, c):
+def write_overlap(a: Array, b: Array, c: Array, d: Array, out: Array) -> int:
+    """`shared_points` of two intersecting segments on one line; the end nearer a comes first."""
+    if precedes(b, a) != precedes(d, c):
         c, d = d, c
-    forward = before(a, b) or ((a == b).all() and before(c, d))
-    out[0] = c if before(a, c) == forward else a
-    out[1] = b if before(b, d) == forward else d
-    return 2 if before(out[0], out[1]) or before(out[1], out[0]) else 1
+    forward = precedes(a, b) or ((a == b).all() and precedes(c, d))
+    out[0] = c if precedes(a, c) == forward else a
+    out[1] = b if precedes(b, d) == forward else d
+    return 2 if precedes(out[0], out[1]) or precedes(out[1], out[0]) else 1

@@ -1,7 +1,7 @@
-"""Two convex pieces: whether they meet, how far apart they are, and the line that keeps them apart.
+"""Two convex pieces: whether they meet, their distance, and a line that separates them.
 
-A piece is the rows begin..end of an array of points, the first two columns x and y: one point, two
-ends of a segment, or a convex polygon, counter-clockwise. Radii are left aside.
+A piece is given by rows begin..end of an array of points, whose first two columns are x and y. It
+is a point, the ends of a segment, or a convex polygon, counter-clockwise. Radii are ignored.
 """
 
 import numpy as np
@@ -26,7 +26,7 @@ def pieces_meet(P: Array, p: int, p_end: int, Q: Array, q: int, q_end: int) -> b
 
 @compiled
 def insides_meet(P: Array, p: int, p_end: int, Q: Array, q: int, q_end: int) -> bool:
-    """Whether the insides of two polygons share a point; touching does not count. Exact."""
+    """Whether the interiors of two polygons share a point; touching does not count. Exact."""
     return not (
         lies_beyond_edge(P, p, p_end, Q, q, q_end, 1)
         or lies_beyond_edge(Q, q, q_end, P, p, p_end, 1)
@@ -37,8 +37,9 @@ def insides_meet(P: Array, p: int, p_end: int, Q: Array, q: int, q_end: int) -> 
 def lies_beyond_edge(
     P: Array, p: int, p_end: int, Q: Array, q: int, q_end: int, least: int
 ) -> bool:
-    """Whether all of Q turns less than `least` at one edge of P: with 0 it lies strictly to its
-    right, with 1 it may touch it.
+    """Whether, at one edge of P, the orientation sign of every vertex of Q is less than `least`.
+
+    With 0, Q lies strictly to the right of the edge. With 1, it may touch the edge's line.
     """
     last = p_end - 1
     for i in range(p, p_end):
@@ -67,9 +68,7 @@ def pieces_distance(P: Array, p: int, p_end: int, Q: Array, q: int, q_end: int) 
 def nearest_corner(
     P: Array, p: int, p_end: int, Q: Array, q: int, q_end: int
 ) -> tuple[int, int, int, float]:
-    """The corner of P nearest to an edge of Q, the two ends of that edge, and the distance between
-    them.
-    """
+    """The corner of P nearest to an edge of Q, as corner, the edge's two ends, and distance."""
     corner, tail, head, best = p, q, q, np.inf
     for i in range(p, p_end):
         last = q_end - 1
@@ -85,11 +84,11 @@ def nearest_corner(
 def dividing_line(
     P: Array, p: int, p_end: int, Q: Array, q: int, q_end: int
 ) -> tuple[float, float, float, float]:
-    """A line (x, y, nx, ny) through (x, y) with the unit normal (nx, ny): Q does not cross it, and
-    P lies as far ahead as can be.
+    """A line that bounds Q, from which P is as far away as possible, as x, y, nx, ny.
 
-    Where the pieces are apart that is their distance. Where they meet, P reaches behind the line by
-    the least depth that any edge shows: nowhere where they only touch.
+    The line passes through (x, y) with the unit normal (nx, ny), and Q lies behind it. For disjoint
+    pieces, the distance of P from the line is the distance of the pieces. For pieces that meet, P
+    reaches behind the line by the least penetration depth over all edges, 0 where they only touch.
     """
     if pieces_meet(P, p, p_end, Q, q, q_end):
         return shallowest_line(P, p, p_end, Q, q, q_end)
@@ -106,9 +105,7 @@ def dividing_line(
 def line_towards(
     px: float, py: float, ax: float, ay: float, bx: float, by: float
 ) -> tuple[float, float, float, float]:
-    """The point of the segment a-b nearest to p, and the unit vector from there to p, which is
-    apart from it.
-    """
+    """The point of the segment a-b nearest to p, and the unit vector from it to p (not on a-b)."""
     x, y, region = closest_on_segment(px, py, ax, ay, bx, by)
     if region > 0:
         size = length(px - x, py - y)
@@ -121,12 +118,13 @@ def line_towards(
 def shallowest_line(
     P: Array, p: int, p_end: int, Q: Array, q: int, q_end: int
 ) -> tuple[float, float, float, float]:
-    """Among the lines along the edges of two pieces that meet, the one that P crosses least."""
+    """Among the lines along the edges of two meeting pieces, the one with the least penetration."""
     best, x, y, nx, ny = -np.inf, Q[q, 0], Q[q, 1], 1.0, 0.0
     for swapped in (False, True):
-        R, r, r_end, S, s, s_end = (
-            (P, p, p_end, Q, q, q_end) if swapped else (Q, q, q_end, P, p, p_end)
-        )
+        if swapped:
+            R, r, r_end, S, s, s_end = P, p, p_end, Q, q, q_end
+        else:
+            R, r, r_end, S, s, s_end = Q, q, q_end, P, p, p_end
         last = r_end - 1
         for i in range(r, r_end):
             ax, ay, bx, by = R[last, 0], R[last, 1], R[i, 0], R[i, 1]

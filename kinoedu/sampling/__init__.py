@@ -1,6 +1,4 @@
-"""Points that fill the unit cube evenly: grids, random points, Halton's sequence; and dispersion,
-which says how evenly they do.
-"""
+"""Point sets in the unit cube (grids, random points, Halton's sequence) and their dispersion."""
 
 from .dispersion import EmptyBall, dispersion, largest_empty_ball
 from .grids import corner_grid, sukharev_bound, sukharev_grid

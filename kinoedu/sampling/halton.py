@@ -1,6 +1,7 @@
-"""Halton's sequence: van der Corput's, in another prime base for each coordinate. J. H. Halton, "On
-the efficiency of certain quasi-random sequences of points" (1960); Bullo & Smith, chapter 4;
-LaValle, section 5.2.4.
+"""Halton's sequence: van der Corput's sequence in a different prime base for each coordinate.
+
+Sources: J. H. Halton, "On the efficiency of certain quasi-random sequences of points" (1960); Bullo
+& Smith, chapter 4; LaValle, section 5.2.4.
 """
 
 from collections.abc import Sequence
@@ -13,74 +14,96 @@ from ..errors import InvalidParameter
 from ..geometry.checks import Array, whole
 from ..support.text import shortened
 
-# about how many numbers have their digits mirrored one by one; as many floats stay in the nearest
-# cache
+# Approximate length of a block whose digits are reversed one by one; it fits the first-level cache.
 BLOCK = 4096
-EXACT = 2**53  # up to here every whole number is a float
+EXACT = 2**53  # every integer up to here is a float
 
 
 def halton(n: int, primes: Sequence[int] = (2, 3), start: int = 1) -> Array:
-    """Points number start, ..., start + n - 1 of Halton's sequence, shape (n, d): a coordinate for
-    each of d distinct primes.
+    """The points with numbers start, ..., start + n - 1 of Halton's sequence.
 
-    The first n points are those of any larger n: the sequence can be drawn for ever, and its
-    dispersion goes like n^(-1/d). Number 0 is the origin. Each coordinate is the float nearest to
-    the exact fraction. O(n d). Raises InvalidParameter.
+    The sequence is infinite: a larger n only adds points. The dispersion of the first n points is
+    O(n^(-1/d)). Point number 0 is the origin. Each coordinate is the float nearest to the exact
+    fraction. O(n d).
 
+    Parameters
+    ----------
+    n : how many points.
+    primes : d distinct primes, the bases of the coordinates.
+    start : the number of the first point.
+
+    Returns
+    -------
+    (n, d) array
+
+    Raises
+    ------
+    InvalidParameter
+        Where an argument is out of range, or a base is not prime or occurs twice.
+
+    Examples
+    --------
     >>> halton(3)
     array([[0.5       , 0.33333333],
            [0.25      , 0.66666667],
            [0.75      , 0.11111111]])
     """
-    bases = distinct_primes(primes)
+    bases = as_distinct_primes(primes)
     points = np.empty((whole(n, "n", least=1), len(bases)))
     for coordinate, base in zip(points.T, bases):
-        fill(coordinate, base, first_number(start))
+        fill_van_der_corput(coordinate, base, as_first_index(start))
     return points
 
 
 def van_der_corput(n: int, base: int = 2, start: int = 1) -> Array:
-    """The numbers i = start, ..., start + n - 1, their digits mirrored at the point, shape (n,): 6
-    = 110 becomes 0.011 = 3/8.
+    """The numbers i = start, ..., start + n - 1 with their digits reflected at the radix point.
 
-    In any base from 2. Each is the float nearest to the exact fraction. O(n). Raises
-    InvalidParameter.
+    In base 2, the number 6 = 110 becomes 0.011 = 3/8. Any base from 2 is allowed. Each result is
+    the float nearest to the exact fraction. O(n).
 
+    Returns
+    -------
+    (n,) array
+
+    Raises
+    ------
+    InvalidParameter
+        Where an argument is out of range.
+
+    Examples
+    --------
     >>> van_der_corput(4)
     array([0.5  , 0.25 , 0.75 , 0.125])
     """
     numbers = np.empty(whole(n, "n", least=1))
-    fill(numbers, whole(base, "base", least=2), first_number(start))
+    fill_van_der_corput(numbers, whole(base, "base", least=2), as_first_index(start))
     return numbers
 
 
-def fill(numbers: Array, base: int, start: int) -> None:
-    """Write van der Corput's numbers from `start` on, block by block: whole numbers below 2^53,
-    divided once.
+def fill_van_der_corput(numbers: Array, base: int, start: int) -> None:
+    """Write van der Corput's numbers from `start` on, block by block.
 
-    Where i = j * block + k, the mirrored digits of k stand before those of j. So a block is the
-    first one moved.
+    The numerators are integers below 2^53, and each is divided once. For i = j * block + k, the
+    reflected digits of k stand before those of j, so each block is the first one plus a constant.
     """
     end = start + len(numbers)
-    digits = exponent(base, end)
-    low = min(max(exponent(base, BLOCK), 1), digits)
+    digits = digits_needed(base, end)
+    low = min(max(digits_needed(base, BLOCK), 1), digits)
     scale, block = base**digits, base**low
     if scale > EXACT:
         raise InvalidParameter(
-            f"number {end - 1:,} has too many digits in base {base:,} to be exact; begin earlier"
+            f"number {end - 1:,} has too many digits in base {base:,} to be exact; "
+            "use a smaller start"
         )
     of_k = (mirrored(np.arange(block), base, low) * base ** (digits - low)).astype(np.float64)
     blocks = np.arange(start // block, (end - 1) // block + 1)
     for j, of_j in zip(blocks.tolist(), mirrored(blocks, base, digits - low).tolist()):
         first, last = max(j * block, start), min((j + 1) * block, end)
-        np.divide(
-            of_k[first - j * block : last - j * block] + of_j,
-            scale,
-            out=numbers[first - start : last - start],
-        )
+        numerators = of_k[first - j * block : last - j * block] + of_j
+        np.divide(numerators, scale, out=numbers[first - start : last - start])
 
 
-def exponent(base: int, number: int) -> int:
+def digits_needed(base: int, number: int) -> int:
     """The least e with base^e >= number."""
     e = 0
     while base**e < number:
@@ -89,15 +112,15 @@ def exponent(base: int, number: int) -> int:
 
 
 def mirrored(numbers: NDArray[np.int64], base: int, digits: int) -> NDArray[np.int64]:
-    """Each number with so many of its digits in reverse order."""
+    """Each number with its last `digits` digits in reverse order."""
     reverse, rest = np.zeros_like(numbers), numbers
     for _ in range(digits):
         reverse, rest = reverse * base + rest % base, rest // base
     return reverse
 
 
-def first_number(start: Any) -> int:
-    """Where a sequence begins: a whole number that leaves room for exact digits."""
+def as_first_index(start: Any) -> int:
+    """The first index of a sequence: an integer from 0, small enough for exact digits."""
     if isinstance(start, bool) or not isinstance(start, int | np.integer) or not 0 <= start < EXACT:
         raise InvalidParameter(
             f"start must be a whole number, zero or more and below 2^53, got {shortened(start)}"
@@ -105,10 +128,8 @@ def first_number(start: Any) -> int:
     return int(start)
 
 
-def distinct_primes(primes: Any) -> list[int]:
-    """Bases that have no common factor, as Halton's sequence needs them; InvalidParameter names the
-    first that will not do.
-    """
+def as_distinct_primes(primes: Any) -> list[int]:
+    """The bases of Halton's sequence as a list; raises InvalidParameter unless distinct primes."""
     try:
         given = [whole(p, "a prime", least=2) for p in primes]
     except TypeError:

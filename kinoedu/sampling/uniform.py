@@ -1,4 +1,4 @@
-"""Random points. Bullo & Smith, chapter 4; LaValle, section 5.2.2."""
+"""Random points. Sources: Bullo & Smith, chapter 4; LaValle, section 5.2.2."""
 
 import numpy as np
 
@@ -6,12 +6,27 @@ from ..geometry.checks import Array, as_generator, whole
 
 
 def uniform_random(n: int, d: int = 2, *, rng: int | np.random.Generator) -> Array:
-    """n independent points, uniform in the unit cube [0, 1)^d, shape (n, d); rng is a seed or a
-    numpy Generator.
+    """Independent random points, uniformly distributed in the unit cube [0, 1)^d.
 
-    They can be drawn one after another for ever, and leave larger holes than a grid: their
-    dispersion goes like (log n / n)^(1/d). Raises InvalidParameter.
+    More points can always be added. They leave larger holes than a grid: their dispersion is
+    proportional to (log n / n)^(1/d).
 
+    Parameters
+    ----------
+    n, d : positive integers.
+    rng : a seed or a numpy Generator.
+
+    Returns
+    -------
+    (n, d) array
+
+    Raises
+    ------
+    InvalidParameter
+        Where n or d is not a positive integer, or rng is neither a seed nor a Generator.
+
+    Examples
+    --------
     >>> uniform_random(100, rng=0).shape
     (100, 2)
     """

@@ -1,4 +1,4 @@
-"""Configuration spaces: distance, interpolation, sampling, nearest neighbours."""
+"""Configuration spaces: distance, interpolation, sampling and nearest neighbours."""
 
 from .angles import circle_distance, torus_distance
 from .asks import diameter, distance, interpolate, nearest, sample

@@ -1,8 +1,7 @@
-"""Angles, in radians: wrapped to [-pi, pi), and the short way between two. Bullo & Smith, chapter
-3; LaValle, section 5.1.
+"""Angles in radians: wrapping to [-pi, pi), and differences and distances of directions.
 
-A full turn is the float 2 * math.pi, here and everywhere, so that pi and -pi are the same direction
-to the last bit.
+A full turn is the float 2 * math.pi everywhere, so pi and -pi are exactly the same direction.
+Sources: Bullo & Smith, chapter 3; LaValle, section 5.1.
 """
 
 import math
@@ -20,7 +19,7 @@ FULL_TURN = 2.0 * math.pi
 
 @compiled
 def wrapped(angle: float) -> float:
-    """The same direction in [-pi, pi); an angle that is there already is left as it is."""
+    """The same direction in [-pi, pi); an angle in this interval is returned unchanged."""
     if -math.pi <= angle < math.pi:
         return angle
     inside = angle - FULL_TURN * math.floor((angle + math.pi) / FULL_TURN)
@@ -29,24 +28,38 @@ def wrapped(angle: float) -> float:
 
 @compiled
 def short_way(a: float, b: float) -> float:
-    """The turn from direction a to direction b, in [-pi, pi): half a turn goes clockwise. Rounded
-    once for wrapped angles.
+    """The signed difference b - a of two directions, in [-pi, pi); half a turn is -pi.
+
+    It is rounded once if both angles are wrapped.
     """
-    turn, lost = two_sum(b, -a)
-    if -math.pi <= turn < math.pi:
-        return turn
-    return wrapped(wrapped(turn) + lost)
+    difference, error = two_sum(b, -a)
+    if -math.pi <= difference < math.pi:
+        return difference
+    return wrapped(wrapped(difference) + error)
 
 
 def circle_distance(a: ArrayLike, b: ArrayLike) -> float | Array:
-    """The length of the shorter arc of the unit circle from direction a to direction b, from 0 to
-    pi.
+    """The length of the shorter arc of the unit circle between two directions, from 0 to pi.
 
-    a, b : finite angles in radians, wrapped or not; one, or shape (n,). One angle is compared with
-        each of many. Returns a number or shape (n,). Correctly rounded, for nearly equal and nearly
-        opposite directions too. Bullo & Smith, chapter 3. Raises
-    InvalidPoint.
+    It is correctly rounded, for nearly equal and nearly opposite directions too. Source: Bullo &
+    Smith, chapter 3.
 
+    Parameters
+    ----------
+    a, b : finite angles in radians, wrapped or not, each one angle or shape (n,). One angle is
+        compared with each of many.
+
+    Returns
+    -------
+    float, or (n,) array for many angles.
+
+    Raises
+    ------
+    InvalidPoint
+        Where an angle is not finite, or the shapes do not match.
+
+    Examples
+    --------
     >>> circle_distance(3, -3) == 2 * math.pi - 6, circle_distance(0.5, [0.5, 1.0]).tolist()
     (True, [0.0, 0.5])
     """
@@ -56,17 +69,29 @@ def circle_distance(a: ArrayLike, b: ArrayLike) -> float | Array:
             f"a and b must be one angle or shape (n,), n the same for both, got shapes {x.shape} "
             f"and {y.shape}"
         )
-    apart = arcs(x, y)
-    return apart if apart.ndim else float(apart)
+    distances = circle_distances(x, y)
+    return distances if distances.ndim else float(distances)
 
 
 def torus_distance(a: ArrayLike, b: ArrayLike) -> float | Array:
-    """The distance on the flat torus: the root of the sum of squared circle distances, an angle at
-    a time.
+    """The distance on the flat torus: the Euclidean norm of the circle distances of all angles.
 
-    a, b : d finite angles in radians, or many such rows, shape (n, d). One row is compared with
-        each of many. Returns a number or shape (n,). Raises InvalidPoint.
+    Parameters
+    ----------
+    a, b : (d,) finite angles in radians, or (n, d) rows of them. One row is compared with each of
+        many.
 
+    Returns
+    -------
+    float, or (n,) array for many rows.
+
+    Raises
+    ------
+    InvalidPoint
+        Where an angle is not finite, or the shapes do not match.
+
+    Examples
+    --------
     >>> torus_distance((3, 0), (3, 1)), torus_distance((math.pi, 0.25), (-math.pi, 0.25))
     (1.0, 0.0)
     """
@@ -77,17 +102,18 @@ def torus_distance(a: ArrayLike, b: ArrayLike) -> float | Array:
             f"a and b must have shape (d,) or (n, d), d and n the same for both, got {x.shape} "
             f"and {y.shape}"
         )
-    apart = np.hypot.reduce(arcs(x, y), axis=-1)
-    return apart if apart.ndim else float(apart)
+    distances = np.hypot.reduce(circle_distances(x, y), axis=-1)
+    return distances if distances.ndim else float(distances)
 
 
-def arcs(a: Array, b: Array) -> Array:
-    """Circle distances, element by element. Remainders are exact, and so is what a difference of
-    two loses.
+def circle_distances(a: Array, b: Array) -> Array:
+    """Circle distances of arrays, element by element.
+
+    Remainders are exact, and so is the rounding error of a difference of two.
     """
     x, y = nearest_turn(a), nearest_turn(b)
-    apart, lost = two_sum.py_func(np.maximum(x, y), -np.minimum(x, y))
-    return np.where(apart > math.pi, np.abs((FULL_TURN - apart) - lost), apart)
+    apart, error = two_sum.py_func(np.maximum(x, y), -np.minimum(x, y))
+    return np.where(apart > math.pi, np.abs((FULL_TURN - apart) - error), apart)
 
 
 def nearest_turn(angles: Array) -> Array:

@@ -1,4 +1,7 @@
-"""What a planner asks of a configuration space. Each kind of space answers in its own file."""
+"""The operations that a planner needs of a configuration space.
+
+They are generic functions. Each kind of space implements them in its own file.
+"""
 
 import math
 from typing import Any
@@ -11,13 +14,13 @@ from ..geometry.checks import Array
 
 @generic(1)
 def distance(space: Any, a: Array, b: Array) -> float:
-    """The distance between two configurations, the short way round where coordinates wrap."""
+    """The distance between two configurations; angles take the shorter way around."""
     raise TypeError("this space has no distance")
 
 
 @generic(1)
 def interpolate(space: Any, a: Array, b: Array, t: float) -> Array:
-    """The configuration a fraction t of the short way from a to b."""
+    """The configuration at a fraction t of the shortest motion from a to b."""
     raise TypeError("this space cannot interpolate")
 
 
@@ -27,9 +30,17 @@ def sample(space: Any, rng: np.random.Generator) -> Array:
     raise TypeError("this space cannot be sampled")
 
 
+def sample_box(space: Any, rng: np.random.Generator) -> Array:
+    """`sample` for a box: each coordinate is uniform between its bounds."""
+    q = np.empty(len(space.lo))
+    for i in range(len(q)):
+        q[i] = space.lo[i] + (space.hi[i] - space.lo[i]) * rng.random()
+    return q
+
+
 @generic(1)
 def nearest(space: Any, tree: Any, q: Array) -> int:
-    """The number of the tree's node nearest to q, the first among equally near ones."""
+    """The index of the tree's node nearest to q; ties go to the first."""
     best, best_distance = 0, np.inf
     for i in range(tree.size[0]):
         d = distance(space, tree.nodes[i], q)
@@ -40,7 +51,7 @@ def nearest(space: Any, tree: Any, q: Array) -> int:
 
 @generic(1)
 def diameter(space: Any) -> float:
-    """The largest distance between two configurations: of a box, its diagonal."""
+    """The largest distance between two configurations; by default the diagonal of the box."""
     total = 0.0
     for i in range(len(space.lo)):
         total += (space.hi[i] - space.lo[i]) * (space.hi[i] - space.lo[i])

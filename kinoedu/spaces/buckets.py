@@ -1,8 +1,7 @@
-"""A growing tree whose nodes are kept in a grid of buckets over their first two coordinates, to
-find those near a place.
+"""A growing tree with a grid of buckets that finds its nodes near a place.
 
-Nodes of any dimension may be kept so: their distance is at least that of their first two
-coordinates.
+The buckets divide the plane of the first two coordinates. Nodes may have any dimension, because
+their distance is at least the distance in these two coordinates.
 """
 
 import math
@@ -18,11 +17,11 @@ NODES_PER_BUCKET = 1.0
 
 
 class GrowingTree(NamedTuple):
-    """A tree under construction: room for `len(nodes)` nodes, of which the first size[0] are there.
+    """A tree under construction, with room for `len(nodes)` nodes, of which size[0] exist.
 
-    Bucket (i, j) covers (x, y) + (i, j) * cell. Its nodes are a chain: head[j * columns + i], then
-    next[node], until -1. Nodes lie in columns used[0] to used[1] and in rows used[2] to used[3]
-    only.
+    Bucket (i, j) starts at (x, y) + (i, j) * cell. Its nodes form a linked list: head[j * columns +
+    i], then next[node], until -1. Only columns used[0] to used[1] and rows used[2] to used[3] have
+    nodes.
     """
 
     nodes: Array
@@ -61,7 +60,7 @@ def empty_tree(capacity: int, lo: Array, hi: Array) -> GrowingTree:
 
 @inlined
 def add(tree: GrowingTree, q: Array, parent: int) -> int:
-    """Append a node; returns its number."""
+    """Append a node; returns its index."""
     node = tree.size[0]
     tree.size[0] = node + 1
     for i in range(tree.nodes.shape[1]):
@@ -79,16 +78,14 @@ def add(tree: GrowingTree, q: Array, parent: int) -> int:
 
 @inlined
 def first_ring(tree: GrowingTree, column: int, row: int) -> int:
-    """The number of the first ring of buckets round (column, row) that is in use; from a place
-    without nodes it may be far away.
-    """
+    """The number of the first ring of buckets around (column, row) that can have nodes."""
     used = tree.used
     return max(max(used[0] - column, column - used[1]), max(used[2] - row, row - used[3]))
 
 
 @inlined
 def bucket_of(tree: GrowingTree, x: float, y: float) -> tuple[int, int]:
-    """The column and row of the bucket at (x, y); the outermost ones take what lies beyond."""
+    """The column and row of the bucket at (x, y), or of the outermost bucket nearest to it."""
     i = min(max((x - tree.x) / tree.cell, 0.0), tree.columns - 1.0)
     j = min(max((y - tree.y) / tree.cell, 0.0), tree.rows - 1.0)
     return int(i), int(j)

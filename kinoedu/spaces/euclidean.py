@@ -1,8 +1,8 @@
-"""The nearest node by Euclidean distance: the walk of rings.py for this one question, which
-planners in R^n ask in every step.
+"""The node with the least Euclidean distance, which planners in R^n need in every step.
 
-It is written out because that is a sixth faster: the walk for any space hands the space on, and
-compiled code counts its arrays.
+This is the search of rings.py for one distance and one question. The separate code is a sixth
+faster, because the general search passes the space on, and compiled code counts references to its
+arrays.
 """
 
 import numpy as np
@@ -11,11 +11,11 @@ from ..compiled import compiled, inlined
 from ..geometry.checks import Array
 from .buckets import GrowingTree, bucket_of, first_ring
 
-SMALL = 150  # up to here looking at all nodes is faster
+SMALL = 150  # up to this number of nodes, comparing all of them is faster
 
 
 @inlined
-def squared_apart(nodes: Array, node: int, q: Array) -> float:
+def squared_difference(nodes: Array, node: int, q: Array) -> float:
     """|nodes[node] - q|^2."""
     total = 0.0
     for i in range(len(q)):
@@ -25,7 +25,7 @@ def squared_apart(nodes: Array, node: int, q: Array) -> float:
 
 @inlined
 def nearest_euclidean_node(tree: GrowingTree, q: Array) -> int:
-    """The number of the node with the least Euclidean distance to q, the first among equals."""
+    """The index of the node with the least Euclidean distance to q; ties go to the first."""
     if tree.size[0] <= SMALL:
         return nearest_of_all(tree, q)
     used = tree.used
@@ -33,11 +33,10 @@ def nearest_euclidean_node(tree: GrowingTree, q: Array) -> int:
     x, y = q[0] - tree.x, (q[1] if len(q) > 1 else 0.0) - tree.y
     best, least = nearest_in_bucket(tree, row * tree.columns + column, q, -1, np.inf)
     for ring in range(max(first_ring(tree, column, row), 1), max(tree.columns, tree.rows)):
-        below, above = squared_gap(y, row - ring, tree.cell), squared_gap(y, row + ring, tree.cell)
-        left, right = (
-            squared_gap(x, column - ring, tree.cell),
-            squared_gap(x, column + ring, tree.cell),
-        )
+        below = squared_gap(y, row - ring, tree.cell)
+        above = squared_gap(y, row + ring, tree.cell)
+        left = squared_gap(x, column - ring, tree.cell)
+        right = squared_gap(x, column + ring, tree.cell)
         if least < min(min(below, above), min(left, right)):
             break
         for j, gap in ((row - ring, below), (row + ring, above)):
@@ -53,8 +52,9 @@ def nearest_euclidean_node(tree: GrowingTree, q: Array) -> int:
 
 @compiled
 def squared_gap(offset: float, number: int, cell: float) -> float:
-    """The square of how far a coordinate is from a column or row of buckets, less a little for
-    rounding.
+    """The squared distance of a coordinate from a column or row of buckets.
+
+    It is reduced slightly to allow for rounding.
     """
     gap = max(max(number * cell - offset, offset - (number + 1) * cell) - 1e-9 * cell, 0.0)
     return gap * gap
@@ -64,10 +64,10 @@ def squared_gap(offset: float, number: int, cell: float) -> float:
 def nearest_in_bucket(
     tree: GrowingTree, bucket: int, q: Array, best: int, best_distance: float
 ) -> tuple[int, float]:
-    """The better of the best node so far and those of one bucket, with its squared distance."""
+    """The better of the best node so far and the nodes of one bucket, with its squared distance."""
     node = tree.head[bucket]
     while node >= 0:
-        d = squared_apart(tree.nodes, node, q)
+        d = squared_difference(tree.nodes, node, q)
         if d < best_distance or (d == best_distance and node < best):
             best, best_distance = node, d
         node = tree.next[node]
@@ -76,10 +76,10 @@ def nearest_in_bucket(
 
 @inlined
 def nearest_of_all(tree: GrowingTree, q: Array) -> int:
-    """The same by comparing every node."""
+    """`nearest_euclidean_node` by comparing every node."""
     best, best_distance = 0, np.inf
     for node in range(tree.size[0]):
-        d = squared_apart(tree.nodes, node, q)
+        d = squared_difference(tree.nodes, node, q)
         if d < best_distance:
             best, best_distance = node, d
     return best

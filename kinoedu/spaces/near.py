@@ -1,5 +1,6 @@
-"""The nodes of a growing tree within a radius: by its buckets where those bound the distance, else
-by asking for all of them.
+"""The nodes of a growing tree within a radius.
+
+Spaces whose distance is bounded by the buckets use them. Other spaces compare every node.
 """
 
 from typing import Any
@@ -17,9 +18,7 @@ from .rings import squared_distance
 
 @generic(1)
 def near(space: Any, tree: Any, q: Array, radius: float) -> NDArray[np.int64]:
-    """The numbers of the tree's nodes within a radius of q, shape (k,), in no order that means
-    anything.
-    """
+    """The indices of the tree's nodes within a radius of q, shape (k,), in no particular order."""
     found, size = np.empty(tree.size[0], np.int64), 0
     for node in range(tree.size[0]):
         if distance(space, tree.nodes[node], q) <= radius:
@@ -30,8 +29,8 @@ def near(space: Any, tree: Any, q: Array, radius: float) -> NDArray[np.int64]:
 
 @near.register(RealSpace)
 def near_in_buckets(space: RealSpace, tree: Any, q: Array, radius: float) -> NDArray[np.int64]:
-    """By the buckets that a square round q meets. O(k) for nodes spread evenly."""
-    beyond = radius * (1.0 + 1e-9)  # so that no rounding of a bucket's number loses a node
+    """`near` by the buckets that intersect a square around q; O(k) for evenly spread nodes."""
+    beyond = radius * (1.0 + 1e-9)  # no node is lost by the rounding of a bucket's number
     x, y = q[0], q[1] if len(q) > 1 else 0.0
     left, below = bucket_of(tree, x - beyond, y - beyond)
     right, above = bucket_of(tree, x + beyond, y + beyond)

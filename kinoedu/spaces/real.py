@@ -1,4 +1,4 @@
-"""R^n: configurations that are points of a box. LaValle, Planning Algorithms, section 5.1."""
+"""R^n: configurations that are points of a box. Source: LaValle, section 5.1."""
 
 import math
 from typing import Any, NamedTuple
@@ -8,8 +8,8 @@ from numpy.typing import ArrayLike
 
 from ..errors import InvalidPoint
 from ..geometry.checks import Array, as_array
-from .asks import distance, interpolate, nearest, sample
-from .euclidean import nearest_euclidean_node, squared_apart
+from .asks import distance, interpolate, nearest, sample, sample_box
+from .euclidean import nearest_euclidean_node, squared_difference
 from .rings import squared_distance
 
 
@@ -20,10 +20,23 @@ class RealSpace(NamedTuple):
     hi: Array
 
 
-def Box(lo: ArrayLike, hi: ArrayLike) -> RealSpace:
-    """R^n between two opposite corners, shapes (n,), with the Euclidean distance. Raises
-    InvalidPoint.
+sample.register(RealSpace)(sample_box)
 
+
+def Box(lo: ArrayLike, hi: ArrayLike) -> RealSpace:
+    """R^n between two opposite corners, with the Euclidean distance.
+
+    Parameters
+    ----------
+    lo, hi : (n,) lower and upper bounds.
+
+    Raises
+    ------
+    InvalidPoint
+        Where a bound is not finite, the shapes differ, or lo is not below hi.
+
+    Examples
+    --------
     >>> distance(Box((0, 0), (4, 4)), np.array([0.0, 0.0]), np.array([3.0, 4.0]))
     5.0
     """
@@ -31,14 +44,10 @@ def Box(lo: ArrayLike, hi: ArrayLike) -> RealSpace:
 
 
 def as_bounds(lo: ArrayLike, hi: ArrayLike, d: int | None) -> tuple[Array, Array]:
-    """Two opposite corners of a box of d dimensions, or of any number, the lower one first."""
+    """The lower and the upper corner of a box of d dimensions, or of any dimension for None."""
     low, high = as_array(lo, "lo"), as_array(hi, "hi")
-    if (
-        low.ndim != 1
-        or low.shape != high.shape
-        or len(low) == 0
-        or (d is not None and len(low) != d)
-    ):
+    is_size_right = low.ndim == 1 and (len(low) > 0 if d is None else len(low) == d)
+    if not is_size_right or low.shape != high.shape:
         raise InvalidPoint(
             f"lo and hi must be {d or 'as many'} numbers each, got shapes {low.shape} and "
             f"{high.shape}"
@@ -60,7 +69,7 @@ def euclidean_distance(space: RealSpace, a: Array, b: Array) -> float:
 
 
 @interpolate.register(RealSpace)
-def on_the_line(space: RealSpace, a: Array, b: Array, t: float) -> Array:
+def interpolate_line(space: RealSpace, a: Array, b: Array, t: float) -> Array:
     """a + t (b - a)."""
     q = np.empty(len(a))
     for i in range(len(a)):
@@ -68,22 +77,13 @@ def on_the_line(space: RealSpace, a: Array, b: Array, t: float) -> Array:
     return q
 
 
-@sample.register(RealSpace)
-def in_the_box(space: RealSpace, rng: np.random.Generator) -> Array:
-    """Each coordinate uniform between its bounds."""
-    q = np.empty(len(space.lo))
-    for i in range(len(q)):
-        q[i] = space.lo[i] + (space.hi[i] - space.lo[i]) * rng.random()
-    return q
-
-
 @nearest.register(RealSpace)
 def nearest_euclidean(space: RealSpace, tree: Any, q: Array) -> int:
-    """By the tree's grid of buckets."""
+    """Found by the tree's grid of buckets."""
     return nearest_euclidean_node(tree, q)
 
 
 @squared_distance.register(RealSpace)
 def squared_euclidean(space: RealSpace, nodes: Array, node: int, q: Array) -> float:
     """|nodes[node] - q|^2."""
-    return squared_apart(nodes, node, q)
+    return squared_difference(nodes, node, q)

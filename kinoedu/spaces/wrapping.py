@@ -1,8 +1,7 @@
-"""Spaces of which some coordinates are angles: the circle, the torus, SE(2). Bullo & Smith, chapter
-3; LaValle, section 5.1.
+"""Spaces with coordinates that are angles: the circle, the torus, SE(2).
 
-A configuration's angles lie in [-pi, pi); every distance and every motion takes the short way
-round.
+The angles of a configuration lie in [-pi, pi). Every distance and every motion takes the shorter
+way around. Sources: Bullo & Smith, chapter 3; LaValle, section 5.1.
 """
 
 import math
@@ -13,25 +12,26 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..geometry.checks import Array, as_array, positive, whole
 from .angles import FULL_TURN, short_way, wrapped
-from .asks import diameter, distance, interpolate, nearest, sample
+from .asks import diameter, distance, interpolate, nearest, sample, sample_box
 from .buckets import GrowingTree
 from .real import as_bounds
 from .rings import (
+    coordinate_weight,
     nearest_in_buckets,
     search_near,
     search_rings,
     squared_distance,
     squared_gap,
-    squared_reach,
-    weight_of,
+    squared_radius,
 )
 
 
 class WrappingSpace(NamedTuple):
-    """Coordinates between lo and hi, shapes (d,); those that wrap are angles, from -pi to pi.
+    """Coordinates between lo and hi, shapes (d,), of which some wrap.
 
-    Each coordinate counts with its weight: the distance is sqrt(sum (weight_i * difference_i)^2),
-    so that with a weight in metres a radian is comparable with a length.
+    Coordinates that wrap are angles from -pi to pi. Each coordinate has a weight: the distance is
+    sqrt(sum (weight_i * difference_i)^2). With a weight in metres, a radian is comparable with a
+    length.
     """
 
     lo: Array
@@ -40,9 +40,14 @@ class WrappingSpace(NamedTuple):
     weight: Array
 
 
-def Circle() -> WrappingSpace:
-    """The circle: one angle. The distance is the shorter arc's, in radians.
+sample.register(WrappingSpace)(sample_box)
 
+
+def Circle() -> WrappingSpace:
+    """The circle: one angle, with the length of the shorter arc in radians as distance.
+
+    Examples
+    --------
     >>> distance(Circle(), np.array([3.0]), np.array([-3.0])) == FULL_TURN - 6
     True
     """
@@ -50,9 +55,15 @@ def Circle() -> WrappingSpace:
 
 
 def Torus(d: int = 2) -> WrappingSpace:
-    """The flat torus: d angles, such as those of an arm's joints, a radian of each counting the
-    same. Raises InvalidParameter.
+    """The flat torus of d angles with equal weights, such as the joint angles of an arm.
 
+    Raises
+    ------
+    InvalidParameter
+        Where d is not a positive integer.
+
+    Examples
+    --------
     >>> diameter(Torus(1)) == math.pi
     True
     """
@@ -62,12 +73,23 @@ def Torus(d: int = 2) -> WrappingSpace:
 
 
 def SE2(lo: ArrayLike, hi: ArrayLike, *, turn_weight: float) -> WrappingSpace:
-    """The plane's places and headings (x, y, theta), positions between lo and hi, shapes (2,).
+    """Positions and headings (x, y, theta) in the plane.
 
-    turn_weight : how many units of length a radian counts for; a robot's radius about (x, y) is a
-        good choice, for then its corners move by at most the distance and about as far. Raises
-        InvalidPoint, InvalidParameter.
+    Parameters
+    ----------
+    lo, hi : (2,) bounds of the positions.
+    turn_weight : the length that one radian counts as. A robot's radius about (x, y) is a good
+        choice: then its corners move by at most the distance, and by about as much.
 
+    Raises
+    ------
+    InvalidPoint
+        Where a bound is not finite, or lo is not below hi.
+    InvalidParameter
+        Where turn_weight is not positive.
+
+    Examples
+    --------
     >>> space = SE2((0, 0), (10, 10), turn_weight=2)
     >>> distance(space, np.array([1.0, 1, 3]), np.array([1.0, 1, -3])) == 2 * (FULL_TURN - 6)
     True
@@ -80,8 +102,15 @@ def SE2(lo: ArrayLike, hi: ArrayLike, *, turn_weight: float) -> WrappingSpace:
 
 
 def wrapped_configuration(space: WrappingSpace, q: ArrayLike) -> Array:
-    """The same configuration, its angles in [-pi, pi); one or many, shape (..., d).
+    """The same configuration with its angles in [-pi, pi); one or many, shape (..., d).
 
+    Raises
+    ------
+    InvalidPoint
+        Where a coordinate is not finite.
+
+    Examples
+    --------
     >>> wrapped_configuration(Torus(), (0.5, 2.0 * math.pi)).tolist()
     [0.5, 0.0]
     """
@@ -93,7 +122,7 @@ def wrapped_configuration(space: WrappingSpace, q: ArrayLike) -> Array:
 
 @distance.register(WrappingSpace)
 def weighted_distance(space: WrappingSpace, a: Array, b: Array) -> float:
-    """The weighted Euclidean distance, the short way round."""
+    """The weighted Euclidean distance; angles take the shorter way around."""
     total = 0.0
     for i in range(len(a)):
         apart = space.weight[i] * (short_way(a[i], b[i]) if space.wraps[i] else b[i] - a[i])
@@ -103,7 +132,7 @@ def weighted_distance(space: WrappingSpace, a: Array, b: Array) -> float:
 
 @diameter.register(WrappingSpace)
 def weighted_diameter(space: WrappingSpace) -> float:
-    """All the way along what does not wrap, half a turn of what does."""
+    """The distance with the full range of lengths and half a turn of angles."""
     total = 0.0
     for i in range(len(space.lo)):
         apart = space.weight[i] * (math.pi if space.wraps[i] else space.hi[i] - space.lo[i])
@@ -112,69 +141,59 @@ def weighted_diameter(space: WrappingSpace) -> float:
 
 
 @interpolate.register(WrappingSpace)
-def the_short_way(space: WrappingSpace, a: Array, b: Array, t: float) -> Array:
-    """Each coordinate on its own way from a to b, angles the short way."""
+def interpolate_wrapping(space: WrappingSpace, a: Array, b: Array, t: float) -> Array:
+    """Each coordinate is interpolated from a to b; angles take the shorter way around."""
     q = np.empty(len(a))
     for i in range(len(a)):
-        q[i] = (
-            wrapped(a[i] + t * short_way(a[i], b[i]))
-            if space.wraps[i]
-            else a[i] + t * (b[i] - a[i])
-        )
-    return q
-
-
-@sample.register(WrappingSpace)
-def all_round(space: WrappingSpace, rng: np.random.Generator) -> Array:
-    """Each coordinate uniform between its bounds."""
-    q = np.empty(len(space.lo))
-    for i in range(len(q)):
-        q[i] = space.lo[i] + (space.hi[i] - space.lo[i]) * rng.random()
+        if space.wraps[i]:
+            q[i] = wrapped(a[i] + t * short_way(a[i], b[i]))
+        else:
+            q[i] = a[i] + t * (b[i] - a[i])
     return q
 
 
 @nearest.register(WrappingSpace)
-def nearest_the_short_way(space: WrappingSpace, tree: Any, q: Array) -> int:
-    """By the tree's grid of buckets, round q and round its images a turn away."""
+def nearest_wrapping(space: WrappingSpace, tree: Any, q: Array) -> int:
+    """Found by the tree's grid of buckets, around q and around its images a full turn away."""
     return nearest_in_buckets(space, tree, q)
 
 
 @squared_distance.register(WrappingSpace)
-def squared_the_short_way(space: WrappingSpace, nodes: Array, node: int, q: Array) -> float:
+def squared_weighted_distance(space: WrappingSpace, nodes: Array, node: int, q: Array) -> float:
     """The square of the weighted distance."""
     total = 0.0
     for i in range(len(q)):
-        apart = space.weight[i] * (
-            short_way(q[i], nodes[node, i]) if space.wraps[i] else nodes[node, i] - q[i]
-        )
+        p = nodes[node, i]
+        apart = space.weight[i] * (short_way(q[i], p) if space.wraps[i] else p - q[i])
         total += apart * apart
     return total
 
 
-@weight_of.register(WrappingSpace)
-def its_weight(space: WrappingSpace, i: int) -> float:
-    """A coordinate's weight; that of a missing one is 1."""
+@coordinate_weight.register(WrappingSpace)
+def wrapping_weight(space: WrappingSpace, i: int) -> float:
+    """The weight of a coordinate; 1 for a coordinate that does not exist."""
     return space.weight[i] if i < len(space.weight) else 1.0
 
 
 @search_near.register(WrappingSpace)
 def search_images(space: WrappingSpace, tree: GrowingTree, q: Array, search: Any) -> Any:
-    """Round q, then round each image of q a turn away that is near enough to the buckets."""
-    wx, wy = weight_of(space, 0), weight_of(space, 1)
-    x = wrapped(q[0]) if space.wraps[0] else q[0]
-    y = 0.0 if len(q) < 2 else wrapped(q[1]) if space.wraps[1] else q[1]
+    """Search around q, then around each image of q a full turn away that is near the buckets."""
+    wx, wy = coordinate_weight(space, 0), coordinate_weight(space, 1)
+    x_wraps, y_wraps = space.wraps[0], len(q) > 1 and space.wraps[1]
+    x, y = q[0], q[1] if len(q) > 1 else 0.0
+    if x_wraps:
+        x = wrapped(x)
+    if y_wraps:
+        y = wrapped(y)
     for right in (0.0, FULL_TURN, -FULL_TURN):
         for up in (0.0, FULL_TURN, -FULL_TURN):
-            if (right != 0.0 and not space.wraps[0]) or (
-                up != 0.0 and not (len(q) > 1 and space.wraps[1])
-            ):
+            if (right != 0.0 and not x_wraps) or (up != 0.0 and not y_wraps):
                 continue
-            across = (
-                squared_gap(x + right - tree.x, 0, tree.cell * tree.columns, wx)
-                if right != 0.0
-                else 0.0
-            )
-            along = squared_gap(y + up - tree.y, 0, tree.cell * tree.rows, wy) if up != 0.0 else 0.0
-            if across + along <= squared_reach(search):
+            across, along = 0.0, 0.0
+            if right != 0.0:
+                across = squared_gap(x + right - tree.x, 0, tree.cell * tree.columns, wx)
+            if up != 0.0:
+                along = squared_gap(y + up - tree.y, 0, tree.cell * tree.rows, wy)
+            if across + along <= squared_radius(search):
                 search = search_rings(space, tree, q, x + right, y + up, search)
     return search

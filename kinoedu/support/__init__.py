@@ -1,3 +1,1 @@
-"""What serves every room and knows nothing of robots: limits of time, progress, futures, files
-written whole.
-"""
+"""Tools without robotics: time limits, progress, completed futures, safe reading and writing."""

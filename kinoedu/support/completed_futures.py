@@ -1,5 +1,7 @@
-"""Futures as they are done. `concurrent.futures.wait` holds their locks now and then, and Ctrl-C at
-such a moment leaves one locked for ever; here a queue is waited on that Ctrl-C cannot break.
+"""Futures in the order in which they complete.
+
+`concurrent.futures.wait` holds the futures' locks at times, and Ctrl-C at such a moment leaves a
+lock held for ever. This module waits on a queue, which Ctrl-C cannot damage.
 """
 
 from collections.abc import Iterator
@@ -12,9 +14,12 @@ T = TypeVar("T")
 
 
 class Arrivals(Generic[T]):
-    """Futures that are waited for, each with what it is for; more may join while those that are
-    done are gone through.
+    """An iterable of pairs (label, future) in the order in which the futures complete.
 
+    More futures may be added while the iteration runs.
+
+    Examples
+    --------
     >>> from concurrent.futures import ThreadPoolExecutor
     >>> with ThreadPoolExecutor(1) as executor:
     ...     arrivals = Arrivals()
@@ -29,14 +34,12 @@ class Arrivals(Generic[T]):
         self.done: SimpleQueue[Future[Any]] = SimpleQueue()
 
     def expect(self, future: "Future[Any]", what: T) -> None:
-        """Wait for one more."""
+        """Add a future with its label."""
         self.waiting[future] = what
         future.add_done_callback(self.done.put)
 
     def __iter__(self) -> Iterator[tuple[T, "Future[Any]"]]:
         while self.waiting:
             with suppress(Empty):
-                future = self.done.get(
-                    timeout=0.2
-                )  # woken now and then, so that Ctrl-C is heard on every system
+                future = self.done.get(timeout=0.2)  # some systems check for Ctrl-C on waking only
                 yield self.waiting.pop(future), future

@@ -1,4 +1,4 @@
-"""JSON read with care: every value knows its name, so that what is wrong with it can be said."""
+"""Validated JSON: every value knows its name, so that an error message can name it."""
 
 import difflib
 import json
@@ -14,20 +14,24 @@ Built = TypeVar("Built")
 
 
 class Field(NamedTuple):
-    """A value of the scene with its name, such as world.obstacles[2].radius, for the message where
-    it is wrong.
-    """
+    """A value of a file with its name, such as world.obstacles[2].radius, for error messages."""
 
     name: str
     value: Any
     folder: Path
 
     def wrong(self, expected: str) -> UnreadableScene:
-        """The error that names this field."""
+        """An error that names this field and says what was expected."""
         return UnreadableScene(f"{self.name} must be {expected}, got {shortened(self.value)}")
 
     def check_version(self, known: int) -> None:
-        """Raise UnreadableScene for an object of another version than the one that is known."""
+        """Check that an object has no version other than the known one.
+
+        Raises
+        ------
+        UnreadableScene
+            Where it has another version.
+        """
         if isinstance(self.value, dict) and self.value.get("version") not in (known, None):
             given = shortened(self.value["version"])
             raise UnreadableScene(
@@ -37,17 +41,20 @@ class Field(NamedTuple):
     def members(
         self, needed: tuple[str, ...], optional: tuple[str, ...] = ()
     ) -> dict[str, "Field"]:
-        """The fields of an object, which has all that are needed and none that is not known."""
+        """The fields of an object, which must have all needed keys and no unknown ones.
+
+        Raises
+        ------
+        UnreadableScene
+            Where it is not an object, or a key is missing or unknown.
+        """
         if not isinstance(self.value, dict):
             raise self.wrong("an object {...}")
         for key in self.value:
             if key not in needed + optional:
                 close = difflib.get_close_matches(key, needed + optional, 1)
-                hint = (
-                    f"did you mean {close[0]!r}?"
-                    if close
-                    else f"known are {', '.join(needed + optional)}"
-                )
+                known = f"known are {', '.join(needed + optional)}"
+                hint = f"did you mean {close[0]!r}?" if close else known
                 raise UnreadableScene(f"{self.name} has an unknown key {key!r}; {hint}")
         for key in needed:
             if key not in self.value:
@@ -73,7 +80,7 @@ class Field(NamedTuple):
         return self.value
 
     def number(self) -> float:
-        """A number; true and false are none."""
+        """A number; true and false are refused."""
         if isinstance(self.value, bool) or not isinstance(self.value, int | float):
             raise self.wrong("a number")
         try:
@@ -90,7 +97,17 @@ class Field(NamedTuple):
         return [item.numbers() for item in self.items()]
 
     def kind(self, kinds: dict[str, Callable[["Field"], Any]]) -> Any:
-        """What the reader for this object's "kind" makes of it."""
+        """The object built by the reader for this object's "kind".
+
+        Parameters
+        ----------
+        kinds : the readers by kind.
+
+        Raises
+        ------
+        UnreadableScene
+            Where the object has no known kind.
+        """
         name = self.value.get("kind") if isinstance(self.value, dict) else None
         if not isinstance(name, str) or name not in kinds:
             raise self.wrong(f'an object with a "kind" among {", ".join(kinds)}')
@@ -98,25 +115,35 @@ class Field(NamedTuple):
 
 
 def read_json(file: Path, name: str, build: Callable[[Field], Built]) -> Built:
-    """What is built of the whole of a file. Its own errors, and UnreadableScene, name the file and
-    the field at fault.
+    """Build an object from a JSON file.
+
+    Parameters
+    ----------
+    file : the path.
+    name : the name of the whole value in error messages.
+    build : a function that builds the object from the whole value.
+
+    Raises
+    ------
+    UnreadableScene
+        Where the file is not JSON. This error and those of `build` name the file and the field.
     """
     try:
         return build(Field(name, parsed(read_text(file)), file.parent))
     except KinoeduError as error:
-        raise type(error)(
-            f"{file}: {error}" if str(file) not in str(error) else str(error)
-        ) from error
+        message = str(error) if str(file) in str(error) else f"{file}: {error}"
+        raise type(error)(message) from error
 
 
 def parsed(text: str) -> Any:
-    """JSON as Python values; NaN, repeated keys and what is no JSON are refused."""
+    """JSON as Python values; NaN and repeated keys are refused."""
     try:
-        return json.loads(text, parse_constant=not_a_number, object_pairs_hook=without_repeats)
+        return json.loads(
+            text, parse_constant=refuse_constant, object_pairs_hook=members_without_repeats
+        )
     except json.JSONDecodeError as error:
-        raise UnreadableScene(
-            f"no JSON: {error.msg} in line {error.lineno}, column {error.colno}"
-        ) from error
+        place = f"line {error.lineno}, column {error.colno}"
+        raise UnreadableScene(f"no JSON: {error.msg} in {place}") from error
     except RecursionError as error:
         raise UnreadableScene("lists are nested too deeply for a scene") from error
     except KinoeduError:
@@ -125,17 +152,16 @@ def parsed(text: str) -> Any:
         raise UnreadableScene(f"no scene: {error}") from error
 
 
-def not_a_number(constant: str) -> float:
-    """NaN and Infinity are no JSON."""
+def refuse_constant(constant: str) -> float:
+    """Refuse NaN and Infinity, which are not JSON."""
     raise UnreadableScene(f"numbers must be finite, got {constant}")
 
 
-def without_repeats(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-    """An object's members, each key once."""
+def members_without_repeats(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    """The members of an object; a repeated key is refused."""
     members = dict(pairs)
     if len(members) < len(pairs):
         keys = [key for key, _ in pairs]
-        raise UnreadableScene(
-            f"a key is there twice: {next(key for key in keys if keys.count(key) > 1)!r}"
-        )
+        repeated = next(key for key in keys if keys.count(key) > 1)
+        raise UnreadableScene(f"a key is there twice: {repeated!r}")
     return members

@@ -1,6 +1,4 @@
-"""What is being done and for how long, on standard error: a line that moves in a terminal, a line
-for each stage elsewhere.
-"""
+"""Progress on standard error: an animated line in a terminal, one line per stage elsewhere."""
 
 import logging
 import sys
@@ -11,18 +9,18 @@ from contextlib import contextmanager
 
 
 class Notes(logging.Handler):
-    """The last remark logged while a stage runs, such as that something is compiled once."""
+    """A log handler that keeps the last message, such as that a function is being compiled."""
 
     last = ""
 
     def emit(self, record: logging.LogRecord) -> None:
-        """Keep it."""
+        """Keep the message."""
         self.last = record.getMessage()
 
 
 @contextmanager
 def stage(what: str) -> Iterator[Notes]:
-    """Say what is being done while it is; yields what was remarked meanwhile."""
+    """Show what is being done while the block runs; yields the handler of log messages."""
     if sys.stderr is None:  # closed by the caller
         yield Notes()
         return
@@ -31,7 +29,9 @@ def stage(what: str) -> Iterator[Notes]:
     logger.setLevel(logging.INFO)
     logger.addHandler(notes)
     line = threading.Thread(
-        target=move if sys.stderr.isatty() else stand, args=(what, notes, done), daemon=True
+        target=animate_line if sys.stderr.isatty() else print_line,
+        args=(what, notes, done),
+        daemon=True,
     )
     line.start()
     try:
@@ -43,70 +43,63 @@ def stage(what: str) -> Iterator[Notes]:
         logger.setLevel(level)
 
 
-def move(what: str, notes: Notes, done: threading.Event) -> None:
-    """Keep one line of a terminal up to date, and clear it in the end."""
+def animate_line(what: str, notes: Notes, done: threading.Event) -> None:
+    """Update one line of a terminal until the work is done, then clear it."""
     started = time.monotonic()
     while not done.wait(0.1):
         remark = f" ({notes.last})" if notes.last else ""
-        print(
-            f"\r\033[K{what} ... {time.monotonic() - started:.0f} s{remark}",
-            end="",
-            file=sys.stderr,
-            flush=True,
-        )
-    print("\r\033[K", end="", file=sys.stderr, flush=True)
+        rewrite_line(f"{what} ... {time.monotonic() - started:.0f} s{remark}")
+    rewrite_line("")
 
 
-def stand(what: str, notes: Notes, done: threading.Event) -> None:
-    """Say it once, for a file or a pipe."""
+def rewrite_line(text: str) -> None:
+    """Replace the current line of the terminal."""
+    print(f"\r\033[K{text}", end="", file=sys.stderr, flush=True)
+
+
+def print_line(what: str, notes: Notes, done: threading.Event) -> None:
+    """Print one line, for a file or a pipe."""
     print(f"{what} ...", file=sys.stderr, flush=True)
 
 
 @contextmanager
 def counted(what: str) -> Iterator[Callable[[int, int], None]]:
-    """A bar that fills as things are done; yields what is told how many are done, and of how
-    many.
+    """Show a progress bar while the block runs.
+
+    Yields the function that updates it, which takes how many things are done and how many there
+    are.
     """
     began, first, last = time.monotonic(), -1, -1
 
-    def tell(done: int, everything: int) -> None:
+    def update(done: int, total: int) -> None:
         nonlocal first, last
         first = done if first < 0 else first
-        gone = time.monotonic() - began
-        left = (
-            f", {duration(gone / (done - first) * (everything - done))} left"
-            if first < done < everything
-            else ""
-        )
-        tenths = 10 * done // max(everything, 1)
+        left = ""
+        if first < done < total:
+            seconds = (time.monotonic() - began) / (done - first) * (total - done)
+            left = f", {duration(seconds)} left"
+        tenths = 10 * done // max(total, 1)
         if sys.stderr is not None and sys.stderr.isatty():
-            print(
-                f"\r\033[K{what} [{'#' * 2 * tenths:<20}] {done}/{everything}{left}",
-                end="",
-                file=sys.stderr,
-                flush=True,
-            )
+            rewrite_line(f"{what} [{'#' * 2 * tenths:<20}] {done}/{total}{left}")
         elif sys.stderr is not None and tenths > last:
-            print(f"{what}: {done}/{everything}{left} ...", file=sys.stderr, flush=True)
+            print(f"{what}: {done}/{total}{left} ...", file=sys.stderr, flush=True)
         last = tenths
 
     try:
-        yield tell
+        yield update
     finally:
         if sys.stderr is not None and sys.stderr.isatty():
-            print("\r\033[K", end="", file=sys.stderr, flush=True)
+            rewrite_line("")
 
 
 def duration(seconds: float) -> str:
-    """A time as one reads it.
+    """A duration in a readable unit.
 
+    Examples
+    --------
     >>> duration(7.6), duration(125), duration(7300)
     ('8 s', '2 min', '2.0 h')
     """
-    return (
-        f"{seconds:.0f} s"
-        if seconds < 100
-        else f"{seconds / 60:.0f} min"
-        if seconds < 6000
-        else f"{seconds / 3600:.1f} h"
-    )
+    if seconds < 100:
+        return f"{seconds:.0f} s"
+    return f"{seconds / 60:.0f} min" if seconds < 6000 else f"{seconds / 3600:.1f} h"

@@ -1,4 +1,4 @@
-"""Files read with care: what is no regular file, no text or too long is refused by name."""
+"""Safe reading of files: only regular files of text up to a maximal size."""
 
 import os
 from pathlib import Path
@@ -7,12 +7,18 @@ from stat import S_ISDIR, S_ISREG
 from ..errors import SceneTooLarge, UnreadableScene
 from .text import shortened
 
-# the longest text of a terrain of 5,000 x 5,000 cells: one a row, with Windows line ends
+# The longest file of a terrain of 5,000 x 5,000 cells: one cell per line, Windows line ends.
 MAX_BYTES = 75_001_000
 
 
 def as_path(path: str | os.PathLike[str]) -> Path:
-    """The path of a file. Raises UnreadableScene for what is none."""
+    """The path of a file.
+
+    Raises
+    ------
+    UnreadableScene
+        Where the value is not a path.
+    """
     try:
         return Path(path)
     except TypeError:
@@ -20,13 +26,13 @@ def as_path(path: str | os.PathLike[str]) -> Path:
 
 
 def regular_file(path: str | os.PathLike[str]) -> Path:
-    """`path` again, once it is known to lead to a regular file.
+    """The path of an existing regular file.
 
     Raises
     ------
     UnreadableScene
-        Nothing is there, the links run in a circle, or it is a folder, a pipe (opening it would
-        wait for ever) or a device (reading it might never end).
+        Where nothing is there, or the links form a cycle, or it is a folder, a pipe (opening it
+        could block for ever) or a device (reading it might never end).
     """
     path = as_path(path)
     try:
@@ -43,21 +49,21 @@ def regular_file(path: str | os.PathLike[str]) -> Path:
 
 
 def read_text(path: str | os.PathLike[str], most: int = MAX_BYTES) -> str:
-    """The text of a UTF-8 or ASCII file of at most `most` bytes, every line end turned into a
-    newline.
+    """The text of a UTF-8 or ASCII file of at most `most` bytes, with every line end as a newline.
 
     Raises
     ------
-    UnreadableScene, SceneTooLarge
-        The file is missing or is not text; it is longer than `most`.
+    UnreadableScene
+        Where the file is missing or not text.
+    SceneTooLarge
+        Where it is longer than `most` bytes.
     """
     path = regular_file(path)
     try:
         with path.open("rb") as stream:
-            data = stream.read(
-                most + 1
-            )  # not the size in the folder's list, which may be stale or 0
-        text = data.decode("utf-8-sig")  # some editors begin a file with a byte-order mark
+            # the size that the system reports may be stale or 0
+            data = stream.read(most + 1)
+        text = data.decode("utf-8-sig")  # some editors write a byte-order mark first
     except (OSError, UnicodeDecodeError) as error:
         raise UnreadableScene(
             f"{path}: expected plain text, got: {error}; save it as UTF-8"

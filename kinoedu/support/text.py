@@ -4,6 +4,6 @@ from typing import Any
 
 
 def shortened(value: Any) -> str:
-    """A value as text that fits an error message."""
+    """The repr of a value on one line of at most 80 characters."""
     text = " ".join(repr(value).split())
     return text if len(text) <= 80 else text[:77] + "..."

@@ -1,21 +1,20 @@
-"""What a thread spends in the library, and how it is stopped."""
+"""The time that a thread spends in the library, and exceptions raised in another thread."""
 
 import ctypes
 import time
 
 
 class Spent:
-    """The seconds that a thread has spent in the library, and when its present call began."""
+    """The seconds that a thread has spent in the library, and when its current call began."""
 
     def __init__(self) -> None:
         self.seconds = 0.0
         self.began: float | None = None
 
 
-spent_by: dict[int, Spent] = {}  # by thread
-WAITING_FILES: set[str] = (
-    set()
-)  # the files of the functions in which a thread waits for machine code
+spent_by: dict[int, Spent] = {}  # by thread identifier
+# The files whose functions wait for machine code.
+WAITING_FILES: set[str] = set()
 
 
 def library_seconds(thread: int) -> float:
@@ -28,6 +27,6 @@ def library_seconds(thread: int) -> float:
 
 
 def raise_in(thread: int, error: type[BaseException] | None) -> None:
-    """Raise an exception in a thread; None takes back one that has not been raised yet."""
+    """Raise an exception in a thread; None cancels one that has not been raised yet."""
     what = None if error is None else ctypes.py_object(error)
     ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(thread), what)

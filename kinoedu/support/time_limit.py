@@ -1,8 +1,7 @@
-"""A function that may never end, given a bounded time, so that it does not take the notebook with
-it.
+"""Time limits for functions that may never end, so that they do not block a notebook.
 
-`within` bounds a whole computation, by the clock on the wall. `within_processor_time` is for a
-student's program and is fair to it: it counts what the program itself computes.
+`within` limits a whole computation by wall-clock time. `within_processor_time` is for a student's
+program and counts only what that program itself computes.
 """
 
 import functools
@@ -22,26 +21,27 @@ T = TypeVar("T")
 
 
 class Bounded(Protocol):
-    """A way to give work its time: what work() returns or raises, or TimeUp."""
+    """A function that runs work() with a time limit, such as `within`."""
 
     def __call__(self, seconds: float, work: Callable[[], T]) -> T: ...
 
 
-STACK = 64 * 2**20  # bytes: deep recursion fails in Python's words, not in the operating system's
-IN_BROWSER = sys.platform == "emscripten"  # where Python has no threads
-PATIENCE = 1.0  # seconds in which a function that was told to stop may do so
-LOOK = 0.02  # seconds between two looks at the time
+# Bytes. With a large stack, deep recursion ends with Python's RecursionError, not in a crash.
+STACK_SIZE = 64 * 2**20
+IN_BROWSER = sys.platform == "emscripten"  # Python has no threads there
+GRACE = 1.0  # seconds that a function has to stop
+POLL_INTERVAL = 0.02  # seconds
 
-WAITING = 4.0  # times the limit: so long a program may do little but wait
-LITTLE = 0.1  # of the time on the wall: who computes less than that waits
-MOST = 20.0  # times the limit: no program runs for longer, whatever it does
+WAITING = 4.0  # a program that only waits ends after this many times the limit
+BUSY_SHARE = 0.1  # a program that computes for less of the wall-clock time only waits
+LONGEST = 20.0  # every program ends after this many times the limit of wall-clock time
 
-REFERENCE = 0.0015  # seconds that practice() takes a typical computer
-SLOWEST = 20.0  # times as slow as that: no computer is taken for a slower one
+REFERENCE = 0.0015  # seconds that time_practice_loop() takes on a typical computer
+SLOWEST = 20.0  # no computer counts as more times slower than that
 
 
 class Seen(NamedTuple):
-    """Lines of one call of a function, from the first to the last: nothing else was seen to run."""
+    """The lines of one call of a function, first to last, in which a thread was seen."""
 
     file: str
     function: str
@@ -50,11 +50,14 @@ class Seen(NamedTuple):
 
 
 class TimeUp(BaseException):
-    """The time given is over. Not an Exception, so that `except Exception` does not catch it.
+    """The time limit is exceeded.
 
-    used, allowed : seconds of computing, as they are counted; the limit as it is on this computer.
-    passed : seconds on the wall. left_running : it could not be stopped, and still takes its share
-    of the computer until Python ends. seen : where it was in all of the last half of its time.
+    It is not an Exception, so that `except Exception` does not catch it.
+
+    used, allowed : seconds of computation as they are counted; the limit on this computer.
+    passed : seconds of wall-clock time.
+    left_running : whether the work could not be stopped, and uses the computer until Python ends.
+    seen : where the work was during the last half of its time.
     """
 
     def __init__(
@@ -71,38 +74,52 @@ class TimeUp(BaseException):
 
 
 def within(seconds: float, work: Callable[[], T]) -> T:
-    """What work() returns or raises; TimeUp where that takes longer than `seconds`.
+    """Run work() with a limit of wall-clock time, and return its result.
 
-    The work is done in a thread of its own, which is told to stop when its time is up. Python code
-    stops then. Where it does not (it waits in the operating system, runs compiled code, or catches
-    everything), it is left behind; the caller goes on. In a browser the work is done on the spot,
-    for as long as it takes.
+    The work runs in a separate thread, which is told to stop at the limit. Python code then stops.
+    Work that does not stop (it waits in the operating system, runs compiled code, or catches
+    everything) is abandoned, and the caller continues. In a browser, the work runs in place and
+    without a limit.
 
+    Raises
+    ------
+    TimeUp
+        Where the work takes longer than `seconds`. Errors of the work are raised unchanged.
+
+    Examples
+    --------
     >>> within(1.0, lambda: 2 + 2)
     4
     """
-    return bounded(Clock(seconds), work)
+    return run_bounded(Clock(seconds), work)
 
 
 def within_processor_time(seconds: float, work: Callable[[], T]) -> T:
-    """The same for a student's program: TimeUp where it computes for longer than `seconds`.
+    """Run a student's program with a limit of processor time, and return its result.
 
-    What counts is the processor time of its thread. What interpreted functions of the library take
-    does not count, nor what modules take to load. Where the system tells no thread's processor time
-    the time on the wall counts in its place. A computer slower than a typical one gives more:
-    `seconds` times speed(). A program that does little but wait ends after WAITING times that, and
-    any program after MOST times that. To wait for machine code is not the program's waiting.
+    Only the processor time of its thread counts. The time spent in interpreted functions of the
+    library and in imports does not count. Systems that cannot tell a thread's processor time use
+    wall-clock time. A slower computer gets proportionally more: `seconds` times speed(). A program
+    that only waits ends after WAITING times the limit, and every program after LONGEST times the
+    limit. Waiting for machine code does not count as waiting.
 
+    Raises
+    ------
+    TimeUp
+        Where the program computes for longer than `seconds`. Its own errors are raised unchanged.
+
+    Examples
+    --------
     >>> within_processor_time(1.0, lambda: 2 + 2)
     4
     """
     if IN_BROWSER:
         return work()
-    return bounded(FairClock(seconds * speed()), work)
+    return run_bounded(FairClock(seconds * speed()), work)
 
 
-def bounded(clock: "Clock", work: Callable[[], T]) -> T:
-    """What work() returns or raises; TimeUp when a clock says that it is over."""
+def run_bounded(clock: "Clock", work: Callable[[], T]) -> T:
+    """Run work() until it ends or a clock says that its time is over (TimeUp)."""
     if IN_BROWSER:
         return work()
     answer: Future[T] = Future()
@@ -115,14 +132,14 @@ def bounded(clock: "Clock", work: Callable[[], T]) -> T:
             answer.set_exception(error)
 
     context = copy_context()
-    thread = started(run)
+    thread = start_thread(run)
     try:
-        while not wait([answer], timeout=LOOK).done and not clock.is_over():
+        while not wait([answer], timeout=POLL_INTERVAL).done and not clock.is_over():
             pass
     finally:
         in_time = answer.done()
         if not in_time:
-            stop(thread)
+            stop_thread(thread)
     if in_time:
         return answer.result()
     is_alive = thread.is_alive()
@@ -130,7 +147,7 @@ def bounded(clock: "Clock", work: Callable[[], T]) -> T:
 
 
 class Clock:
-    """The clock on the wall."""
+    """A clock of wall-clock time."""
 
     def __init__(self, allowed: float) -> None:
         self.allowed = allowed
@@ -138,7 +155,7 @@ class Clock:
         self.used = self.passed = 0.0
 
     def begin(self) -> None:
-        """Begin; called in the thread whose time it is."""
+        """Start the clock; called in the thread whose time it measures."""
 
     def is_over(self) -> bool:
         """Whether the time is over."""
@@ -146,30 +163,30 @@ class Clock:
         return self.used > self.allowed
 
     def seen(self) -> Seen | None:
-        """Where the work was all the time, if that is known."""
+        """Where the work spent its time, if known."""
         return None
 
 
 class FairClock(Clock):
-    """The time that a thread's own program has computed, see within_processor_time."""
+    """A clock of the time that a thread's own program computes, as in within_processor_time."""
 
     def __init__(self, allowed: float) -> None:
         super().__init__(allowed)
         self.thread: int | None = None
         self.clock: int | None = None
         self.busy = self.wall = self.processor = self.library = 0.0
-        self.places = Places()
+        self.seen_calls = SeenCalls()
 
     def begin(self) -> None:
-        """Take the times from which it counts."""
-        spent_by.pop(threading.get_ident(), None)  # of a thread that had the same number
+        """Record the times at which it starts."""
+        spent_by.pop(threading.get_ident(), None)  # of an ended thread with the same identifier
         self.clock = clock_of_this_thread()
         self.wall = time.monotonic()
         self.processor = self.processor_time()
         self.thread = threading.get_ident()
 
     def processor_time(self) -> float:
-        """What the thread has computed so far; where that is not told, the time on the wall."""
+        """The thread's processor time so far, or the wall-clock time where it is unknown."""
         if self.clock is None:
             return time.monotonic()
         try:
@@ -178,9 +195,9 @@ class FairClock(Clock):
             return self.processor
 
     def is_over(self) -> bool:
-        """Add what has passed since the last look, and decide."""
+        """Add the time since the last look, and decide."""
         if self.thread is None:
-            return time.monotonic() - self.began > MOST * self.allowed
+            return time.monotonic() - self.began > LONGEST * self.allowed
         frame = sys._current_frames().get(self.thread)
         wall, processor = time.monotonic(), self.processor_time()
         library = max(self.library, library_seconds(self.thread))
@@ -191,71 +208,74 @@ class FairClock(Clock):
             if not loads_a_module(frame):
                 self.used += max(0.0, computed - (library - self.library))
         self.wall, self.processor, self.library = wall, processor, library
-        if max(self.used, self.passed / MOST) > self.allowed / 2.0:
-            self.places.add(frame)
-        waits = self.passed > WAITING * self.allowed and self.busy < LITTLE * self.passed
-        return self.used > self.allowed or waits or self.passed > MOST * self.allowed
+        if max(self.used, self.passed / LONGEST) > self.allowed / 2.0:
+            self.seen_calls.add(frame)
+        waits = self.passed > WAITING * self.allowed and self.busy < BUSY_SHARE * self.passed
+        return self.used > self.allowed or waits or self.passed > LONGEST * self.allowed
 
     def seen(self) -> Seen | None:
-        """The lines in which it computed all the time."""
-        return self.places.seen() if self.used > self.allowed else None
+        """The lines in which the program spent its time, if it used up its processor time."""
+        return self.seen_calls.seen() if self.used > self.allowed else None
 
 
-class Places:
-    """Where a thread is seen: the innermost call that is the same at all looks, and its lines."""
+class SeenCalls:
+    """The innermost call that was running at every look at a thread, and its lines."""
 
-    ENOUGH = 5  # looks, before anything is said
-    FEW = 6  # lines
+    MIN_LOOKS = 5
+    MAX_LINES = 6
 
     def __init__(self) -> None:
         self.looks = 0
-        self.calls: list[FrameType] = []  # those that were there at all looks, outermost first
-        self.lines: list[set[int]] = []  # of each those that it was seen in
+        self.calls: list[FrameType] = []  # running at every look, outermost first
+        self.lines: list[set[int]] = []  # the lines of each call in which it was seen
 
     def add(self, frame: FrameType | None) -> None:
-        """See where it is now."""
-        now = [*calls_of(frame)][::-1]
+        """Record where the thread is now."""
+        now = [*calls_on_stack(frame)][::-1]
         if not self.looks:
             self.calls, self.lines = now, [set() for _ in now]
         same = 0
         while same < min(len(now), len(self.calls)) and now[same] is self.calls[same]:
             line = now[same].f_lineno
-            if line is not None:  # between two lines it is in none
+            if line is not None:  # None between two lines
                 self.lines[same].add(line)
             same += 1
         del self.calls[same:], self.lines[same:]
         self.looks += 1
 
     def seen(self) -> Seen | None:
-        """Where it always was; None where that is not a few lines."""
-        if self.looks < self.ENOUGH or not self.calls or not self.lines[-1]:
+        """Where the thread was at every look; None where that is not a few lines."""
+        if self.looks < self.MIN_LOOKS or not self.calls or not self.lines[-1]:
             return None
         code, first, last = self.calls[-1].f_code, min(self.lines[-1]), max(self.lines[-1])
-        is_known = last - first < self.FEW
+        is_known = last - first < self.MAX_LINES
         return Seen(code.co_filename, code.co_name, first, last) if is_known else None
 
 
-def calls_of(frame: FrameType | None) -> Iterator[FrameType]:
-    """The calls that lead to where a thread is, innermost first."""
+def calls_on_stack(frame: FrameType | None) -> Iterator[FrameType]:
+    """The calls on a thread's stack, innermost first."""
     while frame is not None:
         yield frame
         frame = frame.f_back
 
 
 def waits_for_machine_code(frame: FrameType | None) -> bool:
-    """Whether a thread does nothing but wait until machine code is made or loaded."""
+    """Whether a thread only waits until machine code is made or loaded."""
     return frame is not None and frame.f_code.co_filename in WAITING_FILES
 
 
 def loads_a_module(frame: FrameType | None) -> bool:
-    """Whether a thread is importing something."""
-    return any(call.f_code.co_filename.startswith("<frozen importlib") for call in calls_of(frame))
+    """Whether a thread is importing a module."""
+    return any(
+        call.f_code.co_filename.startswith("<frozen importlib") for call in calls_on_stack(frame)
+    )
 
 
 def clock_of_this_thread() -> int | None:
-    """The clock of this thread's processor time, which others may read; None where there is none.
+    """The clock of this thread's processor time, or None.
 
-    To be asked in the thread itself: of a thread that has ended one must not ask.
+    Other threads may read the clock. It must be obtained in the thread itself, because the call is
+    unsafe for a thread that has ended.
     """
     if not hasattr(time, "pthread_getcpuclockid"):
         return None
@@ -267,17 +287,19 @@ def clock_of_this_thread() -> int | None:
 
 @functools.cache
 def speed() -> float:
-    """How many times as long as a typical computer this one takes; at least 1. Measured once.
+    """How many times slower this computer is than a typical one; at least 1. Measured once.
 
+    Examples
+    --------
     >>> 1.0 <= speed() <= 20.0
     True
     """
-    seconds = statistics.median(practice() for _ in range(5))
+    seconds = statistics.median(time_practice_loop() for _ in range(5))
     return min(max(1.0, seconds / REFERENCE), SLOWEST)
 
 
-def practice() -> float:
-    """Calculate a little in Python; the seconds of processor time it took."""
+def time_practice_loop() -> float:
+    """The seconds of processor time that a short loop in Python takes."""
     began = time.thread_time()
     total = 0
     for i in range(30_000):
@@ -285,9 +307,9 @@ def practice() -> float:
     return time.thread_time() - began
 
 
-def started(run: Callable[[], None]) -> threading.Thread:
-    """A thread that does it, with room for deep recursion."""
-    before = threading.stack_size(STACK)
+def start_thread(run: Callable[[], None]) -> threading.Thread:
+    """Start a daemon thread with a stack for deep recursion."""
+    before = threading.stack_size(STACK_SIZE)
     try:
         thread = threading.Thread(target=run, daemon=True)
         thread.start()
@@ -296,11 +318,11 @@ def started(run: Callable[[], None]) -> threading.Thread:
     return thread
 
 
-def stop(thread: threading.Thread) -> None:
-    """Raise TimeUp in a thread until it ends, since its code may catch everything; then leave it.
+def stop_thread(thread: threading.Thread) -> None:
+    """Raise TimeUp in a thread until it ends, or GRACE is over.
 
-    Where it strikes inside a callback Python would report it as an exception that nobody could see;
-    that report is left out.
+    Its code may catch everything, so it is raised repeatedly. Python would report a TimeUp raised
+    inside a callback as an unraisable exception; that report is suppressed.
     """
     report = sys.unraisablehook
 
@@ -310,7 +332,7 @@ def stop(thread: threading.Thread) -> None:
 
     sys.unraisablehook = report_others
     try:
-        last = time.monotonic() + PATIENCE
+        last = time.monotonic() + GRACE
         while thread.is_alive() and thread.ident is not None and time.monotonic() < last:
             raise_in(thread.ident, TimeUp)
             thread.join(0.01)

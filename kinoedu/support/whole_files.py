@@ -1,4 +1,4 @@
-"""Files are written whole or not at all."""
+"""Atomic writing: a file is written completely or not at all."""
 
 import os
 import tempfile
@@ -9,8 +9,9 @@ from pathlib import Path
 
 @contextmanager
 def written_whole(path: str | os.PathLike[str]) -> Iterator[Path]:
-    """A new file to write beside `path`; it takes that name when the block ends, and is removed
-    where the block fails.
+    """A temporary file beside `path`, which replaces `path` when the block ends.
+
+    It is removed where the block fails.
     """
     file = Path(path)
     handle, name = tempfile.mkstemp(dir=file.parent, prefix=file.stem, suffix=".part")

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from ....geometry.checks import Array
-from ....sampling.grids import lattice, points_a_side, root
+from ....sampling.grids import integer_root, lattice, points_per_side
 from ...exercise import Case, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record
@@ -61,7 +61,7 @@ class GridExercise(ValueExercise):
             for d, most in ((1, 30), (2, 12), (3, 5)):
                 yield grid_case(int(rng.integers(2, most + 1)) ** d, d)
             d, n = int(rng.integers(2, 4)), int(rng.integers(2, 200))
-            while root(n, d) ** d == n:
+            while integer_root(n, d) ** d == n:
                 n = int(rng.integers(2, 200))
             yield grid_case(n, d)
 
@@ -90,13 +90,13 @@ class GridExercise(ValueExercise):
             found,
             None if no_grid else truth,
             ax,
-            cells=0 if no_grid or d == 1 else root(n, d),
+            cells=0 if no_grid or d == 1 else integer_root(n, d),
         )
 
 
 def grid_case(n: int, d: int) -> Case:
     """A case of the kind that it is."""
-    kind = DIMENSIONS[d] if root(n, d) ** d == n else "power"
+    kind = DIMENSIONS[d] if integer_root(n, d) ** d == n else "power"
     return Case(kind, {"n": n, "d": d})
 
 
@@ -117,11 +117,11 @@ def in_order(points: Any) -> Array:
 
 def spread(n: int, d: int, place: Callable[[Any, int], Any]) -> Array:
     """A grid whose coordinates are place(i, k) for i = 0, ..., k - 1."""
-    k = points_a_side(n, d)
+    k = points_per_side(n, d)
     return lattice(place(np.arange(k), k), d)
 
 
 def diagonal(n: int, d: int, place: Callable[[Any, int], Any], each: int = 0) -> Array:
     """The points of a grid whose coordinates are equal; so many, or k."""
-    k = points_a_side(n, d)
+    k = points_per_side(n, d)
     return np.tile(place(np.arange(each or k), k)[:, None], (1, d))
