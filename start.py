@@ -62,8 +62,8 @@ CAUSES = [
         "install python3-venv)",
     ),
     (
-        r"connection|timed? ?out|getaddrinfo|name resolution|failed to fetch|error sending|dns error"
-        r"|sslerror|proxyerror",
+        r"connection|timed? ?out|getaddrinfo|name resolution|failed to fetch|error sending"
+        r"|dns error|sslerror|proxyerror",
         "packages cannot be downloaded; connect to the network and run this again",
     ),
     (
