@@ -20,8 +20,10 @@ HELP = """usage: python start.py [command ...]
   python start.py                    set up, then open the course in JupyterLab
   python start.py test [arguments]   set up, add the test tools, run pytest
   python start.py site               set up, then write the course as a site into build/site
-  python start.py command ...        set up, then run a command of kinoedu, as in: python start.py plan --help
-  python start.py wheelhouse FOLDER  set up, then download into a folder what computers without network set up from:
+  python start.py command ...        set up, then run a command of kinoedu, for example:
+                                     python start.py plan --help
+  python start.py wheelhouse FOLDER  set up, then download all packages into a folder, from which
+                                     a computer without network can be set up with:
   python start.py --wheels FOLDER ...
 
 The set-up is done once, in .venv beside this file, and needs the network only then.
@@ -43,7 +45,8 @@ FOREIGN = re.compile(
     "CONDA|VIRTUAL_ENV|PYTHON(PATH|HOME|STARTUP)$|__PYVENV_LAUNCHER__|PIP_(TARGET|PREFIX|ROOT)$"
 )
 
-# In the words of pip, uv, venv and the operating systems. The first that is found is told.
+# Patterns in the messages of pip, uv, venv and the operating systems, each with its advice.
+# The first that matches is printed.
 CAUSES = [
     (
         r"no space left|not enough space|os error (28|112)\b|quota",
@@ -59,7 +62,8 @@ CAUSES = [
         "install python3-venv)",
     ),
     (
-        r"connection|timed? ?out|getaddrinfo|name resolution|failed to fetch|error sending|dns error|sslerror|proxyerror",
+        r"connection|timed? ?out|getaddrinfo|name resolution|failed to fetch|error sending"
+        r"|dns error|sslerror|proxyerror",
         "packages cannot be downloaded; connect to the network and run this again",
     ),
     (

@@ -14,7 +14,8 @@ from timing import Missing, run
 SECONDS = 120
 ARM = """
 import kinoedu as ke
-obstacles = [[(1.2, 1.4), (2.6, 1.2), (2.2, 2.4)], [(-2.4, 0.4), (-1.2, 0.6), (-1.4, 1.8)], ((0.4, 2.2), 0.4), ((0.2, -1.4), 0.3)]
+obstacles = [[(1.2, 1.4), (2.6, 1.2), (2.2, 2.4)], [(-2.4, 0.4), (-1.2, 0.6), (-1.4, 1.8)],
+             ((0.4, 2.2), 0.4), ((0.2, -1.4), 0.3)]
 world = ke.PolygonWorld([(-4, -4), (4, -4), (4, 4), (-4, 4)], obstacles)
 ke.boards.arm_board(ke.TwoLinkArm(1.5, 1.2, 0.2), world, q=(0.6, 0.3))
 """

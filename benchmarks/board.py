@@ -15,12 +15,14 @@ from timing import Missing, run
 HOUSE = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(HOUSE / "tests"))
 
-from lab_driver import CHROMIUM, RUN_ALL, lab, notebook_page, written_notebook  # noqa: E402 - beside the tests, which it serves first
+# E402: the file lies in tests, which the line above adds to the path
+from lab_driver import CHROMIUM, RUN_ALL, lab, notebook_page, written_notebook  # noqa: E402
 
 SECONDS = 400
 SCENE = """
 import kinoedu as ke
-obstacles = [[(2, 3), (3.5, 2.6), (3.9, 6.5), (2.4, 6.1)], [(5, 0.6), (6.2, 0.9), (6, 4.4), (5.2, 4.6)],
+obstacles = [[(2, 3), (3.5, 2.6), (3.9, 6.5), (2.4, 6.1)],
+             [(5, 0.6), (6.2, 0.9), (6, 4.4), (5.2, 4.6)],
              [(5, 6), (7.2, 5.8), (8, 7.6), (6.2, 7.2), (5.4, 8.2)],
              [(8, 2), (10.4, 2.4), (10, 3.4), (9.2, 3.1), (8.8, 4.8), (7.8, 4.6)], ((10, 6.2), 0.9)]
 world = ke.PolygonWorld([(0, 0), (12, 0), (12, 9), (0, 9)], obstacles)
@@ -44,7 +46,8 @@ import numpy as np
 from kinoedu.boards import search_board
 from kinoedu.graphs import Graph
 nodes = np.random.default_rng(1).random((30, 2))
-near = {tuple(sorted((i, int(j)))) for i in range(30) for j in np.argsort(((nodes - nodes[i]) ** 2).sum(axis=1))[1:4]}
+apart = ((nodes[:, None] - nodes) ** 2).sum(axis=2)
+near = {tuple(sorted((i, int(j)))) for i in range(30) for j in np.argsort(apart[i])[1:4]}
 search_board(Graph(nodes=nodes, edges=sorted(near)), search="astar")
 """
 YARD = SCENE.replace("ke.board(", "yard = (")
@@ -81,7 +84,10 @@ DRAGGED = {  # on the first board of each notebook: what, and the thing
         ("wall in a car's way", "polygon-0"),
     ),
 }
-LISTEN = """board => { window.events = []; window.held = board; if (board.heard) return; board.heard = true;
+LISTEN = """board => {
+    window.events = []; window.held = board;
+    if (board.heard) return;
+    board.heard = true;
     for (const what of ['asked', 'answered', 'painted'])
         board.addEventListener('kinoedu-' + what,
             e => { if (held === board) events.push([what, e.detail, performance.now()]); }); }"""
@@ -93,7 +99,8 @@ DRAG = """([board, x, y, seconds]) => new Promise(done => {
         const t = (performance.now() - began) / 1000;
         if (t > seconds) { clearInterval(timer); done(moves / t); return; }
         const [clientX, clientY] = [x - 40 + 40 * Math.cos(3 * t), y + 40 * Math.sin(3 * t)];
-        canvas.dispatchEvent(new PointerEvent('pointermove', {clientX, clientY, pointerId: 1, bubbles: true})); moves += 1;
+        const where = {clientX, clientY, pointerId: 1, bubbles: true};
+        canvas.dispatchEvent(new PointerEvent('pointermove', where)); moves += 1;
     }, 10); })"""
 GOALS = {"plans": 30.0, "paints": 50.0}
 

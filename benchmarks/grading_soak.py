@@ -24,7 +24,8 @@ from kinoedu.grading.judge.running import dask, grade_all, local
 from kinoedu.grading.collect.submissions import collect
 if __name__ == "__main__":
     place = local(int(sys.argv[3])) if sys.argv[3].isdigit() else dask(sys.argv[3])
-    graded = grade_all(collect(Path(sys.argv[1])), Path(sys.argv[2]), bytes.fromhex(sys.argv[4]), place=place)
+    submissions, secret = collect(Path(sys.argv[1])), bytes.fromhex(sys.argv[4])
+    graded = grade_all(submissions, Path(sys.argv[2]), secret, place=place)
     sys.exit(any(one.grade is None for one in graded))
 """
 

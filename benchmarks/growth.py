@@ -24,9 +24,10 @@ SECONDS = 300
 LAST = 4  # sizes that the exponent is fitted to
 HERE = Path(__file__).resolve().parent
 NOTE = """\
-{repeats} rounds; the exponent is the slope of the last {last} sizes on logarithmic axes, the median over the rounds. Times are the
-processor's. Memory is the peak resident set of a process of its own while it works, over what it held before: the problem itself
-is not in it, nor is the sandbox of what is graded."""
+{repeats} rounds; the exponent is the slope of the last {last} sizes on logarithmic axes, the median
+over the rounds. Times are processor times. Memory is the peak resident set of a process of its own
+during the work, minus what it held before: the problem itself is not counted, nor is the sandbox of
+the grader."""
 ALONE = (
     "import sys; sys.path.insert(0, sys.argv[1]); import growth; "
     "print(growth.memory_of(sys.argv[2], int(sys.argv[3])))"

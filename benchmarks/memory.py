@@ -20,7 +20,8 @@ import psutil as _psutil
 _held = _psutil.Process().memory_info()
 try:
     import resource as _resource
-    _peak = _resource.getrusage(_resource.RUSAGE_SELF).ru_maxrss * (1 if _sys.platform == "darwin" else 1024)
+    _peak = _resource.getrusage(_resource.RUSAGE_SELF).ru_maxrss
+    _peak *= 1 if _sys.platform == "darwin" else 1024
 except ImportError:  # Windows
     _peak = _held.peak_wset
 print(_json.dumps([_held.rss, max(_peak, _held.rss)]))

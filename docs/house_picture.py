@@ -66,7 +66,8 @@ def drawn() -> str:
         '<rect width="100%" height="100%" fill="#fff"/>',
     ]
     text.append(
-        '<marker id="tip" viewBox="0 0 8 8" refX="8" refY="4" markerWidth="7" markerHeight="7" orient="auto">'
+        '<marker id="tip" viewBox="0 0 8 8" refX="8" refY="4" markerWidth="7" markerHeight="7" '
+        'orient="auto">'
     )
     text.append('<path d="M0 0L8 4L0 8z" fill="#557"/></marker>')
     for a, b in sorted(pair for pair in pairs if not is_implied(*pair, pairs)):
@@ -78,9 +79,8 @@ def drawn() -> str:
         text.append(
             f'<rect {corner} width="{BOX}" height="{TALL}" rx="6" fill="#eef" stroke="#557"/>'
         )
-        text.append(
-            f'<text x="{x:.0f}" y="{y + 5:.0f}" text-anchor="middle">{room.removeprefix("kinoedu.")}</text>'
-        )
+        name = room.removeprefix("kinoedu.")
+        text.append(f'<text x="{x:.0f}" y="{y + 5:.0f}" text-anchor="middle">{name}</text>')
     return "\n".join([*text, "</svg>\n"])
 
 

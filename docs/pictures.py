@@ -33,12 +33,14 @@ MARGIN, WIDEST, BYTES = 12, 1280, 80_000
 
 READY = """number => {
     const cell = jupyterapp.shell.currentWidget.content.widgets[number].node;
-    const boards = [...cell.querySelectorAll('.kinoedu-board, .kinoedu-solid')].map(board => board.dataset);
+    const found = [...cell.querySelectorAll('.kinoedu-board, .kinoedu-solid')];
+    const boards = found.map(board => board.dataset);
     return boards.length && boards.every(({answers = 1, paints}) => answers > 0 && paints > 0); }"""
 SCROLL = "number => jupyterapp.shell.currentWidget.content.scrollToItem(number, 'start')"
 OUTPUT = """number => {
     const cell = jupyterapp.shell.currentWidget.content.widgets[number].node;
-    const board = cell.querySelector('.kinoedu-board, .kinoedu-solid').closest('.jp-OutputArea-output');
+    const inner = cell.querySelector('.kinoedu-board, .kinoedu-solid');
+    const board = inner.closest('.jp-OutputArea-output');
     board.scrollIntoView({block: 'center'});
     return board; }"""
 
