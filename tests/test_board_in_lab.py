@@ -62,7 +62,7 @@ class Seen:
         names = ", ".join(values)
         self.page.wait_for_function(
             f"([root, {{{names}}}]) => {{ const told = "
-            f"root.querySelector('.kinoedu-told').textContent; return {condition}; }}",
+            f"root.querySelector('.kinoedu-text').textContent; return {condition}; }}",
             arg=[self.board.element_handle(), values],
             timeout=20_000,
         )
@@ -75,7 +75,7 @@ class Seen:
         self.until("root.dataset.seq === root.dataset.newest && root.dataset.seq > 0")
 
     def told(self):
-        return self.board.locator(".kinoedu-told").inner_text()
+        return self.board.locator(".kinoedu-text").inner_text()
 
     def data(self, name):
         return self.board.get_attribute(f"data-{name}")

@@ -1,6 +1,4 @@
-"""The sweep line's board: a line that is dragged by hand across polygons, its status beside it, and
-the cells that it leaves.
-"""
+"""The sweep line's board: a line to drag across polygons, its status, and the cells it leaves."""
 
 from collections.abc import Sequence
 from itertools import pairwise
@@ -14,8 +12,9 @@ from ...decomposition.trapezoidation import corners_of
 from ...geometry.checks import Array
 from ...words import say
 from ...worlds.polygon_world import rings_of
-from ..core.canvas import Canvas, with_picture
+from ..core.canvas import Canvas
 from ..core.drawing import Drawing, Layer, cells, dots, edges, labels
+from ..core.framed import Pictured
 from ..core.scene import Scene, handle, make_scene, place_of, polygon
 from ..planning.plans import world_in
 
@@ -23,30 +22,40 @@ FLOOR, CEILING = "start", "goal"  # colours of the status, as in the figures
 
 
 def sweep_board(world: Any, *, x: float | None = None) -> "SweepBoard":
-    """Drag the sweep line across a world by its handle, and the obstacles or their vertices: the
-    cells closed and open, the status.
+    """Drag the sweep line across a world, or obstacles and their vertices.
+
+    The closed and the open cells and the status of the line are shown.
 
     Parameters
     ----------
-    world : a PolygonWorld without discs. x : where the line begins; half way across by default.
+    world : a PolygonWorld without discs.
+    x : where the line begins; by default half way across.
 
-    `board.steps` are the events met so far. Raises InvalidWorld.
+    Returns
+    -------
+    SweepBoard
+        `steps` are the events met so far.
 
+    Raises
+    ------
+    InvalidWorld
+
+    Examples
+    --------
     >>> from kinoedu.worlds import PolygonWorld
-    >>> sweep_board(PolygonWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [[(3, 3), (6, 2), (5, 4)]]), x=5.5)
+    >>> world = PolygonWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [[(3, 3), (6, 2), (5, 4)]])
+    >>> sweep_board(world, x=5.5)
     SweepBoard(at x = 5: a bend; cells closed 2, open 2
     status: edge 0, edge 2, edge 4, edge 1)
     """
     return SweepBoard(world, x=x)
 
 
-class SweepBoard(widgets.HBox):
-    """What `sweep_board` makes: the world in `canvas`, and the list of the edges on the line in
-    `status`.
-    """
+class SweepBoard(Pictured, widgets.HBox):
+    """The widget that `sweep_board` returns: the world in `canvas`, the status in `status`."""
 
     def __init__(self, world: Any, *, x: float | None) -> None:
-        sweep(world)  # refuses what it cannot cut
+        sweep(world)  # raises for a world that it cannot cut
         self.steps: list[Step] = []
         self.status = widgets.HTML(layout=widgets.Layout(flex="1 1 11em"))
         self.canvas = Canvas(scene_of(world, x), self.answer)
@@ -70,19 +79,9 @@ class SweepBoard(widgets.HBox):
         finally:
             self.status.value = listed(rows, names if len(rows) else {})
 
-    def picture(self) -> bytes:
-        """The board as it is now, as a PNG."""
-        return self.canvas.picture()
-
-    def __repr__(self) -> str:
-        return f"SweepBoard({self.canvas.drawing.says})"
-
-    def _repr_mimebundle_(self, **kwargs: Any) -> Any:
-        return with_picture(super()._repr_mimebundle_(**kwargs), self, self)
-
 
 def scene_of(world: Any, x: float | None) -> Scene:
-    """A world with a handle below it for the sweep line."""
+    """The scene of a world, with a handle for the sweep line below it."""
     (outline,), *solids = rings_of(world)
     margin = 0.06 * (world.hi - world.lo).max()
     at = (world.lo[0] + world.hi[0]) / 2.0 if x is None else x
@@ -95,8 +94,9 @@ def scene_of(world: Any, x: float | None) -> Scene:
 
 
 def numbered(steps: Sequence[Step]) -> dict[tuple[float, ...], int]:
-    """Every edge that the line crosses somewhere, with its number: by its left end, from left to
-    right, the lower first.
+    """A number for every edge that the line crosses somewhere.
+
+    They are numbered from left to right by their left ends, lower ones first.
     """
     rows = np.unique(np.concatenate([step.status for step in steps]), axis=0)
     slopes = (rows[:, 3] - rows[:, 1]) / (rows[:, 2] - rows[:, 0])
@@ -107,7 +107,7 @@ def numbered(steps: Sequence[Step]) -> dict[tuple[float, ...], int]:
 def drawn(
     steps: Sequence[Step], x: float, names: dict[tuple[float, ...], int], scene: Scene
 ) -> Drawing:
-    """What the line has left, and what it crosses at x."""
+    """Draw the cells that the line has left, and what it crosses at x."""
     now, done = steps[-1], np.concatenate([step.closed for step in steps])
     begun = open_cells(steps, x)
     corners, size = corners_of(done), float(np.subtract(scene["hi"], scene["lo"]).max())
@@ -154,10 +154,10 @@ def outlines(corners: Array, colour: str, width: float, dash: Sequence[float] = 
 
 
 def open_cells(steps: Sequence[Step], x: float) -> Array:
-    """The cells that the line at x is crossing, as far as they have come, (n, 4, 2).
+    """The cells that the line at x is crossing, up to x, (n, 4, 2).
 
-    What is known of each is its left wall; its floor and ceiling are the neighbours in the status
-    that pass the wall's ends.
+    Only the left wall of each is stored; its floor and ceiling are the neighbours in the status
+    that pass through the wall's ends.
     """
     walls: list[tuple[float, ...]] = []
     for step in steps:
@@ -195,7 +195,7 @@ def apart(heights: Array, gap: float) -> Array:
 
 
 def listed(rows: Array, names: dict[tuple[float, ...], int]) -> str:
-    """The status as a list, the top of the line first."""
+    """The status as an HTML list, the top of the line first."""
     lines = [
         say("sweep_board.ceiling" if k % 2 else "sweep_board.floor", number=names[tuple(row)])
         for k, row in enumerate(rows.tolist())

@@ -1,6 +1,4 @@
-"""The board of moving obstacles: a slider of time, and everything where it is then; planned anew
-when something is dragged.
-"""
+"""The board of moving obstacles: a slider of time, and a plan for the whole time."""
 
 from typing import Any
 
@@ -19,28 +17,37 @@ from ...robots.round import RoundRobot
 from ...support.text import shortened
 from ...words import say
 from ...worlds.moving import MovingWorldRecord, movers_at
-from ..arm.rides import line
 from ..core.canvas import Canvas
-from ..core.drawing import Drawing, Layer, bodies, dots, edges
-from ..core.framed import Framed, counter
+from ..core.drawing import Drawing, Layer, bodies, dots, edges, path_edges, segments_along
+from ..core.framed import Framed, counter, look
 from ..core.scene import Scene, handle, place_of
-from ..planning.board import look
 from ..planning.plans import GOAL, START, scene_with, world_in
 
 STEPS = 150  # of the time slider
 
 
 def moving_board(problem: TimedProblemRecord, *, nodes: int = 200, rng: int = 0) -> "MovingBoard":
-    """Scrub through time: the obstacles, and the robot on its way. Drag start, goal, or what stands
-    still; change the speed.
+    """Scrub through time: the moving obstacles and the robot on its path.
+
+    Drag start, goal or static obstacles, or change the speed, and it is planned again.
 
     Parameters
     ----------
-    problem : a TimedProblem. nodes, rng : of the roadmap, and where the seed begins; see
-    `plan_in_time`.
+    problem : a TimedProblem.
+    nodes : the number of the roadmap's nodes; see `plan_in_time`.
+    rng : the first seed.
 
-    `board.plan` is on show. Raises InvalidParameter.
+    Returns
+    -------
+    MovingBoard
+        `plan` is the plan shown.
 
+    Raises
+    ------
+    InvalidParameter
+
+    Examples
+    --------
     >>> from kinoedu import Disk, Moving, MovingWorld, PolygonWorld, TimedProblem
     >>> hall = PolygonWorld([(0, 0), (10, 0), (10, 6), (0, 6)])
     >>> world = MovingWorld(hall, [Moving(1.0, [0, 10], [(9, 3), (-1, 3)])])
@@ -51,8 +58,9 @@ def moving_board(problem: TimedProblemRecord, *, nodes: int = 200, rng: int = 0)
 
 
 class MovingBoard(Framed):
-    """What `moving_board` makes: the controls, and the world in `canvas`, whose slider is the
-    time.
+    """The widget that `moving_board` returns: controls, and the world in `canvas`.
+
+    The slider of the canvas is the time.
     """
 
     def __init__(self, problem: TimedProblemRecord, nodes: int, rng: int) -> None:
@@ -60,23 +68,21 @@ class MovingBoard(Framed):
             raise InvalidParameter(say("moving_board.needs", given=shortened(problem)))
         self._given, self._nodes = problem, whole(nodes, "nodes", least=0)
         notch = problem.speed / 10.0
-        self.speed = widgets.FloatSlider(
-            problem.speed, min=3 * notch, max=30 * notch, step=notch, readout_format=".3g",
-            **{**look("step"), "description": say("moving_board.speed")},
-        )  # fmt: skip
+        span = {"min": 3 * notch, "max": 30 * notch, "step": notch, "readout_format": ".3g"}
+        self.speed = widgets.FloatSlider(problem.speed, **span, **look("moving_board.speed"))
         self.seed = counter("board.seed", whole(rng, "rng", least=0), 0, 99)
         self.plan: Plan | None = None
         handles = [
             handle(START, problem.start, colour="start"),
             handle(GOAL, problem.goal, colour="goal", marker="star"),
         ]
-        super().__init__(
-            [self.speed, self.seed], [Canvas(scene_with(problem.world.still, handles), self.answer)]
-        )
+        canvas = Canvas(scene_with(problem.world.still, handles), self.answer)
+        super().__init__([self.speed, self.seed], [canvas])
 
     def answer(self, scene: Scene) -> Drawing:
-        """Plan in a scene, and draw all its moments; where nothing can be planned, say why, and
-        show what moves at the time 0.
+        """Plan in a scene and draw all moments.
+
+        Where planning fails, draw the moving obstacles at time 0 with the reason.
         """
         self.plan = None
         try:
@@ -85,26 +91,12 @@ class MovingBoard(Framed):
             return Drawing(movers_drawn(self._given.world, np.zeros(1)), warning=str(error))
 
     def planned(self, scene: Scene) -> Drawing:
-        """The plan in a scene, at all its moments. Raises KinoeduError."""
-        given = self._given
-        world = given.world._replace(still=world_in(scene))
-        ends = place_of(scene, START), place_of(scene, GOAL)
-        problem = TimedProblem(
-            given.robot,
-            world,
-            *ends,
-            speed=self.speed.value,
-            horizon=given.horizon,
-            clearance=given.clearance,
-        )
+        """The drawing of a plan in a scene, at all its moments, or KinoeduError."""
+        problem = self._problem_in(scene)
+        world = problem.world
         self.plan = plan = plan_in_time(problem, n=self._nodes, rng=self.seed.value)
-        last = (
-            plan.cost
-            if plan.path is not None
-            else float(world.times.max())
-            if len(world.times)
-            else 1.0
-        )
+        rest = float(world.times.max()) if len(world.times) else 1.0
+        last = plan.cost if plan.path is not None else rest
         moments = np.linspace(0.0, max(last, 1e-9), STEPS + 1)
         layers = [
             edges(plan.roadmap.nodes[plan.roadmap.edges], "roadmap", width=0.4),
@@ -113,19 +105,27 @@ class MovingBoard(Framed):
         if plan.path is None:
             text = say("moving_board.none", reason=plan.reason)
         else:
-            text = say(
-                "moving_board.there", time=f"{plan.cost:.3g}", waited=f"{waited(plan.path):.3g}"
-            )
+            times = {"time": f"{plan.cost:.3g}", "waited": f"{waited(plan.path):.3g}"}
+            text = say("moving_board.there", **times)
             layers += way_drawn(problem.robot, plan.path, moments)
-        told = [
+        texts = [
             say(f"moving_board.{'waits' if stands_at(plan.path, t) else 'now'}", time=f"{t:.2f}")
             for t in moments[:-1]
         ]
-        return Drawing(layers, text=text, total=STEPS, unit=say("moving_board.unit"), told=told)
+        unit = say("moving_board.unit")
+        return Drawing(layers, text=text, total=STEPS, unit=unit, step_texts=texts)
+
+    def _problem_in(self, scene: Scene) -> TimedProblemRecord:
+        """The given problem with everything where the scene has it, at the speed chosen."""
+        given = self._given
+        world = given.world._replace(still=world_in(scene))
+        ends = place_of(scene, START), place_of(scene, GOAL)
+        limits = {"horizon": given.horizon, "clearance": given.clearance}
+        return TimedProblem(given.robot, world, *ends, speed=self.speed.value, **limits)
 
 
 def movers_drawn(world: MovingWorldRecord, moments: Array) -> list[Layer]:
-    """What moves, at each moment."""
+    """Draw the moving obstacles at each moment."""
     layers, steps = [], np.arange(len(moments))
     for k, mover in enumerate(movers_at(world, float(moments[0]))):
         begin, end = world.knots[np.flatnonzero(world.owner == k)[0]]
@@ -136,30 +136,28 @@ def movers_drawn(world: MovingWorldRecord, moments: Array) -> list[Layer]:
 
 
 def way_drawn(robot: Any, path: Array, moments: Array) -> list[Layer]:
-    """The path, and the robot at each moment."""
+    """Draw the path, and the robot at each moment."""
     stops, steps = between_rows(path[:, 2], path[:, :2], moments), np.arange(len(moments))
-    legs = np.stack([path[:-1, :2], path[1:, :2]], axis=1)
-    layers = [*line(legs), dots(stops, "robot", radius=6.0, when=steps, until=steps + 1)]
-    if isinstance(robot, RoundRobot) and robot.radius == 0.0:
-        return layers
+    span: Any = {"when": steps, "until": steps + 1}
+    layers = path_edges(segments_along(path[:, :2]))
+    layers.append(dots(stops, "robot", radius=6.0, **span))
     origin = np.zeros(2)
-    shape = (
-        outline_of(origin[None], robot.radius)
-        if isinstance(robot, RoundRobot)
-        else outline_at(robot, origin)
-    )
-    return [*layers, bodies(shape + stops[:, None], "robot", when=steps, until=steps + 1)]
+    if not isinstance(robot, RoundRobot):
+        shape = outline_at(robot, origin)
+    elif robot.radius > 0.0:
+        shape = outline_of(origin[None], robot.radius)
+    else:
+        return layers
+    return [*layers, bodies(shape + stops[:, None], "robot", **span)]
 
 
 def between_rows(times: Array, places: Array, moments: Array) -> Array:
-    """Where something is at moments (k,) that is at places[i] at times[i] and moves straight
-    between them; shape (k, 2).
-    """
+    """The positions (k, 2) at moments (k,), interpolated between places[i] at times[i]."""
     return np.column_stack([np.interp(moments, times, places[:, axis]) for axis in (0, 1)])
 
 
 def stands(path: Array) -> Any:
-    """Whether each leg of a path (m, 3) stays where it is."""
+    """Whether the robot waits on each leg of a path (m, 3)."""
     return (path[1:, :2] == path[:-1, :2]).all(axis=1)
 
 
@@ -169,5 +167,5 @@ def stands_at(path: Array | None, t: float) -> bool:
 
 
 def waited(path: Array) -> float:
-    """For how long a path (m, 3) stays where it is."""
+    """The total waiting time of a path (m, 3)."""
     return float(np.diff(path[:, 2])[stands(path)].sum())

@@ -1,5 +1,6 @@
-"""A reader's own planner on a board: what it asked is recorded and drawn, its path is judged motion
-by motion, and it is stopped when it hangs.
+"""A reader's own planner on a board: its questions are recorded and drawn, its path is judged.
+
+It is stopped when it takes too long.
 """
 
 import inspect
@@ -23,20 +24,18 @@ from ...words import say
 from ..core.drawing import Drawing, Layer, dots, edges, labels, path
 
 SECONDS = 2.0
-MOST = 20_000  # questions kept and drawn; the others are counted
+MOST = 20_000  # the questions kept and drawn; of later ones only the motions are counted
 MOTIONS = ("is_free_path", "is_semi_free_path")
 PACKAGE = Path(__file__).resolve().parent.parent.parent
 
 
 class FirstQuestions(list[Question]):
-    """A recorder's log that keeps the first questions about what is free, and counts the motions
-    among all.
-    """
+    """A recorder's log that keeps the first questions about free space and counts motions."""
 
     motions = 0
 
     def append(self, question: Question) -> None:
-        """Count and keep."""
+        """Count a motion, and keep the question if there is room."""
         self.motions += question.name in MOTIONS
         if len(self) < MOST and question.name in (*MOTIONS, "is_free"):
             super().append(question)
@@ -44,11 +43,17 @@ class FirstQuestions(list[Question]):
 
 @dataclass(frozen=True, eq=False)
 class Attempt:
-    """What a reader's planner did with a problem.
+    """The result of a reader's planner on a problem.
 
-    path : what it returned, or None; wrong : the numbers of its motions that are not free, from 0;
-        length : of a faultless path.
-    fault : what is wrong, in words; still_running : it could not be stopped.
+    Attributes
+    ----------
+    asked : the questions kept.
+    motions : the number of motions asked.
+    path : the path that it returned, or None.
+    wrong : the indices of the path's motions that are not free, from 0.
+    length : the length of a correct path.
+    fault : what is wrong, in words.
+    still_running : whether it could not be stopped.
     """
 
     asked: list[Question]
@@ -63,7 +68,7 @@ class Attempt:
 def attempt(
     planner: Callable[..., Any], problem: ProblemRecord, seed: int, *, seconds: float = SECONDS
 ) -> Attempt:
-    """Let a reader's planner try a problem, with a copy of it and for a bounded time."""
+    """Run a reader's planner on a copy of a problem, for a bounded time."""
     recorder = Recorder(deepcopy(problem))
     recorder.log = log = FirstQuestions()
 
@@ -72,7 +77,7 @@ def attempt(
             return called(planner, recorder, seed), None
         except TimeUp:
             raise
-        except BaseException as error:  # also SystemExit: whatever it is, it is the reader's to see
+        except BaseException as error:  # SystemExit too: the reader should see every exception
             return None, error
 
     try:
@@ -85,7 +90,7 @@ def attempt(
 
 
 def time_up(over: TimeUp) -> str:
-    """Why a planner was stopped: how long it computed, and for how long it was allowed to."""
+    """A message why a planner was stopped: the time it used and the time allowed."""
     why = "time_up" if over.used > over.allowed else "waited"
     seconds = {"used": over.used, "allowed": over.allowed, "passed": over.passed}
     words = say(f"board.own.{why}", **{name: f"{value:.1f}" for name, value in seconds.items()})
@@ -93,8 +98,9 @@ def time_up(over: TimeUp) -> str:
 
 
 def called(planner: Callable[..., Any], problem: Any, seed: int) -> Any:
-    """planner(problem), or with a generator where it takes one: an argument called rng, or a second
-    one that it needs.
+    """Call planner(problem), with a generator where it takes one.
+
+    A generator is passed to an argument called rng, or as a required second argument.
     """
     rng = np.random.default_rng(seed)
     try:
@@ -103,30 +109,23 @@ def called(planner: Callable[..., Any], problem: Any, seed: int) -> Any:
         return planner(problem)
     if "rng" in parameters:
         return planner(problem, rng=rng)
-    places = [
-        p for p in parameters.values() if p.kind in (p.POSITIONAL_ONLY, p.POSITIONAL_OR_KEYWORD)
-    ]
-    return (
-        planner(problem, rng)
-        if len(places) > 1 and places[1].default is inspect.Parameter.empty
-        else planner(problem)
-    )
+    positional = (inspect.Parameter.POSITIONAL_ONLY, inspect.Parameter.POSITIONAL_OR_KEYWORD)
+    places = [p for p in parameters.values() if p.kind in positional]
+    if len(places) > 1 and places[1].default is inspect.Parameter.empty:
+        return planner(problem, rng)
+    return planner(problem)
 
 
 def raised(error: BaseException) -> str:
-    """An exception in words, with the reader's own line and none of ours."""
+    """An exception in words, with the reader's own line and none of the package's."""
     name = type(error).__name__
     text = f"{name}: {shortened_text(error)}" if str(error) else name
     frames = [(frame.f_code.co_filename, line) for frame, line in walk_tb(error.__traceback__)]
     own = [(file, line) for file, line in frames if is_readers(file)]
     if not own:
         return say("board.own.raised", error=text)
-    return say(
-        "board.own.raised_in",
-        error=text,
-        number=own[-1][1],
-        line=linecache.getline(*own[-1]).strip(),
-    )
+    line = linecache.getline(*own[-1]).strip()
+    return say("board.own.raised_in", error=text, number=own[-1][1], line=line)
 
 
 def is_readers(file: str) -> bool:
@@ -139,13 +138,13 @@ def is_readers(file: str) -> bool:
 
 
 def shortened_text(error: BaseException) -> str:
-    """What an exception says, in one line."""
+    """The message of an exception, on one line."""
     text = " ".join(str(error).split())
     return text if len(text) <= 200 else text[:197] + "..."
 
 
 def judged(answer: Any, problem: ProblemRecord, log: FirstQuestions) -> Attempt:
-    """What a planner returned, judged by the problem that it was not given."""
+    """A planner's answer, judged by the original problem, which the planner did not have."""
     tried = Attempt(log[:], log.motions)
     if isinstance(answer, Plan):
         answer = answer.path
@@ -158,17 +157,12 @@ def judged(answer: Any, problem: ProblemRecord, log: FirstQuestions) -> Attempt:
         points = np.empty(0)
     if points.ndim != 2 or points.shape[1] != d or len(points) == 0:
         return replace(tried, fault=say("board.own.wrong_shape", d=d, given=shortened(answer)))
-    wrong = [
-        i for i in range(len(points) - 1) if not problem.is_free_path(points[i], points[i + 1])
-    ]
+    motions = zip(points[:-1], points[1:], strict=True)
+    wrong = [i for i, (a, b) in enumerate(motions) if not problem.is_free_path(a, b)]
     fault = wrong_end(points, problem)
     if wrong and not fault:
-        fault = say(
-            "board.own.wrong",
-            number=wrong[0] + 1,
-            a=place(points[wrong[0]]),
-            b=place(points[wrong[0] + 1]),
-        )
+        a, b = (place(q) for q in points[wrong[0] : wrong[0] + 2])
+        fault = say("board.own.wrong", number=wrong[0] + 1, a=a, b=b)
     if fault:
         return replace(tried, path=points, wrong=wrong, fault=fault)
     length = sum(problem.distance(a, b) for a, b in zip(points[:-1], points[1:], strict=True))
@@ -176,12 +170,10 @@ def judged(answer: Any, problem: ProblemRecord, log: FirstQuestions) -> Attempt:
 
 
 def wrong_end(points: Array, problem: ProblemRecord) -> str:
-    """What is wrong with a path's ends, or nothing."""
+    """What is wrong with a path's ends, or ""."""
     near = 1e-9 * world_size(problem)
-    for name, here, there in (
-        ("wrong_start", points[0], problem.start),
-        ("wrong_end", points[-1], problem.goal),
-    ):
+    ends = ("wrong_start", points[0], problem.start), ("wrong_end", points[-1], problem.goal)
+    for name, here, there in ends:
         if problem.distance(here, there) > near:
             return say(f"board.own.{name}", there=place(there), here=place(here))
     return ""
@@ -193,7 +185,7 @@ def place(q: Array) -> str:
 
 
 def race(tried: Attempt, ours: Plan) -> str:
-    """How a reader's planner did beside ours."""
+    """The result of a reader's planner beside ours, in words."""
     return say(
         "board.own.race",
         yours=result(tried.length, tried.motions),
@@ -209,16 +201,15 @@ def length_of(plan: Plan) -> float | None:
 def result(length: float | None, motions: int) -> str:
     """Length and effort in words."""
     count = f"{motions:,}"
-    return (
-        say("board.own.no_path", motions=count)
-        if length is None
-        else say("board.own.length", length=f"{length:.4g}", motions=count)
-    )
+    if length is None:
+        return say("board.own.no_path", motions=count)
+    return say("board.own.length", length=f"{length:.4g}", motions=count)
 
 
 def drawing_of_attempt(tried: Attempt, ours: Plan | None) -> Drawing:
-    """What was asked, in the order it was asked, blocked motions dashed; then the path, its wrong
-    motions, and ours.
+    """Draw the questions in order, the path with its wrong motions, and our path.
+
+    Blocked motions are dashed.
     """
     layers = questions(tried.asked)
     if ours is not None and ours.path is not None:
@@ -230,14 +221,9 @@ def drawing_of_attempt(tried: Attempt, ours: Plan | None) -> Drawing:
         segments = np.stack([tried.path[:-1, :2], tried.path[1:, :2]], axis=1)[tried.wrong]
         layers.append(edges(segments, "contact", width=4.0, dash=(3, 6))._replace(last=True))
         layers.append(dots(segments.mean(axis=1), "contact", radius=5.0)._replace(last=True))
-    text = "" if ours is None else race(tried, ours)
-    return Drawing(
-        layers,
-        text=text,
-        warning=tried.fault,
-        total=len(tried.asked),
-        unit=say("board.own.questions"),
-    )
+    text, unit = "" if ours is None else race(tried, ours), say("board.own.questions")
+    total = len(tried.asked)
+    return Drawing(layers, text=text, warning=tried.fault, total=total, unit=unit)
 
 
 def questions(asked: list[Question]) -> list[Layer]:
@@ -252,15 +238,12 @@ def questions(asked: list[Question]) -> list[Layer]:
     layers = []
     for (motion, free), found in kinds.items():
         rows, when = [points for _, points in found], [number for number, _ in found]
+        colour = "tree" if free else "contact"
         if motion:
-            look: dict[str, Any] = (
-                {"colour": "tree", "width": 1.2}
-                if free
-                else {"colour": "contact", "width": 1.0, "dash": (4, 4)}
-            )
-            layers.append(edges(rows, when=when, **look))
+            width, dash = (1.2, ()) if free else (1.0, (4, 4))
+            layers.append(edges(rows, colour, width=width, dash=dash, when=when))
         else:
-            layers.append(dots(rows, "tree" if free else "contact", when=when))
+            layers.append(dots(rows, colour, when=when))
     return layers
 
 
@@ -270,8 +253,5 @@ def plane_points(given: Iterable[Any]) -> list[Array] | None:
         points = [as_array(q, "q") for q in given]
     except KinoeduError:
         return None
-    return (
-        [q[:2] for q in points]
-        if points and all(q.ndim == 1 and len(q) >= 2 for q in points)
-        else None
-    )
+    planar = points and all(q.ndim == 1 and len(q) >= 2 for q in points)
+    return [q[:2] for q in points] if planar else None
