@@ -10,10 +10,10 @@ from test_board import Page
 import kinoedu as ke
 from kinoedu.boards import arm_board, slide_board
 from kinoedu.boards.arm.arm_drawn import links_in_contact
-from kinoedu.boards.arm.glued import split
-from kinoedu.boards.arm.pulling import nearest_reached, pulled
-from kinoedu.boards.core.drawing import Drawing, bodies, encoded
-from kinoedu.boards.geometry.slide import share_at
+from kinoedu.boards.arm.glued import split_motions
+from kinoedu.boards.arm.pulling import nearest_reachable, pull_arm
+from kinoedu.boards.core.drawing import Drawing, bodies, encode_drawing
+from kinoedu.boards.geometry.slide import fraction_at
 from kinoedu.c_space import slide
 from kinoedu.collision import paint_configuration_space
 from kinoedu.errors import InvalidParameter, InvalidPoint, InvalidPolygon, InvalidRobot
@@ -49,7 +49,9 @@ def test_bodies_travel_with_all_their_corners():
     body = bodies(
         np.arange(12.0).reshape(2, 3, 2), "robot", hatched=True, when=[0, 1], until=[1, 2]
     )
-    about, (rows,) = encoded(Drawing([body], places=[("handle", 0, np.array([1, 2]))]), (0, 0), 1.0)
+    about, (rows,) = encode_drawing(
+        Drawing([body], places=[("handle", 0, np.array([1, 2]))]), (0, 0), 1.0
+    )
     assert (
         about["layers"][0]["points"] == 3
         and about["layers"][0]["hatched"]
@@ -65,16 +67,16 @@ def test_motions_are_cut_at_the_sides():
     rng = np.random.default_rng(4)
     begins, ends = rng.uniform(-np.pi, np.pi, (2, 300, 2))
     for a, b in zip(begins, ends, strict=True):
-        pieces = split(a[None], b[None])
+        pieces = split_motions(a[None], b[None])
         assert 1 <= len(pieces) <= 3 and np.abs(pieces).max() <= np.pi * (1 + 1e-12)
         lengths = np.hypot(*(pieces[:, 1] - pieces[:, 0]).T)
         assert lengths.sum() == pytest.approx(torus_distance(a, b), rel=1e-9)
         assert np.allclose(pieces[0, 0], a) and np.allclose(np.cos(pieces[-1, 1] - b), 1)
         assert np.allclose(np.cos(pieces[1:, 0] - pieces[:-1, 1]), 1)
-    across = split(np.array([[3.0, 0.0]]), np.array([[-3.0, 0.0]]))
+    across = split_motions(np.array([[3.0, 0.0]]), np.array([[-3.0, 0.0]]))
     assert np.allclose(across, [[[3, 0], [np.pi, 0]], [[-np.pi, 0], [-3, 0]]])
-    assert split(np.empty((0, 2)), np.empty((0, 2))).shape == (0, 2, 2)
-    assert split(np.ones((1, 2)), np.ones((1, 2))).shape[0] <= 1
+    assert split_motions(np.empty((0, 2)), np.empty((0, 2))).shape == (0, 2, 2)
+    assert split_motions(np.ones((1, 2)), np.ones((1, 2))).shape[0] <= 1
 
 
 # ---- pulling
@@ -91,28 +93,28 @@ def test_a_pulled_tip_goes_as_near_as_it_can(arm):
     tips = np.array([arm.joints(q)[1] for q in rng.uniform(-np.pi, np.pi, (4000, 2))])
     for _ in range(100):
         q, p = rng.uniform(-np.pi, np.pi, 2), arm.base + rng.uniform(-4, 4, 2)
-        after = pulled(arm, q, None, p)
+        after = pull_arm(arm, q, None, p)
         reached = np.hypot(*(arm.joints(after)[1] - p))
         assert reached <= np.hypot(*(tips - p).T).min() + 1e-9
-        others = arm.inverse(nearest_reached(arm, q, p))
+        others = arm.inverse(nearest_reachable(arm, q, p))
         assert torus_distance(after, q) == min(torus_distance(other, q) for other in others)
 
 
 def test_pulls_that_say_nothing_about_an_angle():
     """On the base every heading is as good: the arm keeps its own; equal links fold up."""
     q, equal = np.array([0.7, 1.0]), ke.TwoLinkArm(1, 1, 0)
-    assert pulled(equal, q, None, equal.base).tolist() == [0.7, -np.pi]
-    assert np.hypot(*ARM.joints(pulled(ARM, q, None, ARM.base))[1]) == pytest.approx(0.3)
-    assert pulled(ARM, q, ARM.base, None).tolist() == q.tolist()
-    assert pulled(ARM, q, None, None) is q
+    assert pull_arm(equal, q, None, equal.base).tolist() == [0.7, -np.pi]
+    assert np.hypot(*ARM.joints(pull_arm(ARM, q, None, ARM.base))[1]) == pytest.approx(0.3)
+    assert pull_arm(ARM, q, ARM.base, None).tolist() == q.tolist()
+    assert pull_arm(ARM, q, None, None) is q
 
 
 def test_a_pulled_elbow_turns_link_1():
     """It takes link 2 along as it is bent; with a tip as well both headings are taken."""
     q = np.array([0.7, 1.0])
-    assert pulled(ARM, q, np.array([0, -5]), None) == pytest.approx([-np.pi / 2, 1.0])
+    assert pull_arm(ARM, q, np.array([0, -5]), None) == pytest.approx([-np.pi / 2, 1.0])
     elbow, tip = ARM.joints((2.0, -1.5))
-    assert pulled(ARM, q, elbow, tip) == pytest.approx([2.0, -1.5])
+    assert pull_arm(ARM, q, elbow, tip) == pytest.approx([2.0, -1.5])
 
 
 # ---- the arm's board
@@ -126,7 +128,7 @@ def test_both_pictures_show_one_configuration():
     workspace, square = Page(made.canvas), Page(made.square)
     assert repr(made) == "ArmBoard(q = (0.60, 0.30): link 2 is in contact)"
     told = workspace.moves(("handle", 1, [0.5, -2]))
-    assert made.canvas.drawing.says == told["text"] and at(made.square) == [made.q.tolist()]
+    assert made.canvas.drawing.message == told["text"] and at(made.square) == [made.q.tolist()]
     assert ARM.joints(made.q)[1] == pytest.approx([0.5, -2]) and square.sent[-1][0]["to"] is None
     assert told["places"] == [
         ["handle", 0, ARM.joints(made.q)[0].tolist()],
@@ -172,8 +174,8 @@ def test_a_dragged_obstacle_is_painted_anew():
     page.moves(("disc", 0, [1.1, 0.6]))
     moved = ke.PolygonWorld(SQUARE, [TRIANGLE, ((1.1, 0.6), 0.4), ((0.2, -1.4), 0.3)])
     assert made.square.bitmap == paint_configuration_space(ARM, moved).tobytes() != before
-    assert made.canvas.drawing.says == "q = (0.60, 0.30): links 1 and 2 are in contact"
-    assert made.square.drawing.says.endswith("link 1 hits")
+    assert made.canvas.drawing.message == "q = (0.60, 0.30): links 1 and 2 are in contact"
+    assert made.square.drawing.message.endswith("link 1 hits")
     kept = made.image
     page.moves(("handle", 1, [1, -2]))
     assert made.image is kept
@@ -237,7 +239,7 @@ def test_a_readers_planner_is_judged_on_the_torus():
     made = arm_board(
         ARM, WORLD, q=(0, 0), goal=(-0.2, 0), planner=lambda problem: [problem.start, problem.goal]
     )
-    assert "length 0.2, 0 motions asked" in repr(made) and made.canvas.drawing.total == 120
+    assert "length 0.2, 0 motions checked" in repr(made) and made.canvas.drawing.total == 120
 
 
 def test_what_is_no_arm_is_refused():
@@ -287,7 +289,7 @@ def test_share_at_undoes_at():
     """Every share but the ends, which are one place."""
     way = slide(ROBOT, HOUSE)
     for share in np.linspace(0.001, 0.999, 101):
-        assert share_at(way, way.at(share)[0]) == pytest.approx(share, abs=1e-9)
+        assert fraction_at(way, way.at(share)[0]) == pytest.approx(share, abs=1e-9)
 
 
 def test_the_words_say_what_touches():

@@ -118,7 +118,7 @@ def test_a_dragged_obstacle_repaints_the_square_live(arm):
     workspace.drag("disc-0", 60, 30, release=False)
     square.until("root.dataset.bitmaps > pictures", pictures=pictures)
     workspace.until("root.dataset.seq === root.dataset.newest")
-    assert square.pixels() != before and workspace.told().startswith("q = (0.60, 0.30)")
+    assert square.pixels() != before and workspace.shown_text().startswith("q = (0.60, 0.30)")
     workspace.page.mouse.up()
     workspace.settled()
 
@@ -127,7 +127,7 @@ def test_a_plan_is_scrubbed_in_both_pictures(page):
     """A step in one is the same step in the other, and the arm rides."""
     workspace, square = Seen(page, 2), Seen(page, 3)
     assert (
-        "RRT: a path of length" in workspace.told()
+        "RRT: a path of length" in workspace.shown_text()
         and workspace.data("total") == square.data("total") == "120"
     )
     before = workspace.pixels()
@@ -148,7 +148,7 @@ def test_a_robot_slides_by_dragging_and_by_its_slider(page):
     changes the shape.
     """
     sliding = Seen(page, SLIDING)
-    first = sliding.told()
+    first = sliding.shown_text()
     sliding.drag("handle-0", 150, 60)
     sliding.until("told !== first && told.includes('contact')", first=first)
     keep(page, "slide")

@@ -15,10 +15,10 @@ from PIL import Image
 
 import kinoedu as ke
 from kinoedu.boards import Canvas, Drawing, board, distance_board
-from kinoedu.boards.core.drawing import edges, encoded, path
-from kinoedu.boards.core.scene import make_scene, moved
-from kinoedu.boards.planning.own import attempt, questions
-from kinoedu.boards.planning.plans import problem_in, scene_of
+from kinoedu.boards.core.drawing import edges, encode_drawing, path
+from kinoedu.boards.core.scene import make_scene, move_parts
+from kinoedu.boards.planning.own import draw_questions, try_planner
+from kinoedu.boards.planning.plans import make_problem_scene, problem_in
 from kinoedu.errors import InvalidParameter, KinoeduError
 
 SQUARE = [(0, 0), (10, 0), (10, 10), (0, 10)]
@@ -74,7 +74,7 @@ def test_a_buffer_holds_places_in_world_sizes_and_when_each_came():
             path([(1e9, 0), (1e9 + 10, 10)], "path"),
         ]
     )
-    about, (tree, way) = encoded(drawing, (1e9, 0), 10.0)
+    about, (tree, way) = encode_drawing(drawing, (1e9, 0), 10.0)
     assert np.allclose(np.frombuffer(tree, np.float32), [0.1, 0.2, 0.3, 0.4, 5.0])
     assert np.frombuffer(way, np.float32).tolist() == [0, 0, 1, 1]
     assert about["layers"][0]["grows"] and about["layers"][1]["last"]
@@ -222,7 +222,7 @@ def test_a_front_cannot_write_nonsense_into_the_state(scene):
     before = made.canvas.scene
     made.canvas.set_state({"scene": scene, "words": {}, "home": {}})
     assert made.canvas.scene == before and made.canvas.words and made.canvas.home == before
-    good = moved(before, [("handle", 1, [9, 9])])
+    good = move_parts(before, [("handle", 1, [9, 9])])
     made.canvas.set_state({"scene": {**good, "lo": "nonsense"}})
     assert made.canvas.scene == good and made.plan.path[-1].tolist() == [9, 9]
 
@@ -275,7 +275,7 @@ def test_a_scene_is_its_problem(more):
     corner.
     """
     problem = walled(*more)
-    again = problem_in(json.loads(json.dumps(scene_of(problem))), problem)
+    again = problem_in(json.loads(json.dumps(make_problem_scene(problem))), problem)
     assert (again.world.edges == problem.world.edges).all()
     assert (again.world.obstacles.points == problem.world.obstacles.points).all()
     assert (again.start == problem.start).all() and (again.goal == problem.goal).all()
@@ -307,8 +307,8 @@ def test_a_readers_planner_is_recorded_judged_and_raced():
     """What it asked is drawn in its order, blocked motions apart; its length stands beside ours."""
     made = board(walled(), planner=around)
     assert made.plan.length == pytest.approx(2 * np.hypot(2, 8) + 4)
-    assert repr(made).startswith("Board(yours: length 20.49, 4 motions asked; ours: length ")
-    free, blocked, places, _ = questions(made.plan.asked)
+    assert repr(made).startswith("Board(yours: length 20.49, 4 motions checked; ours: length ")
+    free, blocked, places, _ = draw_questions(made.plan.asked)
     assert (
         free.when.tolist() == [3, 4, 5]
         and blocked.when.tolist() == [1]
@@ -344,7 +344,7 @@ def leaves(problem):
 @pytest.mark.parametrize(
     ("planner", "words"),
     [
-        (lambda problem: None, "yours: no path, 0 motions asked; ours: length"),
+        (lambda problem: None, "yours: no path, 0 motions checked; ours: length"),
         (
             lambda problem: [problem.start, problem.goal],
             "motion 1 of your path, from (1, 1) to (9, 1), is not free",
@@ -375,7 +375,7 @@ def test_what_a_readers_planner_did_is_said(planner, words):
 
 def test_a_hanging_planner_is_stopped():
     """Its time is bounded, what it asked is kept in bounds, and the picture shows it."""
-    tried = attempt(forever, walled(), 0, seconds=0.3)
+    tried = try_planner(forever, walled(), 0, seconds=0.3)
     assert tried.fault.startswith("no answer after") and "It was stopped" in tried.fault
     assert 0 < len(tried.asked) <= 20_000 and not tried.still_running
 
@@ -391,7 +391,7 @@ def test_a_planner_that_cannot_be_stopped_is_not_started_again(monkeypatch):
     module = sys.modules[
         "kinoedu.boards.planning.board"
     ]  # the package's attribute of that name is the function
-    monkeypatch.setattr(module, "attempt", lambda *given: attempt(*given, seconds=0.1))
+    monkeypatch.setattr(module, "try_planner", lambda *given: try_planner(*given, seconds=0.1))
     made = board(walled(), planner=waits)
     assert "could not be stopped" in repr(made)
     Page(made.canvas).moves(("handle", 1, [9, 9]))

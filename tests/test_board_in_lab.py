@@ -74,7 +74,7 @@ class Seen:
         )
         self.until("root.dataset.seq === root.dataset.newest && root.dataset.seq > 0")
 
-    def told(self):
+    def shown_text(self):
         return self.board.locator(".kinoedu-text").inner_text()
 
     def data(self, name):
@@ -124,7 +124,7 @@ def test_dragging_plans_anew(yard, thing):
     yard.page.mouse.up()
     yard.drag(thing, -20, 10)
     assert yard.pixels() != pixels and yard.label(thing) != label
-    assert yard.data("stale") == "0" and "a path of length" in yard.told()
+    assert yard.data("stale") == "0" and "a path of length" in yard.shown_text()
 
 
 def test_the_scene_is_kept_in_the_notebook(yard, page):
@@ -132,7 +132,7 @@ def test_the_scene_is_kept_in_the_notebook(yard, page):
     yard.drag("handle-1", -60, 10)
     other, label = Seen(page, 1), yard.label("handle-1")
     other.until("root.querySelector('[data-thing=handle-1]').ariaLabel === label", label=label)
-    assert other.told() == yard.told()
+    assert other.shown_text() == yard.shown_text()
     asked = """async () => {
         const kernel = jupyterapp.shell.currentWidget.sessionContext.session.kernel; let text = '';
         const future = kernel.requestExecute({code: "print(board.canvas.scene['handles'][1]['at'], board.plan.path[-1].tolist())"});
@@ -153,13 +153,13 @@ def test_a_vertex_is_dragged_and_a_crossing_told(yard):
     yard.until(
         "root.dataset.warning.includes('crosses or touches itself') && root.dataset.layers === ''"
     )
-    assert "obstacle 0" in yard.told()
+    assert "obstacle 0" in yard.shown_text()
     keep(yard.page, "warning")
     x, y = yard.middle("vertex-0-0-0")
     yard.page.mouse.move(x, y + 250, steps=5)
     yard.page.mouse.up()
     yard.until("root.dataset.warning === '' && root.dataset.layers === 'edges path'")
-    assert "a path of length" in yard.told()
+    assert "a path of length" in yard.shown_text()
 
 
 def test_the_growth_is_scrubbed_and_played(yard):
@@ -212,7 +212,7 @@ def test_everything_is_reached_by_keyboard(yard):
     yard.until("root.querySelector('[data-thing=handle-1]').ariaLabel === 'goal at (10.88, 7.40)'")
     yard.settled()
     keys.press("Tab")
-    assert yard.label("polygon-0").endswith("Enter leads to its vertices")
+    assert yard.label("polygon-0").endswith("press Enter to reach its vertices")
     keys.press("Enter")
     assert yard.page.evaluate(focus) == "vertex-0-0-0"
     keys.press("ArrowUp")
@@ -240,7 +240,7 @@ def test_a_hanging_planner_ends_with_a_message(page):
     answers = int(hangs.data("answers"))
     hangs.drag("handle-1", 0, 60)
     assert int(hangs.data("answers")) == answers + 1
-    assert "It was stopped; the picture" in hangs.told()
+    assert "It was stopped; the picture" in hangs.shown_text()
     x, y = hangs.middle("handle-0")
     there = hangs.middle("handle-1")
     hangs.drag("handle-1", x + 60 - there[0], y - there[1])
@@ -250,8 +250,11 @@ def test_a_hanging_planner_ends_with_a_message(page):
 def test_the_distance_board_follows_q(page):
     """q is dragged: distance and nearest point follow, and there is no growth to scrub."""
     seen = Seen(page, 3)
-    assert seen.told() == "distance 2.236; nearest: vertex 2"
+    assert seen.shown_text() == "distance 2.236; nearest: vertex 2"
     seen.drag("handle-0", -100, 0)
-    assert seen.told().startswith("distance") and seen.told() != "distance 2.236; nearest: vertex 2"
+    assert (
+        seen.shown_text().startswith("distance")
+        and seen.shown_text() != "distance 2.236; nearest: vertex 2"
+    )
     assert not seen.board.locator(".kinoedu-slider").is_visible()
     keep(page, "distance")

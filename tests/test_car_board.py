@@ -13,9 +13,9 @@ from test_planning_boards import layers_of, shown
 
 import kinoedu as ke
 from kinoedu.boards import car_board
-from kinoedu.boards.car.car_drawn import STEPS, posed, ride_along
+from kinoedu.boards.car.car_drawn import STEPS, make_ride, place_shapes
 from kinoedu.boards.car.car_poses import tip_of
-from kinoedu.boards.car.driving import MOMENT, NOTCHES, driven_on, standing_at
+from kinoedu.boards.car.driving import MOMENT, NOTCHES, continue_drive, start_drive
 from kinoedu.collision import is_free_drive, is_free_trajectory
 from kinoedu.errors import InvalidParameter
 from kinoedu.figures.ackermann import steered_wheels
@@ -56,7 +56,7 @@ def test_a_planner_grows_and_then_the_car_drives(planner):
     """
     made = car_board(problem_of(), planner, rng=3)
     drawing, plan = made.canvas.drawing, made.plan
-    assert not drawing.warning and len(drawing.told) == drawing.total > STEPS
+    assert not drawing.warning and len(drawing.step_texts) == drawing.total > STEPS
     for layer in drawing.layers:
         assert layer.when is None or (
             len(layer.when) == len(layer.rows) and (np.diff(layer.when) >= 0).all()
@@ -219,21 +219,21 @@ def test_a_wall_stops_the_car_where_it_would_touch(notch):
     car comes off.
     """
     problem = problem_of(start=(6, 2.5, 0.0), goal=(20, 12, 0))
-    drive = standing_at(problem)._replace(notch=notch)
+    drive = start_drive(problem)._replace(notch=notch)
     for _ in range(100):
-        drive = driven_on(problem, drive, {UP})
+        drive = continue_drive(problem, drive, {UP})
     assert drive.stopped
     robot, world, trajectory = problem.robot, problem.world, drive.trajectory
     assert is_free_trajectory(robot, world, trajectory)
     farther = trajectory._replace(durations=trajectory.durations + 1e-5)
     assert not is_free_trajectory(robot, world, farther)
-    again = driven_on(problem, drive, {UP})
+    again = continue_drive(problem, drive, {UP})
     assert (
         again.stopped
         and again.trajectory.length - trajectory.length < 1e-6
         and len(again.trajectory.controls) == 1
     )
-    back = driven_on(problem, again, {DOWN})
+    back = continue_drive(problem, again, {DOWN})
     assert not back.stopped and back.trajectory.length > trajectory.length + 0.1
     assert is_free_trajectory(robot, world, back.trajectory)
 
@@ -309,7 +309,7 @@ def test_all_wheels_turn_round_one_centre(phi):
         )
         assert abs(along @ axis) < 1e-6 * np.linalg.norm(along) * np.linalg.norm(axis)
         assert along @ (math.cos(2.0), math.sin(2.0)) > 0.0
-    here = posed(np.array([steered_wheels(car, np.zeros(3), phi)]), pose[None])[0]
+    here = place_shapes(np.array([steered_wheels(car, np.zeros(3), phi)]), pose[None])[0]
     assert np.allclose(here, wheels, atol=1e-9)
 
 
@@ -318,7 +318,7 @@ def test_an_eye_goes_with_the_car():
     made = car_board(problem_of(), view="followed", rng=3)
     drawing = made.canvas.drawing
     (eye,) = (layer for layer in drawing.layers if layer.kind == "eye")
-    ride = ride_along(made.plan.trajectory)
+    ride = make_ride(made.plan.trajectory)
     assert np.allclose(
         eye.rows[50, :2], outline_at(made.problem.robot, ride.poses[50]).mean(axis=0)
     )

@@ -184,7 +184,7 @@ def test_fingers_have_buttons_and_a_planner_hands_over_the_wheel(planned):
     menus = planned.page.locator(".widget-dropdown select")
     assert menus.nth(0).evaluate("menu => menu.selectedOptions[0].text").startswith("you")
     before = planned.middle("handle-0")
-    menus.nth(1).select_option("goes with the car")
+    menus.nth(1).select_option("following the car")
     planned.until("root.dataset.layers.includes('eye')")
     planned.page.wait_for_timeout(300)
     box = planned.board.locator("canvas").bounding_box()
@@ -192,7 +192,7 @@ def test_fingers_have_buttons_and_a_planner_hands_over_the_wheel(planned):
     assert abs(x - box["x"] - box["width"] / 2) < 2 and abs(y - box["y"] - box["height"] / 2) < 2
     assert planned.middle("handle-0") != before
     keep(planned.page, "car_followed")
-    menus.nth(1).select_option("of all, from above")
+    menus.nth(1).select_option("whole world, from above")
     menus.nth(0).select_option("kinodynamic RRT: a tree of drives")
     planned.until("told.startsWith('kinodynamic RRT')")
 

@@ -10,11 +10,11 @@ from test_board import Page
 import kinoedu as ke
 from kinoedu.boards import bug_board, samples_board, search_board, sweep_board
 from kinoedu.boards.bugs.bugs import BUGS
-from kinoedu.boards.core.drawing import Drawing, cells, dots, encoded, labels
-from kinoedu.boards.core.scene import moved
-from kinoedu.boards.geometry.sweep import height_at, open_cells
-from kinoedu.boards.search.expanding import spells
-from kinoedu.boards.search.search import estimate_of
+from kinoedu.boards.core.drawing import Drawing, cells, dots, encode_drawing, labels
+from kinoedu.boards.core.scene import move_parts
+from kinoedu.boards.geometry.sweep import find_open_cells, height_at
+from kinoedu.boards.search.expanding import find_runs
+from kinoedu.boards.search.search import heuristic_to
 from kinoedu.decomposition import sweep, trapezoidation
 from kinoedu.errors import InvalidGraph, InvalidParameter, InvalidPolygon, InvalidWorld
 from kinoedu.geometry import point_polygon_distance
@@ -59,16 +59,15 @@ def test_rows_that_go_carry_two_steps():
     drawing = Drawing(
         [spot, labels([(1, 1)], ["H1"], "ink", when=[1]), cells(np.ones((1, 4, 2)), "cell")],
         total=1,
-        told=["before"],
+        step_texts=["before"],
     )
-    about, (comes, _, _) = encoded(drawing, (0, 0), 2.0)
+    about, (comes, _, _) = encode_drawing(drawing, (0, 0), 2.0)
     assert np.frombuffer(comes, np.float32).reshape(2, 4).tolist() == [
         [0.5, 0.5, 0, 1],
         [1, 1, 1, np.inf],
     ]
-    assert [layer["ends"] for layer in about["layers"]] == [True, False, False] and about[
-        "told"
-    ] == ["before"]
+    assert [layer["ends"] for layer in about["layers"]] == [True, False, False]
+    assert about["step_texts"] == ["before"]
 
 
 def test_growing_layers_come_in_order():
@@ -87,7 +86,7 @@ def test_growing_layers_come_in_order():
                 assert layer.when is None or (np.diff(layer.when) >= 0).all()
                 assert layer.until is None or (layer.until > layer.when).all()
                 assert layer.when is None or len(layer.when) == len(layer.rows)
-        assert len(made.canvas.drawing.told) == made.canvas.drawing.total + 1
+        assert len(made.canvas.drawing.step_texts) == made.canvas.drawing.total + 1
 
 
 # ---- bugs
@@ -195,9 +194,9 @@ def test_a_sweep_board_shows_the_cells_closed_and_open(x):
     closed = sum(len(step.closed) for step in made.steps)
     assert closed == (cut.trapezoids[:, 1] <= x).sum()
     if not made.steps:
-        assert "has met nothing yet" in repr(made)
+        assert "has met no vertex yet" in repr(made)
         return
-    begun = open_cells(made.steps, x)
+    begun = find_open_cells(made.steps, x)
     assert len(begun) == len(made.steps[-1].status) // 2
     for (x0, low0), (x1, low1), (x2, high1), (x3, high0) in begun:
         assert x0 == x3 and x1 == x2 == x and low0 <= high0 and low1 <= high1
@@ -384,7 +383,7 @@ def test_the_estimate_never_exceeds_the_cost():
         edges = [(u, v) for u in range(12) for v in range(u) if rng.random() < 0.4]
         graph = Graph(nodes=nodes, edges=edges, weights=rng.random(len(edges)))
         cost = dijkstra(graph, 3).cost
-        assert (estimate_of(graph, 3) <= cost + 1e-12).all()
+        assert (heuristic_to(graph, 3) <= cost + 1e-12).all()
 
 
 def test_what_cannot_be_searched_is_refused():
@@ -417,7 +416,7 @@ def test_deleted_nodes_are_left_out():
 
 def test_spells_say_how_long_values_stay():
     """Each node's values in turn, ordered by when they came, the last one after the last step."""
-    node, value, when, until = spells(np.array([[0, 1], [0, 2], [3, 2]]))
+    node, value, when, until = find_runs(np.array([[0, 1], [0, 2], [3, 2]]))
     rows = list(zip(node.tolist(), value.tolist(), when.tolist(), until.tolist(), strict=True))
     assert rows == [(0, 0, 0, 2), (1, 1, 0, 1), (1, 2, 1, 3), (0, 3, 2, 3)]
     states = search_board(DIAMOND).moments
@@ -459,7 +458,7 @@ def test_a_samples_board_shows_points_and_their_largest_hole(sampler, shown_poin
     assert len(points.rows) == shown_points
     ball = ke.sampling.largest_empty_ball(points.rows)
     assert np.allclose(np.linalg.norm(hole.rows.reshape(-1, 2) - ball.centre, axis=1), ball.radius)
-    said = made.answer(moved(made.canvas.scene, [["handle", 0, ball.centre.tolist()]])).text
+    said = made.answer(move_parts(made.canvas.scene, [["handle", 0, ball.centre.tolist()]])).text
     assert said.count(f"{ball.radius:.4f}") == 2
     made.n.value = 9
     assert repr(made).startswith("SamplesBoard(points 9;")
@@ -479,4 +478,7 @@ def test_a_samples_board_refuses_what_it_does_not_have():
         with pytest.raises(InvalidParameter):
             samples_board(*given)
     made = samples_board("sukharev", 1)
-    assert "q is 0.7071" in made.answer(moved(made.canvas.scene, [["handle", 0, [9.0, -9.0]]])).text
+    assert (
+        "q is 0.7071"
+        in made.answer(move_parts(made.canvas.scene, [["handle", 0, [9.0, -9.0]]])).text
+    )

@@ -51,7 +51,7 @@ def test_a_walk_and_its_plot_are_scrubbed_together(page):
     a drag changes both.
     """
     world, plot = Seen(page, 0), Seen(page, 1)
-    assert world.told() == "Bug 1: reached after 14; hits 1"
+    assert world.shown_text() == "Bug 1: reached after 14; hits 1"
     before = world.pixels()
     scrub(plot, 100)
     world.until("root.dataset.step === '100' && told.includes('follows the wall')")
@@ -59,13 +59,13 @@ def test_a_walk_and_its_plot_are_scrubbed_together(page):
     answers = int(plot.data("answers"))
     world.drag("handle-1", 0, -20)
     plot.until("root.dataset.answers > answers", answers=answers)
-    assert "reached after" in world.told()
+    assert "reached after" in world.shown_text()
 
 
 def test_the_sweep_line_is_dragged_and_its_status_listed(page):
     """To the right more cells are closed, and the list beside the board has other edges."""
     seen = Seen(page, 2)
-    assert "an obstacle begins; cells closed 1, open 2" in seen.told()
+    assert "an obstacle begins; cells closed 1, open 2" in seen.shown_text()
     seen.drag("handle-0", 150, 0)
     seen.until("told.includes('an obstacle ends; cells closed 4, open 1')")
     assert page.locator("li", has_text="edge 1, a ceiling").count() == 1
@@ -74,7 +74,7 @@ def test_the_sweep_line_is_dragged_and_its_status_listed(page):
 def test_a_search_is_scrubbed_with_its_frontier(page):
     """At each step the words say how many wait, and the picture is another."""
     seen = Seen(page, 3)
-    assert "path cost 13" in seen.told()
+    assert "path cost 13" in seen.shown_text()
     before = seen.pixels()
     scrub(seen, 0)
     seen.until("told === 'expanded 0 of 54; frontier 1'")
@@ -108,7 +108,7 @@ def test_a_node_is_dragged_and_its_weights_follow(graph):
     )
     assert (
         graph.label("handle-2")
-        == "node 0 at (0.00, -0.68); Enter calls the goal to it, Shift and Enter the start"
+        == "node 0 at (0.00, -0.68); press Enter to move the goal here, Shift and Enter to move the start"
     )
     graph.settled()
 

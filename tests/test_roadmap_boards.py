@@ -16,8 +16,8 @@ from kinoedu.boards import (
     rewiring_board,
     roadmap_board,
 )
-from kinoedu.boards.core.drawing import Drawing, cells, encoded
-from kinoedu.boards.trees.rewired import costs_at, near_pairs, ways_to_goal
+from kinoedu.boards.core.drawing import Drawing, cells, encode_drawing
+from kinoedu.boards.trees.rewired import costs_at, find_near_pairs, find_ways_to_goal
 from kinoedu.errors import InvalidParameter
 from kinoedu.graphs import dijkstra
 from kinoedu.planners.exploring.receding_horizon import plan_of_looks, receding_horizon_looks
@@ -62,7 +62,7 @@ def test_growing_layers_come_in_order_with_a_text_for_each_step(kind):
     for canvas in made.canvases:
         drawing = canvas.drawing
         assert not drawing.warning and drawing.text
-        assert len(drawing.told) == drawing.total
+        assert len(drawing.step_texts) == drawing.total
         for layer in drawing.layers:
             assert layer.when is None or (
                 len(layer.when) == len(layer.rows) and (np.diff(layer.when) >= 0).all()
@@ -124,7 +124,7 @@ def test_a_roadmap_grows_node_by_node_and_counts_its_components():
         graph.add_edges_from(edge for edge in roadmap.edges.tolist() if edge[0] < step - n)
         assert len(shown(lines, step)) == graph.number_of_edges()
         if step > n:
-            assert drawing.told[step].endswith(
+            assert drawing.step_texts[step].endswith(
                 f"components {nx.number_connected_components(graph)}"
             )
 
@@ -296,7 +296,7 @@ def test_the_tree_and_the_way_are_shown_as_they_were():
     """
     made = rewiring_board(problem_of(), nodes=200)
     log, (tree,) = made.rewirings, layers_of(made.canvas, "edges", "tree")
-    ways = ways_to_goal(log)
+    ways = find_ways_to_goal(log)
     assert ways[-1].cost == pytest.approx(made.plan.cost) and ways[0].step == log.at_goal + 1
     costs = np.array(costs_at(ways, len(log.nodes)))
     assert (np.diff(costs[np.isfinite(costs)]) <= 1e-12).all()
@@ -315,7 +315,7 @@ def test_the_tree_and_the_way_are_shown_as_they_were():
 def test_every_re_hung_node_was_within_the_ball():
     """What is red was near, and so was the parent chosen unless it was the nearest of all."""
     _, log = rrt_star_rewirings(problem_of(), max_nodes=300, rng=4)
-    near = set(map(tuple, near_pairs(log).tolist()))
+    near = set(map(tuple, find_near_pairs(log).tolist()))
     for node, parent, came in zip(
         log.node.tolist(), log.parent.tolist(), log.came.tolist(), strict=True
     ):
@@ -358,8 +358,11 @@ def test_each_racer_stays_as_it_ended():
     nodes = len(made.plans[0].tree.nodes)
     (way,) = (layer for layer in rrt.layers if layer.kind == "path")
     assert nodes < star.total == rrt.total and not way.last and (way.when == nodes).all()
-    assert "no path yet" in rrt.told[nodes - 1] and f"{made.plans[0].cost:.4g}" in rrt.told[nodes]
-    assert rrt.text == rrt.told[nodes]
+    assert (
+        "no path yet" in rrt.step_texts[nodes - 1]
+        and f"{made.plans[0].cost:.4g}" in rrt.step_texts[nodes]
+    )
+    assert rrt.text == rrt.step_texts[nodes]
     assert f"{made.plans[2].cost:.4g}" in star.text
 
 
@@ -431,7 +434,7 @@ def test_looks_add_up_to_the_plan():
         for a, b in zip(looks, looks[1:], strict=False)
     )
     assert "at the goal after 0 looks" in repr(exploring_board(problem_of(goal=(1, 1))))
-    assert "shows no way" in repr(exploring_board(problem_of(CLOSED), 9.0))
+    assert "no path in its map" in repr(exploring_board(problem_of(CLOSED), 9.0))
 
 
 def test_a_world_of_triangles_is_the_polygon_world_of_them():
@@ -457,7 +460,7 @@ def flat(record):
 
 def test_cells_may_have_any_number_of_corners():
     """Their rows travel whole."""
-    about, (buffer,) = encoded(Drawing([cells(np.ones((1, 5, 2)), "cell")]), (0, 0), 2.0)
+    about, (buffer,) = encode_drawing(Drawing([cells(np.ones((1, 5, 2)), "cell")]), (0, 0), 2.0)
     assert (
         about["layers"][0]["points"] == 5
         and np.frombuffer(buffer, np.float32).tolist() == [0.5] * 10

@@ -42,19 +42,19 @@ def page(tmp_path_factory):
 def test_a_roadmap_is_scrubbed_and_dragged(page):
     """Half way there are nodes and no edges; a dragged obstacle makes another roadmap."""
     seen = Seen(page, 0)
-    assert "path of length" in seen.told() and "components 1" in seen.told()
+    assert "path of length" in seen.shown_text() and "components 1" in seen.shown_text()
     scrub(seen, 60)
     seen.until("told === 'nodes 60 of 102'")
-    before = seen.told()
+    before = seen.shown_text()
     seen.drag("polygon-0", 40, 10)
-    assert seen.told() != before and "path of length" in seen.told()
+    assert seen.shown_text() != before and "path of length" in seen.shown_text()
     keep(page, "roadmap")
 
 
 def test_the_rule_is_chosen_from_the_menu(page):
     """Another rule is another roadmap at once, and its own slider appears."""
     seen = Seen(page, 0)
-    before = seen.told()
+    before = seen.shown_text()
     page.locator(".widget-dropdown select").first.select_option("all within radius r")
     seen.until("told !== before && told.includes('edges')", before=before)
     assert page.locator(".widget-label").get_by_text("r", exact=True).first.is_visible()
@@ -63,10 +63,10 @@ def test_the_rule_is_chosen_from_the_menu(page):
 def test_properties_are_measured_while_an_obstacle_is_dragged(page):
     """The words tell all four, before and after."""
     seen = Seen(page, 1)
-    assert "accessible" in seen.told() and "delta at least" in seen.told()
+    assert "accessible" in seen.shown_text() and "delta at least" in seen.shown_text()
     answers = int(seen.data("answers"))
     seen.drag("polygon-1", 60, 30)
-    assert int(seen.data("answers")) > answers and "departable" in seen.told()
+    assert int(seen.data("answers")) > answers and "departable" in seen.shown_text()
     keep(page, "properties")
 
 
@@ -97,7 +97,7 @@ def test_rewiring_is_told_at_each_step(page):
     """The node, its ball, its parent and what was re-hung; another step is another picture."""
     seen = Seen(page, 5)
     scrub(seen, 120)
-    seen.until("told.startsWith('node 119: ') && told.includes('re-hung')")
+    seen.until("told.startsWith('node 119: ') && told.includes('rewired')")
     before = seen.pixels()
     scrub(seen, 121)
     seen.until("told.startsWith('node 120')")

@@ -35,7 +35,7 @@ def page(tmp_path_factory):
 
 
 def told(page):
-    return page.locator(".kinoedu-solid-told").inner_text()
+    return page.locator(".kinoedu-solid-text").inner_text()
 
 
 def data(page, name):
@@ -84,17 +84,17 @@ def test_the_plane_and_the_robot_are_answered(page):
         "s => { s.value = Math.PI / 2; s.dispatchEvent(new Event('input')); }"
     )
     page.wait_for_function(
-        "() => document.querySelector('.kinoedu-solid-told').textContent.includes('90°: the robot "
+        "() => document.querySelector('.kinoedu-solid-text').textContent.includes('90°: the robot "
         "is free')"
     )
     assert slice_.screenshot() != before
     drag(page, ".kinoedu-solid-slice", 90, 0)
     page.wait_for_function(
-        "() => document.querySelector('.kinoedu-solid-told').textContent.includes('touches')"
+        "() => document.querySelector('.kinoedu-solid-text').textContent.includes('touches')"
     )
     words = told(page)
     slice_.focus()
     page.keyboard.press("ArrowDown")
     page.wait_for_function(
-        "w => document.querySelector('.kinoedu-solid-told').textContent !== w", arg=words
+        "w => document.querySelector('.kinoedu-solid-text').textContent !== w", arg=words
     )

@@ -4,6 +4,7 @@ The square is the torus of the two angles, painted again when obstacles move.
 """
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 import ipywidgets as widgets
@@ -21,15 +22,15 @@ from ...robots.arm import ArmRobot
 from ...words import say
 from ..core.canvas import Canvas
 from ..core.drawing import Drawing, Layer, bodies
-from ..core.framed import Pictured, in_a_row
-from ..core.printed import side_by_side
-from ..core.scene import Scene, drawn, handle
+from ..core.framed import Pictured, arrange_in_row
+from ..core.printed import join_pictures
+from ..core.scene import Scene, handle, mark_drawn
 from ..planning.own import Attempt
-from ..planning.plans import canvas_of, scene_with, world_in
-from .arm_drawn import arm_drawn, contact_said, links_in_contact, outlines
-from .glued import frame, regions_named, sights, square_scene
-from .pulling import pulled
-from .rides import Ride, ride_in_square, ride_in_workspace, ride_of
+from ..planning.plans import make_canvas, make_world_scene, world_in
+from .arm_drawn import describe_contact, draw_arm, link_outlines, links_in_contact
+from .glued import draw_frame, draw_sights, label_regions, make_square_scene
+from .pulling import pull_arm
+from .rides import Ride, draw_ride_in_square, draw_ride_in_workspace, plan_ride
 
 ELBOW, TIP = 0, 1  # the numbers of the workspace's handles; the square's are q and the goal
 
@@ -94,19 +95,19 @@ class ArmBoard(Pictured, widgets.VBox):
         space = space_of(arm, world)
         self.arm, self.world = arm, world
         self.image = paint_configuration_space(arm, world)
-        self._names = regions_named(self.image)
+        self._names = label_regions(self.image)
         self.q = as_configuration(q, space, "q")
         self.goal = None if goal is None else as_configuration(goal, space, "goal")
         self._planner, self._seed = planner, whole(rng, "rng", least=0)
         self._ride: Ride | None = None
         self._plan_anew()
-        scene, plane = scene_with(world, self._grips()), square_scene(self._spots())
-        self._standing = standing(scene)
-        self._gripped, self._spotted = places_in(scene), places_in(plane)
+        scene, plane = make_world_scene(world, self._grips()), make_square_scene(self._spots())
+        self._standing = obstacle_places(scene)
+        self._gripped, self._spotted = handle_places(scene), handle_places(plane)
         self.square = Canvas(plane, self._in_square, free=self.image)
-        self.canvas = canvas_of(world, scene, self.answer)
+        self.canvas = make_canvas(world, scene, self.answer)
         self.square.partner = self.canvas.key
-        super().__init__([in_a_row([self.canvas, self.square], width="20em")])
+        super().__init__([arrange_in_row([self.canvas, self.square], width="20em")])
 
     @property
     def plan(self) -> Plan | Attempt | None:
@@ -119,26 +120,26 @@ class ArmBoard(Pictured, widgets.VBox):
         hits = links_in_contact(self.arm, self.q, self.world)
         layers: list[Layer] = []
         if self.goal is not None:
-            layers.append(bodies(outlines(self.arm, self.goal), "goal"))
-        layers += ride_in_workspace(self.arm, self._ride) if self._ride else []
-        layers += arm_drawn(self.arm, self.q, hits)
+            layers.append(bodies(link_outlines(self.arm, self.goal), "goal"))
+        layers += draw_ride_in_workspace(self.arm, self._ride) if self._ride else []
+        layers += draw_arm(self.arm, self.q, hits)
         first, second = (f"{angle:.2f}" for angle in self.q)
-        text = say("arm_board.told", first=first, second=second, contact=contact_said(hits))
+        text = say("arm_board.told", first=first, second=second, contact=describe_contact(hits))
         self._gripped = [joint.tolist() for joint in self.arm.joints(self.q)]
         lines = (text, hindered, self._ride.text if self._ride else "")
         return self._drawn(layers, "\n".join(filter(None, lines)), self._gripped)
 
     def _in_square(self, scene: Scene) -> Drawing:
         """Take over what was moved in the square, update the workspace, and draw on the image."""
-        at = places_in(scene)
+        at = handle_places(scene)
         if at != self._spotted:
             space = space_of(self.arm, self.world)
             self.q = as_configuration(at[0], space, "q")
             self.goal = None if self.goal is None else as_configuration(at[1], space, "goal")
             self._plan_anew()
             self.canvas.refresh()
-        layers = [*frame(), *self._names, sights(self.q)]
-        layers += ride_in_square(self._ride) if self._ride else []
+        layers = [*draw_frame(), *self._names, draw_sights(self.q)]
+        layers += draw_ride_in_square(self._ride) if self._ride else []
         self._spotted = [q.tolist() for q in (self.q, self.goal) if q is not None]
         first, second = (f"{np.degrees(angle):.0f}" for angle in self.q)
         link = say(f"figure.link_{link_in_contact(self.arm, self.q, self.world)}")
@@ -147,20 +148,20 @@ class ArmBoard(Pictured, widgets.VBox):
 
     def _take(self, scene: Scene) -> str:
         """Take over what was moved in the workspace; returns why the tip is out of reach, or ""."""
-        now, at = standing(scene), places_in(scene)
+        now, at = obstacle_places(scene), handle_places(scene)
         if now == self._standing and at == self._gripped:
             return ""
         if now != self._standing:
             self.world = world_in(scene)
             self.image = paint_configuration_space(self.arm, self.world)
-            self._names = regions_named(self.image)
+            self._names = label_regions(self.image)
             self.square.lay(self.image)
             self._standing = now
         pulls = [
             None if here == before else np.array(here)
             for here, before in zip(at, self._gripped, strict=True)
         ]
-        self.q = pulled(self.arm, self.q, pulls[ELBOW], pulls[TIP])
+        self.q = pull_arm(self.arm, self.q, pulls[ELBOW], pulls[TIP])
         self._plan_anew()
         self.square.refresh()
         tip = pulls[TIP] if pulls[ELBOW] is None else None
@@ -175,7 +176,7 @@ class ArmBoard(Pictured, widgets.VBox):
         stuck = self._ride is not None and getattr(self._ride.plan, "still_running", False)
         if self.goal is None or stuck:
             return
-        self._ride = ride_of(self._planner, self.arm, self.world, (self.q, self.goal), self._seed)
+        self._ride = plan_ride(self._planner, self.arm, self.world, (self.q, self.goal), self._seed)
 
     def _drawn(self, layers: list[Layer], text: str, handles: list[Any]) -> Drawing:
         """A drawing of either picture, with the steps of the ride and the handles' places."""
@@ -185,14 +186,15 @@ class ArmBoard(Pictured, widgets.VBox):
             say("arm_board.riding", first=f"{first:.2f}", second=f"{second:.2f}")
             for first, second in stops
         ]
-        growth = {"total": max(len(texts) - 1, 0), "unit": say("arm_board.unit")}
-        return Drawing(layers, text=text, **growth, step_texts=texts, places=places)
+        total, unit = max(len(texts) - 1, 0), say("arm_board.unit")
+        drawing = Drawing(layers, text=text, total=total, unit=unit)
+        return replace(drawing, step_texts=texts, places=places)
 
     def _grips(self) -> list[dict[str, Any]]:
         """The workspace's handles: elbow and tip."""
         names = (say("arm_board.elbow"), say("arm_board.tip"))
         return [
-            drawn(handle(name, at, colour="ink"))
+            mark_drawn(handle(name, at, colour="ink"))
             for name, at in zip(names, self.arm.joints(self.q), strict=True)
         ]
 
@@ -206,14 +208,14 @@ class ArmBoard(Pictured, widgets.VBox):
 
     def picture(self) -> bytes:
         """Workspace and square side by side, as a PNG."""
-        return side_by_side(self.canvas.picture(), self.square.picture())
+        return join_pictures(self.canvas.picture(), self.square.picture())
 
 
-def standing(scene: Scene) -> list[Any]:
+def obstacle_places(scene: Scene) -> list[Any]:
     """Where the obstacles of a scene are."""
     return [[item["rings"] for item in scene["polygons"]], [item["at"] for item in scene["discs"]]]
 
 
-def places_in(scene: Scene) -> list[Any]:
+def handle_places(scene: Scene) -> list[Any]:
     """Where the handles of a scene are."""
     return [item["at"] for item in scene["handles"]]

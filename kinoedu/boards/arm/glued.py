@@ -16,14 +16,14 @@ COLOURS = ["free_area", "hit_1_area", "hit_2_area"]  # of an image: free, link 1
 COARSE = 6  # names are placed on every sixth cell only
 
 
-def square_scene(handles: list[dict[str, Any]]) -> Scene:
+def make_square_scene(handles: list[dict[str, Any]]) -> Scene:
     """The square [-pi, pi) x [-pi, pi), with room for its scales at the left and below."""
     scene = make_scene((-PI - 0.7, -PI - 0.7), (PI + 0.3, PI + 0.3), handles=handles)
     glued = {"lo": [-PI, -PI], "hi": [PI, PI]}
     return {**scene, "glued": glued, "colours": COLOURS, "ticks": False}
 
 
-def frame() -> list[Layer]:
+def draw_frame() -> list[Layer]:
     """Scales and side arrows; identified sides carry equal arrows in the same direction."""
     values, names = np.array([-PI, 0.0, PI]), ["-π", "0", "π"]
     corners = np.array([(-PI, -PI), (PI, -PI), (PI, PI), (-PI, PI)])
@@ -40,13 +40,13 @@ def frame() -> list[Layer]:
     ]
 
 
-def sights(q: Array) -> Layer:
+def draw_sights(q: Array) -> Layer:
     """Thin lines through q, to read its angles off the scales."""
     lines = [[(-PI, q[1]), (PI, q[1])], [(q[0], -PI), (q[0], PI)]]
     return edges(lines, "ink", width=1.2, dash=(2.0, 5.0))
 
 
-def regions_named(image: NDArray[np.int8]) -> list[Layer]:
+def label_regions(image: NDArray[np.int8]) -> list[Layer]:
     """The meaning of each colour of a painted image, written where the region is widest."""
     coarse = image[COARSE // 2 :: COARSE, COARSE // 2 :: COARSE]
     found = [(where_widest(coarse == link), say(f"figure.link_{link}")) for link in range(3)]
@@ -57,7 +57,7 @@ def regions_named(image: NDArray[np.int8]) -> list[Layer]:
     ]
 
 
-def split(begins: Array, ends: Array) -> Array:
+def split_motions(begins: Array, ends: Array) -> Array:
     """Motions along shortest arcs, as segments within the square, (m, 2, 2), cut at its sides.
 
     begins, ends : (n, 2), angles in [-pi, pi).

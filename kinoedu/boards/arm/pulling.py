@@ -10,7 +10,7 @@ from ...spaces import torus_distance
 from ...spaces.angles import wrapped
 
 
-def pulled(arm: ArmRobot, q: Array, elbow: Array | None, tip: Array | None) -> Array:
+def pull_arm(arm: ArmRobot, q: Array, elbow: Array | None, tip: Array | None) -> Array:
     """The configuration after a pull on the elbow, on the tip, or on both, shape (2,).
 
     A pull on the elbow turns link 1, and link 2 keeps its angle to it. A pull on the tip moves it
@@ -25,11 +25,11 @@ def pulled(arm: ArmRobot, q: Array, elbow: Array | None, tip: Array | None) -> A
         return q
     if folds_onto_base(arm, tip):
         return np.array([q[0], -math.pi])
-    solutions = arm.inverse(nearest_reached(arm, q, tip))
+    solutions = arm.inverse(nearest_reachable(arm, q, tip))
     return min(solutions, key=lambda solution: float(torus_distance(solution, q)))
 
 
-def nearest_reached(arm: ArmRobot, q: Array, p: Array) -> Array:
+def nearest_reachable(arm: ArmRobot, q: Array, p: Array) -> Array:
     """The reachable place of the tip that is nearest to p.
 
     Ties go to the one in the direction of the tip.

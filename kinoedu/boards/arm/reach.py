@@ -38,14 +38,15 @@ def reach_board(arm: ArmRobot, p: ArrayLike) -> Canvas:
     reach = 1.25 * float(arm.lengths.sum())
     target = handle("p", p, colour="goal", marker="star")
     scene = make_scene(arm.base - reach, arm.base + reach, handles=[target])
-    return Canvas(scene, lambda now: solutions_drawn(arm, now))
+    return Canvas(scene, lambda now: draw_solutions(arm, now))
 
 
-def solutions_drawn(arm: ArmRobot, scene: Scene) -> Drawing:
+def draw_solutions(arm: ArmRobot, scene: Scene) -> Drawing:
     """Draw the ring, the arms with their tip at the target and their angles, or why none is."""
     p = place_of(scene, "p")
     rims = [
-        rim(arm, radius) for radius in (arm.lengths.sum(), abs(arm.lengths[0] - arm.lengths[1]))
+        draw_rim(arm, radius)
+        for radius in (arm.lengths.sum(), abs(arm.lengths[0] - arm.lengths[1]))
     ]
     base = dots([arm.base], "ink", radius=6.0)
     why = why_unreachable(arm, p)
@@ -58,14 +59,14 @@ def solutions_drawn(arm: ArmRobot, scene: Scene) -> Drawing:
     )
     elbows = dots([joints[1] for joints in places], "robot", radius=6.0)
     pairs = say("reach_board.or").join(
-        say("reach_board.pair", first=short(float(q[0])), second=short(float(q[1])))
+        say("reach_board.pair", first=format_angle(float(q[0])), second=format_angle(float(q[1])))
         for q in solutions
     )
     text = say("reach_board.found", far=f"{float(np.hypot(*(p - arm.base))):.4g}", pairs=pairs)
     return Drawing([*rims, links, elbows, base], text=text)
 
 
-def rim(arm: ArmRobot, radius: float) -> Layer:
+def draw_rim(arm: ArmRobot, radius: float) -> Layer:
     """A circle round an arm's base."""
     points = arm.base + radius * np.column_stack([np.cos(ROUND), np.sin(ROUND)])
     return edges(segments_along(points), "tree", width=1.5)
@@ -89,10 +90,10 @@ def torus_board(a: ArrayLike, b: ArrayLike) -> Canvas:
     """
     square = np.pi * np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)])
     ends = [handle("a", a, colour="start"), handle("b", b, colour="goal", marker="star")]
-    return Canvas(make_scene((-3.6, -3.6), (3.6, 3.6), boundary=square, handles=ends), way_drawn)
+    return Canvas(make_scene((-3.6, -3.6), (3.6, 3.6), boundary=square, handles=ends), draw_way)
 
 
-def way_drawn(scene: Scene) -> Drawing:
+def draw_way(scene: Scene) -> Drawing:
     """Draw the shortest path from a to b, and dashed the straight one of a square with walls."""
     a, b = place_of(scene, "a"), place_of(scene, "b")
     pieces = segments_along(way_on_torus(a, b))
@@ -103,6 +104,6 @@ def way_drawn(scene: Scene) -> Drawing:
     return Drawing(layers, text=text)
 
 
-def short(angle: float) -> str:
+def format_angle(angle: float) -> str:
     """An angle with at most three decimals."""
     return f"{round(angle, 3) + 0.0:g}"

@@ -12,9 +12,9 @@ from ...geometry.checks import Array
 from ...problems import Plan, Problem, ProblemRecord
 from ...robots.arm import ArmRobot
 from ..core.drawing import Layer, bodies, dots, edges, path_edges, segments_along
-from ..planning.own import Attempt, attempt, result
-from .arm_drawn import outlines
-from .glued import split
+from ..planning.own import Attempt, describe_result, try_planner
+from .arm_drawn import link_outlines
+from .glued import split_motions
 
 STEPS = 120  # of a ride
 
@@ -41,7 +41,7 @@ class Ride(NamedTuple):
         return max(len(self.stops) - 1, 0)
 
 
-def ride_of(
+def plan_ride(
     planner: Callable[..., Any], arm: ArmRobot, world: Any, ends: tuple[Array, Array], seed: int
 ) -> Ride:
     """Plan between two configurations, or say why that is impossible.
@@ -51,12 +51,14 @@ def ride_of(
     nowhere = np.empty((0, 2))
     try:
         problem = Problem(arm, world, *ends)
-        plan = planner(problem, rng=seed) if is_ours(planner) else attempt(planner, problem, seed)
+        plan = (
+            planner(problem, rng=seed) if is_ours(planner) else try_planner(planner, problem, seed)
+        )
     except KinoeduError as error:
         return Ride(None, str(error), nowhere, nowhere)
-    text = told(plan)
+    text = describe_plan(plan)
     path = nowhere if plan.path is None else np.asarray(plan.path)
-    return Ride(plan, text, path, stops_along(problem, path))
+    return Ride(plan, text, path, spread_stops(problem, path))
 
 
 def is_ours(planner: Callable[..., Any]) -> bool:
@@ -64,25 +66,25 @@ def is_ours(planner: Callable[..., Any]) -> bool:
     return getattr(planner, "__module__", "").startswith("kinoedu.planners")
 
 
-def told(plan: Plan | Attempt) -> str:
+def describe_plan(plan: Plan | Attempt) -> str:
     """The result of a plan or an attempt, in words."""
     if isinstance(plan, Plan):
         return summary(plan, growth_of(plan)[0])
-    return plan.fault or result(plan.length, plan.motions)
+    return plan.fault or describe_result(plan.length, plan.motions)
 
 
-def stops_along(problem: ProblemRecord, path: Array) -> Array:
+def spread_stops(problem: ProblemRecord, path: Array) -> Array:
     """Equally spaced configurations along a path, ends included, (k, 2)."""
     if len(path) == 0:
         return path
     return np.array([path[0], *spread(problem.space, path, STEPS - 1), path[-1]])
 
 
-def ride_in_workspace(arm: ArmRobot, ride: Ride) -> list[Layer]:
+def draw_ride_in_workspace(arm: ArmRobot, ride: Ride) -> list[Layer]:
     """Draw the path of the tip, and the arm at each step."""
     if ride.total == 0:
         return []
-    shapes = np.concatenate([outlines(arm, q) for q in ride.stops])
+    shapes = np.concatenate([link_outlines(arm, q) for q in ride.stops])
     steps = np.repeat(np.arange(ride.total + 1), 2)
     return [
         *path_edges(segments_along(track_of(arm, ride.path))),
@@ -90,7 +92,7 @@ def ride_in_workspace(arm: ArmRobot, ride: Ride) -> list[Layer]:
     ]
 
 
-def ride_in_square(ride: Ride) -> list[Layer]:
+def draw_ride_in_square(ride: Ride) -> list[Layer]:
     """Draw tree or roadmap, the path cut at the sides, and the configuration at each step."""
     steps = np.arange(len(ride.stops))
     here = [
@@ -98,17 +100,21 @@ def ride_in_square(ride: Ride) -> list[Layer]:
         for colour, r in (("free", 9.0), ("robot", 7.0))
     ]
     if ride.total == 0:
-        return built(ride.plan)
-    return [*built(ride.plan), *path_edges(split(ride.path[:-1], ride.path[1:])), *here]
+        return draw_growth(ride.plan)
+    return [
+        *draw_growth(ride.plan),
+        *path_edges(split_motions(ride.path[:-1], ride.path[1:])),
+        *here,
+    ]
 
 
-def built(plan: Any) -> list[Layer]:
+def draw_growth(plan: Any) -> list[Layer]:
     """Draw the tree or the roadmap of a plan on the square."""
     if getattr(plan, "tree", None) is not None:
         nodes, parent = plan.tree.nodes, plan.tree.parent
         grown = np.flatnonzero(parent >= 0)
-        return [edges(split(nodes[parent[grown]], nodes[grown]), "tree")]
+        return [edges(split_motions(nodes[parent[grown]], nodes[grown]), "tree")]
     if getattr(plan, "roadmap", None) is not None:
         ends = plan.roadmap.nodes[plan.roadmap.edges]
-        return [edges(split(ends[:, 0], ends[:, 1]), "roadmap", width=0.8)]
+        return [edges(split_motions(ends[:, 0], ends[:, 1]), "roadmap", width=0.8)]
     return []

@@ -15,18 +15,18 @@ from ...problems import Plan, Walk
 from ...words import say
 from ..core.canvas import Canvas
 from ..core.drawing import Drawing
-from ..core.framed import Pictured, menu
-from ..core.printed import side_by_side
+from ..core.framed import Pictured, make_menu
+from ..core.printed import join_pictures
 from ..core.scene import Scene, handle, make_scene, place_of, polygon
 from ..planning.plans import GOAL, START
 from .walks import (
     Clock,
-    clock_for,
-    plot_drawn,
-    plot_scene,
-    race_drawn,
-    texts_at_steps,
-    walk_drawn,
+    describe_steps,
+    draw_plot,
+    draw_race,
+    draw_walk,
+    make_clock,
+    make_plot_scene,
 )
 
 BUGS: dict[str, tuple[str, Any]] = {
@@ -86,16 +86,16 @@ class BugBoard(Pictured, widgets.VBox):
         bug: str,
         turn: str,
     ) -> None:
-        scene = scene_of(start, goal, obstacles)
+        scene = make_bug_scene(start, goal, obstacles)
         chosen, heading = one_of(bug, "bug", (*BUGS, ALL)), one_of(turn, "turn", ("left", "right"))
         self.plans: list[tuple[Plan, Walk]] = []
         self._clock, self._texts = Clock(1.0, 0), list[str]()  # of both pictures
         self._step = max(b - a for a, b in zip(scene["lo"], scene["hi"], strict=True)) / FINENESS
         bugs = [(name, key) for key, (name, _) in BUGS.items()]
-        self.bug = menu("bug_board.bug", [*bugs, (say("bug_board.all"), ALL)], chosen)
+        self.bug = make_menu("bug_board.bug", [*bugs, (say("bug_board.all"), ALL)], chosen)
         turns = [(say(f"bug_board.{side}"), side) for side in ("left", "right")]
-        self.turn = menu("bug_board.turn", turns, heading)
-        self.plot = Canvas(plot_scene(), self._plotted)
+        self.turn = make_menu("bug_board.turn", turns, heading)
+        self.plot = Canvas(make_plot_scene(), self._plotted)
         self.canvas = Canvas(scene, self.answer)
         self.plot.partner = self.canvas.key
         self.canvas.layout = widgets.Layout(flex="4 1 22em", min_width="0")
@@ -119,11 +119,11 @@ class BugBoard(Pictured, widgets.VBox):
                 plan = BUGS[name][1](start, goal, obstacles, self._step, turn=self.turn.value)
                 plans.append((plan, plan.walk))
             self.plans = plans
-            self._clock = clock_for([walk for _, walk in plans], self._step)
-            self._texts = texts_at_steps(plans, self._clock)
+            self._clock = make_clock([walk for _, walk in plans], self._step)
+            self._texts = describe_steps(plans, self._clock)
             if len(plans) > 1:
-                return race_drawn(plans, self._clock, self._texts)
-            return walk_drawn(*plans[0], self._clock, self._texts, as_rings(obstacles))
+                return draw_race(plans, self._clock, self._texts)
+            return draw_walk(*plans[0], self._clock, self._texts, as_rings(obstacles))
         finally:
             self.plot.refresh()
 
@@ -131,14 +131,14 @@ class BugBoard(Pictured, widgets.VBox):
         """The plot of the walks shown."""
         if not self.plans:
             return Drawing(text=say("bug_board.nothing"))
-        return plot_drawn(self.plans, self._clock, self._texts)
+        return draw_plot(self.plans, self._clock, self._texts)
 
     def picture(self) -> bytes:
         """World and plot side by side, as a PNG."""
-        return side_by_side(self.canvas.picture(), self.plot.picture())
+        return join_pictures(self.canvas.picture(), self.plot.picture())
 
 
-def scene_of(start: ArrayLike, goal: ArrayLike, obstacles: Iterable[ArrayLike]) -> Scene:
+def make_bug_scene(start: ArrayLike, goal: ArrayLike, obstacles: Iterable[ArrayLike]) -> Scene:
     """The scene of a bug: everything in it can be dragged."""
     rings, begin, end = as_rings(obstacles), as_point(start, START), as_point(goal, GOAL)
     shown = np.concatenate([*rings, begin[None], end[None]])

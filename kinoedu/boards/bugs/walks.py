@@ -42,35 +42,37 @@ class Clock(NamedTuple):
         return np.searchsorted(self.when(walk), np.arange(self.total + 1), side="right") - 1
 
 
-def clock_for(walks: Sequence[Walk], step: float) -> Clock:
+def make_clock(walks: Sequence[Walk], step: float) -> Clock:
     """A clock that ends with the longest walk and has ticks of at most `step`."""
     longest = max(float(walk.travelled[-1]) for walk in walks)
     total = max(1, int(np.ceil(longest / step)))
     return Clock(longest / total or 1.0, total)
 
 
-def walk_drawn(
+def draw_walk(
     plan: Plan, walk: Walk, clock: Clock, texts: Sequence[str], rings: Sequence[Array]
 ) -> Drawing:
     """Draw one walk: free motion, walls followed, hits and leaves, the robot and its contacts."""
     size = float(np.ptp(np.concatenate([*rings, walk.points]), axis=0).max())
     layers = [
         edges([[plan.problem.start, plan.problem.goal]], "ink", width=1.0, dash=(2.0, 5.0)),
-        *stretches(walk.points, walk, clock),
-        senses(walk, clock, 0.02 * size),
-        *marks(walk.points, walk, clock),
-        *sensor(walk, clock, rings, 1e-9 * size),
+        *draw_stretches(walk.points, walk, clock),
+        draw_directions(walk, clock, 0.02 * size),
+        *draw_marks(walk.points, walk, clock),
+        *draw_sensor(walk, clock, rings, 1e-9 * size),
     ]
-    return on_clock(clock, layers, outcome(plan, walk), texts)
+    return grow_by_clock(clock, layers, describe_outcome(plan, walk), texts)
 
 
-def on_clock(clock: Clock, layers: Sequence[Layer], text: str, texts: Sequence[str]) -> Drawing:
+def grow_by_clock(
+    clock: Clock, layers: Sequence[Layer], text: str, texts: Sequence[str]
+) -> Drawing:
     """A drawing that grows by a clock."""
     unit = say("bug_board.unit")
     return Drawing(layers, text=text, total=clock.total, unit=unit, step_texts=texts)
 
 
-def texts_at_steps(plans: Sequence[tuple[Plan, Walk]], clock: Clock) -> list[str]:
+def describe_steps(plans: Sequence[tuple[Plan, Walk]], clock: Clock) -> list[str]:
     """For each step what the one bug does, or how far all have come, in words."""
     if len(plans) > 1:
         far = clock.tick * np.arange(clock.total + 1)
@@ -85,7 +87,7 @@ def texts_at_steps(plans: Sequence[tuple[Plan, Walk]], clock: Clock) -> list[str
     return texts
 
 
-def outcome(plan: Plan, walk: Walk) -> str:
+def describe_outcome(plan: Plan, walk: Walk) -> str:
     """The result of a walk, in words."""
     values = {"bug": plan.planner, "length": f"{walk.travelled[-1]:.4g}", "hits": len(walk.hit)}
     if plan.path is not None:
@@ -93,34 +95,36 @@ def outcome(plan: Plan, walk: Walk) -> str:
     return say("bug_board.failed", **values, reason=plan.reason)
 
 
-def race_drawn(plans: Sequence[tuple[Plan, Walk]], clock: Clock, texts: Sequence[str]) -> Drawing:
+def draw_race(plans: Sequence[tuple[Plan, Walk]], clock: Clock, texts: Sequence[str]) -> Drawing:
     """Draw several walks over one another, the widest line beneath."""
     problem = plans[0][0].problem
     layers = [edges([[problem.start, problem.goal]], "ink", width=1.0, dash=(2.0, 5.0))]
-    layers += [race_line(walk.points, plan, walk, clock) for plan, walk in widest_first(plans)]
-    for plan, walk in widest_first(plans):
-        layers += runner(walk.points, walk, clock, LOOKS[plan.planner][0])
+    layers += [
+        draw_race_line(walk.points, plan, walk, clock) for plan, walk in sort_by_width(plans)
+    ]
+    for plan, walk in sort_by_width(plans):
+        layers += draw_robot(walk.points, walk, clock, LOOKS[plan.planner][0])
     reached = [
         f"{plan.planner} {walk.travelled[-1]:.4g}" for plan, walk in plans if plan.path is not None
     ]
     missed = [plan.planner for plan, _ in plans if plan.path is None]
     lines = [say("bug_board.lengths", lengths=", ".join(reached))] if reached else []
     lines += [say("bug_board.missed", names=", ".join(missed))] if missed else []
-    return on_clock(clock, layers, "\n".join(lines), texts)
+    return grow_by_clock(clock, layers, "\n".join(lines), texts)
 
 
-def widest_first(plans: Sequence[tuple[Plan, Walk]]) -> list[tuple[Plan, Walk]]:
+def sort_by_width(plans: Sequence[tuple[Plan, Walk]]) -> list[tuple[Plan, Walk]]:
     """The walks in the order in which they are drawn."""
     return sorted(plans, key=lambda pair: -LOOKS[pair[0].planner][1])
 
 
-def race_line(points: Array, plan: Plan, walk: Walk, clock: Clock) -> Layer:
+def draw_race_line(points: Array, plan: Plan, walk: Walk, clock: Clock) -> Layer:
     """One walk among several."""
     colour, width = LOOKS[plan.planner]
     return edges(segments_along(points), colour, width=width, when=clock.when(walk)[1:])
 
 
-def stretches(points: Array, walk: Walk, clock: Clock) -> list[Layer]:
+def draw_stretches(points: Array, walk: Walk, clock: Clock) -> list[Layer]:
     """The line through points (n, 2), in one style towards the goal and another along walls."""
     segments, when, along = segments_along(points), clock.when(walk)[1:], walk.following[1:]
     looks = ((~along, FREE), (along, ALONG))
@@ -131,7 +135,7 @@ def stretches(points: Array, walk: Walk, clock: Clock) -> list[Layer]:
     ]
 
 
-def senses(walk: Walk, clock: Clock, length: float) -> Layer:
+def draw_directions(walk: Walk, clock: Clock, length: float) -> Layer:
     """Arrow heads along a walk that show its direction, at equal distances, not at corners."""
     tips = (np.arange(ARROWS) + 0.5) / ARROWS * walk.travelled[-1]
     begins, ends = (
@@ -143,7 +147,7 @@ def senses(walk: Walk, clock: Clock, length: float) -> Layer:
     return arrows(begins[straight], along[straight], "ink", width=1.5, when=when[straight])
 
 
-def marks(points: Array, walk: Walk, clock: Clock) -> list[Layer]:
+def draw_marks(points: Array, walk: Walk, clock: Clock) -> list[Layer]:
     """Labels H1, H2, ... where the bug hit walls and L1, L2, ... where it left them.
 
     Labels of the same point are joined into one.
@@ -164,7 +168,7 @@ def marks(points: Array, walk: Walk, clock: Clock) -> list[Layer]:
     ]
 
 
-def sensor(walk: Walk, clock: Clock, rings: Sequence[Array], reach: float) -> list[Layer]:
+def draw_sensor(walk: Walk, clock: Clock, rings: Sequence[Array], reach: float) -> list[Layer]:
     """The robot at each step; in contact it has a rim, and the touched edges are marked."""
     places = walk.points[clock.at(walk)]
     walls = np.concatenate([np.empty((0, 2, 2)), *(sides_of(ring) for ring in rings)])
@@ -173,11 +177,11 @@ def sensor(walk: Walk, clock: Clock, rings: Sequence[Array], reach: float) -> li
     return [
         edges(walls[touched], "contact", width=4.0, when=steps, until=steps + 1),
         dots(places[feels], "contact", radius=9.5, when=feels, until=feels + 1),
-        *runner(walk.points, walk, clock, "robot"),
+        *draw_robot(walk.points, walk, clock, "robot"),
     ]
 
 
-def runner(points: Array, walk: Walk, clock: Clock, colour: str) -> list[Layer]:
+def draw_robot(points: Array, walk: Walk, clock: Clock, colour: str) -> list[Layer]:
     """The robot at each step, placed on the points (n, 2) that stand for the walk's points."""
     places, steps = points[clock.at(walk)], np.arange(clock.total + 1.0)
     return [
@@ -196,13 +200,13 @@ def distances_to(points: Array, segments: Array) -> Array:
     return np.sqrt((rest * rest).sum(axis=2))
 
 
-def plot_scene() -> Scene:
+def make_plot_scene() -> Scene:
     """The scene of a plot: nothing can be dragged."""
     wide, high = PLOT
     return {**make_scene((-0.1, -0.33), (wide + 0.1, high + 0.2)), "ticks": False}
 
 
-def plot_drawn(plans: Sequence[tuple[Plan, Walk]], clock: Clock, texts: Sequence[str]) -> Drawing:
+def draw_plot(plans: Sequence[tuple[Plan, Walk]], clock: Clock, texts: Sequence[str]) -> Drawing:
     """Draw the distance to the goal against the distance walked, for one walk or several."""
     way = max(float(walk.travelled[-1]) for _, walk in plans) or 1.0
     far = max(float(walk.distance_to_goal.max()) for _, walk in plans) or 1.0
@@ -210,30 +214,30 @@ def plot_drawn(plans: Sequence[tuple[Plan, Walk]], clock: Clock, texts: Sequence
         np.column_stack([walk.travelled / way * PLOT[0], walk.distance_to_goal / far * PLOT[1]])
         for _, walk in plans
     ]
-    layers = axes_of_plot(way, far)
+    layers = draw_axes(way, far)
     if len(plans) == 1:
         walk, curve = plans[0][1], curves[0]
         layers += [
-            *stretches(curve, walk, clock),
-            *marks(curve, walk, clock),
-            *runner(curve, walk, clock, "robot"),
+            *draw_stretches(curve, walk, clock),
+            *draw_marks(curve, walk, clock),
+            *draw_robot(curve, walk, clock, "robot"),
         ]
     else:
         by_name = {plan.planner: curve for (plan, _), curve in zip(plans, curves, strict=True)}
         layers += [
-            race_line(by_name[plan.planner], plan, walk, clock)
-            for plan, walk in widest_first(plans)
+            draw_race_line(by_name[plan.planner], plan, walk, clock)
+            for plan, walk in sort_by_width(plans)
         ]
         layers += [
             layer
             for plan, walk in plans
-            for layer in runner(by_name[plan.planner], walk, clock, LOOKS[plan.planner][0])
+            for layer in draw_robot(by_name[plan.planner], walk, clock, LOOKS[plan.planner][0])
         ]
-        layers += ends_named(by_name)
-    return on_clock(clock, layers, say("bug_board.nothing"), texts)
+        layers += label_ends(by_name)
+    return grow_by_clock(clock, layers, say("bug_board.nothing"), texts)
 
 
-def axes_of_plot(way: float, far: float) -> list[Layer]:
+def draw_axes(way: float, far: float) -> list[Layer]:
     """The frame of a plot, with lines and numbers at round values."""
     (wide, high), across, up = PLOT, round_values(way, 5), round_values(far, 4)
     x, y = across / way * wide, up / far * high
@@ -259,7 +263,7 @@ def round_values(most: float, count: int) -> Array:
     return step * np.arange(int(most / step * (1.0 + 1e-9)) + 1)
 
 
-def ends_named(curves: dict[str, Array]) -> list[Layer]:
+def label_ends(curves: dict[str, Array]) -> list[Layer]:
     """The curves' names at their ends; curves that end at the same point share a label."""
     groups: dict[tuple[float, ...], list[str]] = {}
     for name, curve in curves.items():

@@ -18,24 +18,24 @@ from ...robots.trajectory import TrajectoryRecord
 from ...support.text import shortened
 from ...words import say
 from ...worlds.polygon_world import PolygonWorldRecord
-from ..arm.arm import standing
+from ..arm.arm import obstacle_places
 from ..core.drawing import Drawing, Layer
-from ..core.framed import Framed, counter, menu
-from ..core.scene import Scene, everything, moved
-from ..planning.plans import canvas_of, world_in
+from ..core.framed import Framed, make_counter, make_menu
+from ..core.scene import Scene, list_places, move_parts
+from ..planning.plans import make_canvas, world_in
 from .car_drawn import (
     Ride,
-    ends_drawn,
-    followed,
-    growth_drawn,
-    refused_drawn,
-    ride_along,
-    ride_drawn,
-    texts_on,
-    way_drawn,
+    describe_ride,
+    draw_ends,
+    draw_growth,
+    draw_refused,
+    draw_ride,
+    draw_way,
+    follow_car,
+    make_ride,
 )
-from .car_poses import CAR, car_scene, handle_places, poses_in
-from .driving import at_goal, driven_on, standing_at, steering
+from .car_poses import CAR, handle_places, make_car_scene, poses_in
+from .driving import continue_drive, is_at_goal, start_drive, steering_angle
 
 YOU = "you"
 VIEWS = ("above", "followed")
@@ -120,20 +120,20 @@ class CarBoard(Framed):
     def __init__(
         self, problem: ProblemRecord, planner: str, iterations: int | None, view: str, rng: int
     ) -> None:
-        self.problem = of_a_car(problem)
+        self.problem = check_car_problem(problem)
         self.plan: Plan | None = None
         chosen = one_of(planner, "planner", (*PLANNERS, YOU))
         default = PLANNERS.get(chosen, PLANNERS["rrt"]).iterations
         most = whole(default if iterations is None else iterations, "iterations", least=1)
-        self.planner = menu("board.planner", named((*PLANNERS, YOU)), chosen)
-        self.iterations = counter("car_board.iterations", most, 50, 3000)
-        self.seed = counter("board.seed", whole(rng, "rng", least=0), 0, 99)
-        self.view = menu("car_board.view", named(VIEWS), one_of(view, "view", VIEWS))
-        self._drive, self._ends = standing_at(problem), (problem.start, problem.goal)
-        self._home = self._good = car_scene(problem)
+        self.planner = make_menu("board.planner", make_options((*PLANNERS, YOU)), chosen)
+        self.iterations = make_counter("car_board.iterations", most, 50, 3000)
+        self.seed = make_counter("board.seed", whole(rng, "rng", least=0), 0, 99)
+        self.view = make_menu("car_board.view", make_options(VIEWS), one_of(view, "view", VIEWS))
+        self._drive, self._ends = start_drive(problem), (problem.start, problem.goal)
+        self._home = self._good = make_car_scene(problem)
         self._drawing = Drawing()
         self._dress()
-        canvas = canvas_of(problem.world, self._home, self.answer, self.hold)
+        canvas = make_canvas(problem.world, self._home, self.answer, self.hold)
         super().__init__([self.planner, self.iterations, self.seed, self.view], [canvas])
 
     @property
@@ -149,13 +149,13 @@ class CarBoard(Framed):
             return self._refusal(scene, str(error))
         self.plan = None if self.planner.value == YOU else self._planned()
         drawing = self._by_you() if self.plan is None else self._by_planner(self.plan)
-        self._good, self._drawing = moved(scene, drawing.places), drawing
+        self._good, self._drawing = move_parts(scene, drawing.places), drawing
         return drawing
 
     def hold(self, held: set[str]) -> None:
         """Drive for a moment, with the arrow keys of these names held."""
         self.planner.value = YOU
-        self._drive = driven_on(self.problem, self._drive, held)
+        self._drive = continue_drive(self.problem, self._drive, held)
 
     def _take(self, scene: Scene) -> None:
         """Take over what was moved.
@@ -163,7 +163,7 @@ class CarBoard(Framed):
         The drive begins again where its start or an obstacle moved, or the board was reset.
         """
         before, car = self.problem, self.problem.robot
-        stood, world = standing(scene) == standing(self._good), before.world
+        stood, world = obstacle_places(scene) == obstacle_places(self._good), before.world
         if isinstance(world, PolygonWorldRecord) and not stood:
             world = world_in(scene)
         ends = poses_in(scene, car, [(before.start, before.goal), self._ends])
@@ -172,15 +172,15 @@ class CarBoard(Framed):
         new_start = not np.array_equal(before.start, self.problem.start)
         reset = at != there and at == home
         if not stood or new_start or reset:
-            self._drive = standing_at(self.problem)
+            self._drive = start_drive(self.problem)
 
     def _refusal(self, scene: Scene, reason: str) -> Drawing:
         """Keep the last valid drawing; show the refused pose until it is released."""
         asked = self.problem
         ends = poses_in(scene, asked.robot, [(asked.start, asked.goal)])
         wrong = [q for q in ends if not is_free(asked.robot, asked.world, q, asked.clearance)]
-        layers = [*self._drawing.layers, *refused_drawn(asked.robot, wrong)]
-        return replace(self._drawing, layers=layers, warning=reason, places=everything(self._good))
+        layers = [*self._drawing.layers, *draw_refused(asked.robot, wrong)]
+        return replace(self._drawing, layers=layers, warning=reason, places=list_places(self._good))
 
     def _planned(self) -> Plan:
         """The plan of the chosen planner."""
@@ -192,24 +192,24 @@ class CarBoard(Framed):
 
         Without a path the ride leads to the pose nearest to the goal.
         """
-        layers, begin = growth_drawn(self.problem.robot, plan)
+        layers, begin = draw_growth(self.problem.robot, plan)
         total, unit = growth_of(plan)
         counts = {"planner": plan.planner, "total": f"{total:,}", "unit": unit}
-        ride, shown = ride_along(trajectory_of(plan)), (k * total // begin for k in range(begin))
+        ride, shown = make_ride(trajectory_of(plan)), (k * total // begin for k in range(begin))
         texts = [say("figure.growing", shown=f"{count:,}", **counts) for count in shown]
-        texts += [*texts_on(ride)[:-1], summary(plan, total)]
+        texts += [*describe_ride(ride)[:-1], summary(plan, total)]
         return self._ridden(ride, begin, layers, texts, self.problem.start)
 
     def _by_you(self) -> Drawing:
         """Draw what you have driven."""
-        ride, phi = ride_along(self.driven), steering(self.problem.robot, self._drive.notch)
+        ride, phi = make_ride(self.driven), steering_angle(self.problem.robot, self._drive.notch)
         ride.controls[-1, 1] = phi
         here = ride.poses[-1]
         values = {"length": f"{self.driven.length:.4g}", "phi": f"{np.degrees(phi):.0f}"}
         lines = [say("car_board.driven", **values)]
         lines += [say("car_board.contact")] if self._drive.stopped else []
-        lines += [say("car_board.arrived")] if at_goal(self.problem, here) else []
-        return self._ridden(ride, 0, [], [*texts_on(ride)[:-1], "\n".join(lines)], here)
+        lines += [say("car_board.arrived")] if is_at_goal(self.problem, here) else []
+        return self._ridden(ride, 0, [], [*describe_ride(ride)[:-1], "\n".join(lines)], here)
 
     def _ridden(
         self, ride: Ride, begin: int, grown: list[Layer], texts: list[str], here: Array
@@ -219,14 +219,14 @@ class CarBoard(Framed):
         here : the pose of the car that can be driven.
         """
         car, ends = self.problem.robot, (self.problem.start, self.problem.goal)
-        layers = [*grown, *ends_drawn(car, ends), *way_drawn(ride, begin)]
+        layers = [*grown, *draw_ends(car, ends), *draw_way(ride, begin)]
         hit = self.planner.value == YOU and self._drive.stopped
-        layers += ride_drawn(car, ride, begin, hit=hit)
-        layers += [followed(car, ride, begin)] if self.view.value == "followed" else []
+        layers += draw_ride(car, ride, begin, hit=hit)
+        layers += [follow_car(car, ride, begin)] if self.view.value == "followed" else []
         places = [("handle", k, place) for k, place in enumerate(handle_places(car, *ends, here))]
         *before, text = texts
-        growth = {"total": len(before), "unit": say("car_board.unit"), "step_texts": before}
-        return Drawing(layers, text=text, **growth, places=places)
+        drawing = Drawing(layers, text=text, total=len(before), unit=say("car_board.unit"))
+        return replace(drawing, step_texts=before, places=places)
 
     def _dress(self) -> None:
         """Show the controls that apply to the chosen planner."""
@@ -242,7 +242,7 @@ class CarBoard(Framed):
         super()._changed(change)
 
 
-def of_a_car(problem: Any) -> ProblemRecord:
+def check_car_problem(problem: Any) -> ProblemRecord:
     """The problem itself, if it is a car's; or InvalidParameter."""
     if not isinstance(problem, ProblemRecord) or not isinstance(problem.robot, CarRobot):
         raise InvalidParameter(
@@ -251,7 +251,7 @@ def of_a_car(problem: Any) -> ProblemRecord:
     return problem
 
 
-def named(names: Iterable[str]) -> list[tuple[str, str]]:
+def make_options(names: Iterable[str]) -> list[tuple[str, str]]:
     """The options of a menu: pairs (text, name)."""
     return [(say(f"car_board.{name}"), name) for name in names]
 
@@ -260,4 +260,4 @@ def trajectory_of(plan: Plan) -> TrajectoryRecord:
     """The trajectory of a car in a plan; empty without a path and a trajectory."""
     if plan.path is not None:
         return trajectory_along(plan)
-    return plan.trajectory or standing_at(plan.problem).trajectory
+    return plan.trajectory or start_drive(plan.problem).trajectory

@@ -24,7 +24,7 @@ from ..core.drawing import (
     path_edges,
     segments_along,
 )
-from .car_poses import middles, tip_of
+from .car_poses import body_middles, tip_of
 
 STEPS = 200  # of a ride
 GROWTH = 100  # the most steps of a tree's growth: half as long as the ride
@@ -39,7 +39,7 @@ class Ride(NamedTuple):
     controls: Array
 
 
-def ride_along(trajectory: TrajectoryRecord) -> Ride:
+def make_ride(trajectory: TrajectoryRecord) -> Ride:
     """The ride along a trajectory, ends included; one moment where nothing is driven."""
     n = len(trajectory.durations)
     times = np.linspace(0.0, trajectory.duration, STEPS + 1 if n else 1)
@@ -47,7 +47,7 @@ def ride_along(trajectory: TrajectoryRecord) -> Ride:
     return Ride(times, trajectory.at(times), trajectory.controls[which] if n else np.zeros((1, 2)))
 
 
-def ride_drawn(car: CarRobot, ride: Ride, begin: int, *, hit: bool = False) -> list[Layer]:
+def draw_ride(car: CarRobot, ride: Ride, begin: int, *, hit: bool = False) -> list[Layer]:
     """Draw the car at its first moment until step `begin`, then at one moment per step.
 
     hit : whether the car at the last moment is in contact.
@@ -58,24 +58,26 @@ def ride_drawn(car: CarRobot, ride: Ride, begin: int, *, hit: bool = False) -> l
     outlines = np.array([outline_at(car, q) for q in ride.poses])
     rolling = dict.fromkeys(ride.controls[:, 1].tolist())
     straight = {phi: np.array(steered_wheels(car, np.zeros(3), phi)) for phi in rolling}
-    wheels = posed(np.array([straight[phi] for phi in ride.controls[:, 1].tolist()]), ride.poses)
+    wheels = place_shapes(
+        np.array([straight[phi] for phi in ride.controls[:, 1].tolist()]), ride.poses
+    )
     good = n - 1 if hit else n
     layers = [bodies(outlines[:good], "robot", when=when[:good], until=until[:good])]
     if hit:
-        last = {"when": when[good:], "until": until[good:]}
+        last: Any = {"when": when[good:], "until": until[good:]}
         layers.append(bodies(outlines[good:], "hit", hatched=True, **last))
-    span = {"when": np.repeat(when, 4), "until": np.repeat(until, 4)}
+    span: Any = {"when": np.repeat(when, 4), "until": np.repeat(until, 4)}
     return [*layers, bodies(wheels.reshape(-1, 4, 2), "ink", **span)]
 
 
-def posed(shapes: Array, poses: Array) -> Array:
+def place_shapes(shapes: Array, poses: Array) -> Array:
     """Shapes (m, k, c, 2) in the car's frame, moved to poses (m, 3)."""
     cos, sin = np.cos(poses[:, 2]), np.sin(poses[:, 2])
     turns = np.stack([cos, sin, -sin, cos], axis=1).reshape(-1, 1, 2, 2)
     return shapes @ turns + poses[:, None, None, :2]
 
 
-def way_drawn(ride: Ride, begin: int) -> list[Layer]:
+def draw_way(ride: Ride, begin: int) -> list[Layer]:
     """Draw the path of the rear axle's midpoint from step `begin` on, dashed where it goes back."""
     pieces = segments_along(ride.poses[:, :2])
     back = ride.controls[1:, 0] < 0.0
@@ -83,7 +85,7 @@ def way_drawn(ride: Ride, begin: int) -> list[Layer]:
     return path_edges(some, when=np.full(len(some), begin))
 
 
-def growth_drawn(car: CarRobot, plan: Plan) -> tuple[list[Layer], int]:
+def draw_growth(car: CarRobot, plan: Plan) -> tuple[list[Layer], int]:
     """Draw the tree or roadmap of a plan as it grew; also returns the number of steps."""
     if plan.roadmap is not None:
         roadmap, colour = plan.roadmap, "roadmap"
@@ -104,7 +106,7 @@ def growth_drawn(car: CarRobot, plan: Plan) -> tuple[list[Layer], int]:
     return [layer], total
 
 
-def ends_drawn(car: CarRobot, ends: Sequence[Array]) -> list[Layer]:
+def draw_ends(car: CarRobot, ends: Sequence[Array]) -> list[Layer]:
     """Draw the start and goal poses: bodies, tips and names."""
     drawn: list[Layer] = []
     for name, pose in zip(("start", "goal"), ends, strict=True):
@@ -119,22 +121,22 @@ def ends_drawn(car: CarRobot, ends: Sequence[Array]) -> list[Layer]:
     return drawn
 
 
-def refused_drawn(car: CarRobot, poses: Sequence[Array]) -> list[Layer]:
+def draw_refused(car: CarRobot, poses: Sequence[Array]) -> list[Layer]:
     """Draw the car at poses where it cannot be."""
     return [bodies([outline_at(car, pose)], "hit", hatched=True) for pose in poses]
 
 
-def followed(car: CarRobot, ride: Ride, begin: int) -> Layer:
+def follow_car(car: CarRobot, ride: Ride, begin: int) -> Layer:
     """An eye that moves with the car."""
     when = np.append(0, begin + 1 + np.arange(len(ride.times) - 1))
-    return eye(middles(car, ride.poses), EYE * car.wheelbase, when=when)
+    return eye(body_middles(car, ride.poses), EYE * car.wheelbase, when=when)
 
 
-def texts_on(ride: Ride) -> list[str]:
+def describe_ride(ride: Ride) -> list[str]:
     """The text at each moment of a ride."""
-    return [moment_text(t, v, phi) for t, (v, phi) in zip(ride.times, ride.controls)]
+    return [describe_moment(t, v, phi) for t, (v, phi) in zip(ride.times, ride.controls)]
 
 
-def moment_text(t: float, v: float, phi: float) -> str:
+def describe_moment(t: float, v: float, phi: float) -> str:
     """A moment of a ride in words."""
     return say("car_board.moment", t=f"{t:.1f}", v=f"{v:.3g}", phi=round(math.degrees(phi)))

@@ -9,27 +9,36 @@ from ...geometry.checks import Array
 from ...problems import ProblemRecord
 from ...robots.car import CarRobot
 from ...words import say
-from ..core.scene import Scene, drawn, driven, handle
-from ..planning.plans import scene_with
+from ..core.scene import Scene, handle, mark_drawn, mark_driven
+from ..planning.plans import make_world_scene
 
 NAMES = ("start", "start_looks", "goal", "goal_looks", "car")
 CAR = 4  # the number of the handle that is driven
 BEFORE = 0.35  # the distance from the car's front to its tip, in wheelbases
 
 
-def car_scene(problem: ProblemRecord) -> Scene:
+def make_car_scene(problem: ProblemRecord) -> Scene:
     """The scene of a problem's world, with the handles of its poses."""
     places = handle_places(problem.robot, problem.start, problem.goal, problem.start)
     handles = [
-        drawn(handle(say(f"car_board.{name}"), at, colour="ink"))
+        mark_drawn(handle(say(f"car_board.{name}"), at, colour="ink"))
         for name, at in zip(NAMES, places, strict=True)
     ]
-    return {**scene_with(problem.world, [*handles[:CAR], driven(handles[CAR])]), "posed": True}
+    return {
+        **make_world_scene(problem.world, [*handles[:CAR], mark_driven(handles[CAR])]),
+        "posed": True,
+    }
 
 
 def handle_places(car: CarRobot, start: Array, goal: Array, here: Array) -> list[Array]:
     """The positions of the handles for a start, a goal, and the car's present pose `here`."""
-    return [start[:2], tip_of(car, start), goal[:2], tip_of(car, goal), middles(car, here[None])[0]]
+    return [
+        start[:2],
+        tip_of(car, start),
+        goal[:2],
+        tip_of(car, goal),
+        body_middles(car, here[None])[0],
+    ]
 
 
 def poses_in(scene: Scene, car: CarRobot, known: Iterable[tuple[Array, Array]]) -> list[Array]:
@@ -40,10 +49,13 @@ def poses_in(scene: Scene, car: CarRobot, known: Iterable[tuple[Array, Array]]) 
     """
     at = [np.array(item["at"]) for item in scene["handles"]]
     pairs = list(known)
-    return [pose_by(at[2 * k], at[2 * k + 1], car, [pair[k] for pair in pairs]) for k in range(2)]
+    return [
+        pose_from_handles(at[2 * k], at[2 * k + 1], car, [pair[k] for pair in pairs])
+        for k in range(2)
+    ]
 
 
-def pose_by(place: Array, tip: Array, car: CarRobot, known: Sequence[Array]) -> Array:
+def pose_from_handles(place: Array, tip: Array, car: CarRobot, known: Sequence[Array]) -> Array:
     """The pose at a place that looks at a tip."""
     for pose in known:
         if np.array_equal(tip, tip_of(car, pose)):
@@ -57,7 +69,7 @@ def tip_of(car: CarRobot, pose: Array) -> Array:
     return pose[:2] + reach * np.array([math.cos(pose[2]), math.sin(pose[2])])
 
 
-def middles(car: CarRobot, poses: Array) -> Array:
+def body_middles(car: CarRobot, poses: Array) -> Array:
     """The midpoints of the car's body at poses (m, 3), shape (m, 2)."""
     ahead = 0.5 * float(car.outline[:, 0].max() + car.outline[:, 0].min())
     return poses[:, :2] + ahead * np.column_stack([np.cos(poses[:, 2]), np.sin(poses[:, 2])])

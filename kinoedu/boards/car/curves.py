@@ -43,7 +43,7 @@ def curves_board(a: ArrayLike, b: ArrayLike, radius: float) -> Canvas:
         handles.append(handle(say(f"curves_board.{name}_looks"), nose(pose, r), colour=colour))
     return Canvas(
         make_scene(middle - 0.55 * reach, middle + 0.55 * reach, handles=handles),
-        lambda now: curves_drawn(now, r),
+        lambda now: draw_curves(now, r),
     )
 
 
@@ -58,14 +58,14 @@ def pose_in(scene: Scene, name: str) -> Array:
     return np.array([*place, math.atan2(ahead[1] - place[1], ahead[0] - place[0])])
 
 
-def curves_drawn(scene: Scene, radius: float) -> Drawing:
+def draw_curves(scene: Scene, radius: float) -> Drawing:
     """Draw both curves, backward pieces dashed.
 
     The points that the poses look at return to their distance.
     """
     a, b = pose_in(scene, "a"), pose_in(scene, "b")
     forward, both = dubins_path(a, b, radius), reeds_shepp_path(a, b, radius)
-    layers = [*curve_layers(forward, "tree", 2.0), *curve_layers(both, "path", 4.0)]
+    layers = [*draw_curve(forward, "tree", 2.0), *draw_curve(both, "path", 4.0)]
     for pose, colour in ((a, "start"), (b, "goal")):
         layers.append(arrows([pose[:2]], [nose(pose, radius) - pose[:2]], colour))
     words = {
@@ -78,7 +78,7 @@ def curves_drawn(scene: Scene, radius: float) -> Drawing:
     return Drawing(layers, text=say("curves_board.text", **words), places=places)
 
 
-def curve_layers(curve: Curve, colour: str, width: float) -> list[Layer]:
+def draw_curve(curve: Curve, colour: str, width: float) -> list[Layer]:
     """Draw the pieces of a curve."""
     ends = np.concatenate([[0.0], np.cumsum(np.abs(curve.lengths))])
     pieces = [

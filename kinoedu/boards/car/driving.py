@@ -31,12 +31,12 @@ class Drive(NamedTuple):
     stopped: bool
 
 
-def standing_at(problem: ProblemRecord) -> Drive:
+def start_drive(problem: ProblemRecord) -> Drive:
     """The drive of a car that stands at its start."""
     return Drive(Trajectory(problem.robot, problem.start, np.empty((0, 2)), []), 0, False)
 
 
-def driven_on(problem: ProblemRecord, drive: Drive, held: Set[str]) -> Drive:
+def continue_drive(problem: ProblemRecord, drive: Drive, held: Set[str]) -> Drive:
     """The drive after one more moment with arrow keys held.
 
     Left and right steer by a notch, up and down drive. The wheel stays where it is when keys are
@@ -44,27 +44,27 @@ def driven_on(problem: ProblemRecord, drive: Drive, held: Set[str]) -> Drive:
     """
     notch = drive.notch + ("ArrowLeft" in held) - ("ArrowRight" in held)
     notch = int(np.clip(notch, -NOTCHES, NOTCHES))
-    v = speed(problem.robot, ("ArrowUp" in held) - ("ArrowDown" in held))
+    v = greatest_speed(problem.robot, ("ArrowUp" in held) - ("ArrowDown" in held))
     if v == 0.0:
         return drive._replace(notch=notch)
-    phi, moment = steering(problem.robot, notch), MOMENT * problem.robot.wheelbase / abs(v)
-    trajectory, stopped = held_on(problem, drive.trajectory, v, phi, moment)
+    phi, moment = steering_angle(problem.robot, notch), MOMENT * problem.robot.wheelbase / abs(v)
+    trajectory, stopped = extend_trajectory(problem, drive.trajectory, v, phi, moment)
     return Drive(trajectory, notch, stopped)
 
 
-def speed(car: CarRobot, way: int) -> float:
+def greatest_speed(car: CarRobot, way: int) -> float:
     """A car's greatest speed forward (way 1) or backward (way -1); 0 where it has none."""
     if way == 0:
         return 0.0
     return float(max(car.speeds.max(), 0.0) if way > 0 else min(car.speeds.min(), 0.0))
 
 
-def steering(car: CarRobot, notch: int) -> float:
+def steering_angle(car: CarRobot, notch: int) -> float:
     """The steering angle at a notch of the wheel."""
     return car.max_steering * notch / NOTCHES
 
 
-def held_on(
+def extend_trajectory(
     problem: ProblemRecord, trajectory: TrajectoryRecord, v: float, phi: float, moment: float
 ) -> tuple[TrajectoryRecord, bool]:
     """A trajectory extended by a control for a moment, and whether something is in the way.
@@ -75,7 +75,9 @@ def held_on(
     controls, durations, poses = trajectory.controls, trajectory.durations, trajectory.poses
     again = len(controls) > 0 and controls[-1].tolist() == [v, phi]
     before = float(durations[-1]) if again else 0.0
-    time, stopped = free_time(problem, poses[-2 if again else -1], v, phi, before, before + moment)
+    time, stopped = find_free_time(
+        problem, poses[-2 if again else -1], v, phi, before, before + moment
+    )
     if time > before:
         kept = len(controls) - again
         controls = np.vstack([controls[:kept], (v, phi)])
@@ -83,7 +85,7 @@ def held_on(
     return trajectory._replace(controls=controls, durations=durations), stopped
 
 
-def free_time(
+def find_free_time(
     problem: ProblemRecord, pose: Array, v: float, phi: float, least: float, most: float
 ) -> tuple[float, bool]:
     """How long a control can be applied from a pose, and whether something is in the way.
@@ -109,7 +111,7 @@ def free_time(
     return (time if is_free(robot, world, there, clearance) else least), True
 
 
-def at_goal(problem: ProblemRecord, pose: Array) -> bool:
+def is_at_goal(problem: ProblemRecord, pose: Array) -> bool:
     """Whether a pose counts as the goal, with the default tolerance of `kinodynamic_rrt`."""
     near = near_of(problem, None, math.radians(15.0))
     return is_near(pose, problem.goal, near)

@@ -36,9 +36,9 @@ import traitlets
 from ...errors import KinoeduError
 from ...figures import palette
 from ...words import say
-from .drawing import Drawing, encoded
-from .printed import printed
-from .scene import Scene, arranged_like, everything, moved
+from .drawing import Drawing, encode_drawing
+from .printed import print_board
+from .scene import Scene, arrange_like, list_places, move_parts
 
 log = logging.getLogger("kinoedu")
 
@@ -100,7 +100,7 @@ class Canvas(anywidget.AnyWidget):
         drive: Callable[[set[str]], None] | None = None,
     ) -> None:
         self._answer, self._drive = answer, drive
-        kind = np.uint8 if "colours" in scene else np.bool_
+        kind: Any = np.uint8 if "colours" in scene else np.bool_
         self._free = None if free is None else np.asarray(free, kind)
         self.drawing = Drawing()
         self._shown = {**scene, "size": None if self._free is None else list(self._free.shape)}
@@ -108,7 +108,7 @@ class Canvas(anywidget.AnyWidget):
             key=uuid.uuid4().hex,
             scene=self._shown,
             home=deepcopy(self._shown),
-            bitmap=packed(self._free),
+            bitmap=pack_bitmap(self._free),
             palette=palette.NAMED,
             words={
                 name: say(f"board.front.{name}", **{v: f"{{{v}}}" for v in values})
@@ -133,7 +133,7 @@ class Canvas(anywidget.AnyWidget):
         with _answering:
             self._shown = scene
             self._draw()
-            self._content["places"] = [list(part) for part in everything(scene)]
+            self._content["places"] = [list(part) for part in list_places(scene)]
             self._show(None, None)
             self.scene = scene  # last, because a page that has the places sends no question
 
@@ -144,14 +144,14 @@ class Canvas(anywidget.AnyWidget):
         """
         with _answering:
             self._free = np.asarray(bitmap, None if self._free is None else self._free.dtype)
-            self.bitmap = packed(self._free)
+            self.bitmap = pack_bitmap(self._free)
 
     def set_state(self, sync_data: dict[str, Any]) -> None:
         """Accept from a page only where things are; ignore the rest, and any invalid scene."""
         try:
             kept = {}
             if "scene" in sync_data:
-                kept["scene"] = arranged_like(self.home, sync_data["scene"])
+                kept["scene"] = arrange_like(self.home, sync_data["scene"])
             super().set_state(kept)
         except KinoeduError as error:
             log.warning("a board was sent a scene that it cannot show: %s", error)
@@ -187,7 +187,7 @@ class Canvas(anywidget.AnyWidget):
 
     def _move(self, parts: Any) -> None:
         """Move parts of the scene and answer it, unless nothing changed."""
-        scene = moved(self._shown, parts)
+        scene = move_parts(self._shown, parts)
         if scene != self._shown:
             self._shown = scene
             self._draw()
@@ -211,37 +211,39 @@ class Canvas(anywidget.AnyWidget):
     def _keep(self, drawing: Drawing) -> None:
         """Keep a drawing and the message that carries it."""
         lo, hi = self._shown["lo"], self._shown["hi"]
-        self._content, self._buffers = encoded(drawing, lo, max(hi[0] - lo[0], hi[1] - lo[1]))
-        self._shown = moved(self._shown, self._content["places"])
+        self._content, self._buffers = encode_drawing(
+            drawing, lo, max(hi[0] - lo[0], hi[1] - lo[1])
+        )
+        self._shown = move_parts(self._shown, self._content["places"])
         self.drawing = drawing
 
     def _show(self, page: str | None, seq: int | None, *, warning: str = "") -> None:
         """Send the drawing, or a warning in its place, to one page or to all."""
         content, buffers = self._content, self._buffers
         if warning:
-            content, buffers = encoded(Drawing(warning=warning), self._shown["lo"], 1.0)
+            content, buffers = encode_drawing(Drawing(warning=warning), self._shown["lo"], 1.0)
             content["took"] = 0.0
         self.send({"kind": "drawing", "to": page, "seq": seq, **content}, buffers=buffers)
 
     def picture(self) -> bytes:
         """The board as it is now, as a PNG."""
-        return printed(self._shown, self.drawing, self._free)
+        return print_board(self._shown, self.drawing, self._free)
 
     def __repr__(self) -> str:
-        return f"{type(self).__name__}({self.drawing.says})"
+        return f"{type(self).__name__}({self.drawing.message})"
 
     def _repr_mimebundle_(self, **kwargs: Any) -> tuple[dict[str, Any], dict[str, Any]] | None:
-        return with_picture(super()._repr_mimebundle_(**kwargs), self, self)
+        return add_picture(super()._repr_mimebundle_(**kwargs), self, self)
 
 
-def packed(bitmap: Any) -> bytes:
+def pack_bitmap(bitmap: Any) -> bytes:
     """The bytes of a bitmap as sent: booleans as bits, numbers as bytes, b"" for None."""
     if bitmap is None:
         return b""
     return bytes(np.packbits(bitmap).tobytes() if bitmap.dtype == np.bool_ else bitmap.tobytes())
 
 
-def with_picture(
+def add_picture(
     bundle: Any, widget: Any, canvas: Any
 ) -> tuple[dict[str, Any], dict[str, Any]] | None:
     """Add a picture for readers without JavaScript to what a notebook stores of a widget."""

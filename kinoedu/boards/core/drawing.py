@@ -64,8 +64,8 @@ class Drawing:
     unit : the unit of a step, in words.
     step_texts : the text at each step before the last, from step 0; without them the board shows
         the number of the step.
-    places : where the answer moves things, each (kind, number, coordinates) as in `moved`. Things
-        that are being dragged stay in the hand.
+    places : where the answer moves things, each (kind, number, coordinates) as in `move_parts`;
+        things that are being dragged are not moved.
     """
 
     layers: Sequence[Layer] = ()
@@ -77,7 +77,7 @@ class Drawing:
     places: Sequence[tuple[str, int, Any]] = ()
 
     @property
-    def says(self) -> str:
+    def message(self) -> str:
         """The warning, or else the text."""
         return self.warning or self.text
 
@@ -92,8 +92,8 @@ def edges(
     until: ArrayLike | None = None,
 ) -> Layer:
     """A layer of segments, shape (m, 2, 2)."""
-    rows, steps = rows_of(segments, 4), {"when": steps_of(when), "until": steps_of(until)}
-    return Layer("edges", rows, colour, width, tuple(dash), **steps)
+    rows, dashes = as_rows(segments, 4), tuple(dash)
+    return Layer("edges", rows, colour, width, dashes, as_steps(when), until=as_steps(until))
 
 
 def path_edges(
@@ -115,7 +115,7 @@ def path(
     casing: bool = True,
 ) -> Layer:
     """A line through points, shape (n, 2), on a dark casing; shown when everything has grown."""
-    return Layer("path", rows_of(points, 2), colour, width, tuple(dash), last=True, casing=casing)
+    return Layer("path", as_rows(points, 2), colour, width, tuple(dash), last=True, casing=casing)
 
 
 def dots(
@@ -127,8 +127,8 @@ def dots(
     until: ArrayLike | None = None,
 ) -> Layer:
     """Dots at points, shape (n, 2); the radius is in pixels."""
-    steps = {"when": steps_of(when), "until": steps_of(until)}
-    return Layer("dots", rows_of(points, 2), colour, radius, **steps)
+    rows = as_rows(points, 2)
+    return Layer("dots", rows, colour, radius, when=as_steps(when), until=as_steps(until))
 
 
 def arrows(
@@ -141,15 +141,15 @@ def arrows(
     until: ArrayLike | None = None,
 ) -> Layer:
     """Arrows from points (n, 2) along vectors (n, 2), in the unit of the world."""
-    rows = np.hstack([rows_of(begins, 2), rows_of(vectors, 2)])
-    return Layer("arrows", rows, colour, width, when=steps_of(when), until=steps_of(until))
+    rows = np.hstack([as_rows(begins, 2), as_rows(vectors, 2)])
+    return Layer("arrows", rows, colour, width, when=as_steps(when), until=as_steps(until))
 
 
 def labels(
     points: ArrayLike, texts: Sequence[str], colour: str, *, when: ArrayLike | None = None
 ) -> Layer:
     """Texts beside points, shape (n, 2)."""
-    return Layer("labels", rows_of(points, 2), colour, texts=tuple(texts), when=steps_of(when))
+    return Layer("labels", as_rows(points, 2), colour, texts=tuple(texts), when=as_steps(when))
 
 
 def cells(
@@ -160,7 +160,7 @@ def cells(
     until: ArrayLike | None = None,
 ) -> Layer:
     """Filled polygons of k corners each, shape (n, k, 2), beneath obstacles and other layers."""
-    return Layer("cells", outlines(corners), colour, when=steps_of(when), until=steps_of(until))
+    return Layer("cells", polygon_rows(corners), colour, when=as_steps(when), until=as_steps(until))
 
 
 def bodies(
@@ -175,8 +175,8 @@ def bodies(
 
     Hatched ones have stripes too.
     """
-    steps = {"when": steps_of(when), "until": steps_of(until)}
-    return Layer("bodies", outlines(corners), colour, 2.0, hatched=hatched, **steps)
+    layer = Layer("bodies", polygon_rows(corners), colour, 2.0, hatched=hatched)
+    return layer._replace(when=as_steps(when), until=as_steps(until))
 
 
 def eye(points: ArrayLike, width: float, *, when: ArrayLike) -> Layer:
@@ -188,9 +188,9 @@ def eye(points: ArrayLike, width: float, *, when: ArrayLike) -> Layer:
     width : its width, in the unit of the world.
     when : (n,), the step from which each applies.
     """
-    middles = rows_of(points, 2)
+    middles = as_rows(points, 2)
     rows = np.column_stack([middles, np.full(len(middles), width)])
-    return Layer("eye", rows, "ink", when=steps_of(when))
+    return Layer("eye", rows, "ink", when=as_steps(when))
 
 
 def segments_along(points: Array) -> Array:
@@ -203,23 +203,25 @@ def sides_of(ring: Array) -> Array:
     return np.stack([ring, np.roll(ring, -1, axis=0)], axis=1)
 
 
-def outlines(corners: ArrayLike) -> Array:
+def polygon_rows(corners: ArrayLike) -> Array:
     """Polygons of k corners each, shape (n, k, 2), as rows."""
     shapes = np.asarray(corners, np.float64)
-    return rows_of(shapes, 2 * shapes.shape[1])
+    return as_rows(shapes, 2 * shapes.shape[1])
 
 
-def rows_of(values: ArrayLike, columns: int) -> Array:
+def as_rows(values: ArrayLike, columns: int) -> Array:
     """Numbers as rows of a given number of columns."""
     return np.asarray(values, np.float64).reshape(-1, columns)
 
 
-def steps_of(when: ArrayLike | None) -> Array | None:
+def as_steps(when: ArrayLike | None) -> Array | None:
     """Steps as an array of numbers, or None."""
     return None if when is None else np.asarray(when, np.float64)
 
 
-def encoded(drawing: Drawing, lo: ArrayLike, size: float) -> tuple[dict[str, Any], list[bytes]]:
+def encode_drawing(
+    drawing: Drawing, lo: ArrayLike, size: float
+) -> tuple[dict[str, Any], list[bytes]]:
     """A drawing as a message and a buffer of float32 for each layer.
 
     Coordinates are sent as multiples of `size` from the corner `lo`; the steps of a row follow its

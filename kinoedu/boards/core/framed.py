@@ -7,8 +7,8 @@ import ipywidgets as widgets
 
 from ...planners.tuning import positive
 from ...words import say
-from .canvas import Canvas, with_picture
-from .printed import side_by_side
+from .canvas import Canvas, add_picture
+from .printed import join_pictures
 
 
 class Pictured(widgets.Box):
@@ -21,10 +21,10 @@ class Pictured(widgets.Box):
         return self.canvas.picture()
 
     def __repr__(self) -> str:
-        return f"{type(self).__name__}({self.canvas.drawing.says})"
+        return f"{type(self).__name__}({self.canvas.drawing.message})"
 
     def _repr_mimebundle_(self, **kwargs: Any) -> Any:
-        return with_picture(super()._repr_mimebundle_(**kwargs), self, self)
+        return add_picture(super()._repr_mimebundle_(**kwargs), self, self)
 
 
 class Framed(Pictured, widgets.VBox):
@@ -37,7 +37,9 @@ class Framed(Pictured, widgets.VBox):
         self.canvas, self.canvases = canvases[0], list(canvases)
         for canvas in canvases[1:]:
             canvas.partner = self.canvas.key
-        super().__init__([*controls, self.canvas if len(canvases) == 1 else in_a_row(canvases)])
+        super().__init__(
+            [*controls, self.canvas if len(canvases) == 1 else arrange_in_row(canvases)]
+        )
         for control in controls:
             control.observe(self._changed, "value")
 
@@ -48,31 +50,31 @@ class Framed(Pictured, widgets.VBox):
     def picture(self) -> bytes:
         """The board as it is now, as a PNG."""
         pictures = [canvas.picture() for canvas in self.canvases]
-        return pictures[0] if len(pictures) == 1 else side_by_side(*pictures)
+        return pictures[0] if len(pictures) == 1 else join_pictures(*pictures)
 
     def __repr__(self) -> str:
-        said = "; ".join(canvas.drawing.says for canvas in self.canvases)
+        said = "; ".join(canvas.drawing.message for canvas in self.canvases)
         return f"{type(self).__name__}({said})"
 
 
-def in_a_row(canvases: Sequence[Canvas], width: str = "19em") -> widgets.HBox:
+def arrange_in_row(canvases: Sequence[Canvas], width: str = "19em") -> widgets.HBox:
     """Canvases side by side, or below each other where there is no room."""
     for canvas in canvases:
         canvas.layout = widgets.Layout(flex=f"1 1 {width}", min_width="0", padding="0 2px 0 0")
     return widgets.HBox(list(canvases), layout=widgets.Layout(flex_flow="row wrap", grid_gap="8px"))
 
 
-def menu(name: str, options: Sequence[tuple[str, str]], chosen: str) -> widgets.Dropdown:
+def make_menu(name: str, options: Sequence[tuple[str, str]], chosen: str) -> widgets.Dropdown:
     """A drop-down menu named by the message under a key; options are pairs (text, value)."""
-    return widgets.Dropdown(options=options, value=chosen, **look(name))
+    return widgets.Dropdown(options=options, value=chosen, **control_style(name))
 
 
-def counter(name: str, value: int, least: int, most: int) -> widgets.IntSlider:
+def make_counter(name: str, value: int, least: int, most: int) -> widgets.IntSlider:
     """A slider for an integer, named by the message under a key."""
-    return widgets.IntSlider(value, min(least, value), max(most, value), **look(name))
+    return widgets.IntSlider(value, min(least, value), max(most, value), **control_style(name))
 
 
-def length_slider(key: str, size: float, given: float | None) -> widgets.FloatSlider:
+def make_length_slider(key: str, size: float, given: float | None) -> widgets.FloatSlider:
     """A slider for a length, named by the message under a key.
 
     Parameters
@@ -93,11 +95,11 @@ def length_slider(key: str, size: float, given: float | None) -> widgets.FloatSl
         max=notch * max(20, round(size / 4.0 / notch)),
         step=notch,
         readout_format=".3g",
-        **look(key),
+        **control_style(key),
     )
 
 
-def look(key: str) -> dict[str, Any]:
+def control_style(key: str) -> dict[str, Any]:
     """The shared style of a control, and its name: the message under a key."""
     layout = widgets.Layout(width="30em", max_width="100%")
     return {"description": say(key), "layout": layout, "style": {"description_width": "6em"}}

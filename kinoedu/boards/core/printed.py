@@ -23,7 +23,7 @@ ACROSS = 2  # pictures in a row: with more the texts would be too small on a pag
 ENOUGH = 44_000  # bytes, so that a notebook with a dozen boards stays small
 
 
-def printed(scene: Scene, drawing: Drawing, free: Any = None) -> bytes:
+def print_board(scene: Scene, drawing: Drawing, free: Any = None) -> bytes:
     """A board's scene and the drawing that answers it, as a PNG; `free` is the bitmap beneath."""
     (x0, y0), (x1, y1) = scene["lo"], scene["hi"]
     size, margin = max(x1 - x0, y1 - y0), 0.01 * max(x1 - x0, y1 - y0)
@@ -32,7 +32,7 @@ def printed(scene: Scene, drawing: Drawing, free: Any = None) -> bytes:
     FigureCanvasAgg(figure)
     ax = figure.add_subplot()
     ax.set(aspect="equal", xlim=(x0 - margin, x1 + margin), ylim=(y0 - margin, y1 + margin))
-    ax.set_title(drawing.says, fontsize=palette.TEXT_SIZE, wrap=True)
+    ax.set_title(drawing.message, fontsize=palette.TEXT_SIZE, wrap=True)
     ax.tick_params(labelsize=palette.TEXT_SIZE - 1)
     print_world(scene, free, ax)
     for layer in drawing.layers:
@@ -43,11 +43,13 @@ def printed(scene: Scene, drawing: Drawing, free: Any = None) -> bytes:
         ax.set(xlim=(x - half_x, x + half_x), ylim=(y - half_y, y + half_y))
     if not scene.get("ticks", True):
         ax.set_axis_off()
-    large = with_few_colours(figure, DPI[0])
-    return large if len(large) <= ENOUGH else with_few_colours(figure, DPI[-1])
+    # The layout settles only when a figure is drawn again, so the smallest one is drawn first.
+    smallest = save_with_few_colours(figure, DPI[-1])
+    pictures = (save_with_few_colours(figure, dpi) for dpi in DPI)
+    return next((picture for picture in pictures if len(picture) <= ENOUGH), smallest)
 
 
-def with_few_colours(figure: Figure, dpi: int) -> bytes:
+def save_with_few_colours(figure: Figure, dpi: int) -> bytes:
     """A figure as a PNG with only the course's colours and their mixtures.
 
     The file is about a quarter of the size, and every colour of the course is kept exactly.
@@ -55,14 +57,14 @@ def with_few_colours(figure: Figure, dpi: int) -> bytes:
     stream, small = io.BytesIO(), io.BytesIO()
     figure.savefig(stream, format="png", dpi=dpi)
     own = Image.new("P", (1, 1))
-    own.putpalette(mixtures())
+    own.putpalette(mix_colours())
     Image.open(stream).convert("RGB").quantize(palette=own, dither=Image.Dither.NONE).save(
         small, "png", optimize=True
     )
     return small.getvalue()
 
 
-def mixtures() -> list[int]:
+def mix_colours() -> list[int]:
     """The levels red, green, blue of the named colours and of the mixtures that figures need.
 
     Each colour is mixed with white; those of lines are mixed with that of obstacles too.
@@ -91,13 +93,15 @@ def print_world(scene: Scene, free: Any, ax: Axes) -> None:
     for polygon in scene["polygons"]:
         if polygon.get("drawn"):
             continue
-        rings = [wound(np.array(ring), inner=k > 0) for k, ring in enumerate(polygon["rings"])]
+        rings = [
+            orient_ring(np.array(ring), inner=k > 0) for k, ring in enumerate(polygon["rings"])
+        ]
         ax.add_patch(PathPatch(compound(rings), **solid))
     for disc in scene["discs"]:
         ax.add_patch(Circle(disc["at"], disc["radius"], facecolor=palette.OBSTACLE))
 
 
-def wound(ring: np.ndarray, *, inner: bool) -> np.ndarray:
+def orient_ring(ring: np.ndarray, *, inner: bool) -> np.ndarray:
     """A ring counter-clockwise; an inner ring clockwise, so that it is cut out."""
     x, y = ring.T
     left = (x * np.roll(y, -1) - np.roll(x, -1) * y).sum() > 0.0
@@ -111,12 +115,12 @@ def print_layer(layer: Layer, ax: Axes, total: int) -> None:
         PRINTERS[layer.kind](layer, rows, palette.NAMED[layer.colour], ax)
 
 
-def height(layer: Layer) -> float:
+def zorder_of(layer: Layer) -> float:
     """The z-order of a layer: one that comes last lies on the path, others beneath it."""
     return 5.5 if layer.last else 3.0
 
 
-def dashed(layer: Layer) -> Any:
+def line_style(layer: Layer) -> Any:
     """A layer's dashes as a line style of matplotlib."""
     return (0, [2.0 * d / max(layer.width, 1.0) for d in layer.dash]) if layer.dash else "solid"
 
@@ -131,15 +135,15 @@ def print_bodies(layer: Layer, rows: Array, colour: str, ax: Axes) -> None:
     """Draw outlines with a fill so light that things beneath are visible."""
     shapes, stripes = list(rows.reshape(-1, layer.points, 2)), "////" if layer.hatched else None
     outline: Any = {"edgecolors": colour, "linewidths": layer.width, "hatch": stripes}
-    beneath = height(layer) - 0.2
+    beneath = zorder_of(layer) - 0.2
     ax.add_collection(PolyCollection(shapes, facecolors=f"{colour}59", zorder=beneath, **outline))
 
 
 def print_edges(layer: Layer, rows: Array, colour: str, ax: Axes) -> None:
     """Draw segments."""
     segments, cap = list(rows.reshape(-1, 2, 2)), "butt" if layer.dash else "round"
-    style: Any = {"linewidths": layer.width, "linestyles": dashed(layer), "capstyle": cap}
-    ax.add_collection(LineCollection(segments, colors=colour, zorder=height(layer), **style))
+    style: Any = {"linewidths": layer.width, "linestyles": line_style(layer), "capstyle": cap}
+    ax.add_collection(LineCollection(segments, colors=colour, zorder=zorder_of(layer), **style))
 
 
 def print_path(layer: Layer, rows: Array, colour: str, ax: Axes) -> None:
@@ -147,13 +151,13 @@ def print_path(layer: Layer, rows: Array, colour: str, ax: Axes) -> None:
     if layer.casing:
         casing: Any = {"linewidth": layer.width + 2.0, "solid_capstyle": "round"}
         ax.plot(*rows.T, color=palette.INK, zorder=4, **casing)
-    ax.plot(*rows.T, color=colour, linewidth=layer.width, linestyle=dashed(layer), zorder=5)
+    ax.plot(*rows.T, color=colour, linewidth=layer.width, linestyle=line_style(layer), zorder=5)
 
 
 def print_dots(layer: Layer, rows: Array, colour: str, ax: Axes) -> None:
     """Draw dots."""
     style: Any = {"markersize": 1.6 * layer.width, "markeredgewidth": 0.0}
-    ax.plot(*rows.T, "o", color=colour, zorder=height(layer) + 0.5, **style)
+    ax.plot(*rows.T, "o", color=colour, zorder=zorder_of(layer) + 0.5, **style)
 
 
 def print_arrows(layer: Layer, rows: Array, colour: str, ax: Axes) -> None:
@@ -181,7 +185,7 @@ PRINTERS = {
 }
 
 
-def side_by_side(*pictures: bytes) -> bytes:
+def join_pictures(*pictures: bytes) -> bytes:
     """Join pictures in rows of two into one PNG."""
     opened = [Image.open(io.BytesIO(picture)).convert("RGB") for picture in pictures]
     rows = [opened[k : k + ACROSS] for k in range(0, len(opened), ACROSS)]

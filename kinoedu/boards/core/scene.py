@@ -124,14 +124,14 @@ def disc(name: str, at: ArrayLike, radius: float, *, movable: bool = True) -> di
     }
 
 
-def drawn(item: dict[str, Any]) -> dict[str, Any]:
+def mark_drawn(item: dict[str, Any]) -> dict[str, Any]:
     """A handle or polygon that is dragged, but painted by the answer, which may move it."""
     return {**item, "drawn": True}
 
 
-def driven(item: dict[str, Any]) -> dict[str, Any]:
+def mark_driven(item: dict[str, Any]) -> dict[str, Any]:
     """A handle that is driven by the arrow keys instead of dragged."""
-    return {**drawn(item), "driven": True}
+    return {**mark_drawn(item), "driven": True}
 
 
 def place_of(scene: Scene, name: str) -> Array:
@@ -152,7 +152,7 @@ def place_of(scene: Scene, name: str) -> Array:
     raise InvalidParameter(f"the scene has no handle {name!r}")
 
 
-def moved(scene: Scene, parts: Any) -> Scene:
+def move_parts(scene: Scene, parts: Any) -> Scene:
     """The scene with some parts at other places.
 
     Parameters
@@ -167,36 +167,36 @@ def moved(scene: Scene, parts: Any) -> Scene:
     """
     after = {**scene, **{name: list(scene[name]) for name in LISTS.values()}}
     if not isinstance(parts, list | tuple):
-        raise unknown(parts)
+        raise unknown_part(parts)
     for part in parts:
         if not isinstance(part, list | tuple) or len(part) != 3:
-            raise unknown(part)
+            raise unknown_part(part)
         kind, number, coordinates = part
         items = after[LISTS[kind]] if isinstance(kind, str) and kind in LISTS else []
         if not isinstance(number, int) or isinstance(number, bool) or not 0 <= number < len(items):
-            raise unknown(part)
-        items[number] = item_at(items[number], coordinates, part)
+            raise unknown_part(part)
+        items[number] = move_item(items[number], coordinates, part)
     return after
 
 
-def item_at(item: dict[str, Any], coordinates: Any, part: Any) -> dict[str, Any]:
+def move_item(item: dict[str, Any], coordinates: Any, part: Any) -> dict[str, Any]:
     """A handle, disc or polygon at another place."""
     if "at" in item:
         return {**item, "at": as_point(coordinates, item["name"]).tolist()}
     if not isinstance(coordinates, list | tuple) or len(coordinates) != len(item["rings"]):
-        raise unknown(part)
+        raise unknown_part(part)
     rings = [as_array(ring, item["name"]) for ring in coordinates]
     if [ring.shape for ring in rings] != [np.shape(before) for before in item["rings"]]:
-        raise unknown(part)
+        raise unknown_part(part)
     return {**item, "rings": [ring.tolist() for ring in rings]}
 
 
-def unknown(part: Any) -> InvalidParameter:
+def unknown_part(part: Any) -> InvalidParameter:
     """The error for a part that the scene does not have."""
     return InvalidParameter(say("board.no_such_part", part=shortened(part)))
 
 
-def arranged_like(home: Scene, proposed: Any) -> Scene:
+def arrange_like(home: Scene, proposed: Any) -> Scene:
     """The home scene with every part where a proposed scene has it.
 
     Raises
@@ -205,18 +205,18 @@ def arranged_like(home: Scene, proposed: Any) -> Scene:
         Where the proposed scene does not have the same parts.
     """
     if not isinstance(proposed, dict):
-        raise unknown(proposed)
+        raise unknown_part(proposed)
     for name in LISTS.values():
         items = proposed.get(name)
         if not isinstance(items, list) or len(items) != len(home[name]):
-            raise unknown(items)
+            raise unknown_part(items)
         if not all(isinstance(item, dict) for item in items):
-            raise unknown(items)
-    return moved(home, everything(proposed))
+            raise unknown_part(items)
+    return move_parts(home, list_places(proposed))
 
 
-def everything(scene: Scene) -> list[tuple[str, int, Any]]:
-    """The place of each part of a scene, in the form that `moved` takes."""
+def list_places(scene: Scene) -> list[tuple[str, int, Any]]:
+    """The place of each part of a scene, in the form that `move_parts` takes."""
     return [
         (kind, number, item.get("at", item.get("rings")))
         for kind, name in LISTS.items()

@@ -24,10 +24,10 @@ from ..core.drawing import (
 MOVES = 8  # steps from one look to the next
 
 
-def exploration_drawn(plan: Plan, looks: Sequence[Look]) -> Drawing:
+def draw_exploration(plan: Plan, looks: Sequence[Look]) -> Drawing:
     """Draw the regions and walls seen, the plan in that map, the path driven and the robot."""
     ways = [np.vstack([look.seen.origin, look.followed]) for look in looks]
-    stops = [at_shares(way, np.arange(MOVES) / MOVES) for way in ways]
+    stops = [points_at_fractions(way, np.arange(MOVES) / MOVES) for way in ways]
     places = np.concatenate([*stops, ways[-1][-1:]]) if ways else plan.problem.start[None]
     steps = np.arange(len(places))
     total = len(places) - 1
@@ -39,16 +39,16 @@ def exploration_drawn(plan: Plan, looks: Sequence[Look]) -> Drawing:
         for colour, r in (("free", 8.0), ("robot", 6.5))
     ]
     layers = [
-        *(seen_drawn(looks, begins, ends) if looks else []),
+        *(draw_looks(looks, begins, ends) if looks else []),
         *path_edges(segments_along(places), when=steps[1:]),
         *robot,
     ]
-    text, unit = outcome(plan, len(looks), walked[-1]), say("exploring_board.unit")
-    texts = texts_at_steps(looks, walked)
+    text, unit = describe_outcome(plan, len(looks), walked[-1]), say("exploring_board.unit")
+    texts = describe_steps(looks, walked)
     return Drawing(layers, text=text, total=total, unit=unit, step_texts=texts)
 
 
-def seen_drawn(looks: Sequence[Look], begins: NDArray[np.int64], ends: Array) -> list[Layer]:
+def draw_looks(looks: Sequence[Look], begins: NDArray[np.int64], ends: Array) -> list[Layer]:
     """Draw each look: the region seen, the walls added to the map, and the plan in the map."""
     regions = np.array([look.seen.points for look in looks])
     counts = [0, *(len(look.walls) for look in looks)]
@@ -66,13 +66,13 @@ def seen_drawn(looks: Sequence[Look], begins: NDArray[np.int64], ends: Array) ->
     ]
 
 
-def at_shares(points: Array, fractions: Array) -> Array:
+def points_at_fractions(points: Array, fractions: Array) -> Array:
     """Points at given fractions of the length of a path, (k, 2)."""
     gone = np.concatenate([[0.0], np.sqrt((np.diff(points, axis=0) ** 2).sum(axis=1)).cumsum()])
     return np.column_stack([np.interp(fractions * gone[-1], gone, axis) for axis in points.T])
 
 
-def texts_at_steps(looks: Sequence[Look], walked: Array) -> list[str]:
+def describe_steps(looks: Sequence[Look], walked: Array) -> list[str]:
     """The robot's knowledge at each step before the last, in words."""
     texts = []
     for k, look in enumerate(looks):
@@ -87,7 +87,7 @@ def texts_at_steps(looks: Sequence[Look], walked: Array) -> list[str]:
     return texts
 
 
-def outcome(plan: Plan, looks: int, walked: float) -> str:
+def describe_outcome(plan: Plan, looks: int, walked: float) -> str:
     """The result of the exploration, in words."""
     if plan.path is None:
         return say("exploring_board.failed", reason=plan.reason, walked=f"{walked:.4g}")

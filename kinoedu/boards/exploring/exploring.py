@@ -10,10 +10,10 @@ from ...support.text import shortened
 from ...words import say
 from ...worlds.polygon_world import PolygonWorldRecord
 from ..core.drawing import Drawing
-from ..core.framed import Framed, counter, length_slider
+from ..core.framed import Framed, make_counter, make_length_slider
 from ..core.scene import Scene
-from ..planning.plans import canvas_for, in_plane, problem_in
-from .explored import exploration_drawn
+from ..planning.plans import check_in_plane, make_problem_canvas, problem_in
+from .explored import draw_exploration
 
 RAYS = 180
 
@@ -62,19 +62,21 @@ class ExploringBoard(Framed):
     def __init__(
         self, problem: ProblemRecord, reach: float | None, horizon: float | None, rng: int
     ) -> None:
-        self._given = in_plane(problem)
+        self._given = check_in_plane(problem)
         among_polygons = isinstance(problem.world, PolygonWorldRecord)
         if not among_polygons or not isinstance(problem.robot, RoundRobot):
             raise InvalidParameter(say("exploring_board.needs", given=shortened(problem)))
         size = world_size(problem)
         sight = size / 5.0 if reach is None else positive(reach, "reach")
         ahead = sight / 2.0 if horizon is None else horizon
-        self.reach = length_slider("exploring_board.reach", size, sight)
-        self.horizon = length_slider("exploring_board.horizon", size, ahead)
-        self.seed = counter("exploring_board.seed", whole(rng, "rng", least=0), 0, 99)
+        self.reach = make_length_slider("exploring_board.reach", size, sight)
+        self.horizon = make_length_slider("exploring_board.horizon", size, ahead)
+        self.seed = make_counter("exploring_board.seed", whole(rng, "rng", least=0), 0, 99)
         self.looks: list[Look] = []
         self.plan: Plan | None = None
-        super().__init__([self.reach, self.horizon, self.seed], [canvas_for(problem, self.answer)])
+        super().__init__(
+            [self.reach, self.horizon, self.seed], [make_problem_canvas(problem, self.answer)]
+        )
 
     def answer(self, scene: Scene) -> Drawing:
         """Explore a scene, and draw the path with everything seen on it."""
@@ -84,4 +86,4 @@ class ExploringBoard(Framed):
         looks = receding_horizon_looks(problem, **given, rays=RAYS, max_moves=60)
         self.looks = list(looks)
         self.plan = plan_of_looks(problem, self.looks)
-        return exploration_drawn(self.plan, self.looks)
+        return draw_exploration(self.plan, self.looks)

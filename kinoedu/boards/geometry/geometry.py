@@ -40,10 +40,10 @@ def distance_board(vertices: ArrayLike, q: ArrayLike) -> Canvas:
         handles=[handle(name, here, colour="start")],
         polygons=[polygon(say("board.distance.polygon"), [ring])],
     )
-    return Canvas(scene, nearest_drawn)
+    return Canvas(scene, draw_nearest)
 
 
-def nearest_drawn(scene: Scene) -> Drawing:
+def draw_nearest(scene: Scene) -> Drawing:
     """Draw the polygon's point that is nearest to q."""
     ring = as_ring(scene["polygons"][0]["rings"][0])
     q = place_of(scene, scene["handles"][0]["name"])

@@ -12,7 +12,7 @@ from ...sampling import corner_grid, halton, largest_empty_ball, sukharev_grid, 
 from ...words import say
 from ..core.canvas import Canvas
 from ..core.drawing import Drawing, dots, edges, segments_along
-from ..core.framed import Framed, look, menu
+from ..core.framed import Framed, control_style, make_menu
 from ..core.scene import Scene, handle, make_scene, place_of
 
 MOST = 400
@@ -54,8 +54,8 @@ class SamplesBoard(Framed):
     def __init__(self, sampler: str, n: int) -> None:
         options = [(say(f"samples_board.{name}"), name) for name in SAMPLERS]
         chosen = one_of(sampler, "sampler", tuple(SAMPLERS))
-        self.sampler = menu("samples_board.sampler", options, chosen)
-        style = {**look("board.samples"), "description": "n"}
+        self.sampler = make_menu("samples_board.sampler", options, chosen)
+        style = {**control_style("board.samples"), "description": "n"}
         self.n = widgets.IntSlider(min(whole(n, "n", least=1), MOST), 1, MOST, **style)
         q = handle(say("samples_board.q"), (0.5, 0.5), colour="start")
         scene = make_scene((-0.04, -0.04), (1.04, 1.04), handles=[q])
@@ -69,8 +69,8 @@ class SamplesBoard(Framed):
         away = np.sqrt(((points - q) ** 2).sum(axis=1))
         layers = [
             edges([[SQUARE[i - 1], SQUARE[i]] for i in range(4)], "ink", width=1.6),
-            edges(circle_in_square(ball.centre, ball.radius), "path", width=3.0),
-            edges(circle_in_square(q, away.min()), "start", width=2.0, dash=(6, 4)),
+            edges(clip_circle(ball.centre, ball.radius), "path", width=3.0),
+            edges(clip_circle(q, away.min()), "start", width=2.0, dash=(6, 4)),
             edges([[q, points[away.argmin()]]], "start", width=2.0),
             dots(points, "tree", radius=4.5 if len(points) <= 150 else 3.0),
         ]
@@ -78,7 +78,7 @@ class SamplesBoard(Framed):
         return Drawing(layers, text=say("samples_board.told", n=len(points), hole=hole, away=far))
 
 
-def circle_in_square(centre: Array, radius: float) -> Array:
+def clip_circle(centre: Array, radius: float) -> Array:
     """The part of a circle that lies in the unit square, as short segments (m, 2, 2)."""
     angles = np.linspace(0.0, 2.0 * np.pi, AROUND + 1)
     rim = centre + radius * np.column_stack([np.cos(angles), np.sin(angles)])

@@ -25,8 +25,8 @@ from ..core.drawing import (
     segments_along,
     sides_of,
 )
-from ..core.framed import Framed, look
-from ..core.scene import Scene, drawn, handle, make_scene, polygon
+from ..core.framed import Framed, control_style
+from ..core.scene import Scene, handle, make_scene, mark_drawn, polygon
 
 NOTCH = 0.002  # of the slider
 CONTACTS = {"EV": "slide_board.ev", "VE": "slide_board.ve", "EE": "slide_board.ee"}
@@ -66,8 +66,8 @@ class SlideBoard(Framed):
 
     def __init__(self, robot_vertices: ArrayLike, obstacle_vertices: ArrayLike) -> None:
         self.slide, self.share = slide(robot_vertices, obstacle_vertices), 0.0
-        self._home = home_of(self.slide)
-        scene = scene_of(self.slide, self._home)
+        self._home = place_copy(self.slide)
+        scene = make_slide_scene(self.slide, self._home)
         self._placed = scene["handles"][0]["at"]
         self.gone = widgets.FloatSlider(
             0.0,
@@ -75,7 +75,7 @@ class SlideBoard(Framed):
             max=1.0,
             step=NOTCH,
             readout_format=".0%",
-            **look("slide_board.gone"),
+            **control_style("slide_board.gone"),
         )
         super().__init__([self.gone], [Canvas(scene, self.answer)])
         self.canvas.observe(self._let_go, "scene")
@@ -96,27 +96,27 @@ class SlideBoard(Framed):
     def answer(self, scene: Scene) -> Drawing:
         """Put the robot in contact at q's place or the slider's, and draw both polygons."""
         obstacle, shown = (as_points(item["rings"][0], item["name"]) for item in scene["polygons"])
-        pattern = pattern_drawn(shown, self._home)
+        pattern = draw_copy(shown, self._home)
         try:
             self.slide = slide(shown - self._home, obstacle)
         except KinoeduError as error:
             return Drawing(pattern, warning=str(error))
         at = scene["handles"][0]["at"]
         if at != self._placed:
-            self.share = share_at(self.slide, at)
+            self.share = fraction_at(self.slide, at)
         q, stretch = self.slide.at(self.share)
         self._placed = q.tolist()
         layers = [
             *pattern,
-            vertex_numbers(self.slide.robot + self._home, "ink"),
-            *way_drawn(self.slide, q, stretch),
-            *contact_drawn(self.slide, q, stretch),
+            number_vertices(self.slide.robot + self._home, "ink"),
+            *draw_way(self.slide, q, stretch),
+            *draw_contact(self.slide, q, stretch),
         ]
-        text, places = contact_said(self.slide, stretch), [("handle", 0, self._placed)]
+        text, places = describe_contact(self.slide, stretch), [("handle", 0, self._placed)]
         return Drawing(layers, text=text, places=places)
 
 
-def home_of(way: Slide) -> Array:
+def place_copy(way: Slide) -> Array:
     """The reference point of the robot's copy, which stands to the left of everything else."""
     reach = way.corners.min(axis=0) + way.robot.min(axis=0)
     gap = 0.25 * np.ptp(way.corners, axis=0).max()
@@ -124,7 +124,7 @@ def home_of(way: Slide) -> Array:
     return np.array([reach[0] - gap - way.robot[:, 0].max(), middle[1]])
 
 
-def scene_of(way: Slide, home: Array) -> Scene:
+def make_slide_scene(way: Slide, home: Array) -> Scene:
     """The obstacle, the robot's copy beside it, and the reference point of the sliding robot."""
     robot = way.robot + home
     swept = np.concatenate(
@@ -136,15 +136,15 @@ def scene_of(way: Slide, home: Array) -> Scene:
     return make_scene(
         lo - margin,
         hi + margin,
-        handles=[drawn(handle(say("slide_board.q"), way.corners[0], colour="robot"))],
+        handles=[mark_drawn(handle(say("slide_board.q"), way.corners[0], colour="robot"))],
         polygons=[
             polygon(say("slide_board.obstacle"), [way.obstacle]),
-            drawn(polygon(say("slide_board.robot"), [robot])),
+            mark_drawn(polygon(say("slide_board.robot"), [robot])),
         ],
     )
 
 
-def share_at(way: Slide, p: ArrayLike) -> float:
+def fraction_at(way: Slide, p: ArrayLike) -> float:
     """The fraction of the way at which the reference point is nearest to p."""
     x, y = np.asarray(p, float)
     stretch, nx, ny, _ = nearest_on_ring(x, y, way.corners)
@@ -154,13 +154,13 @@ def share_at(way: Slide, p: ArrayLike) -> float:
     return float(min(gone / way.lengths.sum(), 1.0))
 
 
-def contact_said(way: Slide, stretch: int) -> str:
+def describe_contact(way: Slide, stretch: int) -> str:
     """The features in contact in a stretch, in words."""
     parts = {"robot": way.robot_part[stretch], "obstacle": way.obstacle_part[stretch]}
     return say(CONTACTS[str(way.kind[stretch])], **parts)
 
 
-def pattern_drawn(ring: Array, home: Array) -> list[Layer]:
+def draw_copy(ring: Array, home: Array) -> list[Layer]:
     """Draw the robot's copy: its vertices, which can be dragged, and its reference point."""
     return [
         bodies([ring], "robot"),
@@ -171,7 +171,7 @@ def pattern_drawn(ring: Array, home: Array) -> list[Layer]:
     ]
 
 
-def vertex_numbers(ring: Array, colour: str) -> Layer:
+def number_vertices(ring: Array, colour: str) -> Layer:
     """The numbers of a ring's vertices, beside them."""
     return labels(ring, [str(i) for i in range(len(ring))], colour)
 
@@ -181,7 +181,7 @@ def below(ring: Array) -> Array:
     return np.array([ring[:, 0].min(), ring[:, 1].min() - 0.55 * np.ptp(ring[:, 1])])
 
 
-def way_drawn(way: Slide, q: Array, stretch: int) -> list[Layer]:
+def draw_way(way: Slide, q: Array, stretch: int) -> list[Layer]:
     """Draw the boundary of the C-obstacle dashed, and the part traced so far."""
     legs = segments_along(np.vstack([way.corners[: stretch + 1], q]))
     return [
@@ -191,21 +191,21 @@ def way_drawn(way: Slide, q: Array, stretch: int) -> list[Layer]:
     ]
 
 
-def contact_drawn(way: Slide, q: Array, stretch: int) -> list[Layer]:
+def draw_contact(way: Slide, q: Array, stretch: int) -> list[Layer]:
     """Draw the robot in contact, the touching features, and the obstacle's vertex numbers."""
     robot, sides = way.robot + q, str(way.kind[stretch])
     return [
         bodies([robot], "robot"),
-        part_drawn(robot, way.robot_part[stretch], sides[0]),
-        part_drawn(way.obstacle, way.obstacle_part[stretch], sides[1]),
-        vertex_numbers(way.obstacle, "obstacle"),
+        draw_feature(robot, way.robot_part[stretch], sides[0]),
+        draw_feature(way.obstacle, way.obstacle_part[stretch], sides[1]),
+        number_vertices(way.obstacle, "obstacle"),
         dots([q], "free", radius=9.0),
         dots([q], "path", radius=7.0),
         labels([q], [say("slide_board.q")], "ink"),
     ]
 
 
-def part_drawn(ring: Array, part: int, side: str) -> Layer:
+def draw_feature(ring: Array, part: int, side: str) -> Layer:
     """A vertex "V" or an edge "E" of a ring that touches something."""
     if side == "V":
         return dots([ring[part]], "contact", radius=7.0)

@@ -73,7 +73,7 @@ class Solid {
     const [lo, hi] = this.box;
     this.slider = make("input", "kinoedu-solid-slider", row, { type: "range", min: lo[2], max: hi[2], step: "any" });
     this.reading = make("output", "", row);
-    this.told = make("div", "kinoedu-solid-told", this.root, { role: "status", "aria-live": "polite" });
+    this.text = make("div", "kinoedu-solid-text", this.root, { role: "status", "aria-live": "polite" });
     make("div", "kinoedu-solid-hint", this.root).textContent = words.hint;
   }
 
@@ -171,7 +171,7 @@ class Solid {
     this.solid.setAttribute("aria-label", fill(this.words.solid, values));
     this.slice.setAttribute("aria-label", fill(this.words.slice, values));
     const { text, theta } = this.model.get("section");
-    if (this.told.textContent !== text) this.told.textContent = text;
+    if (this.text.textContent !== text) this.text.textContent = text;
     Object.assign(this.root.dataset, { paints: ++this.paints, theta, azimuth: this.azimuth, zoom: this.zoom });
   }
 

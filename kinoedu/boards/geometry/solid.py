@@ -27,7 +27,7 @@ from ...geometry.convex import convex_parts
 from ...geometry.rings import as_ring
 from ...support.text import shortened
 from ...words import say
-from ..core.canvas import with_picture
+from ..core.canvas import add_picture
 
 if TYPE_CHECKING:
     from trimesh import Trimesh
@@ -258,4 +258,4 @@ class SolidBoard(anywidget.AnyWidget):
         return f"SolidBoard({self.section['text']})"
 
     def _repr_mimebundle_(self, **kwargs: Any) -> Any:
-        return with_picture(super()._repr_mimebundle_(**kwargs), self, self)
+        return add_picture(super()._repr_mimebundle_(**kwargs), self, self)

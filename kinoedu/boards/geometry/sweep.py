@@ -58,7 +58,7 @@ class SweepBoard(Pictured, widgets.HBox):
         sweep(world)  # raises for a world that it cannot cut
         self.steps: list[Step] = []
         self.status = widgets.HTML(layout=widgets.Layout(flex="1 1 11em"))
-        self.canvas = Canvas(scene_of(world, x), self.answer)
+        self.canvas = Canvas(make_sweep_scene(world, x), self.answer)
         self.canvas.layout = widgets.Layout(flex="4 1 22em", max_width="650px", min_width="0")
         super().__init__(
             [self.canvas, self.status], layout=widgets.Layout(flex_flow="row wrap", grid_gap="8px")
@@ -71,16 +71,16 @@ class SweepBoard(Pictured, widgets.HBox):
             everything = list(sweep(world_in(scene)))
             x = float(place_of(scene, say("sweep_board.line"))[0])
             self.steps = [step for step in everything if step.x <= x]
-            names = numbered(everything)
+            names = number_edges(everything)
             if not self.steps:
-                return Drawing([line_at(x, scene)], text=say("sweep_board.before", x=f"{x:.4g}"))
+                return Drawing([draw_line(x, scene)], text=say("sweep_board.before", x=f"{x:.4g}"))
             rows = self.steps[-1].status
-            return drawn(self.steps, x, names, scene)
+            return draw_sweep(self.steps, x, names, scene)
         finally:
-            self.status.value = listed(rows, names if len(rows) else {})
+            self.status.value = list_status(rows, names if len(rows) else {})
 
 
-def scene_of(world: Any, x: float | None) -> Scene:
+def make_sweep_scene(world: Any, x: float | None) -> Scene:
     """The scene of a world, with a handle for the sweep line below it."""
     (outline,), *solids = rings_of(world)
     margin = 0.06 * (world.hi - world.lo).max()
@@ -93,7 +93,7 @@ def scene_of(world: Any, x: float | None) -> Scene:
     return make_scene(lo, hi, boundary=outline[::-1], handles=handles, polygons=polygons)
 
 
-def numbered(steps: Sequence[Step]) -> dict[tuple[float, ...], int]:
+def number_edges(steps: Sequence[Step]) -> dict[tuple[float, ...], int]:
     """A number for every edge that the line crosses somewhere.
 
     They are numbered from left to right by their left ends, lower ones first.
@@ -104,21 +104,21 @@ def numbered(steps: Sequence[Step]) -> dict[tuple[float, ...], int]:
     return {tuple(row): number for number, row in enumerate(ordered.tolist())}
 
 
-def drawn(
+def draw_sweep(
     steps: Sequence[Step], x: float, names: dict[tuple[float, ...], int], scene: Scene
 ) -> Drawing:
     """Draw the cells that the line has left, and what it crosses at x."""
     now, done = steps[-1], np.concatenate([step.closed for step in steps])
-    begun = open_cells(steps, x)
+    begun = find_open_cells(steps, x)
     corners, size = corners_of(done), float(np.subtract(scene["hi"], scene["lo"]).max())
     layers = [
         cells(corners, "cell"),
-        outlines(corners, "tree", 1.5),
-        outlines(begun, "tree", 1.8, (6.0, 5.0)),
+        draw_outlines(corners, "tree", 1.5),
+        draw_outlines(begun, "tree", 1.8, (6.0, 5.0)),
         labels(
             corners.mean(axis=1) - 0.015 * size, [str(k) for k in range(1, len(done) + 1)], "tree"
         ),
-        line_at(x, scene),
+        draw_line(x, scene),
     ]
     layers += [
         edges(now.status[k::2], colour, width=4.0) for k, colour in enumerate((FLOOR, CEILING))
@@ -129,7 +129,7 @@ def drawn(
         dots(now.vertices, "path", radius=6.0),
         dots(np.column_stack([np.full(len(heights), x), heights]), "ink", radius=3.0),
     ]
-    places = np.column_stack([np.full(len(heights), x), apart(heights, 0.045 * size)])
+    places = np.column_stack([np.full(len(heights), x), spread_heights(heights, 0.045 * size)])
     texts = [str(names[tuple(row)]) for row in now.status.tolist()]
     layers += [
         labels(places[k::2], texts[k::2], colour) for k, colour in enumerate((FLOOR, CEILING))
@@ -141,19 +141,19 @@ def drawn(
     return Drawing(layers, text=say("sweep_board.now", **said, open=len(begun), status=status))
 
 
-def line_at(x: float, scene: Scene) -> Layer:
+def draw_line(x: float, scene: Scene) -> Layer:
     """The sweep line."""
     return edges([[(x, scene["lo"][1]), (x, scene["hi"][1])]], "ink", width=2.0)
 
 
-def outlines(corners: Array, colour: str, width: float, dash: Sequence[float] = ()) -> Layer:
+def draw_outlines(corners: Array, colour: str, width: float, dash: Sequence[float] = ()) -> Layer:
     """The sides of quadrangles (n, 4, 2)."""
     return edges(
         np.stack([corners, np.roll(corners, -1, axis=1)], axis=2), colour, width=width, dash=dash
     )
 
 
-def open_cells(steps: Sequence[Step], x: float) -> Array:
+def find_open_cells(steps: Sequence[Step], x: float) -> Array:
     """The cells that the line at x is crossing, up to x, (n, 4, 2).
 
     Only the left wall of each is stored; its floor and ceiling are the neighbours in the status
@@ -186,7 +186,7 @@ def height_at(rows: Array, x: float) -> Array:
     return y0 + (x - x0) / (x1 - x0) * (y1 - y0)
 
 
-def apart(heights: Array, gap: float) -> Array:
+def spread_heights(heights: Array, gap: float) -> Array:
     """Heights in increasing order, pushed up where they are closer than a gap."""
     places = heights.copy()
     for below, above in pairwise(range(len(places))):
@@ -194,7 +194,7 @@ def apart(heights: Array, gap: float) -> Array:
     return places
 
 
-def listed(rows: Array, names: dict[tuple[float, ...], int]) -> str:
+def list_status(rows: Array, names: dict[tuple[float, ...], int]) -> str:
     """The status as an HTML list, the top of the line first."""
     lines = [
         say("sweep_board.ceiling" if k % 2 else "sweep_board.floor", number=names[tuple(row)])

@@ -21,7 +21,7 @@ from ...worlds.polygon_world import rings_of
 from ...worlds.uncertain import UncertainWorldRecord, inflated, scenarios
 from ..core.canvas import Canvas
 from ..core.drawing import Drawing, Layer, bodies, edges, path, sides_of
-from ..core.framed import Framed, counter, look
+from ..core.framed import Framed, control_style, make_counter
 from ..core.scene import Scene, handle, make_scene, place_of
 from ..planning.plans import GOAL, START
 
@@ -62,7 +62,7 @@ def chance_board(
     --------
     >>> from kinoedu import Point, UncertainWorld
     >>> world = UncertainWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [((4.5, 3), 1)], 0.2)
-    >>> chance_board(Point(), world, (1, 3), (8, 3))
+    >>> chance_board(Point(), world, (1, 3), (8, 3))  # doctest: +NORMALIZE_WHITESPACE
     ChanceBoard(promised at most 5%, bound 4.7%; hit in 40 of 4,000 scenarios: 1% (0.74% to 1.4%);
     length 7.712)
     """
@@ -90,9 +90,9 @@ class ChanceBoard(Framed):
         inflated(world, delta)
         choices = sorted({*CHANCES, float(delta)}, reverse=True)
         options = [(f"{chance:.6g}", chance) for chance in choices]
-        style = look("chance_board.delta")
+        style = control_style("chance_board.delta")
         self.delta = widgets.SelectionSlider(options=options, value=float(delta), **style)
-        self.seed = counter("board.seed", whole(rng, "rng", least=0), 0, 99)
+        self.seed = make_counter("board.seed", whole(rng, "rng", least=0), 0, 99)
         self.plan: Plan | None = None
         radius = getattr(robot, "radius", 0.0)
         handles = [
@@ -107,7 +107,7 @@ class ChanceBoard(Framed):
         """Plan with margins in a scene and try the path in scenarios, or say why it cannot."""
         self.plan = None
         world, robot, delta = self._world, self._robot, self.delta.value
-        bare = [*margins_drawn(world, delta), *expected_drawn(world, 0)]
+        bare = [*draw_margins(world, delta), *draw_expected(world, 0)]
         ends = place_of(scene, START), place_of(scene, GOAL)
         try:
             problem = Problem(robot, inflated(world, delta), *ends)
@@ -120,58 +120,58 @@ class ChanceBoard(Framed):
         gaps = part_gaps(robot, world.parts, plan.path)
         hit = hit_scenarios(robot, world.parts, world.owner, gaps, plan.path, offsets)
         layers = [
-            *margins_drawn(world, delta),
-            *scenarios_drawn(world, offsets[:SHOWN], hit[:SHOWN]),
-            *all_drawn(world, offsets[:SHOWN], hit[:SHOWN]),
+            *draw_margins(world, delta),
+            *draw_scenarios(world, offsets[:SHOWN], hit[:SHOWN]),
+            *draw_all_scenarios(world, offsets[:SHOWN], hit[:SHOWN]),
             path(plan.path, "path")._replace(last=False),
-            *expected_drawn(world, SHOWN),
+            *draw_expected(world, SHOWN),
         ]
         texts = [
             say(f"chance_board.{'hit' if was else 'missed'}", number=k + 1)
             for k, was in enumerate(hit[:SHOWN])
         ]
-        text, unit = self._text(plan, hit), say("chance_board.unit")
+        text, unit = self._text(plan, plan.path, hit), say("chance_board.unit")
         return Drawing(layers, text=text, total=SHOWN, unit=unit, step_texts=texts)
 
-    def _text(self, plan: Plan, hit: Any) -> str:
+    def _text(self, plan: Plan, points: Array, hit: Any) -> str:
         """The chance promised, the bound proven, and the scenarios hit, in words."""
         low, high = wilson(int(hit.sum()), TRIED)
         chances = {
             "delta": self.delta.value,
-            "bound": collision_bound(self._robot, self._world, plan.path),
+            "bound": collision_bound(self._robot, self._world, points),
             "share": hit.mean(),
             "low": low,
             "high": high,
         }
-        percents = {name: percent(float(value)) for name, value in chances.items()}
+        percents = {name: format_percent(float(value)) for name, value in chances.items()}
         counts = {"hits": f"{hit.sum():,}", "tried": f"{TRIED:,}"}
         return say("chance_board.text", **counts, length=f"{plan.cost:.4g}", **percents)
 
 
-def percent(fraction: float) -> str:
+def format_percent(fraction: float) -> str:
     """A fraction as a percentage with two digits."""
     return f"{100.0 * fraction:.2g}%"
 
 
-def closed_line(ring: Array, colour: str, width: float, dash: tuple[float, float]) -> Layer:
+def draw_closed_line(ring: Array, colour: str, width: float, dash: tuple[float, float]) -> Layer:
     """A dashed outline in one piece, so that its dashes run on round corners."""
     closed = np.vstack([ring, ring[:1]])
     return path(closed, colour, width=width, dash=dash, casing=False)._replace(last=False)
 
 
-def margins_drawn(world: UncertainWorldRecord, delta: float) -> list[Layer]:
+def draw_margins(world: UncertainWorldRecord, delta: float) -> list[Layer]:
     """Draw the margin of each obstacle."""
-    return [closed_line(ring, "ink", 1.5, (5, 4)) for ring in margin_rings(world, delta)]
+    return [draw_closed_line(ring, "ink", 1.5, (5, 4)) for ring in margin_rings(world, delta)]
 
 
-def expected_drawn(world: UncertainWorldRecord, step: int) -> list[Layer]:
+def draw_expected(world: UncertainWorldRecord, step: int) -> list[Layer]:
     """Draw the obstacles at their expected places: dotted, and from a step on as bodies."""
     rings = [ring for _, ring in outlines(world)]
-    dotted = [closed_line(ring, "obstacle", 1.2, (1.5, 3)) for ring in rings]
+    dotted = [draw_closed_line(ring, "obstacle", 1.2, (1.5, 3)) for ring in rings]
     return [*dotted, *(bodies([ring], "obstacle", when=[step]) for ring in rings)]
 
 
-def scenarios_drawn(world: UncertainWorldRecord, offsets: Array, hit: Any) -> list[Layer]:
+def draw_scenarios(world: UncertainWorldRecord, offsets: Array, hit: Any) -> list[Layer]:
     """Draw the obstacles of each scenario at its step, red and hatched where the path is hit.
 
     At the last step none of them is shown.
@@ -186,7 +186,7 @@ def scenarios_drawn(world: UncertainWorldRecord, offsets: Array, hit: Any) -> li
     return layers
 
 
-def all_drawn(world: UncertainWorldRecord, offsets: Array, hit: Any) -> list[Layer]:
+def draw_all_scenarios(world: UncertainWorldRecord, offsets: Array, hit: Any) -> list[Layer]:
     """Draw at the last step the outlines of all scenarios, red where the path is hit."""
     layers = []
     for was_hit, colour in ((False, "outside"), (True, "hit")):

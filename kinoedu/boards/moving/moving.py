@@ -19,9 +19,9 @@ from ...words import say
 from ...worlds.moving import MovingWorldRecord, movers_at
 from ..core.canvas import Canvas
 from ..core.drawing import Drawing, Layer, bodies, dots, edges, path_edges, segments_along
-from ..core.framed import Framed, counter, look
+from ..core.framed import Framed, control_style, make_counter
 from ..core.scene import Scene, handle, place_of
-from ..planning.plans import GOAL, START, scene_with, world_in
+from ..planning.plans import GOAL, START, make_world_scene, world_in
 
 STEPS = 150  # of the time slider
 
@@ -52,7 +52,7 @@ def moving_board(problem: TimedProblemRecord, *, nodes: int = 200, rng: int = 0)
     >>> hall = PolygonWorld([(0, 0), (10, 0), (10, 6), (0, 6)])
     >>> world = MovingWorld(hall, [Moving(1.0, [0, 10], [(9, 3), (-1, 3)])])
     >>> moving_board(TimedProblem(Disk(0.5), world, start=(1, 3), goal=(9, 3)))
-    MovingBoard(at the goal at the time 9.24; it has waited 0)
+    MovingBoard(at the goal at time 9.24, waited 0)
     """
     return MovingBoard(problem, nodes, rng)
 
@@ -69,14 +69,16 @@ class MovingBoard(Framed):
         self._given, self._nodes = problem, whole(nodes, "nodes", least=0)
         notch = problem.speed / 10.0
         span = {"min": 3 * notch, "max": 30 * notch, "step": notch, "readout_format": ".3g"}
-        self.speed = widgets.FloatSlider(problem.speed, **span, **look("moving_board.speed"))
-        self.seed = counter("board.seed", whole(rng, "rng", least=0), 0, 99)
+        self.speed = widgets.FloatSlider(
+            problem.speed, **span, **control_style("moving_board.speed")
+        )
+        self.seed = make_counter("board.seed", whole(rng, "rng", least=0), 0, 99)
         self.plan: Plan | None = None
         handles = [
             handle(START, problem.start, colour="start"),
             handle(GOAL, problem.goal, colour="goal", marker="star"),
         ]
-        canvas = Canvas(scene_with(problem.world.still, handles), self.answer)
+        canvas = Canvas(make_world_scene(problem.world.still, handles), self.answer)
         super().__init__([self.speed, self.seed], [canvas])
 
     def answer(self, scene: Scene) -> Drawing:
@@ -88,7 +90,7 @@ class MovingBoard(Framed):
         try:
             return self.planned(scene)
         except KinoeduError as error:
-            return Drawing(movers_drawn(self._given.world, np.zeros(1)), warning=str(error))
+            return Drawing(draw_movers(self._given.world, np.zeros(1)), warning=str(error))
 
     def planned(self, scene: Scene) -> Drawing:
         """The drawing of a plan in a scene, at all its moments, or KinoeduError."""
@@ -100,16 +102,16 @@ class MovingBoard(Framed):
         moments = np.linspace(0.0, max(last, 1e-9), STEPS + 1)
         layers = [
             edges(plan.roadmap.nodes[plan.roadmap.edges], "roadmap", width=0.4),
-            *movers_drawn(world, moments),
+            *draw_movers(world, moments),
         ]
         if plan.path is None:
             text = say("moving_board.none", reason=plan.reason)
         else:
-            times = {"time": f"{plan.cost:.3g}", "waited": f"{waited(plan.path):.3g}"}
+            times = {"time": f"{plan.cost:.3g}", "waited": f"{waiting_time(plan.path):.3g}"}
             text = say("moving_board.there", **times)
-            layers += way_drawn(problem.robot, plan.path, moments)
+            layers += draw_way(problem.robot, plan.path, moments)
         texts = [
-            say(f"moving_board.{'waits' if stands_at(plan.path, t) else 'now'}", time=f"{t:.2f}")
+            say(f"moving_board.{'waits' if waits_at(plan.path, t) else 'now'}", time=f"{t:.2f}")
             for t in moments[:-1]
         ]
         unit = say("moving_board.unit")
@@ -124,20 +126,20 @@ class MovingBoard(Framed):
         return TimedProblem(given.robot, world, *ends, speed=self.speed.value, **limits)
 
 
-def movers_drawn(world: MovingWorldRecord, moments: Array) -> list[Layer]:
+def draw_movers(world: MovingWorldRecord, moments: Array) -> list[Layer]:
     """Draw the moving obstacles at each moment."""
     layers, steps = [], np.arange(len(moments))
     for k, mover in enumerate(movers_at(world, float(moments[0]))):
         begin, end = world.knots[np.flatnonzero(world.owner == k)[0]]
-        stops = between_rows(world.times[begin:end], world.places[begin:end], moments)
+        stops = interpolate_places(world.times[begin:end], world.places[begin:end], moments)
         shapes = outline_of(*mover) + (stops - stops[0])[:, None]
         layers.append(bodies(shapes, "obstacle", hatched=True, when=steps, until=steps + 1))
     return layers
 
 
-def way_drawn(robot: Any, path: Array, moments: Array) -> list[Layer]:
+def draw_way(robot: Any, path: Array, moments: Array) -> list[Layer]:
     """Draw the path, and the robot at each moment."""
-    stops, steps = between_rows(path[:, 2], path[:, :2], moments), np.arange(len(moments))
+    stops, steps = interpolate_places(path[:, 2], path[:, :2], moments), np.arange(len(moments))
     span: Any = {"when": steps, "until": steps + 1}
     layers = path_edges(segments_along(path[:, :2]))
     layers.append(dots(stops, "robot", radius=6.0, **span))
@@ -151,21 +153,23 @@ def way_drawn(robot: Any, path: Array, moments: Array) -> list[Layer]:
     return [*layers, bodies(shape + stops[:, None], "robot", **span)]
 
 
-def between_rows(times: Array, places: Array, moments: Array) -> Array:
+def interpolate_places(times: Array, places: Array, moments: Array) -> Array:
     """The positions (k, 2) at moments (k,), interpolated between places[i] at times[i]."""
     return np.column_stack([np.interp(moments, times, places[:, axis]) for axis in (0, 1)])
 
 
-def stands(path: Array) -> Any:
+def waits_on_legs(path: Array) -> Any:
     """Whether the robot waits on each leg of a path (m, 3)."""
     return (path[1:, :2] == path[:-1, :2]).all(axis=1)
 
 
-def stands_at(path: Array | None, t: float) -> bool:
+def waits_at(path: Array | None, t: float) -> bool:
     """Whether the robot waits at a time."""
-    return path is not None and bool(stands(path)[np.searchsorted(path[1:-1, 2], t, side="right")])
+    return path is not None and bool(
+        waits_on_legs(path)[np.searchsorted(path[1:-1, 2], t, side="right")]
+    )
 
 
-def waited(path: Array) -> float:
+def waiting_time(path: Array) -> float:
     """The total waiting time of a path (m, 3)."""
-    return float(np.diff(path[:, 2])[stands(path)].sum())
+    return float(np.diff(path[:, 2])[waits_on_legs(path)].sum())

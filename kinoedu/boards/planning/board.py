@@ -13,10 +13,10 @@ from ...problems import Plan, ProblemRecord
 from ...support.text import shortened
 from ...words import say
 from ..core.drawing import Drawing
-from ..core.framed import Framed, length_slider, look, menu
+from ..core.framed import Framed, control_style, make_length_slider, make_menu
 from ..core.scene import Scene
-from .own import Attempt, attempt, drawing_of_attempt
-from .plans import PLANNERS, Settings, canvas_for, drawing_of, in_plane, problem_in
+from .own import Attempt, draw_attempt, try_planner
+from .plans import PLANNERS, Settings, check_in_plane, draw_plan, make_problem_canvas, problem_in
 
 OWN = "own"
 CONTROLS = ("seed", "step", "samples")
@@ -78,29 +78,29 @@ class Board(Framed):
         samples: int,
         rng: int,
     ) -> None:
-        self.problem = in_plane(problem)
+        self.problem = check_in_plane(problem)
         self.plan: Plan | Attempt | None = None
         self._given = problem
-        self._own, chosen = chosen_planner(planner)
+        self._own, chosen = choose_planner(planner)
         self._stuck: Attempt | None = None
         self.planner = self._menu(chosen)
         self.seed, self.step, self.samples = self._sliders(step, samples, rng)
         self._dress()
         controls = [self.planner, self.seed, self.step, self.samples]
-        super().__init__(controls, [canvas_for(problem, self.answer)])
+        super().__init__(controls, [make_problem_canvas(problem, self.answer)])
 
     def _menu(self, chosen: str) -> widgets.Dropdown:
         options = [(say(f"board.{name}"), name) for name in PLANNERS]
         if self._own is not None:
             options.append((say("board.own_name", name=getattr(self._own, "__name__", "?")), OWN))
-        return menu("board.planner", options, chosen)
+        return make_menu("board.planner", options, chosen)
 
     def _sliders(self, step: float | None, samples: int, rng: int) -> tuple[Any, Any, Any]:
         seed, n = whole(rng, "rng", least=0), whole(samples, "samples", least=1)
         return (
-            widgets.IntSlider(seed, 0, max(99, seed), **look("board.seed")),
-            length_slider("board.step", world_size(self._given), step),
-            widgets.IntSlider(n, min(50, n), max(3000, n), **look("board.samples")),
+            widgets.IntSlider(seed, 0, max(99, seed), **control_style("board.seed")),
+            make_length_slider("board.step", world_size(self._given), step),
+            widgets.IntSlider(n, min(50, n), max(3000, n), **control_style("board.samples")),
         )
 
     def answer(self, scene: Scene) -> Drawing:
@@ -110,12 +110,12 @@ class Board(Framed):
         self.problem = problem
         if self.planner.value == OWN and self._own is not None:
             ours = rrt(problem, step=settings.step, rng=settings.seed)
-            tried = self._stuck or attempt(self._own, problem, settings.seed)
+            tried = self._stuck or try_planner(self._own, problem, settings.seed)
             self._stuck = tried if tried.still_running else None
             self.plan = tried
-            return drawing_of_attempt(tried, ours)
+            return draw_attempt(tried, ours)
         self.plan = PLANNERS[self.planner.value].plan(problem, settings)
-        return drawing_of(self.plan)
+        return draw_plan(self.plan)
 
     def _changed(self, change: Any) -> None:
         self._dress()
@@ -129,7 +129,7 @@ class Board(Framed):
             getattr(self, name).layout.display = None if name in takes else "none"
 
 
-def chosen_planner(planner: Any) -> tuple[Callable[..., Any] | None, str]:
+def choose_planner(planner: Any) -> tuple[Callable[..., Any] | None, str]:
     """A reader's function or None, and the first choice of the menu; or InvalidParameter."""
     if isinstance(planner, str) and planner in PLANNERS:
         return None, planner

@@ -65,7 +65,7 @@ class Attempt:
     still_running: bool = False
 
 
-def attempt(
+def try_planner(
     planner: Callable[..., Any], problem: ProblemRecord, seed: int, *, seconds: float = SECONDS
 ) -> Attempt:
     """Run a reader's planner on a copy of a problem, for a bounded time."""
@@ -74,7 +74,7 @@ def attempt(
 
     def work() -> tuple[Any, BaseException | None]:
         try:
-            return called(planner, recorder, seed), None
+            return call_planner(planner, recorder, seed), None
         except TimeUp:
             raise
         except BaseException as error:  # SystemExit too: the reader should see every exception
@@ -83,13 +83,15 @@ def attempt(
     try:
         answer, error = within_processor_time(seconds, work)
     except TimeUp as over:
-        return Attempt(log[:], log.motions, fault=time_up(over), still_running=over.left_running)
+        return Attempt(
+            log[:], log.motions, fault=describe_timeout(over), still_running=over.left_running
+        )
     if error is not None:
-        return Attempt(log[:], log.motions, fault=raised(error))
-    return judged(answer, problem, log)
+        return Attempt(log[:], log.motions, fault=describe_exception(error))
+    return judge_answer(answer, problem, log)
 
 
-def time_up(over: TimeUp) -> str:
+def describe_timeout(over: TimeUp) -> str:
     """A message why a planner was stopped: the time it used and the time allowed."""
     why = "time_up" if over.used > over.allowed else "waited"
     seconds = {"used": over.used, "allowed": over.allowed, "passed": over.passed}
@@ -97,7 +99,7 @@ def time_up(over: TimeUp) -> str:
     return f"{words} {say('board.own.left_running' if over.left_running else 'board.own.stopped')}"
 
 
-def called(planner: Callable[..., Any], problem: Any, seed: int) -> Any:
+def call_planner(planner: Callable[..., Any], problem: Any, seed: int) -> Any:
     """Call planner(problem), with a generator where it takes one.
 
     A generator is passed to an argument called rng, or as a required second argument.
@@ -116,19 +118,19 @@ def called(planner: Callable[..., Any], problem: Any, seed: int) -> Any:
     return planner(problem)
 
 
-def raised(error: BaseException) -> str:
+def describe_exception(error: BaseException) -> str:
     """An exception in words, with the reader's own line and none of the package's."""
     name = type(error).__name__
-    text = f"{name}: {shortened_text(error)}" if str(error) else name
+    text = f"{name}: {shorten_message(error)}" if str(error) else name
     frames = [(frame.f_code.co_filename, line) for frame, line in walk_tb(error.__traceback__)]
-    own = [(file, line) for file, line in frames if is_readers(file)]
+    own = [(file, line) for file, line in frames if is_readers_code(file)]
     if not own:
         return say("board.own.raised", error=text)
     line = linecache.getline(*own[-1]).strip()
     return say("board.own.raised_in", error=text, number=own[-1][1], line=line)
 
 
-def is_readers(file: str) -> bool:
+def is_readers_code(file: str) -> bool:
     """Whether code is a reader's: neither this package's nor a library's."""
     return (
         PACKAGE not in Path(file).parents
@@ -137,13 +139,13 @@ def is_readers(file: str) -> bool:
     )
 
 
-def shortened_text(error: BaseException) -> str:
+def shorten_message(error: BaseException) -> str:
     """The message of an exception, on one line."""
     text = " ".join(str(error).split())
     return text if len(text) <= 200 else text[:197] + "..."
 
 
-def judged(answer: Any, problem: ProblemRecord, log: FirstQuestions) -> Attempt:
+def judge_answer(answer: Any, problem: ProblemRecord, log: FirstQuestions) -> Attempt:
     """A planner's answer, judged by the original problem, which the planner did not have."""
     tried = Attempt(log[:], log.motions)
     if isinstance(answer, Plan):
@@ -159,9 +161,9 @@ def judged(answer: Any, problem: ProblemRecord, log: FirstQuestions) -> Attempt:
         return replace(tried, fault=say("board.own.wrong_shape", d=d, given=shortened(answer)))
     motions = zip(points[:-1], points[1:], strict=True)
     wrong = [i for i, (a, b) in enumerate(motions) if not problem.is_free_path(a, b)]
-    fault = wrong_end(points, problem)
+    fault = check_ends(points, problem)
     if wrong and not fault:
-        a, b = (place(q) for q in points[wrong[0] : wrong[0] + 2])
+        a, b = (format_configuration(q) for q in points[wrong[0] : wrong[0] + 2])
         fault = say("board.own.wrong", number=wrong[0] + 1, a=a, b=b)
     if fault:
         return replace(tried, path=points, wrong=wrong, fault=fault)
@@ -169,27 +171,31 @@ def judged(answer: Any, problem: ProblemRecord, log: FirstQuestions) -> Attempt:
     return replace(tried, path=points, length=float(length))
 
 
-def wrong_end(points: Array, problem: ProblemRecord) -> str:
+def check_ends(points: Array, problem: ProblemRecord) -> str:
     """What is wrong with a path's ends, or ""."""
     near = 1e-9 * world_size(problem)
     ends = ("wrong_start", points[0], problem.start), ("wrong_end", points[-1], problem.goal)
     for name, here, there in ends:
         if problem.distance(here, there) > near:
-            return say(f"board.own.{name}", there=place(there), here=place(here))
+            return say(
+                f"board.own.{name}",
+                there=format_configuration(there),
+                here=format_configuration(here),
+            )
     return ""
 
 
-def place(q: Array) -> str:
+def format_configuration(q: Array) -> str:
     """A configuration in words."""
     return f"({', '.join(f'{x:.4g}' for x in q)})"
 
 
-def race(tried: Attempt, ours: Plan) -> str:
+def describe_race(tried: Attempt, ours: Plan) -> str:
     """The result of a reader's planner beside ours, in words."""
     return say(
         "board.own.race",
-        yours=result(tried.length, tried.motions),
-        ours=result(length_of(ours), ours.stats.get("checks", 0)),
+        yours=describe_result(tried.length, tried.motions),
+        ours=describe_result(length_of(ours), ours.stats.get("checks", 0)),
     )
 
 
@@ -198,7 +204,7 @@ def length_of(plan: Plan) -> float | None:
     return plan.cost if plan.path is not None else None
 
 
-def result(length: float | None, motions: int) -> str:
+def describe_result(length: float | None, motions: int) -> str:
     """Length and effort in words."""
     count = f"{motions:,}"
     if length is None:
@@ -206,12 +212,12 @@ def result(length: float | None, motions: int) -> str:
     return say("board.own.length", length=f"{length:.4g}", motions=count)
 
 
-def drawing_of_attempt(tried: Attempt, ours: Plan | None) -> Drawing:
+def draw_attempt(tried: Attempt, ours: Plan | None) -> Drawing:
     """Draw the questions in order, the path with its wrong motions, and our path.
 
     Blocked motions are dashed.
     """
-    layers = questions(tried.asked)
+    layers = draw_questions(tried.asked)
     if ours is not None and ours.path is not None:
         layers.append(path(ours.path[:, :2], "ink", width=1.5, dash=(2, 4), casing=False))
         middle = ours.path[len(ours.path) // 2, :2]
@@ -221,12 +227,12 @@ def drawing_of_attempt(tried: Attempt, ours: Plan | None) -> Drawing:
         segments = np.stack([tried.path[:-1, :2], tried.path[1:, :2]], axis=1)[tried.wrong]
         layers.append(edges(segments, "contact", width=4.0, dash=(3, 6))._replace(last=True))
         layers.append(dots(segments.mean(axis=1), "contact", radius=5.0)._replace(last=True))
-    text, unit = "" if ours is None else race(tried, ours), say("board.own.questions")
+    text, unit = "" if ours is None else describe_race(tried, ours), say("board.own.questions")
     total = len(tried.asked)
     return Drawing(layers, text=text, warning=tried.fault, total=total, unit=unit)
 
 
-def questions(asked: list[Question]) -> list[Layer]:
+def draw_questions(asked: list[Question]) -> list[Layer]:
     """Questions as layers that grow."""
     kinds: dict[tuple[bool, bool], list[tuple[int, Any]]] = {
         (motion, free): [] for motion in (True, False) for free in (True, False)

@@ -52,7 +52,7 @@ PLANNERS = {
 }
 
 
-def in_plane(problem: Any) -> ProblemRecord:
+def check_in_plane(problem: Any) -> ProblemRecord:
     """The problem itself, if its configurations are points of the plane; or InvalidParameter."""
     if not isinstance(problem, ProblemRecord) or problem.start.shape != (2,):
         raise InvalidParameter(
@@ -62,12 +62,12 @@ def in_plane(problem: Any) -> ProblemRecord:
     return problem
 
 
-def canvas_for(problem: ProblemRecord, answer: Callable[[Scene], Drawing]) -> Canvas:
+def make_problem_canvas(problem: ProblemRecord, answer: Callable[[Scene], Drawing]) -> Canvas:
     """A canvas on which a problem's parts can be dragged."""
-    return canvas_of(problem.world, scene_of(problem), answer)
+    return make_canvas(problem.world, make_problem_scene(problem), answer)
 
 
-def canvas_of(
+def make_canvas(
     world: Any,
     scene: Scene,
     answer: Callable[[Scene], Drawing],
@@ -81,17 +81,17 @@ def canvas_of(
     return Canvas(scene, answer, free=free, drive=drive)
 
 
-def scene_of(problem: ProblemRecord) -> Scene:
+def make_problem_scene(problem: ProblemRecord) -> Scene:
     """A problem's world with start and goal as handles; its obstacles can be dragged too."""
     radius = getattr(problem.robot, "radius", 0.0)
     handles = [
         handle(START, problem.start[:2], colour="start", radius=radius),
         handle(GOAL, problem.goal[:2], colour="goal", marker="star", radius=radius),
     ]
-    return scene_with(problem.world, handles)
+    return make_world_scene(problem.world, handles)
 
 
-def scene_with(world: Any, handles: list[dict[str, Any]]) -> Scene:
+def make_world_scene(world: Any, handles: list[dict[str, Any]]) -> Scene:
     """A world with handles; among polygons every obstacle and its vertices can be dragged."""
     if not isinstance(world, PolygonWorldRecord):
         return make_scene(world.lo, world.hi, handles=handles)
@@ -131,7 +131,7 @@ def world_in(scene: Scene) -> PolygonWorldRecord:
     return PolygonWorld(scene["boundary"], solids + discs)
 
 
-def drawing_of(plan: Plan) -> Drawing:
+def draw_plan(plan: Plan) -> Drawing:
     """A plan as it grew, and its path."""
     layers: list[Layer] = []
     total, unit = growth_of(plan)

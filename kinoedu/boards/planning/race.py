@@ -13,11 +13,11 @@ from ...support.text import shortened
 from ...words import say
 from ..core.canvas import Canvas
 from ..core.drawing import Drawing
-from ..core.framed import Framed, counter, length_slider
+from ..core.framed import Framed, make_counter, make_length_slider
 from ..core.scene import Scene
 from .own import Attempt
-from .plans import Settings, canvas_for, in_plane, problem_in
-from .racing import Runner, on_clock, run
+from .plans import Settings, check_in_plane, make_problem_canvas, problem_in
+from .racing import Runner, run_planner, stretch_growth
 
 MOST = 4  # the most planners side by side
 
@@ -77,16 +77,16 @@ class RaceBoard(Framed):
         step: float | None,
         rng: int,
     ) -> None:
-        self._given, self._planners = in_plane(problem), checked(planners)
-        self.nodes = counter("rewiring_board.n", whole(nodes, "nodes", least=2), 50, 3000)
-        self.step = length_slider("board.step", world_size(problem), step)
-        self.seed = counter("board.seed", whole(rng, "rng", least=0), 0, 99)
+        self._given, self._planners = check_in_plane(problem), check_planners(planners)
+        self.nodes = make_counter("rewiring_board.n", whole(nodes, "nodes", least=2), 50, 3000)
+        self.step = make_length_slider("board.step", world_size(problem), step)
+        self.seed = make_counter("board.seed", whole(rng, "rng", least=0), 0, 99)
         self._scene: Scene = {}
         self._runners: list[Runner] = []
         self._fault: KinoeduError | None = None
         self.canvases: list[Canvas] = []
         canvases = [
-            canvas_for(problem, partial(self.answer, number))
+            make_problem_canvas(problem, partial(self.answer, number))
             for number in range(len(self._planners))
         ]
         for canvas in canvases[1:]:
@@ -111,7 +111,7 @@ class RaceBoard(Framed):
         if self._fault is not None:
             raise self._fault
         drawings = [runner.drawing for runner in self._runners]
-        return on_clock(drawings[number], max(drawing.total for drawing in drawings))
+        return stretch_growth(drawings[number], max(drawing.total for drawing in drawings))
 
     def _run(self, scene: Scene) -> None:
         """Run all planners, except a reader's planner that could not be stopped before."""
@@ -125,14 +125,14 @@ class RaceBoard(Framed):
         for number, planner in enumerate(self._planners):
             old = before[number] if before else None
             stuck = old is not None and getattr(old.plan, "still_running", False)
-            self._runners.append(old if old and stuck else run(planner, problem, given))
+            self._runners.append(old if old and stuck else run_planner(planner, problem, given))
 
     def _changed(self, _: Any) -> None:
         self._scene = {}
         self.canvas.refresh()
 
 
-def checked(planners: Sequence[Callable[..., Any]] | None) -> list[Callable[..., Any]]:
+def check_planners(planners: Sequence[Callable[..., Any]] | None) -> list[Callable[..., Any]]:
     """The planners of a race, or InvalidParameter."""
     chosen = [rrt, rrt_connect, rrt_star] if planners is None else planners
     some = isinstance(chosen, Sequence) and 1 <= len(chosen) <= MOST

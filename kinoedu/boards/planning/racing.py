@@ -13,9 +13,9 @@ from ...problems import Plan, ProblemRecord
 from ...words import say
 from ..arm.rides import is_ours
 from ..core.drawing import Drawing, Layer
-from ..trees.rewired import costs_at, tree_as_it_was, ways_drawn, ways_to_goal
-from .own import Attempt, attempt, drawing_of_attempt, result
-from .plans import Settings, drawing_of
+from ..trees.rewired import costs_at, draw_tree_history, draw_ways, find_ways_to_goal
+from .own import Attempt, describe_result, draw_attempt, try_planner
+from .plans import Settings, draw_plan
 
 
 class Runner(NamedTuple):
@@ -25,7 +25,7 @@ class Runner(NamedTuple):
     drawing: Drawing
 
 
-def run(planner: Callable[..., Any], problem: ProblemRecord, given: Settings) -> Runner:
+def run_planner(planner: Callable[..., Any], problem: ProblemRecord, given: Settings) -> Runner:
     """Run a planner on a problem, and draw its result.
 
     The tree of an RRT* is drawn as it was at each step; a reader's own planner is stopped in time.
@@ -33,24 +33,24 @@ def run(planner: Callable[..., Any], problem: ProblemRecord, given: Settings) ->
     tuning: Any = {"step": given.step, "max_nodes": given.samples}
     if planner is rrt_star:
         plan, log = rrt_star_rewirings(problem, **tuning, rng=given.seed)
-        ways, n = ways_to_goal(log), len(log.nodes)
-        layers = [tree_as_it_was(log), *ways_drawn(ways)]
-        texts = texts_at_steps(plan.planner, costs_at(ways, n))
+        ways, n = find_ways_to_goal(log), len(log.nodes)
+        layers = [draw_tree_history(log), *draw_ways(ways)]
+        texts = describe_steps(plan.planner, costs_at(ways, n))
         return Runner(plan, Drawing(layers, total=n, step_texts=texts))
     if not is_ours(planner):
-        tried = attempt(planner, problem, given.seed)
-        drawing = drawing_of_attempt(tried, None)
+        tried = try_planner(planner, problem, given.seed)
+        drawing = draw_attempt(tried, None)
         name = getattr(planner, "__name__", "?")
-        outcome = tried.fault or result(tried.length, tried.motions)
+        outcome = tried.fault or describe_result(tried.length, tried.motions)
         texts = [say("race_board.asked", name=name, result=outcome)] * (drawing.total + 1)
         return Runner(tried, replace(drawing, warning="", step_texts=texts))
     plan = planner(problem, rng=given.seed, **(tuning if planner in (rrt, rrt_connect) else {}))
-    drawing = drawing_of(plan)
+    drawing = draw_plan(plan)
     costs = [np.inf] * drawing.total + [plan.cost]
-    return Runner(plan, replace(drawing, step_texts=texts_at_steps(plan.planner, costs)))
+    return Runner(plan, replace(drawing, step_texts=describe_steps(plan.planner, costs)))
 
 
-def texts_at_steps(name: str, costs: list[float]) -> list[str]:
+def describe_steps(name: str, costs: list[float]) -> list[str]:
     """The number of nodes at each step, and the length of the path found by then, in words."""
     texts = []
     for step, cost in enumerate(costs):
@@ -64,19 +64,19 @@ def texts_at_steps(name: str, costs: list[float]) -> list[str]:
     return texts
 
 
-def on_clock(drawing: Drawing, total: int) -> Drawing:
+def stretch_growth(drawing: Drawing, total: int) -> Drawing:
     """A drawing stretched to more steps.
 
     Its path appears at its own last step; afterwards it stays as it is.
     """
-    layers = [at_its_end(layer, drawing.total) for layer in drawing.layers]
+    layers = [show_from(layer, drawing.total) for layer in drawing.layers]
     last = list(drawing.step_texts[-1:])
     *texts, text = [*drawing.step_texts, *last * (total - drawing.total)]
     unit = say("race_board.unit")
     return Drawing(layers, text=text, total=total, unit=unit, step_texts=texts)
 
 
-def at_its_end(layer: Layer, step: int) -> Layer:
+def show_from(layer: Layer, step: int) -> Layer:
     """A layer that is shown at the end, as one whose rows appear at a given step."""
     if not layer.last:
         return layer

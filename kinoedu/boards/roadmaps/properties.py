@@ -14,7 +14,7 @@ from ...worlds.polygon_world import PolygonWorldRecord, discs_of
 from ..core.drawing import Drawing, Layer, dots, edges, labels, path, segments_along
 from ..core.framed import Framed
 from ..core.scene import Scene
-from ..planning.plans import canvas_of, in_plane, scene_with, world_in
+from ..planning.plans import check_in_plane, make_canvas, make_world_scene, world_in
 from .roadmaps import RoadmapControls
 
 PLACES = 100  # the places sampled, and the pairs of nodes
@@ -64,8 +64,8 @@ def properties_board(
     >>> world = PolygonWorld(room, [[(4, 0), (6, 0), (6, 8), (4, 8)]])
     >>> board = properties_board(Problem(Point(), world, start=(1, 1), goal=(9, 1)), n=20)
     >>> print(board.canvas.drawing.text)
-    accessible 100 of 100 places drawn, departable 100; components 1
-    efficient: delta at least 1.94, for u and v, the worst pair drawn
+    accessible 100 of 100 places sampled, departable 100; components 1
+    efficient: delta at least 1.94, for u and v, the worst pair sampled
     """
     return PropertiesBoard(problem, n, rule, sampler, rng)
 
@@ -74,10 +74,10 @@ class PropertiesBoard(Framed):
     """The widget that `properties_board` returns: controls, and the survey in `canvas`."""
 
     def __init__(self, problem: ProblemRecord, n: int, rule: str, sampler: str, rng: int) -> None:
-        self._given = in_plane(problem)
+        self._given = check_in_plane(problem)
         self.controls = RoadmapControls(problem, n, rule, sampler, rng)
         self.survey: RoadmapSurvey | None = None
-        canvas = canvas_of(problem.world, scene_with(problem.world, []), self.answer)
+        canvas = make_canvas(problem.world, make_world_scene(problem.world, []), self.answer)
         super().__init__(self.controls.all, [canvas])
 
     def answer(self, scene: Scene) -> Drawing:
@@ -88,19 +88,19 @@ class PropertiesBoard(Framed):
             world = world_in(scene)
         problem = self._given._replace(world=world, asked=np.zeros(2, np.int64))
         roadmap = build_roadmap(problem, **self.controls.given)
-        exact = has_shortest(problem)
-        shortest = shortest_in(problem) if exact else None
+        exact = knows_shortest_paths(problem)
+        shortest = make_length(problem) if exact else None
         # Another seed than the roadmap's: with the same one the places would be its nodes.
         rng = np.random.default_rng((self.controls.seed.value, 1))
         self.survey = survey_roadmap(problem, roadmap, n=PLACES, shortest=shortest, rng=rng)
-        return survey_drawn(problem, roadmap, self.survey, exact)
+        return draw_survey(problem, roadmap, self.survey, exact)
 
     def _changed(self, change: Any) -> None:
         self.controls.dress()
         super()._changed(change)
 
 
-def has_shortest(problem: ProblemRecord) -> bool:
+def knows_shortest_paths(problem: ProblemRecord) -> bool:
     """Whether shortest paths can be computed: for a point among polygons."""
     world = problem.world
     if not isinstance(world, PolygonWorldRecord) or len(discs_of(world)):
@@ -108,32 +108,34 @@ def has_shortest(problem: ProblemRecord) -> bool:
     return getattr(problem.robot, "radius", np.inf) + problem.clearance == 0.0
 
 
-def between(problem: ProblemRecord, u: Array, v: Array) -> Plan:
+def plan_shortest(problem: ProblemRecord, u: Array, v: Array) -> Plan:
     """The shortest path between two nodes."""
     return plan_by_visibility(problem._replace(start=u, goal=v, asked=np.zeros(2, np.int64)))
 
 
-def shortest_in(problem: ProblemRecord) -> Length:
+def make_length(problem: ProblemRecord) -> Length:
     """The length of the shortest path, as a function of two nodes."""
-    return lambda u, v: between(problem, u, v).cost
+    return lambda u, v: plan_shortest(problem, u, v).cost
 
 
-def survey_drawn(
+def draw_survey(
     problem: ProblemRecord, roadmap: Roadmap, survey: RoadmapSurvey, exact: bool
 ) -> Drawing:
     """Draw components, places without a motion to the roadmap, and the worst pair."""
-    layers = components_drawn(roadmap, survey)
+    layers = draw_components(roadmap, survey)
     reached = survey.reached.all(axis=1)
     layers += [
         dots(survey.places[reached], "outside", radius=2.5),
-        crosses(survey.places[~reached], problem),
+        draw_crosses(survey.places[~reached], problem),
     ]
     if survey.worst:
-        layers += pair_drawn(problem, roadmap.nodes, survey, exact)
-    return Drawing([layer for layer in layers if len(layer.rows)], text=told(survey, exact))
+        layers += draw_worst_pair(problem, roadmap.nodes, survey, exact)
+    return Drawing(
+        [layer for layer in layers if len(layer.rows)], text=describe_survey(survey, exact)
+    )
 
 
-def components_drawn(roadmap: Roadmap, survey: RoadmapSurvey) -> list[Layer]:
+def draw_components(roadmap: Roadmap, survey: RoadmapSurvey) -> list[Layer]:
     """Draw each component in its own style; styles repeat from the second one on."""
     style = np.where(survey.component == 0, 0, 1 + (survey.component - 1) % (len(LOOKS) - 1))
     radius = max(dot_size(len(roadmap.nodes)) / 2.0, 2.5)
@@ -146,19 +148,19 @@ def components_drawn(roadmap: Roadmap, survey: RoadmapSurvey) -> list[Layer]:
     return layers
 
 
-def crosses(places: Array, problem: ProblemRecord) -> Layer:
+def draw_crosses(places: Array, problem: ProblemRecord) -> Layer:
     """Crosses at places."""
     size = 0.011 * float((problem.world.hi - problem.world.lo).max())
     arms = size * np.array([[(-1, -1), (1, 1)], [(-1, 1), (1, -1)]])
     return edges((places[:, None, None] + arms).reshape(-1, 2, 2), "hit", width=2.6)
 
 
-def pair_drawn(
+def draw_worst_pair(
     problem: ProblemRecord, nodes: Array, survey: RoadmapSurvey, exact: bool
 ) -> list[Layer]:
     """Draw the worst pair, its way along the roadmap, and the shortest path or a straight line."""
     u, v = nodes[list(survey.worst)]
-    best = between(problem, u, v).path if exact else None
+    best = plan_shortest(problem, u, v).path if exact else None
     line = np.array([u, v]) if best is None else best
     return [
         path(nodes[survey.way], "path"),
@@ -168,7 +170,7 @@ def pair_drawn(
     ]
 
 
-def told(survey: RoadmapSurvey, exact: bool) -> str:
+def describe_survey(survey: RoadmapSurvey, exact: bool) -> str:
     """The four properties in words."""
     delta = survey.efficiency
     reach, leave = survey.reached.sum(axis=0).tolist() if len(survey.places) else (0, 0)

@@ -15,9 +15,9 @@ from ...problems import Plan, ProblemRecord, Roadmap
 from ...sampling import halton, sukharev_grid
 from ...words import say
 from ..core.drawing import Drawing, Layer, dots, edges, path
-from ..core.framed import Framed, counter, length_slider, menu
+from ..core.framed import Framed, make_counter, make_length_slider, make_menu
 from ..core.scene import Scene
-from ..planning.plans import canvas_for, in_plane, problem_in
+from ..planning.plans import check_in_plane, make_problem_canvas, problem_in
 
 RULES = ("closest", "radius", "component")
 SAMPLERS: dict[str, Sampler | None] = {
@@ -33,13 +33,15 @@ class RoadmapControls:
     def __init__(self, problem: ProblemRecord, n: int, rule: str, sampler: str, rng: int) -> None:
         rules = [(say(f"roadmap_board.{name}"), name) for name in RULES]
         samplers = [(say(f"roadmap_board.{name}"), name) for name in SAMPLERS]
-        self.rule = menu("roadmap_board.rule", rules, one_of(rule, "rule", RULES))
-        self.k = counter("roadmap_board.k", 10, 1, 30)
-        self.r = length_slider("roadmap_board.r", world_size(problem), world_size(problem) / 10.0)
+        self.rule = make_menu("roadmap_board.rule", rules, one_of(rule, "rule", RULES))
+        self.k = make_counter("roadmap_board.k", 10, 1, 30)
+        self.r = make_length_slider(
+            "roadmap_board.r", world_size(problem), world_size(problem) / 10.0
+        )
         chosen = one_of(sampler, "sampler", tuple(SAMPLERS))
-        self.sampler = menu("roadmap_board.sampler", samplers, chosen)
-        self.n = counter("roadmap_board.n", whole(n, "n", least=1), 1, 1000)
-        self.seed = counter("roadmap_board.seed", whole(rng, "rng", least=0), 0, 99)
+        self.sampler = make_menu("roadmap_board.sampler", samplers, chosen)
+        self.n = make_counter("roadmap_board.n", whole(n, "n", least=1), 1, 1000)
+        self.seed = make_counter("roadmap_board.seed", whole(rng, "rng", least=0), 0, 99)
         self.all = (self.rule, self.k, self.r, self.sampler, self.n, self.seed)
         self.dress()
 
@@ -108,27 +110,27 @@ class RoadmapBoard(Framed):
     """The widget that `roadmap_board` returns: the controls, and the roadmap in `canvas`."""
 
     def __init__(self, problem: ProblemRecord, n: int, rule: str, sampler: str, rng: int) -> None:
-        self._given = in_plane(problem)
+        self._given = check_in_plane(problem)
         self.controls = RoadmapControls(problem, n, rule, sampler, rng)
         self.plan: Plan | None = None
-        super().__init__(self.controls.all, [canvas_for(problem, self.answer)])
+        super().__init__(self.controls.all, [make_problem_canvas(problem, self.answer)])
 
     def answer(self, scene: Scene) -> Drawing:
         """Plan in a scene with the settings of the controls, and draw the roadmap."""
         self.plan = prm(problem_in(scene, self._given), **self.controls.given)
-        return roadmap_drawn(self.plan)
+        return draw_growing_roadmap(self.plan)
 
     def _changed(self, change: Any) -> None:
         self.controls.dress()
         super()._changed(change)
 
 
-def roadmap_drawn(plan: Plan) -> Drawing:
+def draw_growing_roadmap(plan: Plan) -> Drawing:
     """Draw a roadmap that grows, its nodes first, then the edges of each node; and the path."""
     roadmap = plan.roadmap
     n = len(roadmap.nodes)
-    layers, unit = roadmap_layers(roadmap), say("roadmap_board.unit")
-    *texts, counts = texts_at_steps(roadmap)
+    layers, unit = draw_nodes_and_edges(roadmap), say("roadmap_board.unit")
+    *texts, counts = describe_steps(roadmap)
     if plan.path is None:
         text = say("roadmap_board.failed", reason=plan.reason, counts=counts)
     else:
@@ -137,7 +139,7 @@ def roadmap_drawn(plan: Plan) -> Drawing:
     return Drawing(layers, text=text, total=2 * n, unit=unit, step_texts=texts)
 
 
-def roadmap_layers(roadmap: Roadmap) -> list[Layer]:
+def draw_nodes_and_edges(roadmap: Roadmap) -> list[Layer]:
     """Nodes one per step, then each edge at the step at which its first node is tried."""
     n = len(roadmap.nodes)
     return [
@@ -146,7 +148,7 @@ def roadmap_layers(roadmap: Roadmap) -> list[Layer]:
     ]
 
 
-def texts_at_steps(roadmap: Roadmap) -> list[str]:
+def describe_steps(roadmap: Roadmap) -> list[str]:
     """The nodes, edges and components at each step, in words; at the last step the counts."""
     n = len(roadmap.nodes)
     # Each message is looked up once; its numbers are filled in afterwards.

@@ -19,7 +19,7 @@ MOST_NUMBERED = 40  # the numbers of more nodes than this would cover the graph
 WIDE = 600.0  # about the width of a board in pixels
 
 
-def search_drawn(
+def draw_search(
     graph: Graph,
     moments: Sequence[Expansion],
     ends: tuple[int, int],
@@ -40,11 +40,11 @@ def search_drawn(
     size = float(np.subtract(scene["hi"], scene["lo"]).max())
     radius = float(np.clip(11.0 - 0.06 * len(graph), 4.0, 10.0))
     if side:
-        layers = [*on_grid(places, states, side), who_led(places, parents, 0.25 * side)]
+        layers = [*draw_on_grid(places, states, side), draw_parents(places, parents, 0.25 * side)]
     else:
-        edge_layer, *nodes = on_graph(graph, states, radius)
+        edge_layer, *nodes = draw_on_graph(graph, states, radius)
         gap = (radius + 3.0) / WIDE * size
-        layers = [edge_layer, who_led(places, parents, gap), *nodes]
+        layers = [edge_layer, draw_parents(places, parents, gap), *nodes]
     for node, here, colour in zip(ends, handles, ("start", "goal"), strict=True):
         layers.append(edges([[here, places[node]]], colour, width=2.0, dash=(4.0, 4.0)))
     counts = {"expanded": total, "nodes": len(graph), "frontier": len(moments[-1].frontier)}
@@ -58,11 +58,11 @@ def search_drawn(
     if not side and len(graph) <= MOST_NUMBERED:
         text = say("search_board.between", start=start, goal=goal, outcome=text)
         layers.append(labels(places[list(graph)], [str(u) for u in graph], "ink"))
-    unit, texts = say("search_board.unit"), texts_at_steps(moments, len(graph))
+    unit, texts = say("search_board.unit"), describe_steps(moments, len(graph))
     return Drawing(layers, text=text, total=total, unit=unit, step_texts=texts)
 
 
-def texts_at_steps(moments: Sequence[Expansion], nodes: int) -> list[str]:
+def describe_steps(moments: Sequence[Expansion], nodes: int) -> list[str]:
     """The state of the search at each step, in words."""
     texts = [say("search_board.before", nodes=nodes)]
     for k, moment in enumerate(moments, start=1):
@@ -90,7 +90,7 @@ def parents_at(moments: Sequence[Expansion], n: int) -> NDArray[np.int64]:
     return np.concatenate([np.full((1, n), -1), *(moment.parent[None] for moment in moments)])
 
 
-def spells(values: Numbers) -> tuple[Numbers, Numbers, Numbers, Numbers]:
+def find_runs(values: Numbers) -> tuple[Numbers, Numbers, Numbers, Numbers]:
     """The runs of equal values in each column of values (steps, n), by the step of their begin.
 
     Returns four arrays: node, value, first step, and the step after the last.
@@ -104,11 +104,11 @@ def spells(values: Numbers) -> tuple[Numbers, Numbers, Numbers, Numbers]:
     return node[order], values[when, node][order], when[order], until[order]
 
 
-def on_grid(places: Array, states: NDArray[np.int64], side: float) -> list[Layer]:
+def draw_on_grid(places: Array, states: NDArray[np.int64], side: float) -> list[Layer]:
     """Cells in the colours of their states, and their outlines."""
     square = 0.5 * side * np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)])
     corners = places[:, None] + square
-    node, state, when, until = spells(states)
+    node, state, when, until = find_runs(states)
     layers = []
     for which, colour in ((EXPANDED, "cell"), (FRONTIER, "frontier"), (EXPANDING, "ink")):
         these = state == which
@@ -118,10 +118,10 @@ def on_grid(places: Array, states: NDArray[np.int64], side: float) -> list[Layer
     return [*layers, edges(outlines, "outside", width=0.6)]
 
 
-def on_graph(graph: Graph, states: NDArray[np.int64], radius: float) -> list[Layer]:
+def draw_on_graph(graph: Graph, states: NDArray[np.int64], radius: float) -> list[Layer]:
     """The edges, and the nodes in the colours of their states."""
     places, there = graph.nodes, list(graph)
-    node, state, when, until = spells(states)
+    node, state, when, until = find_runs(states)
     layers = [
         edges(places[graph.edges], "outside", width=1.5),
         dots(places[there], "ink", radius=radius + 1.5),
@@ -135,9 +135,9 @@ def on_graph(graph: Graph, states: NDArray[np.int64], radius: float) -> list[Lay
     return layers
 
 
-def who_led(places: Array, parents: NDArray[np.int64], gap: float) -> Layer:
+def draw_parents(places: Array, parents: NDArray[np.int64], gap: float) -> Layer:
     """Arrows from parents to children, which end a gap before the child."""
-    child, parent, when, until = spells(parents)
+    child, parent, when, until = find_runs(parents)
     led = parent >= 0
     begins, ends = places[parent[led]], places[child[led]]
     along = ends - begins

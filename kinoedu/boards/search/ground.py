@@ -16,7 +16,7 @@ from ...words import say
 from ...worlds.polygon_world import PolygonWorldRecord
 from ...worlds.terrain import TerrainRecord
 from ..core.scene import Scene, handle, make_scene, stop
-from ..planning.plans import scene_of
+from ..planning.plans import make_problem_scene
 from .expanding import MOST_NUMBERED
 
 MOST = 900  # the most nodes: all their expansions are drawn again while something is dragged
@@ -33,7 +33,7 @@ class Ground(NamedTuple):
     side: float
 
 
-def ground_of(given: Any, start: int | None, goal: int | None) -> Ground:
+def make_ground(given: Any, start: int | None, goal: int | None) -> Ground:
     """The graph of the argument of a search board, with its scene.
 
     Raises
@@ -43,27 +43,31 @@ def ground_of(given: Any, start: int | None, goal: int | None) -> Ground:
     if isinstance(given, Graph):
         if given.space is None or given.nodes.shape[1] != 2 or len(given) == 0:
             raise InvalidGraph(say("search_board.needs", given=shortened(given)))
-        ground = checked(given, ends_in(given, start, goal), None, 0.0)
-        return with_stops(ground) if len(given) <= MOST_NUMBERED else ground
+        ground = make_small_ground(given, place_ends(given, start, goal), None, 0.0)
+        return add_stops(ground) if len(given) <= MOST_NUMBERED else ground
     if isinstance(given, ProblemRecord) and given.start.shape == (2,):
         world = given.world
         ends = np.array([given.start, given.goal])
         if isinstance(world, TerrainRecord):
-            graph = grid_graph(world.free, world.lo, world.resolution)
-            return checked(graph, ends, world.free, world.resolution, (world.lo, world.hi))
+            graph = make_grid_graph(world.free, world.lo, world.resolution)
+            return make_small_ground(
+                graph, ends, world.free, world.resolution, (world.lo, world.hi)
+            )
         if isinstance(world, PolygonWorldRecord):
             roadmap = prm(given, n=SAMPLES, k=NEIGHBOURS, rng=0).roadmap
-            ground = checked(Graph(nodes=roadmap.nodes, edges=roadmap.edges), ends, None, 0.0)
-            return ground._replace(scene=standing(scene_of(given), ground.scene))
+            ground = make_small_ground(
+                Graph(nodes=roadmap.nodes, edges=roadmap.edges), ends, None, 0.0
+            )
+            return ground._replace(scene=fix_obstacles(make_problem_scene(given), ground.scene))
     free: Any = np.asarray(given) if isinstance(given, np.ndarray | list | tuple) else np.empty(0)
     if free.ndim != 2 or free.dtype != np.bool_ or not free.any():
         raise InvalidParameter(say("search_board.needs", given=shortened(given)))
-    graph = grid_graph(free, np.zeros(2), 1.0)
+    graph = make_grid_graph(free, np.zeros(2), 1.0)
     box = np.zeros(2), np.array(free.shape[::-1], float)
-    return checked(graph, ends_in(graph, start, goal), free, 1.0, box)
+    return make_small_ground(graph, place_ends(graph, start, goal), free, 1.0, box)
 
 
-def ends_in(graph: Graph, start: int | None, goal: int | None) -> Array:
+def place_ends(graph: Graph, start: int | None, goal: int | None) -> Array:
     """The positions of the nodes where start and goal begin, (2, 2)."""
     nodes = list(graph)
     ends = [nodes[0] if start is None else start, nodes[-1] if goal is None else goal]
@@ -73,7 +77,7 @@ def ends_in(graph: Graph, start: int | None, goal: int | None) -> Array:
     return graph.nodes[ends]
 
 
-def checked(
+def make_small_ground(
     graph: Graph,
     ends: Array,
     free: NDArray[np.bool_] | None,
@@ -93,14 +97,14 @@ def checked(
     return Ground(graph, make_scene(lo - margin, hi + margin, handles=handles), free, side)
 
 
-def with_stops(ground: Ground) -> Ground:
+def add_stops(ground: Ground) -> Ground:
     """The ground with a stop on each node: nodes can be dragged, and clicked for start and goal."""
     graph = ground.graph
     stops = [stop(say("search_board.node", number=u), graph.nodes[u]) for u in graph]
     return ground._replace(scene={**ground.scene, "handles": ground.scene["handles"] + stops})
 
 
-def graph_in(scene: Scene, graph: Graph) -> Graph:
+def move_nodes(scene: Scene, graph: Graph) -> Graph:
     """The graph with its nodes at the stops of a scene.
 
     Weights that were lengths become the new lengths; others stay.
@@ -120,14 +124,14 @@ def graph_in(scene: Scene, graph: Graph) -> Graph:
     return moved
 
 
-def standing(scene: Scene, searched: Scene) -> Scene:
+def fix_obstacles(scene: Scene, searched: Scene) -> Scene:
     """A problem's scene in which only start and goal can be dragged."""
     polygons = [{**item, "movable": False, "vertices": False} for item in scene["polygons"]]
     discs = [{**item, "movable": False} for item in scene["discs"]]
     return {**scene, "handles": searched["handles"], "polygons": polygons, "discs": discs}
 
 
-def grid_graph(free: NDArray[np.bool_], corner: Array, side: float) -> Graph:
+def make_grid_graph(free: NDArray[np.bool_], corner: Array, side: float) -> Graph:
     """A node in the middle of each free cell, row by row, joined to its four neighbours."""
     number = np.full(free.shape, -1)
     number[free] = np.arange(np.count_nonzero(free))

@@ -10,10 +10,10 @@ from ...planners.tuning import one_of
 from ...words import say
 from ..core.canvas import Canvas
 from ..core.drawing import Drawing
-from ..core.framed import Framed, menu
+from ..core.framed import Framed, make_menu
 from ..core.scene import Scene
-from .expanding import search_drawn
-from .ground import ENDS, graph_in, ground_of
+from .expanding import draw_search
+from .ground import ENDS, make_ground, move_nodes
 
 SEARCHES = ("bfs", "dfs", "dijkstra", "astar")
 
@@ -59,34 +59,34 @@ class SearchBoard(Framed):
     def __init__(
         self, graph_or_problem: Any, *, search: str, start: int | None, goal: int | None
     ) -> None:
-        self.ground = ground_of(graph_or_problem, start, goal)
+        self.ground = make_ground(graph_or_problem, start, goal)
         self.moments: list[Expansion] = []
         options = [(say(f"search_board.{name}"), name) for name in SEARCHES]
         chosen = one_of(search, "search", SEARCHES)
-        self.search = menu("search_board.search", options, chosen)
+        self.search = make_menu("search_board.search", options, chosen)
         canvas = Canvas(self.ground.scene, self.answer, free=self.ground.free)
         super().__init__([self.search], [canvas])
 
     def answer(self, scene: Scene) -> Drawing:
         """Search from the node nearest to the start to that nearest to the goal, and draw it."""
-        graph = graph_in(scene, self.ground.graph)
+        graph = move_nodes(scene, self.ground.graph)
         here = np.array([item["at"] for item in scene["handles"][:ENDS]])
         start, goal = graph.closest(here[0])[0], graph.closest(here[1])[0]
-        self.moments = moments_of(graph, self.search.value, start, goal)
-        return search_drawn(graph, self.moments, (start, goal), here, self.ground.side, scene)
+        self.moments = list_expansions(graph, self.search.value, start, goal)
+        return draw_search(graph, self.moments, (start, goal), here, self.ground.side, scene)
 
 
-def moments_of(graph: Graph, search: str, start: int, goal: int) -> list[Expansion]:
+def list_expansions(graph: Graph, search: str, start: int, goal: int) -> list[Expansion]:
     """The expansions of a search from node to node; Dijkstra's algorithm stops at the goal too."""
     if search == "bfs":
         return list(bfs_expansions(graph, start, goal))
     if search == "dfs":
         return list(dfs_expansions(graph, start, goal))
-    heuristic = estimate_of(graph, goal) if search == "astar" else None
+    heuristic = heuristic_to(graph, goal) if search == "astar" else None
     return list(astar_expansions(graph, start, goal, heuristic))
 
 
-def estimate_of(graph: Graph, goal: int) -> Array:
+def heuristic_to(graph: Graph, goal: int) -> Array:
     """Lower bounds on the cost to the goal.
 
     They are distances, scaled down where an edge costs less than its length.

@@ -23,12 +23,12 @@ class Way(NamedTuple):
     cost: float
 
 
-def tree_as_it_was(log: Rewirings) -> Layer:
+def draw_tree_history(log: Rewirings) -> Layer:
     """Every edge, from the step at which it was added to the step at which it was replaced."""
     n = len(log.nodes)
     until = np.where(log.gone < n, log.gone + 1.0, np.inf)
     return edges(
-        segments(log, log.parent, log.node),
+        log_segments(log, log.parent, log.node),
         "tree",
         width=line_width(n),
         when=log.came + 1,
@@ -36,12 +36,12 @@ def tree_as_it_was(log: Rewirings) -> Layer:
     )
 
 
-def segments(log: Rewirings, begins: NDArray[np.int64], ends: NDArray[np.int64]) -> Array:
+def log_segments(log: Rewirings, begins: NDArray[np.int64], ends: NDArray[np.int64]) -> Array:
     """Segments from nodes to nodes, (m, 2, 2)."""
     return np.stack([log.nodes[begins, :2], log.nodes[ends, :2]], axis=1)
 
 
-def ways_to_goal(log: Rewirings) -> list[Way]:
+def find_ways_to_goal(log: Rewirings) -> list[Way]:
     """The path to the goal after each change of it."""
     parent, ways, on_way = np.full(len(log.nodes), -1), list[Way](), {log.at_goal}
     for node, above, came in zip(
@@ -58,7 +58,7 @@ def ways_to_goal(log: Rewirings) -> list[Way]:
     return ways
 
 
-def ways_drawn(ways: list[Way]) -> list[Layer]:
+def draw_ways(ways: list[Way]) -> list[Layer]:
     """Draw the paths one after another, on a dark casing."""
     rows, when, until = [np.empty((0, 2, 2))], list[float](), list[float]()
     for way, after in zip(ways, [*(float(way.step) for way in ways[1:]), np.inf], strict=False):
@@ -76,13 +76,13 @@ def costs_at(ways: list[Way], total: int) -> list[float]:
     return costs.tolist()
 
 
-def moments_drawn(log: Rewirings, near: NDArray[np.int64]) -> list[Layer]:
+def draw_moments(log: Rewirings, near: NDArray[np.int64]) -> list[Layer]:
     """Draw at each step the new node, its ball and neighbours, its parent and the rewired edges.
 
     The edges that were replaced are dashed.
     """
     n, nodes = len(log.nodes), log.nodes[:, :2]
-    old = rehung_from(log)
+    old = former_parents(log)
     new, again = log.node == log.came, log.node != log.came
     looked = np.flatnonzero(log.radius > 0.0)
 
@@ -92,9 +92,9 @@ def moments_drawn(log: Rewirings, near: NDArray[np.int64]) -> list[Layer]:
     angles = 2.0 * np.pi * np.arange(CORNERS) / CORNERS
     rim = np.column_stack([np.cos(angles), np.sin(angles)])
     balls = nodes[looked, None] + log.radius[looked, None, None] * rim
-    replaced = segments(log, old, log.node[again])
-    rewired = segments(log, log.parent[again], log.node[again])
-    added = segments(log, log.parent[new], log.node[new])
+    replaced = log_segments(log, old, log.node[again])
+    rewired = log_segments(log, log.parent[again], log.node[again])
+    added = log_segments(log, log.parent[new], log.node[new])
     return [
         bodies(balls, "robot", **then(looked)),
         edges(replaced, "hit", width=1.8, dash=(3.0, 5.0), **then(log.came[again])),
@@ -107,7 +107,7 @@ def moments_drawn(log: Rewirings, near: NDArray[np.int64]) -> list[Layer]:
     ]
 
 
-def rehung_from(log: Rewirings) -> NDArray[np.int64]:
+def former_parents(log: Rewirings) -> NDArray[np.int64]:
     """For each rewired edge the former parent of its node."""
     before, parents = dict[int, int](), []
     for node, parent, came in zip(
@@ -119,7 +119,7 @@ def rehung_from(log: Rewirings) -> NDArray[np.int64]:
     return np.array(parents, np.int64)
 
 
-def near_pairs(log: Rewirings) -> NDArray[np.int64]:
+def find_near_pairs(log: Rewirings) -> NDArray[np.int64]:
     """Pairs of a node and an older one within its ball, (m, 2)."""
     from scipy.spatial import cKDTree
 
@@ -132,7 +132,7 @@ def near_pairs(log: Rewirings) -> NDArray[np.int64]:
     return pairs[np.lexsort((pairs[:, 1], pairs[:, 0]))]
 
 
-def texts_at_steps(log: Rewirings, near: NDArray[np.int64], costs: list[float]) -> list[str]:
+def describe_steps(log: Rewirings, near: NDArray[np.int64], costs: list[float]) -> list[str]:
     """What happens at each step, in words."""
     n = len(log.radius)
     count = np.bincount(near[:, 0], minlength=n).tolist()

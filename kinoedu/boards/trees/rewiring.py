@@ -6,17 +6,17 @@ from ...planners.tuning import whole
 from ...problems import Plan, ProblemRecord
 from ...words import say
 from ..core.drawing import Drawing
-from ..core.framed import Framed, counter, length_slider
+from ..core.framed import Framed, make_counter, make_length_slider
 from ..core.scene import Scene
-from ..planning.plans import canvas_for, in_plane, problem_in
+from ..planning.plans import check_in_plane, make_problem_canvas, problem_in
 from .rewired import (
     costs_at,
-    moments_drawn,
-    near_pairs,
-    texts_at_steps,
-    tree_as_it_was,
-    ways_drawn,
-    ways_to_goal,
+    describe_steps,
+    draw_moments,
+    draw_tree_history,
+    draw_ways,
+    find_near_pairs,
+    find_ways_to_goal,
 )
 
 
@@ -48,7 +48,7 @@ def rewiring_board(
     >>> room = [(0, 0), (10, 0), (10, 10), (0, 10)]
     >>> world = PolygonWorld(room, [[(4, 0), (6, 0), (6, 8), (4, 8)]])
     >>> rewiring_board(Problem(Point(), world, start=(1, 1), goal=(9, 1)), step=1)
-    RewiringBoard(node 300: 4 within its ball; hangs below node 29; re-hung 0; path of length 20.87)
+    RewiringBoard(node 300: 4 neighbours, parent 29, 0 rewired; path of length 20.87)
     """
     return RewiringBoard(problem, nodes, step, rng)
 
@@ -57,12 +57,14 @@ class RewiringBoard(Framed):
     """The widget that `rewiring_board` returns: controls, and the tree in `canvas`."""
 
     def __init__(self, problem: ProblemRecord, nodes: int, step: float | None, rng: int) -> None:
-        self._given = in_plane(problem)
-        self.nodes = counter("rewiring_board.n", whole(nodes, "nodes", least=1), 50, 1000)
-        self.step = length_slider("board.step", world_size(problem), step)
-        self.seed = counter("board.seed", whole(rng, "rng", least=0), 0, 99)
+        self._given = check_in_plane(problem)
+        self.nodes = make_counter("rewiring_board.n", whole(nodes, "nodes", least=1), 50, 1000)
+        self.step = make_length_slider("board.step", world_size(problem), step)
+        self.seed = make_counter("board.seed", whole(rng, "rng", least=0), 0, 99)
         self.plan: Plan | None = None
-        super().__init__([self.nodes, self.step, self.seed], [canvas_for(problem, self.answer)])
+        super().__init__(
+            [self.nodes, self.step, self.seed], [make_problem_canvas(problem, self.answer)]
+        )
 
     def answer(self, scene: Scene) -> Drawing:
         """Plan in a scene, and draw all steps."""
@@ -71,8 +73,8 @@ class RewiringBoard(Framed):
             problem, max_nodes=self.nodes.value, step=self.step.value, rng=self.seed.value
         )
         log = self.rewirings
-        n, ways, near = len(log.nodes), ways_to_goal(log), near_pairs(log)
-        *texts, text = texts_at_steps(log, near, costs_at(ways, n))
-        layers = [tree_as_it_was(log), *ways_drawn(ways), *moments_drawn(log, near)]
+        n, ways, near = len(log.nodes), find_ways_to_goal(log), find_near_pairs(log)
+        *texts, text = describe_steps(log, near, costs_at(ways, n))
+        layers = [draw_tree_history(log), *draw_ways(ways), *draw_moments(log, near)]
         unit = say("rewiring_board.unit")
         return Drawing(layers, text=text, total=n, unit=unit, step_texts=texts)
