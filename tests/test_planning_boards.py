@@ -52,9 +52,7 @@ def layers_of(canvas, kind, colour):
 
 
 def test_rows_that_go_carry_two_steps():
-    """A buffer's rows end with the steps at which they come and go; the text of each step travels
-    with the drawing.
-    """
+    """A buffer's rows end with two steps; the text of each step is sent with the drawing."""
     spot = dots([(1, 1), (2, 2)], "robot", when=[0, 1], until=[1, np.inf])
     drawing = Drawing(
         [spot, labels([(1, 1)], ["H1"], "ink", when=[1]), cells(np.ones((1, 4, 2)), "cell")],
@@ -71,9 +69,7 @@ def test_rows_that_go_carry_two_steps():
 
 
 def test_growing_layers_come_in_order():
-    """The page stops at the first row that has not come: steps never decrease, and there is a text
-    for every step but the last.
-    """
+    """The page stops at the first later row: steps never decrease; each but the last has text."""
     boards = [bug_board((0, 0), (4, 0), [BOX], bug=bug) for bug in (*BUGS, "all")]
     boards += [
         search_board(graph, search=search)
@@ -95,9 +91,7 @@ def test_growing_layers_come_in_order():
 @pytest.mark.parametrize("turn", ["left", "right"])
 @pytest.mark.parametrize("bug", BUGS)
 def test_a_bug_board_shows_the_bugs_own_walk(bug, turn):
-    """Text, hits and length are those of the planner; what is drawn along walls and in the open is
-    the whole walk.
-    """
+    """Text, hits and length are the planner's; the drawn parts make up the whole walk."""
     made = bug_board((0, 0), (4, 0), [BOX], bug=bug, turn=turn)
     plan = BUGS[bug][1]((0, 0), (4, 0), [BOX], 0.01, turn=turn)
     walk = made.plans[0][1]
@@ -113,9 +107,7 @@ def test_a_bug_board_shows_the_bugs_own_walk(bug, turn):
 
 
 def test_a_dragged_scene_is_walked_anew_in_both_pictures():
-    """A box out of the way is not hit; the plot has the new walk, and as many steps as the world
-    beside it.
-    """
+    """A box beside the line is not hit; world and plot have the new walk and equal steps."""
     made = bug_board((0, 0), (4, 0), [BOX])
     world, plot = Page(made.canvas), Page(made.plot)
     away = [(x, y + 5) for x, y in BOX]
@@ -130,9 +122,7 @@ def test_a_dragged_scene_is_walked_anew_in_both_pictures():
 
 
 def test_the_sensor_feels_the_wall_that_is_followed():
-    """In the open nothing is touched; on a wall its edge is, at a corner both; the robot is at one
-    place at each step.
-    """
+    """In the open it touches nothing, on a wall an edge, at a corner both; one robot per step."""
     made = bug_board((0, 0), (4, 0), [BOX])
     walk, canvas = made.plans[0][1], made.canvas
     (touched,) = layers_of(canvas, "edges", "contact")
@@ -146,7 +136,7 @@ def test_the_sensor_feels_the_wall_that_is_followed():
 
 
 def test_hits_and_leaves_are_named_once_for_all_that_they_are():
-    """A circle is told, and its hit carries both names."""
+    """A walk in a circle is reported, and its hit carries both names."""
     made = bug_board((-2, 0), (6, 0), [SPIRAL], bug="bug0")
     assert "not reached" in repr(made) and "circle" in repr(made)
     (names,) = (layer for layer in layers_of(made.canvas, "labels", "contact"))
@@ -154,9 +144,7 @@ def test_hits_and_leaves_are_named_once_for_all_that_they_are():
 
 
 def test_all_bugs_race_side_by_side():
-    """Everyone's length, and who did not arrive; one clock for all: all have walked equally far at
-    each step.
-    """
+    """Every length, and which bugs failed; at each step all have walked the same distance."""
     made = bug_board((0, 0), (4, 0), [BOX], bug="all")
     assert repr(made) == (
         "BugBoard(reached after: Bug 0 6.828, Bug 1 14, Bug 2.prelim 8, Bug 2 8\nnot reached: "
@@ -170,7 +158,7 @@ def test_all_bugs_race_side_by_side():
 
 
 def test_what_is_no_bug_scene_is_refused():
-    """Before anything is shown."""
+    """Errors are raised before anything is shown."""
     with pytest.raises(InvalidPolygon):
         bug_board((0, 0), (4, 0), [[(0, 0), (1, 1)]])
     with pytest.raises(InvalidParameter, match="bug"):
@@ -186,9 +174,7 @@ def test_what_is_no_bug_scene_is_refused():
 
 @pytest.mark.parametrize("x", np.linspace(-0.3, 9.3, 33))
 def test_a_sweep_board_shows_the_cells_closed_and_open(x):
-    """Closed and open cells have the area of the free space to the left of the line; the status is
-    in order.
-    """
+    """Their area is that of the free space left of the line; the status is in order."""
     made = sweep_board(ROOMS, x=x)
     cut = trapezoidation(ROOMS)
     closed = sum(len(step.closed) for step in made.steps)
@@ -213,9 +199,7 @@ def test_a_sweep_board_shows_the_cells_closed_and_open(x):
 
 
 def test_the_sweep_line_is_dragged_by_hand():
-    """Text, list and numbers follow the line; the obstacles can be dragged as well; nonsense is
-    told.
-    """
+    """Text, list and numbers follow the line; obstacles can be dragged; bad ones are reported."""
     made = sweep_board(PolygonWorld(SQUARE, [[(3, 3), (6, 2), (5, 4)]]), x=4)
     page = Page(made.canvas)
     assert repr(made) == (
@@ -239,7 +223,7 @@ def test_the_sweep_line_is_dragged_by_hand():
 
 
 def test_a_world_that_cannot_be_cut_is_refused():
-    """Discs and terrains; obstacles that overlap are united."""
+    """Discs and terrains; overlapping obstacles are united."""
     with pytest.raises(InvalidWorld, match="round"):
         sweep_board(PolygonWorld(SQUARE, [((3, 3), 1)]))
     with pytest.raises(InvalidWorld):
@@ -255,9 +239,7 @@ def test_a_world_that_cannot_be_cut_is_refused():
 
 @pytest.mark.parametrize("search", ["bfs", "dfs", "dijkstra", "astar"])
 def test_a_search_board_shows_the_searchs_own_steps(search):
-    """At each step one node is expanded, the frontier and the parents are those of the expansion;
-    the path comes last.
-    """
+    """Each step shows one expansion with its frontier and parents; the path comes last."""
     made = search_board(DIAMOND, search=search)
     canvas, places = made.canvas, DIAMOND.nodes
     (waiting,), (arrows,) = (
@@ -275,7 +257,7 @@ def test_a_search_board_shows_the_searchs_own_steps(search):
 
 
 def test_start_and_goal_mean_the_nearest_nodes():
-    """Dragged anywhere they are joined to their nodes; where no path leads that is said."""
+    """Dragged anywhere they are joined to their nodes; a missing path is reported."""
     apart = Graph(nodes=[(0, 0), (1, 0), (2, 0), (5, 5)], edges=[(0, 1), (1, 2)])
     made = search_board(apart, goal=2)
     page = Page(made.canvas)
@@ -291,9 +273,7 @@ def test_start_and_goal_mean_the_nearest_nodes():
 
 
 def test_a_dragged_node_takes_its_edges_along():
-    """Weights that are lengths follow, others stay; the search is that of the graph built anew; the
-    graph given is as it was.
-    """
+    """Weights that are lengths follow, others stay; the given graph is not changed."""
     graph = Graph(
         nodes=[(0, 0), (1, 1), (1, -1), (2, 0)],
         edges=[(0, 1), (0, 2), (1, 3), (2, 3)],
@@ -325,9 +305,7 @@ def test_a_dragged_node_takes_its_edges_along():
 
 
 def test_only_nodes_that_can_be_told_apart_are_dragged():
-    """Of a grid, a roadmap and a graph of more than 40 nodes start and goal move alone; deleted
-    nodes are no stops.
-    """
+    """In grids, roadmaps and large graphs only start and goal move; deleted nodes are no stops."""
     many = Graph(nodes=np.random.default_rng(1).random((41, 2)), edges=[(0, 1)])
     for given in (np.ones((3, 3), bool), ke.Problem(ke.Point(), ROOMS, (1, 1), (8.8, 5.5)), many):
         assert [item["name"] for item in search_board(given).canvas.scene["handles"]] == [
@@ -348,9 +326,7 @@ def test_only_nodes_that_can_be_told_apart_are_dragged():
 
 
 def test_a_grid_and_problems_become_graphs():
-    """A grid's cells, a terrain's in its own unit, a roadmap among polygons whose obstacles stand
-    still.
-    """
+    """Cells of a grid and of a terrain, and a roadmap among polygons that cannot be dragged."""
     free = np.ones((4, 6), bool)
     free[:3, 3] = False
     made = search_board(free, search="astar")
@@ -374,9 +350,7 @@ def test_a_grid_and_problems_become_graphs():
 
 
 def test_the_estimate_never_exceeds_the_cost():
-    """Where edges cost less than they are long the distance is scaled, so that A* finds a shortest
-    path.
-    """
+    """Where edges cost less than their length the distance is scaled, so that A* stays optimal."""
     rng = np.random.default_rng(5)
     for _ in range(20):
         nodes = rng.random((12, 2))
@@ -387,7 +361,7 @@ def test_the_estimate_never_exceeds_the_cost():
 
 
 def test_what_cannot_be_searched_is_refused():
-    """In words: no places, no cells, too many nodes, a node that is not there."""
+    """With a message: no positions, no cells, too many nodes, an unknown node."""
     for nothing in (Graph(3, [(0, 1)]), Graph(nodes=[(0, 0, 0)])):
         with pytest.raises(InvalidGraph, match="needs a Graph with places"):
             search_board(nothing)
@@ -403,7 +377,7 @@ def test_what_cannot_be_searched_is_refused():
 
 
 def test_deleted_nodes_are_left_out():
-    """Their numbers are not counted, drawn or picked."""
+    """They are not counted, drawn or picked."""
     graph = Graph(nodes=[(0, 0), (1, 0), (2, 0), (3, 0)], edges=[(0, 1), (1, 2), (2, 3)])
     graph.delete_node(3)
     made = search_board(graph)
@@ -415,7 +389,7 @@ def test_deleted_nodes_are_left_out():
 
 
 def test_spells_say_how_long_values_stay():
-    """Each node's values in turn, ordered by when they came, the last one after the last step."""
+    """The runs of each node, ordered by their first step; the last one ends after the last step."""
     node, value, when, until = find_runs(np.array([[0, 1], [0, 2], [3, 2]]))
     rows = list(zip(node.tolist(), value.tolist(), when.tolist(), until.tolist(), strict=True))
     assert rows == [(0, 0, 0, 2), (1, 1, 0, 1), (1, 2, 1, 3), (0, 3, 2, 3)]
@@ -425,7 +399,7 @@ def test_spells_say_how_long_values_stay():
     ]
 
 
-# ---- what a notebook keeps
+# ---- stored notebooks
 
 
 def test_a_notebook_keeps_a_picture_of_each():
@@ -447,9 +421,7 @@ def test_a_notebook_keeps_a_picture_of_each():
     ("sampler", "shown_points"), [("corner", 49), ("sukharev", 49), ("random", 60), ("halton", 60)]
 )
 def test_a_samples_board_shows_points_and_their_largest_hole(sampler, shown_points):
-    """As many points as fit a grid, or as were asked for; and nowhere is q farther from them than
-    in the yellow hole.
-    """
+    """As many points as fit a grid, or as wanted; no place is farther from them than the hole."""
     made = samples_board(sampler, 60)
     (points,), (hole,) = (
         layers_of(made.canvas, "dots", "tree"),
@@ -471,9 +443,7 @@ def test_a_samples_board_shows_points_and_their_largest_hole(sampler, shown_poin
 
 
 def test_a_samples_board_refuses_what_it_does_not_have():
-    """A sampler that is none, and fewer than one point; q outside the square is taken to its
-    side.
-    """
+    """An unknown sampler, fewer than one point; q outside the square moves to its side."""
     for given in (("sobol", 9), ("halton", 0)):
         with pytest.raises(InvalidParameter):
             samples_board(*given)

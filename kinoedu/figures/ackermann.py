@@ -98,12 +98,12 @@ def steered_wheels(car: CarRobot, pose: ArrayLike, phi: float) -> list[Array]:
         for x, y in middles
     ]
     return [
-        turned(wheel, middle, angle - place[2])
+        turn_outline(wheel, middle, angle - place[2])
         for wheel, middle, angle in zip(wheels, middles, across)
     ]
 
 
-def turned(outline: Array, middle: Array, angle: float) -> Array:
+def turn_outline(outline: Array, middle: Array, angle: float) -> Array:
     """An outline (n, 2) turned about a point."""
     cos, sin = math.cos(angle), math.sin(angle)
     x, y = (outline - middle).T

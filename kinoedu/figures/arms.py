@@ -96,7 +96,7 @@ def draw_configuration_space(image: NDArray[np.int8], ax: Axes | None = None) ->
 
 def name_region(region: NDArray[np.bool_], name: str, ax: Axes) -> list[Artist]:
     """Write a name where a region is widest; nothing where it is too small for a name."""
-    found = where_widest(region)
+    found = find_widest(region)
     if found is None:
         return []
     x, y = found
@@ -106,7 +106,7 @@ def name_region(region: NDArray[np.bool_], name: str, ax: Axes) -> list[Artist]:
     return [ax.text(inside, y, name, color=palette.INK, zorder=5, **style)]
 
 
-def where_widest(region: NDArray[np.bool_]) -> tuple[float, float] | None:
+def find_widest(region: NDArray[np.bool_]) -> tuple[float, float] | None:
     """The angles at which a region of an image is widest; None where it is too small for a name."""
     from scipy.ndimage import distance_transform_edt
 

@@ -38,8 +38,8 @@ def draw_c_obstacle(
     ghosts : the number of placements of the robot round the obstacle.
     """
     robot, ring = as_ring(robot_vertices, "robot"), as_ring(obstacle, "obstacle")
-    outline = united(translating_obstacles(robot, [ring]))[0]
-    places = along(outline, ghosts)
+    outline = unite(translating_obstacles(robot, [ring]))[0]
+    places = spread_round(outline, ghosts)
     ax = palette.axes_or_new(ax, (7.0, 5.0))
     plane.frame(np.concatenate([outline, *(robot + q for q in places)]), ax, margin=0.08)
     grown = Polygon(outline, facecolor=GROWN, edgecolor="none", zorder=1)
@@ -49,9 +49,9 @@ def draw_c_obstacle(
     dashed: Any = {"edgecolor": palette.INK, "linestyle": "--", "linewidth": 2.0}
     artists.append(ax.add_patch(Polygon(outline, fill=False, zorder=4, **dashed)))
     artists += ax.plot(*places.T, "o", markersize=6, zorder=5, **SPOT)
-    artists.append(inside_label(ring, say("c_space.obstacle"), "white", ax))
-    artists.append(inside_label(robot + places[0], say("c_space.robot"), palette.INK, ax))
-    artists.append(corner_label(outline, say("c_space.c_obstacle"), palette.INK, ax))
+    artists.append(label_inside(ring, say("c_space.obstacle"), "white", ax))
+    artists.append(label_inside(robot + places[0], say("c_space.robot"), palette.INK, ax))
+    artists.append(label_corner(outline, say("c_space.c_obstacle"), palette.INK, ax))
     return [*artists, plane.title(say("c_space.sliding"), ax)]
 
 
@@ -70,7 +70,7 @@ def draw_grown(
         region = PathPatch(compound(rings), facecolor=palette.FREE, zorder=1, **dashed)
         artists.append(ax.add_patch(region))
     outline = max((rings[0] for rings in regions), key=len, default=np.empty((0, 2)))
-    for x, y in along(outline, ghosts) if len(outline) else []:
+    for x, y in spread_round(outline, ghosts) if len(outline) else []:
         look: Any = {"facecolor": palette.ROBOT, "edgecolor": palette.ROBOT, "alpha": 0.35}
         artists.append(ax.add_patch(Circle((x, y), radius, zorder=3, **look)))
         artists += ax.plot(x, y, "o", markersize=6, zorder=5, **SPOT)
@@ -113,8 +113,8 @@ def draw_slice(
     robot: Array, ring: Array, theta: float, ax: Axes, *, at: ArrayLike | None = None
 ) -> list[Artist]:
     """Draw the workspace at one heading: obstacle, slice of the C-obstacle, turned robot."""
-    outlines = united(translating_obstacles(robot, [ring]))
-    q = along(outlines[0], 8)[5] if at is None else np.asarray(at, float)
+    outlines = unite(translating_obstacles(robot, [ring]))
+    q = spread_round(outlines[0], 8)[5] if at is None else np.asarray(at, float)
     plane.frame(np.concatenate([*outlines, robot + q]), ax, margin=0.12)
     line: Any = {"fill": False, "edgecolor": palette.GOAL, "linewidth": 2.5, "zorder": 4}
     faces = [Polygon(outline, facecolor=GROWN, edgecolor="none", zorder=1) for outline in outlines]
@@ -123,9 +123,9 @@ def draw_slice(
     artists: list[Artist] = [ax.add_patch(patch) for patch in (*faces, *lines, solid)]
     artists.append(draw_body(robot + q, ax, alpha=0.5))
     artists += ax.plot(*q, "o", markersize=7, zorder=6, **SPOT)
-    artists.append(inside_label(ring, say("c_space.obstacle"), "white", ax))
-    artists.append(inside_label(robot + q, say("c_space.robot"), palette.INK, ax))
-    artists.append(corner_label(outlines[0], say("c_space.c_obstacle"), palette.GOAL, ax))
+    artists.append(label_inside(ring, say("c_space.obstacle"), "white", ax))
+    artists.append(label_inside(robot + q, say("c_space.robot"), palette.INK, ax))
+    artists.append(label_corner(outlines[0], say("c_space.c_obstacle"), palette.GOAL, ax))
     return [*artists, plane.title(say("c_space.turning", theta=f"{np.degrees(theta):.0f}"), ax)]
 
 
@@ -136,7 +136,7 @@ def draw_body(body: Array, ax: Axes, *, alpha: float) -> Artist:
     return ax.add_patch(patch)
 
 
-def inside_label(ring: Array, words: str, colour: str, ax: Axes) -> Artist:
+def label_inside(ring: Array, words: str, colour: str, ax: Axes) -> Artist:
     """Write words in a shape, in the middle of its largest inscribed circle."""
     import shapely
 
@@ -146,7 +146,7 @@ def inside_label(ring: Array, words: str, colour: str, ax: Axes) -> Artist:
     return ax.text(x, y, words, color=colour, zorder=9, **style, **palette.BOLD)
 
 
-def united(parts: list[Array]) -> list[Array]:
+def unite(parts: list[Array]) -> list[Array]:
     """The outlines of the union of polygons, the longest first, without holes."""
     import shapely
 
@@ -155,7 +155,7 @@ def united(parts: list[Array]) -> list[Array]:
     return sorted(rings, key=len, reverse=True)
 
 
-def along(ring: Array, count: int) -> Array:
+def spread_round(ring: Array, count: int) -> Array:
     """Places round a ring, equally spaced, (count, 2)."""
     import shapely
 
@@ -164,7 +164,7 @@ def along(ring: Array, count: int) -> Array:
     return shapely.get_coordinates(points)
 
 
-def corner_label(ring: Array, words: str, colour: str, ax: Axes) -> Artist:
+def label_corner(ring: Array, words: str, colour: str, ax: Axes) -> Artist:
     """Write words in the upper right corner, with a line to the ring's nearest vertex."""
     x, y = ring[int((ring[:, 0] + ring[:, 1]).argmax())]
     style: Any = {"ha": "right", "va": "top", "path_effects": HALO, **palette.BOLD}

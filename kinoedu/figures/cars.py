@@ -13,7 +13,7 @@ from ..geometry.checks import Array
 from ..robots.car import CarRobot
 from ..robots.trajectory import TrajectoryRecord
 from . import palette
-from .robots import draw_robot, ghost_of
+from .robots import draw_robot, make_ghost
 
 PIECES = 60  # the points that draw an arc
 
@@ -38,7 +38,7 @@ def draw_drive(
     for (v, _), begin, end in zip(trajectory.controls, begins, begins[1:]):
         drawn += draw_way(trajectory.at(np.linspace(begin, end, PIECES)), v < 0.0, ax, palette.PATH)
     for q in trajectory.at(np.linspace(0.0, trajectory.duration, ghosts + 2)[1:-1]):
-        drawn.append(ax.add_patch(ghost_of(car, q, zorder=3)))
+        drawn.append(ax.add_patch(make_ghost(car, q, zorder=3)))
     drawn += draw_robot(car, poses[0], ax, palette.START)
     drawn += draw_robot(car, poses[-1], ax, palette.GOAL)
     ax.set_aspect("equal")

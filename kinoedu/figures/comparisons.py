@@ -72,13 +72,13 @@ def draw_medians(
         artists += ax.plot([median, median], ends, color=colour, linewidth=3.0, **BUTT)
         beside: Any = {"xytext": (6, 0), "textcoords": "offset points"}
         place = (np.nan_to_num(high), i)
-        artists.append(ax.annotate(number(median, some, given), place, **beside, **TEXT))
+        artists.append(ax.annotate(format_median(median, some, given), place, **beside, **TEXT))
     ax.set_yticks(range(len(runs)), list(runs))
     ax.set_ylim(len(runs) - 0.5, -0.5)
     tallest = np.nanmax(spreads[:, 2]) if np.isfinite(spreads).any() else 1.0
     some_failed = any(len(some) < len(given) for some, given in zip(finite, runs.values()))
     ax.set_xlim(0.0, (tallest or 1.0) * (1.75 if some_failed else 1.3))
-    return [*artists, *dressed(ax, label, grid="x")]
+    return [*artists, *dress_axes(ax, label, grid="x")]
 
 
 def quartiles(values: Array) -> Array:
@@ -86,7 +86,7 @@ def quartiles(values: Array) -> Array:
     return np.quantile(values, (0.25, 0.5, 0.75)) if len(values) else np.full(3, np.nan)
 
 
-def number(median: float, finite: Array, runs: Array) -> str:
+def format_median(median: float, finite: Array, runs: Array) -> str:
     """The median in words, and how many runs it is of, unless it is of all."""
     if not len(finite):
         return say("comparisons.never")
@@ -124,7 +124,7 @@ def draw_ecdf(
     runs = as_runs(values)
     ax = palette.axes_or_new(ax, (7.0, 4.6))
     finite = {name: np.sort(given[np.isfinite(given)]) for name, given in runs.items()}
-    low, high, wide = limits(np.concatenate(list(finite.values())))
+    low, high, wide = choose_limits(np.concatenate(list(finite.values())))
     artists: list[Artist] = []
     ends = []
     for i, (name, some) in enumerate(finite.items()):
@@ -139,10 +139,10 @@ def draw_ecdf(
     ax.set_ylim(0.0, 1.03)
     ax.set_ylabel(say("comparisons.share"), fontsize=palette.TEXT_SIZE)
     named = [end[:3] for end in sorted(ends, key=lambda end: -end[3])]
-    return [*artists, *name_ends(high, named, ax), *dressed(ax, label)]
+    return [*artists, *name_ends(high, named, ax), *dress_axes(ax, label)]
 
 
-def limits(values: Array) -> tuple[float, float, bool]:
+def choose_limits(values: Array) -> tuple[float, float, bool]:
     """The limits of an axis for these values, and whether it is logarithmic."""
     if not len(values):
         return 0.0, 1.0, False
@@ -198,7 +198,7 @@ def draw_convergence(
     ax.set_ylabel(label, fontsize=palette.TEXT_SIZE)
     right = ax.get_xlim()[1]
     ax.set_xlim(right=right)
-    return [*artists, *name_ends(right, ends, ax), *dressed(ax, say("comparisons.nodes"))]
+    return [*artists, *name_ends(right, ends, ax), *dress_axes(ax, say("comparisons.nodes"))]
 
 
 def as_runs(values: Mapping[str, ArrayLike]) -> dict[str, Array]:
@@ -217,7 +217,7 @@ def as_runs(values: Mapping[str, ArrayLike]) -> dict[str, Array]:
     return runs
 
 
-def dressed(ax: Axes, label: str, *, grid: str = "both") -> list[Artist]:
+def dress_axes(ax: Axes, label: str, *, grid: str = "both") -> list[Artist]:
     """Set the label of x, large ticks and a light grid."""
     ax.tick_params(labelsize=palette.TEXT_SIZE - 1)
     ax.grid(axis=grid, **palette.GRID)  # type: ignore[arg-type]

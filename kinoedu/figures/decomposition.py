@@ -109,7 +109,7 @@ def draw_sweep(steps: Sequence[Step], world: Any, ax: Axes | None = None) -> lis
         ("ceilings", now.status[1::2], palette.GOAL, "--"),
     ):
         look: Any = {"color": colour, "linewidth": 3.5, "linestyle": style}
-        artists += ax.plot(*crossed(edges), zorder=4, label=f"{name}: {len(edges)}", **look)
+        artists += ax.plot(*join_edges(edges), zorder=4, label=f"{name}: {len(edges)}", **look)
     artists.append(ax.axvline(now.x, color=palette.INK, linewidth=1.8, zorder=4.5))
     dots: Any = {"color": palette.INK, "markersize": 8, **palette.RIM}
     artists += ax.plot(*now.vertices.T, "o", zorder=6, **dots)
@@ -122,7 +122,7 @@ def draw_sweep(steps: Sequence[Step], world: Any, ax: Axes | None = None) -> lis
     return artists
 
 
-def crossed(edges: Array) -> tuple[Array, Array]:
+def join_edges(edges: Array) -> tuple[Array, Array]:
     """Edges (s, 4) as the x and the y of one broken line, separated by nan."""
     x0, y0, x1, y1 = edges.T
     gaps = np.full(len(edges), np.nan)

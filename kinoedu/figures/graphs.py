@@ -71,8 +71,8 @@ def draw_graph(
     """
     states = dict.fromkeys(graph, "unseen")
     along = np.array([] if path is None else path, np.int64)
-    states.update(dict.fromkeys(numbers(highlight) + along.tolist(), "marked"))
-    states.update(dict.fromkeys(numbers(frontier), "frontier"))
+    states.update(dict.fromkeys(as_integers(highlight) + along.tolist(), "marked"))
+    states.update(dict.fromkeys(as_integers(frontier), "frontier"))
     places = layout(graph)
     ax = axes_round(graph, places, ax)
     numbered = len(graph) <= MOST_LABELS if labels is None else labels
@@ -99,7 +99,7 @@ def layout(graph: Graph) -> Array:
     return nodes[:, :2] if nodes.shape[1] > 1 else np.column_stack([nodes, np.zeros(len(nodes))])
 
 
-def numbers(nodes: ArrayLike) -> list[int]:
+def as_integers(nodes: ArrayLike) -> list[int]:
     """Nodes as a list of Python integers."""
     return np.atleast_1d(np.asarray(nodes, np.int64)).tolist()
 
@@ -201,19 +201,19 @@ def draw_nodes(
     if not numbered:
         for state, (marker, factor, face, _) in STATES.items():
             here = [u for u in graph if states[u] == state]
-            artists += dots(places[here], marker, factor * size, face, 0.6, 6, ax)
+            artists += draw_markers(places[here], marker, factor * size, face, 0.6, 6, ax)
         return artists
     for rank, u in enumerate(graph):
         marker, factor, face, ink = STATES[states[u]]
         zorder = 6 + rank / len(graph)
-        artists += dots(places[u], marker, factor * size, face, 1.4, zorder, ax)
+        artists += draw_markers(places[u], marker, factor * size, face, 1.4, zorder, ax)
         centred: Any = {"ha": "center", "va": "center_baseline", **palette.TEXT}
         x, y = places[u]
         artists.append(ax.text(x, y, str(u), color=ink, zorder=zorder, **centred))
     return artists
 
 
-def dots(
+def draw_markers(
     at: Array, marker: str, size: float, face: str, rim: float, zorder: float, ax: Axes
 ) -> list[Artist]:
     """Draw markers at one place (2,) or several (k, 2)."""

@@ -64,7 +64,7 @@ def draw_ratios(marks: Sequence[Mark], ax: Axes | None = None, *, label: str = "
     >>> artists = draw_ratios([held, Mark("RRT", "C", 0.8, 0.9, 1.0, None, None)])
     >>> plt.close()
     """
-    ax = palette.axes_or_new(ax, (WIDTH, height_of(marks)))
+    ax = palette.axes_or_new(ax, (WIDTH, figure_height(marks)))
     ax.set_xscale("log")
     artists: list[Artist] = []
     top = 0
@@ -85,7 +85,7 @@ def draw_ratios(marks: Sequence[Mark], ax: Axes | None = None, *, label: str = "
     least = min([1.0, *(mark.low for mark in marks)])
     most = max([1.0, *(max(mark.high, mark.goal or 0.0) for mark in marks)])
     ax.set_xlim(least / 1.25, most * (most / least) ** 0.12 * 1.1)
-    return [*artists, *dressed(ax, label)]
+    return [*artists, *dress_axes(ax, label)]
 
 
 def draw_mark(mark: Mark, y: float, ax: Axes) -> list[Artist]:
@@ -103,14 +103,14 @@ def draw_mark(mark: Mark, y: float, ax: Axes) -> list[Artist]:
     return artists
 
 
-def height_of(marks: Sequence[Mark]) -> float:
+def figure_height(marks: Sequence[Mark]) -> float:
     """The height of these marks in inches."""
     by_task = groupby(marks, key=lambda mark: mark.what)
     groups = [(what, len(list(group))) for what, group in by_task]
     return LINE * sum(max(lines, len(wrap(what, TITLE))) for what, lines in groups) + 0.9
 
 
-def dressed(ax: Axes, label: str) -> list[Artist]:
+def dress_axes(ax: Axes, label: str) -> list[Artist]:
     """Set the label of x, plain numbers as ticks, and a light grid."""
     ax.set_yticks([])
     ax.tick_params(labelsize=palette.TEXT_SIZE)
@@ -136,7 +136,7 @@ def save_ratios(
 
     path : a file name that ends in .png, .svg or .pdf.
     """
-    file, heights = Path(path), [height_of(marks) for marks in panels.values()]
+    file, heights = Path(path), [figure_height(marks) for marks in panels.values()]
     figure = Figure(figsize=(WIDTH, sum(heights) + 1.0), layout="constrained")
     FigureCanvasAgg(figure)
     axes = figure.subplots(len(panels), 1, squeeze=False, height_ratios=heights)[:, 0]

@@ -43,13 +43,13 @@ def _(robot: RoundRobot, q: Array, ax: Axes, colour: str = palette.ROBOT) -> lis
 @draw_robot.register(TranslatingPolygonRobot)
 @draw_robot.register(RigidPolygonRobot)
 def _(robot: Any, q: Array, ax: Axes, colour: str = palette.ROBOT) -> list[Artist]:
-    return [ax.add_patch(body_of(robot, q, colour))]
+    return [ax.add_patch(make_body(robot, q, colour))]
 
 
 @draw_robot.register
 def _(robot: CarRobot, q: Array, ax: Axes, colour: str = palette.ROBOT) -> list[Artist]:
     wheels = [Polygon(wheel, facecolor=palette.INK, zorder=6.2) for wheel in wheels_at(robot, q)]
-    return [ax.add_patch(patch) for patch in (body_of(robot, q, colour), *wheels)]
+    return [ax.add_patch(patch) for patch in (make_body(robot, q, colour), *wheels)]
 
 
 @draw_robot.register
@@ -61,13 +61,13 @@ def _(robot: ArmRobot, q: Array, ax: Axes, colour: str = palette.ROBOT) -> list[
     return [*bars, *ax.plot(*places[:-1].T, "o", zorder=6.5, **look)]
 
 
-def body_of(robot: Any, q: Array, colour: str) -> Polygon:
+def make_body(robot: Any, q: Array, colour: str) -> Polygon:
     """A polygon robot's body at a configuration, tinted."""
     look: Any = {"facecolor": f"{colour}59", "edgecolor": colour, "linewidth": 1.5}
     return Polygon(outline_at(robot, q), zorder=6, **look)
 
 
-def ghost_of(robot: Any, q: Array, **style: Any) -> Polygon:
+def make_ghost(robot: Any, q: Array, **style: Any) -> Polygon:
     """A polygon robot's outline at a configuration on its way."""
     look: Any = {"facecolor": "none", "edgecolor": palette.ROBOT, "linewidth": 1.2}
     return Polygon(outline_at(robot, q), **look, **style)
@@ -154,13 +154,13 @@ def draw_along(robot: Any, space: Any, path: Array, ax: Axes) -> list[Artist]:
 @draw_along.register(RigidPolygonRobot)
 @draw_along.register(CarRobot)
 def _(robot: Any, space: Any, path: Array, ax: Axes) -> list[Artist]:
-    return [ax.add_patch(ghost_of(robot, q)) for q in spread(space, path)]
+    return [ax.add_patch(make_ghost(robot, q)) for q in spread_configurations(space, path)]
 
 
 @draw_along.register
 def _(robot: ArmRobot, space: Any, path: Array, ax: Axes) -> list[Artist]:
     drawn: list[Artist] = []
-    for q in spread(space, path):
+    for q in spread_configurations(space, path):
         places = np.vstack([robot.base, *robot.joints(q)])
         for a, b, r in zip(places, places[1:], robot.shape.radius):
             drawn += draw_bar(a, b, r, ax, palette.ROBOT, alpha=0.12, zorder=2.5)
@@ -170,10 +170,10 @@ def _(robot: ArmRobot, space: Any, path: Array, ax: Axes) -> list[Artist]:
 def draw_driven(car: Any, trajectory: TrajectoryRecord, ax: Axes) -> list[Artist]:
     """Draw a car's bodies along a trajectory, at equal time steps."""
     poses = trajectory.at(np.linspace(0.0, trajectory.duration, GHOSTS + 2)[1:-1])
-    return [ax.add_patch(ghost_of(car, q)) for q in poses]
+    return [ax.add_patch(make_ghost(car, q)) for q in poses]
 
 
-def spread(space: Any, path: Array, n: int = GHOSTS) -> list[Array]:
+def spread_configurations(space: Any, path: Array, n: int = GHOSTS) -> list[Array]:
     """n equally spaced configurations along a path, without its ends."""
     passed = np.cumsum([0.0, *(distance(space, a, b) for a, b in zip(path, path[1:]))])
     if passed[-1] == 0.0:

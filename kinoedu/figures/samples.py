@@ -76,7 +76,7 @@ def draw_samples(
     look: Any = {"color": palette.TREE, "markersize": size, "markeredgewidth": 0.6, **palette.RIM}
     artists += ax.plot(*shown.T, "o", zorder=4, **look)
     if len(shown) <= MOST_NUMBERS if numbers is None else numbers:
-        artists += [beside(str(i), (x, y), ax) for i, (x, y) in enumerate(shown, start=1)]
+        artists += [write_beside(str(i), (x, y), ax) for i, (x, y) in enumerate(shown, start=1)]
     return artists
 
 
@@ -104,7 +104,9 @@ def draw_ball(ball: EmptyBall, norm: float, ax: Axes) -> list[Artist]:
     return [ax.add_patch(shape), *centre, ax.set_title(words, fontsize=palette.TEXT_SIZE + 1)]
 
 
-def beside(words: str, at: tuple[float, float], ax: Axes, *, colour: str = palette.INK) -> Artist:
+def write_beside(
+    words: str, at: tuple[float, float], ax: Axes, *, colour: str = palette.INK
+) -> Artist:
     """Write words above a place, to the left where there is no room on the right."""
     right = at[0] < 0.93
     place: Any = {"xytext": (4 if right else -4, 3), "textcoords": "offset points"}

@@ -12,6 +12,7 @@ from . import palette
 from .graphs import (
     MOST_LABELS,
     STATES,
+    as_integers,
     axes_round,
     beside,
     draw_links,
@@ -19,7 +20,6 @@ from .graphs import (
     draw_parents,
     layout,
     node_size,
-    numbers,
     write_weights,
 )
 from .plane import title
@@ -50,8 +50,8 @@ def draw_search(
     >>> plt.close()
     """
     states = dict.fromkeys(graph, "unseen")
-    states.update(dict.fromkeys(numbers(moment.expanded), "expanded"))
-    states.update(dict.fromkeys(numbers(moment.frontier), "frontier"))
+    states.update(dict.fromkeys(as_integers(moment.expanded), "expanded"))
+    states.update(dict.fromkeys(as_integers(moment.frontier), "frontier"))
     states[moment.node] = "expanding"
     places = layout(graph)
     ax = axes_round(graph, places, ax)
@@ -70,10 +70,10 @@ def draw_search(
     waiting = ", ".join(map(str, moment.frontier)) if n <= 8 else f"{n} nodes"
     expanded = f"{len(moment.expanded)} nodes expanded, now node {moment.node}"
     artists.append(title(f"{expanded}; waiting: {waiting or 'none'}", ax))
-    return [*artists, legend(ax)]
+    return [*artists, draw_legend(ax)]
 
 
-def legend(ax: Axes) -> Artist:
+def draw_legend(ax: Axes) -> Artist:
     """Draw the legend of a search's markers, below the picture."""
     marks = []
     for state in ("expanding", "expanded", "frontier", "unseen"):

@@ -37,7 +37,7 @@ def draw_mesh(
         figure = plt.figure(figsize=(6.0, 5.5), dpi=72, layout="constrained")
         ax = figure.add_subplot(projection="3d")
     ax.computed_zorder = False
-    colours = shaded(mesh)
+    colours = shade_faces(mesh)
     seamless: Any = {"facecolors": colours, "edgecolors": colours, "linewidths": 0.3}
     solid = Poly3DCollection(mesh.triangles, zorder=1, **seamless)
     artists: list[Artist] = [ax.add_collection3d(solid)]
@@ -49,21 +49,21 @@ def draw_mesh(
     if not axes:
         ax.set_axis_off()
         return artists
-    dress(ax)
+    dress_axes(ax)
     if theta is not None:
         solid.set(alpha=0.5, edgecolor="none")
         margin = 0.06 * (hi - lo)
         (x0, y0, _), (x1, y1, _) = lo - margin, hi + margin
         page = [[(x0, y0, theta), (x1, y0, theta), (x1, y1, theta), (x0, y1, theta)]]
         glass: Any = {"facecolors": palette.PATH, "edgecolors": palette.GOAL, "alpha": 0.22}
-        plane, outline = Poly3DCollection(page, zorder=2, **glass), list(section_of(mesh, theta))
+        plane, outline = Poly3DCollection(page, zorder=2, **glass), list(cut_mesh(mesh, theta))
         cut = Line3DCollection(outline, colors=palette.GOAL, linewidths=3.0, zorder=3)
         artists.append(ax.add_collection3d(plane))
         artists.append(ax.add_collection3d(cut))
     return artists
 
 
-def dress(ax: Any) -> None:
+def dress_axes(ax: Any) -> None:
     """Set names and ticks of the axes x, y, θ, the last in degrees."""
     ax.set_xlabel("x", fontsize=palette.TEXT_SIZE)
     ax.set_ylabel("y", fontsize=palette.TEXT_SIZE)
@@ -75,7 +75,7 @@ def dress(ax: Any) -> None:
     ax.view_init(elev=22, azim=-62)
 
 
-def shaded(mesh: "Trimesh") -> Array:
+def shade_faces(mesh: "Trimesh") -> Array:
     """The colour of each face under the light, (m, 3)."""
     visual: Any = mesh.visual
     own = np.array([to_rgb(palette.ROADMAP)])
@@ -88,7 +88,7 @@ def shaded(mesh: "Trimesh") -> Array:
     return np.clip(own * light[:, None], 0.0, 1.0)
 
 
-def section_of(mesh: "Trimesh", theta: float) -> Array:
+def cut_mesh(mesh: "Trimesh", theta: float) -> Array:
     """The outline of a mesh at a height, as segments in space, shape (k, 2, 3).
 
     At a flat end it is the outline of the end; beyond the mesh it is empty.

@@ -43,7 +43,7 @@ def draw_success(
     for i, (name, counts) in enumerate(curves.items()):
         low, high = wilson(counts, trials)
         artists.append(draw_band(places, low, high, i, ax))
-        artists += ax.plot(places, as_array(counts, name) / trials, label=name, **look_of(i))
+        artists += ax.plot(places, as_array(counts, name) / trials, label=name, **curve_style(i))
     label_axes(along, say("success.share", trials=trials), ax)
     ax.set_ylim(-0.03, 1.03)
     return [*artists, ax.legend(fontsize=palette.TEXT_SIZE, loc="best")]
@@ -75,7 +75,7 @@ def draw_spread(
         runs = np.asarray(values, float)
         low, middle, high = np.quantile(runs, (0.1, 0.5, 0.9), axis=0, method="nearest")
         artists.append(draw_band(places, low, high, i, ax))
-        artists += ax.semilogx(places, middle, label=name, **look_of(i))
+        artists += ax.semilogx(places, middle, label=name, **curve_style(i))
     label_axes(along, up, ax)
     ax.set_xticks(places, [f"{place:g}" for place in places])
     ax.minorticks_off()
@@ -87,7 +87,7 @@ def draw_band(x: Array, low: Array, high: Array, i: int, ax: Axes) -> Artist:
     return ax.fill_between(x, low, high, color=COLOURS[i % 4], alpha=0.2, linewidth=0)
 
 
-def look_of(i: int) -> palette.Style:
+def curve_style(i: int) -> palette.Style:
     """The style of curve i."""
     look = {"linestyle": LINES[i % 4], "marker": "o^sD"[i % 4], "color": COLOURS[i % 4]}
     return {**look, "linewidth": 2.2}

@@ -18,12 +18,12 @@ def draw_torus_roadmap(plan: Plan, ax: Axes | None = None) -> list[Artist]:
     """Draw the roadmap and the path of a two-link arm by its angles, -pi to pi."""
     ax = torus_axes(ax)
     nodes, edges = nearest_turn(plan.roadmap.nodes), plan.roadmap.edges
-    motions = unrolled(nodes[edges[:, 0]], nodes[edges[:, 1]])
+    motions = unroll(nodes[edges[:, 0]], nodes[edges[:, 1]])
     artists = draw_edges(motions, ax, palette.ROADMAP, width=0.8, zorder=3)
     artists += ax.plot(*nodes.T, ".", color=palette.TREE, markersize=5, zorder=3.5)
     if plan.path is not None:
         path = nearest_turn(plan.path)
-        legs = unrolled(path[:-1], path[1:])
+        legs = unroll(path[:-1], path[1:])
         artists += draw_edges(legs, ax, palette.INK, width=5.0, zorder=4)
         artists += draw_edges(legs, ax, palette.PATH, width=3.0, zorder=5)
     ends: Any = nearest_turn(np.array([plan.problem.start, plan.problem.goal]))
@@ -32,7 +32,7 @@ def draw_torus_roadmap(plan: Plan, ax: Axes | None = None) -> list[Artist]:
     return artists
 
 
-def unrolled(a: Array, b: Array) -> Array:
+def unroll(a: Array, b: Array) -> Array:
     """The shortest motions from a to b as segments in the square, (k, 2, 2).
 
     A motion that leaves the square is drawn twice: where it leaves and where it enters.

@@ -16,7 +16,7 @@ from .drawing import axes_for, draw_world
 from .moving import outline_of
 
 
-def outlines(world: UncertainWorldRecord) -> list[tuple[int, Array]]:
+def expected_outlines(world: UncertainWorldRecord) -> list[tuple[int, Array]]:
     """The number of each obstacle and its outline (k, 2) at its expected place, polygons first.
 
     A disc's outline has 24 corners.
@@ -72,7 +72,9 @@ def draw_uncertain(
     dashed: Any = {"edgecolors": palette.INK, "linestyles": "--", "linewidths": 1.8}
     moved: list[Array] = []
     if offsets is not None:
-        moved = [ring + by for number, ring in outlines(world) for by in offsets[:, number]]
+        moved = [
+            ring + by for number, ring in expected_outlines(world) for by in offsets[:, number]
+        ]
     if moved:
         ghosts = PolyCollection(moved, facecolors="none", zorder=2, **faint)
         drawn.append(ax.add_collection(ghosts))

@@ -43,7 +43,7 @@ def words_for(key: str, language: str) -> str:
         Where English lacks it too.
     """
     for name in (language, "en"):
-        words = found(catalogue(name), key)
+        words = look_up(catalogue(name), key)
         if words is not None:
             return words
     raise KeyError(f"no words for {key!r} in {HERE / 'en'} and {LESSONS}")
@@ -51,7 +51,7 @@ def words_for(key: str, language: str) -> str:
 
 def has_words(key: str) -> bool:
     """Whether the English catalogue has a message under a key."""
-    return found(catalogue("en"), key) is not None
+    return look_up(catalogue("en"), key) is not None
 
 
 @cache
@@ -67,7 +67,7 @@ def catalogue(language: str) -> dict[str, Any]:
     }
 
 
-def found(words: dict[str, Any], key: str) -> str | None:
+def look_up(words: dict[str, Any], key: str) -> str | None:
     """The message under a dotted key, or None."""
     here: Any = words
     for part in key.split("."):

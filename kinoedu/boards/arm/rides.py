@@ -7,7 +7,7 @@ import numpy as np
 
 from ...errors import KinoeduError
 from ...figures.drawing import growth_of, summary
-from ...figures.robots import spread, track_of
+from ...figures.robots import spread_configurations, track_of
 from ...geometry.checks import Array
 from ...problems import Plan, Problem, ProblemRecord
 from ...robots.arm import ArmRobot
@@ -77,7 +77,7 @@ def spread_stops(problem: ProblemRecord, path: Array) -> Array:
     """Equally spaced configurations along a path, ends included, (k, 2)."""
     if len(path) == 0:
         return path
-    return np.array([path[0], *spread(problem.space, path, STEPS - 1), path[-1]])
+    return np.array([path[0], *spread_configurations(problem.space, path, STEPS - 1), path[-1]])
 
 
 def draw_ride_in_workspace(arm: ArmRobot, ride: Ride) -> list[Layer]:

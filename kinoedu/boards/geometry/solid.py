@@ -20,7 +20,7 @@ from numpy.typing import ArrayLike
 from ...c_space import translating_obstacles, turned, turning_obstacle
 from ...errors import InvalidParameter, KinoeduError
 from ...figures import palette
-from ...figures.solid import draw_mesh, section_of, shaded
+from ...figures.solid import cut_mesh, draw_mesh, shade_faces
 from ...geometry import convex_polygons_intersect
 from ...geometry.checks import Array, as_array, as_point
 from ...geometry.convex import convex_parts
@@ -168,7 +168,7 @@ class SolidBoard(anywidget.AnyWidget):
         angle = as_array(theta, "theta")
         if angle.ndim:
             raise InvalidParameter(f"theta must be one angle, got {theta!r}")
-        colours = 255.0 * np.broadcast_to(shaded(mesh), (len(mesh.faces), 3))
+        colours = 255.0 * np.broadcast_to(shade_faces(mesh), (len(mesh.faces), 3))
         super().__init__(
             vertices=np.asarray(mesh.vertices, np.float32).tobytes(),
             faces=np.asarray(mesh.faces, np.uint32).tobytes(),
@@ -215,13 +215,13 @@ class SolidBoard(anywidget.AnyWidget):
         place = np.array((0.0, 0.0) if self.place is None else self.place)
         shown = self._section(self.theta, place)
         with self.hold_sync():
-            self.cut = section_of(self._mesh, self.theta)[:, :, :2].tolist()
+            self.cut = cut_mesh(self._mesh, self.theta)[:, :, :2].tolist()
             self.section = {**shown, "theta": self.theta, "place": self.place}
 
     def _outline(self, theta: float, _: Array) -> dict[str, Any]:
         """The cut itself, as a section."""
         lines = [
-            shape(line[:, :2], line="goal", closed=False) for line in section_of(self._mesh, theta)
+            shape(line[:, :2], line="goal", closed=False) for line in cut_mesh(self._mesh, theta)
         ]
         return {"text": say("c_space.nothing", theta=f"{np.degrees(theta):.0f}"), "shapes": lines}
 

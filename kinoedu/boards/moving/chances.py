@@ -10,7 +10,7 @@ from ...chances import wilson
 from ...collision import collision_bound
 from ...collision.probability import as_mover, hit_scenarios, part_gaps
 from ...errors import InvalidParameter, KinoeduError
-from ...figures.uncertain import margin_rings, outlines
+from ...figures.uncertain import expected_outlines, margin_rings
 from ...geometry.checks import Array
 from ...planners import prm, shortcut
 from ...planners.tuning import whole
@@ -166,7 +166,7 @@ def draw_margins(world: UncertainWorldRecord, delta: float) -> list[Layer]:
 
 def draw_expected(world: UncertainWorldRecord, step: int) -> list[Layer]:
     """Draw the obstacles at their expected places: dotted, and from a step on as bodies."""
-    rings = [ring for _, ring in outlines(world)]
+    rings = [ring for _, ring in expected_outlines(world)]
     dotted = [draw_closed_line(ring, "obstacle", 1.2, (1.5, 3)) for ring in rings]
     return [*dotted, *(bodies([ring], "obstacle", when=[step]) for ring in rings)]
 
@@ -177,7 +177,7 @@ def draw_scenarios(world: UncertainWorldRecord, offsets: Array, hit: Any) -> lis
     At the last step none of them is shown.
     """
     layers = []
-    for number, ring in outlines(world):
+    for number, ring in expected_outlines(world):
         for was_hit, colour in ((False, "obstacle"), (True, "hit")):
             steps = np.flatnonzero(hit == was_hit)
             if len(steps):
@@ -191,7 +191,9 @@ def draw_all_scenarios(world: UncertainWorldRecord, offsets: Array, hit: Any) ->
     layers = []
     for was_hit, colour in ((False, "outside"), (True, "hit")):
         shapes = [
-            ring + by for number, ring in outlines(world) for by in offsets[hit == was_hit, number]
+            ring + by
+            for number, ring in expected_outlines(world)
+            for by in offsets[hit == was_hit, number]
         ]
         sides = [sides_of(ring) for ring in shapes]
         if sides:
