@@ -288,7 +288,7 @@ def test_a_readers_planner_is_recorded_judged_and_raced():
     made = board(walled(), planner=around)
     assert made.plan.length == pytest.approx(2 * np.hypot(2, 8) + 4)
     assert repr(made).startswith("Board(yours: length 20.49, 4 motions checked; ours: length ")
-    free, blocked, places, _ = draw_questions(made.plan.asked)
+    free, blocked, places, _ = draw_questions(made.plan.questions)
     assert (
         free.when.tolist() == [3, 4, 5]
         and blocked.when.tolist() == [1]
@@ -357,7 +357,7 @@ def test_a_hanging_planner_is_stopped():
     """Its time and its recorded queries are bounded, and the picture shows them."""
     tried = try_planner(forever, walled(), 0, seconds=0.3)
     assert tried.fault.startswith("no answer after") and "It was stopped" in tried.fault
-    assert 0 < len(tried.asked) <= 20_000 and not tried.still_running
+    assert 0 < len(tried.questions) <= 20_000 and not tried.still_running
 
 
 def test_a_planner_that_cannot_be_stopped_is_not_started_again(monkeypatch):

@@ -51,9 +51,8 @@ def plan_ride(
     nowhere = np.empty((0, 2))
     try:
         problem = Problem(arm, world, *ends)
-        plan = (
-            planner(problem, rng=seed) if is_ours(planner) else try_planner(planner, problem, seed)
-        )
+        ours = is_ours(planner)
+        plan = planner(problem, rng=seed) if ours else try_planner(planner, problem, seed)
     except KinoeduError as error:
         return Ride(None, str(error), nowhere, nowhere)
     text = describe_plan(plan)

@@ -176,10 +176,10 @@ class CarBoard(Framed):
 
     def _refusal(self, scene: Scene, reason: str) -> Drawing:
         """Keep the last valid drawing; show the refused pose until it is released."""
-        asked = self.problem
-        ends = poses_in(scene, asked.robot, [(asked.start, asked.goal)])
-        wrong = [q for q in ends if not is_free(asked.robot, asked.world, q, asked.clearance)]
-        layers = [*self._drawing.layers, *draw_refused(asked.robot, wrong)]
+        last = self.problem
+        ends = poses_in(scene, last.robot, [(last.start, last.goal)])
+        wrong = [q for q in ends if not is_free(last.robot, last.world, q, last.clearance)]
+        layers = [*self._drawing.layers, *draw_refused(last.robot, wrong)]
         return replace(self._drawing, layers=layers, warning=reason, places=list_places(self._good))
 
     def _planned(self) -> Plan:

@@ -41,23 +41,23 @@ def handle_places(car: CarRobot, start: Array, goal: Array, here: Array) -> list
     ]
 
 
-def poses_in(scene: Scene, car: CarRobot, known: Iterable[tuple[Array, Array]]) -> list[Array]:
+def poses_in(scene: Scene, car: CarRobot, former: Iterable[tuple[Array, Array]]) -> list[Array]:
     """The poses of start and goal, from their handles.
 
-    known : pairs (start, goal). A tip that stands exactly where a known pose has it keeps that
+    former : pairs (start, goal). A tip that stands exactly where a former pose has it keeps that
         heading to the last digit, so that moving a place does not turn the pose.
     """
-    at = [np.array(item["at"]) for item in scene["handles"]]
-    pairs = list(known)
+    start, start_tip, goal, goal_tip = (np.array(h["at"]) for h in scene["handles"][:CAR])
+    starts, goals = zip(*former, strict=True)
     return [
-        pose_from_handles(at[2 * k], at[2 * k + 1], car, [pair[k] for pair in pairs])
-        for k in range(2)
+        pose_from_handles(start, start_tip, car, starts),
+        pose_from_handles(goal, goal_tip, car, goals),
     ]
 
 
-def pose_from_handles(place: Array, tip: Array, car: CarRobot, known: Sequence[Array]) -> Array:
+def pose_from_handles(place: Array, tip: Array, car: CarRobot, former: Sequence[Array]) -> Array:
     """The pose at a place that looks at a tip."""
-    for pose in known:
+    for pose in former:
         if np.array_equal(tip, tip_of(car, pose)):
             return np.array([*place, pose[2]])
     return np.array([*place, math.atan2(tip[1] - place[1], tip[0] - place[0])])

@@ -47,8 +47,8 @@ class Attempt:
 
     Attributes
     ----------
-    asked : the questions kept.
-    motions : the number of motions asked.
+    questions : the questions kept.
+    motions : the number of motions checked.
     path : the path that it returned, or None.
     wrong : the indices of the path's motions that are not free, from 0.
     length : the length of a correct path.
@@ -56,7 +56,7 @@ class Attempt:
     still_running : whether it could not be stopped.
     """
 
-    asked: list[Question]
+    questions: list[Question]
     motions: int
     path: Array | None = None
     wrong: list[int] = field(default_factory=list)
@@ -217,7 +217,7 @@ def draw_attempt(tried: Attempt, ours: Plan | None) -> Drawing:
 
     Blocked motions are dashed.
     """
-    layers = draw_questions(tried.asked)
+    layers = draw_questions(tried.questions)
     if ours is not None and ours.path is not None:
         layers.append(path(ours.path[:, :2], "ink", width=1.5, dash=(2, 4), casing=False))
         middle = ours.path[len(ours.path) // 2, :2]
@@ -228,16 +228,16 @@ def draw_attempt(tried: Attempt, ours: Plan | None) -> Drawing:
         layers.append(edges(segments, "contact", width=4.0, dash=(3, 6))._replace(last=True))
         layers.append(dots(segments.mean(axis=1), "contact", radius=5.0)._replace(last=True))
     text, unit = "" if ours is None else describe_race(tried, ours), say("board.own.questions")
-    total = len(tried.asked)
+    total = len(tried.questions)
     return Drawing(layers, text=text, warning=tried.fault, total=total, unit=unit)
 
 
-def draw_questions(asked: list[Question]) -> list[Layer]:
+def draw_questions(questions: list[Question]) -> list[Layer]:
     """Questions as layers that grow."""
     kinds: dict[tuple[bool, bool], list[tuple[int, Any]]] = {
         (motion, free): [] for motion in (True, False) for free in (True, False)
     }
-    for number, question in enumerate(asked, start=1):
+    for number, question in enumerate(questions, start=1):
         points = plane_points(question.given)
         if points is not None:
             kinds[len(points) == 2, bool(question.answer)].append((number, points))

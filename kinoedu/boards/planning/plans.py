@@ -39,16 +39,22 @@ class Choice(NamedTuple):
     takes: tuple[str, ...]
 
 
+def _rrt(problem: ProblemRecord, given: Settings) -> Plan:
+    return rrt(problem, step=given.step, rng=given.seed)
+
+
+def _prm(problem: ProblemRecord, given: Settings) -> Plan:
+    return prm(problem, n=given.samples, rng=given.seed)
+
+
+def _astar(problem: ProblemRecord, given: Settings) -> Plan:
+    return plan_on_grid(problem)
+
+
 PLANNERS = {
-    "rrt": Choice(
-        rrt, lambda problem, given: rrt(problem, step=given.step, rng=given.seed), ("seed", "step")
-    ),
-    "prm": Choice(
-        prm,
-        lambda problem, given: prm(problem, n=given.samples, rng=given.seed),
-        ("seed", "samples"),
-    ),
-    "astar": Choice(plan_on_grid, lambda problem, given: plan_on_grid(problem), ()),
+    "rrt": Choice(rrt, _rrt, ("seed", "step")),
+    "prm": Choice(prm, _prm, ("seed", "samples")),
+    "astar": Choice(plan_on_grid, _astar, ()),
 }
 
 

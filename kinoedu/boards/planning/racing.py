@@ -54,11 +54,11 @@ def describe_steps(name: str, costs: list[float]) -> list[str]:
     """The number of nodes at each step, and the length of the path found by then, in words."""
     texts = []
     for step, cost in enumerate(costs):
-        known = {"name": name, "nodes": f"{step:,}"}
+        values = {"name": name, "nodes": f"{step:,}"}
         if np.isfinite(cost):
-            texts.append(say("race_board.arrived", **known, cost=f"{cost:.4g}"))
+            texts.append(say("race_board.arrived", **values, cost=f"{cost:.4g}"))
         else:
-            texts.append(say("race_board.growing", **known))
+            texts.append(say("race_board.growing", **values))
     if not np.isfinite(costs[-1]):
         texts[-1] = say("race_board.failed", name=name, nodes=f"{len(costs) - 1:,}")
     return texts

@@ -123,10 +123,8 @@ def find_near_pairs(log: Rewirings) -> NDArray[np.int64]:
     """Pairs of a node and an older one within its ball, (m, 2)."""
     from scipy.spatial import cKDTree
 
-    nodes = log.nodes[:, :2]
-    older, newer = (
-        cKDTree(nodes).query_pairs(float(log.radius.max()) * (1.0 + 1e-9), output_type="ndarray").T
-    )
+    nodes, farthest = log.nodes[:, :2], float(log.radius.max()) * (1.0 + 1e-9)
+    older, newer = cKDTree(nodes).query_pairs(farthest, output_type="ndarray").T
     within = ((nodes[older] - nodes[newer]) ** 2).sum(axis=1) <= log.radius[newer] ** 2
     pairs = np.column_stack([newer, older])[within]
     return pairs[np.lexsort((pairs[:, 1], pairs[:, 0]))]
@@ -141,13 +139,13 @@ def describe_steps(log: Rewirings, near: NDArray[np.int64], costs: list[float]) 
     parent = dict(zip(log.node[new].tolist(), log.parent[new].tolist(), strict=True))
     texts = ["", say("rewiring_board.root")]
     for node in range(1, n):
-        cost, known = costs[node + 1], {"node": node, "parent": parent[node]}
+        cost, values = costs[node + 1], {"node": node, "parent": parent[node]}
         way = say("rewiring_board.no_way")
         if np.isfinite(cost):
             way = say("rewiring_board.way", cost=f"{cost:.4g}")
         if node == log.at_goal:
-            texts.append(say("rewiring_board.goal", **known, way=way))
+            texts.append(say("rewiring_board.goal", **values, way=way))
         else:
             counts = {"near": count[node], "hung": rewired[node]}
-            texts.append(say("rewiring_board.node", **known, **counts, way=way))
+            texts.append(say("rewiring_board.node", **values, **counts, way=way))
     return texts
