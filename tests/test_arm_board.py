@@ -182,10 +182,7 @@ def test_links_in_contact_are_striped_in_the_colours_of_the_square():
         (layer.colour, layer.hatched)
         for layer in made.canvas.drawing.layers
         if layer.kind == "bodies"
-    ] == [
-        ("free_link", False),
-        ("hit", True),
-    ]
+    ] == [("free_link", False), ("hit", True)]
     rng = np.random.default_rng(2)
     crowded = ke.PolygonWorld(
         SQUARE, [TRIANGLE, ((0.4, 1.4), 0.4), ((0.2, -1.2), 0.3), ((-2, 0.5), 0.5)]

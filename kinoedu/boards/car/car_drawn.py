@@ -14,16 +14,7 @@ from ...problems import Plan
 from ...robots.car import CarRobot
 from ...robots.trajectory import TrajectoryRecord
 from ...words import say
-from ..core.drawing import (
-    Layer,
-    arrows,
-    bodies,
-    edges,
-    eye,
-    labels,
-    path_edges,
-    segments_along,
-)
+from ..core.drawing import Layer, arrows, bodies, edges, eye, labels, path_edges, segments_along
 from .car_poses import body_middles, tip_of
 
 STEPS = 200  # of a ride

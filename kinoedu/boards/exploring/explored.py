@@ -10,16 +10,7 @@ from ...geometry.checks import Array
 from ...planners.exploring.receding_horizon import Look
 from ...problems import Plan
 from ...words import say
-from ..core.drawing import (
-    Drawing,
-    Layer,
-    bodies,
-    cells,
-    dots,
-    edges,
-    path_edges,
-    segments_along,
-)
+from ..core.drawing import Drawing, Layer, bodies, cells, dots, edges, path_edges, segments_along
 
 MOVES = 8  # steps from one look to the next
 

@@ -15,16 +15,7 @@ from ...geometry.checks import Array, as_points
 from ...geometry.polygons import nearest_on_ring
 from ...words import say
 from ..core.canvas import Canvas
-from ..core.drawing import (
-    Drawing,
-    Layer,
-    bodies,
-    dots,
-    edges,
-    labels,
-    segments_along,
-    sides_of,
-)
+from ..core.drawing import Drawing, Layer, bodies, dots, edges, labels, segments_along, sides_of
 from ..core.framed import Framed, control_style
 from ..core.scene import Scene, handle, make_scene, mark_drawn, polygon
 
