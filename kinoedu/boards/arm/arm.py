@@ -155,7 +155,7 @@ class ArmBoard(Pictured, widgets.VBox):
             self.world = world_in(scene)
             self.image = paint_configuration_space(self.arm, self.world)
             self._names = label_regions(self.image)
-            self.square.lay(self.image)
+            self.square.set_bitmap(self.image)
             self._standing = now
         pulls = [
             None if here == before else np.array(here)

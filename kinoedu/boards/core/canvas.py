@@ -137,7 +137,7 @@ class Canvas(anywidget.AnyWidget):
             self._show(None, None)
             self.scene = scene  # last, because a page that has the places sends no question
 
-    def lay(self, bitmap: Any) -> None:
+    def set_bitmap(self, bitmap: Any) -> None:
         """Replace the bitmap beneath by another of the same size.
 
         Every page receives it now and paints it together with the next drawing.
