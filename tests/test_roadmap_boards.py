@@ -412,7 +412,7 @@ def test_looks_add_up_to_the_plan():
         for a, b in zip(looks, looks[1:], strict=False)
     )
     assert "at the goal after 0 looks" in repr(exploring_board(problem_of(goal=(1, 1))))
-    assert "no path in its map" in repr(exploring_board(problem_of(CLOSED), 9.0))
+    assert "shows no way" in repr(exploring_board(problem_of(CLOSED), 9.0))
 
 
 def test_a_world_of_triangles_is_the_polygon_world_of_them():
