@@ -368,7 +368,7 @@ def test_what_cannot_be_searched_is_refused():
     for nothing in ("graph", np.ones((2, 2)), np.zeros((2, 2), bool), 5):
         with pytest.raises(InvalidParameter, match="needs a Graph with places"):
             search_board(nothing)
-    with pytest.raises(InvalidParameter, match="up to 900 nodes"):
+    with pytest.raises(InvalidParameter, match="at most 900 nodes"):
         search_board(np.ones((40, 40), bool))
     with pytest.raises(InvalidGraph, match="start and goal must be nodes"):
         search_board(DIAMOND, goal=9)
