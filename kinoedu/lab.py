@@ -1,4 +1,4 @@
-"""Open the course in JupyterLab: on this computer only, with its token kept."""
+"""Opens the course in JupyterLab, on this computer only, with its token kept."""
 
 import json
 import os
@@ -15,10 +15,20 @@ TOUR = "notebooks/00_tour.ipynb"
 
 
 def open_lab(*, browser: bool = True) -> int:
-    """Run JupyterLab at the tour until it is stopped; returns its exit status.
+    """Run JupyterLab at the tour until it is stopped.
 
-    What the lessons need is compiled meanwhile, the first lessons' first. Without a display the
-    address is printed only.
+    The lessons' functions are compiled meanwhile, those of the first lessons first. Without a
+    display the address is only printed.
+
+    Returns
+    -------
+    int
+        The exit status of JupyterLab.
+
+    Raises
+    ------
+    UnreadableScene
+        Where the tour is missing.
     """
     if not (COURSE / TOUR).is_file():
         raise UnreadableScene(
@@ -43,30 +53,27 @@ def open_lab(*, browser: bool = True) -> int:
 
 
 def lessons() -> Path:
-    """Where the notebooks are written: beside the course, or in the user's home where the course is
-    only to be read.
-    """
+    """The folder of the notebooks: the course's, or one in the user's home if that is read-only."""
     writable = os.access(COURSE / "notebooks", os.W_OK)
     return COURSE if writable else copy_lessons(Path.home() / "kinoedu")
 
 
 def copy_lessons(folder: Path) -> Path:
-    """The folder, with those lessons, maps and exercises that were not in it; what is there, a
-    student has written.
+    """Copy missing lessons, maps and exercises into a folder, and return it.
+
+    Files that are there are kept, because they hold the student's work.
     """
     for room in ("notebooks", "exercises"):
         for source in sorted((COURSE / room).rglob("*")):
             copy = folder / source.relative_to(COURSE)
             if source.is_file() and not copy.exists():
                 copy.parent.mkdir(parents=True, exist_ok=True)
-                shutil.copyfile(source, copy)  # without its mode: the copy is to be written
+                shutil.copyfile(source, copy)  # without its mode, so that the copy is writable
     return folder
 
 
 def lab_command(*, browser: bool) -> list[str]:
-    """The command that starts JupyterLab, which shall neither ask the network for news nor its
-    reader whether to.
-    """
+    """The command that starts JupyterLab, without news and update checks over the network."""
     command = [
         sys.executable,
         "-m",
@@ -81,7 +88,7 @@ def lab_command(*, browser: bool) -> list[str]:
     if not browser:
         command.append("--no-browser")
     if hasattr(os, "geteuid") and os.geteuid() == 0:
-        command.append("--allow-root")  # root in a container; the token still guards it
+        command.append("--allow-root")  # for containers; the token still protects the server
     return command
 
 
@@ -93,9 +100,7 @@ def has_display() -> bool:
 
 
 def address_of(server: "subprocess.Popen[bytes]") -> str | None:
-    """The tour's address with its token, once the server has written it down; None where it ended
-    before.
-    """
+    """The tour's address with its token, once the server has stored it; None if it ended."""
     from jupyter_core.paths import jupyter_runtime_dir
 
     note = Path(jupyter_runtime_dir()) / f"jpserver-{server.pid}.json"

@@ -1,6 +1,4 @@
-"""Compile ahead what the course uses, in processes of their own, while the first lessons are
-read.
-"""
+"""Compile the functions of the course ahead, in separate processes."""
 
 import os
 from collections.abc import Iterator
@@ -35,36 +33,33 @@ from .support.progress import counted
 from .worlds import Moving, MovingWorld, PolygonWorld, Terrain
 from .worlds.terrain import TerrainRecord
 
-Job = tuple[Any, ...]  # its name, a function, and what that is given
+Job = tuple[Any, ...]  # a name, a function, and its arguments
 
 ROOM = [(0, 0), (9, 0), (9, 9), (0, 9)]
 BEAM = [(-0.5, -0.2), (0.5, -0.2), (0.5, 0.2), (-0.5, 0.2)]
 
 
 def warm_up() -> None:
-    """What the tour and the first lessons need: the planners in every kind of world, bugs, and
-    searches on a graph.
+    """Compile what the tour and the first lessons use: planners, bugs, and searches on a graph.
 
-    What is compiled already is left; without a cache nothing is gained.
+    Functions that are compiled already are skipped. Without a cache nothing is done.
     """
     compile_all(first_jobs(), workers=os.cpu_count() or 1)
 
 
 def warm_all() -> None:
-    """What all lessons need."""
+    """Compile what all lessons use."""
     compile_all(chain(first_jobs(), later_jobs()), workers=os.cpu_count() or 1)
 
 
 def warm_behind() -> None:
-    """The same, the first lessons first; gives way to whatever else is running."""
+    """Compile what all lessons use, the first lessons first, at low priority."""
     for jobs in (first_jobs(), later_jobs()):
         compile_all(jobs, workers=max(1, (os.cpu_count() or 1) - 1), gives_way=True)
 
 
 def compile_all(jobs: Iterator[Job], *, workers: int, gives_way: bool = False) -> None:
-    """Do all jobs, interpreted, to see which algorithms they call for which kinds; and have those
-    compiled.
-    """
+    """Run all jobs interpreted to record the algorithms and types they call; compile those."""
     place = folder()
     if place is None or not HAS_COMPILER:
         return
@@ -95,7 +90,7 @@ def first_jobs() -> Iterator[Job]:
 
 
 def search_a_graph() -> None:
-    """Every search, and what a graph is asked for."""
+    """Run every search, and the queries of a graph."""
     graph = Graph(nodes=[(0, 0), (1, 0)], edges=[(0, 1)])
     for search in (bfs, dfs, dijkstra):
         search(graph, 0)
@@ -138,13 +133,13 @@ def later_jobs() -> Iterator[Job]:
 
 
 def judge_many(problem: ProblemRecord) -> None:
-    """Two configurations and a motion."""
+    """Judge two configurations and a motion."""
     free_configurations(problem.robot, problem.world, [problem.start, problem.goal])
     free_motions(problem.robot, problem.world, [problem.start], [problem.goal])
 
 
 def plan_on_priced_terrain(terrain: TerrainRecord) -> None:
-    """The planners that see what ground costs."""
+    """Run the planners that use the costs of a terrain."""
     problem = Problem(Point(), terrain, (1, 1), (8, 8))
     plan_on_grid(problem)
     prm(problem, n=20, rng=0)
@@ -152,22 +147,22 @@ def plan_on_priced_terrain(terrain: TerrainRecord) -> None:
 
 
 def survey(problem: ProblemRecord) -> None:
-    """A roadmap's four properties."""
+    """Measure a roadmap's four properties."""
     roadmap_properties(problem, prm(problem, n=20, rng=0).roadmap, rng=0)
 
 
 def plan_among_movers() -> None:
-    """A disk, and another that crosses its way."""
+    """Plan for a disk with another disk that crosses its path."""
     world = MovingWorld(PolygonWorld(ROOM), [Moving(0.5, times=[0, 10], places=[(5, 1), (5, 8)])])
     problem = TimedProblem(Disk(0.4), world, (1, 1), (8, 8), speed=1.0)
     plan_in_time(problem, n=20, rng=0)
 
 
 def shorten(problem: ProblemRecord) -> None:
-    """A path made shorter."""
+    """Make a path shorter."""
     shortcut(rrt_connect(problem, rng=0, max_nodes=500), tries=5, rng=0)
 
 
 def room(robot: object, start: tuple[float, ...], goal: tuple[float, ...]) -> ProblemRecord:
-    """A task in a room with a wedge."""
+    """A problem in a room with a wedge."""
     return Problem(robot, PolygonWorld(ROOM, [[(4, 0), (5, 0), (5, 5)]]), start, goal)

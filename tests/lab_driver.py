@@ -1,6 +1,4 @@
-"""A real JupyterLab in headless Chromium, for tests: start it, open a notebook, run it, look at
-it.
-"""
+"""Drives a real JupyterLab in headless Chromium: starts it, opens a notebook and runs it."""
 
 import json
 import os
@@ -28,7 +26,9 @@ FLAGS = [
 ]
 RUN_ALL = """async () => {
     const panel = jupyterapp.shell.currentWidget;
-    await panel.context.ready; await panel.sessionContext.ready; await panel.sessionContext.session.kernel.info;
+    await panel.context.ready;
+    await panel.sessionContext.ready;
+    await panel.sessionContext.session.kernel.info;
     await jupyterapp.commands.execute('notebook:run-all-cells');
     return panel.content.model.toJSON(); }"""
 
@@ -108,7 +108,7 @@ def lab(course: Path, home: Path):
 
 
 def wait_for(address: str, server: "subprocess.Popen[bytes]", log: Path) -> None:
-    """Until the server answers."""
+    """Wait until the server answers."""
     while server.poll() is None:
         with suppress(OSError), urllib.request.urlopen(address, timeout=5):
             return
@@ -118,8 +118,10 @@ def wait_for(address: str, server: "subprocess.Popen[bytes]", log: Path) -> None
 
 @contextmanager
 def notebook_page(address: str, token: str, notebook: str):
-    """A page with the notebook open; `page.outside` lists requests that would leave this computer,
-    which are refused; `page.errors` what the browser complained of.
+    """A page with the notebook open.
+
+    `page.outside` lists requests to other computers, which are refused; `page.errors` are the
+    browser's errors.
     """
     from playwright.sync_api import sync_playwright
 
@@ -146,6 +148,6 @@ def notebook_page(address: str, token: str, notebook: str):
 
 
 def keep(page, name: str) -> None:
-    """A screenshot for the folder KINOEDU_SCREENSHOTS, where there is one."""
+    """Save a screenshot in the folder KINOEDU_SCREENSHOTS, where it is set."""
     if folder := os.environ.get("KINOEDU_SCREENSHOTS"):
         page.screenshot(path=os.path.join(folder, f"{name}.png"))

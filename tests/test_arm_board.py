@@ -10,10 +10,10 @@ from test_board import Page
 import kinoedu as ke
 from kinoedu.boards import arm_board, slide_board
 from kinoedu.boards.arm.arm_drawn import links_in_contact
-from kinoedu.boards.arm.glued import split
-from kinoedu.boards.arm.pulling import nearest_reached, pulled
-from kinoedu.boards.core.drawing import Drawing, bodies, encoded
-from kinoedu.boards.geometry.slide import share_at
+from kinoedu.boards.arm.glued import split_motions
+from kinoedu.boards.arm.pulling import nearest_reachable, pull_arm
+from kinoedu.boards.core.drawing import Drawing, bodies, encode_drawing
+from kinoedu.boards.geometry.slide import fraction_at
 from kinoedu.c_space import slide
 from kinoedu.collision import paint_configuration_space
 from kinoedu.errors import InvalidParameter, InvalidPoint, InvalidPolygon, InvalidRobot
@@ -43,13 +43,13 @@ def at(canvas):
 
 
 def test_bodies_travel_with_all_their_corners():
-    """A row holds every corner of a polygon, then its steps; the message says how many corners, and
-    where things are put.
-    """
+    """A row holds a polygon's corners and its steps; the message has their number, and places."""
     body = bodies(
         np.arange(12.0).reshape(2, 3, 2), "robot", hatched=True, when=[0, 1], until=[1, 2]
     )
-    about, (rows,) = encoded(Drawing([body], places=[("handle", 0, np.array([1, 2]))]), (0, 0), 1.0)
+    about, (rows,) = encode_drawing(
+        Drawing([body], places=[("handle", 0, np.array([1, 2]))]), (0, 0), 1.0
+    )
     assert (
         about["layers"][0]["points"] == 3
         and about["layers"][0]["hatched"]
@@ -59,22 +59,20 @@ def test_bodies_travel_with_all_their_corners():
 
 
 def test_motions_are_cut_at_the_sides():
-    """The pieces lie in the square, are together as long as the short way, begin and end where it
-    does, and hang together.
-    """
+    """The pieces lie in the square, are connected, and have the short way's ends and length."""
     rng = np.random.default_rng(4)
     begins, ends = rng.uniform(-np.pi, np.pi, (2, 300, 2))
     for a, b in zip(begins, ends, strict=True):
-        pieces = split(a[None], b[None])
+        pieces = split_motions(a[None], b[None])
         assert 1 <= len(pieces) <= 3 and np.abs(pieces).max() <= np.pi * (1 + 1e-12)
         lengths = np.hypot(*(pieces[:, 1] - pieces[:, 0]).T)
         assert lengths.sum() == pytest.approx(torus_distance(a, b), rel=1e-9)
         assert np.allclose(pieces[0, 0], a) and np.allclose(np.cos(pieces[-1, 1] - b), 1)
         assert np.allclose(np.cos(pieces[1:, 0] - pieces[:-1, 1]), 1)
-    across = split(np.array([[3.0, 0.0]]), np.array([[-3.0, 0.0]]))
+    across = split_motions(np.array([[3.0, 0.0]]), np.array([[-3.0, 0.0]]))
     assert np.allclose(across, [[[3, 0], [np.pi, 0]], [[-np.pi, 0], [-3, 0]]])
-    assert split(np.empty((0, 2)), np.empty((0, 2))).shape == (0, 2, 2)
-    assert split(np.ones((1, 2)), np.ones((1, 2))).shape[0] <= 1
+    assert split_motions(np.empty((0, 2)), np.empty((0, 2))).shape == (0, 2, 2)
+    assert split_motions(np.ones((1, 2)), np.ones((1, 2))).shape[0] <= 1
 
 
 # ---- pulling
@@ -84,49 +82,45 @@ def test_motions_are_cut_at_the_sides():
     "arm", [ARM, ke.TwoLinkArm(1, 1, 0), ke.TwoLinkArm(0.5, 2, 0.1, base=(3, -2))]
 )
 def test_a_pulled_tip_goes_as_near_as_it_can(arm):
-    """No sampled configuration brings the tip nearer; of two solutions the one nearer to q is
-    taken.
-    """
+    """No sampled configuration brings the tip nearer; of two solutions the nearer to q is taken."""
     rng = np.random.default_rng(1)
     tips = np.array([arm.joints(q)[1] for q in rng.uniform(-np.pi, np.pi, (4000, 2))])
     for _ in range(100):
         q, p = rng.uniform(-np.pi, np.pi, 2), arm.base + rng.uniform(-4, 4, 2)
-        after = pulled(arm, q, None, p)
+        after = pull_arm(arm, q, None, p)
         reached = np.hypot(*(arm.joints(after)[1] - p))
         assert reached <= np.hypot(*(tips - p).T).min() + 1e-9
-        others = arm.inverse(nearest_reached(arm, q, p))
+        others = arm.inverse(nearest_reachable(arm, q, p))
         assert torus_distance(after, q) == min(torus_distance(other, q) for other in others)
 
 
 def test_pulls_that_say_nothing_about_an_angle():
-    """On the base every heading is as good: the arm keeps its own; equal links fold up."""
+    """On the base every heading fits: the arm keeps its own; equal links fold up."""
     q, equal = np.array([0.7, 1.0]), ke.TwoLinkArm(1, 1, 0)
-    assert pulled(equal, q, None, equal.base).tolist() == [0.7, -np.pi]
-    assert np.hypot(*ARM.joints(pulled(ARM, q, None, ARM.base))[1]) == pytest.approx(0.3)
-    assert pulled(ARM, q, ARM.base, None).tolist() == q.tolist()
-    assert pulled(ARM, q, None, None) is q
+    assert pull_arm(equal, q, None, equal.base).tolist() == [0.7, -np.pi]
+    assert np.hypot(*ARM.joints(pull_arm(ARM, q, None, ARM.base))[1]) == pytest.approx(0.3)
+    assert pull_arm(ARM, q, ARM.base, None).tolist() == q.tolist()
+    assert pull_arm(ARM, q, None, None) is q
 
 
 def test_a_pulled_elbow_turns_link_1():
-    """It takes link 2 along as it is bent; with a tip as well both headings are taken."""
+    """Link 2 keeps its angle to link 1; with a pulled tip both headings are taken."""
     q = np.array([0.7, 1.0])
-    assert pulled(ARM, q, np.array([0, -5]), None) == pytest.approx([-np.pi / 2, 1.0])
+    assert pull_arm(ARM, q, np.array([0, -5]), None) == pytest.approx([-np.pi / 2, 1.0])
     elbow, tip = ARM.joints((2.0, -1.5))
-    assert pulled(ARM, q, elbow, tip) == pytest.approx([2.0, -1.5])
+    assert pull_arm(ARM, q, elbow, tip) == pytest.approx([2.0, -1.5])
 
 
 # ---- the arm's board
 
 
 def test_both_pictures_show_one_configuration():
-    """A pull in the workspace moves q in the square, a drag in the square moves the arm, and every
-    page hears of both.
-    """
+    """A pull in the workspace moves q in the square and the other way round, on every page."""
     made = arm_board(ARM, WORLD, q=(0.6, 0.3))
     workspace, square = Page(made.canvas), Page(made.square)
     assert repr(made) == "ArmBoard(q = (0.60, 0.30): link 2 is in contact)"
     told = workspace.moves(("handle", 1, [0.5, -2]))
-    assert made.canvas.drawing.says == told["text"] and at(made.square) == [made.q.tolist()]
+    assert made.canvas.drawing.message == told["text"] and at(made.square) == [made.q.tolist()]
     assert ARM.joints(made.q)[1] == pytest.approx([0.5, -2]) and square.sent[-1][0]["to"] is None
     assert told["places"] == [
         ["handle", 0, ARM.joints(made.q)[0].tolist()],
@@ -141,7 +135,7 @@ def test_both_pictures_show_one_configuration():
 
 
 def test_what_stands_still_is_not_taken_for_a_pull():
-    """Answering again, or a scene that is kept as it was answered, changes no bit of q."""
+    """Answering again, or storing an answered scene, changes no bit of q."""
     made = arm_board(ARM, WORLD, q=(0.6, 0.3))
     Page(made.canvas).moves(("handle", 1, [0.1234, -1.9]))
     q = made.q.copy()
@@ -154,7 +148,7 @@ def test_what_stands_still_is_not_taken_for_a_pull():
 
 
 def test_a_tip_out_of_reach_says_why():
-    """Beyond the links' sum and within their difference; the arm shows the nearest place."""
+    """Too far and too near; the arm goes to the nearest place."""
     made = arm_board(ARM, WORLD)
     page = Page(made.canvas)
     assert "the links together reach only 2.7" in page.moves(("handle", 1, [0, 3.5]))["text"]
@@ -163,17 +157,15 @@ def test_a_tip_out_of_reach_says_why():
 
 
 def test_a_dragged_obstacle_is_painted_anew():
-    """The picture on its way to the page is the painter's for the world as it stands; what moves
-    nothing paints nothing.
-    """
+    """The page gets the image of the changed world, and none where nothing moved."""
     made = arm_board(ARM, WORLD, q=(0.6, 0.3))
     page, before = Page(made.canvas), made.square.bitmap
     assert before == paint_configuration_space(ARM, WORLD).tobytes()
     page.moves(("disc", 0, [1.1, 0.6]))
     moved = ke.PolygonWorld(SQUARE, [TRIANGLE, ((1.1, 0.6), 0.4), ((0.2, -1.4), 0.3)])
     assert made.square.bitmap == paint_configuration_space(ARM, moved).tobytes() != before
-    assert made.canvas.drawing.says == "q = (0.60, 0.30): links 1 and 2 are in contact"
-    assert made.square.drawing.says.endswith("link 1 hits")
+    assert made.canvas.drawing.message == "q = (0.60, 0.30): links 1 and 2 are in contact"
+    assert made.square.drawing.message.endswith("link 1 hits")
     kept = made.image
     page.moves(("handle", 1, [1, -2]))
     assert made.image is kept
@@ -184,16 +176,13 @@ def test_a_dragged_obstacle_is_painted_anew():
 
 
 def test_links_in_contact_are_striped_in_the_colours_of_the_square():
-    """Free links are plain; the second is judged by itself behind the first."""
+    """Free links are plain; the second is tested by itself when the first is in contact."""
     made = arm_board(ARM, WORLD, q=(0.6, 0.3))
     assert [
         (layer.colour, layer.hatched)
         for layer in made.canvas.drawing.layers
         if layer.kind == "bodies"
-    ] == [
-        ("free_link", False),
-        ("hit", True),
-    ]
+    ] == [("free_link", False), ("hit", True)]
     rng = np.random.default_rng(2)
     crowded = ke.PolygonWorld(
         SQUARE, [TRIANGLE, ((0.4, 1.4), 0.4), ((0.2, -1.2), 0.3), ((-2, 0.5), 0.5)]
@@ -209,9 +198,7 @@ def test_links_in_contact_are_striped_in_the_colours_of_the_square():
 
 
 def test_a_plan_rides_in_both_pictures():
-    """From q to the goal across the side: as many steps in both, and free all the way; a goal that
-    is not free is told.
-    """
+    """From q to the goal across the side, free, in equal steps; a goal in contact is reported."""
     made = arm_board(ARM, WORLD, q=(-0.5, 2.6), goal=(0.8, -2.5))
     assert "RRT: a path of length" in repr(made) and made.plan.path is not None
     assert made.canvas.drawing.total == made.square.drawing.total == 120
@@ -229,7 +216,7 @@ def test_a_plan_rides_in_both_pictures():
 
 
 def test_a_readers_planner_is_judged_on_the_torus():
-    """A straight way that is not free is told, one that is free is drawn."""
+    """A straight motion in collision is reported, a free one is drawn."""
     straight = arm_board(
         ARM, WORLD, q=(0, 0), goal=(2.3, 0), planner=lambda problem: [problem.start, problem.goal]
     )
@@ -237,11 +224,11 @@ def test_a_readers_planner_is_judged_on_the_torus():
     made = arm_board(
         ARM, WORLD, q=(0, 0), goal=(-0.2, 0), planner=lambda problem: [problem.start, problem.goal]
     )
-    assert "length 0.2, 0 motions asked" in repr(made) and made.canvas.drawing.total == 120
+    assert "length 0.2, 0 motions checked" in repr(made) and made.canvas.drawing.total == 120
 
 
 def test_what_is_no_arm_is_refused():
-    """Before anything is shown; a terrain is painted, too."""
+    """An error is raised before anything is shown; a terrain is painted too."""
     with pytest.raises(InvalidRobot):
         arm_board(ke.Disk(1), WORLD)
     with pytest.raises(InvalidRobot, match="two"):
@@ -260,9 +247,7 @@ def test_what_is_no_arm_is_refused():
 
 
 def test_the_reference_point_stays_on_the_c_obstacle():
-    """Dragged anywhere q comes to the nearest point of the Minkowski difference's boundary, and the
-    slider follows.
-    """
+    """q moves to the nearest boundary point of the Minkowski difference, and the slider follows."""
     made = slide_board(ROBOT, HOUSE)
     page, rim = Page(made.canvas), minkowski_difference(HOUSE, ROBOT)
     for p in np.random.default_rng(3).uniform(-1, 7, (40, 2)):
@@ -284,16 +269,14 @@ def point_to_segment(p, a, b):
 
 
 def test_share_at_undoes_at():
-    """Every share but the ends, which are one place."""
+    """For every fraction except the ends, which are the same place."""
     way = slide(ROBOT, HOUSE)
     for share in np.linspace(0.001, 0.999, 101):
-        assert share_at(way, way.at(share)[0]) == pytest.approx(share, abs=1e-9)
+        assert fraction_at(way, way.at(share)[0]) == pytest.approx(share, abs=1e-9)
 
 
 def test_the_words_say_what_touches():
-    """At every share the named vertex lies on the named edge, or the edges on each other, and robot
-    and obstacle only touch.
-    """
+    """For every fraction the named features touch, and robot and obstacle only touch."""
     made = slide_board(ROBOT, HOUSE)
     kinds = set()
     for share in np.linspace(0.003, 0.997, 83):
@@ -313,9 +296,7 @@ def test_the_words_say_what_touches():
 
 
 def test_dragged_vertices_change_the_way():
-    """The obstacle's and the robot's; the robot dragged whole leaves its reference point; no convex
-    polygon is told, and mends.
-    """
+    """Both polygons' vertices; a dragged copy; a polygon that is not convex is reported."""
     made = slide_board(ROBOT, HOUSE)
     page, home = Page(made.canvas), made._home
     grown = [*HOUSE[:2], (7, 3), *HOUSE[3:]]
@@ -330,7 +311,7 @@ def test_dragged_vertices_change_the_way():
 
 
 def test_a_slider_set_to_its_notch_moves_nothing():
-    """The browser may move it by half a notch; that is not a reader's hand."""
+    """The browser may move the slider by half a notch without the reader."""
     made = slide_board(ROBOT, HOUSE)
     Page(made.canvas).moves(("handle", 0, [6, 3.3]))
     share = made.share
@@ -339,7 +320,7 @@ def test_a_slider_set_to_its_notch_moves_nothing():
 
 
 def test_what_cannot_slide_is_refused():
-    """Before anything is shown."""
+    """An error is raised before anything is shown."""
     with pytest.raises(InvalidPolygon):
         slide_board([(0, 0), (2, 0), (1, 0.2), (1, 2)], HOUSE)
     with pytest.raises(InvalidParameter):
@@ -350,7 +331,7 @@ def test_what_cannot_slide_is_refused():
     "make", [lambda: arm_board(ARM, WORLD, q=(0.6, 0.3)), lambda: slide_board(ROBOT, HOUSE)]
 )
 def test_a_notebook_keeps_text_and_a_small_picture(make):
-    """What stands for a board where there is no JavaScript."""
+    """They replace the board where there is no JavaScript."""
     made = make()
     data, _ = made._repr_mimebundle_()
     assert data["text/plain"] == repr(made) and len(data["image/png"]) < 60_000

@@ -1,6 +1,4 @@
-"""Boards without a browser: what is asked and answered, what a reader's planner is told, what a
-notebook keeps.
-"""
+"""Boards without a browser: questions and answers, readers' planners, and stored notebooks."""
 
 import base64
 import io
@@ -15,10 +13,10 @@ from PIL import Image
 
 import kinoedu as ke
 from kinoedu.boards import Canvas, Drawing, board, distance_board
-from kinoedu.boards.core.drawing import edges, encoded, path
-from kinoedu.boards.core.scene import make_scene, moved
-from kinoedu.boards.planning.own import attempt, questions
-from kinoedu.boards.planning.plans import problem_in, scene_of
+from kinoedu.boards.core.drawing import edges, encode_drawing, path
+from kinoedu.boards.core.scene import make_scene, move_parts
+from kinoedu.boards.planning.own import draw_questions, try_planner
+from kinoedu.boards.planning.plans import make_problem_scene, problem_in
 from kinoedu.errors import InvalidParameter, KinoeduError
 
 SQUARE = [(0, 0), (10, 0), (10, 10), (0, 10)]
@@ -32,20 +30,20 @@ def walled(*more):
 
 
 class Page:
-    """Stands for a browser: what it was sent, and what it sends."""
+    """Replaces a browser: records messages from the board, and sends messages to it."""
 
     def __init__(self, canvas):
         self.canvas, self.sent = canvas, []
         canvas.send = lambda content, buffers=None: self.sent.append((content, buffers))
 
     def says(self, message):
-        """Send a message; the drawings that come back."""
+        """Send a message, and return the drawings that are answered."""
         self.sent.clear()
         self.canvas._received(self.canvas, message, [])
         return [content for content, _ in self.sent if content["kind"] == "drawing"]
 
     def moves(self, *parts, seq=1):
-        """Send parts of the scene; the one drawing that comes back."""
+        """Send parts of the scene, and return the one drawing that is answered."""
         (drawing,) = self.says(
             {"kind": "scene", "from": "page", "seq": seq, "moved": [list(part) for part in parts]}
         )
@@ -53,9 +51,7 @@ class Page:
 
 
 def test_a_moved_goal_is_planned_anew():
-    """The answer carries the question's number and page, one buffer for each layer, and the path
-    ends at the new goal.
-    """
+    """The answer has the question's number and page, a buffer per layer, and the new goal."""
     made = board(walled())
     drawing = Page(made.canvas).moves(("handle", 1, [9, 9]), seq=7)
     assert (drawing["seq"], drawing["to"]) == (7, "page")
@@ -65,23 +61,21 @@ def test_a_moved_goal_is_planned_anew():
 
 
 def test_a_buffer_holds_places_in_world_sizes_and_when_each_came():
-    """Coordinates count from the world's corner, in its size; the last column is the step; large
-    offsets lose nothing.
-    """
+    """Coordinates are relative to the world, without loss far away; the last column is the step."""
     drawing = Drawing(
         [
             edges([[(1e9 + 1, 2), (1e9 + 3, 4)]], "tree", when=[5]),
             path([(1e9, 0), (1e9 + 10, 10)], "path"),
         ]
     )
-    about, (tree, way) = encoded(drawing, (1e9, 0), 10.0)
+    about, (tree, way) = encode_drawing(drawing, (1e9, 0), 10.0)
     assert np.allclose(np.frombuffer(tree, np.float32), [0.1, 0.2, 0.3, 0.4, 5.0])
     assert np.frombuffer(way, np.float32).tolist() == [0, 0, 1, 1]
     assert about["layers"][0]["grows"] and about["layers"][1]["last"]
 
 
 def test_every_planner_draws_its_growth_in_order():
-    """Steps rise from 1 to the number of them; the path comes last."""
+    """Steps rise from 1 to their number; the path comes last."""
     for planner in ("rrt", "prm", "astar"):
         drawing = board(walled(), planner=planner, samples=200).canvas.drawing
         growing = next(layer for layer in drawing.layers if layer.when is not None)
@@ -94,9 +88,7 @@ def test_every_planner_draws_its_growth_in_order():
 
 
 def test_controls_answer_anew_for_every_page():
-    """Another seed is another plan, sent to all pages without a number; only what the planner takes
-    is shown.
-    """
+    """Another seed sends another plan to all pages; only the planner's own controls are shown."""
     made = board(walled())
     page, before = Page(made.canvas), made.plan
     made.seed.value = 5
@@ -109,9 +101,7 @@ def test_controls_answer_anew_for_every_page():
 
 @pytest.mark.parametrize("step", [None, 0.001, 0.8, 50.0])
 def test_the_first_step_is_kept_by_the_slider(step):
-    """It lies on a notch, or the browser would move it and so show another plan than the notebook
-    has stored.
-    """
+    """It lies on a notch; otherwise the browser would move it and change the stored plan."""
     slider = board(walled(), step=step).step
     assert slider.value == pytest.approx(np.sqrt(200) / 20 if step is None else step)
     notches = (slider.value - slider.min) / slider.step
@@ -121,9 +111,7 @@ def test_the_first_step_is_kept_by_the_slider(step):
 
 
 def test_the_same_scene_is_answered_once():
-    """hello and a scene that did not change are answered from memory: a reader's slow planner does
-    not run again.
-    """
+    """A hello or an unchanged scene is answered from memory, without running a planner again."""
     calls = []
     canvas = Canvas(
         make_scene((0, 0), (1, 1)), lambda scene: calls.append(scene) or Drawing(text="done")
@@ -147,9 +135,7 @@ def test_the_same_scene_is_answered_once():
     ],
 )
 def test_what_cannot_be_planned_is_said_and_nothing_old_is_shown(part, words):
-    """A warning, no layer of the plan before; the next good scene is planned as if nothing had
-    been.
-    """
+    """A warning without layers; the next good scene is planned as if nothing had happened."""
     made = board(walled())
     page, good = Page(made.canvas), made.canvas.drawing.text
     drawing = page.moves(part)
@@ -200,7 +186,7 @@ HOSTILE = [
 
 @pytest.mark.parametrize("message", HOSTILE, ids=repr)
 def test_a_broken_front_raises_nothing(message):
-    """Nonsense is told or ignored, and changes nothing: the next good question is answered."""
+    """Invalid messages are reported or ignored, and change nothing."""
     made = board(walled())
     page, scene = Page(made.canvas), made.canvas.scene
     assert all(drawing["warning"] for drawing in page.says(message) if (message.get("moved") != []))
@@ -215,28 +201,24 @@ def test_a_broken_front_raises_nothing(message):
     "scene", [None, 5, {}, {"handles": []}, {"handles": [{}, {}], "polygons": [{}], "discs": []}]
 )
 def test_a_front_cannot_write_nonsense_into_the_state(scene):
-    """A scene that is none is left out; words, colours and home are not a page's to set; a good
-    scene is kept and planned.
-    """
+    """Invalid scenes, words, colours and home are ignored; a good scene is kept and planned."""
     made = board(walled())
     before = made.canvas.scene
     made.canvas.set_state({"scene": scene, "words": {}, "home": {}})
     assert made.canvas.scene == before and made.canvas.words and made.canvas.home == before
-    good = moved(before, [("handle", 1, [9, 9])])
+    good = move_parts(before, [("handle", 1, [9, 9])])
     made.canvas.set_state({"scene": {**good, "lo": "nonsense"}})
     assert made.canvas.scene == good and made.plan.path[-1].tolist() == [9, 9]
 
 
 def test_an_answer_that_fails_is_told(caplog):
-    """A lesson's own mistake shows on its board and in the log, and the board lives on."""
+    """A lesson's own error is shown on its board and logged, and the board goes on."""
     canvas = Canvas(make_scene((0, 0), (1, 1)), lambda scene: 1 / 0)
     assert "ZeroDivisionError" in repr(canvas) and "could not answer" in caplog.text
 
 
 def test_answers_come_one_at_a_time():
-    """Messages in several threads, as JupyterLab's subshells may bring them, never answer at
-    once.
-    """
+    """Messages in several threads, as from JupyterLab's subshells, never answer at once."""
     inside, most = [], []
 
     def answer(scene):
@@ -271,18 +253,16 @@ def test_answers_come_one_at_a_time():
     ids=["wall", "room", "disc", "corner"],
 )
 def test_a_scene_is_its_problem(more):
-    """From the problem to its scene and back: the same world, also where two obstacles begin at one
-    corner.
-    """
+    """Problem to scene and back is the same world, also where two obstacles begin at one corner."""
     problem = walled(*more)
-    again = problem_in(json.loads(json.dumps(scene_of(problem))), problem)
+    again = problem_in(json.loads(json.dumps(make_problem_scene(problem))), problem)
     assert (again.world.edges == problem.world.edges).all()
     assert (again.world.obstacles.points == problem.world.obstacles.points).all()
     assert (again.start == problem.start).all() and (again.goal == problem.goal).all()
 
 
 def test_a_terrain_goes_to_the_page_once_as_bits():
-    """One bit a cell in the state; start and goal are all that moves."""
+    """One bit per cell in the state; only start and goal can be moved."""
     free = np.ones((20, 30), bool)
     free[5:9, 5:9] = False
     canvas = board(ke.Problem(ke.Disk(0.5), ke.Terrain(free), (1, 1), (25, 15))).canvas
@@ -292,7 +272,7 @@ def test_a_terrain_goes_to_the_page_once_as_bits():
 
 
 def around(problem, rng):
-    """A reader's planner: over the wall, after a look the straight way and one at a place."""
+    """A reader's planner: over the wall, after queries of the straight motion and of a place."""
     problem.is_free_path(problem.start, problem.goal)
     problem.is_free(problem.start)
     corners = [problem.start, np.array([3.0, 9.0]), np.array([7.0, 9.0]), problem.goal]
@@ -304,11 +284,11 @@ def around(problem, rng):
 
 
 def test_a_readers_planner_is_recorded_judged_and_raced():
-    """What it asked is drawn in its order, blocked motions apart; its length stands beside ours."""
+    """Its queries are drawn in order, blocked motions apart; its length is compared with ours."""
     made = board(walled(), planner=around)
     assert made.plan.length == pytest.approx(2 * np.hypot(2, 8) + 4)
-    assert repr(made).startswith("Board(yours: length 20.49, 4 motions asked; ours: length ")
-    free, blocked, places, _ = questions(made.plan.asked)
+    assert repr(made).startswith("Board(yours: length 20.49, 4 motions checked; ours: length ")
+    free, blocked, places, _ = draw_questions(made.plan.questions)
     assert (
         free.when.tolist() == [3, 4, 5]
         and blocked.when.tolist() == [1]
@@ -319,20 +299,20 @@ def test_a_readers_planner_is_recorded_judged_and_raced():
 
 
 def forever(problem):
-    """Never ends, and catches what it can."""
+    """Never ends, and catches every exception that it can."""
     while True:
         with suppress(Exception):
             problem.is_free_path(problem.start, problem.goal)
 
 
 def out_of_range(problem):
-    """A mistake in a reader's line."""
+    """An error in a reader's own line."""
     nodes = [problem.start]
     return nodes[3]
 
 
 def wrong_step(problem):
-    """A mistake that our code finds."""
+    """An error that the library raises."""
     return ke.rrt(problem, step=-1, rng=0)
 
 
@@ -344,7 +324,7 @@ def leaves(problem):
 @pytest.mark.parametrize(
     ("planner", "words"),
     [
-        (lambda problem: None, "yours: no path, 0 motions asked; ours: length"),
+        (lambda problem: None, "yours: no path, 0 motions checked; ours: length"),
         (
             lambda problem: [problem.start, problem.goal],
             "motion 1 of your path, from (1, 1) to (9, 1), is not free",
@@ -368,20 +348,20 @@ def leaves(problem):
     ],
 )
 def test_what_a_readers_planner_did_is_said(planner, words):
-    """Every way to go wrong has its words, with the reader's own line and none of ours."""
+    """Every failure has its message, with the reader's own line and none of the library's."""
     told = repr(board(walled(), planner=planner))
     assert words in told and "kinoedu/" not in told and "site-packages" not in told
 
 
 def test_a_hanging_planner_is_stopped():
-    """Its time is bounded, what it asked is kept in bounds, and the picture shows it."""
-    tried = attempt(forever, walled(), 0, seconds=0.3)
+    """Its time and its recorded queries are bounded, and the picture shows them."""
+    tried = try_planner(forever, walled(), 0, seconds=0.3)
     assert tried.fault.startswith("no answer after") and "It was stopped" in tried.fault
-    assert 0 < len(tried.asked) <= 20_000 and not tried.still_running
+    assert 0 < len(tried.questions) <= 20_000 and not tried.still_running
 
 
 def test_a_planner_that_cannot_be_stopped_is_not_started_again(monkeypatch):
-    """A second run would only add to the first, which still takes its share of the computer."""
+    """The first run still uses the processor; a second one would only add to it."""
     released, started = threading.Event(), []
 
     def waits(problem):
@@ -391,7 +371,7 @@ def test_a_planner_that_cannot_be_stopped_is_not_started_again(monkeypatch):
     module = sys.modules[
         "kinoedu.boards.planning.board"
     ]  # the package's attribute of that name is the function
-    monkeypatch.setattr(module, "attempt", lambda *given: attempt(*given, seconds=0.1))
+    monkeypatch.setattr(module, "try_planner", lambda *given: try_planner(*given, seconds=0.1))
     made = board(walled(), planner=waits)
     assert "could not be stopped" in repr(made)
     Page(made.canvas).moves(("handle", 1, [9, 9]))
@@ -400,7 +380,7 @@ def test_a_planner_that_cannot_be_stopped_is_not_started_again(monkeypatch):
 
 
 def test_a_reader_cannot_bend_the_judges_world():
-    """The planner gets a copy: an obstacle removed from it still stands for the judge."""
+    """The planner gets a copy: an obstacle that it removes is still there for the judge."""
 
     def vandal(problem):
         problem.world.obstacles.points[:] = 0
@@ -411,7 +391,7 @@ def test_a_reader_cannot_bend_the_judges_world():
 
 
 def test_our_own_functions_are_found_in_the_menu():
-    """board(problem, planner=ke.prm) is board(problem, "prm"); what is no planner is refused."""
+    """board(problem, planner=ke.prm) is board(problem, "prm"); anything else is refused."""
     assert board(walled(), planner=ke.prm, samples=100).planner.value == "prm"
     for planner in ("rtt", 5, None):
         with pytest.raises(InvalidParameter, match="planner must be one of rrt, prm, astar"):
@@ -421,9 +401,7 @@ def test_our_own_functions_are_found_in_the_menu():
 
 
 def test_a_notebook_keeps_text_and_a_small_picture():
-    """What stands for a board where there is no JavaScript: the same text, always, and a PNG of
-    less than 60 KB.
-    """
+    """Without JavaScript: always the same text, and a PNG of less than 60 KB."""
     made = board(walled(), planner="prm", samples=2000)
     for widget in (made, made.canvas, distance_board(WALL, q=(1, 9))):
         data, _ = widget._repr_mimebundle_()
@@ -435,9 +413,7 @@ def test_a_notebook_keeps_text_and_a_small_picture():
 
 
 def test_distance_board_tells_distance_nearest_point_and_inside():
-    """Inside an edge, at a vertex, in the polygon; a polygon given clockwise; one that crosses
-    itself is told.
-    """
+    """Inside an edge, at a vertex, in the polygon; clockwise polygons; a crossing is reported."""
     canvas = distance_board(WALL[::-1], q=(1, 4))
     page = Page(canvas)
     assert repr(canvas) == "Canvas(distance 3; nearest: inside edge 3)"

@@ -1,6 +1,4 @@
-"""Boards in a real JupyterLab: what is dragged moves, what is asked is answered, and nothing needs
-a mouse.
-"""
+"""Boards in a real JupyterLab: dragging, answers, and use without a mouse."""
 
 import json
 
@@ -9,8 +7,10 @@ from lab_driver import RUN_ALL, keep, lab, needs_chromium, notebook_page, writte
 
 YARD = """
 import kinoedu as ke
-obstacles = [[(2, 3), (3.5, 2.6), (3.9, 6.5), (2.4, 6.1)], [(5, 0.6), (6.2, 0.9), (6, 4.4), (5.2, 4.6)], ((10, 6.2), 0.9)]
-yard = ke.Problem(ke.Point(), ke.PolygonWorld([(0, 0), (12, 0), (12, 9), (0, 9)], obstacles), (1, 1), (11, 8))
+left = [(2, 3), (3.5, 2.6), (3.9, 6.5), (2.4, 6.1)]
+right = [(5, 0.6), (6.2, 0.9), (6, 4.4), (5.2, 4.6)]
+world = ke.PolygonWorld([(0, 0), (12, 0), (12, 9), (0, 9)], [left, right, ((10, 6.2), 0.9)])
+yard = ke.Problem(ke.Point(), world, (1, 1), (11, 8))
 board = ke.board(yard)
 board
 """
@@ -26,9 +26,7 @@ DISTANCE = "ke.boards.distance_board([(2, 1), (6, 1), (7, 4), (4, 3), (2, 5)], q
 
 @pytest.fixture(scope="module")
 def page(tmp_path_factory):
-    """One JupyterLab for all: the yard, the yard once more, a planner that hangs, the distance
-    board.
-    """
+    """One JupyterLab for all: the yard twice, a planner that hangs, the distance board."""
     needs_chromium()
     course, home = tmp_path_factory.mktemp("course"), tmp_path_factory.mktemp("home")
     (course / "boards.ipynb").write_text(written_notebook(YARD, "board", HANGS, DISTANCE))
@@ -56,26 +54,24 @@ class Seen:
         self.until("root.dataset.answers > 0")
 
     def until(self, condition, **values):
-        """Wait for a condition on `root`, the board's element, `told`, its words, and values of
-        ours.
-        """
+        """Wait for a condition on `root`, the board's element, its `text`, and given values."""
         names = ", ".join(values)
         self.page.wait_for_function(
-            f"([root, {{{names}}}]) => {{ const told = "
-            f"root.querySelector('.kinoedu-told').textContent; return {condition}; }}",
+            f"([root, {{{names}}}]) => {{ const text = "
+            f"root.querySelector('.kinoedu-text').textContent; return {condition}; }}",
             arg=[self.board.element_handle(), values],
             timeout=20_000,
         )
 
     def settled(self):
-        """Wait until what was done is painted, asked and answered."""
+        """Wait until every change is painted, asked and answered."""
         self.page.evaluate(
             "() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))"
         )
         self.until("root.dataset.seq === root.dataset.newest && root.dataset.seq > 0")
 
-    def told(self):
-        return self.board.locator(".kinoedu-told").inner_text()
+    def shown_text(self):
+        return self.board.locator(".kinoedu-text").inner_text()
 
     def data(self, name):
         return self.board.get_attribute(f"data-{name}")
@@ -103,7 +99,7 @@ class Seen:
 
 @pytest.fixture
 def yard(page):
-    """The yard, as it was in the beginning."""
+    """The yard, reset."""
     seen = Seen(page, 0)
     seen.board.locator(".kinoedu-reset").click()
     seen.settled()
@@ -112,9 +108,7 @@ def yard(page):
 
 @pytest.mark.parametrize("thing", ["handle-1", "handle-0", "polygon-0", "disc-0"])
 def test_dragging_plans_anew(yard, thing):
-    """While a thing is dragged new plans come, the picture changes and so do the words of its
-    place; no answer is out of order.
-    """
+    """During a drag new plans arrive in order, and the picture and the label change."""
     answers, pixels, label = int(yard.data("answers")), yard.pixels(), yard.label(thing)
     yard.drag(thing, -25, 10, release=False)
     yard.until(
@@ -124,18 +118,19 @@ def test_dragging_plans_anew(yard, thing):
     yard.page.mouse.up()
     yard.drag(thing, -20, 10)
     assert yard.pixels() != pixels and yard.label(thing) != label
-    assert yard.data("stale") == "0" and "a path of length" in yard.told()
+    assert yard.data("stale") == "0" and "a path of length" in yard.shown_text()
 
 
 def test_the_scene_is_kept_in_the_notebook(yard, page):
-    """What was let go is in Python, and a second view of the board shows the same."""
+    """A released thing's place is in Python, and a second view shows the same."""
     yard.drag("handle-1", -60, 10)
     other, label = Seen(page, 1), yard.label("handle-1")
     other.until("root.querySelector('[data-thing=handle-1]').ariaLabel === label", label=label)
-    assert other.told() == yard.told()
+    assert other.shown_text() == yard.shown_text()
     asked = """async () => {
         const kernel = jupyterapp.shell.currentWidget.sessionContext.session.kernel; let text = '';
-        const future = kernel.requestExecute({code: "print(board.canvas.scene['handles'][1]['at'], board.plan.path[-1].tolist())"});
+        const code = "print(board.canvas.scene['handles'][1]['at'], board.plan.path[-1].tolist())";
+        const future = kernel.requestExecute({code});
         future.onIOPub = m => { text += m.content.text ?? ''; };
         await future.done; return text; }"""
     scene, goal = json.loads(f"[{page.evaluate(asked).replace('] [', '], [')}]")
@@ -144,42 +139,40 @@ def test_the_scene_is_kept_in_the_notebook(yard, page):
 
 
 def test_a_vertex_is_dragged_and_a_crossing_told(yard):
-    """Across the opposite edge the outline is no polygon: a warning and no plan; back again, and
-    all is well.
-    """
+    """A vertex across the opposite edge gives a warning and no plan; back again, a plan."""
     yard.board.locator("[data-thing=polygon-0]").focus()
     yard.page.keyboard.press("Enter")
     yard.drag("vertex-0-0-0", 0, -250, release=False)
     yard.until(
         "root.dataset.warning.includes('crosses or touches itself') && root.dataset.layers === ''"
     )
-    assert "obstacle 0" in yard.told()
+    assert "obstacle 0" in yard.shown_text()
     keep(yard.page, "warning")
     x, y = yard.middle("vertex-0-0-0")
     yard.page.mouse.move(x, y + 250, steps=5)
     yard.page.mouse.up()
     yard.until("root.dataset.warning === '' && root.dataset.layers === 'edges path'")
-    assert "a path of length" in yard.told()
+    assert "a path of length" in yard.shown_text()
 
 
 def test_the_growth_is_scrubbed_and_played(yard):
-    """The slider shows the tree as it was; playing goes to the end by itself."""
+    """The slider shows earlier trees; playing goes to the end by itself."""
     whole, pixels = int(yard.data("total")), yard.pixels()
     slider = yard.board.locator(".kinoedu-slider")
     slider.focus()
     for _ in range(5):
         slider.press("ArrowLeft")
-    yard.until("told === words", words=f"{whole - 5} of {whole} nodes")
+    yard.until("text === words", words=f"{whole - 5} of {whole} nodes")
     assert yard.pixels() != pixels
     slider.press("Home")
     yard.until("root.dataset.step === '0'")
     yard.board.locator(".kinoedu-play").click()
     yard.until("root.dataset.step > 0 && root.dataset.step < root.dataset.total")
-    yard.until("root.dataset.step === root.dataset.total && told.includes('a path of length')")
+    yard.until("root.dataset.step === root.dataset.total && text.includes('a path of length')")
 
 
 def test_reduced_motion_steps_and_does_not_play(yard):
-    """Who asked for less motion presses for each step."""
+    """Readers who prefer reduced motion press a button for each step."""
     yard.page.emulate_media(reduced_motion="reduce")
     try:
         yard.board.locator(".kinoedu-slider").press("Home")
@@ -198,9 +191,7 @@ def test_reduced_motion_steps_and_does_not_play(yard):
 
 
 def test_everything_is_reached_by_keyboard(yard):
-    """Tab goes from thing to thing, arrows move them, Enter leads to vertices, Escape back; it is
-    read out when quiet.
-    """
+    """Tab, arrow keys, Enter to vertices, Escape back; the text is read out when quiet."""
     keys = yard.page.keyboard
     yard.board.locator("[data-thing=handle-0]").focus()
     focus = "document.activeElement.dataset.thing"
@@ -212,7 +203,7 @@ def test_everything_is_reached_by_keyboard(yard):
     yard.until("root.querySelector('[data-thing=handle-1]').ariaLabel === 'goal at (10.88, 7.40)'")
     yard.settled()
     keys.press("Tab")
-    assert yard.label("polygon-0").endswith("Enter leads to its vertices")
+    assert yard.label("polygon-0").endswith("press Enter to reach its vertices")
     keys.press("Enter")
     assert yard.page.evaluate(focus) == "vertex-0-0-0"
     keys.press("ArrowUp")
@@ -225,33 +216,34 @@ def test_everything_is_reached_by_keyboard(yard):
     keys.press("Escape")
     assert yard.page.evaluate(focus) == "polygon-0"
     yard.until(
-        "root.querySelector('[role=status]').textContent === told && "
-        "root.querySelector('canvas').ariaLabel === told"
+        "root.querySelector('[role=status]').textContent === text && "
+        "root.querySelector('canvas').ariaLabel === text"
     )
     assert yard.page.evaluate("jupyterapp.shell.currentWidget.content.mode") is not None
 
 
 def test_a_hanging_planner_ends_with_a_message(page):
-    """The board says so, asks again only when the goal is let go, and works as soon as the planner
-    does.
-    """
+    """It is run again only when the goal is released, and works once the planner does."""
     hangs = Seen(page, 2)
-    hangs.until("told.includes('It was stopped; the picture')")
+    hangs.until("text.includes('It was stopped; the picture')")
     answers = int(hangs.data("answers"))
     hangs.drag("handle-1", 0, 60)
     assert int(hangs.data("answers")) == answers + 1
-    assert "It was stopped; the picture" in hangs.told()
+    assert "It was stopped; the picture" in hangs.shown_text()
     x, y = hangs.middle("handle-0")
     there = hangs.middle("handle-1")
     hangs.drag("handle-1", x + 60 - there[0], y - there[1])
-    hangs.until("told.startsWith('yours: length')")
+    hangs.until("text.startsWith('yours: length')")
 
 
 def test_the_distance_board_follows_q(page):
     """q is dragged: distance and nearest point follow, and there is no growth to scrub."""
     seen = Seen(page, 3)
-    assert seen.told() == "distance 2.236; nearest: vertex 2"
+    assert seen.shown_text() == "distance 2.236; nearest: vertex 2"
     seen.drag("handle-0", -100, 0)
-    assert seen.told().startswith("distance") and seen.told() != "distance 2.236; nearest: vertex 2"
+    assert (
+        seen.shown_text().startswith("distance")
+        and seen.shown_text() != "distance 2.236; nearest: vertex 2"
+    )
     assert not seen.board.locator(".kinoedu-slider").is_visible()
     keep(page, "distance")

@@ -1,6 +1,4 @@
-"""The car's board without a browser: what is set and refused, what is drawn, and what is driven by
-keys.
-"""
+"""The car's board without a browser: setting poses, refusals, drawings, and driving by keys."""
 
 import io
 import math
@@ -13,9 +11,9 @@ from test_planning_boards import layers_of, shown
 
 import kinoedu as ke
 from kinoedu.boards import car_board
-from kinoedu.boards.car.car_drawn import STEPS, posed, ride_along
+from kinoedu.boards.car.car_drawn import STEPS, make_ride, place_shapes
 from kinoedu.boards.car.car_poses import tip_of
-from kinoedu.boards.car.driving import MOMENT, NOTCHES, driven_on, standing_at
+from kinoedu.boards.car.driving import MOMENT, NOTCHES, continue_drive, start_drive
 from kinoedu.collision import is_free_drive, is_free_trajectory
 from kinoedu.errors import InvalidParameter
 from kinoedu.figures.ackermann import steered_wheels
@@ -35,28 +33,26 @@ def problem_of(*obstacles, start=START, goal=GOAL, car=None, **given):
 
 
 def keys(page, *held, times=1, seq=0):
-    """Hold keys for some moments; the last drawing that comes back."""
+    """Hold keys for some moments; returns the last drawing that is answered."""
     for _ in range(times):
         drawing = page.says({"kind": "keys", "from": "page", "seq": seq, "held": list(held)})[-1]
     return drawing
 
 
 def at(made, number):
-    """Where a handle is."""
+    """The place of a handle."""
     return made.canvas._shown["handles"][number]["at"]
 
 
-# ---- what is planned
+# ---- planning
 
 
 @pytest.mark.parametrize("planner", ["kinodynamic_rrt", "kinodynamic_prm", "rrt"])
 def test_a_planner_grows_and_then_the_car_drives(planner):
-    """Growing layers come in order, there is a text for each step, and the last body stands where
-    the trajectory ends.
-    """
+    """Layers grow in order with a text per step; the last body is at the trajectory's end."""
     made = car_board(problem_of(), planner, rng=3)
     drawing, plan = made.canvas.drawing, made.plan
-    assert not drawing.warning and len(drawing.told) == drawing.total > STEPS
+    assert not drawing.warning and len(drawing.step_texts) == drawing.total > STEPS
     for layer in drawing.layers:
         assert layer.when is None or (
             len(layer.when) == len(layer.rows) and (np.diff(layer.when) >= 0).all()
@@ -78,9 +74,7 @@ def test_a_planner_grows_and_then_the_car_drives(planner):
 
 
 def test_the_same_seed_is_the_same_scene():
-    """And another seed another; each planner of the menu is the library's own, with the iterations
-    that are chosen.
-    """
+    """Another seed gives another; planners are the library's, with the iterations chosen."""
     made, again = car_board(problem_of(), rng=5), car_board(problem_of(), rng=5)
     assert made.canvas._buffers == again.canvas._buffers
     again.seed.value = 6
@@ -100,9 +94,7 @@ def test_the_same_seed_is_the_same_scene():
 
 
 def test_without_a_path_the_board_says_why():
-    """Behind a wall from side to side; the car of a tree still drives to the nearest pose, along
-    curves it stands.
-    """
+    """Behind a closed wall a tree's car drives to the nearest pose; along curves it stands."""
     closed = [(9, -1), (11, -1), (11, 17), (9, 17)]
     made = car_board(problem_of(closed), iterations=60)
     assert "no path, " in made.canvas.drawing.text and made.canvas.drawing.total > 100
@@ -110,11 +102,11 @@ def test_without_a_path_the_board_says_why():
     assert "no path, " in repr(made) and made.canvas.drawing.total <= 100
 
 
-# ---- where it starts and is to go
+# ---- start and goal poses
 
 
 def test_a_place_keeps_its_heading_and_a_tip_turns_it():
-    """To the last digit; the tip goes along with its place, and back to its distance."""
+    """To the last digit; the tip moves with its place, and returns to its distance."""
     made = car_board(problem_of(), "you")
     page = Page(made.canvas)
     page.moves(("handle", 2, [19.0, 12.0]))
@@ -133,9 +125,7 @@ def test_a_place_keeps_its_heading_and_a_tip_turns_it():
 
 @pytest.mark.parametrize("planner", ["kinodynamic_rrt", "you"])
 def test_what_is_not_free_is_refused_with_the_reason(planner):
-    """The problem, the plan and all places stay as they were; an obstacle is refused as well, and
-    one that crosses itself.
-    """
+    """Problem, plan and places stay; so with an obstacle, also one that crosses itself."""
     made = car_board(problem_of(), planner)
     page, problem, scene = Page(made.canvas), made.problem, made.canvas._shown
     plan = made.plan
@@ -158,9 +148,7 @@ def test_what_is_not_free_is_refused_with_the_reason(planner):
 
 
 def test_a_car_among_bitmaps_and_one_that_only_goes_forward():
-    """The bitmap lies beneath, and obstacles are not dragged; without a reverse gear ArrowDown does
-    nothing.
-    """
+    """A bitmap lies beneath; a car without a reverse gear ignores ArrowDown."""
     car = ke.Car(3, 1, 2, speeds=(1.0,))
     made = car_board(ke.Problem(car, ke.Terrain(np.ones((16, 24), bool)), START, GOAL), "you")
     assert made.canvas.bitmap and not made.canvas.drawing.warning
@@ -175,7 +163,7 @@ def test_a_car_among_bitmaps_and_one_that_only_goes_forward():
     "wrong", [{"planner": "astar"}, {"view": "below"}, {"iterations": 0}, {"rng": -1}]
 )
 def test_what_makes_no_sense_is_refused(wrong):
-    """Before anything is shown; so is a problem of something else."""
+    """Errors are raised before anything is shown, also for a problem of another robot."""
     with pytest.raises(InvalidParameter):
         car_board(problem_of(), **wrong)
     with pytest.raises(InvalidParameter, match="Car"):
@@ -186,9 +174,7 @@ def test_what_makes_no_sense_is_refused(wrong):
 
 
 def test_driving_messages_replayed_are_the_cars_closed_form():
-    """Moment by moment `Car.move` leads to where the board has the car; what is held on is one
-    control.
-    """
+    """Moment by moment `Car.move` gives the board's pose; a control held on is one control."""
     made = car_board(problem_of(start=(3, 3, 0.3)), "you")
     page, car, rng = Page(made.canvas), made.problem.robot, np.random.default_rng(1)
     pose, notch, told = np.array([3, 3, 0.3]), 0, set()
@@ -215,31 +201,29 @@ def test_driving_messages_replayed_are_the_cars_closed_form():
 
 @pytest.mark.parametrize("notch", [0, 3, -5, 8])
 def test_a_wall_stops_the_car_where_it_would_touch(notch):
-    """The drive is free as a whole, a hair farther it is not; the board says so; and backwards the
-    car comes off.
-    """
+    """The drive is free, slightly farther it is not; the board says so; the car can drive back."""
     problem = problem_of(start=(6, 2.5, 0.0), goal=(20, 12, 0))
-    drive = standing_at(problem)._replace(notch=notch)
+    drive = start_drive(problem)._replace(notch=notch)
     for _ in range(100):
-        drive = driven_on(problem, drive, {UP})
+        drive = continue_drive(problem, drive, {UP})
     assert drive.stopped
     robot, world, trajectory = problem.robot, problem.world, drive.trajectory
     assert is_free_trajectory(robot, world, trajectory)
     farther = trajectory._replace(durations=trajectory.durations + 1e-5)
     assert not is_free_trajectory(robot, world, farther)
-    again = driven_on(problem, drive, {UP})
+    again = continue_drive(problem, drive, {UP})
     assert (
         again.stopped
         and again.trajectory.length - trajectory.length < 1e-6
         and len(again.trajectory.controls) == 1
     )
-    back = driven_on(problem, again, {DOWN})
+    back = continue_drive(problem, again, {DOWN})
     assert not back.stopped and back.trajectory.length > trajectory.length + 0.1
     assert is_free_trajectory(robot, world, back.trajectory)
 
 
 def test_contact_and_arrival_are_told():
-    """Hatched and in words; at the goal as near as a planner asks."""
+    """By stripes and in words; the goal's tolerance is the planners'."""
     made = car_board(problem_of(goal=(3, 8, math.pi / 2)), "you")
     page = Page(made.canvas)
     assert "at the goal" not in keys(page, UP, times=30)["text"]
@@ -250,9 +234,7 @@ def test_contact_and_arrival_are_told():
 
 
 def test_keys_take_the_wheel_from_a_planner_and_a_new_start_begins_anew():
-    """A goal that is moved leaves the drive as it is; a start, an obstacle and starting again do
-    not.
-    """
+    """A moved goal keeps the drive; a moved start or obstacle, and a reset, do not."""
     made = car_board(problem_of())
     page = Page(made.canvas)
     keys(page, UP, LEFT, times=4)
@@ -278,7 +260,7 @@ def test_keys_take_the_wheel_from_a_planner_and_a_new_start_begins_anew():
 
 @pytest.mark.parametrize("held", [None, "ArrowUp", [1, {}], ["Escape"], {"ArrowUp": 1}])
 def test_keys_that_make_no_sense_move_nothing_and_are_answered(held):
-    """A page waits for an answer to each message; what has no number is none."""
+    """A page waits for an answer to each message with a number."""
     made = car_board(problem_of(), "you")
     page = Page(made.canvas)
     assert len(page.says({"kind": "keys", "from": "page", "seq": 1, "held": held})) == 1
@@ -291,14 +273,12 @@ def test_keys_that_make_no_sense_move_nothing_and_are_answered(held):
     )
 
 
-# ---- how it is drawn
+# ---- drawing
 
 
 @pytest.mark.parametrize("phi", [0.0, 1e-9, 0.4, -0.7])
 def test_all_wheels_turn_round_one_centre(phi):
-    """The front wheels stand as `wheel_angles` says, a little aside; the axis of each wheel leads
-    through the centre.
-    """
+    """Front wheels have the angles of `wheel_angles`; every axis goes through the centre."""
     car, pose = ke.Car(30, 10, 20), np.array([3.0, 4.0, 2.0])
     wheels = steered_wheels(car, pose, phi)
     centre = car.turning_centre(pose, phi)
@@ -309,16 +289,16 @@ def test_all_wheels_turn_round_one_centre(phi):
         )
         assert abs(along @ axis) < 1e-6 * np.linalg.norm(along) * np.linalg.norm(axis)
         assert along @ (math.cos(2.0), math.sin(2.0)) > 0.0
-    here = posed(np.array([steered_wheels(car, np.zeros(3), phi)]), pose[None])[0]
+    here = place_shapes(np.array([steered_wheels(car, np.zeros(3), phi)]), pose[None])[0]
     assert np.allclose(here, wheels, atol=1e-9)
 
 
 def test_an_eye_goes_with_the_car():
-    """At each step of the ride it looks at the body's middle; a picture shows no more than that."""
+    """At each step the view is centred on the body, also in a picture."""
     made = car_board(problem_of(), view="followed", rng=3)
     drawing = made.canvas.drawing
     (eye,) = (layer for layer in drawing.layers if layer.kind == "eye")
-    ride = ride_along(made.plan.trajectory)
+    ride = make_ride(made.plan.trajectory)
     assert np.allclose(
         eye.rows[50, :2], outline_at(made.problem.robot, ride.poses[50]).mean(axis=0)
     )

@@ -1,6 +1,4 @@
-"""The car's board in a real JupyterLab: poses are set by hand, planned while they are dragged, and
-the car is driven by keys.
-"""
+"""The car's board in a real JupyterLab: poses are set and planned, the car is driven by keys."""
 
 import json
 
@@ -18,13 +16,14 @@ ke.boards.car_board(yard)"""
 DRIVEN = "yours = ke.boards.car_board(yard, 'you')\nyours"
 ASK = """async code => {
     const kernel = jupyterapp.shell.currentWidget.sessionContext.session.kernel; let text = '';
-    const future = kernel.requestExecute({code}); future.onIOPub = m => { text += m.content.text ?? ''; };
+    const future = kernel.requestExecute({code});
+    future.onIOPub = m => { text += m.content.text ?? ''; };
     await future.done; return text; }"""
 
 
 @pytest.fixture(scope="module")
 def page(tmp_path_factory):
-    """One JupyterLab for both: a planner drives, and you do."""
+    """One JupyterLab for both boards: one with a planner, one driven by keys."""
     needs_chromium()
     course, home = tmp_path_factory.mktemp("course"), tmp_path_factory.mktemp("home")
     (course / "car.ipynb").write_text(written_notebook(YARD, DRIVEN))
@@ -42,7 +41,7 @@ def page(tmp_path_factory):
 
 @pytest.fixture(params=[0, 1], ids=["planned", "driven"])
 def either(page, request):
-    """Each board, as it was in the beginning."""
+    """Each board, reset."""
     return started_again(page, request.param)
 
 
@@ -54,12 +53,12 @@ def planned(page):
 
 @pytest.fixture
 def driven(page):
-    """The board on which you drive."""
+    """The board that is driven by keys."""
     return started_again(page, 1)
 
 
 def started_again(page, number):
-    """A board as it was in the beginning."""
+    """A board, reset."""
     seen = Seen(page, number)
     seen.board.locator(".kinoedu-reset").click()
     seen.settled()
@@ -67,16 +66,14 @@ def started_again(page, number):
 
 
 def on_ground(seen, x, y):
-    """Where a place of the world is on the page."""
+    """The position on the page of a place of the world."""
     box = seen.board.locator("canvas").bounding_box()
     scale = (box["width"] - 16) / 240
     return box["x"] + 8 + x * scale, box["y"] + box["height"] - 8 - y * scale
 
 
 def test_a_goal_is_dragged_and_planned_anew(planned):
-    """Its heading stays, its tip goes along; while it is held new plans come; the tree grows before
-    the car drives.
-    """
+    """Its heading stays and its tip follows; plans arrive during the drag; the tree grows first."""
     answers, pixels = int(planned.data("answers")), planned.pixels()
     planned.drag("handle-2", -30, 40, release=False)
     planned.until(
@@ -88,14 +85,14 @@ def test_a_goal_is_dragged_and_planned_anew(planned):
     (x, y), (tip_x, tip_y) = planned.middle("handle-2"), planned.middle("handle-3")
     assert abs(x - tip_x) < 2 and y - tip_y > 50 and planned.pixels() != pixels
     scrub(planned, 20)
-    planned.until("told.startsWith('kinodynamic RRT: ') && told.includes(' of ')")
+    planned.until("text.startsWith('kinodynamic RRT: ') && text.includes(' of ')")
     scrub(planned, int(planned.data("total")) - 100)
-    planned.until("told.startsWith('time ')")
+    planned.until("text.startsWith('time ')")
     keep(planned.page, "car_planned")
 
 
 def test_a_pose_is_set_on_the_ground(either):
-    """Pressed there and pulled; only pressed, it keeps its heading; with Shift it is the start."""
+    """Press and drag sets a pose; a press alone keeps the heading; with Shift it is the start."""
     page = either.page
     page.mouse.move(*on_ground(either, 120, 40))
     page.mouse.down()
@@ -119,7 +116,7 @@ def test_a_pose_is_set_on_the_ground(either):
 
 
 def test_what_is_not_free_goes_back_when_it_is_let_go(either):
-    """With the reason in words; the start is where it last was free."""
+    """With the reason in words; the start returns to its last free place."""
     either.drag(
         "handle-0",
         *(b - a for a, b in zip(either.middle("handle-0"), on_ground(either, 80, 50), strict=True)),
@@ -132,29 +129,27 @@ def test_what_is_not_free_goes_back_when_it_is_let_go(either):
 
 
 def test_headings_are_turned_by_keys(driven):
-    """The tip of the goal to the left: it looks more to the left."""
+    """Moving the goal's tip to the left turns its heading to the left."""
     x = driven.middle("handle-3")[0]
     driven.board.locator("[data-thing=handle-3]").focus()
     for _ in range(4):
         driven.page.keyboard.press("Shift+ArrowLeft")
     driven.settled()
-    driven.page.wait_for_timeout(400)  # a tip that was moved by keys is let go after a moment
+    driven.page.wait_for_timeout(400)  # a tip moved by keys is released after a moment
     assert driven.middle("handle-3")[0] < x - 20
 
 
 def test_the_car_is_driven_by_arrow_keys(driven):
-    """It goes as long as the key is held, turns its wheels, is stopped by the wall, and Python has
-    the drive.
-    """
+    """The car moves while a key is held, steers, stops at the wall, and Python has the drive."""
     page = driven.page
     driven.board.locator("[data-thing=handle-4]").focus()
     page.keyboard.press("ArrowUp")
-    driven.until("told.startsWith('you have driven 1.2;')")
+    driven.until("text.startsWith('you have driven 1.2;')")
     page.keyboard.down("ArrowUp")
     page.keyboard.down("ArrowRight")
-    driven.until("told.includes('turned by -45°')")
+    driven.until("text.includes('turned by -45°')")
     page.keyboard.up("ArrowRight")
-    driven.until("told.includes('Contact')")
+    driven.until("text.includes('Contact')")
     page.keyboard.up("ArrowUp")
     keep(page, "car_driven")
     controls, free = json.loads(
@@ -167,24 +162,24 @@ def test_the_car_is_driven_by_arrow_keys(driven):
     )
     assert free and controls[0] == [1.0, 0.0] and {v for v, _ in controls} == {1.0}
     page.keyboard.down("ArrowDown")
-    driven.until("!told.includes('Contact')")
+    driven.until("!text.includes('Contact')")
     page.keyboard.up("ArrowDown")
 
 
 def test_fingers_have_buttons_and_a_planner_hands_over_the_wheel(planned):
-    """A button that is held drives; the menu says that you do; a view goes with the car."""
+    """Holding a button drives; the menu changes to "you"; a view follows the car."""
     forward = planned.board.locator("[data-key=ArrowUp]")
     assert forward.get_attribute("aria-label") == "drive forward"
     forward.scroll_into_view_if_needed()
     box = forward.bounding_box()
     planned.page.mouse.move(box["x"] + 5, box["y"] + 5)
     planned.page.mouse.down()
-    planned.until("told.startsWith('you have driven 2')")
+    planned.until("text.startsWith('you have driven 2')")
     planned.page.mouse.up()
     menus = planned.page.locator(".widget-dropdown select")
     assert menus.nth(0).evaluate("menu => menu.selectedOptions[0].text").startswith("you")
     before = planned.middle("handle-0")
-    menus.nth(1).select_option("goes with the car")
+    menus.nth(1).select_option("following the car")
     planned.until("root.dataset.layers.includes('eye')")
     planned.page.wait_for_timeout(300)
     box = planned.board.locator("canvas").bounding_box()
@@ -192,13 +187,13 @@ def test_fingers_have_buttons_and_a_planner_hands_over_the_wheel(planned):
     assert abs(x - box["x"] - box["width"] / 2) < 2 and abs(y - box["y"] - box["height"] / 2) < 2
     assert planned.middle("handle-0") != before
     keep(planned.page, "car_followed")
-    menus.nth(1).select_option("of all, from above")
+    menus.nth(1).select_option("whole world, from above")
     menus.nth(0).select_option("kinodynamic RRT: a tree of drives")
-    planned.until("told.startsWith('kinodynamic RRT')")
+    planned.until("text.startsWith('kinodynamic RRT')")
 
 
 def test_on_a_narrow_page_nothing_is_cut(driven):
-    """Picture, words and all buttons are as wide as the page at most."""
+    """Picture, text and buttons are at most as wide as the page."""
     page = driven.page
     page.evaluate("jupyterapp.shell.collapseLeft()")
     page.set_viewport_size({"width": 480, "height": 900})

@@ -15,7 +15,7 @@ from kinoedu.lab import TOUR, has_display, lab_command
 
 HOUSE = Path(__file__).resolve().parent.parent
 LESSONS = sorted(path.name for path in (HOUSE / "notebooks").glob("*.ipynb"))
-TOLD = "document.querySelectorAll('.kinoedu-told')"
+TOLD = "document.querySelectorAll('.kinoedu-text')"
 # JupyterLab renders what is in view
 SCROLL = "number => jupyterapp.shell.currentWidget.content.scrollToItem(number, 'center')"
 SHOW = """number => jupyterapp.shell.currentWidget.content.widgets[number].node

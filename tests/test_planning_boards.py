@@ -10,11 +10,11 @@ from test_board import Page
 import kinoedu as ke
 from kinoedu.boards import bug_board, samples_board, search_board, sweep_board
 from kinoedu.boards.bugs.bugs import BUGS
-from kinoedu.boards.core.drawing import Drawing, cells, dots, encoded, labels
-from kinoedu.boards.core.scene import moved
-from kinoedu.boards.geometry.sweep import height_at, open_cells
-from kinoedu.boards.search.expanding import spells
-from kinoedu.boards.search.search import estimate_of
+from kinoedu.boards.core.drawing import Drawing, cells, dots, encode_drawing, labels
+from kinoedu.boards.core.scene import move_parts
+from kinoedu.boards.geometry.sweep import find_open_cells, height_at
+from kinoedu.boards.search.expanding import find_runs
+from kinoedu.boards.search.search import heuristic_to
 from kinoedu.decomposition import sweep, trapezoidation
 from kinoedu.errors import InvalidGraph, InvalidParameter, InvalidPolygon, InvalidWorld
 from kinoedu.geometry import point_polygon_distance
@@ -52,29 +52,24 @@ def layers_of(canvas, kind, colour):
 
 
 def test_rows_that_go_carry_two_steps():
-    """A buffer's rows end with the steps at which they come and go; the text of each step travels
-    with the drawing.
-    """
+    """A buffer's rows end with two steps; the text of each step is sent with the drawing."""
     spot = dots([(1, 1), (2, 2)], "robot", when=[0, 1], until=[1, np.inf])
     drawing = Drawing(
         [spot, labels([(1, 1)], ["H1"], "ink", when=[1]), cells(np.ones((1, 4, 2)), "cell")],
         total=1,
-        told=["before"],
+        step_texts=["before"],
     )
-    about, (comes, _, _) = encoded(drawing, (0, 0), 2.0)
+    about, (comes, _, _) = encode_drawing(drawing, (0, 0), 2.0)
     assert np.frombuffer(comes, np.float32).reshape(2, 4).tolist() == [
         [0.5, 0.5, 0, 1],
         [1, 1, 1, np.inf],
     ]
-    assert [layer["ends"] for layer in about["layers"]] == [True, False, False] and about[
-        "told"
-    ] == ["before"]
+    assert [layer["ends"] for layer in about["layers"]] == [True, False, False]
+    assert about["step_texts"] == ["before"]
 
 
 def test_growing_layers_come_in_order():
-    """The page stops at the first row that has not come: steps never decrease, and there is a text
-    for every step but the last.
-    """
+    """The page stops at the first later row: steps never decrease; each but the last has text."""
     boards = [bug_board((0, 0), (4, 0), [BOX], bug=bug) for bug in (*BUGS, "all")]
     boards += [
         search_board(graph, search=search)
@@ -87,7 +82,7 @@ def test_growing_layers_come_in_order():
                 assert layer.when is None or (np.diff(layer.when) >= 0).all()
                 assert layer.until is None or (layer.until > layer.when).all()
                 assert layer.when is None or len(layer.when) == len(layer.rows)
-        assert len(made.canvas.drawing.told) == made.canvas.drawing.total + 1
+        assert len(made.canvas.drawing.step_texts) == made.canvas.drawing.total + 1
 
 
 # ---- bugs
@@ -96,9 +91,7 @@ def test_growing_layers_come_in_order():
 @pytest.mark.parametrize("turn", ["left", "right"])
 @pytest.mark.parametrize("bug", BUGS)
 def test_a_bug_board_shows_the_bugs_own_walk(bug, turn):
-    """Text, hits and length are those of the planner; what is drawn along walls and in the open is
-    the whole walk.
-    """
+    """Text, hits and length are the planner's; the drawn parts make up the whole walk."""
     made = bug_board((0, 0), (4, 0), [BOX], bug=bug, turn=turn)
     plan = BUGS[bug][1]((0, 0), (4, 0), [BOX], 0.01, turn=turn)
     walk = made.plans[0][1]
@@ -114,9 +107,7 @@ def test_a_bug_board_shows_the_bugs_own_walk(bug, turn):
 
 
 def test_a_dragged_scene_is_walked_anew_in_both_pictures():
-    """A box out of the way is not hit; the plot has the new walk, and as many steps as the world
-    beside it.
-    """
+    """A box beside the line is not hit; world and plot have the new walk and equal steps."""
     made = bug_board((0, 0), (4, 0), [BOX])
     world, plot = Page(made.canvas), Page(made.plot)
     away = [(x, y + 5) for x, y in BOX]
@@ -131,9 +122,7 @@ def test_a_dragged_scene_is_walked_anew_in_both_pictures():
 
 
 def test_the_sensor_feels_the_wall_that_is_followed():
-    """In the open nothing is touched; on a wall its edge is, at a corner both; the robot is at one
-    place at each step.
-    """
+    """In the open it touches nothing, on a wall an edge, at a corner both; one robot per step."""
     made = bug_board((0, 0), (4, 0), [BOX])
     walk, canvas = made.plans[0][1], made.canvas
     (touched,) = layers_of(canvas, "edges", "contact")
@@ -147,7 +136,7 @@ def test_the_sensor_feels_the_wall_that_is_followed():
 
 
 def test_hits_and_leaves_are_named_once_for_all_that_they_are():
-    """A circle is told, and its hit carries both names."""
+    """A walk in a circle is reported, and its hit carries both names."""
     made = bug_board((-2, 0), (6, 0), [SPIRAL], bug="bug0")
     assert "not reached" in repr(made) and "circle" in repr(made)
     (names,) = (layer for layer in layers_of(made.canvas, "labels", "contact"))
@@ -155,9 +144,7 @@ def test_hits_and_leaves_are_named_once_for_all_that_they_are():
 
 
 def test_all_bugs_race_side_by_side():
-    """Everyone's length, and who did not arrive; one clock for all: all have walked equally far at
-    each step.
-    """
+    """Every length, and which bugs failed; at each step all have walked the same distance."""
     made = bug_board((0, 0), (4, 0), [BOX], bug="all")
     assert repr(made) == (
         "BugBoard(reached after: Bug 0 6.828, Bug 1 14, Bug 2.prelim 8, Bug 2 8\nnot reached: "
@@ -171,7 +158,7 @@ def test_all_bugs_race_side_by_side():
 
 
 def test_what_is_no_bug_scene_is_refused():
-    """Before anything is shown."""
+    """Errors are raised before anything is shown."""
     with pytest.raises(InvalidPolygon):
         bug_board((0, 0), (4, 0), [[(0, 0), (1, 1)]])
     with pytest.raises(InvalidParameter, match="bug"):
@@ -187,17 +174,15 @@ def test_what_is_no_bug_scene_is_refused():
 
 @pytest.mark.parametrize("x", np.linspace(-0.3, 9.3, 33))
 def test_a_sweep_board_shows_the_cells_closed_and_open(x):
-    """Closed and open cells have the area of the free space to the left of the line; the status is
-    in order.
-    """
+    """Their area is that of the free space left of the line; the status is in order."""
     made = sweep_board(ROOMS, x=x)
     cut = trapezoidation(ROOMS)
     closed = sum(len(step.closed) for step in made.steps)
     assert closed == (cut.trapezoids[:, 1] <= x).sum()
     if not made.steps:
-        assert "has met nothing yet" in repr(made)
+        assert "has met no vertex yet" in repr(made)
         return
-    begun = open_cells(made.steps, x)
+    begun = find_open_cells(made.steps, x)
     assert len(begun) == len(made.steps[-1].status) // 2
     for (x0, low0), (x1, low1), (x2, high1), (x3, high0) in begun:
         assert x0 == x3 and x1 == x2 == x and low0 <= high0 and low1 <= high1
@@ -214,9 +199,7 @@ def test_a_sweep_board_shows_the_cells_closed_and_open(x):
 
 
 def test_the_sweep_line_is_dragged_by_hand():
-    """Text, list and numbers follow the line; the obstacles can be dragged as well; nonsense is
-    told.
-    """
+    """Text, list and numbers follow the line; obstacles can be dragged; bad ones are reported."""
     made = sweep_board(PolygonWorld(SQUARE, [[(3, 3), (6, 2), (5, 4)]]), x=4)
     page = Page(made.canvas)
     assert repr(made) == (
@@ -240,7 +223,7 @@ def test_the_sweep_line_is_dragged_by_hand():
 
 
 def test_a_world_that_cannot_be_cut_is_refused():
-    """Discs and terrains; obstacles that overlap are united."""
+    """Discs and terrains; overlapping obstacles are united."""
     with pytest.raises(InvalidWorld, match="round"):
         sweep_board(PolygonWorld(SQUARE, [((3, 3), 1)]))
     with pytest.raises(InvalidWorld):
@@ -256,9 +239,7 @@ def test_a_world_that_cannot_be_cut_is_refused():
 
 @pytest.mark.parametrize("search", ["bfs", "dfs", "dijkstra", "astar"])
 def test_a_search_board_shows_the_searchs_own_steps(search):
-    """At each step one node is expanded, the frontier and the parents are those of the expansion;
-    the path comes last.
-    """
+    """Each step shows one expansion with its frontier and parents; the path comes last."""
     made = search_board(DIAMOND, search=search)
     canvas, places = made.canvas, DIAMOND.nodes
     (waiting,), (arrows,) = (
@@ -276,7 +257,7 @@ def test_a_search_board_shows_the_searchs_own_steps(search):
 
 
 def test_start_and_goal_mean_the_nearest_nodes():
-    """Dragged anywhere they are joined to their nodes; where no path leads that is said."""
+    """Dragged anywhere they are joined to their nodes; a missing path is reported."""
     apart = Graph(nodes=[(0, 0), (1, 0), (2, 0), (5, 5)], edges=[(0, 1), (1, 2)])
     made = search_board(apart, goal=2)
     page = Page(made.canvas)
@@ -292,9 +273,7 @@ def test_start_and_goal_mean_the_nearest_nodes():
 
 
 def test_a_dragged_node_takes_its_edges_along():
-    """Weights that are lengths follow, others stay; the search is that of the graph built anew; the
-    graph given is as it was.
-    """
+    """Weights that are lengths follow, others stay; the given graph is not changed."""
     graph = Graph(
         nodes=[(0, 0), (1, 1), (1, -1), (2, 0)],
         edges=[(0, 1), (0, 2), (1, 3), (2, 3)],
@@ -326,9 +305,7 @@ def test_a_dragged_node_takes_its_edges_along():
 
 
 def test_only_nodes_that_can_be_told_apart_are_dragged():
-    """Of a grid, a roadmap and a graph of more than 40 nodes start and goal move alone; deleted
-    nodes are no stops.
-    """
+    """In grids, roadmaps and large graphs only start and goal move; deleted nodes are no stops."""
     many = Graph(nodes=np.random.default_rng(1).random((41, 2)), edges=[(0, 1)])
     for given in (np.ones((3, 3), bool), ke.Problem(ke.Point(), ROOMS, (1, 1), (8.8, 5.5)), many):
         assert [item["name"] for item in search_board(given).canvas.scene["handles"]] == [
@@ -349,9 +326,7 @@ def test_only_nodes_that_can_be_told_apart_are_dragged():
 
 
 def test_a_grid_and_problems_become_graphs():
-    """A grid's cells, a terrain's in its own unit, a roadmap among polygons whose obstacles stand
-    still.
-    """
+    """Cells of a grid and of a terrain, and a roadmap among polygons that cannot be dragged."""
     free = np.ones((4, 6), bool)
     free[:3, 3] = False
     made = search_board(free, search="astar")
@@ -375,27 +350,25 @@ def test_a_grid_and_problems_become_graphs():
 
 
 def test_the_estimate_never_exceeds_the_cost():
-    """Where edges cost less than they are long the distance is scaled, so that A* finds a shortest
-    path.
-    """
+    """Where edges cost less than their length the distance is scaled, so that A* stays optimal."""
     rng = np.random.default_rng(5)
     for _ in range(20):
         nodes = rng.random((12, 2))
         edges = [(u, v) for u in range(12) for v in range(u) if rng.random() < 0.4]
         graph = Graph(nodes=nodes, edges=edges, weights=rng.random(len(edges)))
         cost = dijkstra(graph, 3).cost
-        assert (estimate_of(graph, 3) <= cost + 1e-12).all()
+        assert (heuristic_to(graph, 3) <= cost + 1e-12).all()
 
 
 def test_what_cannot_be_searched_is_refused():
-    """In words: no places, no cells, too many nodes, a node that is not there."""
+    """With a message: no positions, no cells, too many nodes, an unknown node."""
     for nothing in (Graph(3, [(0, 1)]), Graph(nodes=[(0, 0, 0)])):
         with pytest.raises(InvalidGraph, match="needs a Graph with places"):
             search_board(nothing)
     for nothing in ("graph", np.ones((2, 2)), np.zeros((2, 2), bool), 5):
         with pytest.raises(InvalidParameter, match="needs a Graph with places"):
             search_board(nothing)
-    with pytest.raises(InvalidParameter, match="up to 900 nodes"):
+    with pytest.raises(InvalidParameter, match="at most 900 nodes"):
         search_board(np.ones((40, 40), bool))
     with pytest.raises(InvalidGraph, match="start and goal must be nodes"):
         search_board(DIAMOND, goal=9)
@@ -404,7 +377,7 @@ def test_what_cannot_be_searched_is_refused():
 
 
 def test_deleted_nodes_are_left_out():
-    """Their numbers are not counted, drawn or picked."""
+    """They are not counted, drawn or picked."""
     graph = Graph(nodes=[(0, 0), (1, 0), (2, 0), (3, 0)], edges=[(0, 1), (1, 2), (2, 3)])
     graph.delete_node(3)
     made = search_board(graph)
@@ -416,8 +389,8 @@ def test_deleted_nodes_are_left_out():
 
 
 def test_spells_say_how_long_values_stay():
-    """Each node's values in turn, ordered by when they came, the last one after the last step."""
-    node, value, when, until = spells(np.array([[0, 1], [0, 2], [3, 2]]))
+    """The runs of each node, ordered by their first step; the last one ends after the last step."""
+    node, value, when, until = find_runs(np.array([[0, 1], [0, 2], [3, 2]]))
     rows = list(zip(node.tolist(), value.tolist(), when.tolist(), until.tolist(), strict=True))
     assert rows == [(0, 0, 0, 2), (1, 1, 0, 1), (1, 2, 1, 3), (0, 3, 2, 3)]
     states = search_board(DIAMOND).moments
@@ -426,7 +399,7 @@ def test_spells_say_how_long_values_stay():
     ]
 
 
-# ---- what a notebook keeps
+# ---- stored notebooks
 
 
 def test_a_notebook_keeps_a_picture_of_each():
@@ -448,9 +421,7 @@ def test_a_notebook_keeps_a_picture_of_each():
     ("sampler", "shown_points"), [("corner", 49), ("sukharev", 49), ("random", 60), ("halton", 60)]
 )
 def test_a_samples_board_shows_points_and_their_largest_hole(sampler, shown_points):
-    """As many points as fit a grid, or as were asked for; and nowhere is q farther from them than
-    in the yellow hole.
-    """
+    """As many points as fit a grid, or as wanted; no place is farther from them than the hole."""
     made = samples_board(sampler, 60)
     (points,), (hole,) = (
         layers_of(made.canvas, "dots", "tree"),
@@ -459,7 +430,7 @@ def test_a_samples_board_shows_points_and_their_largest_hole(sampler, shown_poin
     assert len(points.rows) == shown_points
     ball = ke.sampling.largest_empty_ball(points.rows)
     assert np.allclose(np.linalg.norm(hole.rows.reshape(-1, 2) - ball.centre, axis=1), ball.radius)
-    said = made.answer(moved(made.canvas.scene, [["handle", 0, ball.centre.tolist()]])).text
+    said = made.answer(move_parts(made.canvas.scene, [["handle", 0, ball.centre.tolist()]])).text
     assert said.count(f"{ball.radius:.4f}") == 2
     made.n.value = 9
     assert repr(made).startswith("SamplesBoard(points 9;")
@@ -472,11 +443,12 @@ def test_a_samples_board_shows_points_and_their_largest_hole(sampler, shown_poin
 
 
 def test_a_samples_board_refuses_what_it_does_not_have():
-    """A sampler that is none, and fewer than one point; q outside the square is taken to its
-    side.
-    """
+    """An unknown sampler, fewer than one point; q outside the square moves to its side."""
     for given in (("sobol", 9), ("halton", 0)):
         with pytest.raises(InvalidParameter):
             samples_board(*given)
     made = samples_board("sukharev", 1)
-    assert "q is 0.7071" in made.answer(moved(made.canvas.scene, [["handle", 0, [9.0, -9.0]]])).text
+    assert (
+        "q is 0.7071"
+        in made.answer(move_parts(made.canvas.scene, [["handle", 0, [9.0, -9.0]]])).text
+    )

@@ -13,13 +13,14 @@ SWEEP = (
     "(5, 4)]]), x=4)"
 )
 GRAPH = """from kinoedu.graphs import Graph
-ke.boards.search_board(Graph(nodes=[(0, 0), (4, 3), (4, -3), (8, 0), (11, 0)], edges=[(0, 1), (0, 2), (1, 3), (2, 3), (3, 4)]))"""
+nodes = [(0, 0), (4, 3), (4, -3), (8, 0), (11, 0)]
+ke.boards.search_board(Graph(nodes=nodes, edges=[(0, 1), (0, 2), (1, 3), (2, 3), (3, 4)]))"""
 SEARCH = "import numpy as np\nke.boards.search_board(np.ones((6, 9), bool), search='astar')"
 
 
 @pytest.fixture(scope="module")
 def page(tmp_path_factory):
-    """One JupyterLab for all; the bugs' takes the boards 0, the world, and 1, the plot."""
+    """One JupyterLab for all; the bugs' world is board 0, its plot board 1."""
     needs_chromium()
     course, home = tmp_path_factory.mktemp("course"), tmp_path_factory.mktemp("home")
     (course / "planning.ipynb").write_text(written_notebook(BUG, SWEEP, SEARCH, GRAPH))
@@ -47,58 +48,54 @@ def scrub(seen, step):
 
 
 def test_a_walk_and_its_plot_are_scrubbed_together(page):
-    """A step in the plot is the same step in the world, and the words say what the bug does there;
-    a drag changes both.
-    """
+    """A step in the plot is the same step in the world, with its text; a drag changes both."""
     world, plot = Seen(page, 0), Seen(page, 1)
-    assert world.told() == "Bug 1: reached after 14; hits 1"
+    assert world.shown_text() == "Bug 1: reached after 14; hits 1"
     before = world.pixels()
     scrub(plot, 100)
-    world.until("root.dataset.step === '100' && told.includes('follows the wall')")
+    world.until("root.dataset.step === '100' && text.includes('follows the wall')")
     assert world.pixels() != before
     answers = int(plot.data("answers"))
     world.drag("handle-1", 0, -20)
     plot.until("root.dataset.answers > answers", answers=answers)
-    assert "reached after" in world.told()
+    assert "reached after" in world.shown_text()
 
 
 def test_the_sweep_line_is_dragged_and_its_status_listed(page):
-    """To the right more cells are closed, and the list beside the board has other edges."""
+    """Farther right more cells are closed, and the list shows other edges."""
     seen = Seen(page, 2)
-    assert "an obstacle begins; cells closed 1, open 2" in seen.told()
+    assert "an obstacle begins; cells closed 1, open 2" in seen.shown_text()
     seen.drag("handle-0", 150, 0)
-    seen.until("told.includes('an obstacle ends; cells closed 4, open 1')")
+    seen.until("text.includes('an obstacle ends; cells closed 4, open 1')")
     assert page.locator("li", has_text="edge 1, a ceiling").count() == 1
 
 
 def test_a_search_is_scrubbed_with_its_frontier(page):
-    """At each step the words say how many wait, and the picture is another."""
+    """At each step the text gives the frontier's size, and the picture is another."""
     seen = Seen(page, 3)
-    assert "path cost 13" in seen.told()
+    assert "path cost 13" in seen.shown_text()
     before = seen.pixels()
     scrub(seen, 0)
-    seen.until("told === 'expanded 0 of 54; frontier 1'")
+    seen.until("text === 'expanded 0 of 54; frontier 1'")
     assert seen.pixels() != before
 
 
 @pytest.fixture
 def graph(page):
-    """The board of a graph, as it was in the beginning."""
+    """The board of a graph, reset."""
     seen = Seen(page, 4)
     seen.board.locator(".kinoedu-reset").click()
     seen.until(
-        "told === 'from node 0 to node 4: expanded 5 of 5; frontier 0; path cost 13, edges 3'"
+        "text === 'from node 0 to node 4: expanded 5 of 5; frontier 0; path cost 13, edges 3'"
     )
     return seen
 
 
 def test_a_node_is_dragged_and_its_weights_follow(graph):
-    """The edges grow, the search runs anew, and start, which stands on node 0, goes along when that
-    is moved by keys.
-    """
+    """Edges grow and the search runs again; the start, on node 0, moves with it by keys."""
     pixels = graph.pixels()
     graph.drag("handle-3", 60, -20)  # node 1
-    graph.until("told.includes('from node 0 to node 4') && !told.includes('path cost 13,')")
+    graph.until("text.includes('from node 0 to node 4') && !text.includes('path cost 13,')")
     assert graph.pixels() != pixels
     node = graph.board.locator("[data-thing=handle-2]")
     node.focus()
@@ -106,31 +103,28 @@ def test_a_node_is_dragged_and_its_weights_follow(graph):
     graph.until(
         "root.querySelector('[data-thing=handle-0]').ariaLabel === 'start at (0.00, -0.68)'"
     )
-    assert (
-        graph.label("handle-2")
-        == "node 0 at (0.00, -0.68); Enter calls the goal to it, Shift and Enter the start"
-    )
+    place, keys = graph.label("handle-2").split("; ")
+    assert place == "node 0 at (0.00, -0.68)"
+    assert keys == "press Enter to move the goal here, Shift and Enter to move the start"
     graph.settled()
 
 
 def test_start_and_goal_are_called_to_nodes(graph):
-    """By a click or Enter the goal, with Shift the start; what is let go beside a node goes to it;
-    a node that is clicked stays.
-    """
+    """A click or Enter moves the goal, with Shift the start; a release near a node snaps to it."""
     page, label = graph.page, graph.label("handle-4")
     page.mouse.click(*graph.middle("handle-4"))  # node 2
-    graph.until("told.startsWith('from node 0 to node 2:')")
+    graph.until("text.startsWith('from node 0 to node 2:')")
     assert graph.label("handle-4") == label and graph.label("handle-1") == "goal at (4.00, -3.00)"
     page.keyboard.down("Shift")
     page.mouse.click(*graph.middle("handle-5"))
     page.keyboard.up("Shift")
-    graph.until("told.startsWith('from node 3 to node 2:')")
+    graph.until("text.startsWith('from node 3 to node 2:')")
     graph.board.locator("[data-thing=handle-6]").press("Enter")
-    graph.until("told.startsWith('from node 3 to node 4:')")
+    graph.until("text.startsWith('from node 3 to node 4:')")
     graph.board.locator("[data-thing=handle-3]").press("Shift+Enter")
-    graph.until("told.startsWith('from node 1 to node 4:')")
+    graph.until("text.startsWith('from node 1 to node 4:')")
     (x, y), (nx, ny) = graph.middle("handle-0"), graph.middle("handle-2")
     graph.drag("handle-0", nx - x + 6, ny - y + 5)
-    graph.until("told.startsWith('from node 0 to node 4:')")
+    graph.until("text.startsWith('from node 0 to node 4:')")
     assert graph.label("handle-0") == "start at (0.00, 0.00)"
     keep(page, "graph")

@@ -16,8 +16,8 @@ from kinoedu.boards import (
     rewiring_board,
     roadmap_board,
 )
-from kinoedu.boards.core.drawing import Drawing, cells, encoded
-from kinoedu.boards.trees.rewired import costs_at, near_pairs, ways_to_goal
+from kinoedu.boards.core.drawing import Drawing, cells, encode_drawing
+from kinoedu.boards.trees.rewired import costs_at, find_near_pairs, find_ways_to_goal
 from kinoedu.errors import InvalidParameter
 from kinoedu.graphs import dijkstra
 from kinoedu.planners.exploring.receding_horizon import plan_of_looks, receding_horizon_looks
@@ -50,19 +50,17 @@ def length_of(points):
     return float(np.hypot(*np.diff(points, axis=0).T).sum())
 
 
-# ---- what all boards hold
+# ---- all boards
 
 
 @pytest.mark.parametrize("kind", MAKERS)
 def test_growing_layers_come_in_order_with_a_text_for_each_step(kind):
-    """The page stops at the first row that has not come; what goes, goes after it came; a picture
-    is there without JavaScript.
-    """
+    """The page stops at the first later row; rows disappear after they appear; pictures exist."""
     made = MAKERS[kind](problem_of())
     for canvas in made.canvases:
         drawing = canvas.drawing
         assert not drawing.warning and drawing.text
-        assert len(drawing.told) == drawing.total
+        assert len(drawing.step_texts) == drawing.total
         for layer in drawing.layers:
             assert layer.when is None or (
                 len(layer.when) == len(layer.rows) and (np.diff(layer.when) >= 0).all()
@@ -74,9 +72,7 @@ def test_growing_layers_come_in_order_with_a_text_for_each_step(kind):
 
 @pytest.mark.parametrize("kind", MAKERS)
 def test_an_obstacle_is_dragged_and_a_fault_is_told(kind):
-    """What is drawn changes; a ring that crosses itself is a warning, and the next good scene is
-    answered again.
-    """
+    """The drawing changes; a ring that crosses itself is a warning, and the board goes on."""
     made = MAKERS[kind](problem_of())
     page, before = Page(made.canvas), made.canvas.drawing.text
     after = page.moves(("polygon", 0, [[(x, y + 1.5) for x, y in WALL]]))
@@ -89,7 +85,7 @@ def test_an_obstacle_is_dragged_and_a_fault_is_told(kind):
 
 @pytest.mark.parametrize("kind", MAKERS)
 def test_what_is_no_problem_in_the_plane_is_refused(kind):
-    """Before anything is shown."""
+    """Errors are raised before anything is shown."""
     turning = ke.Problem(
         ke.RigidPolygon([(0, 0), (1, 0), (0, 1)]), ke.PolygonWorld(SQUARE), (2, 2, 0), (8, 8, 0)
     )
@@ -99,7 +95,7 @@ def test_what_is_no_problem_in_the_plane_is_refused(kind):
 
 
 def test_boards_of_roadmaps_and_races_play_on_terrains_too():
-    """With the bitmap beneath; an explorer needs walls."""
+    """With the bitmap beneath; only the exploring board needs walls."""
     problem = ke.Problem(ke.Point(), ke.Terrain(np.ones((9, 9), bool)), (1, 1), (8, 8))
     for kind in ("roadmap", "properties", "race", "rewiring"):
         made = MAKERS[kind](problem)
@@ -112,7 +108,7 @@ def test_boards_of_roadmaps_and_races_play_on_terrains_too():
 
 
 def test_a_roadmap_grows_node_by_node_and_counts_its_components():
-    """At each step of joining the components are those of networkx; the path comes last."""
+    """At each step the components are those of networkx; the path comes last."""
     import networkx as nx
 
     made = roadmap_board(problem_of(), n=60)
@@ -124,15 +120,13 @@ def test_a_roadmap_grows_node_by_node_and_counts_its_components():
         graph.add_edges_from(edge for edge in roadmap.edges.tolist() if edge[0] < step - n)
         assert len(shown(lines, step)) == graph.number_of_edges()
         if step > n:
-            assert drawing.told[step].endswith(
+            assert drawing.step_texts[step].endswith(
                 f"components {nx.number_connected_components(graph)}"
             )
 
 
 def test_the_rule_is_switched_live():
-    """The plan is prm's with that rule; only the number that the rule takes is shown; a forest has
-    no more edges than it needs.
-    """
+    """The plan is prm's with that rule; only its number is shown; a forest has few edges."""
     made = roadmap_board(problem_of(), n=80)
     made.controls.rule.value = "radius"
     assert made.controls.k.layout.display == "none" and made.controls.r.layout.display is None
@@ -161,7 +155,7 @@ def test_without_a_path_the_board_says_why():
 
 
 def test_a_survey_is_what_the_properties_are_reckoned_from():
-    """Shares, components and the worst pair against networkx, with every pair's ratio taken."""
+    """Fractions, components and the worst pair against networkx, over the ratios of all pairs."""
     import networkx as nx
 
     problem, roadmap = problem_of(), ke.build_roadmap(problem_of(), n=40, k=3, rng=3)
@@ -186,9 +180,7 @@ def test_a_survey_is_what_the_properties_are_reckoned_from():
 
 
 def test_the_worst_pair_is_the_worst_of_all_that_were_drawn():
-    """The search stops early, and misses none: against the ratios of all pairs drawn, by the
-    shortest paths.
-    """
+    """The search stops early and misses none: against the ratios of all pairs sampled."""
     problem, roadmap = problem_of(), ke.build_roadmap(problem_of(), n=50, k=8, rng=1)
     graph, taken = ke.Graph(nodes=roadmap.nodes, edges=roadmap.edges), []
 
@@ -217,9 +209,7 @@ def test_the_worst_pair_is_the_worst_of_all_that_were_drawn():
 
 
 def test_cut_off_places_are_crosses_and_components_have_styles():
-    """With one neighbour each the roadmap is in pieces, and delta infinite; of a few nodes not all
-    places are in reach.
-    """
+    """One neighbour each: pieces, and delta infinite; few nodes: some places are out of reach."""
     made = properties_board(problem_of(), n=40)
     assert made.survey.properties.connected and not layers_of(made.canvas, "edges", "robot")
     made.controls.k.value = 1
@@ -233,13 +223,13 @@ def test_cut_off_places_are_crosses_and_components_have_styles():
 
 
 def test_pairs_that_no_path_joins_are_no_fault_of_the_roadmap():
-    """A wall from side to side: not connected, and yet efficient where there are paths."""
+    """A wall from side to side: not connected, but efficient where there are paths."""
     made = properties_board(problem_of(CLOSED), n=40)
     assert not made.survey.properties.connected and 1.0 <= made.survey.efficiency < np.inf
 
 
 def test_places_are_not_the_nodes():
-    """A roadmap's own samples would always be found accessible."""
+    """The roadmap's own samples would always be accessible."""
     made = properties_board(problem_of(), n=50)
     nodes = ke.build_roadmap(problem_of(), n=50, rng=0).nodes
     assert not (made.survey.places[:, None] == nodes).all(axis=2).any()
@@ -249,9 +239,7 @@ def test_places_are_not_the_nodes():
 
 
 def test_the_log_of_an_rrt_star_ends_with_its_tree():
-    """Replayed edge by edge it ends as the planner's tree, and each edge that was re-hung made its
-    node cheaper.
-    """
+    """Replayed it ends as the planner's tree, and each rewired edge made its node cheaper."""
     plan, log = rrt_star_rewirings(problem_of(), max_nodes=400, rng=1)
     same = ke.rrt_star(problem_of(), max_nodes=400, rng=1)
     assert np.array_equal(plan.tree.nodes, same.tree.nodes) and np.array_equal(
@@ -277,7 +265,7 @@ def test_the_log_of_an_rrt_star_ends_with_its_tree():
 
 
 def test_a_log_without_room_is_kept_once_more():
-    """More hangings than the first log has rows: the same, whole."""
+    """More rewirings than the first log has rows: the same log, complete."""
     from kinoedu.planners.trees import rewiring
 
     _, whole = rrt_star_rewirings(problem_of(), max_nodes=200, rng=1)
@@ -291,12 +279,10 @@ def test_a_log_without_room_is_kept_once_more():
 
 
 def test_the_tree_and_the_way_are_shown_as_they_were():
-    """At every step each node but the root has one edge, and the way to the goal is that of the
-    tree with so many nodes.
-    """
+    """At every step each node but the root has one edge, and the path is that tree's."""
     made = rewiring_board(problem_of(), nodes=200)
     log, (tree,) = made.rewirings, layers_of(made.canvas, "edges", "tree")
-    ways = ways_to_goal(log)
+    ways = find_ways_to_goal(log)
     assert ways[-1].cost == pytest.approx(made.plan.cost) and ways[0].step == log.at_goal + 1
     costs = np.array(costs_at(ways, len(log.nodes)))
     assert (np.diff(costs[np.isfinite(costs)]) <= 1e-12).all()
@@ -313,9 +299,9 @@ def test_the_tree_and_the_way_are_shown_as_they_were():
 
 
 def test_every_re_hung_node_was_within_the_ball():
-    """What is red was near, and so was the parent chosen unless it was the nearest of all."""
+    """Rewired nodes were near, and so was the parent chosen, unless it was the nearest of all."""
     _, log = rrt_star_rewirings(problem_of(), max_nodes=300, rng=4)
-    near = set(map(tuple, near_pairs(log).tolist()))
+    near = set(map(tuple, find_near_pairs(log).tolist()))
     for node, parent, came in zip(
         log.node.tolist(), log.parent.tolist(), log.came.tolist(), strict=True
     ):
@@ -330,9 +316,7 @@ def test_every_re_hung_node_was_within_the_ball():
 
 
 def test_a_race_is_dragged_in_one_and_moves_in_all():
-    """Every page is told where things are now, every planner has planned there, and all are on one
-    clock.
-    """
+    """Every page gets the new places, and every planner's plan there, on one clock."""
     made = race_board(problem_of(), nodes=150)
     pages = [Page(canvas) for canvas in made.canvases]
     pages[1].moves(("handle", 1, [9, 9]))
@@ -350,21 +334,22 @@ def test_a_race_is_dragged_in_one_and_moves_in_all():
 
 
 def test_each_racer_stays_as_it_ended():
-    """RRT's path comes with its last node, long before RRT* has all of its own; the words say
-    so.
-    """
+    """RRT's path appears with its last node, long before RRT* has all nodes; the text says so."""
     made = race_board(problem_of(), nodes=400)
     rrt, star = made.canvases[0].drawing, made.canvases[2].drawing
     nodes = len(made.plans[0].tree.nodes)
     (way,) = (layer for layer in rrt.layers if layer.kind == "path")
     assert nodes < star.total == rrt.total and not way.last and (way.when == nodes).all()
-    assert "no path yet" in rrt.told[nodes - 1] and f"{made.plans[0].cost:.4g}" in rrt.told[nodes]
-    assert rrt.text == rrt.told[nodes]
+    assert (
+        "no path yet" in rrt.step_texts[nodes - 1]
+        and f"{made.plans[0].cost:.4g}" in rrt.step_texts[nodes]
+    )
+    assert rrt.text == rrt.step_texts[nodes]
     assert f"{made.plans[2].cost:.4g}" in star.text
 
 
 def test_a_readers_own_planner_races_too():
-    """It is recorded and judged; one that raises is told, and the others run on."""
+    """It is recorded and judged; an exception is reported, and the others run on."""
 
     def straight(problem):
         return (
@@ -389,7 +374,7 @@ def test_a_readers_own_planner_races_too():
 
 
 def test_a_control_of_the_race_runs_all_anew():
-    """Another seed, other trees, on all canvases."""
+    """Another seed gives other trees on all canvases."""
     made = race_board(problem_of(), nodes=100)
     before = [canvas.drawing.text for canvas in made.canvases]
     made.seed.value = 7
@@ -403,9 +388,7 @@ def test_a_control_of_the_race_runs_all_anew():
 
 
 def test_an_exploration_is_shown_as_it_was_known():
-    """At a look's first step only walls of this look and those before are red; one robot, one
-    region seen, at every step.
-    """
+    """At a look's first step only walls seen so far are red; each step has one robot and region."""
     made = exploring_board(problem_of(), 3.0)
     assert made.plan.path is not None and "at the goal" in repr(made)
     (red,) = layers_of(made.canvas, "edges", "hit")
@@ -419,9 +402,7 @@ def test_an_exploration_is_shown_as_it_was_known():
 
 
 def test_looks_add_up_to_the_plan():
-    """The generator's looks are what the planner did, with the same counts; a robot at its goal
-    does not look.
-    """
+    """The generator's looks match the planner's counts; a robot at its goal does not look."""
     problem = problem_of()
     plan, looks = ke.receding_horizon(problem, rng=3), list(receding_horizon_looks(problem, rng=3))
     same = plan_of_looks(problem, looks)
@@ -435,7 +416,7 @@ def test_looks_add_up_to_the_plan():
 
 
 def test_a_world_of_triangles_is_the_polygon_world_of_them():
-    """Array for array, but for what is prepared for many questions."""
+    """Array for array, except for the precomputed index."""
     rng = np.random.default_rng(0)
     corners = 9.0 * rng.random((30, 1, 2)) + 0.5 * rng.random((30, 3, 2))
     area = np.cross(
@@ -456,8 +437,8 @@ def flat(record):
 
 
 def test_cells_may_have_any_number_of_corners():
-    """Their rows travel whole."""
-    about, (buffer,) = encoded(Drawing([cells(np.ones((1, 5, 2)), "cell")]), (0, 0), 2.0)
+    """Their rows are sent complete."""
+    about, (buffer,) = encode_drawing(Drawing([cells(np.ones((1, 5, 2)), "cell")]), (0, 0), 2.0)
     assert (
         about["layers"][0]["points"] == 5
         and np.frombuffer(buffer, np.float32).tolist() == [0.5] * 10

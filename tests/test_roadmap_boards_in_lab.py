@@ -6,8 +6,10 @@ from test_board_in_lab import Seen
 from test_planning_boards_in_lab import scrub
 
 YARD = """import kinoedu as ke
-obstacles = [[(2, 3), (3.5, 2.6), (3.9, 6.5), (2.4, 6.1)], [(5, 0.6), (6.2, 0.9), (6, 4.4), (5.2, 4.6)]]
-yard = ke.Problem(ke.Point(), ke.PolygonWorld([(0, 0), (12, 0), (12, 9), (0, 9)], obstacles), (1, 1), (11, 8))"""
+left = [(2, 3), (3.5, 2.6), (3.9, 6.5), (2.4, 6.1)]
+right = [(5, 0.6), (6.2, 0.9), (6, 4.4), (5.2, 4.6)]
+world = ke.PolygonWorld([(0, 0), (12, 0), (12, 9), (0, 9)], [left, right])
+yard = ke.Problem(ke.Point(), world, (1, 1), (11, 8))"""
 BOARDS = [
     "ke.boards.roadmap_board(yard, n=100)",
     "ke.boards.properties_board(yard, n=60)",
@@ -20,7 +22,7 @@ BOARDS = [
 
 @pytest.fixture(scope="module")
 def page(tmp_path_factory):
-    """One JupyterLab for all; the race takes the boards 2, 3 and 4."""
+    """One JupyterLab for all; the race has the boards 2, 3 and 4."""
     needs_chromium()
     course, home = tmp_path_factory.mktemp("course"), tmp_path_factory.mktemp("home")
     (course / "roadmaps.ipynb").write_text(written_notebook(YARD, *BOARDS))
@@ -40,40 +42,38 @@ def page(tmp_path_factory):
 
 
 def test_a_roadmap_is_scrubbed_and_dragged(page):
-    """Half way there are nodes and no edges; a dragged obstacle makes another roadmap."""
+    """Half way there are nodes and no edges; a dragged obstacle gives another roadmap."""
     seen = Seen(page, 0)
-    assert "path of length" in seen.told() and "components 1" in seen.told()
+    assert "path of length" in seen.shown_text() and "components 1" in seen.shown_text()
     scrub(seen, 60)
-    seen.until("told === 'nodes 60 of 102'")
-    before = seen.told()
+    seen.until("text === 'nodes 60 of 102'")
+    before = seen.shown_text()
     seen.drag("polygon-0", 40, 10)
-    assert seen.told() != before and "path of length" in seen.told()
+    assert seen.shown_text() != before and "path of length" in seen.shown_text()
     keep(page, "roadmap")
 
 
 def test_the_rule_is_chosen_from_the_menu(page):
-    """Another rule is another roadmap at once, and its own slider appears."""
+    """Another rule gives another roadmap at once, and its own slider appears."""
     seen = Seen(page, 0)
-    before = seen.told()
+    before = seen.shown_text()
     page.locator(".widget-dropdown select").first.select_option("all within radius r")
-    seen.until("told !== before && told.includes('edges')", before=before)
+    seen.until("text !== before && text.includes('edges')", before=before)
     assert page.locator(".widget-label").get_by_text("r", exact=True).first.is_visible()
 
 
 def test_properties_are_measured_while_an_obstacle_is_dragged(page):
-    """The words tell all four, before and after."""
+    """The text gives all four, before and after."""
     seen = Seen(page, 1)
-    assert "accessible" in seen.told() and "delta at least" in seen.told()
+    assert "accessible" in seen.shown_text() and "delta at least" in seen.shown_text()
     answers = int(seen.data("answers"))
     seen.drag("polygon-1", 60, 30)
-    assert int(seen.data("answers")) > answers and "departable" in seen.told()
+    assert int(seen.data("answers")) > answers and "departable" in seen.shown_text()
     keep(page, "properties")
 
 
 def test_a_race_is_one_scene_on_one_clock(page):
-    """What is dragged in the second moves in all; the first one's slider leads; there is one slider
-    to be seen.
-    """
+    """A drag in the second moves in all; the first slider leads, and is the only one visible."""
     first, second, third = (Seen(page, number) for number in (2, 3, 4))
     second.drag("handle-1", -60, 40)
     label = second.label("handle-1")
@@ -86,7 +86,7 @@ def test_a_race_is_one_scene_on_one_clock(page):
     assert third.label("polygon-1") == label and first.label("polygon-1") == label
     scrub(first, 40)
     second.until("root.dataset.step === '40'")
-    third.until("root.dataset.step === '40' && told.startsWith('RRT*: nodes 40')")
+    third.until("root.dataset.step === '40' && text.startsWith('RRT*: nodes 40')")
     assert [
         seen.board.locator(".kinoedu-slider").is_visible() for seen in (first, second, third)
     ] == [True, False, False]
@@ -94,29 +94,29 @@ def test_a_race_is_one_scene_on_one_clock(page):
 
 
 def test_rewiring_is_told_at_each_step(page):
-    """The node, its ball, its parent and what was re-hung; another step is another picture."""
+    """Node, neighbours, parent and rewired edges in words; another step is another picture."""
     seen = Seen(page, 5)
     scrub(seen, 120)
-    seen.until("told.startsWith('node 119: ') && told.includes('re-hung')")
+    seen.until("text.startsWith('node 119: ') && text.includes('rewired')")
     before = seen.pixels()
     scrub(seen, 121)
-    seen.until("told.startsWith('node 120')")
+    seen.until("text.startsWith('node 120')")
     assert seen.pixels() != before
     keep(page, "rewiring")
 
 
 def test_an_explorer_knows_little_at_first(page):
-    """It begins with one look; at the end it is at the goal, wherever that was dragged."""
+    """It begins with one look, and ends at the goal, wherever that was dragged."""
     seen = Seen(page, 6)
     scrub(seen, 0)
-    seen.until("told.startsWith('look 1: ') && told.includes('promises')")
+    seen.until("text.startsWith('look 1: ') && text.includes('path in its map')")
     keep(page, "exploring")
     seen.drag("handle-1", -40, 60)
-    seen.until("told.startsWith('at the goal after')")
+    seen.until("text.startsWith('at the goal after')")
 
 
 def test_an_obstacle_whose_box_has_its_middle_outside_is_held_where_it_is(page):
-    """The button of a triangle lies on the triangle: a pointer put there takes hold of it."""
+    """The button of a triangle lies on the triangle, so that a pointer there drags it."""
     seen = Seen(page, 7)
     before = seen.label("polygon-0")
     seen.drag("polygon-0", 40, -40)

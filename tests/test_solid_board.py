@@ -1,6 +1,4 @@
-"""The board of solids: what Python answers to a plane and a place; and figures of configuration
-space that can be made at all.
-"""
+"""The board of solids: Python's answers to a plane and a place; figures of configuration space."""
 
 import io
 
@@ -21,7 +19,7 @@ from kinoedu.figures import (
     draw_turning_obstacle,
     torus_mesh,
 )
-from kinoedu.figures.solid import section_of
+from kinoedu.figures.solid import cut_mesh
 from kinoedu.geometry import convex_hull, minkowski_difference
 
 ROBOT = [(-1, -0.5), (2, -0.5), (2, 0.5), (-1, 0.5)]
@@ -30,7 +28,7 @@ CORNER = [(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)]
 
 
 def test_the_plane_says_whether_the_robot_touches():
-    """A move of the plane or of the point is answered at once: in words, in shapes, in the cut."""
+    """A move of the plane or the point is answered at once, by text, shapes and cut."""
     board = turning_board(ROBOT, OBSTACLE, place=(1.5, 4))
     assert "touches" in repr(board)  # its right edge is at 3.5
     board.theta = np.pi / 2
@@ -45,15 +43,15 @@ def test_the_plane_says_whether_the_robot_touches():
 
 @pytest.mark.parametrize("theta", [-np.pi, -np.pi / 2, -0.4, 0.0, 0.3, np.pi])
 def test_a_cut_is_whole_at_every_height(theta):
-    """At the ends and at critical angles too, where faces end in the plane."""
-    cut = section_of(turning_obstacle(ROBOT, OBSTACLE), theta)[:, :, :2].reshape(-1, 2)
+    """Also at the ends and at critical angles, where faces lie in the plane."""
+    cut = cut_mesh(turning_obstacle(ROBOT, OBSTACLE), theta)[:, :, :2].reshape(-1, 2)
     slice_ = minkowski_difference(OBSTACLE, turned(ROBOT, theta))
     for corner in slice_:
         assert np.linalg.norm(cut - corner, axis=1).min() < 0.03
 
 
 def test_a_page_moves_the_plane_and_the_point_and_nothing_else():
-    """Angles beyond the solid are brought back; what is not a place is left out."""
+    """Angles beyond the solid are clamped; invalid places are ignored."""
     board = turning_board(ROBOT, OBSTACLE, place=(1, 1))
     board.set_state({"theta": 99.0, "place": [2, 3], "words": {}, "section": {}})
     assert board.theta == np.pi and board.place == [2, 3] and board.words and board.section["text"]
@@ -68,9 +66,7 @@ def test_a_page_moves_the_plane_and_the_point_and_nothing_else():
 
 
 def test_a_board_shows_any_mesh():
-    """Its cut without a section of one's own, its colours, one's own section; the picture is a
-    PNG.
-    """
+    """Its cut by default, its colours, or a given section; the picture is a PNG."""
     torus = torus_mesh(np.eye(12, dtype=int))
     plain = solid_board(torus)
     assert (
@@ -114,7 +110,7 @@ def test_a_torus_has_the_colours_of_its_cells():
 
 
 def test_figures_are_drawn():
-    """Convex or not, in axes of their own or given; a world in which nothing is left."""
+    """Convex or not, in given or new axes; also a world without free space."""
     world = PolygonWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [OBSTACLE, ((1, 1), 0.5)])
     _, ax = plt.subplots()
     assert draw_c_obstacle(CORNER, CORNER, ax) and draw_c_obstacle(ROBOT, OBSTACLE)

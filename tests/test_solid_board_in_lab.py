@@ -1,13 +1,12 @@
-"""The board of solids in a real JupyterLab: turned by hand and by keys, the plane moved, the robot
-dragged, nothing fetched.
-"""
+"""The board of solids in a real JupyterLab, by mouse and by keys, without requests elsewhere."""
 
 import pytest
 from lab_driver import RUN_ALL, lab, needs_chromium, notebook_page, written_notebook
 
 BOARD = """
 import kinoedu as ke
-board = ke.boards.turning_board([(-1, -0.5), (2, -0.5), (2, 0.5), (-1, 0.5)], [(3, 3), (6, 3), (6, 5), (3, 5)], place=(1.5, 4))
+robot, obstacle = [(-1, -0.5), (2, -0.5), (2, 0.5), (-1, 0.5)], [(3, 3), (6, 3), (6, 5), (3, 5)]
+board = ke.boards.turning_board(robot, obstacle, place=(1.5, 4))
 board
 """
 
@@ -34,8 +33,8 @@ def page(tmp_path_factory):
         assert page.outside == [] and page.errors == []
 
 
-def told(page):
-    return page.locator(".kinoedu-solid-told").inner_text()
+def shown_text(page):
+    return page.locator(".kinoedu-solid-text").inner_text()
 
 
 def data(page, name):
@@ -43,7 +42,7 @@ def data(page, name):
 
 
 def drag(page, canvas, dx, dy):
-    """Drag from the middle of a canvas, and wait for the paint after."""
+    """Drag from the middle of a canvas, and wait for the next paint."""
     box = page.locator(canvas).bounding_box()
     x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
     page.mouse.move(x, y)
@@ -56,11 +55,19 @@ def drag(page, canvas, dx, dy):
 
 
 def test_a_solid_is_turned_and_brought_nearer(page):
-    """By dragging and by keys; what is told does not change, the picture does."""
-    solid, words, azimuth = page.locator(".kinoedu-solid-mesh"), told(page), data(page, "azimuth")
+    """By dragging and by keys; the text does not change, the picture does."""
+    solid, words, azimuth = (
+        page.locator(".kinoedu-solid-mesh"),
+        shown_text(page),
+        data(page, "azimuth"),
+    )
     before = solid.screenshot()
     drag(page, ".kinoedu-solid-mesh", 80, 30)
-    assert data(page, "azimuth") != azimuth and solid.screenshot() != before and told(page) == words
+    assert (
+        data(page, "azimuth") != azimuth
+        and solid.screenshot() != before
+        and shown_text(page) == words
+    )
     solid.focus()
     for key in ("ArrowLeft", "ArrowUp", "+"):
         paints = int(data(page, "paints"))
@@ -74,27 +81,25 @@ def test_a_solid_is_turned_and_brought_nearer(page):
 
 
 def test_the_plane_and_the_robot_are_answered(page):
-    """The slider moves the cut on both sides; the robot is dragged into the obstacle, and moved by
-    keys.
-    """
-    assert "touches" in told(page)
+    """The slider moves the cut on both sides; the robot moves by dragging and by keys."""
+    assert "touches" in shown_text(page)
     slice_ = page.locator(".kinoedu-solid-slice")
     before = slice_.screenshot()
     page.locator(".kinoedu-solid-slider").evaluate(
         "s => { s.value = Math.PI / 2; s.dispatchEvent(new Event('input')); }"
     )
     page.wait_for_function(
-        "() => document.querySelector('.kinoedu-solid-told').textContent.includes('90°: the robot "
+        "() => document.querySelector('.kinoedu-solid-text').textContent.includes('90°: the robot "
         "is free')"
     )
     assert slice_.screenshot() != before
     drag(page, ".kinoedu-solid-slice", 90, 0)
     page.wait_for_function(
-        "() => document.querySelector('.kinoedu-solid-told').textContent.includes('touches')"
+        "() => document.querySelector('.kinoedu-solid-text').textContent.includes('touches')"
     )
-    words = told(page)
+    words = shown_text(page)
     slice_.focus()
     page.keyboard.press("ArrowDown")
     page.wait_for_function(
-        "w => document.querySelector('.kinoedu-solid-told').textContent !== w", arg=words
+        "w => document.querySelector('.kinoedu-solid-text').textContent !== w", arg=words
     )

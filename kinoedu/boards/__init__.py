@@ -1,5 +1,6 @@
-"""Boards: problems to play with in a notebook. `board` for planners; `Canvas`, `Drawing` and its
-layers for a lesson's own.
+"""Boards: problems to play with in a notebook.
+
+`board` is for planners; a lesson makes its own board of `Canvas`, `Drawing` and layers.
 """
 
 from .arm.arm import ArmBoard, arm_board

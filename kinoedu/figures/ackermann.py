@@ -1,10 +1,10 @@
-"""A car that turns, with the one point round which all of it turns: Ackermann's geometry. LaValle,
-section 13.1.2.1.
+"""A car's wheels when it turns, and the centre of rotation: Ackermann's geometry.
+
+LaValle, section 13.1.2.1.
 """
 
 import math
 
-from matplotlib import pyplot as plt
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.patches import Circle, Polygon
@@ -21,14 +21,29 @@ from .robots import outline_at, wheels_at
 def draw_ackermann(
     car: CarRobot, pose: ArrayLike, phi: float, ax: Axes | None = None
 ) -> list[Artist]:
-    """Draw a car with its wheels turned, each wheel's axis as far as the centre of rotation, and
-    the rear axle's circle round it.
+    """Draw a car with turned wheels, the centre of rotation, and each wheel's axis to it.
 
-    pose : (x, y, theta) of the rear axle's middle; phi : the steering angle. Returns the artists.
-        Raises InvalidParameter where the car cannot steer so far, or drives straight on and so
-        turns round nothing; InvalidPoint.
+    A circle is the path of the rear axle's midpoint.
 
+    Parameters
+    ----------
+    pose : (x, y, theta) of the rear axle's midpoint.
+    phi : the steering angle.
+
+    Returns
+    -------
+    list of artists
+
+    Raises
+    ------
+    InvalidParameter
+        Where the car cannot steer so far, or drives straight on and has no centre of rotation.
+    InvalidPoint
+
+    Examples
+    --------
     >>> from kinoedu import Car
+    >>> from matplotlib import pyplot as plt
     >>> artists = draw_ackermann(Car(30, 10, 20), (0, 0, 0.3), 0.5)
     >>> plt.close()
     """
@@ -38,40 +53,17 @@ def draw_ackermann(
             f"with phi = {shortened(phi)} the car drives straight on; give a steering angle other "
             "than 0"
         )
-    if ax is None:
-        _, ax = plt.subplots(figsize=(6.5, 6.0), dpi=72, layout="constrained")
+    ax = palette.axes_or_new(ax, (6.5, 6.0))
     place = car.ahead(pose, 0.0)
-    body = ax.add_patch(
-        Polygon(
-            outline_at(car, place),
-            facecolor=f"{palette.ROBOT}33",
-            edgecolor=palette.ROBOT,
-            linewidth=1.8,
-        )
-    )
-    drawn: list[Artist] = [body]
+    tint: palette.Style = {"facecolor": f"{palette.ROBOT}33", "edgecolor": palette.ROBOT}
+    axis: palette.Style = {"color": palette.TREE, "linewidth": 1.3, "linestyle": "--"}
+    line: palette.Style = {"fill": False, "edgecolor": palette.PATH, "linewidth": 2.4}
+    drawn: list[Artist] = [ax.add_patch(Polygon(outline_at(car, place), linewidth=1.8, **tint))]
     for wheel in steered_wheels(car, place, phi):
-        drawn += ax.plot(
-            *zip(wheel.mean(axis=0), centre),
-            color=palette.TREE,
-            linewidth=1.3,
-            linestyle="--",
-            zorder=2,
-        )
+        drawn += ax.plot(*zip(wheel.mean(axis=0), centre), zorder=2, **axis)
         drawn.append(ax.add_patch(Polygon(wheel, facecolor=palette.INK, zorder=4)))
-    radius = math.dist(centre, place[:2])
-    drawn.append(
-        ax.add_patch(
-            Circle(
-                (centre[0], centre[1]),
-                radius,
-                fill=False,
-                edgecolor=palette.PATH,
-                linewidth=2.4,
-                zorder=1,
-            )
-        )
-    )
+    circle = Circle((centre[0], centre[1]), math.dist(centre, place[:2]), zorder=1, **line)
+    drawn.append(ax.add_patch(circle))
     drawn += ax.plot(*centre, "o", color=palette.GOAL, markersize=9, zorder=5)
     ax.set_aspect("equal")
     ax.autoscale_view()
@@ -80,11 +72,16 @@ def draw_ackermann(
 
 
 def steered_wheels(car: CarRobot, pose: ArrayLike, phi: float) -> list[Array]:
-    """The outlines of a car's four wheels, shape (4, 2) each, the rear two first, each across the
-    line to the centre of rotation.
+    """The outlines of a car's four wheels, (4, 2) each, the rear two first.
 
-    Raises InvalidPoint, InvalidParameter.
+    Each wheel stands across its line to the centre of rotation.
 
+    Raises
+    ------
+    InvalidPoint, InvalidParameter
+
+    Examples
+    --------
     >>> from kinoedu import Car
     >>> rear, _, front, _ = steered_wheels(Car(30, 10, 20), (0, 0, 0), 0.5)
     >>> along, across = front[1] - front[0]
@@ -101,13 +98,13 @@ def steered_wheels(car: CarRobot, pose: ArrayLike, phi: float) -> list[Array]:
         for x, y in middles
     ]
     return [
-        turned(wheel, middle, angle - place[2])
+        turn_outline(wheel, middle, angle - place[2])
         for wheel, middle, angle in zip(wheels, middles, across)
     ]
 
 
-def turned(outline: Array, middle: Array, angle: float) -> Array:
-    """An outline (n, 2) turned round a point."""
+def turn_outline(outline: Array, middle: Array, angle: float) -> Array:
+    """An outline (n, 2) turned about a point."""
     cos, sin = math.cos(angle), math.sin(angle)
     x, y = (outline - middle).T
     rotated = outline.copy()

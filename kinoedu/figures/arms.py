@@ -1,11 +1,11 @@
-"""An arm in its workspace, and its configuration space: sampled or painted. Bullo & Smith, chapter
-4.
+"""An arm in its workspace, and its configuration space, sampled or painted.
+
+Bullo & Smith, chapter 4.
 """
 
 from typing import Any
 
 import numpy as np
-from matplotlib import pyplot as plt
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.colors import ListedColormap
@@ -20,41 +20,46 @@ from . import palette
 from .drawing import HALO, axes_for, draw_world
 from .robots import draw_robot
 
-MARKERS = ("o", "s", "^")  # free, link 1, link 2: told apart without colours too
+MARKERS = ("o", "s", "^")  # free, link 1, link 2: distinguishable without colours too
 TICKS = np.array([-1.0, -0.5, 0.0, 0.5, 1.0]) * np.pi
 TICK_NAMES = (r"$-\pi$", r"$-\pi/2$", "0", r"$\pi/2$", r"$\pi$")
 
-ANSWERS = (
-    palette.FREE_LINK,
-    palette.INK,
-    palette.HIT,
-)  # free, link 1, link 2: the colours of the square
+ANSWERS = (palette.FREE_LINK, palette.INK, palette.HIT)  # free, link 1, link 2, as in the square
 LINK_WORDS = "figure.link_0", "figure.link_1", "figure.link_2"
 
 
 def plot_environment(
     arm: ArmRobot, q: ArrayLike, world: Any, ax: Axes | None = None
 ) -> list[Artist]:
-    """Draw a world and the arm in it: base, links with their width, joints, all in the colour of
-    the answer: blue free, black link 1 in contact, red link 2."""
+    """Draw a world and an arm in it: base, links with their width, joints.
+
+    The colour says what is in contact: blue nothing, black link 1, red link 2.
+    """
     ax = axes_for(world, ax)
     angles = as_array(q, "q")
     hit = link_in_contact(arm, angles, world)
     artists = draw_world(world, ax) + draw_robot(arm, angles, ax, ANSWERS[hit])
     base = ax.plot(*arm.base, "s", color=palette.INK, markersize=11, zorder=7)
-    ax.set_title(
-        say("figure.link_in_contact", link=hit) if hit else say("figure.no_link_in_contact"),
-        fontsize=palette.TEXT_SIZE,
-    )
+    words = say("figure.link_in_contact", link=hit) if hit else say("figure.no_link_in_contact")
+    ax.set_title(words, **palette.TEXT)
     return [*artists, *base]
 
 
 def plot_configuration_space(
     arm: ArmRobot, world: Any, samples: ArrayLike, ax: Axes | None = None
 ) -> list[Artist]:
-    """Draw samples of a two-link arm's configuration space, shape (n, 2) in radians, in the book's
-    colours: black squares where link 1 hits, red triangles where link 2 does, blue dots where the
-    arm is free. Raises InvalidPoint."""
+    """Draw samples of a two-link arm's configuration space in the book's colours.
+
+    Black squares: link 1 is in contact; red triangles: link 2 is; blue dots: the arm is free.
+
+    Parameters
+    ----------
+    samples : (n, 2), angles in radians.
+
+    Raises
+    ------
+    InvalidPoint
+    """
     points = as_array(samples, "samples")
     if points.ndim != 2 or points.shape[1] != 2:
         raise InvalidPoint(
@@ -66,86 +71,49 @@ def plot_configuration_space(
     size = float(np.clip(160.0 / np.sqrt(max(len(points), 1)), 2.0, 9.0))
     drawn: list[Artist] = []
     for link, (marker, colour) in enumerate(zip(MARKERS, palette.LINKS)):
-        shown = wrapped[links == link]
-        drawn += ax.plot(
-            *shown.T,
-            marker,
-            color=colour,
-            markersize=size,
-            linestyle="none",
-            label=say(LINK_WORDS[link]),
-        )
-    ax.legend(
-        loc="upper center",
-        bbox_to_anchor=(0.5, 1.11),
-        ncols=3,
-        fontsize=palette.TEXT_SIZE,
-        frameon=False,
-        handletextpad=0.2,
-    )
+        shown, name = wrapped[links == link], say(LINK_WORDS[link])
+        look: palette.Style = {"color": colour, "markersize": size, "linestyle": "none"}
+        drawn += ax.plot(*shown.T, marker, label=name, **look)
+    above: palette.Style = {"loc": "upper center", "bbox_to_anchor": (0.5, 1.11), "ncols": 3}
+    ax.legend(frameon=False, handletextpad=0.2, **above, **palette.TEXT)
     return drawn
 
 
 def draw_configuration_space(image: NDArray[np.int8], ax: Axes | None = None) -> list[Artist]:
-    """Draw what `paint_configuration_space` painted: theta1 to the right, theta2 up, each region
-    named where it is widest.
+    """Draw an image from `paint_configuration_space`: theta1 to the right, theta2 up.
+
+    Each region is named where it is widest.
     """
     ax = torus_axes(ax)
-    extent = (-np.pi, np.pi, -np.pi, np.pi)
+    cells: palette.Style = {"origin": "lower", "interpolation": "nearest", "zorder": 1}
+    cells["extent"] = (-np.pi, np.pi, -np.pi, np.pi)
     colours = ListedColormap(palette.LINKS_LIGHT)
-    picture = ax.imshow(
-        image,
-        origin="lower",
-        extent=extent,
-        cmap=colours,
-        vmin=0,
-        vmax=2,
-        interpolation="nearest",
-        zorder=1,
-    )
-    return [
-        picture,
-        *(
-            text
-            for link in range(3)
-            for text in name_region(image == link, say(LINK_WORDS[link]), ax)
-        ),
-    ]
+    artists: list[Artist] = [ax.imshow(image, cmap=colours, vmin=0, vmax=2, **cells)]
+    for link, words in enumerate(LINK_WORDS):
+        artists += name_region(image == link, say(words), ax)
+    return artists
 
 
 def name_region(region: NDArray[np.bool_], name: str, ax: Axes) -> list[Artist]:
-    """Write a name where a region is widest; nothing where it is too small to hold one."""
-    found = where_widest(region)
+    """Write a name where a region is widest; nothing where it is too small for a name."""
+    found = find_widest(region)
     if found is None:
         return []
     x, y = found
     margin = 0.22 * np.pi
     inside = min(max(x, margin - np.pi), np.pi - margin)
-    text = ax.text(
-        inside,
-        y,
-        name,
-        ha="center",
-        va="center",
-        fontsize=palette.TEXT_SIZE,
-        color=palette.INK,
-        path_effects=HALO,
-        zorder=5,
-    )
-    return [text]
+    style: palette.Style = {**palette.CENTRED, **palette.TEXT, "path_effects": HALO}
+    return [ax.text(inside, y, name, color=palette.INK, zorder=5, **style)]
 
 
-def where_widest(region: NDArray[np.bool_]) -> tuple[float, float] | None:
-    """The angles at which a region of such an image is widest; None where it is too small to hold a
-    name.
-    """
+def find_widest(region: NDArray[np.bool_]) -> tuple[float, float] | None:
+    """The angles at which a region of an image is widest; None where it is too small for a name."""
     from scipy.ndimage import distance_transform_edt
 
     depth = distance_transform_edt(np.pad(region, 1))[1:-1, 1:-1]
     widest = np.argwhere(depth > depth.max() - 0.5)
-    row, column = widest[
-        np.abs(widest - len(region) / 2).sum(axis=1).argmin()
-    ]  # of a stripe, the middle
+    off_centre = np.abs(widest - len(region) / 2).sum(axis=1)
+    row, column = widest[off_centre.argmin()]  # in a stripe, the middle
     if depth[row, column] < 0.03 * len(region):
         return None
     x, y = ((float(index) + 0.5) * 2.0 * np.pi / len(region) - np.pi for index in (column, row))
@@ -154,8 +122,7 @@ def where_widest(region: NDArray[np.bool_]) -> tuple[float, float] | None:
 
 def torus_axes(ax: Axes | None) -> Axes:
     """The axes given, or new ones: both angles from -pi to pi."""
-    if ax is None:
-        _, ax = plt.subplots(figsize=(6.4, 6.4), dpi=72, layout="constrained")
+    ax = palette.axes_or_new(ax, (6.4, 6.4))
     ax.set_aspect("equal")
     ax.set_xlim(-np.pi, np.pi)
     ax.set_ylim(-np.pi, np.pi)

@@ -1,15 +1,15 @@
-"""The flowchart of BugBase. Bug 1's is an exercise: its flowchart is drawn in the solutions."""
+"""The flowchart of BugBase. Bug 1's is an exercise, so it is drawn in the solutions."""
 
-from matplotlib import pyplot as plt
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 
 from ..words import say
 from .flowcharts import Step, draw_flowchart
+from .palette import axes_or_new
 
 
 def draw_bug_base_flowchart(ax: Axes | None = None) -> list[Artist]:
-    """Draw the flowchart of BugBase, as a robot walks it that moves in steps."""
+    """Draw the flowchart of BugBase for a robot that moves in steps."""
     steps = {
         "start": Step("end", say("flowchart.start"), 0, 0),
         "at": Step("ask", say("flowchart.at_goal"), 0, 1),
@@ -21,6 +21,4 @@ def draw_bug_base_flowchart(ax: Axes | None = None) -> list[Artist]:
     yes, no = say("flowchart.yes"), say("flowchart.no")
     arrows = [("start", "at", ""), ("at", "reached", yes), ("at", "near", no)]
     arrows += [("near", "hit", yes), ("near", "move", no), ("move", "at", "")]
-    return draw_flowchart(
-        steps, arrows, ax or plt.subplots(figsize=(8, 6), dpi=72, layout="constrained")[1]
-    )
+    return draw_flowchart(steps, arrows, axes_or_new(ax, (8, 6)))

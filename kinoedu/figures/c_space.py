@@ -1,6 +1,4 @@
-"""Configuration space as figures: obstacles grown by the robot's shape, and the solid that they are
-for a robot that turns.
-"""
+"""Figures of configuration space: C-obstacles of translating and of turning robots."""
 
 from typing import TYPE_CHECKING, Any
 
@@ -24,81 +22,58 @@ from .solid import draw_mesh
 if TYPE_CHECKING:
     from trimesh import Trimesh
 
-GROWN = "#D5D9E0"  # an obstacle's colour, thinned: where the reference point may not be
+GROWN = "#D5D9E0"  # a C-obstacle: the colour of obstacles, paler
+SPOT: Any = {"color": palette.INK, "markeredgecolor": "white"}  # a reference point
 
 
 def draw_c_obstacle(
     robot_vertices: ArrayLike, obstacle: ArrayLike, ax: Axes | None = None, *, ghosts: int = 9
 ) -> list[Artist]:
-    """Draw an obstacle, its C-obstacle for a translating polygon, and the robot in contact at some
-    places round it.
+    """Draw an obstacle, its C-obstacle for a translating polygon, and the robot in contact.
 
-    robot_vertices : (n, 2), its reference point at the origin; obstacle : (m, 2); convex or not.
-        ghosts : how many placements.
+    Parameters
+    ----------
+    robot_vertices : (n, 2), with the reference point at the origin; convex or not.
+    obstacle : (m, 2), convex or not.
+    ghosts : the number of placements of the robot round the obstacle.
     """
     robot, ring = as_ring(robot_vertices, "robot"), as_ring(obstacle, "obstacle")
-    outline = united(translating_obstacles(robot, [ring]))[0]
-    places = along(outline, ghosts)
-    if ax is None:
-        _, ax = plt.subplots(figsize=(7.0, 5.0), dpi=72, layout="constrained")
+    outline = unite(translating_obstacles(robot, [ring]))[0]
+    places = spread_round(outline, ghosts)
+    ax = palette.axes_or_new(ax, (7.0, 5.0))
     plane.frame(np.concatenate([outline, *(robot + q for q in places)]), ax, margin=0.08)
-    artists: list[Artist] = [
-        ax.add_patch(Polygon(outline, facecolor=GROWN, edgecolor="none", zorder=1))
-    ]
+    grown = Polygon(outline, facecolor=GROWN, edgecolor="none", zorder=1)
+    artists: list[Artist] = [ax.add_patch(grown)]
     artists += [draw_body(robot + q, ax, alpha=0.22) for q in places]
-    artists.append(
-        ax.add_patch(
-            Polygon(ring, facecolor=palette.OBSTACLE, edgecolor=palette.OBSTACLE, zorder=3)
-        )
-    )
-    artists.append(
-        ax.add_patch(
-            Polygon(
-                outline, fill=False, edgecolor=palette.INK, linestyle="--", linewidth=2.0, zorder=4
-            )
-        )
-    )
-    artists += ax.plot(
-        *places.T, "o", color=palette.INK, markersize=6, markeredgecolor="white", zorder=5
-    )
-    artists.append(inside_label(ring, say("c_space.obstacle"), "white", ax))
-    artists.append(inside_label(robot + places[0], say("c_space.robot"), palette.INK, ax))
-    artists.append(corner_label(outline, say("c_space.c_obstacle"), palette.INK, ax))
+    artists.append(ax.add_patch(Polygon(ring, zorder=3, **palette.SOLID)))
+    dashed: Any = {"edgecolor": palette.INK, "linestyle": "--", "linewidth": 2.0}
+    artists.append(ax.add_patch(Polygon(outline, fill=False, zorder=4, **dashed)))
+    artists += ax.plot(*places.T, "o", markersize=6, zorder=5, **SPOT)
+    artists.append(label_inside(ring, say("c_space.obstacle"), "white", ax))
+    artists.append(label_inside(robot + places[0], say("c_space.robot"), palette.INK, ax))
+    artists.append(label_corner(outline, say("c_space.c_obstacle"), palette.INK, ax))
     return [*artists, plane.title(say("c_space.sliding"), ax)]
 
 
 def draw_grown(
     radius: float, world: PolygonWorldRecord, ax: Axes | None = None, *, ghosts: int = 5
 ) -> list[Artist]:
-    """Draw a world, where a disk's centre may be in it, and the disk in contact at some places."""
+    """Draw a world, the free places of a disk's centre, and the disk in contact at some places."""
     ax = axes_for(world, ax)
     regions = free_regions(radius, world, tolerance=1e-2 * radius)
     artists = draw_world(world, ax)
     for artist in artists:
         artist.set_zorder(2)
     ax.set_facecolor(GROWN)
+    dashed: Any = {"edgecolor": palette.INK, "linestyle": "--", "linewidth": 1.8}
     for rings in regions:
-        style: Any = {"edgecolor": palette.INK, "linestyle": "--", "linewidth": 1.8}
-        artists.append(
-            ax.add_patch(PathPatch(compound(rings), facecolor=palette.FREE, zorder=1, **style))
-        )
+        region = PathPatch(compound(rings), facecolor=palette.FREE, zorder=1, **dashed)
+        artists.append(ax.add_patch(region))
     outline = max((rings[0] for rings in regions), key=len, default=np.empty((0, 2)))
-    for x, y in along(outline, ghosts) if len(outline) else []:
-        artists.append(
-            ax.add_patch(
-                Circle(
-                    (x, y),
-                    radius,
-                    facecolor=palette.ROBOT,
-                    alpha=0.35,
-                    edgecolor=palette.ROBOT,
-                    zorder=3,
-                )
-            )
-        )
-        artists += ax.plot(
-            x, y, "o", color=palette.INK, markersize=6, markeredgecolor="white", zorder=5
-        )
+    for x, y in spread_round(outline, ghosts) if len(outline) else []:
+        look: Any = {"facecolor": palette.ROBOT, "edgecolor": palette.ROBOT, "alpha": 0.35}
+        artists.append(ax.add_patch(Circle((x, y), radius, zorder=3, **look)))
+        artists += ax.plot(x, y, "o", markersize=6, zorder=5, **SPOT)
     unit = say("c_space.region") if len(regions) == 1 else say("c_space.regions")
     count = f"{len(regions)} {unit}"
     return [*artists, plane.title(say("c_space.grown", radius=f"{radius:g}", count=count), ax)]
@@ -112,118 +87,87 @@ def draw_turning_obstacle(
     mesh: "Trimesh | None" = None,
     at: ArrayLike | None = None,
 ) -> list[Artist]:
-    """Draw the C-obstacle of a polygon that turns: on the left the solid, cut at theta; on the
-    right that cut, and the robot there.
+    """Draw the C-obstacle of a polygon that turns, cut at theta, and the slice at theta.
 
-    mesh : what `turning_obstacle` gave for the two, made anew where left out. at : where the
-        reference point is, (2,), on the cut's outline where left out. Only the pictures are linked:
-        the plane on the left is the page on the right.
+    The solid is on the left; its plane at theta is the page on the right.
+
+    Parameters
+    ----------
+    mesh : the result of `turning_obstacle` for the two; computed if left out.
+    at : (2,), the reference point in the slice; by default on the outline of the slice.
     """
     robot, ring = turned(robot_vertices, theta), as_ring(obstacle, "obstacle")
     figure = plt.figure(figsize=(11.0, 5.0), dpi=72, layout="constrained")
-    artists = draw_mesh(
-        turning_obstacle(robot_vertices, obstacle) if mesh is None else mesh,
-        theta=theta,
-        ax=left_panel(figure),
-    )
+    solid = turning_obstacle(robot_vertices, obstacle) if mesh is None else mesh
+    artists = draw_mesh(solid, theta=theta, ax=left_panel(figure))
     figure.axes[0].set_title(say("c_space.solid"), fontsize=palette.TEXT_SIZE + 1)
     return artists + draw_slice(robot, ring, theta, figure.add_subplot(1, 2, 2), at=at)
 
 
 def left_panel(figure: Any) -> Any:
-    """The axes of a solid, on the left of two."""
+    """3-D axes on the left of two."""
     return figure.add_subplot(1, 2, 1, projection="3d")
 
 
 def draw_slice(
     robot: Array, ring: Array, theta: float, ax: Axes, *, at: ArrayLike | None = None
 ) -> list[Artist]:
-    """Draw the workspace at one heading: the obstacle, the slice of the C-obstacle, and the turned
-    robot.
-    """
-    outlines = united(translating_obstacles(robot, [ring]))
-    q = along(outlines[0], 8)[5] if at is None else np.asarray(at, float)
+    """Draw the workspace at one heading: obstacle, slice of the C-obstacle, turned robot."""
+    outlines = unite(translating_obstacles(robot, [ring]))
+    q = spread_round(outlines[0], 8)[5] if at is None else np.asarray(at, float)
     plane.frame(np.concatenate([*outlines, robot + q]), ax, margin=0.12)
-    artists: list[Artist] = [
-        ax.add_patch(Polygon(outline, facecolor=GROWN, edgecolor="none", zorder=1))
-        for outline in outlines
-    ]
-    artists += [
-        ax.add_patch(Polygon(outline, fill=False, edgecolor=palette.GOAL, linewidth=2.5, zorder=4))
-        for outline in outlines
-    ]
-    artists.append(
-        ax.add_patch(
-            Polygon(ring, facecolor=palette.OBSTACLE, edgecolor=palette.OBSTACLE, zorder=2)
-        )
-    )
+    line: Any = {"fill": False, "edgecolor": palette.GOAL, "linewidth": 2.5, "zorder": 4}
+    faces = [Polygon(outline, facecolor=GROWN, edgecolor="none", zorder=1) for outline in outlines]
+    lines = [Polygon(outline, **line) for outline in outlines]
+    solid = Polygon(ring, zorder=2, **palette.SOLID)
+    artists: list[Artist] = [ax.add_patch(patch) for patch in (*faces, *lines, solid)]
     artists.append(draw_body(robot + q, ax, alpha=0.5))
-    artists += ax.plot(*q, "o", color=palette.INK, markersize=7, markeredgecolor="white", zorder=6)
-    artists.append(inside_label(ring, say("c_space.obstacle"), "white", ax))
-    artists.append(inside_label(robot + q, say("c_space.robot"), palette.INK, ax))
-    artists.append(corner_label(outlines[0], say("c_space.c_obstacle"), palette.GOAL, ax))
+    artists += ax.plot(*q, "o", markersize=7, zorder=6, **SPOT)
+    artists.append(label_inside(ring, say("c_space.obstacle"), "white", ax))
+    artists.append(label_inside(robot + q, say("c_space.robot"), palette.INK, ax))
+    artists.append(label_corner(outlines[0], say("c_space.c_obstacle"), palette.GOAL, ax))
     return [*artists, plane.title(say("c_space.turning", theta=f"{np.degrees(theta):.0f}"), ax)]
 
 
 def draw_body(body: Array, ax: Axes, *, alpha: float) -> Artist:
-    """A robot's body where it is, (n, 2)."""
+    """Draw a robot's body at its place, (n, 2)."""
     patch = Polygon(body, facecolor=palette.ROBOT, alpha=alpha, edgecolor="none", zorder=2.5)
     ax.add_patch(Polygon(body, fill=False, edgecolor=palette.ROBOT, linewidth=1.6, zorder=3.5))
     return ax.add_patch(patch)
 
 
-def inside_label(ring: Array, words: str, colour: str, ax: Axes) -> Artist:
-    """Words in the middle of a shape, where it has most room."""
+def label_inside(ring: Array, words: str, colour: str, ax: Axes) -> Artist:
+    """Write words in a shape, in the middle of its largest inscribed circle."""
     import shapely
 
     x, y = shapely.get_coordinates(shapely.maximum_inscribed_circle(shapely.Polygon(ring)))[0]
-    halo = (
-        [patheffects.withStroke(linewidth=3.5, foreground=palette.OBSTACLE)]
-        if colour == "white"
-        else HALO
-    )
-    style: Any = {
-        "ha": "center",
-        "va": "center",
-        "fontsize": palette.TEXT_SIZE,
-        "fontweight": "bold",
-        "path_effects": halo,
-    }
-    return ax.text(x, y, words, color=colour, zorder=9, **style)
+    dark = [patheffects.withStroke(linewidth=3.5, foreground=palette.OBSTACLE)]
+    style: Any = {"path_effects": dark if colour == "white" else HALO, **palette.CENTRED}
+    return ax.text(x, y, words, color=colour, zorder=9, **style, **palette.BOLD)
 
 
-def united(parts: list[Array]) -> list[Array]:
-    """The outlines of what polygons cover together, the longest first; holes are left out."""
+def unite(parts: list[Array]) -> list[Array]:
+    """The outlines of the union of polygons, the longest first, without holes."""
     import shapely
 
-    whole = shapely.get_parts(shapely.union_all([shapely.Polygon(part) for part in parts]))
-    return sorted(
-        (shapely.get_coordinates(part.exterior)[:-1] for part in whole), key=len, reverse=True
-    )
+    union = shapely.union_all([shapely.Polygon(part) for part in parts])
+    rings = (shapely.get_coordinates(part.exterior)[:-1] for part in shapely.get_parts(union))
+    return sorted(rings, key=len, reverse=True)
 
 
-def along(ring: Array, count: int) -> Array:
-    """Places round a ring, evenly spread, (count, 2)."""
+def spread_round(ring: Array, count: int) -> Array:
+    """Places round a ring, equally spaced, (count, 2)."""
     import shapely
 
-    line = shapely.LinearRing(ring)
-    return shapely.get_coordinates(
-        shapely.line_interpolate_point(line, (np.arange(count) + 0.5) / count, normalized=True)
-    )
+    line, fractions = shapely.LinearRing(ring), (np.arange(count) + 0.5) / count
+    points = shapely.line_interpolate_point(line, fractions, normalized=True)
+    return shapely.get_coordinates(points)
 
 
-def corner_label(ring: Array, words: str, colour: str, ax: Axes) -> Artist:
-    """Words in the axes' upper right corner, with a line to the ring's vertex that is nearest to
-    it.
-    """
+def label_corner(ring: Array, words: str, colour: str, ax: Axes) -> Artist:
+    """Write words in the upper right corner, with a line to the ring's nearest vertex."""
     x, y = ring[int((ring[:, 0] + ring[:, 1]).argmax())]
-    style: Any = {
-        "ha": "right",
-        "va": "top",
-        "fontsize": palette.TEXT_SIZE,
-        "fontweight": "bold",
-        "path_effects": HALO,
-    }
+    style: Any = {"ha": "right", "va": "top", "path_effects": HALO, **palette.BOLD}
     line = {"arrowstyle": "-", "color": colour, "linewidth": 1.2, "shrinkB": 2.0}
     corner: Any = {"xytext": (0.985, 0.975), "textcoords": "axes fraction", "arrowprops": line}
     return ax.annotate(words, (x, y), color=colour, zorder=9, **corner, **style)

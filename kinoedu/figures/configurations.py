@@ -1,5 +1,6 @@
-"""Configurations as figures: turns, what an arm reaches, and short ways on the circle and the
-torus. Bullo & Smith, chapter 3.
+"""Figures of configurations: angles, reach, linkages, and shortest paths on circle and torus.
+
+Bullo & Smith, chapter 3.
 """
 
 from collections.abc import Iterable
@@ -15,10 +16,10 @@ from ..geometry.checks import Array
 from ..robots.arm import ArmRobot
 from ..spaces import Torus, interpolate
 from . import palette
-from .plane import label
+from .plane import TOUCHING, label
 from .solid import TORUS, draw_mesh, torus_mesh
 
-PIECES = 240  # of a way, to draw it
+PIECES = 240  # the segments that draw a path on the torus
 
 
 def draw_turn(
@@ -32,36 +33,23 @@ def draw_turn(
     colour: str,
     style: str = "-",
 ) -> list[Artist]:
-    """An angle: the arc from direction start through turn radians, an arrow head at its end, its
-    words at its middle.
-    """
+    """Draw an angle: an arc from a direction through `turn` radians, an arrow head, and words."""
     angles = start + turn * np.linspace(0.0, 1.0, 2 + int(20 * min(abs(turn), 40.0)))
     arc = np.asarray(centre, float) + radius * np.column_stack([np.cos(angles), np.sin(angles)])
     artists: list[Artist] = [*ax.plot(*arc.T, style, color=colour, linewidth=2.6, zorder=5)]
     if turn != 0.0:
-        head = {
-            "arrowstyle": "-|>",
-            "color": colour,
-            "lw": 0.0,
-            "mutation_scale": 18,
-            "shrinkA": 0,
-            "shrinkB": 0,
-        }
+        head = {"arrowstyle": "-|>", "color": colour, "lw": 0.0, "mutation_scale": 18, **TOUCHING}
         artists.append(ax.annotate("", arc[-1], xytext=arc[-2], arrowprops=head, zorder=6))
     if not words:
         return artists
     x, y = np.cos(start + turn / 2), np.sin(start + turn / 2)
     ha = "left" if x > 0.35 else "right" if x < -0.35 else "center"
-    return [
-        *artists,
-        label(arc[len(arc) // 2], words, ax, colour=colour, offset=(8 * x, 12 * y - 5), ha=ha),
-    ]
+    offset = (8 * x, 12 * y - 5)
+    return [*artists, label(arc[len(arc) // 2], words, ax, colour=colour, offset=offset, ha=ha)]
 
 
 def draw_reach(arm: ArmRobot, ax: Axes) -> list[Artist]:
-    """What the tip of a two-link arm reaches: all between two circles round its base, the rims
-    drawn.
-    """
+    """Draw the region that the tip of a two-link arm reaches, between two circles."""
     l1, l2 = arm.lengths
     inner, outer = abs(l1 - l2), l1 + l2
     base = (float(arm.base[0]), float(arm.base[1]))
@@ -73,13 +61,10 @@ def draw_reach(arm: ArmRobot, ax: Axes) -> list[Artist]:
 def draw_links(
     places: ArrayLike, words: str, ax: Axes, *, colour: str, style: str = "-"
 ) -> list[Artist]:
-    """An arm without width: base, joints and tip, shape (n, 2), joined by lines; its words at the
-    elbow.
-    """
+    """Draw an arm without width through base, joints and tip, (n, 2); its words at the elbow."""
     joints = np.asarray(places, float)
-    artists: list[Artist] = [
-        *ax.plot(*joints.T, style, marker="o", color=colour, linewidth=3.0, markersize=7, zorder=5)
-    ]
+    look: Any = {"marker": "o", "color": colour, "linewidth": 3.0, "markersize": 7}
+    artists: list[Artist] = [*ax.plot(*joints.T, style, zorder=5, **look)]
     return [*artists, label(joints[1], words, ax, colour=colour)] if words else artists
 
 
@@ -92,29 +77,23 @@ def draw_linkage(
     colour: str = palette.TREE,
     style: str = "-",
 ) -> list[Artist]:
-    """Bars between pins, shape (n, 2), by the pins' numbers; pins on the ground are square."""
+    """Draw bars between pins, shape (n, 2), by the pins' numbers; pins on the ground are square."""
     at, fixed = np.asarray(pins, float), list(ground)
-    lines = [
-        line
-        for a, b in bars
-        for line in ax.plot(*at[[a, b]].T, style, color=colour, linewidth=5.0, zorder=4)
-    ]
-    loose = ax.plot(
-        *np.delete(at, fixed, axis=0).T,
-        "o",
-        color="white",
-        markeredgecolor=palette.INK,
-        markersize=10,
-        zorder=6,
-    )
-    return [*lines, *loose, *ax.plot(*at[fixed].T, "s", color=palette.INK, markersize=13, zorder=5)]
+    artists: list[Artist] = []
+    for a, b in bars:
+        artists += ax.plot(*at[[a, b]].T, style, color=colour, linewidth=5.0, zorder=4)
+    loose: Any = {"color": "white", "markeredgecolor": palette.INK, "markersize": 10}
+    artists += ax.plot(*np.delete(at, fixed, axis=0).T, "o", zorder=6, **loose)
+    artists += ax.plot(*at[fixed].T, "s", color=palette.INK, markersize=13, zorder=5)
+    return artists
 
 
 def draw_way_on_square(
     a: ArrayLike, b: ArrayLike, ax: Axes, *, colour: str = palette.PATH
 ) -> list[Artist]:
-    """The short way on the torus from a to b, shapes (2,), on the square whose opposite edges are
-    the same: it may cross them.
+    """Draw the shortest path on the torus from a to b, shapes (2,), on its square.
+
+    It may leave the square at one edge and enter at the opposite one.
     """
     way = way_on_torus(a, b)
     jumps = np.flatnonzero((np.abs(np.diff(way, axis=0)) > np.pi).any(axis=1)) + 1
@@ -123,8 +102,9 @@ def draw_way_on_square(
 
 
 def draw_torus(ways: Iterable[tuple[Array, str]], ax: Any = None) -> list[Artist]:
-    """The torus in space, and on it curves of pairs of angles, shape (n, 2), each in a colour: the
-    first angle round the ring.
+    """Draw the torus in space, and on it curves of pairs of angles, (n, 2), each in a colour.
+
+    The first angle runs round the ring.
     """
     artists = draw_mesh(torus_mesh(np.zeros((40, 80), int)), ax, axes=False)
     drawn: Any = artists[0].axes
@@ -134,18 +114,20 @@ def draw_torus(ways: Iterable[tuple[Array, str]], ax: Any = None) -> list[Artist
 
 
 def on_torus(q: ArrayLike) -> Array:
-    """Where pairs of angles, shape (2,) or (n, 2), lie in space, just above the torus that
-    `draw_torus` draws: (3,) or (n, 3).
+    """Points in space of pairs of angles, (2,) or (n, 2), just above the torus of `draw_torus`.
+
+    Returns
+    -------
+    (3,) or (n, 3) array
     """
     ring, tube = np.moveaxis(np.asarray(q, float), -1, 0)
     far = TORUS[0] + 1.02 * TORUS[1] * np.cos(tube)
-    return np.stack(
-        [far * np.cos(ring), far * np.sin(ring), 1.02 * TORUS[1] * np.sin(tube)], axis=-1
-    )
+    height = 1.02 * TORUS[1] * np.sin(tube)
+    return np.stack([far * np.cos(ring), far * np.sin(ring), height], axis=-1)
 
 
 def way_on_torus(a: ArrayLike, b: ArrayLike) -> Array:
-    """Configurations along the short way from a to b, angles wrapped, shape (PIECES + 1, d)."""
+    """Configurations along the shortest path from a to b, angles wrapped, (PIECES + 1, d)."""
     p, q = np.asarray(a, float), np.asarray(b, float)
     space = Torus(len(p))
     return np.array([interpolate(space, p, q, t) for t in np.linspace(0.0, 1.0, PIECES + 1)])

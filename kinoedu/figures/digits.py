@@ -1,11 +1,8 @@
-"""Van der Corput's sequence, digit by digit: each number's digits, and the place to which their
-mirror image leads.
-"""
+"""The Van der Corput sequence, digit by digit."""
 
 from typing import Any
 
 import numpy as np
-from matplotlib import pyplot as plt
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 
@@ -17,25 +14,28 @@ LETTERS = "0123456789abcdefghijklmnopqrstuvwxyz"
 
 
 def digits_of(i: int, base: int) -> str:
-    """A whole number in a base from 2 on, as it is written; digits beyond 9 are letters, and beyond
-    z stand apart.
+    """A nonnegative integer written in a base of at least 2.
 
+    Digits beyond 9 are letters; in bases beyond 36 they are separated by spaces.
+
+    Examples
+    --------
     >>> digits_of(6, 2), digits_of(11, 3), digits_of(0, 2), digits_of(75, 40)
     ('110', '102', '0', '1 35')
     """
     found = [i % base]
     while i := i // base:
         found.append(i % base)
-    return (
-        "".join(LETTERS[d] for d in found[::-1])
-        if base <= len(LETTERS)
-        else " ".join(map(str, found[::-1]))
-    )
+    if base <= len(LETTERS):
+        return "".join(LETTERS[d] for d in found[::-1])
+    return " ".join(map(str, found[::-1]))
 
 
 def mirrored_digits(i: int, base: int) -> str:
     """The digits mirrored at the point.
 
+    Examples
+    --------
     >>> mirrored_digits(6, 2)
     '0.011'
     """
@@ -44,32 +44,34 @@ def mirrored_digits(i: int, base: int) -> str:
 
 
 def draw_van_der_corput(n: int, base: int = 2, ax: Axes | None = None) -> list[Artist]:
-    """Draw numbers 1 to n of the sequence, one below the other: i, its digits, their mirror image,
-    and the place between 0 and 1.
+    """Draw numbers 1 to n of the sequence: i, its digits, mirrored digits, and the point.
 
-    Those that came before are small and grey. Returns the artists. Raises InvalidParameter.
+    Each number has a row, in which earlier points are small and grey.
 
+    Returns
+    -------
+    list of artists
+
+    Raises
+    ------
+    InvalidParameter
+
+    Examples
+    --------
+    >>> from matplotlib import pyplot as plt
     >>> artists = draw_van_der_corput(7)
     >>> plt.close()
     """
     places = van_der_corput(whole(n, "n", least=1), base)
-    if ax is None:
-        _, ax = plt.subplots(figsize=(8.0, 0.8 + 0.36 * n), dpi=72, layout="constrained")
+    ax = palette.axes_or_new(ax, (8.0, 0.8 + 0.36 * n))
     artists: list[Artist] = []
-    mono: Any = {
-        "fontsize": palette.TEXT_SIZE,
-        "fontfamily": "monospace",
-        "va": "center",
-        "color": palette.INK,
-    }
+    mono: Any = {**palette.TEXT, "fontfamily": "monospace", "va": "center", "color": palette.INK}
+    earlier: Any = {"color": palette.OUTSIDE, "markersize": 6, "zorder": 2}
+    newest: Any = {"color": palette.TREE, "markersize": 11, "zorder": 3, **palette.RIM}
     for i, place in enumerate(places, start=1):
         artists += ax.plot([0, 1], [-i, -i], "-", color=palette.OUTSIDE, linewidth=1.2, zorder=1)
-        artists += ax.plot(
-            places[: i - 1], np.full(i - 1, -i), "o", color=palette.OUTSIDE, markersize=6, zorder=2
-        )
-        artists += ax.plot(
-            place, -i, "o", color=palette.TREE, markersize=11, markeredgecolor="white", zorder=3
-        )
+        artists += ax.plot(places[: i - 1], np.full(i - 1, -i), "o", **earlier)
+        artists += ax.plot(place, -i, "o", **newest)
         words = f"{i:>3} = {digits_of(i, base):>6} -> {mirrored_digits(i, base)}"
         artists.append(ax.text(-0.52, -i, words, ha="left", **mono))
     ax.set_xlim(-0.54, 1.03)

@@ -1,13 +1,10 @@
-"""Worlds, problems and plans as matplotlib figures. Each function takes ax=None and returns the
-artists it drew.
-"""
+"""Figures of worlds, problems and plans; each function takes ax=None and returns its artists."""
 
 from functools import singledispatch
 from typing import Any
 
 import numpy as np
 from matplotlib import patheffects
-from matplotlib import pyplot as plt
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
@@ -38,8 +35,10 @@ from .robots import (
 from .walks import draw_walk
 
 POINT = Point()
-CLOSE = 0.15  # of the world's size: names of places that are nearer would lie on each other
+CLOSE = 0.15  # of the world's size: the names of nearer places would overlap
 HALO = [patheffects.withStroke(linewidth=3.5, foreground="white")]
+# Name, colour, marker and its size of start and goal.
+ENDS = (("start", palette.START, "o", 9), ("goal", palette.GOAL, "*", 15))
 
 
 def figure_size(world: Any) -> tuple[float, float]:
@@ -51,21 +50,20 @@ def figure_size(world: Any) -> tuple[float, float]:
 
 def axes_for(world: Any, ax: Axes | None = None) -> Axes:
     """The axes given, or those of a new figure of the world's shape: equal scales, labelled."""
-    if ax is None:
-        _, ax = plt.subplots(figsize=figure_size(world), dpi=72, layout="constrained")
+    ax = palette.axes_or_new(ax, figure_size(world))
     ax.set_aspect("equal")
     margin = 0.01 * (world.hi - world.lo).max()
     ax.set_xlim(world.lo[0] - margin, world.hi[0] + margin)
     ax.set_ylim(world.lo[1] - margin, world.hi[1] + margin)
-    ax.set_xlabel("x", fontsize=palette.TEXT_SIZE)
-    ax.set_ylabel("y", fontsize=palette.TEXT_SIZE)
+    ax.set_xlabel("x", **palette.TEXT)
+    ax.set_ylabel("y", **palette.TEXT)
     ax.tick_params(labelsize=palette.TEXT_SIZE - 1)
     return ax
 
 
 @singledispatch
 def draw_world(world: Any, ax: Axes | None = None) -> list[Artist]:
-    """Draw what is free and what is not."""
+    """Draw the free space and the obstacles of a world."""
     raise TypeError(f"a figure cannot draw a {type(world).__name__}")
 
 
@@ -73,124 +71,88 @@ def draw_world(world: Any, ax: Axes | None = None) -> list[Artist]:
 def _(world: PolygonWorldRecord, ax: Axes | None = None) -> list[Artist]:
     ax = axes_for(world, ax)
     (outline,), *solids = rings_of(world)
-    outside = PathPatch(
-        compound([frame(world), outline]),
-        facecolor=palette.OUTSIDE,
-        edgecolor=palette.OBSTACLE,
-        zorder=1,
-    )
-    polygons = [
-        PathPatch(compound(rings), facecolor=palette.OBSTACLE, edgecolor=palette.OBSTACLE, zorder=1)
-        for rings in solids
-    ]
+    rim: Any = {"facecolor": palette.OUTSIDE, "edgecolor": palette.OBSTACLE, "zorder": 1}
+    outside = PathPatch(compound([frame(world), outline]), **rim)
+    polygons = [PathPatch(compound(rings), zorder=1, **palette.SOLID) for rings in solids]
     discs = [Circle((x, y), r, facecolor=palette.OBSTACLE, zorder=1) for x, y, r in discs_of(world)]
     ax.set_facecolor(palette.FREE)
     return [ax.add_patch(patch) for patch in (outside, *polygons, *discs)]
 
 
 def frame(world: PolygonWorldRecord) -> Array:
-    """A box well round the world, counter-clockwise."""
+    """A box around the world at a distance, counter-clockwise."""
     (x0, y0), (x1, y1) = world.lo - (world.hi - world.lo), world.hi + (world.hi - world.lo)
     return np.array([(x0, y0), (x1, y0), (x1, y1), (x0, y1)])
 
 
 def compound(rings: list[Array]) -> Outline:
-    """One outline of rings, those of opposite sense cut out of each other."""
-    return Outline.make_compound_path(
-        *(Outline(np.vstack([ring, ring[:1]]), closed=True) for ring in rings)
-    )
+    """One outline of several rings; rings of opposite orientation are cut out of each other."""
+    closed = (Outline(np.vstack([ring, ring[:1]]), closed=True) for ring in rings)
+    return Outline.make_compound_path(*closed)
 
 
 @draw_world.register
 def _(world: TerrainRecord, ax: Axes | None = None) -> list[Artist]:
     ax = axes_for(world, ax)
     (x0, y0), (x1, y1) = world.lo, world.hi
-    look: dict[str, Any] = {
-        "origin": "lower",
-        "extent": (x0, x1, y0, y1),
-        "interpolation": "nearest",
-        "zorder": 1,
-    }
+    look: Any = {"origin": "lower", "extent": (x0, x1, y0, y1), "interpolation": "nearest"}
     ax.set_facecolor(palette.OUTSIDE)
     if world.cost.size:
         ground = LinearSegmentedColormap.from_list("ground", [palette.FREE, palette.DEAR])
         ground.set_bad(palette.OBSTACLE)
         costs = np.ma.masked_invalid(world.cost)
-        return [
-            ax.imshow(
-                costs,
-                cmap=ground,
-                vmin=1.0,
-                vmax=float(np.quantile(costs.compressed(), 0.98)) + 1e-9,
-                **look,
-            )
-        ]
+        dearest = float(np.quantile(costs.compressed(), 0.98)) + 1e-9
+        return [ax.imshow(costs, cmap=ground, vmin=1.0, vmax=dearest, zorder=1, **look)]
     colours = ListedColormap([palette.OBSTACLE, palette.FREE])
-    return [ax.imshow(world.free, cmap=colours, vmin=0, vmax=1, **look)]
+    return [ax.imshow(world.free, cmap=colours, vmin=0, vmax=1, zorder=1, **look)]
 
 
 @draw_world.register
 def _(world: OpenWorld, ax: Axes | None = None) -> list[Artist]:
     ax = axes_for(world, ax)
     ax.set_facecolor(palette.FREE)
-    walls = (
-        [PathPatch(compound(world.walls), facecolor=palette.OUTSIDE, edgecolor="none", zorder=1)]
-        if world.walls
-        else []
-    )
-    polygons = [
-        PathPatch(compound([ring]), facecolor=palette.OBSTACLE, edgecolor="none", zorder=1)
-        for ring in world.obstacles
+    shapes = [(compound(world.walls), palette.OUTSIDE)] if world.walls else []
+    shapes += [(compound([ring]), palette.OBSTACLE) for ring in world.obstacles]
+    return [
+        ax.add_patch(PathPatch(outline, facecolor=colour, edgecolor="none", zorder=1))
+        for outline, colour in shapes
     ]
-    return [ax.add_patch(patch) for patch in (*walls, *polygons)]
 
 
 def draw_problem(problem: ProblemRecord, ax: Axes | None = None) -> list[Artist]:
     """Draw the world, and the robot at start and goal."""
     ax = axes_for(problem.world, ax)
     artists = draw_world(problem.world, ax)
-    for q, name, colour, marker in (
-        (problem.start, "start", palette.START, "o"),
-        (problem.goal, "goal", palette.GOAL, "*"),
-    ):
+    for q, (name, colour, marker, size) in zip((problem.start, problem.goal), ENDS, strict=True):
         artists += draw_robot(problem.robot, q, ax, colour)
-        size = 9 if marker == "o" else 15
         at = place_of(problem.robot, q)
-        artists += ax.plot(
-            *at,
-            marker,
-            color=colour,
-            markersize=size,
-            markeredgecolor="white",
-            markeredgewidth=1.2,
-            zorder=7,
-        )
-        artists.append(label_beside(at, name, colour, problem.world, ax))
+        artists += draw_end(at, name, colour, marker, size, problem.world, ax)
     start, goal = (place_of(problem.robot, q) for q in (problem.start, problem.goal))
     if abs(goal - start).max() < CLOSE * abs(problem.world.hi - problem.world.lo).max():
-        artists[-1].set(
-            position=(0, -9), ha="center", va="top"
-        )  # below, where the other name is not
+        artists[-1].set(position=(0, -9), ha="center", va="top")  # below, off the other name
     return artists
 
 
+def draw_end(
+    at: Array, name: str, colour: str, marker: str, size: float, world: Any, ax: Axes
+) -> list[Artist]:
+    """Draw the marker of a start or a goal, with its name beside it."""
+    look: Any = {"color": colour, "markersize": size, "markeredgewidth": 1.2, **palette.RIM}
+    return [*ax.plot(*at, marker, zorder=7, **look), label_beside(at, name, colour, world, ax)]
+
+
 def label_beside(q: Array, name: str, colour: str, world: Any, ax: Axes) -> Artist:
-    """A name next to a place, on the side where there is room."""
+    """Write a name next to a place, on the side where there is room."""
     right = q[0] < world.lo[0] + 0.75 * (world.hi[0] - world.lo[0])
     up = q[1] < world.lo[1] + 0.85 * (world.hi[1] - world.lo[1])
-    return ax.annotate(
-        name,
-        (q[0], q[1]),
-        xytext=(9 if right else -9, 9 if up else -9),
-        textcoords="offset points",
-        ha="left" if right else "right",
-        va="bottom" if up else "top",
-        fontsize=palette.TEXT_SIZE,
-        fontweight="bold",
-        color=colour,
-        path_effects=HALO,
-        zorder=8,
-    )
+    beside: Any = {
+        "xytext": (9 if right else -9, 9 if up else -9),
+        "textcoords": "offset points",
+        "ha": "left" if right else "right",
+        "va": "bottom" if up else "top",
+    }
+    style: Any = {"color": colour, "path_effects": HALO, "zorder": 8, **palette.BOLD}
+    return ax.annotate(name, (q[0], q[1]), **beside, **style)
 
 
 def draw_edges(
@@ -198,18 +160,16 @@ def draw_edges(
 ) -> list[Artist]:
     """Draw segments, shape (m, 2, 2), or polylines, shape (m, k, 2)."""
     lines = list(np.asarray(segments))
-    return [
-        ax.add_collection(
-            LineCollection(lines, colors=colour, linewidths=width, zorder=zorder), autolim=False
-        )
-    ]
+    drawn = LineCollection(lines, colors=colour, linewidths=width, zorder=zorder)
+    return [ax.add_collection(drawn, autolim=False)]
 
 
 def draw_tree(
     tree: Tree | DrivenTree, ax: Axes, *, upto: int | None = None, robot: Any = POINT
 ) -> list[Artist]:
-    """Draw a tree, or its first `upto` nodes: the tree as it was then. An arm's tree is drawn by
-    the way of its tip.
+    """Draw a tree, or the tree of its first `upto` nodes.
+
+    An arm's tree is drawn by the path of its tip.
     """
     grown = np.arange(1, len(tree.nodes) if upto is None else max(upto, 1))
     grown = grown[tree.parent[grown] >= 0]
@@ -224,14 +184,14 @@ def draw_tree(
 def draw_roadmap(
     roadmap: Roadmap | DrivenRoadmap, ax: Axes, *, upto: int | None = None, robot: Any = POINT
 ) -> list[Artist]:
-    """Draw a roadmap's nodes, and its edges or the first `upto` of them. An arm's are drawn by the
-    way of its tip.
+    """Draw a roadmap's nodes, and its edges or the first `upto` of them.
+
+    An arm's roadmap is drawn by the path of its tip.
     """
     edges = roadmap.edges[:upto]
     places = np.array([place_of(robot, q) for q in roadmap.nodes])
-    dots = ax.plot(
-        *places.T, ".", color=palette.TREE, markersize=dot_size(len(roadmap.nodes)), zorder=3.5
-    )
+    size = dot_size(len(roadmap.nodes))
+    dots = ax.plot(*places.T, ".", color=palette.TREE, markersize=size, zorder=3.5)
     begins, ends = roadmap.nodes[edges[:, 0]], roadmap.nodes[edges[:, 1]]
     if isinstance(roadmap, DrivenRoadmap):
         lines = driven_tracks(robot, begins, roadmap.controls[:upto], roadmap.durations[:upto])
@@ -241,35 +201,30 @@ def draw_roadmap(
 
 
 def line_width(n: int) -> float:
-    """Thinner lines for more of them."""
+    """A line width that falls with the number of lines."""
     return float(np.clip(2.0 - 0.4 * np.log10(max(n, 1)), 0.5, 1.6))
 
 
 def dot_size(n: int) -> float:
-    """Smaller dots for more of them."""
+    """A dot size that falls with the number of dots."""
     return float(np.clip(9.0 - 2.0 * np.log10(max(n, 1)), 1.5, 8.0))
 
 
 def draw_path(path: Array, ax: Axes) -> list[Artist]:
-    """Draw a path, shape (n, d), on a dark casing that keeps it visible on anything."""
-    casing = ax.plot(
-        *path[:, :2].T, color=palette.INK, linewidth=5.0, solid_capstyle="round", zorder=4
-    )
-    return [
-        *casing,
-        *ax.plot(
-            *path[:, :2].T, color=palette.PATH, linewidth=3.0, solid_capstyle="round", zorder=5
-        ),
-    ]
+    """Draw a path, shape (n, d), on a dark casing that keeps it visible on any background."""
+    line, style = path[:, :2].T, {"solid_capstyle": "round"}
+    casing: Any = {"color": palette.INK, "linewidth": 5.0, "zorder": 4, **style}
+    inner: Any = {"color": palette.PATH, "linewidth": 3.0, "zorder": 5, **style}
+    return [*ax.plot(*line, **casing), *ax.plot(*line, **inner)]
 
 
 def draw_plan(
     plan: Plan, ax: Axes | None = None, *, upto: int | None = None, title: str | None = None
 ) -> list[Artist]:
-    """Draw a plan: its problem, what was built on the way, and the path.
+    """Draw a plan: its problem, its tree, roadmap or walk, and the path.
 
-    upto : show only the first so many nodes of the tree, edges of the roadmap or points of the
-        walk, and the path only when all are there.
+    upto : draw only the first so many nodes of the tree, edges of the roadmap or points of the
+        walk; the path only when all are there.
     """
     ax = axes_for(plan.problem.world, ax)
     artists = draw_problem(plan.problem, ax)
@@ -281,25 +236,19 @@ def draw_plan(
         artists += draw_roadmap(plan.roadmap, ax, upto=upto, robot=robot)
     if plan.walk is not None:
         artists += draw_walk(plan.walk, ax, upto=upto, found=plan.path is not None)
-    whole = upto is None or upto >= total
-    if plan.trajectory is not None and whole:
-        artists += draw_driven(robot, plan.trajectory, ax) + draw_path(
-            plan.trajectory.at(even_times(plan.trajectory))[:, :2], ax
-        )
-    elif plan.path is not None and plan.walk is None and whole:
-        artists += draw_along(robot, plan.problem.space, plan.path, ax) + draw_path(
-            track_of(robot, plan.path), ax
-        )
-    ax.set_title(
-        summary(plan, total if whole or upto is None else upto) if title is None else title,
-        fontsize=palette.TEXT_SIZE,
-        wrap=True,
-    )
+    shown = total if upto is None else min(upto, total)
+    if plan.trajectory is not None and shown == total:
+        poses = plan.trajectory.at(even_times(plan.trajectory))
+        artists += draw_driven(robot, plan.trajectory, ax) + draw_path(poses, ax)
+    elif plan.path is not None and plan.walk is None and shown == total:
+        artists += draw_along(robot, plan.problem.space, plan.path, ax)
+        artists += draw_path(track_of(robot, plan.path), ax)
+    ax.set_title(summary(plan, shown) if title is None else title, wrap=True, **palette.TEXT)
     return artists
 
 
 def summary(plan: Plan, shown: int) -> str:
-    """What a plan's figure shows, in words."""
+    """The content of a plan's figure, in words."""
     total, unit = growth_of(plan)
     counts = {"planner": plan.planner, "total": f"{total:,}", "unit": unit}
     if shown < total:
@@ -312,7 +261,7 @@ def summary(plan: Plan, shown: int) -> str:
 
 
 def growth_of(plan: Plan) -> tuple[int, str]:
-    """How many steps a plan's growth has, and what a step is, in words."""
+    """The number of steps of a plan's growth, and what a step is, in words."""
     if plan.walk is not None:
         return len(plan.walk.points), say("figure.points")
     if plan.roadmap is not None:

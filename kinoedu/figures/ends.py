@@ -1,4 +1,4 @@
-"""Names at the ends of curves, each in its curve's colour, none over another."""
+"""Names at the ends of curves, in the curves' colours, without overlaps."""
 
 from typing import Any
 
@@ -8,36 +8,32 @@ from matplotlib.axes import Axes
 from . import palette
 from .drawing import HALO
 
-GAP = 0.062  # of the axes' height, from a name to the next
+GAP = 0.062  # the distance between names, as a fraction of the axes' height
 
 
 def name_ends(x: float, ends: list[tuple[str, float, str]], ax: Axes) -> list[Artist]:
-    """Write names beside x; `ends` are names, heights and colours, in the order in which equal
-    heights are written upwards.
+    """Write names beside x.
+
+    ends : names, heights and colours; equal heights are written upwards in this order.
     """
-    look: dict[str, Any] = {
-        "fontsize": palette.TEXT_SIZE,
-        "fontweight": "bold",
-        "va": "center",
-        "path_effects": HALO,
-    }
-    ax.get_ylim()  # the limits are settled when they are asked for
+    look: Any = {"va": "center", "path_effects": HALO, "annotation_clip": False, **palette.BOLD}
+    beside: Any = {"xytext": (6, 0), "textcoords": "offset points"}
+    ax.get_ylim()  # makes matplotlib compute the limits now
     to_share = ax.transData + ax.transAxes.inverted()
     sorted_ends = sorted(ends, key=lambda end: end[1])
     places = spread_out([float(to_share.transform((x, height))[1]) for _, height, _ in sorted_ends])
+    across = ("data", "axes fraction")
     return [
-        ax.annotate(
-            name, (x, place), xycoords=("data", "axes fraction"), xytext=(6, 0), textcoords="offset points", color=colour,
-            annotation_clip=False, **look,
-        )
+        ax.annotate(name, (x, place), xycoords=across, color=colour, **beside, **look)
         for (name, _, colour), place in zip(sorted_ends, places)
-    ]  # fmt: skip
+    ]
 
 
 def spread_out(places: list[float]) -> list[float]:
-    """Places from low to high, moved up where two are close, and all that pass the top moved down
-    again.
+    """Heights from low to high, moved up where two are close, and down where they pass the top.
 
+    Examples
+    --------
     >>> [round(place, 3) for place in spread_out([0.0, 0.03, 1.0, 1.0])]
     [0.0, 0.062, 0.938, 1.0]
     """

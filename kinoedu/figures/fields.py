@@ -1,6 +1,4 @@
-"""What holds at every place of the plane: how far a polygon is, which way round it, on which side
-of a line.
-"""
+"""Functions of the plane: distance to a polygon, tangent vectors, and sides of a line."""
 
 from collections.abc import Callable
 
@@ -15,30 +13,21 @@ from . import palette, plane
 
 
 def draw_distance_levels(polygon: ArrayLike, levels: ArrayLike, ax: Axes) -> list[Artist]:
-    """The curves of all places that are so far from a polygon, each with its distance; what the
-    axes show is filled.
+    """Draw the curves of equal distance to a polygon, each with its distance.
+
+    The curves fill the present limits of the axes.
     """
     (x0, x1), (y0, y1) = ax.get_xlim(), ax.get_ylim()
     x, y = np.meshgrid(np.linspace(x0, x1, 241), np.linspace(y0, y1, 161))
     distance = point_polygon_distance(np.column_stack([x.ravel(), y.ravel()]), polygon)
-    curves = ax.contour(
-        x,
-        y,
-        np.reshape(distance, x.shape),
-        levels=levels,
-        colors=palette.TREE,
-        linewidths=1.8,
-        zorder=1.5,
-    )
-    return [
-        curves,
-        *ax.clabel(curves, fontsize=palette.TEXT_SIZE, fmt="%g"),
-        *plane.polygon(polygon, ax),
-    ]
+    look: palette.Style = {"colors": palette.TREE, "linewidths": 1.8, "zorder": 1.5}
+    curves = ax.contour(x, y, np.reshape(distance, x.shape), levels=levels, **look)
+    numbers = ax.clabel(curves, fmt="%g", **palette.TEXT)
+    return [curves, *numbers, *plane.polygon(polygon, ax)]
 
 
 def draw_tangents(polygon: ArrayLike, spacing: float, ax: Axes) -> list[Artist]:
-    """The tangent vector at places in a grid, outside a polygon."""
+    """Draw the tangent vector at the points of a grid outside a polygon."""
     (x0, x1), (y0, y1) = ax.get_xlim(), ax.get_ylim()
     x, y = np.meshgrid(
         np.arange(x0 + spacing / 2, x1, spacing), np.arange(y0 + spacing / 2, y1, spacing)
@@ -46,9 +35,8 @@ def draw_tangents(polygon: ArrayLike, spacing: float, ax: Axes) -> list[Artist]:
     places = np.column_stack([x.ravel(), y.ravel()])
     outside = places[np.asarray(point_polygon_distance(places, polygon)) > 0.2 * spacing]
     vectors = np.array([polygon_tangent(q, polygon) for q in outside])
-    arrows = ax.quiver(
-        *outside.T, *vectors.T, color=palette.TREE, angles="xy", pivot="mid", width=0.004, zorder=3
-    )
+    look: palette.Style = {"color": palette.TREE, "angles": "xy", "pivot": "mid", "width": 0.004}
+    arrows = ax.quiver(*outside.T, *vectors.T, zorder=3, **look)
     return [arrows, *plane.polygon(polygon, ax)]
 
 
@@ -59,15 +47,12 @@ def draw_sides(
     n: int,
     ax: Axes,
 ) -> list[Artist]:
-    """Which sign `side` gives to n x n places, `step` apart from a corner: 1 left, 0 on the line,
-    -1 right.
+    """Draw the sign of `side` at n x n places, `step` apart from a corner.
+
+    1 is left, 0 on the line, -1 right.
     """
-    signs = np.array(
-        [
-            [np.sign(side((corner[0] + i * step, corner[1] + j * step))) for i in range(n)]
-            for j in range(n)
-        ]
-    )
+    places = [[(corner[0] + i * step, corner[1] + j * step) for i in range(n)] for j in range(n)]
+    signs = np.array([[np.sign(side(q)) for q in row] for row in places])
     colours = ListedColormap([palette.GOAL, "#FFFFFF", palette.TREE])
     image = ax.imshow(signs, origin="lower", cmap=colours, vmin=-1, vmax=1, interpolation="nearest")
     ax.tick_params(labelsize=palette.TEXT_SIZE - 1)

@@ -1,8 +1,6 @@
-"""Flowcharts: what an algorithm does in boxes, what it asks in diamonds, what comes next in
-arrows.
-"""
+"""Flowcharts: actions in boxes, questions in diamonds, arrows between them."""
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
@@ -10,13 +8,11 @@ from matplotlib.patches import FancyBboxPatch, Polygon
 
 from . import palette
 
-WIDE, HIGH = 3.4, 0.9  # of a box; columns are 4.4 apart, rows 1.6
+WIDE, HIGH = 3.4, 0.9  # the size of a box; columns are 4.4 apart, rows 1.6
 
 
 class Step(NamedTuple):
-    """One place of a flowchart: "do", "ask" or "end", its words, its column and its row from the
-    top.
-    """
+    """One element of a flowchart: its kind "do", "ask" or "end", words, column, and row."""
 
     kind: str
     words: str
@@ -25,20 +21,21 @@ class Step(NamedTuple):
 
     @property
     def middle(self) -> tuple[float, float]:
-        """Where it is drawn."""
+        """Its centre."""
         return 4.4 * self.column, -1.6 * self.row
 
     @property
     def half(self) -> tuple[float, float]:
-        """Half of its width and of its height."""
+        """Half of its width and height."""
         return (WIDE / 2 + 0.35, 0.68) if self.kind == "ask" else (WIDE / 2, HIGH / 2)
 
 
 def draw_flowchart(
     steps: dict[str, Step], arrows: list[tuple[str, str, str]], ax: Axes
 ) -> list[Artist]:
-    """Draw steps by name, and arrows (from, to, words) between them; level, straight down, or back
-    up.
+    """Draw steps by name, and arrows (from, to, words) between them.
+
+    Arrows run across, straight down, or back up.
     """
     artists: list[Artist] = []
     for step in steps.values():
@@ -52,61 +49,39 @@ def draw_flowchart(
 
 
 def draw_step(step: Step, ax: Axes) -> list[Artist]:
-    """A box, a diamond, or a box with round ends."""
+    """Draw a box, a diamond, or a box with round ends."""
     (x, y), (w, h) = step.middle, step.half
     if step.kind == "ask":
         corners = [(x - w, y), (x, y - h), (x + w, y), (x, y + h)]
-        shape: Artist = ax.add_patch(
-            Polygon(corners, facecolor="#E5F0FA", edgecolor=palette.TREE, linewidth=1.8)
-        )
+        look: Any = {"facecolor": "#E5F0FA", "edgecolor": palette.TREE, "linewidth": 1.8}
+        shape: Artist = ax.add_patch(Polygon(corners, **look))
     else:
         style = "round,pad=0,rounding_size=0.44" if step.kind == "end" else "square,pad=0"
         colour = palette.START if step.kind == "end" else palette.OBSTACLE
-        box = FancyBboxPatch(
-            (x - w, y - h),
-            WIDE,
-            HIGH,
-            boxstyle=style,
-            facecolor="white",
-            edgecolor=colour,
-            linewidth=1.8,
-        )
+        look = {"facecolor": "white", "edgecolor": colour, "linewidth": 1.8}
+        box = FancyBboxPatch((x - w, y - h), WIDE, HIGH, boxstyle=style, **look)
         shape = ax.add_patch(box)
-    return [
-        shape,
-        ax.text(
-            x,
-            y,
-            step.words,
-            ha="center",
-            va="center",
-            fontsize=palette.TEXT_SIZE - 1,
-            color=palette.INK,
-        ),
-    ]
+    font: Any = {"fontsize": palette.TEXT_SIZE - 1, "color": palette.INK}
+    return [shape, ax.text(x, y, step.words, **palette.CENTRED, **font)]
 
 
 def draw_arrow(begin: Step, end: Step, words: str, ax: Axes) -> list[Artist]:
-    """From one step to the next: across, down, or back up at the left."""
+    """Draw an arrow from one step to the next: across, down, or back up at the left."""
     (x0, y0), (x1, y1) = begin.middle, end.middle
     (w0, h0), (w1, h1) = begin.half, end.half
     if y0 == y1:
         way = 1.0 if x1 > x0 else -1.0
-        points, label = (
-            [(x0 + way * w0, y0), (x1 - way * w1, y1)],
-            (x0 + way * (w0 + 0.35), y0 + 0.28),
-        )
+        points = [(x0 + way * w0, y0), (x1 - way * w1, y1)]
+        label = (x0 + way * (w0 + 0.35), y0 + 0.28)
     elif y1 < y0:
         points, label = [(x0, y0 - h0), (x1, y1 + h1)], (x0 + 0.35, (y0 - h0 + y1 + h1) / 2)
     else:
-        points, label = (
-            [(x0 - w0, y0), (x0 - 2.4, y0), (x0 - 2.4, y1), (x1 - w1, y1)],
-            (x0 - w0, y0 + 0.28),
-        )
+        points = [(x0 - w0, y0), (x0 - 2.4, y0), (x0 - 2.4, y1), (x1 - w1, y1)]
+        label = (x0 - w0, y0 + 0.28)
     properties = {"arrowstyle": "-|>", "color": palette.INK, "shrinkA": 0, "shrinkB": 0}
     style = {"fontsize": palette.TEXT_SIZE - 2, "fontweight": "bold", "color": palette.TREE}
     return [
         *ax.plot(*zip(*points), color=palette.INK, linewidth=1.4, zorder=0),
         ax.annotate("", points[-1], xytext=points[-2], arrowprops=properties),
-        ax.text(*label, words, ha="center", va="center", fontdict=style),
+        ax.text(*label, words, fontdict=style, **palette.CENTRED),
     ]

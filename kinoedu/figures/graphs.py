@@ -1,14 +1,13 @@
-"""Graphs: nodes, edges, numbers, weights, paths and trees on them. A node's state shows by its
-colour and by its marker.
+"""Figures of graphs: nodes, edges, numbers, weights, paths and trees on them.
+
+A node's colour and marker show its state.
 """
 
 from typing import Any
 
 import numpy as np
-from matplotlib import pyplot as plt
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
-from matplotlib.collections import LineCollection
 from matplotlib.patches import FancyArrowPatch
 from matplotlib.transforms import ScaledTranslation
 from numpy.typing import ArrayLike, NDArray
@@ -16,14 +15,14 @@ from numpy.typing import ArrayLike, NDArray
 from ..geometry.checks import Array
 from ..graphs import Graph
 from . import palette
-from .drawing import HALO, draw_path
+from .drawing import HALO, draw_edges, draw_path
 from .plane import frame
 
-MOST_LABELS = 60  # numbers of more nodes than this would cover the graph
-BEND = 0.16  # of the way between two nodes, where an edge leads each way
+MOST_LABELS = 60  # the numbers of more nodes than this would cover the graph
+BEND = 0.16  # of two edges between the same nodes, as a fraction of their length
 LINK = palette.OUTSIDE
 
-# marker, its size against a circle's, face, ink of its number
+# Marker, its size relative to a circle's, face colour, colour of the number.
 STATES = {
     "unseen": ("o", 1.0, palette.FREE, palette.INK),
     "frontier": ("D", 0.85, palette.FRONTIER, palette.INK),
@@ -45,54 +44,54 @@ def draw_graph(
     parents: ArrayLike | None = None,
     frontier: ArrayLike = (),
 ) -> list[Artist]:
-    """Draw a graph where its nodes are, by their first two coordinates; one that is in no space on
-    a circle.
+    """Draw a graph at its nodes' first two coordinates, or on a circle if it has no space.
+
+    Directed edges are arrows.
 
     Parameters
     ----------
-    labels : write each node's number in it; by default up to 60 nodes. weights : write each edge's
-    weight beside it. highlight, highlight_edges : nodes (k,) and edges (j, 2) to be seen first.
+    labels : write each node's number in it; by default up to 60 nodes.
+    weights : write each edge's weight beside it.
+    highlight : nodes (k,) to emphasize.
+    highlight_edges : edges (j, 2) to emphasize.
     path : nodes (k,) along which a path is drawn.
-    parents : (n,) as a search gives them, drawn as arrows from each parent to its child; -1 for
-    none.
-    frontier : nodes (k,) that are drawn as waiting.
+    parents : (n,) from a search, drawn as arrows from each parent to its child; -1 for none.
+    frontier : nodes (k,) that are drawn as the frontier.
 
-    Directed edges are arrows. Returns the artists.
+    Returns
+    -------
+    list of artists
 
-    >>> artists = draw_graph(Graph(nodes=[(0, 0), (1, 0), (0, 1)], edges=[(0, 1), (1, 2)]), path=[0, 1, 2])
+    Examples
+    --------
+    >>> from matplotlib import pyplot as plt
+    >>> graph = Graph(nodes=[(0, 0), (1, 0), (0, 1)], edges=[(0, 1), (1, 2)])
+    >>> artists = draw_graph(graph, path=[0, 1, 2])
     >>> plt.close()
     """
     states = dict.fromkeys(graph, "unseen")
     along = np.array([] if path is None else path, np.int64)
-    states.update(dict.fromkeys(numbers(highlight) + along.tolist(), "marked"))
-    states.update(dict.fromkeys(numbers(frontier), "frontier"))
+    states.update(dict.fromkeys(as_integers(highlight) + along.tolist(), "marked"))
+    states.update(dict.fromkeys(as_integers(frontier), "frontier"))
     places = layout(graph)
     ax = axes_round(graph, places, ax)
     numbered = len(graph) <= MOST_LABELS if labels is None else labels
-    artists = draw_links(graph, places, ax, gap=node_size(graph, numbered) / 2)
+    gap = node_size(graph, numbered) / 2
+    artists = draw_links(graph, places, ax, gap=gap)
     if weights:
         artists += write_weights(graph, places, ax)
     if parents is not None:
-        artists += draw_parents(
-            graph, np.asarray(parents), places, ax, gap=node_size(graph, numbered) / 2
-        )
+        artists += draw_parents(graph, np.asarray(parents), places, ax, gap=gap)
     for u, v in np.asarray(highlight_edges, np.int64).reshape(-1, 2):
-        artists += link(
-            places[u],
-            places[v],
-            ax,
-            palette.PATH,
-            arrow=graph.directed,
-            width=4.0,
-            bend=bend(graph, u, v),
-        )
+        look: Any = {"arrow": graph.directed, "width": 4.0, "bend": bend(graph, u, v)}
+        artists += link(places[u], places[v], ax, palette.PATH, **look)
     if len(along) > 1:
         artists += draw_path(places[along], ax)
     return artists + draw_nodes(graph, places, states, ax, numbered)
 
 
 def layout(graph: Graph) -> Array:
-    """Where nodes are drawn, shape (n, 2)."""
+    """The positions at which nodes are drawn, shape (n, 2)."""
     if graph.space is None:
         angles = np.pi / 2 - 2 * np.pi * np.arange(graph.size) / max(graph.size, 1)
         return np.column_stack([np.cos(angles), np.sin(angles)])
@@ -100,70 +99,53 @@ def layout(graph: Graph) -> Array:
     return nodes[:, :2] if nodes.shape[1] > 1 else np.column_stack([nodes, np.zeros(len(nodes))])
 
 
-def numbers(nodes: ArrayLike) -> list[int]:
-    """Nodes as a list of plain numbers."""
+def as_integers(nodes: ArrayLike) -> list[int]:
+    """Nodes as a list of Python integers."""
     return np.atleast_1d(np.asarray(nodes, np.int64)).tolist()
 
 
 def axes_round(graph: Graph, places: Array, ax: Axes | None) -> Axes:
-    """The axes given, or new ones that show all nodes; without scales where the places mean
-    nothing.
+    """The axes given, or new ones that show all nodes.
+
+    New axes have no scales where the positions mean nothing.
     """
-    if ax is None:
-        _, ax = plt.subplots(figsize=(7.0, 5.0), dpi=72, layout="constrained")
-        frame(places[list(graph)] if len(graph) else np.zeros((1, 2)), ax)
-        if graph.space is None:
-            ax.set_axis_off()
+    if ax is not None:
+        return ax
+    ax = palette.axes_or_new(None, (7.0, 5.0))
+    frame(places[list(graph)] if len(graph) else np.zeros((1, 2)), ax)
+    if graph.space is None:
+        ax.set_axis_off()
     return ax
 
 
 def node_size(graph: Graph, numbered: bool) -> float:
     """The diameter of a node in points."""
-    return float(
-        np.clip(28.0 - 0.2 * len(graph), 16.0, 25.0)
-        if numbered
-        else np.clip(12.0 - 3.0 * np.log10(len(graph) + 1), 2.5, 9.0)
-    )
+    if numbered:
+        return float(np.clip(28.0 - 0.2 * len(graph), 16.0, 25.0))
+    return float(np.clip(12.0 - 3.0 * np.log10(len(graph) + 1), 2.5, 9.0))
 
 
 def bend(graph: Graph, u: int, v: int) -> float:
-    """How far an edge is bent aside: only where another leads back."""
+    """The bend of an edge: nonzero only where another edge leads back."""
     return BEND if graph.directed and u != v and graph.is_edge(v, u) else 0.0
 
 
 def draw_links(graph: Graph, places: Array, ax: Axes, *, gap: float) -> list[Artist]:
-    """The edges: lines, or arrows where they are directed; loops as rings above their node."""
+    """Draw the edges: lines, or arrows where they are directed; loops as rings above their node."""
     edges = graph.edges
     loops = np.unique(edges[edges[:, 0] == edges[:, 1], 0])
     aside = ax.transData + ScaledTranslation(0, gap / 72.0, ax.figure.dpi_scale_trans)
+    ring: Any = {"fillstyle": "none", "markersize": max(1.4 * gap, 4), "markeredgewidth": 1.8}
     artists: list[Artist] = [
-        *ax.plot(
-            *places[loops].T, "o", fillstyle="none", markersize=max(1.4 * gap, 4), color=LINK, markeredgewidth=1.8, zorder=2,
-            transform=aside,
-        )
-    ]  # fmt: skip
+        *ax.plot(*places[loops].T, "o", color=LINK, zorder=2, transform=aside, **ring)
+    ]
     apart = edges[edges[:, 0] != edges[:, 1]]
     if not graph.directed:
         width = float(np.clip(2.6 - 0.4 * np.log10(len(edges) + 1), 0.5, 2.0))
-        return [
-            *artists,
-            ax.add_collection(
-                LineCollection(list(places[apart]), colors=LINK, linewidths=width, zorder=2),
-                autolim=False,
-            ),
-        ]
+        return [*artists, *draw_edges(places[apart], ax, LINK, width=width, zorder=2)]
+    arrow: Any = {"arrow": True, "width": 1.6, "gap": gap, "zorder": 2}
     for u, v in apart:
-        artists += link(
-            places[u],
-            places[v],
-            ax,
-            LINK,
-            arrow=True,
-            width=1.6,
-            gap=gap,
-            bend=bend(graph, u, v),
-            zorder=2,
-        )
+        artists += link(places[u], places[v], ax, LINK, bend=bend(graph, u, v), **arrow)
     return artists
 
 
@@ -179,118 +161,81 @@ def link(
     bend: float = 0.0,
     zorder: float = 3.0,
 ) -> list[Artist]:
-    """One edge, a gap in points short of its ends."""
-    style = "-|>" if arrow else "-"
-    curve = f"arc3,rad={bend}"
-    patch = FancyArrowPatch(
-        (a[0], a[1]), (b[0], b[1]), arrowstyle=style, connectionstyle=curve, color=colour, linewidth=width, shrinkA=gap,
-        shrinkB=gap, mutation_scale=8.0 + 3.5 * width, zorder=zorder,
-    )  # fmt: skip
-    return [ax.add_patch(patch)]
+    """Draw one edge, a gap in points short of its ends."""
+    shape: Any = {
+        "arrowstyle": "-|>" if arrow else "-",
+        "connectionstyle": f"arc3,rad={bend}",
+        "mutation_scale": 8.0 + 3.5 * width,
+        "shrinkA": gap,
+        "shrinkB": gap,
+    }
+    look: Any = {"color": colour, "linewidth": width, "zorder": zorder}
+    return [ax.add_patch(FancyArrowPatch((a[0], a[1]), (b[0], b[1]), **shape, **look))]
 
 
 def draw_parents(
     graph: Graph, parents: NDArray[np.int64], places: Array, ax: Axes, *, gap: float
 ) -> list[Artist]:
-    """Arrows from parents to children; where there are many, lines."""
+    """Draw arrows from parents to children; lines where there are many."""
     children = np.flatnonzero(parents >= 0)
     if len(parents) > MOST_LABELS:
-        segments = list(np.stack([places[parents[children]], places[children]], axis=1))
-        return [
-            ax.add_collection(
-                LineCollection(segments, colors=palette.TREE, linewidths=2.0, zorder=3),
-                autolim=False,
-            )
-        ]
+        segments = np.stack([places[parents[children]], places[children]], axis=1)
+        return draw_edges(segments, ax, palette.TREE, width=2.0, zorder=3)
     artists: list[Artist] = []
     for child in children.tolist():
-        aside = bend(graph, int(parents[child]), child)
-        artists += link(
-            places[parents[child]],
-            places[child],
-            ax,
-            palette.TREE,
-            arrow=True,
-            width=2.6,
-            gap=gap,
-            bend=aside,
-        )
+        parent = int(parents[child])
+        look: Any = {"arrow": True, "width": 2.6, "gap": gap, "bend": bend(graph, parent, child)}
+        artists += link(places[parent], places[child], ax, palette.TREE, **look)
     return artists
 
 
 def draw_nodes(
     graph: Graph, places: Array, states: dict[int, str], ax: Axes, numbered: bool
 ) -> list[Artist]:
-    """Each node by its state, with its number in it: one over the other where they are near, number
-    and all.
+    """Draw each node by its state, with its number in it.
+
+    Numbered nodes are drawn one after another, so that a near one covers both marker and number.
     """
     artists: list[Artist] = []
     size = node_size(graph, numbered)
     if not numbered:
         for state, (marker, factor, face, _) in STATES.items():
             here = [u for u in graph if states[u] == state]
-            artists += dots(places[here], marker, factor * size, face, 0.6, 6, ax)
+            artists += draw_markers(places[here], marker, factor * size, face, 0.6, 6, ax)
         return artists
     for rank, u in enumerate(graph):
-        (x, y), (marker, factor, face, ink), zorder = (
-            places[u],
-            STATES[states[u]],
-            6 + rank / len(graph),
-        )
-        artists += dots(places[u], marker, factor * size, face, 1.4, zorder, ax)
-        artists.append(
-            ax.text(
-                x,
-                y,
-                str(u),
-                color=ink,
-                fontsize=palette.TEXT_SIZE,
-                ha="center",
-                va="center_baseline",
-                zorder=zorder,
-            )
-        )
+        marker, factor, face, ink = STATES[states[u]]
+        zorder = 6 + rank / len(graph)
+        artists += draw_markers(places[u], marker, factor * size, face, 1.4, zorder, ax)
+        centred: Any = {"ha": "center", "va": "center_baseline", **palette.TEXT}
+        x, y = places[u]
+        artists.append(ax.text(x, y, str(u), color=ink, zorder=zorder, **centred))
     return artists
 
 
-def dots(
+def draw_markers(
     at: Array, marker: str, size: float, face: str, rim: float, zorder: float, ax: Axes
 ) -> list[Artist]:
-    """Markers at one place (2,) or several (k, 2)."""
-    return [
-        *ax.plot(
-            *at.T,
-            marker,
-            markersize=size,
-            markerfacecolor=face,
-            markeredgecolor=palette.INK,
-            markeredgewidth=rim,
-            zorder=zorder,
-        )
-    ]
+    """Draw markers at one place (2,) or several (k, 2)."""
+    edge: Any = {"markeredgecolor": palette.INK, "markeredgewidth": rim}
+    return [*ax.plot(*at.T, marker, markersize=size, markerfacecolor=face, zorder=zorder, **edge)]
 
 
 def write_weights(graph: Graph, places: Array, ax: Axes) -> list[Artist]:
-    """Each edge's weight at its middle."""
+    """Write each edge's weight at its midpoint."""
     artists: list[Artist] = []
     for (u, v), weight in zip(graph.edges, graph.weights):
-        along = places[v] - places[u]
-        middle = (places[u] + places[v]) / 2 + bend(graph, u, v) / 2 * np.array(
-            [along[1], -along[0]]
-        )
-        artists.append(
-            beside(
-                middle, f"{weight:.3g}", ax, (0, -5) if u != v else (0, 20), palette.INK, "center"
-            )
-        )
+        x, y = places[v] - places[u]
+        middle = (places[u] + places[v]) / 2 + bend(graph, u, v) / 2 * np.array([y, -x])
+        offset = (0, -5) if u != v else (0, 20)
+        artists.append(beside(middle, f"{weight:.3g}", ax, offset, palette.INK, "center"))
     return artists
 
 
 def beside(
     at: Array, words: str, ax: Axes, offset: tuple[float, float], colour: str, ha: Any = "left"
 ) -> Artist:
-    """Small words near a place, offset in points."""
-    return ax.annotate(
-        words, (at[0], at[1]), xytext=offset, textcoords="offset points", fontsize=palette.TEXT_SIZE - 1, color=colour, ha=ha,
-        path_effects=HALO, zorder=8,
-    )  # fmt: skip
+    """Write small words near a place, offset in points."""
+    place: Any = {"xytext": offset, "textcoords": "offset points", "ha": ha}
+    style: Any = {"fontsize": palette.TEXT_SIZE - 1, "color": colour, "path_effects": HALO}
+    return ax.annotate(words, (at[0], at[1]), zorder=8, **place, **style)

@@ -1,6 +1,6 @@
-"""Obstacles that move: the world at a moment with the robot on its way, and a straight way against
-time.
-"""
+"""Moving obstacles: the world at a moment with the robot, and a straight path against time."""
+
+from typing import Any
 
 import numpy as np
 from matplotlib.artist import Artist
@@ -14,44 +14,36 @@ from ..geometry.checks import Array
 from ..problems.in_time import TimedProblemRecord
 from ..worlds.moving import MovingWorldRecord, movers_at
 from . import palette
-from .drawing import axes_for, draw_path, draw_robot, draw_world, label_beside
+from .drawing import ENDS, axes_for, draw_end, draw_path, draw_robot, draw_world
 from .plane import arrow
 
 ROUND = np.linspace(0.0, 2.0 * np.pi, 25)[:-1]
-SOON = 1e-3  # how far ahead one looks to see where something is going
-COLUMNS = 400  # places along a way
+SOON = 1e-3  # the time step that gives an obstacle's velocity
+COLUMNS = 400  # places along a segment
 
 
 def outline_of(points: Array, radius: float) -> Array:
-    """The outline of a mover, shape (k, 2): a disc's as a polygon of 24 corners."""
-    return (
-        points
-        if radius == 0.0
-        else points[0] + radius * np.column_stack([np.cos(ROUND), np.sin(ROUND)])
-    )
+    """The outline of a moving obstacle, shape (k, 2): a disc's as a polygon of 24 corners."""
+    if radius == 0.0:
+        return points
+    return points[0] + radius * np.column_stack([np.cos(ROUND), np.sin(ROUND)])
 
 
 def place_on(path: Array, t: float) -> Array:
-    """Where a robot is at a time that goes along a path (m, 3) of rows (x, y, t); at its ends
-    before and after it. Shape (2,).
+    """The position (2,) of a robot at a time on a path (m, 3) of rows (x, y, t).
+
+    Before and after the path it is at its ends.
     """
     return np.array([np.interp(t, path[:, 2], path[:, axis]) for axis in (0, 1)])
 
 
 def draw_movers(world: MovingWorldRecord, t: float, ax: Axes) -> list[Artist]:
-    """What moves, where it is at a time, with an arrow as far as it goes in a unit of time; none
-    where it rests.
-    """
+    """Draw the moving obstacles at a time, with an arrow for the motion in a unit of time."""
     drawn: list[Artist] = []
     for (points, radius), (later, _) in zip(movers_at(world, t), movers_at(world, t + SOON)):
         shape = outline_of(points, radius)
-        drawn.append(
-            ax.add_patch(
-                Polygon(
-                    shape, facecolor=palette.OBSTACLE, edgecolor=palette.INK, hatch="//", zorder=2
-                )
-            )
-        )
+        look: Any = {"facecolor": palette.OBSTACLE, "edgecolor": palette.INK, "hatch": "//"}
+        drawn.append(ax.add_patch(Polygon(shape, zorder=2, **look)))
         (x, y), (u, v) = shape.mean(axis=0), (later[0] - points[0]) / SOON
         if u or v:
             drawn += arrow((x, y), (u, v), "", ax, colour=palette.HIT)
@@ -61,54 +53,42 @@ def draw_movers(world: MovingWorldRecord, t: float, ax: Axes) -> list[Artist]:
 def draw_moment(
     problem: TimedProblemRecord, t: float, ax: Axes | None = None, *, path: Array | None = None
 ) -> list[Artist]:
-    """The world at a time: what stands, what moves, start and goal; and on a path (m, 3) the robot,
-    with the way behind it.
+    """Draw the world at a time: static and moving obstacles, start and goal, and the robot.
 
+    path : (m, 3), rows (x, y, t); the robot is drawn on it, with the part behind it.
+
+    Examples
+    --------
     >>> from kinoedu import Disk, PolygonWorld
     >>> from kinoedu.problems.in_time import TimedProblem
     >>> from kinoedu.worlds import Moving, MovingWorld
     >>> from matplotlib import pyplot as plt
     >>> hall = PolygonWorld([(0, 0), (10, 0), (10, 6), (0, 6)])
     >>> world = MovingWorld(hall, [Moving(1.0, [0, 10], [(9, 3), (-1, 3)])])
-    >>> artists = draw_moment(TimedProblem(Disk(0.5), world, start=(1, 3), goal=(9, 3)), 2.0, plt.gca())
+    >>> problem = TimedProblem(Disk(0.5), world, start=(1, 3), goal=(9, 3))
+    >>> artists = draw_moment(problem, 2.0, plt.gca())
     >>> plt.close()
     """
     ax = axes_for(problem.world, ax)
     drawn = draw_world(problem.world.still, ax) + draw_movers(problem.world, t, ax)
-    for q, name, colour, marker in (
-        (problem.start, "start", palette.START, "o"),
-        (problem.goal, "goal", palette.GOAL, "*"),
-    ):
-        size = 9 if marker == "o" else 15
-        drawn += ax.plot(
-            *q,
-            marker,
-            color=colour,
-            markersize=size,
-            markeredgecolor="white",
-            markeredgewidth=1.2,
-            zorder=7,
-        )
-        drawn.append(label_beside(q, name, colour, problem.world, ax))
+    for q, look in zip((problem.start, problem.goal), ENDS, strict=True):
+        drawn += draw_end(q, *look, problem.world, ax)
     if path is not None:
         here = place_on(path, t)
-        drawn += draw_path(np.vstack([path[path[:, 2] < t, :2], here]), ax) + draw_robot(
-            problem.robot, here, ax
-        )
-        drawn += ax.plot(
-            *here, "o", color=palette.ROBOT, markersize=7, markeredgecolor=palette.INK, zorder=8
-        )
+        drawn += draw_path(np.vstack([path[path[:, 2] < t, :2], here]), ax)
+        drawn += draw_robot(problem.robot, here, ax)
+        dot: Any = {"color": palette.ROBOT, "markeredgecolor": palette.INK, "markersize": 7}
+        drawn += ax.plot(*here, "o", zorder=8, **dot)
     return drawn
 
 
 def draw_against_time(
     problem: TimedProblemRecord, a: ArrayLike, b: ArrayLike, ax: Axes, *, until: float
 ) -> list[Artist]:
-    """The places of the segment from a to b, left to right, against the time, upwards: grey is met
-    by something that moves.
+    """Draw the safe intervals of the places from a to b, with time upwards.
 
-    Each column is a place, and what is white of it its safe intervals. Motions go upwards, no
-    flatter than the dotted line, which is the robot's speed.
+    Each column is a place; its white part are the safe intervals, its grey part is hit by a moving
+    obstacle. Motions go upwards, no flatter than the dotted line, which is the robot's speed.
     """
     begin, end = np.asarray(a, float), np.asarray(b, float)
     far = float(np.hypot(*(end - begin)))
@@ -118,22 +98,16 @@ def draw_against_time(
     safe, first = all_safe_intervals(hulls, knots, world.times, world.places, float(until), places)
     column, half = np.repeat(along, np.diff(first)), 0.51 * far / (COLUMNS - 1)
     x0, x1 = column - half, column + half
-    boxes = np.stack(
-        [
-            np.column_stack(c)
-            for c in ((x0, safe[:, 0]), (x1, safe[:, 0]), (x1, safe[:, 1]), (x0, safe[:, 1]))
-        ],
-        axis=1,
-    )
+    from_, to = safe.T
+    corners = ((x0, from_), (x1, from_), (x1, to), (x0, to))
+    boxes = np.stack([np.column_stack(corner) for corner in corners], axis=1)
     ax.set(xlim=(0.0, far), ylim=(0.0, until), facecolor=palette.OBSTACLE)
-    free = ax.add_collection(
-        PolyCollection(list(boxes), facecolors=palette.FREE, edgecolors="none", zorder=1)
-    )
+    free = PolyCollection(list(boxes), facecolors=palette.FREE, edgecolors="none", zorder=1)
     fastest = [[(0.0, 0.0), (far, far / problem.speed)]]
-    slope = ax.add_collection(
-        LineCollection(fastest, colors=palette.START, linestyles=":", linewidths=2.0, zorder=3)
-    )
-    ax.set_xlabel("way from start to goal", fontsize=palette.TEXT_SIZE)
-    ax.set_ylabel("time", fontsize=palette.TEXT_SIZE)
+    dotted: Any = {"colors": palette.START, "linestyles": ":", "linewidths": 2.0}
+    slope = LineCollection(fastest, zorder=3, **dotted)
+    artists: list[Artist] = [ax.add_collection(free), ax.add_collection(slope)]
+    ax.set_xlabel("way from start to goal", **palette.TEXT)
+    ax.set_ylabel("time", **palette.TEXT)
     ax.tick_params(labelsize=palette.TEXT_SIZE - 1)
-    return [free, slope]
+    return artists

@@ -1,16 +1,20 @@
-"""The colours of the course: each means the same on every page, and stays apart for colour-blind
-eyes and on a projector.
+"""The colours and text styles of the course.
 
-After M. Okabe and K. Ito, "Color universal design" (2008). Line styles and markers differ as well.
+Each colour means the same thing on every page, and they are distinguishable for colour-blind eyes
+and on a projector. After M. Okabe and K. Ito, "Color universal design" (2008). Line styles and
+markers differ as well.
 """
 
 from typing import Any
+
+from matplotlib import pyplot as plt
+from matplotlib.axes import Axes
 
 START = "#007A5E"
 GOAL = "#C44E00"
 OBSTACLE = "#4B5563"
 FREE = "#FFFFFF"
-DEAR = "#A98467"  # ground that costs most to cross; the cheapest is as what is free
+DEAR = "#A98467"  # the most expensive ground; the cheapest has the colour of free space
 OUTSIDE = "#9CA3AF"
 CELL = "#E3F0FA"
 TREE = "#0072B2"
@@ -18,19 +22,25 @@ ROADMAP = "#3B9BD9"
 PATH = "#E69F00"
 ROBOT = "#CC79A7"
 CONTACT = "#000000"
-FRONTIER = "#F0E442"  # seen by a search, and waiting
+FRONTIER = "#F0E442"  # the frontier of a search
 INK = "#111827"
 FREE_LINK = "#0072B2"
 HIT = "#D32F2F"
-LINKS = (
-    "#2F7FD0",
-    "#111827",
-    "#D32F2F",
-)  # an arm is free, its link 1 hits, its link 2 does: the book's blue, black and red
+# The book's blue, black and red: an arm is free, its link 1 is in contact, its link 2 is.
+LINKS = ("#2F7FD0", "#111827", "#D32F2F")
 FREE_AREA, HIT_1_AREA, HIT_2_AREA = "#CFE3F7", "#3B4250", "#E8837F"
-LINKS_LIGHT = (FREE_AREA, HIT_1_AREA, HIT_2_AREA)  # the same as areas
+LINKS_LIGHT = (FREE_AREA, HIT_1_AREA, HIT_2_AREA)  # the same, for areas
 
 TEXT_SIZE = 13
+
+# Styles, as keyword arguments of matplotlib's functions.
+Style = dict[str, Any]
+TEXT: Style = {"fontsize": TEXT_SIZE}
+BOLD: Style = {"fontsize": TEXT_SIZE, "fontweight": "bold"}
+CENTRED: Style = {"ha": "center", "va": "center"}
+SOLID: Style = {"facecolor": OBSTACLE, "edgecolor": OBSTACLE}
+RIM: Style = {"markeredgecolor": "white"}  # of a marker
+GRID: Style = {"color": "#E5E7EB", "linewidth": 0.8}
 
 NAMED = {
     name.lower(): colour
@@ -39,9 +49,16 @@ NAMED = {
 }
 
 
-def hex_of(colour: Any) -> str:
-    """A matplotlib colour as "#rrggbb", or "none" where it is none or cannot be seen.
+def axes_or_new(ax: Axes | None, size: tuple[float, float]) -> Axes:
+    """The axes given, or those of a new figure of a size in inches."""
+    return plt.subplots(figsize=size, dpi=72, layout="constrained")[1] if ax is None else ax
 
+
+def hex_of(colour: Any) -> str:
+    """A matplotlib colour as "#rrggbb", or "none" where it is none or fully transparent.
+
+    Examples
+    --------
     >>> hex_of("red"), hex_of((0, 0, 1, 0.5)), hex_of("none")
     ('#ff0000', '#0000ff', 'none')
     """

@@ -1,4 +1,4 @@
-"""Ratios of times on a logarithmic axis, a line for each, with what is to hold."""
+"""Ratios of times on a logarithmic axis, one line for each, with their targets."""
 
 import os
 from collections.abc import Mapping, Sequence
@@ -7,7 +7,6 @@ from pathlib import Path
 from textwrap import wrap
 from typing import Any, NamedTuple
 
-from matplotlib import pyplot as plt
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -17,19 +16,31 @@ from matplotlib.lines import Line2D
 from ..support.whole_files import written_whole
 from . import palette
 
-LINE, WIDTH, TITLE = 0.34, 14.0, 38  # inches from a line to the next, inches, letters
-GUTTER = 440.0  # points from where a title begins to the axis
+LINE, WIDTH = 0.34, 14.0  # inches: the height of a line, the width of the figure
+TITLE = 38  # the most letters in a line of a title
+GUTTER = 440.0  # points from the beginning of a title to the axis
 HOLDS = {
     True: ("o", palette.START, "holds"),
     False: ("X", palette.HIT, "missed"),
     None: ("s", palette.OBSTACLE, "nothing to hold"),
 }
-TEXT: dict[str, Any] = {"fontsize": palette.TEXT_SIZE, "va": "center", "color": palette.INK}
+TEXT: Any = {**palette.TEXT, "va": "center", "color": palette.INK}
+OFFSET: Any = {"textcoords": "offset points"}
+
+
+BAR: Any = {"linewidth": 6.0, "alpha": 0.35}  # for the middle half of the rounds
 
 
 class Mark(NamedTuple):
-    """A ratio: what was done, beside whom; its median and the middle half of the rounds; the goal,
-    and whether it is held.
+    """A ratio.
+
+    Attributes
+    ----------
+    what : the task measured.
+    beside : the peer that it is compared with.
+    low, middle, high : the median and the middle half of the rounds.
+    goal : the target, or None.
+    holds : whether the target is met, or None.
     """
 
     what: str
@@ -42,17 +53,18 @@ class Mark(NamedTuple):
 
 
 def draw_ratios(marks: Sequence[Mark], ax: Axes | None = None, *, label: str = "") -> list[Artist]:
-    """Draw a line for each mark, those that follow each other with the same `what` as a group.
-    `label` says what the ratio is.
+    """Draw one line per mark; consecutive marks with the same `what` form a group.
 
-    >>> artists = draw_ratios([Mark("RRT", "OMPL", 11.0, 12.0, 14.0, 10.0, True), Mark("RRT", "C", 0.8, 0.9, 1.0, None, None)])
+    label : the meaning of the ratio, written at the axis.
+
+    Examples
+    --------
+    >>> from matplotlib import pyplot as plt
+    >>> held = Mark("RRT", "OMPL", 11.0, 12.0, 14.0, 10.0, True)
+    >>> artists = draw_ratios([held, Mark("RRT", "C", 0.8, 0.9, 1.0, None, None)])
     >>> plt.close()
     """
-    ax = (
-        plt.subplots(figsize=(WIDTH, height_of(marks)), dpi=72, layout="constrained")[1]
-        if ax is None
-        else ax
-    )
+    ax = palette.axes_or_new(ax, (WIDTH, figure_height(marks)))
     ax.set_xscale("log")
     artists: list[Artist] = []
     top = 0
@@ -60,71 +72,46 @@ def draw_ratios(marks: Sequence[Mark], ax: Axes | None = None, *, label: str = "
         lines, title = list(group), wrap(what, TITLE)
         height = max(len(lines), len(title))
         if number % 2 == 0:
-            artists.append(
-                ax.axhspan(
-                    top - 0.5,
-                    top + height - 0.5,
-                    color=palette.CELL,
-                    alpha=0.6,
-                    linewidth=0,
-                    zorder=0,
-                )
-            )
-        place: dict[str, Any] = {
-            "xytext": (-GUTTER, 0),
-            "textcoords": "offset points",
-            "xycoords": ax.get_yaxis_transform(),
-        }
-        artists.append(
-            ax.annotate("\n".join(title), (0.0, top + height / 2 - 0.5), **place, **TEXT)
-        )
+            stripe: Any = {"color": palette.CELL, "alpha": 0.6, "linewidth": 0, "zorder": 0}
+            artists.append(ax.axhspan(top - 0.5, top + height - 0.5, **stripe))
+        place: Any = {"xytext": (-GUTTER, 0), "xycoords": ax.get_yaxis_transform(), **OFFSET}
+        at = (0.0, top + height / 2 - 0.5)
+        artists.append(ax.annotate("\n".join(title), at, **place, **TEXT))
         for i, mark in enumerate(lines):
             artists += draw_mark(mark, top + i + (height - len(lines)) / 2, ax)
         top += height
     artists.append(ax.axvline(1.0, color=palette.OUTSIDE, linewidth=1.2, zorder=1))
     ax.set_ylim(top - 0.5, -0.5)
-    least, most = (
-        min([1.0, *(mark.low for mark in marks)]),
-        max([1.0, *(max(mark.high, mark.goal or 0.0) for mark in marks)]),
-    )
+    least = min([1.0, *(mark.low for mark in marks)])
+    most = max([1.0, *(max(mark.high, mark.goal or 0.0) for mark in marks)])
     ax.set_xlim(least / 1.25, most * (most / least) ** 0.12 * 1.1)
-    return [*artists, *dressed(ax, label)]
+    return [*artists, *dress_axes(ax, label)]
 
 
 def draw_mark(mark: Mark, y: float, ax: Axes) -> list[Artist]:
-    """One line: the bar of the middle half, the median by its shape, the goal as a stroke, names
-    and numbers beside them.
-    """
+    """Draw one line: a bar for the middle half, the median, the target as a stroke, and numbers."""
     shape, colour, _ = HOLDS[mark.holds]
-    artists: list[Artist] = [
-        *ax.plot([mark.low, mark.high], [y, y], color=colour, linewidth=6.0, alpha=0.35, zorder=2)
-    ]
-    artists += ax.plot(
-        mark.middle, y, shape, color=colour, markersize=9.5, markeredgecolor="white", zorder=4
-    )
+    artists: list[Artist] = [*ax.plot([mark.low, mark.high], [y, y], color=colour, zorder=2, **BAR)]
+    artists += ax.plot(mark.middle, y, shape, color=colour, markersize=9.5, zorder=4, **palette.RIM)
     if mark.goal is not None:
-        artists += ax.plot(
-            [mark.goal, mark.goal], [y - 0.4, y + 0.4], color=palette.INK, linewidth=2.6, zorder=3
-        )
-    place: dict[str, Any] = {"xytext": (8, 0), "textcoords": "offset points"}
+        stroke: Any = {"color": palette.INK, "linewidth": 2.6, "zorder": 3}
+        artists += ax.plot([mark.goal, mark.goal], [y - 0.4, y + 0.4], **stroke)
     number = f"{mark.middle:.3g}" if mark.middle < 1000 else f"{mark.middle:,.0f}"
-    artists.append(ax.annotate(number, (max(mark.high, mark.goal or 0.0), y), **place, **TEXT))
-    return [
-        *artists,
-        ax.text(-0.012, y, mark.beside, ha="right", transform=ax.get_yaxis_transform(), **TEXT),
-    ]
+    at, left = (max(mark.high, mark.goal or 0.0), y), ax.get_yaxis_transform()
+    artists.append(ax.annotate(number, at, xytext=(8, 0), **OFFSET, **TEXT))
+    artists.append(ax.text(-0.012, y, mark.beside, ha="right", transform=left, **TEXT))
+    return artists
 
 
-def height_of(marks: Sequence[Mark]) -> float:
-    """The inches that these marks take."""
-    groups = [
-        (what, len(list(group))) for what, group in groupby(marks, key=lambda mark: mark.what)
-    ]
+def figure_height(marks: Sequence[Mark]) -> float:
+    """The height of these marks in inches."""
+    by_task = groupby(marks, key=lambda mark: mark.what)
+    groups = [(what, len(list(group))) for what, group in by_task]
     return LINE * sum(max(lines, len(wrap(what, TITLE))) for what, lines in groups) + 0.9
 
 
-def dressed(ax: Axes, label: str) -> list[Artist]:
-    """What x is, plain numbers as ticks, a quiet grid."""
+def dress_axes(ax: Axes, label: str) -> list[Artist]:
+    """Set the label of x, plain numbers as ticks, and a light grid."""
     ax.set_yticks([])
     ax.tick_params(labelsize=palette.TEXT_SIZE)
     ax.xaxis.set_major_formatter(lambda ratio, _: f"{ratio:g}")
@@ -145,49 +132,26 @@ def save_ratios(
     title: str,
     dpi: int = 100,
 ) -> None:
-    """Draw marks under the label of their axis, one panel below the other, into a .png, .svg or
-    .pdf. Raises OSError.
+    """Draw marks under the label of their axis, one panel below the other, or raise OSError.
+
+    path : a file name that ends in .png, .svg or .pdf.
     """
-    file, heights = Path(path), [height_of(marks) for marks in panels.values()]
+    file, heights = Path(path), [figure_height(marks) for marks in panels.values()]
     figure = Figure(figsize=(WIDTH, sum(heights) + 1.0), layout="constrained")
     FigureCanvasAgg(figure)
     axes = figure.subplots(len(panels), 1, squeeze=False, height_ratios=heights)[:, 0]
     for (label, marks), ax in zip(panels.items(), axes):
         draw_ratios(marks, ax, label=label)
     figure.suptitle(title, fontsize=palette.TEXT_SIZE + 2)
-    look: dict[str, Any] = {"linestyle": "", "markersize": 9.5}
-    keys = [
-        Line2D([], [], marker=shape, color=colour, label=word, **look)
+    looks: list[Any] = [
+        {"marker": shape, "color": colour, "label": word, "linestyle": "", "markersize": 9.5}
         for shape, colour, word in HOLDS.values()
     ]
-    keys.append(
-        Line2D(
-            [],
-            [],
-            marker="|",
-            color=palette.INK,
-            label="to hold",
-            markeredgewidth=2.6,
-            linestyle="",
-            markersize=16,
-        )
-    )
-    keys.append(
-        Line2D(
-            [],
-            [],
-            color=palette.OBSTACLE,
-            alpha=0.35,
-            linewidth=6.0,
-            label="the middle half of the rounds",
-        )
-    )
-    figure.legend(
-        handles=keys,
-        loc="outside lower center",
-        ncols=len(keys),
-        frameon=False,
-        fontsize=palette.TEXT_SIZE,
-    )
+    stroke = {"marker": "|", "linestyle": "", "markersize": 16, "markeredgewidth": 2.6}
+    looks.append({"color": palette.INK, "label": "to hold", **stroke})
+    looks.append({"color": palette.OBSTACLE, "label": "the middle half of the rounds", **BAR})
+    keys = [Line2D([], [], **look) for look in looks]
+    below: Any = {"loc": "outside lower center", "ncols": len(keys), "frameon": False}
+    figure.legend(handles=keys, **below, **palette.TEXT)
     with written_whole(file) as part:
         figure.savefig(part, format=file.suffix[1:].lower(), dpi=dpi)

@@ -1,6 +1,4 @@
-"""Robots as figures: a body at a configuration, its bodies along a path, and where a motion leads
-in the plane.
-"""
+"""Figures of robots: a body at a configuration or along a path, and the path of a motion."""
 
 from functools import singledispatch
 from typing import Any
@@ -24,8 +22,8 @@ from . import palette
 from .bars import draw_bar
 
 GHOSTS = 12  # bodies shown along a path
-BENDS = 12  # straight pieces that stand for the way of an arm's tip
-CURVED = 40  # and for a car's curve
+BENDS = 12  # segments that draw the path of an arm's tip
+CURVED = 40  # segments that draw a car's curve
 
 
 @singledispatch
@@ -38,38 +36,20 @@ def draw_robot(robot: Any, q: Array, ax: Axes, colour: str = palette.ROBOT) -> l
 def _(robot: RoundRobot, q: Array, ax: Axes, colour: str = palette.ROBOT) -> list[Artist]:
     if robot.radius == 0.0:
         return []
-    return [
-        ax.add_patch(
-            Circle(
-                (q[0], q[1]), robot.radius, facecolor=colour, alpha=0.35, edgecolor=colour, zorder=6
-            )
-        )
-    ]
+    look: Any = {"facecolor": colour, "edgecolor": colour, "alpha": 0.35}
+    return [ax.add_patch(Circle((q[0], q[1]), robot.radius, zorder=6, **look))]
 
 
 @draw_robot.register(TranslatingPolygonRobot)
 @draw_robot.register(RigidPolygonRobot)
 def _(robot: Any, q: Array, ax: Axes, colour: str = palette.ROBOT) -> list[Artist]:
-    return [
-        ax.add_patch(
-            Polygon(
-                outline_at(robot, q),
-                facecolor=f"{colour}59",
-                edgecolor=colour,
-                linewidth=1.5,
-                zorder=6,
-            )
-        )
-    ]
+    return [ax.add_patch(make_body(robot, q, colour))]
 
 
 @draw_robot.register
 def _(robot: CarRobot, q: Array, ax: Axes, colour: str = palette.ROBOT) -> list[Artist]:
     wheels = [Polygon(wheel, facecolor=palette.INK, zorder=6.2) for wheel in wheels_at(robot, q)]
-    body = Polygon(
-        outline_at(robot, q), facecolor=f"{colour}59", edgecolor=colour, linewidth=1.5, zorder=6
-    )
-    return [ax.add_patch(patch) for patch in (body, *wheels)]
+    return [ax.add_patch(patch) for patch in (make_body(robot, q, colour), *wheels)]
 
 
 @draw_robot.register
@@ -77,10 +57,20 @@ def _(robot: ArmRobot, q: Array, ax: Axes, colour: str = palette.ROBOT) -> list[
     places = np.vstack([robot.base, *robot.joints(q)])
     links = zip(places, places[1:], robot.shape.radius)
     bars = [bar for a, b, r in links for bar in draw_bar(a, b, r, ax, colour, alpha=0.35, zorder=6)]
-    joints = ax.plot(
-        *places[:-1].T, "o", color=colour, markersize=6, markeredgecolor="white", zorder=6.5
-    )
-    return [*bars, *joints]
+    look: Any = {"color": colour, "markersize": 6, **palette.RIM}
+    return [*bars, *ax.plot(*places[:-1].T, "o", zorder=6.5, **look)]
+
+
+def make_body(robot: Any, q: Array, colour: str) -> Polygon:
+    """A polygon robot's body at a configuration, tinted."""
+    look: Any = {"facecolor": f"{colour}59", "edgecolor": colour, "linewidth": 1.5}
+    return Polygon(outline_at(robot, q), zorder=6, **look)
+
+
+def make_ghost(robot: Any, q: Array, **style: Any) -> Polygon:
+    """A polygon robot's outline at a configuration on its way."""
+    look: Any = {"facecolor": "none", "edgecolor": palette.ROBOT, "linewidth": 1.2}
+    return Polygon(outline_at(robot, q), **look, **style)
 
 
 def outline_at(robot: Any, q: Array) -> Array:
@@ -101,9 +91,7 @@ def wheels_at(car: CarRobot, q: Array) -> list[Array]:
 
 @singledispatch
 def place_of(robot: Any, q: Array) -> Array:
-    """The point of the plane that stands for a configuration: the reference point, or an arm's
-    tip.
-    """
+    """The point of the plane that shows a configuration: the reference point, or an arm's tip."""
     return q[:2]
 
 
@@ -114,9 +102,7 @@ def _(robot: ArmRobot, q: Array) -> Array:
 
 @singledispatch
 def tracks(robot: Any, a: Array, b: Array) -> Array:
-    """The ways of that point on motions between configurations, shapes (m, d), as polylines of
-    shape (m, k, 2).
-    """
+    """The paths of that point on motions between configurations (m, d), as polylines (m, k, 2)."""
     return np.stack([a, b], axis=1)[:, :, :2]
 
 
@@ -133,45 +119,34 @@ def _(robot: ArmRobot, a: Array, b: Array) -> Array:
 
 @tracks.register
 def _(robot: CarRobot, a: Array, b: Array) -> Array:
-    share = np.linspace(0.0, 1.0, CURVED + 1)
-    curves = [
-        Curve(p, robot.radius, *pieces_between(p, q, robot.radius, robot.both_ways))
-        for p, q in zip(a, b)
-    ]
-    return np.array([curve.at(share * curve.length)[:, :2] for curve in curves]).reshape(
-        -1, CURVED + 1, 2
-    )
+    fractions, r = np.linspace(0.0, 1.0, CURVED + 1), robot.radius
+    curves = [Curve(p, r, *pieces_between(p, q, r, robot.both_ways)) for p, q in zip(a, b)]
+    lines = [curve.at(fractions * curve.length)[:, :2] for curve in curves]
+    return np.array(lines).reshape(-1, CURVED + 1, 2)
 
 
 def driven_tracks(car: CarRobot, begins: Array, controls: Array, durations: Array) -> Array:
-    """The ways (m, k, 2) of drives from poses (m, 3), each by one control (m, 2) for its duration
-    (m,).
-    """
+    """The paths (m, k, 2) of drives from poses (m, 3) by controls (m, 2) for durations (m,)."""
     times = durations[:, None] * np.linspace(0.0, 1.0, BENDS + 1)
     which = np.repeat(np.arange(len(begins)), BENDS + 1)
-    return on_the_way(begins, controls, car.wheelbase, which, times.ravel())[:, :2].reshape(
-        -1, BENDS + 1, 2
-    )
+    poses = on_the_way(begins, controls, car.wheelbase, which, times.ravel())
+    return poses[:, :2].reshape(-1, BENDS + 1, 2)
 
 
 def even_times(trajectory: TrajectoryRecord) -> Array:
-    """Times at which a trajectory is drawn as a polyline: a dozen for each control, and both
-    ends.
-    """
+    """Times at which a trajectory is drawn as a polyline: a dozen per control, and both ends."""
     return np.linspace(0.0, trajectory.duration, BENDS * len(trajectory.durations) + 2)
 
 
 def track_of(robot: Any, path: Array) -> Array:
-    """The way of that point along a path, shape (n, d), as one polyline (k, 2)."""
+    """The path of that point along a path of shape (n, d), as one polyline (k, 2)."""
     lines = tracks(robot, path[:-1], path[1:])
     return np.vstack([place_of(robot, path[0]), *(line[1:] for line in lines)])
 
 
 @singledispatch
 def draw_along(robot: Any, space: Any, path: Array, ax: Axes) -> list[Artist]:
-    """Draw a robot's bodies along a path, evenly apart; nothing for a robot that looks the same
-    everywhere.
-    """
+    """Draw equally spaced bodies along a path; none for a robot that looks the same everywhere."""
     return []
 
 
@@ -179,17 +154,13 @@ def draw_along(robot: Any, space: Any, path: Array, ax: Axes) -> list[Artist]:
 @draw_along.register(RigidPolygonRobot)
 @draw_along.register(CarRobot)
 def _(robot: Any, space: Any, path: Array, ax: Axes) -> list[Artist]:
-    bodies = [
-        Polygon(outline_at(robot, q), facecolor="none", edgecolor=palette.ROBOT, linewidth=1.2)
-        for q in spread(space, path)
-    ]
-    return [ax.add_patch(body) for body in bodies]
+    return [ax.add_patch(make_ghost(robot, q)) for q in spread_configurations(space, path)]
 
 
 @draw_along.register
 def _(robot: ArmRobot, space: Any, path: Array, ax: Axes) -> list[Artist]:
     drawn: list[Artist] = []
-    for q in spread(space, path):
+    for q in spread_configurations(space, path):
         places = np.vstack([robot.base, *robot.joints(q)])
         for a, b, r in zip(places, places[1:], robot.shape.radius):
             drawn += draw_bar(a, b, r, ax, palette.ROBOT, alpha=0.12, zorder=2.5)
@@ -197,26 +168,19 @@ def _(robot: ArmRobot, space: Any, path: Array, ax: Axes) -> list[Artist]:
 
 
 def draw_driven(car: Any, trajectory: TrajectoryRecord, ax: Axes) -> list[Artist]:
-    """Draw a car's bodies along a trajectory, evenly in time."""
+    """Draw a car's bodies along a trajectory, at equal time steps."""
     poses = trajectory.at(np.linspace(0.0, trajectory.duration, GHOSTS + 2)[1:-1])
-    bodies = [
-        Polygon(outline_at(car, q), facecolor="none", edgecolor=palette.ROBOT, linewidth=1.2)
-        for q in poses
-    ]
-    return [ax.add_patch(body) for body in bodies]
+    return [ax.add_patch(make_ghost(car, q)) for q in poses]
 
 
-def spread(space: Any, path: Array, n: int = GHOSTS) -> list[Array]:
-    """n configurations evenly along a path, its ends left out."""
+def spread_configurations(space: Any, path: Array, n: int = GHOSTS) -> list[Array]:
+    """n equally spaced configurations along a path, without its ends."""
     passed = np.cumsum([0.0, *(distance(space, a, b) for a, b in zip(path, path[1:]))])
     if passed[-1] == 0.0:
         return []
     found = []
     for target in np.linspace(0.0, passed[-1], n + 2)[1:-1]:
         k = min(int(np.searchsorted(passed, target, side="right")), len(path) - 1)
-        found.append(
-            interpolate(
-                space, path[k - 1], path[k], (target - passed[k - 1]) / (passed[k] - passed[k - 1])
-            )
-        )
+        t = (target - passed[k - 1]) / (passed[k] - passed[k - 1])
+        found.append(interpolate(space, path[k - 1], path[k], t))
     return found

@@ -1,4 +1,4 @@
-"""One iteration of an RRT: its four steps drawn, and its flowchart."""
+"""One iteration of an RRT in four steps, and its flowchart."""
 
 from typing import Any
 
@@ -19,12 +19,16 @@ from .plane import dot, label, stretch
 def draw_rrt_steps(
     problem: ProblemRecord, tree: Tree, sample: Array, step: float, axes: Any = None
 ) -> list[Artist]:
-    """Draw what one iteration does to a tree: the sample, its nearest node, the step towards it,
-    and whether the motion is free.
+    """Draw one iteration: the sample, its nearest node, the step, and whether it is free.
 
-    problem : of a point in the plane. sample : q_rand, shape (2,). axes : four axes; by default
-        those of a new figure.
+    Parameters
+    ----------
+    problem : of a point in the plane.
+    sample : (2,), q_rand.
+    axes : four; by default those of a new figure.
 
+    Examples
+    --------
     >>> from matplotlib import pyplot as plt
     >>> from kinoedu import Point, PolygonWorld, Problem, rrt
     >>> problem = Problem(Point(), PolygonWorld([(0, 0), (9, 0), (9, 6), (0, 6)]), (1, 1), (8, 5))
@@ -32,22 +36,16 @@ def draw_rrt_steps(
     >>> artists = draw_rrt_steps(problem, tree, np.array([6.0, 2.0]), 1.0)
     >>> plt.close()
     """
-    panels = (
-        plt.subplots(2, 2, figsize=(9.6, 6.4), dpi=72, layout="constrained")[1].ravel()
-        if axes is None
-        else axes
-    )
+    panels = axes
+    if panels is None:
+        _, new = plt.subplots(2, 2, figsize=(9.6, 6.4), dpi=72, layout="constrained")
+        panels = new.ravel()
     q_rand = np.asarray(sample, float)
     near = int(np.argmin([problem.distance(q, q_rand) for q in tree.nodes]))
     q_near, q_new = tree.nodes[near], problem.steer(tree.nodes[near], q_rand, step)
     free = problem.is_free_path(q_near, q_new)
     artists: list[Artist] = []
-    titles = (
-        say("rrt_steps.sample"),
-        say("rrt_steps.nearest"),
-        say("rrt_steps.steer"),
-        say("rrt_steps.check"),
-    )
+    titles = [say(f"rrt_steps.{name}") for name in ("sample", "nearest", "steer", "check")]
     for number, (ax, title) in enumerate(zip(panels, titles)):
         artists += [*draw_problem(problem, ax), *draw_tree(tree, ax)]
         artists += ax.plot(*tree.nodes.T, "o", color=palette.TREE, markersize=5, zorder=4)
@@ -65,7 +63,7 @@ def draw_rrt_steps(
 
 
 def draw_new(q_near: Array, q_new: Array, good: bool, ax: Axes) -> list[Artist]:
-    """The step from the nearest node, green if it is good."""
+    """Draw the step from the nearest node, green if it is free."""
     colour = palette.START if good else palette.HIT
     artists = stretch(q_near, q_new, "", ax, colour=colour, width=4.0)
     marker = dot(q_new, "", ax, colour=colour, marker="o" if good else "X")
@@ -84,14 +82,7 @@ def draw_rrt_flowchart(ax: Axes | None = None) -> list[Artist]:
         "done": Step("end", say("rrt_flowchart.done"), 1, 5),
     }
     yes, no = say("rrt_flowchart.yes"), say("rrt_flowchart.no")
-    arrows = [
-        ("start", "sample", ""),
-        ("sample", "steer", ""),
-        ("steer", "free", ""),
-        ("free", "add", yes),
-        ("free", "sample", no),
-    ]
-    arrows += [("add", "near", ""), ("near", "done", yes), ("near", "sample", no)]
-    return draw_flowchart(
-        steps, arrows, ax or plt.subplots(figsize=(6.6, 7), dpi=72, layout="constrained")[1]
-    )
+    arrows = [("start", "sample", ""), ("sample", "steer", ""), ("steer", "free", "")]
+    arrows += [("free", "add", yes), ("free", "sample", no), ("add", "near", "")]
+    arrows += [("near", "done", yes), ("near", "sample", no)]
+    return draw_flowchart(steps, arrows, palette.axes_or_new(ax, (6.6, 7)))

@@ -1,13 +1,10 @@
-"""Points in the unit square: in the order they came, with the largest hole among them; and how the
-holes shrink.
-"""
+"""Figures of samples in the unit square: their order, their largest hole, and its decrease."""
 
 import math
 from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
-from matplotlib import pyplot as plt
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
@@ -24,7 +21,7 @@ from . import palette
 from .drawing import HALO
 from .ends import name_ends
 
-MOST_NUMBERS = 40  # numbers of more points than this would cover the square
+MOST_NUMBERS = 40  # the numbers of more points than this would cover the square
 LINES = ("-", "--", "-.", ":")
 COLOURS = (palette.TREE, palette.GOAL, palette.START, palette.ROBOT)
 
@@ -42,14 +39,22 @@ def draw_samples(
 
     Parameters
     ----------
-    upto : draw only the first so many, in the order they came.
+    upto : draw only the first so many, in their order.
     cells : draw k x k cells, such as those of a grid of k^2 points.
-    norm : 2 or math.inf: draw the largest empty ball in that norm, its centre, and its radius in
-    words.
+    norm : 2 or math.inf: draw the largest empty ball in that norm, with its centre and radius.
     numbers : write each point's number beside it, from 1; by default up to 40 points.
 
-    Returns the artists. Raises InvalidPoint, InvalidParameter.
+    Returns
+    -------
+    list of artists
 
+    Raises
+    ------
+    InvalidPoint, InvalidParameter
+
+    Examples
+    --------
+    >>> from matplotlib import pyplot as plt
     >>> artists = draw_samples([(0.25, 0.25), (0.75, 0.25)], cells=2, norm=2)
     >>> plt.close()
     """
@@ -57,43 +62,27 @@ def draw_samples(
     if shown.ndim != 2 or shown.shape[1] != 2:
         raise InvalidPoint(f"points must have shape (n, 2), got {np.shape(points)}")
     ax = square_axes(ax)
-    artists: list[Artist] = [
-        ax.add_patch(
-            Rectangle((0, 0), 1, 1, fill=False, edgecolor=palette.INK, linewidth=1.8, zorder=2)
-        )
-    ]
+    frame = Rectangle((0, 0), 1, 1, fill=False, edgecolor=palette.INK, linewidth=1.8, zorder=2)
+    artists: list[Artist] = [ax.add_patch(frame)]
     if cells is not None:
-        lines = [
-            line
-            for c in np.arange(1, cells) / cells
-            for line in ([(c, 0), (c, 1)], [(0, c), (1, c)])
-        ]
-        artists.append(
-            ax.add_collection(
-                LineCollection(lines, colors=palette.OUTSIDE, linewidths=0.9, zorder=1.5)
-            )
-        )
+        places = np.arange(1, cells) / cells
+        pairs = [([(c, 0), (c, 1)], [(0, c), (1, c)]) for c in places]
+        lines = [line for pair in pairs for line in pair]
+        grid = LineCollection(lines, colors=palette.OUTSIDE, linewidths=0.9, zorder=1.5)
+        artists.append(ax.add_collection(grid))
     if norm is not None and len(shown):
         artists += draw_ball(largest_empty_ball(shown, norm), norm, ax)
     size = float(np.clip(11.0 - 2.0 * np.log10(len(shown) + 1), 3.0, 9.0))
-    artists += ax.plot(
-        *shown.T,
-        "o",
-        color=palette.TREE,
-        markersize=size,
-        markeredgecolor="white",
-        markeredgewidth=0.6,
-        zorder=4,
-    )
+    look: Any = {"color": palette.TREE, "markersize": size, "markeredgewidth": 0.6, **palette.RIM}
+    artists += ax.plot(*shown.T, "o", zorder=4, **look)
     if len(shown) <= MOST_NUMBERS if numbers is None else numbers:
-        artists += [beside(str(i), (x, y), ax) for i, (x, y) in enumerate(shown, start=1)]
+        artists += [write_beside(str(i), (x, y), ax) for i, (x, y) in enumerate(shown, start=1)]
     return artists
 
 
 def square_axes(ax: Axes | None) -> Axes:
-    """The axes given, or new ones, showing the unit square and what is just outside."""
-    if ax is None:
-        _, ax = plt.subplots(figsize=(6.0, 6.0), dpi=72, layout="constrained")
+    """The axes given, or new ones, showing the unit square with a margin."""
+    ax = palette.axes_or_new(ax, (6.0, 6.0))
     ax.set_aspect("equal")
     ax.set_xlim(-0.06, 1.06)
     ax.set_ylim(-0.06, 1.06)
@@ -104,52 +93,54 @@ def square_axes(ax: Axes | None) -> Axes:
 
 
 def draw_ball(ball: EmptyBall, norm: float, ax: Axes) -> list[Artist]:
-    """The ball or square without points, its centre, and a title with its radius."""
-    look: dict[str, Any] = {"edgecolor": palette.PATH, "linewidth": 2.0, "zorder": 1}
+    """Draw the empty ball or square and its centre, and write its radius as the title."""
+    look: Any = {"edgecolor": palette.PATH, "linewidth": 2.0, "zorder": 1}
+    look["facecolor"] = (*to_rgb(palette.PATH), 0.25)
     (x, y), r = ball.centre, ball.radius
-    shape = (
-        Rectangle((x - r, y - r), 2 * r, 2 * r, **look)
-        if norm == math.inf
-        else Circle((x, y), r, **look)
-    )
-    shape.set_facecolor((*to_rgb(palette.PATH), 0.25))
+    square = norm == math.inf
+    shape = Rectangle((x - r, y - r), 2 * r, 2 * r, **look) if square else Circle((x, y), r, **look)
     words = say("samples.sup" if norm == math.inf else "samples.euclidean", radius=r)
     centre = ax.plot(x, y, "x", color=palette.INK, markersize=9, markeredgewidth=2.2, zorder=5)
     return [ax.add_patch(shape), *centre, ax.set_title(words, fontsize=palette.TEXT_SIZE + 1)]
 
 
-def beside(words: str, at: tuple[float, float], ax: Axes, *, colour: str = palette.INK) -> Artist:
-    """Words right above a place, or left above it where there is no room on the right."""
+def write_beside(
+    words: str, at: tuple[float, float], ax: Axes, *, colour: str = palette.INK
+) -> Artist:
+    """Write words above a place, to the left where there is no room on the right."""
     right = at[0] < 0.93
-    return ax.annotate(
-        words, at, xytext=(4 if right else -4, 3), textcoords="offset points", ha="left" if right else "right", color=colour,
-        fontsize=palette.TEXT_SIZE - 1, path_effects=HALO, zorder=6,
-    )  # fmt: skip
+    place: Any = {"xytext": (4 if right else -4, 3), "textcoords": "offset points"}
+    style: Any = {"fontsize": palette.TEXT_SIZE - 1, "color": colour, "path_effects": HALO}
+    return ax.annotate(words, at, ha="left" if right else "right", zorder=6, **place, **style)
 
 
 def draw_dispersion(
     n: ArrayLike, curves: Mapping[str, ArrayLike], ax: Axes | None = None
 ) -> list[Artist]:
-    """Draw dispersions against the number of points n (m,), both axes logarithmic: a curve (m,) for
-    each name, written at its end.
+    """Draw dispersions against the number of points n (m,), both axes logarithmic.
 
-    A grey line beside them falls like n^(-1/2), the best rate there is in the plane. Returns the
-    artists.
+    A grey line falls like n^(-1/2), the best rate in the plane.
 
-    >>> artists = draw_dispersion([4, 16, 64], {"Sukharev": [0.35, 0.18, 0.09], "corners": [0.7, 0.35, 0.18]})
+    Parameters
+    ----------
+    curves : (m,) for each name; the names are written at the ends.
+
+    Returns
+    -------
+    list of artists
+
+    Examples
+    --------
+    >>> from matplotlib import pyplot as plt
+    >>> curves = {"Sukharev": [0.35, 0.18, 0.09], "corners": [0.7, 0.35, 0.18]}
+    >>> artists = draw_dispersion([4, 16, 64], curves)
     >>> plt.close()
     """
-    if ax is None:
-        _, ax = plt.subplots(figsize=(7.0, 5.0), dpi=72, layout="constrained")
-    sizes, values = (
-        as_array(n, "n"),
-        {name: as_array(curve, name) for name, curve in curves.items()},
-    )
-    if (
-        sizes.ndim != 1
-        or not values
-        or any(curve.shape != sizes.shape for curve in values.values())
-    ):
+    ax = palette.axes_or_new(ax, (7.0, 5.0))
+    sizes = as_array(n, "n")
+    values = {name: as_array(curve, name) for name, curve in curves.items()}
+    other = any(curve.shape != sizes.shape for curve in values.values())
+    if sizes.ndim != 1 or not values or other:
         raise InvalidPoint(
             f"n and every curve must have the same shape (m,), got {sizes.shape} and "
             f"{[c.shape for c in values.values()]}"
@@ -158,50 +149,51 @@ def draw_dispersion(
     artists: list[Artist] = [*ax.loglog(sizes, guide, color=palette.OUTSIDE, linewidth=1.5)]
     for i, curve in enumerate(values.values()):
         artists += ax.loglog(sizes, curve, LINES[i % 4], color=COLOURS[i % 4], linewidth=2.4)
-    ax.set_xlabel(say("samples.n"), fontsize=palette.TEXT_SIZE)
-    ax.set_ylabel(say("samples.dispersion"), fontsize=palette.TEXT_SIZE)
-    ax.tick_params(labelsize=palette.TEXT_SIZE - 1)
-    ax.grid(color="#E5E7EB", linewidth=0.8, zorder=0)
+    label_axes(say("samples.n"), say("samples.dispersion"), ax)
     ax.set_xlim(sizes.min() * 0.9, sizes.max() * (sizes.max() / sizes.min()) ** 0.32)
-    ends = [
-        (name, float(curve[-1]), COLOURS[i % 4]) for i, (name, curve) in enumerate(values.items())
-    ]
-    return artists + name_ends(
-        float(sizes[-1]), [*ends, (say("samples.rate"), float(guide[-1]), "#5B6470")], ax
-    )
+    names = enumerate(values.items())
+    ends = [(name, float(curve[-1]), COLOURS[i % 4]) for i, (name, curve) in names]
+    ends.append((say("samples.rate"), float(guide[-1]), "#5B6470"))
+    return artists + name_ends(float(sizes[-1]), ends, ax)
+
+
+def label_axes(along: str, up: str, ax: Axes) -> None:
+    """Label the axes, and draw a light grid."""
+    ax.set_xlabel(along, **palette.TEXT)
+    ax.set_ylabel(up, **palette.TEXT)
+    ax.tick_params(labelsize=palette.TEXT_SIZE - 1)
+    ax.grid(zorder=0, **palette.GRID)
 
 
 def draw_shares(
     widths: ArrayLike, chance: ArrayLike, curves: Mapping[str, ArrayLike], ax: Axes | None = None
 ) -> list[Artist]:
-    """Draw the share of passages that are hit against their widths (m,): a curve (m,) for each
-    name, and of random points, chance (seeds, m), the median and the whole spread. Returns the
-    artists.
+    """Draw the share of passages that are hit against their widths (m,).
 
+    Parameters
+    ----------
+    chance : (seeds, m), of random points; drawn as their median and full range.
+    curves : (m,) for each name.
+
+    Returns
+    -------
+    list of artists
+
+    Examples
+    --------
+    >>> from matplotlib import pyplot as plt
     >>> artists = draw_shares([0.1, 0.2], [[0.4, 0.8], [0.5, 0.9]], {"a grid": [0.3, 1.0]})
     >>> plt.close()
     """
-    if ax is None:
-        _, ax = plt.subplots(figsize=(7.0, 5.0), dpi=72, layout="constrained")
-    across, lucky = as_array(widths, "widths"), as_array(chance, "chance")
-    artists: list[Artist] = [
-        ax.fill_between(across, lucky.min(axis=0), lucky.max(axis=0), color=palette.TREE, alpha=0.2)
-    ]
-    names = {say("samples.chance", seeds=len(lucky)): np.median(lucky, axis=0), **curves}
+    ax = palette.axes_or_new(ax, (7.0, 5.0))
+    across, random = as_array(widths, "widths"), as_array(chance, "chance")
+    least, most = random.min(axis=0), random.max(axis=0)
+    artists: list[Artist] = [ax.fill_between(across, least, most, color=palette.TREE, alpha=0.2)]
+    names = {say("samples.chance", seeds=len(random)): np.median(random, axis=0), **curves}
     for i, (name, curve) in enumerate(names.items()):
-        artists += ax.plot(
-            across,
-            curve,
-            LINES[i % 4],
-            color=COLOURS[i % 4],
-            linewidth=2.4,
-            marker="o^sD"[i % 4],
-            label=name,
-        )
-    ax.set_xlabel(say("samples.width"), fontsize=palette.TEXT_SIZE)
-    ax.set_ylabel(say("samples.share"), fontsize=palette.TEXT_SIZE)
+        look: Any = {"color": COLOURS[i % 4], "linewidth": 2.4, "marker": "o^sD"[i % 4]}
+        artists += ax.plot(across, curve, LINES[i % 4], label=name, **look)
+    label_axes(say("samples.width"), say("samples.share"), ax)
     ax.set_xlim(0.0, float(across.max()) * 1.03)
     ax.set_ylim(0.0, 1.04)
-    ax.tick_params(labelsize=palette.TEXT_SIZE - 1)
-    ax.grid(color="#E5E7EB", linewidth=0.8, zorder=0)
     return [*artists, ax.legend(fontsize=palette.TEXT_SIZE, loc="lower right")]

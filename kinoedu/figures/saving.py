@@ -17,9 +17,7 @@ from .drawing import axes_for, draw_plan, figure_size
 
 
 def save_plan(plan: Plan, path: str | os.PathLike[str], *, dpi: int = 120) -> None:
-    """Draw a plan into a file whose name ends in .png, .svg or .pdf. Raises OSError where it cannot
-    be written.
-    """
+    """Draw a plan into a file whose name ends in .png, .svg or .pdf, or raise OSError."""
     file = Path(path)
     figure = Figure(figsize=figure_size(plan.problem.world), layout="constrained")
     FigureCanvasAgg(figure)
@@ -36,8 +34,12 @@ def save_panels(
     title: str,
     dpi: int = 120,
 ) -> None:
-    """Draw panels of one height axis, each `size` inches, side by side under a title, into a .png,
-    .svg or .pdf. Raises OSError.
+    """Draw panels side by side, with one y axis and one title, into a file, or raise OSError.
+
+    Parameters
+    ----------
+    path : a file name that ends in .png, .svg or .pdf.
+    size : of each panel, in inches.
     """
     file = Path(path)
     figure = Figure(figsize=(size[0] * len(panels), size[1]), layout="constrained")

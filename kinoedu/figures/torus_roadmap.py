@@ -1,6 +1,4 @@
-"""A roadmap on the torus of two angles: what leaves the square on one side comes in on the
-other.
-"""
+"""A roadmap on the torus of two angles, drawn on its square."""
 
 from typing import Any
 
@@ -17,30 +15,27 @@ from .drawing import draw_edges
 
 
 def draw_torus_roadmap(plan: Plan, ax: Axes | None = None) -> list[Artist]:
-    """Draw the roadmap and the path of a two-link arm by its angles, -pi to pi. Returns the
-    artists.
-    """
+    """Draw the roadmap and the path of a two-link arm by its angles, -pi to pi."""
     ax = torus_axes(ax)
     nodes, edges = nearest_turn(plan.roadmap.nodes), plan.roadmap.edges
-    artists = draw_edges(
-        unrolled(nodes[edges[:, 0]], nodes[edges[:, 1]]), ax, palette.ROADMAP, width=0.8, zorder=3
-    )
+    motions = unroll(nodes[edges[:, 0]], nodes[edges[:, 1]])
+    artists = draw_edges(motions, ax, palette.ROADMAP, width=0.8, zorder=3)
     artists += ax.plot(*nodes.T, ".", color=palette.TREE, markersize=5, zorder=3.5)
     if plan.path is not None:
         path = nearest_turn(plan.path)
-        artists += draw_edges(unrolled(path[:-1], path[1:]), ax, palette.INK, width=5.0, zorder=4)
-        artists += draw_edges(unrolled(path[:-1], path[1:]), ax, palette.PATH, width=3.0, zorder=5)
+        legs = unroll(path[:-1], path[1:])
+        artists += draw_edges(legs, ax, palette.INK, width=5.0, zorder=4)
+        artists += draw_edges(legs, ax, palette.PATH, width=3.0, zorder=5)
     ends: Any = nearest_turn(np.array([plan.problem.start, plan.problem.goal]))
     for q, colour, marker in zip(ends, (palette.START, palette.GOAL), "o*"):
-        artists += ax.plot(
-            *q, marker, color=colour, markersize=13, markeredgecolor="white", zorder=7
-        )
+        artists += ax.plot(*q, marker, color=colour, markersize=13, zorder=7, **palette.RIM)
     return artists
 
 
-def unrolled(a: Array, b: Array) -> Array:
-    """The shorter ways from a to b, (k, 2, 2); those that leave the square once more, as they come
-    in on the other side.
+def unroll(a: Array, b: Array) -> Array:
+    """The shortest motions from a to b as segments in the square, (k, 2, 2).
+
+    A motion that leaves the square is drawn twice: where it leaves and where it enters.
     """
     way = nearest_turn(b - a)
     out, back = np.stack([a, a + way], axis=1), np.stack([b - way, b], axis=1)

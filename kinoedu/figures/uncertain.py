@@ -1,6 +1,4 @@
-"""Obstacles whose places are uncertain: where they are expected, where they might be, and how far
-to stay away.
-"""
+"""Figures of uncertain obstacles: expected places, scenarios, and safety margins."""
 
 from typing import Any
 
@@ -18,19 +16,17 @@ from .drawing import axes_for, draw_world
 from .moving import outline_of
 
 
-def outlines(world: UncertainWorldRecord) -> list[tuple[int, Array]]:
-    """The number of each obstacle and its outline (k, 2) where it is expected, a disc's of 24
-    corners: polygons first.
+def expected_outlines(world: UncertainWorldRecord) -> list[tuple[int, Array]]:
+    """The number of each obstacle and its outline (k, 2) at its expected place, polygons first.
+
+    A disc's outline has 24 corners.
     """
     is_round = np.zeros(len(world.sigma), bool)
     is_round[world.owner[world.parts.radius > 0.0]] = True
     rings = [solid[0] for solid in rings_of(world.expected)[1:]]
     discs = [outline_of(row[None, :2], row[2]) for row in discs_of(world.expected)]
-    return list(
-        zip(
-            [*np.flatnonzero(~is_round).tolist(), *np.flatnonzero(is_round).tolist()], rings + discs
-        )
-    )
+    numbers = np.concatenate([np.flatnonzero(~is_round), np.flatnonzero(is_round)])
+    return list(zip(numbers.tolist(), rings + discs))
 
 
 def margin_rings(world: UncertainWorldRecord, delta: float) -> list[Array]:
@@ -57,9 +53,12 @@ def draw_uncertain(
     offsets: Array | None = None,
     delta: float | None = None,
 ) -> list[Artist]:
-    """The world as it is expected; dashed the margins for a chance delta; and faint, where the
-    obstacles are in the scenarios given by offsets (n, m, 2).
+    """Draw the expected world, margins for a chance delta dashed, and scenarios faintly.
 
+    offsets : (n, m, 2), the scenarios.
+
+    Examples
+    --------
     >>> from kinoedu import UncertainWorld
     >>> from kinoedu.worlds import scenarios
     >>> from matplotlib import pyplot as plt
@@ -69,28 +68,18 @@ def draw_uncertain(
     """
     ax = axes_for(world.expected, ax)
     drawn = draw_world(world.expected, ax)
-    faint: dict[str, Any] = {
-        "facecolors": "none",
-        "edgecolors": palette.HIT,
-        "alpha": 0.35,
-        "linewidths": 0.9,
-        "zorder": 2,
-    }
-    ghosts = (
-        []
-        if offsets is None
-        else [ring + by for number, ring in outlines(world) for by in offsets[:, number]]
-    )
-    if ghosts:
-        drawn.append(ax.add_collection(PolyCollection(ghosts, **faint)))
+    faint: Any = {"edgecolors": palette.HIT, "alpha": 0.35, "linewidths": 0.9}
+    dashed: Any = {"edgecolors": palette.INK, "linestyles": "--", "linewidths": 1.8}
+    moved: list[Array] = []
+    if offsets is not None:
+        moved = [
+            ring + by for number, ring in expected_outlines(world) for by in offsets[:, number]
+        ]
+    if moved:
+        ghosts = PolyCollection(moved, facecolors="none", zorder=2, **faint)
+        drawn.append(ax.add_collection(ghosts))
     if delta is not None:
-        dashed: dict[str, Any] = {
-            "facecolors": "none",
-            "edgecolors": palette.INK,
-            "linestyles": "--",
-            "linewidths": 1.8,
-        }
-        drawn.append(
-            ax.add_collection(PolyCollection(margin_rings(world, delta), zorder=2.5, **dashed))
-        )
+        rings = margin_rings(world, delta)
+        margins = PolyCollection(rings, facecolors="none", zorder=2.5, **dashed)
+        drawn.append(ax.add_collection(margins))
     return drawn

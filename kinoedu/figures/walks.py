@@ -1,12 +1,10 @@
-"""A bug's walk: in the world, and as a plot of the distance to the goal against the way it has
-come.
-"""
+"""Figures of a bug's walk: in the world, and as distance to the goal against distance walked."""
 
 from collections.abc import Iterable
+from typing import Any
 
 import numpy as np
 from matplotlib import patheffects
-from matplotlib import pyplot as plt
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
@@ -17,37 +15,36 @@ from . import palette
 
 CASING = [patheffects.withStroke(linewidth=4.5, foreground=palette.INK)]
 HALO = [patheffects.withStroke(linewidth=3.0, foreground="white")]
-ARROWS = 12  # about so many show the sense of a walk
+ARROWS = 12  # about the number of arrows that show the direction of a walk
 
 
 def draw_walk(walk: Walk, ax: Axes, *, upto: int | None = None, found: bool = True) -> list[Artist]:
-    """Draw a walk, or its first `upto` points: solid along walls, dotted towards the goal; H1, H2,
-    ... where it hit walls, and L1, L2, ... where it left them. A walk that found no path has the
-    colour of a tree.
+    """Draw a walk, or its first `upto` points: solid along walls, dotted towards the goal.
+
+    H1, H2, ... mark hits of walls and L1, L2, ... leaves. A walk that found no path has the colour
+    of a tree.
     """
     shown = len(walk.points) if upto is None else min(max(upto, 1), len(walk.points))
-    artists = draw_stretches(
-        walk.points[:shown], walk.following[:shown], ax, palette.PATH if found else palette.TREE
-    )
+    colour = palette.PATH if found else palette.TREE
+    artists = draw_stretches(walk.points[:shown], walk.following[:shown], ax, colour)
     artists += draw_arrows(walk, shown, ax)
     return artists + mark_hits_and_leaves(walk.points, walk, shown, ax)
 
 
 def draw_distance_to_goal(plan: Plan, ax: Axes | None = None) -> list[Artist]:
-    """Plot the distance to the goal against the way that a bug has come; lines and marks as in
-    `draw_walk`.
+    """Plot the distance to the goal against the distance walked.
+
+    Lines and marks are those of `draw_walk`.
     """
-    if ax is None:
-        _, ax = plt.subplots(figsize=(7.0, 3.2), dpi=72, layout="constrained")
+    ax = palette.axes_or_new(ax, (7.0, 3.2))
     walk = plan.walk
     if walk is None:
         raise TypeError(
             f"a plan of {plan.planner or 'this planner'} has no walk; those of the Bug family have"
         )
     curve = np.column_stack([walk.travelled, walk.distance_to_goal])
-    artists = draw_stretches(
-        curve, walk.following, ax, palette.PATH if plan.path is not None else palette.TREE
-    )
+    colour = palette.PATH if plan.path is not None else palette.TREE
+    artists = draw_stretches(curve, walk.following, ax, colour)
     artists += mark_hits_and_leaves(curve, walk, len(curve), ax, above=True)
     ax.set_xlim(0.0, max(1.02 * walk.travelled[-1], 1e-9))
     ax.set_ylim(0.0, 1.15 * walk.distance_to_goal.max() or 1.0)
@@ -59,60 +56,44 @@ def draw_distance_to_goal(plan: Plan, ax: Axes | None = None) -> list[Artist]:
 
 
 def draw_stretches(points: Array, following: Iterable[bool], ax: Axes, colour: str) -> list[Artist]:
-    """Draw the way through points (n, 2): solid to those that were reached along walls, dotted to
-    the others.
-    """
-    segments, along = (
-        np.stack([points[:-1], points[1:]], axis=1),
-        np.asarray(following, dtype=bool)[1:],
-    )
+    """Draw the line through points (n, 2): solid along walls, dotted elsewhere."""
+    along = np.asarray(following, dtype=bool)[1:]
     changes = np.flatnonzero(along[1:] != along[:-1]) + 1
     artists: list[Artist] = []
-    for run in np.split(np.arange(len(segments)), changes):
+    for run in np.split(np.arange(len(points) - 1), changes):
         if len(run):
             line = points[run[0] : run[-1] + 2]
-            style = "-" if along[run[0]] else (0, (0.1, 1.8))
-            lines = LineCollection(
-                [line],
-                colors=colour,
-                linewidths=2.6,
-                linestyles=[style],
-                capstyle="round",
-                zorder=5,
-            )
+            style: Any = "-" if along[run[0]] else (0, (0.1, 1.8))
+            look: Any = {"colors": colour, "linewidths": 2.6, "capstyle": "round"}
+            lines = LineCollection([line], linestyles=[style], zorder=5, **look)
             lines.set_path_effects([*CASING, patheffects.Normal()])
             artists.append(ax.add_collection(lines, autolim=False))
     return artists
 
 
 def draw_arrows(walk: Walk, shown: int, ax: Axes) -> list[Artist]:
-    """Draw arrow heads along a walk that show its sense, at equal distances, none on a corner."""
+    """Draw arrow heads along a walk that show its direction, at equal distances."""
     every = walk.travelled[-1] / ARROWS
-    places = (
-        np.arange(0.5 * every, walk.travelled[shown - 1], every) if every > 0.0 else np.empty(0)
-    )
+    if every == 0.0:
+        return []
     artists: list[Artist] = []
-    for place in places:
+    for place in np.arange(0.5 * every, walk.travelled[shown - 1], every):
         i = int(np.searchsorted(walk.travelled, place))
         a, b = walk.points[i - 1], walk.points[i]
         middle = 0.5 * (a + b)
-        style = {
-            "arrowstyle": "-|>,head_width=0.3,head_length=0.5",
-            "color": palette.INK,
-            "shrinkA": 0,
-            "shrinkB": 0,
-        }
-        artists.append(
-            ax.annotate("", middle + 1e-3 * (b - a), middle, arrowprops=style, zorder=5.5)
-        )
+        head = {"arrowstyle": "-|>,head_width=0.3,head_length=0.5", "color": palette.INK}
+        style = {**head, "shrinkA": 0, "shrinkB": 0}
+        tip = middle + 1e-3 * (b - a)
+        artists.append(ax.annotate("", tip, middle, arrowprops=style, zorder=5.5))
     return artists
 
 
 def mark_hits_and_leaves(
     points: Array, walk: Walk, shown: int, ax: Axes, *, above: bool = False
 ) -> list[Artist]:
-    """Mark hits with squares and leaves with triangles among points (n, 2), each named once for all
-    the times it is one.
+    """Mark hits with squares and leaves with triangles among points (n, 2).
+
+    Names of the same point are joined into one.
     """
     artists: list[Artist] = []
     for numbers, letter, marker in ((walk.hit, "H", "s"), (walk.leave, "L", "^")):
@@ -120,34 +101,21 @@ def mark_hits_and_leaves(
         for count, i in enumerate(numbers, start=1):
             if i < shown:
                 names.setdefault((points[i, 0], points[i, 1]), []).append(f"{letter}{count}")
+        right, up = above or letter == "L", above or letter == "H"
+        look: Any = {"color": palette.CONTACT, "markersize": 8, **palette.RIM}
         for at, labels in names.items():
-            artists += ax.plot(
-                *at, marker, color=palette.CONTACT, markersize=8, markeredgecolor="white", zorder=7
-            )
-            artists.append(
-                name_mark(
-                    ", ".join(labels),
-                    at,
-                    ax,
-                    right=above or letter == "L",
-                    up=above or letter == "H",
-                )
-            )
+            artists += ax.plot(*at, marker, zorder=7, **look)
+            artists.append(name_mark(", ".join(labels), at, ax, right=right, up=up))
     return artists
 
 
 def name_mark(text: str, at: tuple[float, float], ax: Axes, *, right: bool, up: bool) -> Artist:
     """Write a name beside a mark."""
-    return ax.annotate(
-        text,
-        at,
-        xytext=(7 if right else -7, 7 if up else -7),
-        textcoords="offset points",
-        ha="left" if right else "right",
-        va="bottom" if up else "top",
-        fontsize=palette.TEXT_SIZE - 1,
-        fontweight="bold",
-        color=palette.CONTACT,
-        path_effects=HALO,
-        zorder=8,
-    )
+    beside: Any = {
+        "xytext": (7 if right else -7, 7 if up else -7),
+        "textcoords": "offset points",
+        "ha": "left" if right else "right",
+        "va": "bottom" if up else "top",
+    }
+    style: Any = {"fontsize": palette.TEXT_SIZE - 1, "fontweight": "bold", "path_effects": HALO}
+    return ax.annotate(text, at, color=palette.CONTACT, zorder=8, **beside, **style)

@@ -1,8 +1,8 @@
-"""The messages that students read, in one catalogue: the files of the folder `en` beside this file,
-and `messages.toml` in each room of the lessons.
+"""The messages that students read, in one catalogue.
 
-A translation is a folder beside `en`, such as `de`. `KINOEDU_LANGUAGE=de` looks there first, and in
-English for what is missing.
+They are in the files of the folder `en` beside this file, and in `messages.toml` of each lesson's
+package. A translation is a folder beside `en`, such as `de`. `KINOEDU_LANGUAGE=de` looks there
+first, and in English for missing messages.
 """
 
 import os
@@ -16,9 +16,15 @@ LESSONS = HERE.parent / "course" / "lessons"
 
 
 def say(key: str, /, **values: Any) -> str:
-    """The words under a dotted key, with `{name}` filled in. Raises KeyError where no catalogue has
-    them.
+    """The message under a dotted key, with `{name}` filled in.
 
+    Raises
+    ------
+    KeyError
+        Where no catalogue has a message under the key.
+
+    Examples
+    --------
     >>> say("picture.should_be", value=4)
     'should be 4'
     """
@@ -27,24 +33,30 @@ def say(key: str, /, **values: Any) -> str:
 
 @cache
 def words_for(key: str, language: str) -> str:
-    """The words under a dotted key, before anything is filled in; English ones where a language has
-    none. Raises KeyError.
+    """The message under a dotted key, before values are filled in.
+
+    A message that the language lacks is taken from English.
+
+    Raises
+    ------
+    KeyError
+        Where English lacks it too.
     """
     for name in (language, "en"):
-        words = found(catalogue(name), key)
+        words = look_up(catalogue(name), key)
         if words is not None:
             return words
     raise KeyError(f"no words for {key!r} in {HERE / 'en'} and {LESSONS}")
 
 
 def has_words(key: str) -> bool:
-    """Whether the English catalogue has words under a key."""
-    return found(catalogue("en"), key) is not None
+    """Whether the English catalogue has a message under a key."""
+    return look_up(catalogue("en"), key) is not None
 
 
 @cache
 def catalogue(language: str) -> dict[str, Any]:
-    """A language's words; none where there is no folder for it."""
+    """The messages of a language; empty where it has no folder."""
     files = sorted((HERE / language).glob("*.toml")) if language.isalpha() else []
     if language == "en":
         files += sorted(LESSONS.glob("*/*.toml"))
@@ -55,8 +67,8 @@ def catalogue(language: str) -> dict[str, Any]:
     }
 
 
-def found(words: dict[str, Any], key: str) -> str | None:
-    """The words under a dotted key, or None."""
+def look_up(words: dict[str, Any], key: str) -> str | None:
+    """The message under a dotted key, or None."""
     here: Any = words
     for part in key.split("."):
         here = here.get(part) if isinstance(here, dict) else None

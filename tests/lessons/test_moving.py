@@ -8,7 +8,7 @@ import pytest
 from kinoedu import Disk, Moving, MovingWorld, Point, PolygonWorld, TimedProblem, UncertainWorld
 from kinoedu.boards import chance_board, moving_board
 from kinoedu.boards.moving.chances import SHOWN
-from kinoedu.boards.moving.moving import STEPS, stands_at, waited
+from kinoedu.boards.moving.moving import STEPS, waiting_time, waits_at
 from kinoedu.course.lessons.moving import (
     collision_probability,
     earliest_arrival,
@@ -152,7 +152,7 @@ def test_the_board_of_time_plans_anew():
     """
     board = moving_board(TimedProblem(Disk(0.5), WORLD, start=(1, 3), goal=(9, 3)), nodes=60)
     first = board.plan.cost
-    assert board.canvas.drawing.total == STEPS and len(board.canvas.drawing.told) == STEPS
+    assert board.canvas.drawing.total == STEPS and len(board.canvas.drawing.step_texts) == STEPS
     board.speed.value = 2.0
     assert board.plan.cost < first
     scene = board.canvas._shown
@@ -166,7 +166,7 @@ def test_the_board_of_time_plans_anew():
     assert np.array_equal(board.plan.path[-1, :2], [9, 5])
     assert board.picture().startswith(b"\x89PNG")
     path = np.array([(0, 0, 0), (0, 0, 2.5), (1, 0, 3.5)])
-    assert waited(path) == 2.5 and [stands_at(path, t) for t in (0, 2, 2.5, 3, 3.5)] == [
+    assert waiting_time(path) == 2.5 and [waits_at(path, t) for t in (0, 2, 2.5, 3, 3.5)] == [
         True,
         True,
         False,

@@ -22,7 +22,7 @@ from kinoedu.course.lessons.roadmaps.halls import (
 from kinoedu.course.lessons.roadmaps.radius_neighbours import radius_pairs
 from kinoedu.course.lessons.roadmaps.rules import closest_pairs
 from kinoedu.course.lessons.roadmaps.visibility_roadmap import roadmap_on, seen_corners
-from kinoedu.figures.torus_roadmap import unrolled
+from kinoedu.figures.torus_roadmap import unroll
 from kinoedu.planners.roadmaps.connecting import ComponentKClosest, KClosest, Radius, joined
 
 
@@ -94,7 +94,7 @@ def test_edges_on_the_torus_are_the_shorter_ways():
     again.
     """
     a, b = np.array([[0.1, 1.0], [1.0, 1.0]]), np.array([[6.2, 1.0], [2.0, 3.0]])
-    pieces = unrolled(a, b)
+    pieces = unroll(a, b)
     assert len(pieces) == 3
     assert (np.abs(pieces[:, 1] - pieces[:, 0]) <= np.pi).all()
     assert np.allclose(np.mod(pieces[0, 1], FULL), np.mod(b[0], FULL))

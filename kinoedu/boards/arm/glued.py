@@ -1,49 +1,37 @@
-"""The square of an arm's two angles, whose opposite sides are one: the torus laid flat, and how
-motions are drawn on it.
-"""
+"""The square of an arm's two angles, with opposite sides identified: the torus laid flat."""
 
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ...figures.arms import where_widest
+from ...figures.arms import find_widest
 from ...geometry.checks import Array
 from ...words import say
-from ..core.drawing import Layer, arrows, edges, labels
+from ..core.drawing import Layer, arrows, edges, labels, sides_of
 from ..core.scene import Scene, make_scene
 
 PI, TURN = np.pi, 2.0 * np.pi
-COLOURS = [
-    "free_area",
-    "hit_1_area",
-    "hit_2_area",
-]  # of a painted image: free, link 1 hits, link 2 does
-COARSE = 6  # a name is placed on every sixth cell
+COLOURS = ["free_area", "hit_1_area", "hit_2_area"]  # of an image: free, link 1 hits, link 2 hits
+COARSE = 6  # names are placed on every sixth cell only
 
 
-def square_scene(handles: list[dict[str, Any]]) -> Scene:
+def make_square_scene(handles: list[dict[str, Any]]) -> Scene:
     """The square [-pi, pi) x [-pi, pi), with room for its scales at the left and below."""
     scene = make_scene((-PI - 0.7, -PI - 0.7), (PI + 0.3, PI + 0.3), handles=handles)
-    return {
-        **scene,
-        "glued": {"lo": [-PI, -PI], "hi": [PI, PI]},
-        "colours": COLOURS,
-        "ticks": False,
-    }
+    glued = {"lo": [-PI, -PI], "hi": [PI, PI]}
+    return {**scene, "glued": glued, "colours": COLOURS, "ticks": False}
 
 
-def frame() -> list[Layer]:
-    """Scales, and arrows on the sides: those that are one carry the same arrows, the same way
-    round.
-    """
+def draw_frame() -> list[Layer]:
+    """Scales and side arrows; identified sides carry equal arrows in the same direction."""
     values, names = np.array([-PI, 0.0, PI]), ["-π", "0", "π"]
     corners = np.array([(-PI, -PI), (PI, -PI), (PI, PI), (-PI, PI)])
     sides = np.array([-PI, PI])
     upright = np.column_stack([sides, [0.0, 0.0]])
     level = np.array([(x, y) for y in sides for x in (0.0, 0.3)])
     return [
-        edges(np.stack([corners, np.roll(corners, -1, axis=0)], axis=1), "ink", width=1.5),
+        edges(sides_of(corners), "ink", width=1.5),
         arrows(upright - (0.0, 0.25), np.full((2, 2), (0.0, 0.5)), "goal", width=3.5),
         arrows(level - (0.4, 0.0), np.full((4, 2), (0.5, 0.0)), "start", width=3.5),
         labels(np.column_stack([values - 0.3, np.full(3, -PI - 0.55)]), names, "ink"),
@@ -52,17 +40,16 @@ def frame() -> list[Layer]:
     ]
 
 
-def sights(q: Array) -> Layer:
+def draw_sights(q: Array) -> Layer:
     """Thin lines through q, to read its angles off the scales."""
-    return edges(
-        [[(-PI, q[1]), (PI, q[1])], [(q[0], -PI), (q[0], PI)]], "ink", width=1.2, dash=(2.0, 5.0)
-    )
+    lines = [[(-PI, q[1]), (PI, q[1])], [(q[0], -PI), (q[0], PI)]]
+    return edges(lines, "ink", width=1.2, dash=(2.0, 5.0))
 
 
-def regions_named(image: NDArray[np.int8]) -> list[Layer]:
-    """What each colour of a painted image means, written where the region is widest."""
+def label_regions(image: NDArray[np.int8]) -> list[Layer]:
+    """The meaning of each colour of a painted image, written where the region is widest."""
     coarse = image[COARSE // 2 :: COARSE, COARSE // 2 :: COARSE]
-    found = [(where_widest(coarse == link), say(f"figure.link_{link}")) for link in range(3)]
+    found = [(find_widest(coarse == link), say(f"figure.link_{link}")) for link in range(3)]
     return [
         labels([(min(place[0], PI - 1.3) - 0.3, place[1] - 0.2)], [name], "ink")
         for place, name in found
@@ -70,9 +57,8 @@ def regions_named(image: NDArray[np.int8]) -> list[Layer]:
     ]
 
 
-def split(begins: Array, ends: Array) -> Array:
-    """Motions the short way round as segments within the square, shape (m, 2, 2): cut where they
-    cross a side.
+def split_motions(begins: Array, ends: Array) -> Array:
+    """Motions along shortest arcs, as segments within the square, (m, 2, 2), cut at its sides.
 
     begins, ends : (n, 2), angles in [-pi, pi).
     """
@@ -81,11 +67,10 @@ def split(begins: Array, ends: Array) -> Array:
         crossing = np.where(
             np.abs(begins + change) > PI, (np.copysign(PI, change) - begins) / change, 1.0
         )
-    shares = np.sort(
-        np.column_stack([np.zeros(len(begins)), crossing, np.ones(len(begins))]), axis=1
-    )
-    whole = begins[:, None] + shares[:, :, None] * change[:, None]
-    middle = 0.5 * (whole[:, :-1] + whole[:, 1:])
-    round_ = TURN * np.floor((middle + PI) / TURN)
-    pieces = np.stack([whole[:, :-1] - round_, whole[:, 1:] - round_], axis=2)
-    return pieces[np.diff(shares, axis=1) > 0.0]
+    n = len(begins)
+    fractions = np.sort(np.column_stack([np.zeros(n), crossing, np.ones(n)]), axis=1)
+    stops = begins[:, None] + fractions[:, :, None] * change[:, None]
+    middle = 0.5 * (stops[:, :-1] + stops[:, 1:])
+    turns = TURN * np.floor((middle + PI) / TURN)
+    pieces = np.stack([stops[:, :-1] - turns, stops[:, 1:] - turns], axis=2)
+    return pieces[np.diff(fractions, axis=1) > 0.0]

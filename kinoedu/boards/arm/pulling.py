@@ -1,4 +1,4 @@
-"""What becomes of an arm of two links when its elbow or its tip is pulled somewhere."""
+"""The configuration of a two-link arm after a pull on its elbow or tip."""
 
 import math
 
@@ -10,31 +10,29 @@ from ...spaces import torus_distance
 from ...spaces.angles import wrapped
 
 
-def pulled(arm: ArmRobot, q: Array, elbow: Array | None, tip: Array | None) -> Array:
-    """The configuration after a pull on the elbow, on the tip, or on both, shape (2,); None is not
-    pulled.
+def pull_arm(arm: ArmRobot, q: Array, elbow: Array | None, tip: Array | None) -> Array:
+    """The configuration after a pull on the elbow, on the tip, or on both, shape (2,).
 
-    The elbow turns link 1 and takes link 2 along as it is bent. The tip goes as near as it can, by
-    the solution nearer to q. Both together give their two headings, whatever their distances are.
+    A pull on the elbow turns link 1, and link 2 keeps its angle to it. A pull on the tip moves it
+    as near as it can come, by the solution nearer to q. Pulls on both set the two headings,
+    whatever the distances are. None means no pull.
     """
     if elbow is not None:
         first = heading(arm.base, elbow, q[0])
-        return np.array(
-            [first, q[1] if tip is None else wrapped(heading(elbow, tip, first + q[1]) - first)]
-        )
+        second = q[1] if tip is None else wrapped(heading(elbow, tip, first + q[1]) - first)
+        return np.array([first, second])
     if tip is None:
         return q
-    solutions = (
-        arm.inverse(nearest_reached(arm, q, tip))
-        if not folds_onto_base(arm, tip)
-        else [np.array([q[0], -math.pi])]
-    )
+    if folds_onto_base(arm, tip):
+        return np.array([q[0], -math.pi])
+    solutions = arm.inverse(nearest_reachable(arm, q, tip))
     return min(solutions, key=lambda solution: float(torus_distance(solution, q)))
 
 
-def nearest_reached(arm: ArmRobot, q: Array, p: Array) -> Array:
-    """The place nearest to p at which a two-link arm can put its tip; of equally near ones, that in
-    the tip's own direction.
+def nearest_reachable(arm: ArmRobot, q: Array, p: Array) -> Array:
+    """The reachable place of the tip that is nearest to p.
+
+    Ties go to the one in the direction of the tip.
     """
     inner, outer = abs(arm.lengths[0] - arm.lengths[1]), arm.lengths.sum()
     far = math.dist(arm.base, p)
@@ -45,10 +43,10 @@ def nearest_reached(arm: ArmRobot, q: Array, p: Array) -> Array:
 
 
 def folds_onto_base(arm: ArmRobot, p: Array) -> bool:
-    """Whether the tip lies on the base at p, where an arm of equal links may have any heading."""
+    """Whether p is the base and the links are equal, so that any heading reaches p."""
     return bool(arm.lengths[0] == arm.lengths[1] and (p == arm.base).all())
 
 
 def heading(a: Array, b: Array, otherwise: float) -> float:
-    """The angle of the way from a to b; where they are one place, another."""
+    """The direction from a to b; `otherwise` where they are the same point."""
     return wrapped(math.atan2(b[1] - a[1], b[0] - a[0]) if (a != b).any() else otherwise)

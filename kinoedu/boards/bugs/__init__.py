@@ -1,1 +1,1 @@
-"""The board of bugs and their walks."""
+"""The board of the bugs."""

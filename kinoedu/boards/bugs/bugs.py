@@ -1,6 +1,4 @@
-"""The bugs' board: a bug walks round obstacles that are dragged, with the distance to its goal
-plotted beside it.
-"""
+"""The bugs' board: a bug's walk round obstacles, and a plot of its distance to the goal."""
 
 from collections.abc import Iterable
 from typing import Any
@@ -15,13 +13,21 @@ from ...planners.bugs.walls import as_rings
 from ...planners.tuning import one_of
 from ...problems import Plan, Walk
 from ...words import say
-from ..core.canvas import Canvas, with_picture
-from ..core.controls import look
+from ..core.canvas import Canvas
 from ..core.drawing import Drawing
-from ..core.printed import side_by_side
+from ..core.framed import Pictured, make_menu
+from ..core.printed import join_pictures
 from ..core.scene import Scene, handle, make_scene, place_of, polygon
 from ..planning.plans import GOAL, START
-from .walks import Clock, clock_for, plot_drawn, plot_scene, race_drawn, told_of, walk_drawn
+from .walks import (
+    Clock,
+    describe_steps,
+    draw_plot,
+    draw_race,
+    draw_walk,
+    make_clock,
+    make_plot_scene,
+)
 
 BUGS: dict[str, tuple[str, Any]] = {
     "bug_base": ("BugBase", bug_base),
@@ -31,7 +37,7 @@ BUGS: dict[str, tuple[str, Any]] = {
     "bug2": ("Bug 2", bug2),
 }
 ALL = "all"
-FINENESS = 160.0  # steps of the clock across the world
+FINENESS = 160.0  # a walk across the whole world takes this many steps of the clock
 
 
 def bug_board(
@@ -42,27 +48,34 @@ def bug_board(
     bug: str = "bug1",
     turn: str = "left",
 ) -> "BugBoard":
-    """Drag the start, the goal, the obstacles or their vertices, and a bug walks anew; scrub along
-    its walk.
+    """Drag start, goal, obstacles or vertices; a bug walks again. Scrub along its walk.
 
     Parameters
     ----------
-    start, goal : (x, y); obstacles : simple polygons, (n, 2) each, as for `bug1`.
-    bug : "bug_base", "bug0", "bug1", "bug2_prelim", "bug2", or "all", to see them over one another.
+    start, goal : (x, y).
+    obstacles : simple polygons, (n, 2) each, as for `bug1`.
+    bug : "bug_base", "bug0", "bug1", "bug2_prelim", "bug2", or "all" for all in one picture.
     turn : "left" or "right", at a wall.
 
-    `board.plans` are the plans on show. Raises InvalidPoint, InvalidPolygon, InvalidParameter.
+    Returns
+    -------
+    BugBoard
+        `plans` are the plans shown, each with its walk.
 
+    Raises
+    ------
+    InvalidPoint, InvalidPolygon, InvalidParameter
+
+    Examples
+    --------
     >>> bug_board((0, 0), (4, 0), [[(1, -1), (2, -1), (2, 2), (1, 2)]])
     BugBoard(Bug 1: reached after 14; hits 1)
     """
     return BugBoard(start, goal, obstacles, bug=bug, turn=turn)
 
 
-class BugBoard(widgets.VBox):
-    """What `bug_board` makes: the controls, the world in `canvas`, and the distance to the goal in
-    `plot`.
-    """
+class BugBoard(Pictured, widgets.VBox):
+    """The widget that `bug_board` returns: controls, the world in `canvas`, the plot in `plot`."""
 
     def __init__(
         self,
@@ -73,25 +86,16 @@ class BugBoard(widgets.VBox):
         bug: str,
         turn: str,
     ) -> None:
-        scene = scene_of(start, goal, obstacles)
+        scene = make_bug_scene(start, goal, obstacles)
         chosen, heading = one_of(bug, "bug", (*BUGS, ALL)), one_of(turn, "turn", ("left", "right"))
         self.plans: list[tuple[Plan, Walk]] = []
-        self._clock, self._told = Clock(1.0, 0), list[str]()  # of both pictures
+        self._clock, self._texts = Clock(1.0, 0), list[str]()  # of both pictures
         self._step = max(b - a for a, b in zip(scene["lo"], scene["hi"], strict=True)) / FINENESS
-        self.bug = widgets.Dropdown(
-            options=[
-                *((name, key) for key, (name, _) in BUGS.items()),
-                (say("bug_board.all"), ALL),
-            ],
-            value=chosen,
-            **{**look("planner"), "description": say("bug_board.bug")},
-        )
-        self.turn = widgets.Dropdown(
-            options=[(say("bug_board.left"), "left"), (say("bug_board.right"), "right")],
-            value=heading,
-            **{**look("planner"), "description": say("bug_board.turn")},
-        )
-        self.plot = Canvas(plot_scene(), self._plotted)
+        bugs = [(name, key) for key, (name, _) in BUGS.items()]
+        self.bug = make_menu("bug_board.bug", [*bugs, (say("bug_board.all"), ALL)], chosen)
+        turns = [(say(f"bug_board.{side}"), side) for side in ("left", "right")]
+        self.turn = make_menu("bug_board.turn", turns, heading)
+        self.plot = Canvas(make_plot_scene(), self._plotted)
         self.canvas = Canvas(scene, self.answer)
         self.plot.partner = self.canvas.key
         self.canvas.layout = widgets.Layout(flex="4 1 22em", min_width="0")
@@ -104,55 +108,44 @@ class BugBoard(widgets.VBox):
             control.observe(lambda _: self.canvas.refresh(), "value")
 
     def answer(self, scene: Scene) -> Drawing:
-        """Walk in a scene, as the controls say, and draw it here and in the plot."""
+        """Walk in a scene with the settings of the controls; draw the walk here and in the plot."""
         self.plans = []
+        plans: list[tuple[Plan, Walk]] = []
         try:
             obstacles = [item["rings"][0] for item in scene["polygons"]]
             start, goal = place_of(scene, START), place_of(scene, GOAL)
             chosen = list(BUGS) if self.bug.value == ALL else [self.bug.value]
-            plans = [
-                BUGS[name][1](start, goal, obstacles, self._step, turn=self.turn.value)
-                for name in chosen
-            ]
-            self.plans = [(plan, plan.walk) for plan in plans]
-            self._clock = clock_for([plan.walk for plan in plans], self._step)
-            self._told = told_of(self.plans, self._clock)
+            for name in chosen:
+                plan = BUGS[name][1](start, goal, obstacles, self._step, turn=self.turn.value)
+                plans.append((plan, plan.walk))
+            self.plans = plans
+            self._clock = make_clock([walk for _, walk in plans], self._step)
+            self._texts = describe_steps(plans, self._clock)
             if len(plans) > 1:
-                return race_drawn(self.plans, self._clock, self._told)
-            return walk_drawn(*self.plans[0], self._clock, self._told, as_rings(obstacles))
+                return draw_race(plans, self._clock, self._texts)
+            return draw_walk(*plans[0], self._clock, self._texts, as_rings(obstacles))
         finally:
             self.plot.refresh()
 
     def _plotted(self, _: Scene) -> Drawing:
-        """The plot of the walks on show."""
+        """The plot of the walks shown."""
         if not self.plans:
             return Drawing(text=say("bug_board.nothing"))
-        return plot_drawn(self.plans, self._clock, self._told)
+        return draw_plot(self.plans, self._clock, self._texts)
 
     def picture(self) -> bytes:
-        """World and plot beside each other, as a PNG."""
-        return side_by_side(self.canvas.picture(), self.plot.picture())
-
-    def __repr__(self) -> str:
-        return f"BugBoard({self.canvas.drawing.says})"
-
-    def _repr_mimebundle_(self, **kwargs: Any) -> Any:
-        return with_picture(super()._repr_mimebundle_(**kwargs), self, self)
+        """World and plot side by side, as a PNG."""
+        return join_pictures(self.canvas.picture(), self.plot.picture())
 
 
-def scene_of(start: ArrayLike, goal: ArrayLike, obstacles: Iterable[ArrayLike]) -> Scene:
-    """The scene of a bug: all of it can be dragged."""
+def make_bug_scene(start: ArrayLike, goal: ArrayLike, obstacles: Iterable[ArrayLike]) -> Scene:
+    """The scene of a bug: everything in it can be dragged."""
     rings, begin, end = as_rings(obstacles), as_point(start, START), as_point(goal, GOAL)
     shown = np.concatenate([*rings, begin[None], end[None]])
     lo, hi = shown.min(axis=0), shown.max(axis=0)
     margin = 0.12 * (hi - lo).max() or 1.0
-    names = [say("bug_board.obstacle", number=k) for k in range(len(rings))]
-    return make_scene(
-        lo - margin,
-        hi + margin,
-        handles=[
-            handle(START, begin, colour="start"),
-            handle(GOAL, end, colour="goal", marker="star"),
-        ],
-        polygons=[polygon(name, [ring]) for name, ring in zip(names, rings, strict=True)],
-    )
+    ends = [handle(START, begin, colour="start"), handle(GOAL, end, colour="goal", marker="star")]
+    polygons = [
+        polygon(say("bug_board.obstacle", number=k), [ring]) for k, ring in enumerate(rings)
+    ]
+    return make_scene(lo - margin, hi + margin, handles=ends, polygons=polygons)

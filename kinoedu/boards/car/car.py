@@ -1,6 +1,4 @@
-"""The car's board: two poses to set, a planner that leads from one to the other, and the car that
-drives there; or you drive it.
-"""
+"""The car's board: set two poses, and see the motion planned and driven, or drive it yourself."""
 
 from collections.abc import Iterable
 from dataclasses import replace
@@ -21,25 +19,24 @@ from ...robots.trajectory import TrajectoryRecord
 from ...support.text import shortened
 from ...words import say
 from ...worlds.polygon_world import PolygonWorldRecord
-from ..arm.arm import standing
-from ..core.controls import counter, menu, title_of
+from ..arm.arm import obstacle_places
 from ..core.drawing import Drawing, Layer
-from ..core.framed import Framed
-from ..core.scene import Scene, everything, moved
-from ..planning.plans import canvas_of, world_in
+from ..core.framed import Framed, make_counter, make_menu, title_of
+from ..core.scene import Scene, list_places, move_parts
+from ..planning.plans import make_canvas, world_in
 from .car_drawn import (
     Ride,
-    ends_drawn,
-    followed,
-    growth_drawn,
-    refused_drawn,
-    ride_along,
-    ride_drawn,
-    told_on,
-    way_drawn,
+    describe_ride,
+    draw_ends,
+    draw_growth,
+    draw_refused,
+    draw_ride,
+    draw_way,
+    follow_car,
+    make_ride,
 )
-from .car_poses import CAR, car_scene, handle_places, poses_in
-from .driving import at_goal, driven_on, standing_at, steering
+from .car_poses import CAR, handle_places, make_car_scene, poses_in
+from .driving import continue_drive, is_at_goal, start_drive, steering_angle
 
 YOU = "you"
 VIEWS = ("above", "followed")
@@ -56,29 +53,39 @@ def car_board(
     view: str = "above",
     rng: int = 0,
 ) -> "CarBoard":
-    """Set where a car starts and where it is to go, each with a heading, and see it planned and
-    driven; or drive it yourself.
+    """Set a car's start and goal pose, and see its motion planned and driven; or drive yourself.
 
-    Press on the ground to set the goal, with Shift the start, and pull the heading; or drag places,
-    tips, obstacles. What is not free is refused, with the reason, and goes back to where it was
-    free. Scrub: first the tree or roadmap grows, then the car drives, its wheels steered. Hold
-    arrow keys at the car, and you drive it: left and right turn the wheel by notches, up and down
-    go forward and back. It stops at what it would touch.
+    Press on the ground to set the goal, with Shift the start, and pull its heading; or drag places,
+    tips and obstacles. A pose that is not free is refused, with the reason, and returns to where it
+    was free. Scrub: first the tree or roadmap grows, then the car drives with its wheels steered.
+    Hold arrow keys at the car to drive it: left and right turn the wheel by notches, up and down
+    drive forward and back. The car stops before a collision.
 
     Parameters
     ----------
     problem : a Problem of a Car.
-    planner : who drives: "kinodynamic_rrt", "kinodynamic_prm", "rrt", which steers by Reeds and
-    Shepp's curves, or "you".
-    iterations : where a planner gives up, of the roadmap how many places are drawn; by default
-    1,000, and 350. view, rng : where the other controls begin; a view is "above", or "followed",
-    which goes with the car.
+    planner : "kinodynamic_rrt", "kinodynamic_prm", "rrt" (which steers by Reeds-Shepp curves), or
+        "you".
+    iterations : where a planner gives up; of the roadmap, how many configurations are sampled. The
+        default is 1,000, and 350 for the roadmap.
+    view : "above", or "followed" for a view that moves with the car.
+    rng : the first seed.
 
-    `board.plan` is on show, None where you drive; `board.driven` is the Trajectory that you drove,
-    `board.problem` what was asked. Raises InvalidParameter.
+    Returns
+    -------
+    CarBoard
+        `plan` is the plan shown, None while you drive; `driven` is the Trajectory that you drove;
+        `problem` is the problem solved.
 
+    Raises
+    ------
+    InvalidParameter
+
+    Examples
+    --------
     >>> from kinoedu import Car, PolygonWorld, Problem
-    >>> world = PolygonWorld([(0, 0), (20, 0), (20, 20), (0, 20)], [[(9, 0), (11, 0), (11, 10), (9, 10)]])
+    >>> room = [(0, 0), (20, 0), (20, 20), (0, 20)]
+    >>> world = PolygonWorld(room, [[(9, 0), (11, 0), (11, 10), (9, 10)]])
     >>> car_board(Problem(Car(3, 1, 2), world, (4, 4, 0), (16, 4, 0)), "you")
     CarBoard(you have driven 0; the wheels are turned by 0°)
     """
@@ -86,145 +93,122 @@ def car_board(
 
 
 class CarBoard(Framed):
-    """What `car_board` makes: the controls, and the car in `canvas`."""
+    """The widget that `car_board` returns: the controls, and the car in `canvas`."""
 
     def __init__(
         self, problem: ProblemRecord, planner: str, iterations: int | None, view: str, rng: int
     ) -> None:
-        self.problem = of_a_car(problem)
+        self.problem = check_car_problem(problem)
         self.plan: Plan | None = None
         chosen = one_of(planner, "planner", (*ON_BOARD, YOU))
-        most = ON_BOARD.get(chosen, ON_BOARD["rrt"]).car_board if iterations is None else iterations
-        titles = [(title_of(planner, "car_board"), name) for name, planner in ON_BOARD.items()]
-        self.planner = menu("board.planner", [*titles, *named([YOU])], chosen)
-        self.iterations = counter(
-            "car_board.iterations", whole(most, "iterations", least=1), 50, 3000
-        )
-        self.seed = counter("board.seed", whole(rng, "rng", least=0), 0, 99)
-        self.view = menu("car_board.view", named(VIEWS), one_of(view, "view", VIEWS))
-        self._drive, self._ends = standing_at(problem), (problem.start, problem.goal)
-        self._home = self._good = car_scene(problem)
+        default = ON_BOARD.get(chosen, ON_BOARD["rrt"]).car_board
+        most = whole(default if iterations is None else iterations, "iterations", least=1)
+        titles = [(title_of(one, "car_board"), name) for name, one in ON_BOARD.items()]
+        self.planner = make_menu("board.planner", [*titles, *make_options([YOU])], chosen)
+        self.iterations = make_counter("car_board.iterations", most, 50, 3000)
+        self.seed = make_counter("board.seed", whole(rng, "rng", least=0), 0, 99)
+        self.view = make_menu("car_board.view", make_options(VIEWS), one_of(view, "view", VIEWS))
+        self._drive, self._ends = start_drive(problem), (problem.start, problem.goal)
+        self._home = self._good = make_car_scene(problem)
         self._drawing = Drawing()
         self._dress()
-        canvas = canvas_of(problem.world, self._home, self.answer, self.hold)
+        canvas = make_canvas(problem.world, self._home, self.answer, self.hold)
         super().__init__([self.planner, self.iterations, self.seed, self.view], [canvas])
 
     @property
     def driven(self) -> TrajectoryRecord:
-        """What you have driven: replay it by `board.driven.poses`, look at it by
-        `board.driven.controls`.
-        """
+        """The trajectory that you drove, with its `poses` and `controls`."""
         return self._drive.trajectory
 
     def answer(self, scene: Scene) -> Drawing:
-        """Take what was moved, plan or show what was driven, and draw it."""
+        """Take over what was moved, plan or show the drive, and draw it."""
         try:
             self._take(scene)
         except KinoeduError as error:
             return self._refusal(scene, str(error))
         self.plan = None if self.planner.value == YOU else self._planned()
         drawing = self._by_you() if self.plan is None else self._by_planner(self.plan)
-        self._good, self._drawing = moved(scene, drawing.places), drawing
+        self._good, self._drawing = move_parts(scene, drawing.places), drawing
         return drawing
 
     def hold(self, held: set[str]) -> None:
         """Drive for a moment, with the arrow keys of these names held."""
         self.planner.value = YOU
-        self._drive = driven_on(self.problem, self._drive, held)
+        self._drive = continue_drive(self.problem, self._drive, held)
 
     def _take(self, scene: Scene) -> None:
-        """Take what was moved. A drive begins anew where its start or an obstacle is elsewhere, or
-        the board was started again.
+        """Take over what was moved.
+
+        The drive begins again where its start or an obstacle moved, or the board was reset.
         """
         before, car = self.problem, self.problem.robot
-        stood = standing(scene) == standing(self._good)
-        world = (
-            world_in(scene)
-            if isinstance(before.world, PolygonWorldRecord) and not stood
-            else before.world
-        )
+        stood, world = obstacle_places(scene) == obstacle_places(self._good), before.world
+        if isinstance(world, PolygonWorldRecord) and not stood:
+            world = world_in(scene)
         ends = poses_in(scene, car, [(before.start, before.goal), self._ends])
         self.problem = Problem(car, world, *ends, clearance=before.clearance)
         at, there, home = (some["handles"][CAR]["at"] for some in (scene, self._good, self._home))
-        if (
-            not stood
-            or not np.array_equal(before.start, self.problem.start)
-            or (at != there and at == home)
-        ):
-            self._drive = standing_at(self.problem)
+        new_start = not np.array_equal(before.start, self.problem.start)
+        reset = at != there and at == home
+        if not stood or new_start or reset:
+            self._drive = start_drive(self.problem)
 
     def _refusal(self, scene: Scene, reason: str) -> Drawing:
-        """What was good stays; what is refused is shown until it is let go."""
-        asked = self.problem
-        ends = poses_in(scene, asked.robot, [(asked.start, asked.goal)])
-        wrong = [q for q in ends if not is_free(asked.robot, asked.world, q, asked.clearance)]
-        layers = [*self._drawing.layers, *refused_drawn(asked.robot, wrong)]
-        return replace(self._drawing, layers=layers, warning=reason, places=everything(self._good))
+        """Keep the last valid drawing; show the refused pose until it is released."""
+        last = self.problem
+        ends = poses_in(scene, last.robot, [(last.start, last.goal)])
+        wrong = [q for q in ends if not is_free(last.robot, last.world, q, last.clearance)]
+        layers = [*self._drawing.layers, *draw_refused(last.robot, wrong)]
+        return replace(self._drawing, layers=layers, warning=reason, places=list_places(self._good))
 
     def _planned(self) -> Plan:
-        """The plan of the planner that is chosen."""
-        return ON_BOARD[self.planner.value].plan(
-            self.problem, seed=self.seed.value, iterations=self.iterations.value
-        )
+        """The plan of the chosen planner."""
+        planner, most = ON_BOARD[self.planner.value], self.iterations.value
+        return planner.plan(self.problem, seed=self.seed.value, iterations=most)
 
     def _by_planner(self, plan: Plan) -> Drawing:
-        """A plan: what grows, and then the ride along its trajectory, if only to the nearest
-        pose.
+        """Draw a plan: its growth, then the ride along its trajectory.
+
+        Without a path the ride leads to the pose nearest to the goal.
         """
-        layers, begin = growth_drawn(self.problem.robot, plan)
+        layers, begin = draw_growth(self.problem.robot, plan)
         total, unit = growth_of(plan)
         counts = {"planner": plan.planner, "total": f"{total:,}", "unit": unit}
-        told = [
-            say("figure.growing", shown=f"{k * total // begin:,}", **counts) for k in range(begin)
-        ]
-        ride = ride_along(trajectory_of(plan))
-        return self._ridden(
-            ride,
-            begin,
-            layers,
-            [*told, *told_on(ride)[:-1], summary(plan, total)],
-            self.problem.start,
-        )
+        ride, shown = make_ride(trajectory_of(plan)), (k * total // begin for k in range(begin))
+        texts = [say("figure.growing", shown=f"{count:,}", **counts) for count in shown]
+        texts += [*describe_ride(ride)[:-1], summary(plan, total)]
+        return self._ridden(ride, begin, layers, texts, self.problem.start)
 
     def _by_you(self) -> Drawing:
-        """What you have driven."""
-        ride, phi = ride_along(self.driven), steering(self.problem.robot, self._drive.notch)
+        """Draw what you have driven."""
+        ride, phi = make_ride(self.driven), steering_angle(self.problem.robot, self._drive.notch)
         ride.controls[-1, 1] = phi
         here = ride.poses[-1]
-        said = [
-            say(
-                "car_board.driven", length=f"{self.driven.length:.4g}", phi=f"{np.degrees(phi):.0f}"
-            )
-        ]
-        said += [say("car_board.contact")] if self._drive.stopped else []
-        said += [say("car_board.arrived")] if at_goal(self.problem, here) else []
-        return self._ridden(ride, 0, [], [*told_on(ride)[:-1], "\n".join(said)], here)
+        values = {"length": f"{self.driven.length:.4g}", "phi": f"{np.degrees(phi):.0f}"}
+        lines = [say("car_board.driven", **values)]
+        lines += [say("car_board.contact")] if self._drive.stopped else []
+        lines += [say("car_board.arrived")] if is_at_goal(self.problem, here) else []
+        return self._ridden(ride, 0, [], [*describe_ride(ride)[:-1], "\n".join(lines)], here)
 
     def _ridden(
-        self, ride: Ride, begin: int, grown: list[Layer], told: list[str], here: Array
+        self, ride: Ride, begin: int, grown: list[Layer], texts: list[str], here: Array
     ) -> Drawing:
-        """What has grown until a step, and the ride that follows; the car that can be driven is
-        here.
+        """Draw what has grown until step `begin`, and the ride that follows.
+
+        here : the pose of the car that can be driven.
         """
         car, ends = self.problem.robot, (self.problem.start, self.problem.goal)
-        layers = [*grown, *ends_drawn(car, ends), *way_drawn(ride, begin)]
-        layers += ride_drawn(
-            car, ride, begin, hit=self.planner.value == YOU and self._drive.stopped
-        )
-        layers += [followed(car, ride, begin)] if self.view.value == "followed" else []
+        layers = [*grown, *draw_ends(car, ends), *draw_way(ride, begin)]
+        hit = self.planner.value == YOU and self._drive.stopped
+        layers += draw_ride(car, ride, begin, hit=hit)
+        layers += [follow_car(car, ride, begin)] if self.view.value == "followed" else []
         places = [("handle", k, place) for k, place in enumerate(handle_places(car, *ends, here))]
-        *before, text = told
-        return Drawing(
-            layers,
-            text=text,
-            total=len(before),
-            unit=say("car_board.unit"),
-            told=before,
-            places=places,
-        )
+        *before, text = texts
+        drawing = Drawing(layers, text=text, total=len(before), unit=say("car_board.unit"))
+        return replace(drawing, step_texts=before, places=places)
 
     def _dress(self) -> None:
-        """Show the controls that a planner takes."""
+        """Show the controls that apply to the chosen planner."""
         for control in (self.iterations, self.seed):
             control.layout.display = "none" if self.planner.value == YOU else None
 
@@ -237,8 +221,8 @@ class CarBoard(Framed):
         super()._changed(change)
 
 
-def of_a_car(problem: Any) -> ProblemRecord:
-    """A problem of a car, or InvalidParameter."""
+def check_car_problem(problem: Any) -> ProblemRecord:
+    """The problem itself, if it is a car's; or InvalidParameter."""
     if not isinstance(problem, ProblemRecord) or not isinstance(problem.robot, CarRobot):
         raise InvalidParameter(
             f"a car board needs a Problem(Car(...), world, start, goal), got {shortened(problem)}"
@@ -246,13 +230,13 @@ def of_a_car(problem: Any) -> ProblemRecord:
     return problem
 
 
-def named(names: Iterable[str]) -> list[tuple[str, str]]:
-    """The options of a menu: their words, and themselves."""
+def make_options(names: Iterable[str]) -> list[tuple[str, str]]:
+    """The options of a menu: pairs (text, name)."""
     return [(say(f"car_board.{name}"), name) for name in names]
 
 
 def trajectory_of(plan: Plan) -> TrajectoryRecord:
-    """What a car drives by a plan; nothing without a path and a trajectory."""
+    """The trajectory of a car in a plan; empty without a path and a trajectory."""
     if plan.path is not None:
         return trajectory_along(plan)
-    return plan.trajectory or standing_at(plan.problem).trajectory
+    return plan.trajectory or start_drive(plan.problem).trajectory

@@ -1,6 +1,4 @@
-"""A car on a board: its body and its steered wheels, the way that it drives, and the ride along
-it.
-"""
+"""A car on a board: its body and steered wheels, its path, and the ride along it."""
 
 import math
 from collections.abc import Sequence
@@ -16,34 +14,34 @@ from ...problems import Plan
 from ...robots.car import CarRobot
 from ...robots.trajectory import TrajectoryRecord
 from ...words import say
-from ..arm.reach import segments
-from ..core.drawing import Layer, arrows, bodies, edges, eye, labels
-from .car_poses import middles, tip_of
+from ..core.drawing import Layer, arrows, bodies, edges, eye, labels, path_edges, segments_along
+from .car_poses import body_middles, tip_of
 
 STEPS = 200  # of a ride
-GROWTH = 100  # steps at most in which a tree grows: the ride is as long as twice that
-EYE = 7.0  # wheelbases that are seen when the car is followed
+GROWTH = 100  # the most steps of a tree's growth: half as long as the ride
+EYE = 7.0  # the width of the view that follows the car, in wheelbases
 
 
 class Ride(NamedTuple):
-    """A trajectory at even times: times (k,), poses (k, 3), and the controls there (k, 2)."""
+    """A trajectory at equal time steps: times (k,), poses (k, 3) and controls (k, 2)."""
 
     times: Array
     poses: Array
     controls: Array
 
 
-def ride_along(trajectory: TrajectoryRecord) -> Ride:
-    """The ride along a trajectory, its ends included; one moment where nothing is driven."""
+def make_ride(trajectory: TrajectoryRecord) -> Ride:
+    """The ride along a trajectory, ends included; one moment where nothing is driven."""
     n = len(trajectory.durations)
     times = np.linspace(0.0, trajectory.duration, STEPS + 1 if n else 1)
     which = np.minimum(np.searchsorted(np.cumsum(trajectory.durations), times), max(n - 1, 0))
     return Ride(times, trajectory.at(times), trajectory.controls[which] if n else np.zeros((1, 2)))
 
 
-def ride_drawn(car: CarRobot, ride: Ride, begin: int, *, hit: bool = False) -> list[Layer]:
-    """The car at the first moment until step `begin`, and then at one moment after another; at the
-    last, perhaps in contact.
+def draw_ride(car: CarRobot, ride: Ride, begin: int, *, hit: bool = False) -> list[Layer]:
+    """Draw the car at its first moment until step `begin`, then at one moment per step.
+
+    hit : whether the car at the last moment is in contact.
     """
     n = len(ride.times)
     when = np.append(0, begin + 1 + np.arange(n - 1)) if n > 1 else np.array([0])
@@ -51,49 +49,39 @@ def ride_drawn(car: CarRobot, ride: Ride, begin: int, *, hit: bool = False) -> l
     outlines = np.array([outline_at(car, q) for q in ride.poses])
     rolling = dict.fromkeys(ride.controls[:, 1].tolist())
     straight = {phi: np.array(steered_wheels(car, np.zeros(3), phi)) for phi in rolling}
-    wheels = posed(np.array([straight[phi] for phi in ride.controls[:, 1].tolist()]), ride.poses)
-    good = n - 1 if hit else n
-    body = [bodies(outlines[:good], "robot", when=when[:good], until=until[:good])]
-    body += (
-        [bodies(outlines[good:], "hit", hatched=True, when=when[good:], until=until[good:])]
-        if hit
-        else []
+    wheels = place_shapes(
+        np.array([straight[phi] for phi in ride.controls[:, 1].tolist()]), ride.poses
     )
-    return [
-        *body,
-        bodies(wheels.reshape(-1, 4, 2), "ink", when=np.repeat(when, 4), until=np.repeat(until, 4)),
-    ]
+    good = n - 1 if hit else n
+    layers = [bodies(outlines[:good], "robot", when=when[:good], until=until[:good])]
+    if hit:
+        last: Any = {"when": when[good:], "until": until[good:]}
+        layers.append(bodies(outlines[good:], "hit", hatched=True, **last))
+    span: Any = {"when": np.repeat(when, 4), "until": np.repeat(until, 4)}
+    return [*layers, bodies(wheels.reshape(-1, 4, 2), "ink", **span)]
 
 
-def posed(shapes: Array, poses: Array) -> Array:
-    """Shapes (m, k, c, 2) in the car's own frame, where it stands at each pose (m, 3)."""
+def place_shapes(shapes: Array, poses: Array) -> Array:
+    """Shapes (m, k, c, 2) in the car's frame, moved to poses (m, 3)."""
     cos, sin = np.cos(poses[:, 2]), np.sin(poses[:, 2])
     turns = np.stack([cos, sin, -sin, cos], axis=1).reshape(-1, 1, 2, 2)
     return shapes @ turns + poses[:, None, None, :2]
 
 
-def way_drawn(ride: Ride, begin: int) -> list[Layer]:
-    """The way of the rear axle's middle, there when everything has grown; what is driven back is
-    dashed.
-    """
-    pieces = segments(ride.poses[:, :2])
+def draw_way(ride: Ride, begin: int) -> list[Layer]:
+    """Draw the path of the rear axle's midpoint from step `begin` on, dashed where it goes back."""
+    pieces = segments_along(ride.poses[:, :2])
     back = ride.controls[1:, 0] < 0.0
     some = pieces[~back | (np.arange(len(pieces)) % 2 == 0)]
-    return [
-        edges(some, colour, width=width, when=np.full(len(some), begin))
-        for colour, width in (("ink", 5.0), ("path", 3.0))
-    ]
+    return path_edges(some, when=np.full(len(some), begin))
 
 
-def growth_drawn(car: CarRobot, plan: Plan) -> tuple[list[Layer], int]:
-    """The tree or the roadmap of a plan as it grew, and in how many steps."""
+def draw_growth(car: CarRobot, plan: Plan) -> tuple[list[Layer], int]:
+    """Draw the tree or roadmap of a plan as it grew; also returns the number of steps."""
     if plan.roadmap is not None:
-        begins, colour, grown = (
-            plan.roadmap.nodes[plan.roadmap.edges[:, 0]],
-            "roadmap",
-            plan.roadmap,
-        )
-        lines = driven_tracks(car, begins, grown.controls, grown.durations)
+        roadmap, colour = plan.roadmap, "roadmap"
+        begins = roadmap.nodes[roadmap.edges[:, 0]]
+        lines = driven_tracks(car, begins, roadmap.controls, roadmap.durations)
     else:
         tree: Any = plan.tree
         begins, colour = tree.nodes[tree.parent[1:]], "tree"
@@ -105,13 +93,12 @@ def growth_drawn(car: CarRobot, plan: Plan) -> tuple[list[Layer], int]:
     total = min(n, GROWTH)
     when = np.ceil((np.arange(n) + 1) * total / max(n, 1))
     pieces = np.stack([kept[:, :-1], kept[:, 1:]], axis=2)
-    return [
-        edges(pieces, colour, width=line_width(n), when=np.repeat(when, pieces.shape[1]))
-    ], total
+    layer = edges(pieces, colour, width=line_width(n), when=np.repeat(when, pieces.shape[1]))
+    return [layer], total
 
 
-def ends_drawn(car: CarRobot, ends: Sequence[Array]) -> list[Layer]:
-    """Where the car starts and where it is to go: bodies, tips and names."""
+def draw_ends(car: CarRobot, ends: Sequence[Array]) -> list[Layer]:
+    """Draw the start and goal poses: bodies, tips and names."""
     drawn: list[Layer] = []
     for name, pose in zip(("start", "goal"), ends, strict=True):
         outline, wheels = outline_at(car, pose), np.array(steered_wheels(car, pose, 0.0))
@@ -120,27 +107,27 @@ def ends_drawn(car: CarRobot, ends: Sequence[Array]) -> list[Layer]:
             bodies([outline], name),
             bodies(wheels, name),
             labels([beside], [say(f"car_board.{name}")], name),
+            arrows([pose[:2]], [tip_of(car, pose) - pose[:2]], name),
         ]
-        drawn += [arrows([pose[:2]], [tip_of(car, pose) - pose[:2]], name)]
     return drawn
 
 
-def refused_drawn(car: CarRobot, poses: Sequence[Array]) -> list[Layer]:
-    """The car where it cannot be."""
+def draw_refused(car: CarRobot, poses: Sequence[Array]) -> list[Layer]:
+    """Draw the car at poses where it cannot be."""
     return [bodies([outline_at(car, pose)], "hit", hatched=True) for pose in poses]
 
 
-def followed(car: CarRobot, ride: Ride, begin: int) -> Layer:
-    """An eye that goes with the car."""
+def follow_car(car: CarRobot, ride: Ride, begin: int) -> Layer:
+    """An eye that moves with the car."""
     when = np.append(0, begin + 1 + np.arange(len(ride.times) - 1))
-    return eye(middles(car, ride.poses), EYE * car.wheelbase, when=when)
+    return eye(body_middles(car, ride.poses), EYE * car.wheelbase, when=when)
 
 
-def told_on(ride: Ride) -> list[str]:
-    """What is so at each moment of a ride."""
-    return [moment_told(t, v, phi) for t, (v, phi) in zip(ride.times, ride.controls)]
+def describe_ride(ride: Ride) -> list[str]:
+    """The text at each moment of a ride."""
+    return [describe_moment(t, v, phi) for t, (v, phi) in zip(ride.times, ride.controls)]
 
 
-def moment_told(t: float, v: float, phi: float) -> str:
+def describe_moment(t: float, v: float, phi: float) -> str:
     """A moment of a ride in words."""
     return say("car_board.moment", t=f"{t:.1f}", v=f"{v:.3g}", phi=round(math.degrees(phi)))

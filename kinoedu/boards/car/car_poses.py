@@ -1,6 +1,4 @@
-"""The scene of a car: where it starts and is to go, each a place and the tip that it looks at, and
-the car that is driven.
-"""
+"""The scene of a car: start and goal, each a place and a tip that it looks at, and the car."""
 
 import math
 from collections.abc import Iterable, Sequence
@@ -11,52 +9,67 @@ from ...geometry.checks import Array
 from ...problems import ProblemRecord
 from ...robots.car import CarRobot
 from ...words import say
-from ..core.scene import Scene, drawn, driven, handle
-from ..planning.plans import scene_with
+from ..core.scene import Scene, handle, mark_drawn, mark_driven
+from ..planning.plans import make_world_scene
 
 NAMES = ("start", "start_looks", "goal", "goal_looks", "car")
 CAR = 4  # the number of the handle that is driven
-BEFORE = 0.35  # wheelbases before the car at which its tip is
+BEFORE = 0.35  # the distance from the car's front to its tip, in wheelbases
 
 
-def car_scene(problem: ProblemRecord) -> Scene:
-    """What stands in a problem's world, and the handles of its poses."""
+def make_car_scene(problem: ProblemRecord) -> Scene:
+    """The scene of a problem's world, with the handles of its poses."""
     places = handle_places(problem.robot, problem.start, problem.goal, problem.start)
     handles = [
-        drawn(handle(say(f"car_board.{name}"), at, colour="ink"))
+        mark_drawn(handle(say(f"car_board.{name}"), at, colour="ink"))
         for name, at in zip(NAMES, places, strict=True)
     ]
-    return {**scene_with(problem.world, [*handles[:CAR], driven(handles[CAR])]), "posed": True}
+    return {
+        **make_world_scene(problem.world, [*handles[:CAR], mark_driven(handles[CAR])]),
+        "posed": True,
+    }
 
 
 def handle_places(car: CarRobot, start: Array, goal: Array, here: Array) -> list[Array]:
-    """Where the handles are when the car, now here, is to go from start to goal."""
-    return [start[:2], tip_of(car, start), goal[:2], tip_of(car, goal), middles(car, here[None])[0]]
+    """The positions of the handles for a start, a goal, and the car's present pose `here`."""
+    return [
+        start[:2],
+        tip_of(car, start),
+        goal[:2],
+        tip_of(car, goal),
+        body_middles(car, here[None])[0],
+    ]
 
 
-def poses_in(scene: Scene, car: CarRobot, known: Iterable[tuple[Array, Array]]) -> list[Array]:
-    """Start and goal by their handles. A tip that is where one of the known pairs has it keeps that
-    heading, to the last digit, so that a place that is moved is not turned by it."""
-    at = [np.array(item["at"]) for item in scene["handles"]]
-    pairs = list(known)
-    return [pose_by(at[2 * k], at[2 * k + 1], car, [pair[k] for pair in pairs]) for k in range(2)]
+def poses_in(scene: Scene, car: CarRobot, former: Iterable[tuple[Array, Array]]) -> list[Array]:
+    """The poses of start and goal, from their handles.
+
+    former : pairs (start, goal). A tip that stands exactly where a former pose has it keeps that
+        heading to the last digit, so that moving a place does not turn the pose.
+    """
+    start, start_tip, goal, goal_tip = (np.array(h["at"]) for h in scene["handles"][:CAR])
+    starts, goals = zip(*former, strict=True)
+    return [
+        pose_from_handles(start, start_tip, car, starts),
+        pose_from_handles(goal, goal_tip, car, goals),
+    ]
 
 
-def pose_by(place: Array, tip: Array, car: CarRobot, known: Sequence[Array]) -> Array:
+def pose_from_handles(place: Array, tip: Array, car: CarRobot, former: Sequence[Array]) -> Array:
     """The pose at a place that looks at a tip."""
-    for pose in known:
+    for pose in former:
         if np.array_equal(tip, tip_of(car, pose)):
             return np.array([*place, pose[2]])
     return np.array([*place, math.atan2(tip[1] - place[1], tip[0] - place[0])])
 
 
 def tip_of(car: CarRobot, pose: Array) -> Array:
-    """The point before the car that a pose looks at."""
+    """The point in front of the car that a pose looks at."""
     reach = float(car.outline[:, 0].max()) + BEFORE * car.wheelbase
     return pose[:2] + reach * np.array([math.cos(pose[2]), math.sin(pose[2])])
 
 
-def middles(car: CarRobot, poses: Array) -> Array:
-    """The middles of the car's body at poses (m, 3), shape (m, 2)."""
+def body_middles(car: CarRobot, poses: Array) -> Array:
+    """The midpoints of the car's body at poses (m, 3), shape (m, 2)."""
     ahead = 0.5 * float(car.outline[:, 0].max() + car.outline[:, 0].min())
     return poses[:, :2] + ahead * np.column_stack([np.cos(poses[:, 2]), np.sin(poses[:, 2])])

@@ -1,6 +1,4 @@
-"""A board about cars: two poses to drag, and the shortest ways between them, forward only and both
-ways.
-"""
+"""A board of a car's curves: two poses to drag, and the shortest curves between them."""
 
 import math
 
@@ -11,21 +9,28 @@ from ...curves import Curve, dubins_path, reeds_shepp_path
 from ...curves.curve import as_pose, as_radius
 from ...geometry.checks import Array
 from ...words import say
-from ..arm.reach import segments
 from ..core.canvas import Canvas
-from ..core.drawing import Drawing, Layer, arrows, edges
+from ..core.drawing import Drawing, Layer, arrows, edges, segments_along
 from ..core.scene import Scene, handle, make_scene, place_of
 
-NOSE = 1.5  # turning radii from a pose to what it points at
-PIECES = 40  # of an arc, to draw it
+NOSE = 1.5  # the distance from a pose to the point that it looks at, in turning radii
+PIECES = 40  # the points that draw an arc
 
 
 def curves_board(a: ArrayLike, b: ArrayLike, radius: float) -> Canvas:
-    """Drag two poses, and the points that they look at: Dubins' way from the first to the second,
-    and Reeds' and Shepp's.
+    """Drag two poses and the points that they look at: Dubins and Reeds-Shepp curves.
 
-    a, b : (x, y, theta), where they begin. Raises InvalidPoint, InvalidParameter.
+    Parameters
+    ----------
+    a, b : (x, y, theta), the first poses.
+    radius : the turning radius.
 
+    Raises
+    ------
+    InvalidPoint, InvalidParameter
+
+    Examples
+    --------
     >>> curves_board((0, 0, 0), (0, 4, 0), 2.0)
     Canvas(forward only LSL, 16.6 long; both ways RLRL, 7.29 long)
     """
@@ -38,7 +43,7 @@ def curves_board(a: ArrayLike, b: ArrayLike, radius: float) -> Canvas:
         handles.append(handle(say(f"curves_board.{name}_looks"), nose(pose, r), colour=colour))
     return Canvas(
         make_scene(middle - 0.55 * reach, middle + 0.55 * reach, handles=handles),
-        lambda now: curves_drawn(now, r),
+        lambda now: draw_curves(now, r),
     )
 
 
@@ -48,18 +53,19 @@ def nose(pose: Array, radius: float) -> Array:
 
 
 def pose_in(scene: Scene, name: str) -> Array:
-    """A pose, by its two handles."""
+    """A pose in a scene, from its two handles."""
     place, ahead = place_of(scene, name), place_of(scene, say(f"curves_board.{name}_looks"))
     return np.array([*place, math.atan2(ahead[1] - place[1], ahead[0] - place[0])])
 
 
-def curves_drawn(scene: Scene, radius: float) -> Drawing:
-    """Both curves, what is driven back dashed; and what the poses look at, moved to its
-    distance.
+def draw_curves(scene: Scene, radius: float) -> Drawing:
+    """Draw both curves, backward pieces dashed.
+
+    The points that the poses look at return to their distance.
     """
     a, b = pose_in(scene, "a"), pose_in(scene, "b")
     forward, both = dubins_path(a, b, radius), reeds_shepp_path(a, b, radius)
-    layers = [*curve_layers(forward, "tree", 2.0), *curve_layers(both, "path", 4.0)]
+    layers = [*draw_curve(forward, "tree", 2.0), *draw_curve(both, "path", 4.0)]
     for pose, colour in ((a, "start"), (b, "goal")):
         layers.append(arrows([pose[:2]], [nose(pose, radius) - pose[:2]], colour))
     words = {
@@ -72,11 +78,11 @@ def curves_drawn(scene: Scene, radius: float) -> Drawing:
     return Drawing(layers, text=say("curves_board.text", **words), places=places)
 
 
-def curve_layers(curve: Curve, colour: str, width: float) -> list[Layer]:
-    """A curve's pieces."""
+def draw_curve(curve: Curve, colour: str, width: float) -> list[Layer]:
+    """Draw the pieces of a curve."""
     ends = np.concatenate([[0.0], np.cumsum(np.abs(curve.lengths))])
     pieces = [
-        segments(curve.at(np.linspace(begin, end, PIECES))[:, :2])
+        segments_along(curve.at(np.linspace(begin, end, PIECES))[:, :2])
         for begin, end in zip(ends, ends[1:])
     ]
     return [

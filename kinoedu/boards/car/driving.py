@@ -1,5 +1,6 @@
-"""Driving by arrow keys: each moment is a control, held while nothing is in the way. The drive is a
-trajectory like any other.
+"""Driving by arrow keys: each moment is one control, applied until something is in the way.
+
+The drive is a trajectory like any other.
 """
 
 import math
@@ -16,82 +17,83 @@ from ...robots.car import CarRobot
 from ...robots.trajectory import Trajectory, TrajectoryRecord
 
 NOTCHES = 8  # of the steering wheel either way
-MOMENT = 0.06  # wheelbases that the car goes while a key is held for a moment
-# of a moment's way is left before what the car comes upon: so it can back off, whatever rounding
-# does
+MOMENT = 0.06  # the distance driven in one moment, in wheelbases
+# The fraction of a moment's way that is left before a contact, so that the car can back off
+# despite rounding.
 SHORT = 1e-6
 
 
 class Drive(NamedTuple):
-    """What was driven, the notch of the steering wheel (positive to the left), and whether
-    something is in the way.
-    """
+    """A trajectory driven, the notch of the wheel (positive: left), and whether it was stopped."""
 
     trajectory: TrajectoryRecord
     notch: int
     stopped: bool
 
 
-def standing_at(problem: ProblemRecord) -> Drive:
-    """Nothing is driven yet."""
+def start_drive(problem: ProblemRecord) -> Drive:
+    """The drive of a car that stands at its start."""
     return Drive(Trajectory(problem.robot, problem.start, np.empty((0, 2)), []), 0, False)
 
 
-def driven_on(problem: ProblemRecord, drive: Drive, held: Set[str]) -> Drive:
-    """The drive after one more moment in which arrow keys are held: left and right steer by a
-    notch, up and down drive.
+def continue_drive(problem: ProblemRecord, drive: Drive, held: Set[str]) -> Drive:
+    """The drive after one more moment with arrow keys held.
 
-    The wheel stays where it is let. Keys against each other do nothing. What cannot be driven is
-    left out, up to the contact.
+    Left and right steer by a notch, up and down drive. The wheel stays where it is when keys are
+    released. Opposite keys cancel out. A motion in collision is cut before the contact.
     """
     notch = drive.notch + ("ArrowLeft" in held) - ("ArrowRight" in held)
     notch = int(np.clip(notch, -NOTCHES, NOTCHES))
-    v = speed(problem.robot, ("ArrowUp" in held) - ("ArrowDown" in held))
+    v = greatest_speed(problem.robot, ("ArrowUp" in held) - ("ArrowDown" in held))
     if v == 0.0:
         return drive._replace(notch=notch)
-    phi, moment = steering(problem.robot, notch), MOMENT * problem.robot.wheelbase / abs(v)
-    trajectory, stopped = held_on(problem, drive.trajectory, v, phi, moment)
+    phi, moment = steering_angle(problem.robot, notch), MOMENT * problem.robot.wheelbase / abs(v)
+    trajectory, stopped = extend_trajectory(problem, drive.trajectory, v, phi, moment)
     return Drive(trajectory, notch, stopped)
 
 
-def speed(car: CarRobot, way: int) -> float:
-    """The fastest of a car's speeds forward, 1, or back, -1; 0 where it has none."""
-    return float(
-        max(car.speeds.max(), 0.0) if way > 0 else min(car.speeds.min(), 0.0) if way < 0 else 0.0
-    )
+def greatest_speed(car: CarRobot, way: int) -> float:
+    """A car's greatest speed forward (way 1) or backward (way -1); 0 where it has none."""
+    if way == 0:
+        return 0.0
+    return float(max(car.speeds.max(), 0.0) if way > 0 else min(car.speeds.min(), 0.0))
 
 
-def steering(car: CarRobot, notch: int) -> float:
+def steering_angle(car: CarRobot, notch: int) -> float:
     """The steering angle at a notch of the wheel."""
     return car.max_steering * notch / NOTCHES
 
 
-def held_on(
+def extend_trajectory(
     problem: ProblemRecord, trajectory: TrajectoryRecord, v: float, phi: float, moment: float
 ) -> tuple[TrajectoryRecord, bool]:
-    """A trajectory after a control was held for a moment more, or until something is in the way;
-    and whether it is.
+    """A trajectory extended by a control for a moment, and whether something is in the way.
 
-    A control that is held on is one arc, not many: it is judged whole, from where it began.
+    If the control is the last one again, its arc is extended and judged as a whole, from where it
+    began.
     """
     controls, durations, poses = trajectory.controls, trajectory.durations, trajectory.poses
     again = len(controls) > 0 and controls[-1].tolist() == [v, phi]
     before = float(durations[-1]) if again else 0.0
-    time, stopped = free_time(problem, poses[-2 if again else -1], v, phi, before, before + moment)
+    time, stopped = find_free_time(
+        problem, poses[-2 if again else -1], v, phi, before, before + moment
+    )
     if time > before:
         kept = len(controls) - again
-        controls, durations = (
-            np.vstack([controls[:kept], (v, phi)]),
-            np.append(durations[:kept], time),
-        )
+        controls = np.vstack([controls[:kept], (v, phi)])
+        durations = np.append(durations[:kept], time)
     return trajectory._replace(controls=controls, durations=durations), stopped
 
 
-def free_time(
+def find_free_time(
     problem: ProblemRecord, pose: Array, v: float, phi: float, least: float, most: float
 ) -> tuple[float, bool]:
-    """For how long a control can be held from a pose, at most `most`, if `least` is free; and
-    whether something is in the way.
+    """How long a control can be applied from a pose, and whether something is in the way.
+
+    Parameters
+    ----------
+    least : a duration known to be free.
+    most : the longest duration wanted.
     """
     robot, world, clearance = problem.robot, problem.world, problem.clearance
     curvature = robot.curvature(phi)
@@ -109,7 +111,7 @@ def free_time(
     return (time if is_free(robot, world, there, clearance) else least), True
 
 
-def at_goal(problem: ProblemRecord, pose: Array) -> bool:
-    """Whether a pose counts as the goal: as near as `kinodynamic_rrt` asks by default."""
+def is_at_goal(problem: ProblemRecord, pose: Array) -> bool:
+    """Whether a pose counts as the goal, with the default tolerance of `kinodynamic_rrt`."""
     near = near_of(problem, None, math.radians(15.0))
     return is_near(pose, problem.goal, near)

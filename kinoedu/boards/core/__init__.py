@@ -1,1 +1,1 @@
-"""What every board stands on: the canvas, the scene, the drawing, and the board as a picture."""
+"""The parts that all boards share: canvas, scene, drawing, and a board as a picture."""

@@ -1,34 +1,39 @@
-// The live board of kinoedu. Plain JavaScript, as it stands here: nothing is built, nothing is fetched.
+// The live board of kinoedu, in plain JavaScript: no build step, no downloads.
 //
-// This side knows a *scene*: what stands there, and what of it can be dragged. Each change of it is sent to Python, which answers
-// with a *drawing*: layers of lines, dots, arrows and words, and a text. What they mean, only Python knows.
+// The browser knows a *scene*: the things on the board, and which of them can be dragged. It sends
+// each change to Python, which answers with a *drawing*: layers of lines, dots, arrows and texts,
+// and a text below the picture. Only Python knows what they mean.
 //
-//   Board   what all views of one widget share: the scene, its changes and the answers to them, how much of the growth is shown
-//   View    one picture of it on a page: what is painted, and what a pointer or a key does
+//   Board   shared by all views of one widget: the scene, its changes, the answers, the growth shown
+//   View    one picture of it on a page: painting, pointers and keys
 //
-// A *stop* is a handle that the answer draws: the second handle (the goal) comes to it when it is clicked, the first with Shift.
+// A *stop* is a handle that the answer draws. A click on it moves the second handle (the goal)
+// there, Shift and click the first.
 //
-// What is *drawn* is painted by the answer alone, which may put it elsewhere: an arm's tip stays within reach, wherever it is pulled.
+// A *drawn* item is painted only by the answer, which may move it: an arm's tip stays within reach,
+// wherever it is pulled.
 //
-// What is *driven* is moved by Python alone, while arrow keys are held: see `hold`. Where a scene is *posed*, its handles are places
-// and the tips that they look at, by turns: pressed on the ground, the second place comes there, with Shift the first, and its tip is
-// in the hand.
+// A *driven* item is moved only by Python, while arrow keys are held: see `hold`. In a *posed* scene
+// the handles are pairs of a place and its tip, the point that it looks at. A press on the ground
+// moves the second place there, with Shift the first, and its tip is dragged.
 //
-// A *thing* is what can be moved: {kind: "handle" | "disc" | "polygon", i} or {kind: "vertex", i, r, v}, vertex v of ring r.
+// A *thing* can be moved: {kind: "handle" | "disc" | "polygon", i}, or {kind: "vertex", i, r, v} for
+// vertex v of ring r.
 
-const IN_FLIGHT = 3;          // questions under way at once: they hide the delay of the way there and back
-const SLOW = 100;             // ms: an answer that took longer is waited for before the next is asked
-const VERY_SLOW = 1000;       // ms: then nothing is asked before the thing that is dragged is let go
-const PENDING = 250;          // ms after which an answer that is out of date is shown pale
+const IN_FLIGHT = 3;          // questions open at once, to hide the delay of a round trip
+const SLOW = 100;             // ms: after a slower answer only one question is open at a time
+const VERY_SLOW = 1000;       // ms: after a slower answer nothing is asked until the thing is released
+const PENDING = 250;          // ms after which an outdated answer is shown pale
 const QUIET = 600;            // ms without change before the text is read out
-const GROWTH = 4000;          // ms in which the whole growth is played
-const TICK = 40;              // ms between two messages that keys are held
+const GROWTH = 4000;          // ms to play the whole growth
+const TICK = 40;              // ms between two messages while keys are held
 const JITTER = 4;             // pixels: a pointer that moved less has clicked
-const TURNS = 12;             // pixels: a pointer that moved less from a place on the ground has not pulled its tip
-const TINT = 0.35, STRIPES = 9;   // how much a body covers, and how far apart its stripes are, in pixels
-const WIDEST = 640, HIGHEST = 560, PAD = 8;   // of the picture, in pixels
+const TURNS = 12;             // pixels: a pointer that moved less has not pulled the tip of a new pose
+const TINT = 0.35, STRIPES = 9;   // the opacity of a body; the distance of its stripes in pixels
+const WIDEST = 640, HIGHEST = 560, PAD = 8;   // the size of the picture, in pixels
 
-const boards = (globalThis[Symbol.for("kinoedu.boards")] ??= new Map());     // by the widget's key; each widget has this file anew
+// The boards by their widgets' keys. They are global, because each widget loads this file again.
+const boards = (globalThis[Symbol.for("kinoedu.boards")] ??= new Map());
 
 export default {
   initialize({ model }) {
@@ -61,35 +66,36 @@ function make(tag, className, parent, attributes = {}) {
   return element;
 }
 
-function crossings(y, rings) {           // where a level line crosses edges, from left to right
+function crossings(y, rings) {           // the x where a horizontal line crosses edges, ascending
   return rings.flatMap((ring) => ring.flatMap(([ax, ay], i) => {
     const [bx, by] = ring[(i + 1) % ring.length];
     return (ay > y) !== (by > y) ? [ax + ((y - ay) / (by - ay)) * (bx - ax)] : [];
   })).sort((a, b) => a - b);
 }
 
-function inside(x, y, rings) {           // of the first ring and outside the others: to the right an odd number of edges is crossed
+// Whether a point is in the first ring and outside the others: a ray crosses an odd number of edges.
+function inside(x, y, rings) {
   return crossings(y, rings).filter((at) => x < at).length % 2 === 1;
 }
 
-function middleAt(y, rings) {            // of the longest stretch of a level line within rings
+function middleAt(y, rings) {            // the middle of the longest piece of a horizontal line in rings
   const at = crossings(y, rings), wide = at.map((x, k) => (k % 2 ? x - at[k - 1] : 0)), k = wide.indexOf(Math.max(...wide));
   return k > 0 ? (at[k - 1] + at[k]) / 2 : null;
 }
 
-// ---- what all views share
+// ---- shared by all views
 
 class Board {
   constructor(model) {
     Object.assign(this, { model, key: model.get("key"), words: model.get("words"), palette: model.get("palette") });
     this.views = new Set();
-    this.id = Math.random().toString(36).slice(2);       // this page, among those that show the same widget
+    this.id = Math.random().toString(36).slice(2);       // of this page; several may show one widget
     this.scene = copy(model.get("scene"));
-    this.drawing = { text: "", warning: "", layers: [], total: 0, unit: "", told: [], places: [] };
+    this.drawing = { text: "", warning: "", layers: [], total: 0, unit: "", stepTexts: [], places: [] };
     Object.assign(this, { seq: 0, shown: 0, asked: 0, stale: 0, answers: 0, took: 0, bitmaps: 0, unkept: false });
     Object.assign(this, { waiting: false, pendingSince: null, step: 0, playing: null });
     Object.assign(this, { held: new Set(), ticking: 0 });
-    this.moved = new Map();                              // what moved since Python was last asked
+    this.moved = new Map();                              // the things moved since the last question
     model.on("msg:custom", (message, buffers) => this.receive(message, buffers));
     model.on("change:scene", () => this.replaced());
     model.on("change:bitmap", () => this.laid());
@@ -99,7 +105,7 @@ class Board {
   stop() { this.pause(); this.release(); clearTimeout(this.timer); }
   changed() { this.views.forEach((view) => view.request()); }
 
-  // the scene: where things are, and moving them
+  // the scene: the places of things, and moving them
 
   things() {
     const { handles, polygons, discs } = this.scene;
@@ -117,26 +123,27 @@ class Board {
 
   item(thing) { return this.scene[{ handle: "handles", disc: "discs" }[thing.kind] ?? "polygons"][thing.i]; }
 
-  shape(thing) {                         // its coordinates: a point, or the rings of a polygon
+  shape(thing) {                         // the coordinates: a point, or the rings of a polygon
     const item = this.item(thing);
     if (thing.kind === "polygon") return item.rings;
     return thing.kind === "vertex" ? item.rings[thing.r][thing.v] : item.at;
   }
 
-  place(thing) {                         // one point for it: a polygon's lies within it, in the middle of its box if that does
+  place(thing) {                         // one point; for a polygon one inside, if possible its box's middle
     if (thing.kind !== "polygon") return this.shape(thing);
     const rings = this.shape(thing);
     const [x, y] = [0, 1].map((k) => (Math.min(...rings[0].map((p) => p[k])) + Math.max(...rings[0].map((p) => p[k]))) / 2);
     return inside(x, y, rings) ? [x, y] : [middleAt(y, rings) ?? x, y];
   }
 
-  move(thing, from, anchor, to) {        // as far as from the anchor to `to`, the anchor kept within the world; `from` is its shape before
+  // Move a thing of the shape `from` by the vector from `anchor` to `to`; `to` is kept in the world.
+  move(thing, from, anchor, to) {
     const { decimals } = this.scene, kept = this.kept(to);
     const shift = [0, 1].map((k) => kept[k] - anchor[k]);
     const item = this.item(thing), taken = this.riders(item);
     if (thing.kind === "polygon") {
-      const whole = shift.map((d) => Number(d.toFixed(decimals)));
-      item.rings = from.map((ring) => ring.map((p) => p.map((x, k) => Number((x + whole[k]).toFixed(decimals + 3)))));
+      const rounded = shift.map((d) => Number(d.toFixed(decimals)));
+      item.rings = from.map((ring) => ring.map((p) => p.map((x, k) => Number((x + rounded[k]).toFixed(decimals + 3)))));
     } else {
       const point = from.map((x, k) => Number((x + shift[k]).toFixed(decimals)));
       if (thing.kind === "vertex") item.rings[thing.r][thing.v] = point; else item.at = point;
@@ -145,18 +152,18 @@ class Board {
     this.hasMoved({ kind: thing.kind === "vertex" ? "polygon" : thing.kind, i: thing.i }, ...taken.map((i) => ({ kind: "handle", i })));
   }
 
-  kept([x, y]) {                         // a place within the world; across a side that is glued to another it comes in there
+  kept([x, y]) {                         // a place clamped to the world, or wrapped where sides are glued
     const { lo, hi, glued } = this.scene;
     if (!glued) return [clamp(x, lo[0], hi[0]), clamp(y, lo[1], hi[1])];
     return [x, y].map((value, k) => { const low = glued.lo[k], round = glued.hi[k] - low; return low + ((((value - low) % round) + round) % round); });
   }
 
-  riders(stop) {                         // the numbers of the handles that stand exactly on a stop, and go with it
+  riders(stop) {                         // the handles that stand exactly on a stop and move with it
     const { handles } = this.scene;
     return stop.stop ? [...handles.keys()].filter((i) => !handles[i].stop && same(handles[i].at, stop.at)) : [];
   }
 
-  call(i, stop) {                        // handle i to a stop
+  call(i, stop) {                        // move handle i to a stop
     this.scene.handles[i].at = [...stop.at];
     this.hasMoved({ kind: "handle", i });
   }
@@ -171,7 +178,7 @@ class Board {
     this.timer = setTimeout(() => this.changed(), PENDING + 20);
   }
 
-  settle() {                             // the thing was let go: when that is answered the scene is kept in the widget's state
+  settle() {                             // a thing was released: store the scene when it is answered
     this.unkept = true;
     this.ask(true);
     this.keep();
@@ -197,7 +204,7 @@ class Board {
     this.changed();
   }
 
-  replaced() {                           // by Python or by another page: what was answered to it?
+  replaced() {                           // Python or another page set the scene: ask for its drawing
     if (same(this.model.get("scene"), this.scene)) return;
     this.scene = copy(this.model.get("scene"));
     this.moved.clear();
@@ -205,13 +212,13 @@ class Board {
     this.changed();
   }
 
-  laid() {                               // another bitmap beneath
+  laid() {                               // Python set another bitmap
     this.bitmaps += 1;
     this.views.forEach((view) => { view.bitmap = view.bitmapPicture(); });
     this.changed();
   }
 
-  put() {                                // things where the newest answer has them, but not out of a hand that holds them
+  put() {                                // move things as the newest answer says, except those being dragged
     if (this.shown !== this.seq) return;
     const held = [...this.views].flatMap((view) => [...view.grabs.values()].map(({ thing }) => this.item(thing)));
     for (const [kind, i, where] of this.drawing.places) {
@@ -243,7 +250,7 @@ class Board {
     if (this.waiting) this.ask(true);
   }
 
-  // driving: while keys are held Python is told so, at most every so often, and moves what is driven
+  // driving: while keys are held, Python gets a message every TICK and moves the driven handle
 
   hold(key, down) {
     if (down) this.held.add(key); else this.held.delete(key);
@@ -262,8 +269,8 @@ class Board {
 
   show(message, buffers) {
     const layers = message.layers.map((layer, i) => ({ ...layer, data: floats(buffers[i]) }));
-    const { seq, text, warning, total, unit, told, places, took } = message;
-    this.drawing = { text, warning, layers, total, unit, told, places };
+    const { seq, text, warning, total, unit, step_texts: stepTexts, places, took } = message;
+    this.drawing = { text, warning, layers, total, unit, stepTexts, places };
     this.took = took;
     this.answers += 1;
     if (seq !== null) this.shown = seq;
@@ -284,7 +291,7 @@ class Board {
 
   team() { return this.model.get("partner") || this.key; }
 
-  lead() {                               // partners of as many steps are scrubbed along
+  lead() {                               // scrub the partners that have the same number of steps
     for (const other of boards.values()) {
       if (other === this || other.team() !== this.team() || other.drawing.total !== this.drawing.total) continue;
       Object.assign(other, { step: this.step, playing: null });
@@ -315,9 +322,11 @@ class Board {
   }
 
   text() {
-    const { text, warning, total, unit, told } = this.drawing;
+    const { text, warning, total, unit, stepTexts } = this.drawing;
     if (this.pendingSince !== null && performance.now() - this.pendingSince > PENDING) return this.words.thinking;
-    if (this.step < total && !warning) return told[this.step] ?? fill(this.words.growth, { shown: this.step, total, unit });
+    if (this.step < total && !warning) {
+      return stepTexts[this.step] ?? fill(this.words.growth, { shown: this.step, total, unit });
+    }
     return warning || text;
   }
 }
@@ -327,9 +336,9 @@ class Board {
 class View {
   constructor(board, el) {
     this.board = board;
-    this.grabs = new Map();              // by pointer: each finger may drag a thing of its own
-    this.buttons = new Map();            // by a thing's name
-    this.entered = null;                 // the polygon whose vertices can be reached by the keyboard
+    this.grabs = new Map();              // the thing dragged by each pointer or finger
+    this.buttons = new Map();            // a button for each thing, by its name
+    this.entered = null;                 // the polygon whose vertices have buttons
     this.paints = 0;
     this.build(el);
     this.listen();
@@ -357,7 +366,7 @@ class View {
     this.back.textContent = words.reset;
     this.driven = this.board.scene.handles.findIndex((handle) => handle.driven);
     if (this.driven >= 0) this.buildPad();
-    this.told = make("div", "kinoedu-told", this.root, { "aria-hidden": "true" });
+    this.text = make("div", "kinoedu-text", this.root, { "aria-hidden": "true" });
     this.state = make("div", "kinoedu-state", this.root, { role: "status", "aria-live": "polite" });
     const { handles, polygons, posed } = this.board.scene;
     const hints = [words.hint, polygons.some((p) => p.vertices) && words.deeper, handles.some((h) => h.stop) && words.stops,
@@ -366,7 +375,7 @@ class View {
     this.pen = this.canvas.getContext("2d");
   }
 
-  buildPad() {                           // a button for each arrow key, for fingers
+  buildPad() {                           // a button for each arrow key, for touch screens
     const { board } = this;
     this.pad = make("div", "kinoedu-pad", this.growth, { role: "group", "aria-label": board.words.pad });
     for (const [key, sign] of Object.entries(SIGNS)) {
@@ -374,13 +383,13 @@ class View {
       button.textContent = sign;
       button.addEventListener("pointerdown", (event) => { button.setPointerCapture(event.pointerId); board.hold(key, true); });
       for (const end of ["pointerup", "pointercancel"]) button.addEventListener(end, () => board.hold(key, false));
-      button.addEventListener("contextmenu", (event) => event.preventDefault());         // a finger that stays is no right click
+      button.addEventListener("contextmenu", (event) => event.preventDefault());         // of a long touch
       button.addEventListener("click", (event) => { if (event.detail === 0) { board.hold(key, true); board.hold(key, false); } });
     }
     this.steered(this.pad);
   }
 
-  steered(element) {                     // by the arrow keys while it has the focus
+  steered(element) {                     // let arrow keys drive while the element has the focus
     const held = (down) => (event) => {
       if (!WAYS[event.key] || event.ctrlKey || event.metaKey) return;
       this.board.hold(event.key, down);
@@ -397,13 +406,14 @@ class View {
     canvas.addEventListener("pointerdown", (e) => this.grab(e));
     canvas.addEventListener("pointermove", (e) => this.drag(e));
     for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, (e) => this.letGo(e));
-    this.root.addEventListener("keydown", (e) => { if (!e.ctrlKey && !e.metaKey) e.stopPropagation(); });    // they are not the notebook's
+    // The notebook must not handle the keys that the board uses.
+    this.root.addEventListener("keydown", (e) => { if (!e.ctrlKey && !e.metaKey) e.stopPropagation(); });
     this.button.addEventListener("click", () => board.play());
     this.back.addEventListener("click", () => board.reset());
     this.slider.addEventListener("input", () => { board.playing = null; board.growTo(this.slider.valueAsNumber); });
   }
 
-  // places: the world's (x, y), y up, and the picture's pixels, y down
+  // coordinates: the world's (x, y) with y up, and the picture's pixels with y down
 
   resize() {
     const { lo, hi } = this.board.scene;
@@ -419,7 +429,7 @@ class View {
     this.request();
   }
 
-  look() {                               // at the whole world, or through an eye at so much of it as that sees at this step
+  look() {                               // at the whole world, or at the part that an eye shows at this step
     const { lo, hi } = this.board.scene, eye = this.board.drawing.layers.find((layer) => layer.kind === "eye");
     const size = Math.max(hi[0] - lo[0], hi[1] - lo[1]);
     Object.assign(this, { scale: this.fit, unit: this.fit * size, left: PAD, bottom: this.height - PAD });
@@ -443,7 +453,7 @@ class View {
 
   // pointers
 
-  nearest(things, at, reach) {           // the thing nearest to a place, the first among equals, within so many pixels
+  nearest(things, at, reach) {           // the thing nearest to a place within `reach` pixels; ties: the first
     const far = things.map((thing) => { const p = this.board.place(thing); return Math.hypot(p[0] - at[0], p[1] - at[1]) * this.scale; });
     const best = far.indexOf(Math.min(...far));
     return far[best] <= reach ? things[best] : null;
@@ -453,7 +463,7 @@ class View {
 
   stopAt(at, touch) { return this.nearest(this.board.things().filter((thing) => this.board.item(thing).stop), at, touch ? 28 : 16); }
 
-  under(at, touch) {                     // the thing at a place: points first, the nearest within reach; then what covers it
+  under(at, touch) {                     // the thing at a place: the nearest point in reach, or what covers it
     const { board } = this, { scene } = board;
     const point = this.handleAt(at, touch) ?? this.nearest(scene.polygons.flatMap((_, i) => board.vertices(i)), at, touch ? 18 : 12);
     if (point) return point;
@@ -472,7 +482,8 @@ class View {
     this.canvas.setPointerCapture(event.pointerId);
     if (!thing) { this.pose(event, anchor); return; }
     const point = thing.kind !== "polygon";
-    const offset = point ? this.board.place(thing).map((x, k) => x - anchor[k]) : [0, 0];     // it does not jump to the pointer
+    // Points keep their distance from the pointer, so that they do not jump.
+    const offset = point ? this.board.place(thing).map((x, k) => x - anchor[k]) : [0, 0];
     const held = { thing, offset, anchor: point ? this.board.place(thing) : anchor, from: copy(this.board.shape(thing)) };
     this.grabs.set(event.pointerId, { ...held, x: event.clientX, y: event.clientY, still: true });
     if (thing.kind === "vertex") this.enter(thing.i);
@@ -480,7 +491,7 @@ class View {
     this.request();
   }
 
-  pose(event, anchor) {                  // a place on the ground, and its tip is held
+  pose(event, anchor) {                  // move a place to the pointer, and drag its tip
     const { board } = this, place = { kind: "handle", i: event.shiftKey ? 0 : 2 }, tip = { kind: "handle", i: place.i + 1 };
     board.move(place, board.place(place), board.place(place), anchor);
     this.grabs.set(event.pointerId, { thing: tip, offset: [0, 0], anchor, from: anchor, x: event.clientX, y: event.clientY, fresh: true });
@@ -505,12 +516,12 @@ class View {
     const { board } = this, item = board.item(held.thing);
     const stop = this.stopAt(held.still || !item.at ? this.toWorld(event) : item.at, event.pointerType === "touch");
     if (stop && held.still) board.call(event.shiftKey ? 0 : 1, board.item(stop));
-    else if (stop && held.thing.kind === "handle" && !item.stop) board.call(held.thing.i, board.item(stop));      // let go beside it
+    else if (stop && held.thing.kind === "handle" && !item.stop) board.call(held.thing.i, board.item(stop));   // released near it
     board.settle();
     this.request();
   }
 
-  // keys: every thing has a button over it, seen only while it has the focus
+  // keys: every thing has a button over it, visible only while it has the focus
 
   press(event, thing) {
     const way = WAYS[event.key];
@@ -551,7 +562,7 @@ class View {
     }
   }
 
-  makeButtons(wanted) {                  // in the order of the Tab key: a polygon's vertices follow it
+  makeButtons(wanted) {                  // in Tab order: a polygon's vertices follow it
     const before = this.buttons;
     this.buttons = new Map([...wanted].map(([name, thing]) => {
       const button = before.get(name) ?? make("button", "kinoedu-thing", null, { type: "button", "data-thing": name });
@@ -581,7 +592,7 @@ class View {
     if (this.canvas.width !== across || this.canvas.height !== down) Object.assign(this.canvas, { width: across, height: down });
     pen.setTransform(across / this.width, 0, 0, down / this.height, 0, 0);
     pen.lineJoin = pen.lineCap = "round";
-    if (!this.grabs.size) this.look();   // the ground stays where it is under a hand
+    if (!this.grabs.size) this.look();   // the view does not move during a drag
     const late = board.pendingSince !== null && performance.now() - board.pendingSince > PENDING;
     const layers = board.drawing.layers.filter((layer) => !layer.last || board.step >= board.drawing.total);
     const paint = (wanted) => {
@@ -626,7 +637,7 @@ class View {
     }
   }
 
-  bitmapPicture() {                      // one bit a cell, or a byte where it has colours of its own; the lowest row first
+  bitmapPicture() {                      // one bit per cell, or one byte with own colours; lowest row first
     const { size, colours } = this.board.scene, view = this.board.model.get("bitmap"), { palette } = this.board;
     if (!size || !view || !view.byteLength) return null;
     const [rows, columns] = size, bytes = new Uint8Array(view.buffer, view.byteOffset, view.byteLength);
@@ -645,7 +656,8 @@ class View {
 
   paintBitmap() {
     const { lo, hi } = this.board.scene.glued ?? this.board.scene, [x0, y1] = this.toPixels(lo), [x1, y0] = this.toPixels(hi);
-    this.pen.imageSmoothingEnabled = (x1 - x0) * (window.devicePixelRatio || 1) < this.bitmap.width;     // cells stay sharp
+    // Smooth only when the bitmap is made smaller, so that cells stay sharp.
+    this.pen.imageSmoothingEnabled = (x1 - x0) * (window.devicePixelRatio || 1) < this.bitmap.width;
     this.pen.drawImage(this.bitmap, x0, y0, x1 - x0, y1 - y0);
   }
 
@@ -655,7 +667,7 @@ class View {
     if (radius) { pen.globalAlpha = 0.35; pen.fillStyle = paint; pen.beginPath(); pen.arc(px, py, radius * this.scale, 0, 7); pen.fill(); pen.globalAlpha = 1; }
     if (marker === "star") this.star(px, py, 12, paint); else this.dot(at, 7, paint, palette.free);
     const right = at[0] < scene.lo[0] + 0.75 * (scene.hi[0] - scene.lo[0]), low = scene.handles.some((h) => h.stop);
-    const up = !low && at[1] < scene.lo[1] + 0.85 * (scene.hi[1] - scene.lo[1]);       // a stop's own name is above it
+    const up = !low && at[1] < scene.lo[1] + 0.85 * (scene.hi[1] - scene.lo[1]);       // stops' names are above
     this.write(name, px + (right ? 11 : -11), py + (up ? -15 : 15), paint, right ? "left" : "right", true);
   }
 
@@ -689,8 +701,9 @@ class View {
     pen.fillText(text, px, py);
   }
 
-  // layers: places in world sizes from its lower left corner; in one that grows each row ends with the step at which it came, and
-  // in one whose rows do not stay, with that at which it goes
+  // layers: coordinates are multiples of the world's size, from its lower left corner. In a layer
+  // that grows each row ends with the step at which it appears, and where rows do not stay, also
+  // with the step at which it disappears.
 
   eachRow({ data, grows, ends }, size, visit) {
     const stride = size + (grows ? 1 : 0) + (ends ? 1 : 0), { unit, left, bottom } = this;
@@ -716,7 +729,7 @@ class View {
     this.stroke(layer);
   }
 
-  outline(layer) {                       // of each row's polygon
+  outline(layer) {                       // trace the polygon of each row
     const { pen, unit, left, bottom } = this, size = 2 * layer.points, stride = size + (layer.grows ? 1 : 0) + (layer.ends ? 1 : 0);
     pen.beginPath();
     this.eachRow(layer, size, (_px, _py, _dx, _dy, k) => {
@@ -787,13 +800,13 @@ class View {
     });
   }
 
-  // words below the picture
+  // the text below the picture
 
   tellState(late) {
     const { board } = this, { drawing, words } = board, text = board.text();
     const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
-    this.told.textContent = text;
-    this.told.classList.toggle("kinoedu-warning", Boolean(drawing.warning) && !late);
+    this.text.textContent = text;
+    this.text.classList.toggle("kinoedu-warning", Boolean(drawing.warning) && !late);
     this.growth.classList.toggle("kinoedu-nothing", drawing.total === 0);
     this.slider.max = drawing.total;
     this.slider.value = board.step;

@@ -1,19 +1,22 @@
 """A live canvas: the browser drags and paints, Python answers.
 
-`Canvas(scene, answer)` shows a scene and, over it, what `answer(scene)` draws, again and again
-while something is dragged. All that a lesson writes is the answer: a function from a scene to a
-Drawing. The messages between the two halves:
+`Canvas(scene, answer)` shows a scene and draws `answer(scene)` over it, again and again while
+something is dragged. A lesson writes only the answer: a function from a scene to a Drawing.
+The messages between the two halves:
 
-    to Python   {kind: "hello", from}                       a page is there: what was answered last?
+    to Python   {kind: "hello", from}
+                    a page has opened and wants the newest drawing
                 {kind: "scene", from, seq, moved: [[kind, number, coordinates], ...]}
-                {kind: "keys", from, seq, held: ["ArrowUp", ...]}  again and again while arrow keys are held at what is driven
-    from Python {kind: "drawing", to, seq, took, text, warning, total, unit, told, places, layers}
-                                                            and a buffer of float32 for each layer
-                {kind: "note", text}                        what takes so long
+                {kind: "keys", from, seq, held: ["ArrowUp", ...]}
+                    sent repeatedly while arrow keys are held on a driven handle
+    from Python {kind: "drawing", to, seq, took, text, warning, total, unit, step_texts, places,
+                 layers} and a buffer of float32 for each layer
+                {kind: "note", text}
+                    the reason why an answer takes long
 
-`from` and `to` name a page, since several may show one widget; a drawing to none and without seq is
-for all. When something was let go, and that is answered, the page writes its whole scene to the
-trait `scene`. The bitmap is a trait too: it travels only when it changes.
+`from` and `to` name a page, because several pages may show one widget. A drawing without `to` and
+`seq` is for all pages. When something was let go and the answer has arrived, the page writes its
+whole scene to the trait `scene`. The bitmap is a trait too: it is sent only when it changes.
 """
 
 import base64
@@ -33,30 +36,17 @@ import traitlets
 from ...errors import KinoeduError
 from ...figures import palette
 from ...words import say
-from .drawing import Drawing, encoded
-from .printed import printed
-from .scene import Scene, arranged_like, everything, moved
+from .drawing import Drawing, encode_drawing
+from .printed import print_board
+from .scene import Scene, arrange_like, list_places, move_parts
 
 log = logging.getLogger("kinoedu")
 
 ARROWS = ("ArrowLeft", "ArrowUp", "ArrowDown", "ArrowRight")
-FRONT = {  # the words that the browser shows, and what it fills in
-    **dict.fromkeys(
-        (
-            "play",
-            "pause",
-            "next",
-            "reset",
-            "slider",
-            "movable",
-            "thinking",
-            "hint",
-            "deeper",
-            "stops",
-        ),
-        (),
-    ),
-    **dict.fromkeys(("posed", "driving", "pad", *ARROWS), ()),
+PLAIN = ("play", "pause", "next", "reset", "slider", "movable", "thinking")
+HINTS = ("hint", "deeper", "stops", "posed", "driving", "pad")
+FRONT: dict[str, tuple[str, ...]] = {  # the messages that the browser shows, and their values
+    **dict.fromkeys((*PLAIN, *HINTS, *ARROWS), ()),
     "growth": ("shown", "total", "unit"),
     "handle": ("name", "x", "y"),
     "stop": ("name", "x", "y"),
@@ -65,28 +55,30 @@ FRONT = {  # the words that the browser shows, and what it fills in
     "vertex": ("name", "number", "x", "y"),
 }
 
-_answering = (
-    threading.RLock()
-)  # messages and cells may come in different threads: one answer at a time, on all boards
+# Messages and cells may run in different threads: all boards together answer one at a time.
+_answering = threading.RLock()
 
 
 class Canvas(anywidget.AnyWidget):
-    """A scene to drag, and what is answered to it.
+    """A scene to drag, and the drawing that answers it.
 
     Parameters
     ----------
-    scene : what `make_scene` makes.
+    scene : a scene from `make_scene`.
     answer : a function from a scene to a Drawing. A KinoeduError that it raises is shown as a
-    warning, and nothing else.
-    free : a bitmap to draw beneath, (rows, columns), the lowest row first; true is free, or, where
-    the scene has `colours`, the
-        number of one.
-    drive : a function of the arrow keys held, by their names, that moves on what is driven; then
-    the scene is answered.
+        warning without a drawing.
+    free : a bitmap to draw beneath, (rows, columns), lowest row first. True is free; where the
+        scene has `colours`, each cell is the number of a colour.
+    drive : a function of the set of arrow keys held, by name. It moves the driven handle; then the
+        scene is answered.
 
-    `partner` is the key of another board that is scrubbed together with this one, as a plot is with
-    what it plots; so are all that have the same partner. `drawing` is the answer on show. Where
-    there is no JavaScript the same is shown as a picture.
+    Attributes
+    ----------
+    drawing : the answer shown now.
+    partner : the key of another board that is scrubbed together with this one, for example a plot
+        with its world. All boards with the same partner are scrubbed together.
+
+    Without JavaScript the board is shown as a picture.
     """
 
     _esm = Path(__file__).with_name("board.js")
@@ -108,16 +100,15 @@ class Canvas(anywidget.AnyWidget):
         drive: Callable[[set[str]], None] | None = None,
     ) -> None:
         self._answer, self._drive = answer, drive
-        self._free = (
-            None if free is None else np.asarray(free, np.uint8 if "colours" in scene else np.bool_)
-        )
+        kind: Any = np.uint8 if "colours" in scene else np.bool_
+        self._free = None if free is None else np.asarray(free, kind)
         self.drawing = Drawing()
         self._shown = {**scene, "size": None if self._free is None else list(self._free.shape)}
         super().__init__(
             key=uuid.uuid4().hex,
             scene=self._shown,
             home=deepcopy(self._shown),
-            bitmap=packed(self._free),
+            bitmap=pack_bitmap(self._free),
             palette=palette.NAMED,
             words={
                 name: say(f"board.front.{name}", **{v: f"{{{v}}}" for v in values})
@@ -129,59 +120,54 @@ class Canvas(anywidget.AnyWidget):
         self.refresh()
 
     def refresh(self) -> None:
-        """Answer the same scene again, because something else changed, and show that on every
-        page.
-        """
+        """Answer the same scene again, after something else changed, and show it on every page."""
         with _answering:
             self._draw()
             self._show(None, None)
 
     def arrange(self, scene: Scene) -> None:
-        """Put everything where a scene of the same parts has it, answer that, and show it on every
-        page.
+        """Move all parts to their places in another scene, answer it, and show it on every page.
+
+        The other scene has the same parts.
         """
         with _answering:
             self._shown = scene
             self._draw()
-            self._content["places"] = [list(part) for part in everything(scene)]
+            self._content["places"] = [list(part) for part in list_places(scene)]
             self._show(None, None)
-            self.scene = scene  # after its places: a page that has them asks for nothing
+            self.scene = scene  # last, because a page that has the places sends no question
 
-    def lay(self, bitmap: Any) -> None:
-        """Another bitmap beneath, of the same size: every page gets it now, and paints it with what
-        is answered next.
+    def set_bitmap(self, bitmap: Any) -> None:
+        """Replace the bitmap beneath by another of the same size.
+
+        Every page receives it now and paints it together with the next drawing.
         """
         with _answering:
             self._free = np.asarray(bitmap, None if self._free is None else self._free.dtype)
-            self.bitmap = packed(self._free)
+            self.bitmap = pack_bitmap(self._free)
 
     def set_state(self, sync_data: dict[str, Any]) -> None:
-        """What a page may change: where things are. Anything else, or a scene that makes no sense,
-        is left out.
-        """
+        """Accept from a page only where things are; ignore the rest, and any invalid scene."""
         try:
-            super().set_state(
-                {"scene": arranged_like(self.home, sync_data["scene"])}
-                if "scene" in sync_data
-                else {}
-            )
+            kept = {}
+            if "scene" in sync_data:
+                kept["scene"] = arrange_like(self.home, sync_data["scene"])
+            super().set_state(kept)
         except KinoeduError as error:
             log.warning("a board was sent a scene that it cannot show: %s", error)
 
     def _arranged(self, _: Any) -> None:
-        """The scene was set, by a page that let something go or by Python."""
+        """Answer a scene that a page or Python has set."""
         with _answering:
             if self.scene != self._shown:
                 self._shown = self.scene
                 self._draw()
 
     def _received(self, _: Any, message: Any, _buffers: Any) -> None:
-        """A message from a page; what is none of those above is left unanswered."""
-        page, seq = (
-            (message.get("from"), message.get("seq")) if isinstance(message, dict) else (None, None)
-        )
-        if not isinstance(page, str):
+        """Handle a message from a page; ignore messages of other forms."""
+        if not isinstance(message, dict) or not isinstance(message.get("from"), str):
             return
+        page, seq = message["from"], message.get("seq")
         with _answering:
             if message.get("kind") == "hello":
                 self._show(page, None)
@@ -194,22 +180,22 @@ class Canvas(anywidget.AnyWidget):
                     self._show(page, seq)
             elif message.get("kind") == "keys" and isinstance(seq, int) and self._drive is not None:
                 held = message.get("held")
-                self._drive(
-                    {key for key in ARROWS if key in held} if isinstance(held, list) else set()
-                )
+                keys = held if isinstance(held, list) else []
+                self._drive({key for key in ARROWS if key in keys})
                 self._draw()
                 self._show(page, seq)
 
     def _move(self, parts: Any) -> None:
-        """Some parts of the scene moved: answer, unless they are where they were."""
-        scene = moved(self._shown, parts)
+        """Move parts of the scene and answer it, unless nothing changed."""
+        scene = move_parts(self._shown, parts)
         if scene != self._shown:
             self._shown = scene
             self._draw()
 
     def _draw(self) -> None:
-        """Answer the scene, or say what is wrong with it; a fault of the answer's own is told and
-        logged, not raised at a page.
+        """Answer the scene, or show what is wrong with it.
+
+        An unexpected exception of the answer is shown as a warning and logged, not raised.
         """
         began = time.perf_counter()
         try:
@@ -218,54 +204,49 @@ class Canvas(anywidget.AnyWidget):
             self._keep(Drawing(warning=str(error)))
         except Exception as error:
             log.exception("a board could not answer")
-            self._keep(
-                Drawing(warning=say("board.failed", error=f"{type(error).__name__}: {error}"))
-            )
+            warning = say("board.failed", error=f"{type(error).__name__}: {error}")
+            self._keep(Drawing(warning=warning))
         self._content["took"] = 1e3 * (time.perf_counter() - began)
 
     def _keep(self, drawing: Drawing) -> None:
-        """Keep a drawing, and the message that carries it."""
+        """Keep a drawing and the message that carries it."""
         lo, hi = self._shown["lo"], self._shown["hi"]
-        self._content, self._buffers = encoded(drawing, lo, max(hi[0] - lo[0], hi[1] - lo[1]))
-        self._shown = moved(self._shown, self._content["places"])
+        self._content, self._buffers = encode_drawing(
+            drawing, lo, max(hi[0] - lo[0], hi[1] - lo[1])
+        )
+        self._shown = move_parts(self._shown, self._content["places"])
         self.drawing = drawing
 
     def _show(self, page: str | None, seq: int | None, *, warning: str = "") -> None:
-        """Send the drawing to a page, or to all; or a warning in its place."""
+        """Send the drawing, or a warning in its place, to one page or to all."""
+        content, buffers = self._content, self._buffers
         if warning:
-            content, _ = encoded(Drawing(warning=warning), self._shown["lo"], 1.0)
-            self.send(
-                {"kind": "drawing", "to": page, "seq": seq, "took": 0.0, **content}, buffers=[]
-            )
-        else:
-            self.send(
-                {"kind": "drawing", "to": page, "seq": seq, **self._content}, buffers=self._buffers
-            )
+            content, buffers = encode_drawing(Drawing(warning=warning), self._shown["lo"], 1.0)
+            content["took"] = 0.0
+        self.send({"kind": "drawing", "to": page, "seq": seq, **content}, buffers=buffers)
 
     def picture(self) -> bytes:
         """The board as it is now, as a PNG."""
-        return printed(self._shown, self.drawing, self._free)
+        return print_board(self._shown, self.drawing, self._free)
 
     def __repr__(self) -> str:
-        return f"{type(self).__name__}({self.drawing.says})"
+        return f"{type(self).__name__}({self.drawing.message})"
 
     def _repr_mimebundle_(self, **kwargs: Any) -> tuple[dict[str, Any], dict[str, Any]] | None:
-        return with_picture(super()._repr_mimebundle_(**kwargs), self, self)
+        return add_picture(super()._repr_mimebundle_(**kwargs), self, self)
 
 
-def packed(bitmap: Any) -> bytes:
-    """A bitmap as it travels: truths as bits, numbers as bytes; nothing where there is none."""
+def pack_bitmap(bitmap: Any) -> bytes:
+    """The bytes of a bitmap as sent: booleans as bits, numbers as bytes, b"" for None."""
     if bitmap is None:
         return b""
     return bytes(np.packbits(bitmap).tobytes() if bitmap.dtype == np.bool_ else bitmap.tobytes())
 
 
-def with_picture(
+def add_picture(
     bundle: Any, widget: Any, canvas: Any
 ) -> tuple[dict[str, Any], dict[str, Any]] | None:
-    """What a notebook keeps of a widget: its text, its place, and a picture for readers without
-    JavaScript.
-    """
+    """Add a picture for readers without JavaScript to what a notebook stores of a widget."""
     data, about = bundle if isinstance(bundle, tuple) else (bundle, {})
     if data is None:
         return None

@@ -1,8 +1,8 @@
-"""What a board answers: a drawing, made of layers of lines, dots, arrows and words.
+"""A board's answer: a drawing, made of layers of lines, dots, arrows and texts.
 
-A layer that *grows* says for each of its rows at which step it came, and perhaps at which it went,
-so that the board can show the drawing as it was then. Colours go by their names in
-`kinoedu.figures.palette`, in small letters.
+A layer that *grows* gives for each row the step at which it appears, and possibly the step at
+which it disappears, so that the board can show earlier states of the drawing. Colours are the
+names in `kinoedu.figures.palette`, in small letters.
 """
 
 from collections.abc import Sequence
@@ -14,21 +14,23 @@ from numpy.typing import ArrayLike
 
 from ...geometry.checks import Array
 
-POINTS = {
-    "edges": 2,
-    **dict.fromkeys(("path", "dots", "arrows", "labels", "eye"), 1),
-}  # that begin each row; a polygon's are all
+# The number of points that begin each row; the rows of polygons consist of points.
+POINTS = {"edges": 2, "path": 1, "dots": 1, "arrows": 1, "labels": 1, "eye": 1}
 
 
 class Layer(NamedTuple):
-    """Rows of numbers and how they look; the functions below make it.
+    """Rows of numbers and their style; made by the functions below.
 
-    rows : edges x, y, next x, next y; path, dots, labels x, y; arrows x, y, dx, dy; an eye x, y,
+    Attributes
+    ----------
+    rows : edges x, y, next x, next y; path, dots and labels x, y; arrows x, y, dx, dy; an eye x, y,
         width; cells and bodies all corners.
-    when : for each row the step at which it came, not decreasing; None where all is there from the
-        beginning.
-    until : for each row the step at which it is gone again; None where all stays.
-    last : it is shown only when everything else has grown. hatched : of bodies, with stripes.
+    when : for each row the step at which it appears, not decreasing; None where all rows are there
+        from the beginning.
+    until : for each row the step at which it disappears; None where all rows stay.
+    last : whether the layer is shown only when everything else has grown.
+    casing : whether a path lies on a dark line.
+    hatched : whether bodies have stripes.
     """
 
     kind: str
@@ -53,11 +55,17 @@ class Layer(NamedTuple):
 class Drawing:
     """A board's answer to a scene.
 
-    text : what the picture shows; warning : what is wrong instead. One of them is read out.
-    total : how many steps the growth has, 0 for none; unit : what a step is, in words.
-    told : the text at each step before the last, from step 0; left out, the board counts the steps.
-    places : where the answer puts things, each (kind, number, coordinates) as in `moved`; not out
-        of a hand that holds them.
+    Attributes
+    ----------
+    layers : what is drawn, the lowest first.
+    text : what the picture shows. It is read out, unless there is a warning.
+    warning : what is wrong; it replaces the text.
+    total : the number of steps of the growth, 0 for none.
+    unit : the unit of a step, in words.
+    step_texts : the text at each step before the last, from step 0; without them the board shows
+        the number of the step.
+    places : where the answer moves things, each (kind, number, coordinates) as in `move_parts`;
+        things that are being dragged are not moved.
     """
 
     layers: Sequence[Layer] = ()
@@ -65,11 +73,11 @@ class Drawing:
     warning: str = ""
     total: int = 0
     unit: str = ""
-    told: Sequence[str] = ()
+    step_texts: Sequence[str] = ()
     places: Sequence[tuple[str, int, Any]] = ()
 
     @property
-    def says(self) -> str:
+    def message(self) -> str:
         """The warning, or else the text."""
         return self.warning or self.text
 
@@ -83,16 +91,19 @@ def edges(
     when: ArrayLike | None = None,
     until: ArrayLike | None = None,
 ) -> Layer:
-    """Segments, shape (m, 2, 2)."""
-    return Layer(
-        "edges",
-        rows_of(segments, 4),
-        colour,
-        width,
-        tuple(dash),
-        steps_of(when),
-        until=steps_of(until),
-    )
+    """A layer of segments, shape (m, 2, 2)."""
+    rows, dashes = as_rows(segments, 4), tuple(dash)
+    return Layer("edges", rows, colour, width, dashes, as_steps(when), until=as_steps(until))
+
+
+def path_edges(
+    segments: ArrayLike, *, when: ArrayLike | None = None, until: ArrayLike | None = None
+) -> list[Layer]:
+    """Segments (m, 2, 2) in the style of a path, on a dark casing; unlike a path they may grow."""
+    return [
+        edges(segments, colour, width=width, when=when, until=until)
+        for colour, width in (("ink", 5.0), ("path", 3.0))
+    ]
 
 
 def path(
@@ -104,7 +115,7 @@ def path(
     casing: bool = True,
 ) -> Layer:
     """A line through points, shape (n, 2), on a dark casing; shown when everything has grown."""
-    return Layer("path", rows_of(points, 2), colour, width, tuple(dash), last=True, casing=casing)
+    return Layer("path", as_rows(points, 2), colour, width, tuple(dash), last=True, casing=casing)
 
 
 def dots(
@@ -115,10 +126,9 @@ def dots(
     when: ArrayLike | None = None,
     until: ArrayLike | None = None,
 ) -> Layer:
-    """Dots, shape (n, 2), of a radius in pixels."""
-    return Layer(
-        "dots", rows_of(points, 2), colour, radius, when=steps_of(when), until=steps_of(until)
-    )
+    """Dots at points, shape (n, 2); the radius is in pixels."""
+    rows = as_rows(points, 2)
+    return Layer("dots", rows, colour, radius, when=as_steps(when), until=as_steps(until))
 
 
 def arrows(
@@ -130,16 +140,16 @@ def arrows(
     when: ArrayLike | None = None,
     until: ArrayLike | None = None,
 ) -> Layer:
-    """Arrows from points (n, 2) along vectors (n, 2), in the world's unit."""
-    rows = np.hstack([rows_of(begins, 2), rows_of(vectors, 2)])
-    return Layer("arrows", rows, colour, width, when=steps_of(when), until=steps_of(until))
+    """Arrows from points (n, 2) along vectors (n, 2), in the unit of the world."""
+    rows = np.hstack([as_rows(begins, 2), as_rows(vectors, 2)])
+    return Layer("arrows", rows, colour, width, when=as_steps(when), until=as_steps(until))
 
 
 def labels(
     points: ArrayLike, texts: Sequence[str], colour: str, *, when: ArrayLike | None = None
 ) -> Layer:
-    """Words beside points, shape (n, 2)."""
-    return Layer("labels", rows_of(points, 2), colour, texts=tuple(texts), when=steps_of(when))
+    """Texts beside points, shape (n, 2)."""
+    return Layer("labels", as_rows(points, 2), colour, texts=tuple(texts), when=as_steps(when))
 
 
 def cells(
@@ -149,10 +159,8 @@ def cells(
     when: ArrayLike | None = None,
     until: ArrayLike | None = None,
 ) -> Layer:
-    """Filled polygons of k corners each, shape (n, k, 2), beneath obstacles and all other
-    layers.
-    """
-    return Layer("cells", outlines(corners), colour, when=steps_of(when), until=steps_of(until))
+    """Filled polygons of k corners each, shape (n, k, 2), beneath obstacles and other layers."""
+    return Layer("cells", polygon_rows(corners), colour, when=as_steps(when), until=as_steps(until))
 
 
 def bodies(
@@ -163,49 +171,61 @@ def bodies(
     when: ArrayLike | None = None,
     until: ArrayLike | None = None,
 ) -> Layer:
-    """Polygons of k corners each, shape (n, k, 2), over everything else: an outline, a tint, and
-    stripes where they are hatched.
+    """Outlined and tinted polygons of k corners each, shape (n, k, 2), above everything else.
+
+    Hatched ones have stripes too.
     """
-    return Layer(
-        "bodies",
-        outlines(corners),
-        colour,
-        2.0,
-        when=steps_of(when),
-        until=steps_of(until),
-        hatched=hatched,
-    )
+    layer = Layer("bodies", polygon_rows(corners), colour, 2.0, hatched=hatched)
+    return layer._replace(when=as_steps(when), until=as_steps(until))
 
 
 def eye(points: ArrayLike, width: float, *, when: ArrayLike) -> Layer:
-    """What is seen of the world from each step on: a stretch of a width, in the world's unit, with
-    a point (n, 2) in its middle.
+    """The part of the world that is shown from each step on.
+
+    Parameters
+    ----------
+    points : (n, 2), the middle of the part shown.
+    width : its width, in the unit of the world.
+    when : (n,), the step from which each applies.
     """
-    middles = rows_of(points, 2)
-    return Layer(
-        "eye", np.column_stack([middles, np.full(len(middles), width)]), "ink", when=steps_of(when)
-    )
+    middles = as_rows(points, 2)
+    rows = np.column_stack([middles, np.full(len(middles), width)])
+    return Layer("eye", rows, "ink", when=as_steps(when))
 
 
-def outlines(corners: ArrayLike) -> Array:
+def segments_along(points: Array) -> Array:
+    """A line through points (n, 2) as segments, shape (n - 1, 2, 2)."""
+    return np.stack([points[:-1], points[1:]], axis=1)
+
+
+def sides_of(ring: Array) -> Array:
+    """The sides of a polygon (n, 2) as segments, shape (n, 2, 2)."""
+    return np.stack([ring, np.roll(ring, -1, axis=0)], axis=1)
+
+
+def polygon_rows(corners: ArrayLike) -> Array:
     """Polygons of k corners each, shape (n, k, 2), as rows."""
     shapes = np.asarray(corners, np.float64)
-    return rows_of(shapes, 2 * shapes.shape[1])
+    return as_rows(shapes, 2 * shapes.shape[1])
 
 
-def rows_of(values: ArrayLike, columns: int) -> Array:
-    """Numbers as rows."""
+def as_rows(values: ArrayLike, columns: int) -> Array:
+    """Numbers as rows of a given number of columns."""
     return np.asarray(values, np.float64).reshape(-1, columns)
 
 
-def steps_of(when: ArrayLike | None) -> Array | None:
-    """Steps as numbers."""
+def as_steps(when: ArrayLike | None) -> Array | None:
+    """Steps as an array of numbers, or None."""
     return None if when is None else np.asarray(when, np.float64)
 
 
-def encoded(drawing: Drawing, lo: ArrayLike, size: float) -> tuple[dict[str, Any], list[bytes]]:
-    """A drawing as a message and a buffer of float32 for each layer: places as multiples of `size`
-    from the corner lo, a row's steps at its end.
+def encode_drawing(
+    drawing: Drawing, lo: ArrayLike, size: float
+) -> tuple[dict[str, Any], list[bytes]]:
+    """A drawing as a message and a buffer of float32 for each layer.
+
+    Coordinates are sent as multiples of `size` from the corner `lo`; the steps of a row follow its
+    coordinates.
     """
     about = [
         {
@@ -228,15 +248,16 @@ def encoded(drawing: Drawing, lo: ArrayLike, size: float) -> tuple[dict[str, Any
         rows = layer.rows / size
         for k in range(layer.points):
             rows[:, 2 * k : 2 * k + 2] = (layer.rows[:, 2 * k : 2 * k + 2] - corner) / size
-        whole = np.column_stack(
-            [rows, *(steps for steps in (layer.when, layer.until) if steps is not None)]
-        )
-        buffers.append(whole.astype(np.float32).tobytes())
-    words = {
+        steps = [steps for steps in (layer.when, layer.until) if steps is not None]
+        buffers.append(np.column_stack([rows, *steps]).astype(np.float32).tobytes())
+    places = [[kind, number, np.asarray(where).tolist()] for kind, number, where in drawing.places]
+    message = {
+        "layers": about,
+        "total": drawing.total,
+        "places": places,
         "text": drawing.text,
         "warning": drawing.warning,
         "unit": drawing.unit,
-        "told": list(drawing.told),
+        "step_texts": list(drawing.step_texts),
     }
-    places = [[kind, number, np.asarray(where).tolist()] for kind, number, where in drawing.places]
-    return {"layers": about, "total": drawing.total, "places": places, **words}, buffers
+    return message, buffers

@@ -1,47 +1,112 @@
-"""What boards of controls over pictures have in common."""
+"""The base of boards that have controls above their pictures."""
 
 from collections.abc import Sequence
 from typing import Any
 
 import ipywidgets as widgets
 
-from .canvas import Canvas, with_picture
-from .printed import side_by_side
+from ...planners.registry import Planner
+from ...planners.tuning import positive
+from ...words import has_words, say
+from .canvas import Canvas, add_picture
+from .printed import join_pictures
 
 
-class Framed(widgets.VBox):
-    """Controls above one canvas, or some in a row; the first is `canvas`. When a control changes,
-    that one answers anew.
+class Pictured(widgets.Box):
+    """A widget that a notebook stores with the text and the picture of its `canvas`."""
+
+    canvas: Canvas
+
+    def picture(self) -> bytes:
+        """The board as it is now, as a PNG."""
+        return self.canvas.picture()
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({self.canvas.drawing.message})"
+
+    def _repr_mimebundle_(self, **kwargs: Any) -> Any:
+        return add_picture(super()._repr_mimebundle_(**kwargs), self, self)
+
+
+class Framed(Pictured, widgets.VBox):
+    """Controls above one canvas or a row of canvases; the first one is `canvas`.
+
+    When a control changes, the first canvas answers again.
     """
 
     def __init__(self, controls: Sequence[Any], canvases: Sequence[Canvas]) -> None:
         self.canvas, self.canvases = canvases[0], list(canvases)
         for canvas in canvases[1:]:
             canvas.partner = self.canvas.key
-        super().__init__([*controls, self.canvas if len(canvases) == 1 else in_a_row(canvases)])
+        super().__init__(
+            [*controls, self.canvas if len(canvases) == 1 else arrange_in_row(canvases)]
+        )
         for control in controls:
             control.observe(self._changed, "value")
 
     def _changed(self, _: Any) -> None:
-        """Answer anew: a control has another value."""
+        """Answer again, because a control has another value."""
         self.canvas.refresh()
 
     def picture(self) -> bytes:
         """The board as it is now, as a PNG."""
         pictures = [canvas.picture() for canvas in self.canvases]
-        return pictures[0] if len(pictures) == 1 else side_by_side(*pictures)
+        return pictures[0] if len(pictures) == 1 else join_pictures(*pictures)
 
     def __repr__(self) -> str:
-        return (
-            f"{type(self).__name__}({'; '.join(canvas.drawing.says for canvas in self.canvases)})"
-        )
-
-    def _repr_mimebundle_(self, **kwargs: Any) -> Any:
-        return with_picture(super()._repr_mimebundle_(**kwargs), self, self)
+        said = "; ".join(canvas.drawing.message for canvas in self.canvases)
+        return f"{type(self).__name__}({said})"
 
 
-def in_a_row(canvases: Sequence[Canvas]) -> widgets.HBox:
-    """Canvases beside each other, below each other where there is no room."""
+def arrange_in_row(canvases: Sequence[Canvas], width: str = "19em") -> widgets.HBox:
+    """Canvases side by side, or below each other where there is no room."""
     for canvas in canvases:
-        canvas.layout = widgets.Layout(flex="1 1 19em", min_width="0", padding="0 2px 0 0")
+        canvas.layout = widgets.Layout(flex=f"1 1 {width}", min_width="0", padding="0 2px 0 0")
     return widgets.HBox(list(canvases), layout=widgets.Layout(flex_flow="row wrap", grid_gap="8px"))
+
+
+def make_menu(name: str, options: Sequence[tuple[str, str]], chosen: str) -> widgets.Dropdown:
+    """A drop-down menu named by the message under a key; options are pairs (text, value)."""
+    return widgets.Dropdown(options=options, value=chosen, **control_style(name))
+
+
+def title_of(planner: Planner, table: str) -> str:
+    """A planner's text in a menu: the message `<table>.<name>`, or else its row of the registry."""
+    key = f"{table}.{planner.name}"
+    return say(key) if has_words(key) else f"{planner.name}: {planner.about}"
+
+
+def make_counter(name: str, value: int, least: int, most: int) -> widgets.IntSlider:
+    """A slider for an integer, named by the message under a key."""
+    return widgets.IntSlider(value, min(least, value), max(most, value), **control_style(name))
+
+
+def make_length_slider(key: str, size: float, given: float | None) -> widgets.FloatSlider:
+    """A slider for a length, named by the message under a key.
+
+    Parameters
+    ----------
+    size : the size of the world.
+    given : the first value; None for a twentieth of the size.
+
+    Raises
+    ------
+    InvalidParameter
+        Where the given length is not positive.
+    """
+    first = size / 20.0 if given is None else positive(given, key.rpartition(".")[2])
+    notch = first / 20.0  # browsers round to notches, so the first value must be a multiple
+    return widgets.FloatSlider(
+        first,
+        min=min(first, notch * max(1, round(size / 200.0 / notch))),
+        max=notch * max(20, round(size / 4.0 / notch)),
+        step=notch,
+        readout_format=".3g",
+        **control_style(key),
+    )
+
+
+def control_style(key: str) -> dict[str, Any]:
+    """The shared style of a control, and its name: the message under a key."""
+    layout = widgets.Layout(width="30em", max_width="100%")
+    return {"description": say(key), "layout": layout, "style": {"description_width": "6em"}}

@@ -1,23 +1,30 @@
-"""Scenes: what stands on a board and what of it can be dragged, as plain data that Python and the
-browser share.
+"""Scenes: the things on a board and which of them can be dragged, as plain data.
+
+Python and the browser share this form.
 
 lo, hi      the corners of the world, [x, y]
 boundary    the ring outside of which nothing is free, or None
-polygons    each {name, rings: the outer one and its rooms, movable, vertices: whether those move one by one}
+polygons    each {name, rings: the outer one and its holes, movable, vertices: whether the vertices
+            can be dragged one by one}
 discs       each {name, at, radius, movable}
-handles     points to drag: each {name, at, colour, marker: "dot" or "star", radius: of a body to draw}; or a stop {name, at, stop},
-            drawn by the answer: the second handle comes to it when it is clicked, the first with Shift; what stands exactly
-            there is taken along when it is dragged
-driven      a handle that has this is put elsewhere by the answer alone, while arrow keys are held: see `Canvas`
-posed       the handles are places and the tips that they look at, by turns: pressed on the ground, the second place comes there,
-            with Shift the first, and its tip is in the hand. Left out, they are places alone
-drawn       what has this is painted by the answer alone, which may put it elsewhere: see `Drawing.places`
+handles     points to drag, each {name, at, colour, marker: "dot" or "star", radius: of a body to
+            draw}; or a stop {name, at, stop}, which the answer draws. A click on a stop moves the
+            second handle to it, Shift and click the first. Handles exactly at a stop move with it
+driven      a handle with this key is moved only by the answer, while arrow keys are held: see
+            `Canvas`
+posed       the handles are pairs of a place and its tip, the point that it looks at. A press on the
+            ground moves the second place there, with Shift the first, and its tip is dragged. Left
+            out, all handles are places
+drawn       an item with this key is painted only by the answer, which may move it: see
+            `Drawing.places`
 size        rows and columns of the bitmap beneath, or None
-colours     the names of the colours of a bitmap that has a byte a cell; left out, it is of bits, and true is free
-glued       {lo, hi}: a box whose opposite sides are one, so that what leaves it comes in again; the bitmap fills it. Left out,
-            the world ends at its rim, and the bitmap fills it all
-ticks       whether a picture of it has scales; left out, it has
-decimals    how many digits behind the point a dragged coordinate keeps
+colours     the names of the colours of a bitmap with one byte for each cell. Left out, the bitmap
+            has bits, and true is free
+glued       {lo, hi}: a box whose opposite sides are identified: what leaves it on one side enters
+            on the other. The bitmap fills it. Left out, the world ends at its rim, and the bitmap
+            fills the world
+ticks       whether its picture has scales. Left out, it has
+decimals    the number of decimals that a dragged coordinate keeps
 """
 
 from typing import Any
@@ -42,7 +49,25 @@ def make_scene(
     boundary: ArrayLike | None = None,
     **parts: list[dict[str, Any]],
 ) -> Scene:
-    """A scene of `handles`, `polygons` and `discs`, each a list; see the functions below."""
+    """A scene of `handles`, `polygons` and `discs`, lists of what the functions below return.
+
+    Parameters
+    ----------
+    lo, hi : (2,), the corners of the world.
+    boundary : (n, 2), the ring outside of which nothing is free.
+
+    Returns
+    -------
+    dict
+        Plain data, as the head of this file describes it.
+
+    Raises
+    ------
+    InvalidParameter
+        For a list of another name.
+    InvalidPoint
+        Where a corner or the boundary is not made of finite numbers.
+    """
     low, high = as_point(lo, "lo"), as_point(hi, "hi")
     unknown = set(parts) - set(LISTS.values())
     if unknown:
@@ -73,14 +98,14 @@ def handle(
 
 
 def stop(name: str, at: ArrayLike) -> dict[str, Any]:
-    """A point to drag, to which the first two handles can be called."""
+    """A point to drag; the first two handles can be moved to it by a click."""
     return {"name": name, "at": as_point(at, name).tolist(), "stop": True}
 
 
 def polygon(
     name: str, rings: list[Array], *, movable: bool = True, vertices: bool = True
 ) -> dict[str, Any]:
-    """A polygon to drag, whole or by its vertices; the rings after the first are its rooms."""
+    """A polygon to drag as a whole or by its vertices; the rings after the first are holes."""
     return {
         "name": name,
         "rings": [ring.tolist() for ring in rings],
@@ -99,84 +124,99 @@ def disc(name: str, at: ArrayLike, radius: float, *, movable: bool = True) -> di
     }
 
 
-def drawn(item: dict[str, Any]) -> dict[str, Any]:
-    """A handle or polygon that can be dragged, but is painted by the answer, which may put it
-    elsewhere.
-    """
+def mark_drawn(item: dict[str, Any]) -> dict[str, Any]:
+    """A handle or polygon that is dragged, but painted by the answer, which may move it."""
     return {**item, "drawn": True}
 
 
-def driven(item: dict[str, Any]) -> dict[str, Any]:
-    """A handle that is not dragged, but driven by the arrow keys."""
-    return {**drawn(item), "driven": True}
+def mark_driven(item: dict[str, Any]) -> dict[str, Any]:
+    """A handle that is driven by the arrow keys instead of dragged."""
+    return {**mark_drawn(item), "driven": True}
 
 
 def place_of(scene: Scene, name: str) -> Array:
-    """Where a handle is, shape (2,). Raises InvalidParameter where there is none of that name."""
+    """The position of a handle.
+
+    Returns
+    -------
+    (2,) array
+
+    Raises
+    ------
+    InvalidParameter
+        Where the scene has no handle of this name.
+    """
     for item in scene["handles"]:
         if item["name"] == name:
             return np.array(item["at"])
     raise InvalidParameter(f"the scene has no handle {name!r}")
 
 
-def moved(scene: Scene, parts: Any) -> Scene:
-    """The scene with some of its parts elsewhere: each (kind, number, coordinates), of the same
-    shape as before.
+def move_parts(scene: Scene, parts: Any) -> Scene:
+    """The scene with some parts at other places.
 
-    What comes from a browser is not trusted. Raises InvalidParameter, InvalidPoint.
+    Parameters
+    ----------
+    parts : each (kind, number, coordinates), of the same shape as before. They come from a browser
+        and are checked.
+
+    Raises
+    ------
+    InvalidParameter, InvalidPoint
+        Where a part does not exist, or its coordinates do not fit.
     """
     after = {**scene, **{name: list(scene[name]) for name in LISTS.values()}}
     if not isinstance(parts, list | tuple):
-        raise unknown(parts)
+        raise unknown_part(parts)
     for part in parts:
         if not isinstance(part, list | tuple) or len(part) != 3:
-            raise unknown(part)
+            raise unknown_part(part)
         kind, number, coordinates = part
         items = after[LISTS[kind]] if isinstance(kind, str) and kind in LISTS else []
         if not isinstance(number, int) or isinstance(number, bool) or not 0 <= number < len(items):
-            raise unknown(part)
-        items[number] = item_at(items[number], coordinates, part)
+            raise unknown_part(part)
+        items[number] = move_item(items[number], coordinates, part)
     return after
 
 
-def item_at(item: dict[str, Any], coordinates: Any, part: Any) -> dict[str, Any]:
-    """A handle, disc or polygon elsewhere."""
+def move_item(item: dict[str, Any], coordinates: Any, part: Any) -> dict[str, Any]:
+    """A handle, disc or polygon at another place."""
     if "at" in item:
         return {**item, "at": as_point(coordinates, item["name"]).tolist()}
     if not isinstance(coordinates, list | tuple) or len(coordinates) != len(item["rings"]):
-        raise unknown(part)
+        raise unknown_part(part)
     rings = [as_array(ring, item["name"]) for ring in coordinates]
-    if any(
-        ring.shape != np.shape(before) for ring, before in zip(rings, item["rings"], strict=True)
-    ):
-        raise unknown(part)
+    if [ring.shape for ring in rings] != [np.shape(before) for before in item["rings"]]:
+        raise unknown_part(part)
     return {**item, "rings": [ring.tolist() for ring in rings]}
 
 
-def unknown(part: Any) -> InvalidParameter:
-    """The error for a part that no scene has."""
+def unknown_part(part: Any) -> InvalidParameter:
+    """The error for a part that the scene does not have."""
     return InvalidParameter(say("board.no_such_part", part=shortened(part)))
 
 
-def arranged_like(home: Scene, proposed: Any) -> Scene:
-    """A whole scene from elsewhere: home with everything where the other has it. Raises
-    InvalidParameter, InvalidPoint.
+def arrange_like(home: Scene, proposed: Any) -> Scene:
+    """The home scene with every part where a proposed scene has it.
+
+    Raises
+    ------
+    InvalidParameter, InvalidPoint
+        Where the proposed scene does not have the same parts.
     """
     if not isinstance(proposed, dict):
-        raise unknown(proposed)
+        raise unknown_part(proposed)
     for name in LISTS.values():
         items = proposed.get(name)
-        if (
-            not isinstance(items, list)
-            or len(items) != len(home[name])
-            or not all(isinstance(item, dict) for item in items)
-        ):
-            raise unknown(items)
-    return moved(home, everything(proposed))
+        if not isinstance(items, list) or len(items) != len(home[name]):
+            raise unknown_part(items)
+        if not all(isinstance(item, dict) for item in items):
+            raise unknown_part(items)
+    return move_parts(home, list_places(proposed))
 
 
-def everything(scene: Scene) -> list[tuple[str, int, Any]]:
-    """Where each part of a scene is, as `moved` takes it."""
+def list_places(scene: Scene) -> list[tuple[str, int, Any]]:
+    """The place of each part of a scene, in the form that `move_parts` takes."""
     return [
         (kind, number, item.get("at", item.get("rings")))
         for kind, name in LISTS.items()

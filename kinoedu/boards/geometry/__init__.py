@@ -1,1 +1,1 @@
-"""Boards of the geometry of the plane: nearest points, samples, sweep lines, slides and solids."""
+"""Boards of geometry: distances, samples, the sweep line, C-obstacles in the plane and in 3-D."""

@@ -1,4 +1,4 @@
-"""Boards about the geometry of the plane."""
+"""The board of the distance from a point to a polygon."""
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -14,16 +14,19 @@ from ..core.scene import Scene, handle, make_scene, place_of, polygon
 
 
 def distance_board(vertices: ArrayLike, q: ArrayLike) -> Canvas:
-    """Drag q round a polygon, the polygon, or its vertices: the nearest point, the distance to it,
-    and the tangent there.
+    """Drag q, a polygon or its vertices: the nearest point, the distance and the tangent.
 
     Parameters
     ----------
-    vertices : (n, 2), a simple polygon; q : (2,), where q begins. The arrow is `polygon_tangent`,
-    one unit long.
+    vertices : (n, 2), a simple polygon.
+    q : (2,), where q begins. The arrow at q is `polygon_tangent`, one unit long.
 
-    Raises InvalidPolygon, InvalidPoint.
+    Raises
+    ------
+    InvalidPolygon, InvalidPoint
 
+    Examples
+    --------
     >>> distance_board([(0, 0), (4, 0), (4, 4), (0, 4)], q=(7, 8))
     Canvas(distance 5; nearest: vertex 2)
     """
@@ -37,15 +40,13 @@ def distance_board(vertices: ArrayLike, q: ArrayLike) -> Canvas:
         handles=[handle(name, here, colour="start")],
         polygons=[polygon(say("board.distance.polygon"), [ring])],
     )
-    return Canvas(scene, nearest_drawn)
+    return Canvas(scene, draw_nearest)
 
 
-def nearest_drawn(scene: Scene) -> Drawing:
-    """The polygon's point that is nearest to q, in a drawing."""
-    ring, q = (
-        as_ring(scene["polygons"][0]["rings"][0]),
-        place_of(scene, scene["handles"][0]["name"]),
-    )
+def draw_nearest(scene: Scene) -> Drawing:
+    """Draw the polygon's point that is nearest to q."""
+    ring = as_ring(scene["polygons"][0]["rings"][0])
+    q = place_of(scene, scene["handles"][0]["name"])
     tangent = arrows([q], [polygon_tangent(q, ring)], "path")
     numbers = labels(ring, [str(i) for i in range(len(ring))], "obstacle")
     distance = point_polygon_distance(q, ring)
@@ -53,23 +54,16 @@ def nearest_drawn(scene: Scene) -> Drawing:
         return Drawing([numbers, tangent], text=say("board.distance.inside"))
     edge, x, y, region = nearest_on_ring(q[0], q[1], ring)
     near, size = np.array([x, y]), f"{distance:.4g}"
-    text = (
-        say("board.distance.edge", distance=size, number=edge)
-        if region == 0
-        else say(
-            "board.distance.vertex",
-            distance=size,
-            number=edge if region == 1 else (edge + 1) % len(ring),
-        )
-    )
-    line = edges([[q, near]], "tree", width=2.5, dash=(6, 4))
-    return Drawing(
-        [
-            numbers,
-            line,
-            dots([near], "tree", radius=6.0),
-            labels([(q + near) / 2.0], [size], "tree"),
-            tangent,
-        ],
-        text=text,
-    )
+    if region == 0:
+        text = say("board.distance.edge", distance=size, number=edge)
+    else:
+        vertex = edge if region == 1 else (edge + 1) % len(ring)
+        text = say("board.distance.vertex", distance=size, number=vertex)
+    layers = [
+        numbers,
+        edges([[q, near]], "tree", width=2.5, dash=(6, 4)),
+        dots([near], "tree", radius=6.0),
+        labels([(q + near) / 2.0], [size], "tree"),
+        tangent,
+    ]
+    return Drawing(layers, text=text)

@@ -1,7 +1,8 @@
-// The board of solids. Plain JavaScript, as it stands here: nothing is built, nothing is fetched, nothing moves by itself.
+// The board of solids, in plain JavaScript: no build step, no downloads, no animation.
 //
-// On the left a mesh, painted from the farthest triangle to the nearest; above the plane it is glass, so that the cut is seen.
-// On the right what Python says the plane shows. One question to Python is under way at a time; the newest is asked next.
+// On the left is a mesh, painted from the farthest triangle to the nearest; above the plane it is
+// transparent, so that the cut is visible. On the right is the section that Python computes. One
+// question to Python is open at a time; the newest scene is asked next.
 
 const STEP = Math.PI / 36, NEAREST = 4, FARTHEST = 0.4, GLASS = 0.2, WAIT = 2000;
 
@@ -53,7 +54,7 @@ class Solid {
     this.model.off("change:place", this.replaced);
   }
 
-  normalise() {                          // the box's middle to the origin; x and y by one scale, theta as high as they are wide
+  normalise() {                          // centre the box; one scale for x and y, theta scaled to their width
     const [lo, hi] = this.box;
     this.middle = lo.map((l, k) => (l + hi[k]) / 2);
     const wide = Math.max(hi[0] - lo[0], hi[1] - lo[1]);
@@ -72,7 +73,7 @@ class Solid {
     const [lo, hi] = this.box;
     this.slider = make("input", "kinoedu-solid-slider", row, { type: "range", min: lo[2], max: hi[2], step: "any" });
     this.reading = make("output", "", row);
-    this.told = make("div", "kinoedu-solid-told", this.root, { role: "status", "aria-live": "polite" });
+    this.text = make("div", "kinoedu-solid-text", this.root, { role: "status", "aria-live": "polite" });
     make("div", "kinoedu-solid-hint", this.root).textContent = words.hint;
   }
 
@@ -89,7 +90,7 @@ class Solid {
     };
     grabbed(this.solid, (dx, dy, size) => this.turn((-4 * dx) / size, (4 * dy) / size));
     grabbed(this.slice, (dx, dy) => this.shift(dx / this.scale, -dy / this.scale));
-    this.solid.addEventListener("wheel", (e) => {       // only where the reader is: a page that is scrolled past is not held
+    this.solid.addEventListener("wheel", (e) => {       // only with the focus, so that pages can be scrolled
       if (document.activeElement !== this.solid) return;
       e.preventDefault();
       this.nearer(Math.exp(-e.deltaY / 500));
@@ -127,7 +128,7 @@ class Solid {
     this.request();
   }
 
-  ask() {                                // what does the plane show now? Not while the last question is open
+  ask() {                                // ask for the section, unless a question is open
     const { theta, place } = this.model.get("section");
     if (theta === this.theta && JSON.stringify(place) === JSON.stringify(this.place)) return;
     if (this.asked !== null && performance.now() - this.asked < WAIT) return;
@@ -155,7 +156,7 @@ class Solid {
     return [pen, size];
   }
 
-  projected([x, y, z], size) {           // right, up and towards the reader, from coordinates of the unit box
+  projected([x, y, z], size) {           // right, up, and towards the reader, from unit-box coordinates
     const c = Math.cos(this.azimuth), s = Math.sin(this.azimuth), h = Math.sin(this.height), k = Math.cos(this.height);
     const right = -s * x + c * y, ahead = c * x + s * y, zoom = 0.27 * size * this.zoom;
     return [size / 2 + zoom * right, size / 2 - zoom * (k * z - h * ahead), k * ahead + h * z];
@@ -170,7 +171,7 @@ class Solid {
     this.solid.setAttribute("aria-label", fill(this.words.solid, values));
     this.slice.setAttribute("aria-label", fill(this.words.slice, values));
     const { text, theta } = this.model.get("section");
-    if (this.told.textContent !== text) this.told.textContent = text;
+    if (this.text.textContent !== text) this.text.textContent = text;
     Object.assign(this.root.dataset, { paints: ++this.paints, theta, azimuth: this.azimuth, zoom: this.zoom });
   }
 
@@ -181,7 +182,7 @@ class Solid {
     const level = (this.theta - this.middle[2]) * this.scales[2], below = [], above = [];
     for (let f = 0; f < faces.length; f += 3) {
       const [a, b, c] = [3 * faces[f], 3 * faces[f + 1], 3 * faces[f + 2]];
-      if ((at[b] - at[a]) * (at[c + 1] - at[a + 1]) - (at[b + 1] - at[a + 1]) * (at[c] - at[a]) >= 0) continue;    // seen from inside
+      if ((at[b] - at[a]) * (at[c + 1] - at[a + 1]) - (at[b + 1] - at[a + 1]) * (at[c] - at[a]) >= 0) continue;    // back face
       const face = { a, b, c, f, depth: at[a + 2] + at[b + 2] + at[c + 2] };
       (unit[a + 2] + unit[b + 2] + unit[c + 2] > 3 * level ? above : below).push(face);
     }
@@ -195,7 +196,7 @@ class Solid {
         pen.closePath();
         pen.fillStyle = pen.strokeStyle = `rgb(${colours[f]},${colours[f + 1]},${colours[f + 2]})`;
         pen.fill();
-        if (alpha === 1) { pen.lineWidth = 0.7; pen.stroke(); }        // no seams
+        if (alpha === 1) { pen.lineWidth = 0.7; pen.stroke(); }        // hides seams
       }
       pen.globalAlpha = 1;
     };

@@ -1,8 +1,8 @@
-"""The board of solids: a mesh to turn and to cut, and beside it what the cut means in the plane.
+"""The board of solids: a mesh to turn and to cut, and the meaning of the cut in the plane.
 
-The browser turns the mesh, moves the plane and drags the point; Python answers what the plane
-shows, through the trait `section`: {theta, place, text, shapes}, each shape a list of points with
-colours. One question is under way at a time.
+The browser turns the mesh, moves the plane and drags the point; Python answers with the trait
+`section`: {theta, place, text, shapes}, each shape a list of points with colours. Only one
+question is open at a time.
 """
 
 import io
@@ -20,21 +20,21 @@ from numpy.typing import ArrayLike
 from ...c_space import translating_obstacles, turned, turning_obstacle
 from ...errors import InvalidParameter, KinoeduError
 from ...figures import palette
-from ...figures.solid import draw_mesh, section_of, shaded
+from ...figures.solid import cut_mesh, draw_mesh, shade_faces
 from ...geometry import convex_polygons_intersect
 from ...geometry.checks import Array, as_array, as_point
 from ...geometry.convex import convex_parts
 from ...geometry.rings import as_ring
 from ...support.text import shortened
 from ...words import say
-from ..core.canvas import with_picture
+from ..core.canvas import add_picture
 
 if TYPE_CHECKING:
     from trimesh import Trimesh
 
 log = logging.getLogger("kinoedu")
 
-MOST = 40_000  # triangles that a browser can paint as they are turned
+MOST = 40_000  # the most triangles that a browser can paint while they are turned
 FRONT = {"theta": (), "hint": (), "solid": ("azimuth", "height", "theta"), "slice": ("theta",)}
 Section = Callable[[float, Array], dict[str, Any]]
 
@@ -42,9 +42,7 @@ Section = Callable[[float, Array], dict[str, Any]]
 def shape(
     points: ArrayLike, fill: str = "", line: str = "", *, alpha: float = 1.0, closed: bool = True
 ) -> dict[str, Any]:
-    """A polygon or a line of a section, (n, 2), with the names of its colours in the palette; ""
-    for none.
-    """
+    """A polygon or line of a section, (n, 2); fill and line are names of colours, "" for none."""
     return {
         "points": np.asarray(points, float).tolist(),
         "fill": fill,
@@ -61,18 +59,22 @@ def solid_board(
     theta: float = 0.0,
     place: ArrayLike | None = None,
 ) -> "SolidBoard":
-    """A mesh in (x, y, theta) to turn by dragging, wheel or keys, and a plane through it whose cut
-    is shown beside it.
+    """A mesh in (x, y, theta) to turn by dragging, wheel or keys, and a plane that cuts it.
+
+    The cut is shown beside the mesh.
 
     Parameters
     ----------
     mesh : a trimesh.Trimesh of at most 40,000 triangles, drawn in its own face colours where it has
-    any.
-    section : what the plane shows, a function f(theta, place) -> {"text": words, "shapes":
-    [shape(...), ...]}; left out, the cut. theta, place : where the plane is, and the point that can
-    be dragged in it, (2,); without a place there is no point.
+        any.
+    section : a function f(theta, place) -> {"text": words, "shapes": [shape(...), ...]} that says
+        what the plane shows; by default the cut.
+    theta : the first height of the plane.
+    place : (2,), the point in the plane that can be dragged; None for no point.
 
-    Raises InvalidParameter, InvalidPoint.
+    Raises
+    ------
+    InvalidParameter, InvalidPoint
     """
     return SolidBoard(mesh, section, theta, place)
 
@@ -84,12 +86,23 @@ def turning_board(
     theta: float = 0.0,
     place: ArrayLike | None = None,
 ) -> "SolidBoard":
-    """The C-obstacle of a polygon that turns: the solid, and at the plane's heading the workspace,
-    the robot there to be dragged.
+    """The C-obstacle of a polygon that turns, and the workspace at the plane's heading.
 
-    robot_vertices : (n, 2), its reference point at the origin; obstacle : (m, 2). Raises
-        InvalidPolygon, InvalidPoint.
+    The robot in the workspace can be dragged.
 
+    Parameters
+    ----------
+    robot_vertices : (n, 2), with the reference point at the origin.
+    obstacle : (m, 2).
+    theta : the first heading.
+    place : (2,), the first place of the reference point.
+
+    Raises
+    ------
+    InvalidPolygon, InvalidPoint
+
+    Examples
+    --------
     >>> turning_board([(0, 0), (2, 0), (0, 1)], [(3, 3), (6, 3), (6, 5), (3, 5)], place=(4, 4))
     SolidBoard(θ = 0°: the robot touches the obstacle with its reference point at (4, 4))
     """
@@ -102,9 +115,7 @@ def turning_board(
 
 
 def workspace_section(robot: Array, obstacle: Array, theta: float, place: Array) -> dict[str, Any]:
-    """The workspace at one heading: the slice of the C-obstacle, the obstacle, the robot; and
-    whether it touches, exactly.
-    """
+    """The workspace at one heading: C-obstacle slice, obstacle, robot, and exact contact."""
     body = turned(robot, theta)
     touches = any(
         convex_polygons_intersect(p + place, q)
@@ -114,14 +125,10 @@ def workspace_section(robot: Array, obstacle: Array, theta: float, place: Array)
     grown = [
         shape(part, "outside", "", alpha=0.4) for part in translating_obstacles(body, [obstacle])
     ]
-    state, degrees = (
-        say("c_space.touches" if touches else "c_space.clear"),
-        f"{np.degrees(theta):.0f}",
-    )
+    state, degrees = "touches" if touches else "clear", f"{np.degrees(theta):.0f}"
+    x, y = (f"{value:.3g}" for value in place)
     return {
-        "text": say(
-            "c_space.section", theta=degrees, state=state, x=f"{place[0]:.3g}", y=f"{place[1]:.3g}"
-        ),
+        "text": say("c_space.section", theta=degrees, state=say(f"c_space.{state}"), x=x, y=y),
         "shapes": [
             *grown,
             shape(obstacle, "obstacle", ""),
@@ -131,8 +138,9 @@ def workspace_section(robot: Array, obstacle: Array, theta: float, place: Array)
 
 
 class SolidBoard(anywidget.AnyWidget):
-    """What `solid_board` makes. `theta` and `place` say where the plane and the point are; set them
-    to move both.
+    """The widget that `solid_board` returns.
+
+    Set `theta` and `place` to move the plane and the point.
     """
 
     _esm = Path(__file__).with_name("solid.js")
@@ -160,12 +168,11 @@ class SolidBoard(anywidget.AnyWidget):
         angle = as_array(theta, "theta")
         if angle.ndim:
             raise InvalidParameter(f"theta must be one angle, got {theta!r}")
+        colours = 255.0 * np.broadcast_to(shade_faces(mesh), (len(mesh.faces), 3))
         super().__init__(
             vertices=np.asarray(mesh.vertices, np.float32).tobytes(),
             faces=np.asarray(mesh.faces, np.uint32).tobytes(),
-            colours=(255.0 * np.broadcast_to(shaded(mesh), (len(mesh.faces), 3)))
-            .astype(np.uint8)
-            .tobytes(),
+            colours=colours.astype(np.uint8).tobytes(),
             box=mesh.bounds.tolist(),
             theta=float(angle),
             place=here,
@@ -179,9 +186,7 @@ class SolidBoard(anywidget.AnyWidget):
         self._answer()
 
     def set_state(self, sync_data: dict[str, Any]) -> None:
-        """What a page may change: where the plane and the point are. What makes no sense is left
-        out.
-        """
+        """Accept from a page only valid places of the plane and of the point."""
         kept: dict[str, Any] = {}
         try:
             if "theta" in sync_data:
@@ -206,18 +211,17 @@ class SolidBoard(anywidget.AnyWidget):
         return value if value is None else as_point(value, "place").tolist()
 
     def _answer(self) -> None:
-        """What the plane shows now."""
-        shown = self._section(
-            self.theta, np.array(self.place if self.place is not None else (0.0, 0.0))
-        )
+        """Compute what the plane shows now."""
+        place = np.array((0.0, 0.0) if self.place is None else self.place)
+        shown = self._section(self.theta, place)
         with self.hold_sync():
-            self.cut = section_of(self._mesh, self.theta)[:, :, :2].tolist()
+            self.cut = cut_mesh(self._mesh, self.theta)[:, :, :2].tolist()
             self.section = {**shown, "theta": self.theta, "place": self.place}
 
     def _outline(self, theta: float, _: Array) -> dict[str, Any]:
-        """The cut itself."""
+        """The cut itself, as a section."""
         lines = [
-            shape(line[:, :2], line="goal", closed=False) for line in section_of(self._mesh, theta)
+            shape(line[:, :2], line="goal", closed=False) for line in cut_mesh(self._mesh, theta)
         ]
         return {"text": say("c_space.nothing", theta=f"{np.degrees(theta):.0f}"), "shapes": lines}
 
@@ -227,13 +231,11 @@ class SolidBoard(anywidget.AnyWidget):
         from matplotlib.figure import Figure
         from matplotlib.patches import Polygon
 
-        figure = Figure(
-            figsize=(11.0, 5.0), dpi=60
-        )  # no layout of its own: what it takes for the solid's box is too large
+        # Without a layout engine, which would overestimate the box of the solid.
+        figure = Figure(figsize=(11.0, 5.0), dpi=60)
         FigureCanvasAgg(figure)
-        draw_mesh(
-            self._mesh, figure.add_axes((0.0, 0.02, 0.5, 0.96), projection="3d"), theta=self.theta
-        )
+        left = figure.add_axes((0.0, 0.02, 0.5, 0.96), projection="3d")
+        draw_mesh(self._mesh, left, theta=self.theta)
         ax = figure.add_axes((0.54, 0.08, 0.44, 0.76), aspect="equal")
         named = {"": "none", **palette.NAMED}
         for part in self.section["shapes"]:
@@ -256,4 +258,4 @@ class SolidBoard(anywidget.AnyWidget):
         return f"SolidBoard({self.section['text']})"
 
     def _repr_mimebundle_(self, **kwargs: Any) -> Any:
-        return with_picture(super()._repr_mimebundle_(**kwargs), self, self)
+        return add_picture(super()._repr_mimebundle_(**kwargs), self, self)

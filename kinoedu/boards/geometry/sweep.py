@@ -1,6 +1,4 @@
-"""The sweep line's board: a line that is dragged by hand across polygons, its status beside it, and
-the cells that it leaves.
-"""
+"""The sweep line's board: a line to drag across polygons, its status, and the cells it leaves."""
 
 from collections.abc import Sequence
 from itertools import pairwise
@@ -14,8 +12,9 @@ from ...decomposition.trapezoidation import corners_of
 from ...geometry.checks import Array
 from ...words import say
 from ...worlds.polygon_world import rings_of
-from ..core.canvas import Canvas, with_picture
+from ..core.canvas import Canvas
 from ..core.drawing import Drawing, Layer, cells, dots, edges, labels
+from ..core.framed import Pictured
 from ..core.scene import Scene, handle, make_scene, place_of, polygon
 from ..planning.plans import world_in
 
@@ -23,33 +22,43 @@ FLOOR, CEILING = "start", "goal"  # colours of the status, as in the figures
 
 
 def sweep_board(world: Any, *, x: float | None = None) -> "SweepBoard":
-    """Drag the sweep line across a world by its handle, and the obstacles or their vertices: the
-    cells closed and open, the status.
+    """Drag the sweep line across a world, or obstacles and their vertices.
+
+    The closed and the open cells and the status of the line are shown.
 
     Parameters
     ----------
-    world : a PolygonWorld without discs. x : where the line begins; half way across by default.
+    world : a PolygonWorld without discs.
+    x : where the line begins; by default half way across.
 
-    `board.steps` are the events met so far. Raises InvalidWorld.
+    Returns
+    -------
+    SweepBoard
+        `steps` are the events met so far.
 
+    Raises
+    ------
+    InvalidWorld
+
+    Examples
+    --------
     >>> from kinoedu.worlds import PolygonWorld
-    >>> sweep_board(PolygonWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [[(3, 3), (6, 2), (5, 4)]]), x=5.5)
+    >>> world = PolygonWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [[(3, 3), (6, 2), (5, 4)]])
+    >>> sweep_board(world, x=5.5)
     SweepBoard(at x = 5: a bend; cells closed 2, open 2
     status: edge 0, edge 2, edge 4, edge 1)
     """
     return SweepBoard(world, x=x)
 
 
-class SweepBoard(widgets.HBox):
-    """What `sweep_board` makes: the world in `canvas`, and the list of the edges on the line in
-    `status`.
-    """
+class SweepBoard(Pictured, widgets.HBox):
+    """The widget that `sweep_board` returns: the world in `canvas`, the status in `status`."""
 
     def __init__(self, world: Any, *, x: float | None) -> None:
-        sweep(world)  # refuses what it cannot cut
+        sweep(world)  # raises for a world that it cannot cut
         self.steps: list[Step] = []
         self.status = widgets.HTML(layout=widgets.Layout(flex="1 1 11em"))
-        self.canvas = Canvas(scene_of(world, x), self.answer)
+        self.canvas = Canvas(make_sweep_scene(world, x), self.answer)
         self.canvas.layout = widgets.Layout(flex="4 1 22em", max_width="650px", min_width="0")
         super().__init__(
             [self.canvas, self.status], layout=widgets.Layout(flex_flow="row wrap", grid_gap="8px")
@@ -62,27 +71,17 @@ class SweepBoard(widgets.HBox):
             everything = list(sweep(world_in(scene)))
             x = float(place_of(scene, say("sweep_board.line"))[0])
             self.steps = [step for step in everything if step.x <= x]
-            names = numbered(everything)
+            names = number_edges(everything)
             if not self.steps:
-                return Drawing([line_at(x, scene)], text=say("sweep_board.before", x=f"{x:.4g}"))
+                return Drawing([draw_line(x, scene)], text=say("sweep_board.before", x=f"{x:.4g}"))
             rows = self.steps[-1].status
-            return drawn(self.steps, x, names, scene)
+            return draw_sweep(self.steps, x, names, scene)
         finally:
-            self.status.value = listed(rows, names if len(rows) else {})
-
-    def picture(self) -> bytes:
-        """The board as it is now, as a PNG."""
-        return self.canvas.picture()
-
-    def __repr__(self) -> str:
-        return f"SweepBoard({self.canvas.drawing.says})"
-
-    def _repr_mimebundle_(self, **kwargs: Any) -> Any:
-        return with_picture(super()._repr_mimebundle_(**kwargs), self, self)
+            self.status.value = list_status(rows, names if len(rows) else {})
 
 
-def scene_of(world: Any, x: float | None) -> Scene:
-    """A world with a handle below it for the sweep line."""
+def make_sweep_scene(world: Any, x: float | None) -> Scene:
+    """The scene of a world, with a handle for the sweep line below it."""
     (outline,), *solids = rings_of(world)
     margin = 0.06 * (world.hi - world.lo).max()
     at = (world.lo[0] + world.hi[0]) / 2.0 if x is None else x
@@ -94,9 +93,10 @@ def scene_of(world: Any, x: float | None) -> Scene:
     return make_scene(lo, hi, boundary=outline[::-1], handles=handles, polygons=polygons)
 
 
-def numbered(steps: Sequence[Step]) -> dict[tuple[float, ...], int]:
-    """Every edge that the line crosses somewhere, with its number: by its left end, from left to
-    right, the lower first.
+def number_edges(steps: Sequence[Step]) -> dict[tuple[float, ...], int]:
+    """A number for every edge that the line crosses somewhere.
+
+    They are numbered from left to right by their left ends, lower ones first.
     """
     rows = np.unique(np.concatenate([step.status for step in steps]), axis=0)
     slopes = (rows[:, 3] - rows[:, 1]) / (rows[:, 2] - rows[:, 0])
@@ -104,21 +104,21 @@ def numbered(steps: Sequence[Step]) -> dict[tuple[float, ...], int]:
     return {tuple(row): number for number, row in enumerate(ordered.tolist())}
 
 
-def drawn(
+def draw_sweep(
     steps: Sequence[Step], x: float, names: dict[tuple[float, ...], int], scene: Scene
 ) -> Drawing:
-    """What the line has left, and what it crosses at x."""
+    """Draw the cells that the line has left, and what it crosses at x."""
     now, done = steps[-1], np.concatenate([step.closed for step in steps])
-    begun = open_cells(steps, x)
+    begun = find_open_cells(steps, x)
     corners, size = corners_of(done), float(np.subtract(scene["hi"], scene["lo"]).max())
     layers = [
         cells(corners, "cell"),
-        outlines(corners, "tree", 1.5),
-        outlines(begun, "tree", 1.8, (6.0, 5.0)),
+        draw_outlines(corners, "tree", 1.5),
+        draw_outlines(begun, "tree", 1.8, (6.0, 5.0)),
         labels(
             corners.mean(axis=1) - 0.015 * size, [str(k) for k in range(1, len(done) + 1)], "tree"
         ),
-        line_at(x, scene),
+        draw_line(x, scene),
     ]
     layers += [
         edges(now.status[k::2], colour, width=4.0) for k, colour in enumerate((FLOOR, CEILING))
@@ -129,7 +129,7 @@ def drawn(
         dots(now.vertices, "path", radius=6.0),
         dots(np.column_stack([np.full(len(heights), x), heights]), "ink", radius=3.0),
     ]
-    places = np.column_stack([np.full(len(heights), x), apart(heights, 0.045 * size)])
+    places = np.column_stack([np.full(len(heights), x), spread_heights(heights, 0.045 * size)])
     texts = [str(names[tuple(row)]) for row in now.status.tolist()]
     layers += [
         labels(places[k::2], texts[k::2], colour) for k, colour in enumerate((FLOOR, CEILING))
@@ -141,23 +141,23 @@ def drawn(
     return Drawing(layers, text=say("sweep_board.now", **said, open=len(begun), status=status))
 
 
-def line_at(x: float, scene: Scene) -> Layer:
+def draw_line(x: float, scene: Scene) -> Layer:
     """The sweep line."""
     return edges([[(x, scene["lo"][1]), (x, scene["hi"][1])]], "ink", width=2.0)
 
 
-def outlines(corners: Array, colour: str, width: float, dash: Sequence[float] = ()) -> Layer:
+def draw_outlines(corners: Array, colour: str, width: float, dash: Sequence[float] = ()) -> Layer:
     """The sides of quadrangles (n, 4, 2)."""
     return edges(
         np.stack([corners, np.roll(corners, -1, axis=1)], axis=2), colour, width=width, dash=dash
     )
 
 
-def open_cells(steps: Sequence[Step], x: float) -> Array:
-    """The cells that the line at x is crossing, as far as they have come, (n, 4, 2).
+def find_open_cells(steps: Sequence[Step], x: float) -> Array:
+    """The cells that the line at x is crossing, up to x, (n, 4, 2).
 
-    What is known of each is its left wall; its floor and ceiling are the neighbours in the status
-    that pass the wall's ends.
+    Only the left wall of each is stored; its floor and ceiling are the neighbours in the status
+    that pass through the wall's ends.
     """
     walls: list[tuple[float, ...]] = []
     for step in steps:
@@ -186,7 +186,7 @@ def height_at(rows: Array, x: float) -> Array:
     return y0 + (x - x0) / (x1 - x0) * (y1 - y0)
 
 
-def apart(heights: Array, gap: float) -> Array:
+def spread_heights(heights: Array, gap: float) -> Array:
     """Heights in increasing order, pushed up where they are closer than a gap."""
     places = heights.copy()
     for below, above in pairwise(range(len(places))):
@@ -194,8 +194,8 @@ def apart(heights: Array, gap: float) -> Array:
     return places
 
 
-def listed(rows: Array, names: dict[tuple[float, ...], int]) -> str:
-    """The status as a list, the top of the line first."""
+def list_status(rows: Array, names: dict[tuple[float, ...], int]) -> str:
+    """The status as an HTML list, the top of the line first."""
     lines = [
         say("sweep_board.ceiling" if k % 2 else "sweep_board.floor", number=names[tuple(row)])
         for k, row in enumerate(rows.tolist())

@@ -1,1 +1,1 @@
-"""Boards of obstacles that move, and of those whose places are uncertain."""
+"""Boards of moving obstacles and of obstacles at uncertain places."""

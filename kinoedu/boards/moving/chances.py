@@ -1,6 +1,4 @@
-"""The board of uncertain obstacles: a path planned for a chance, and scenario after scenario,
-whether it is hit.
-"""
+"""The board of uncertain obstacles: a path with a bounded collision chance, tried in scenarios."""
 
 from typing import Any
 
@@ -12,7 +10,7 @@ from ...chances import wilson
 from ...collision import collision_bound
 from ...collision.probability import as_mover, hit_scenarios, part_gaps
 from ...errors import InvalidParameter, KinoeduError
-from ...figures.uncertain import margin_rings, outlines
+from ...figures.uncertain import expected_outlines, margin_rings
 from ...geometry.checks import Array
 from ...planners import prm, shortcut
 from ...planners.tuning import whole
@@ -22,13 +20,12 @@ from ...words import say
 from ...worlds.polygon_world import rings_of
 from ...worlds.uncertain import UncertainWorldRecord, inflated, scenarios
 from ..core.canvas import Canvas
-from ..core.controls import counter, look
-from ..core.drawing import Drawing, Layer, bodies, edges, path
-from ..core.framed import Framed
+from ..core.drawing import Drawing, Layer, bodies, edges, path, sides_of
+from ..core.framed import Framed, control_style, make_counter
 from ..core.scene import Scene, handle, make_scene, place_of
 from ..planning.plans import GOAL, START
 
-SHOWN, TRIED = 60, 4000  # scenarios that are drawn, and those that are tried
+SHOWN, TRIED = 60, 4000  # the numbers of scenarios drawn and tried
 CHANCES = (0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 0.001, 0.0001)
 
 
@@ -41,19 +38,31 @@ def chance_board(
     delta: float = 0.05,
     rng: int = 0,
 ) -> "ChanceBoard":
-    """Choose the chance delta: the margins follow, dashed, and the path that keeps off them. Drag
-    start and goal. Scrub: each step is one scenario, in red where it is hit.
+    """Choose the chance delta; the margins follow, dashed, and so does the path.
+
+    Drag start and goal. Scrub: each step is one scenario, in red where the path is hit.
 
     Parameters
     ----------
-    robot : Point(), Disk(radius) or TranslatingPolygon(vertices). world : an UncertainWorld. start,
-    goal : (x, y). delta, rng : where the controls begin.
+    robot : Point(), Disk(radius) or TranslatingPolygon(vertices).
+    world : an UncertainWorld.
+    start, goal : (x, y).
+    delta, rng : the first values of the controls.
 
-    `board.plan` is on show. Raises InvalidParameter.
+    Returns
+    -------
+    ChanceBoard
+        `plan` is the plan shown.
 
+    Raises
+    ------
+    InvalidParameter
+
+    Examples
+    --------
     >>> from kinoedu import Point, UncertainWorld
     >>> world = UncertainWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [((4.5, 3), 1)], 0.2)
-    >>> chance_board(Point(), world, (1, 3), (8, 3))
+    >>> chance_board(Point(), world, (1, 3), (8, 3))  # doctest: +NORMALIZE_WHITESPACE
     ChanceBoard(promised at most 5%, bound 4.7%; hit in 40 of 4,000 scenarios: 1% (0.74% to 1.4%);
     length 7.712)
     """
@@ -61,8 +70,9 @@ def chance_board(
 
 
 class ChanceBoard(Framed):
-    """What `chance_board` makes: the controls, and the world in `canvas`, whose slider goes through
-    scenarios.
+    """The widget that `chance_board` returns: controls, and the world in `canvas`.
+
+    The slider of the canvas goes through scenarios.
     """
 
     def __init__(
@@ -79,11 +89,10 @@ class ChanceBoard(Framed):
         self._robot, self._world = as_mover(robot), world
         inflated(world, delta)
         choices = sorted({*CHANCES, float(delta)}, reverse=True)
-        self.delta = widgets.SelectionSlider(
-            options=[(f"{chance:.6g}", chance) for chance in choices], value=float(delta),
-            **{**look("step"), "description": say("chance_board.delta")},
-        )  # fmt: skip
-        self.seed = counter("board.seed", whole(rng, "rng", least=0), 0, 99)
+        options = [(f"{chance:.6g}", chance) for chance in choices]
+        style = control_style("chance_board.delta")
+        self.delta = widgets.SelectionSlider(options=options, value=float(delta), **style)
+        self.seed = make_counter("board.seed", whole(rng, "rng", least=0), 0, 99)
         self.plan: Plan | None = None
         radius = getattr(robot, "radius", 0.0)
         handles = [
@@ -95,98 +104,80 @@ class ChanceBoard(Framed):
         super().__init__([self.delta, self.seed], [Canvas(scene, self.answer)])
 
     def answer(self, scene: Scene) -> Drawing:
-        """Plan with margins in a scene, and try the path in scenarios; where nothing can be
-        planned, say why.
-        """
+        """Plan with margins in a scene and try the path in scenarios, or say why it cannot."""
         self.plan = None
         world, robot, delta = self._world, self._robot, self.delta.value
-        bare = [*margins_drawn(world, delta), *expected_drawn(world, 0)]
+        bare = [*draw_margins(world, delta), *draw_expected(world, 0)]
+        ends = place_of(scene, START), place_of(scene, GOAL)
         try:
-            problem = Problem(
-                robot, inflated(world, delta), place_of(scene, START), place_of(scene, GOAL)
-            )
+            problem = Problem(robot, inflated(world, delta), *ends)
         except KinoeduError as error:
             return Drawing(bare, warning=str(error))
         self.plan = plan = shortcut(prm(problem, n=400, rng=self.seed.value), rng=self.seed.value)
         if plan.path is None:
             return Drawing(bare, text=say("chance_board.none", delta=f"{delta:.4g}"))
         offsets = scenarios(world, TRIED, rng=self.seed.value)
-        hit = hit_scenarios(
-            robot,
-            world.parts,
-            world.owner,
-            part_gaps(robot, world.parts, plan.path),
-            plan.path,
-            offsets,
-        )
-        low, high = wilson(int(hit.sum()), TRIED)
-        bound = collision_bound(robot, world, plan.path)
-        shares = {
-            name: percent(float(value))
-            for name, value in (
-                ("delta", delta),
-                ("bound", bound),
-                ("share", hit.mean()),
-                ("low", low),
-                ("high", high),
-            )
-        }
-        text = say(
-            "chance_board.text",
-            hits=f"{hit.sum():,}",
-            tried=f"{TRIED:,}",
-            length=f"{plan.cost:.4g}",
-            **shares,
-        )
+        gaps = part_gaps(robot, world.parts, plan.path)
+        hit = hit_scenarios(robot, world.parts, world.owner, gaps, plan.path, offsets)
         layers = [
-            *margins_drawn(world, delta),
-            *scenarios_drawn(world, offsets[:SHOWN], hit[:SHOWN]),
-            *all_drawn(world, offsets[:SHOWN], hit[:SHOWN]),
+            *draw_margins(world, delta),
+            *draw_scenarios(world, offsets[:SHOWN], hit[:SHOWN]),
+            *draw_all_scenarios(world, offsets[:SHOWN], hit[:SHOWN]),
             path(plan.path, "path")._replace(last=False),
+            *draw_expected(world, SHOWN),
         ]
-        told = [
+        texts = [
             say(f"chance_board.{'hit' if was else 'missed'}", number=k + 1)
             for k, was in enumerate(hit[:SHOWN])
         ]
-        return Drawing(
-            [*layers, *expected_drawn(world, SHOWN)],
-            text=text,
-            total=SHOWN,
-            unit=say("chance_board.unit"),
-            told=told,
-        )
+        text, unit = self._text(plan, plan.path, hit), say("chance_board.unit")
+        return Drawing(layers, text=text, total=SHOWN, unit=unit, step_texts=texts)
+
+    def _text(self, plan: Plan, points: Array, hit: Any) -> str:
+        """The chance promised, the bound proven, and the scenarios hit, in words."""
+        low, high = wilson(int(hit.sum()), TRIED)
+        chances = {
+            "delta": self.delta.value,
+            "bound": collision_bound(self._robot, self._world, points),
+            "share": hit.mean(),
+            "low": low,
+            "high": high,
+        }
+        percents = {name: format_percent(float(value)) for name, value in chances.items()}
+        counts = {"hits": f"{hit.sum():,}", "tried": f"{TRIED:,}"}
+        return say("chance_board.text", **counts, length=f"{plan.cost:.4g}", **percents)
 
 
-def percent(share: float) -> str:
-    """A share with two digits."""
-    return f"{100.0 * share:.2g}%"
+def format_percent(fraction: float) -> str:
+    """A fraction as a percentage with two digits."""
+    return f"{100.0 * fraction:.2g}%"
 
 
-def closed_line(ring: Array, colour: str, width: float, dash: tuple[float, float]) -> Layer:
-    """A dashed outline, in one piece: dashes go on round its corners."""
-    return path(np.vstack([ring, ring[:1]]), colour, width=width, dash=dash, casing=False)._replace(
-        last=False
-    )
+def draw_closed_line(ring: Array, colour: str, width: float, dash: tuple[float, float]) -> Layer:
+    """A dashed outline in one piece, so that its dashes run on round corners."""
+    closed = np.vstack([ring, ring[:1]])
+    return path(closed, colour, width=width, dash=dash, casing=False)._replace(last=False)
 
 
-def margins_drawn(world: UncertainWorldRecord, delta: float) -> list[Layer]:
-    """How far to stay away from each obstacle."""
-    return [closed_line(ring, "ink", 1.5, (5, 4)) for ring in margin_rings(world, delta)]
+def draw_margins(world: UncertainWorldRecord, delta: float) -> list[Layer]:
+    """Draw the margin of each obstacle."""
+    return [draw_closed_line(ring, "ink", 1.5, (5, 4)) for ring in margin_rings(world, delta)]
 
 
-def expected_drawn(world: UncertainWorldRecord, step: int) -> list[Layer]:
-    """The obstacles where they are expected: dotted, and from a step on as bodies."""
-    rings = [ring for _, ring in outlines(world)]
-    dotted = [closed_line(ring, "obstacle", 1.2, (1.5, 3)) for ring in rings]
+def draw_expected(world: UncertainWorldRecord, step: int) -> list[Layer]:
+    """Draw the obstacles at their expected places: dotted, and from a step on as bodies."""
+    rings = [ring for _, ring in expected_outlines(world)]
+    dotted = [draw_closed_line(ring, "obstacle", 1.2, (1.5, 3)) for ring in rings]
     return [*dotted, *(bodies([ring], "obstacle", when=[step]) for ring in rings)]
 
 
-def scenarios_drawn(world: UncertainWorldRecord, offsets: Array, hit: Any) -> list[Layer]:
-    """The obstacles of each scenario at its step, red and hatched where the path is hit; at the
-    last step none.
+def draw_scenarios(world: UncertainWorldRecord, offsets: Array, hit: Any) -> list[Layer]:
+    """Draw the obstacles of each scenario at its step, red and hatched where the path is hit.
+
+    At the last step none of them is shown.
     """
     layers = []
-    for number, ring in outlines(world):
+    for number, ring in expected_outlines(world):
         for was_hit, colour in ((False, "obstacle"), (True, "hit")):
             steps = np.flatnonzero(hit == was_hit)
             if len(steps):
@@ -195,14 +186,16 @@ def scenarios_drawn(world: UncertainWorldRecord, offsets: Array, hit: Any) -> li
     return layers
 
 
-def all_drawn(world: UncertainWorldRecord, offsets: Array, hit: Any) -> list[Layer]:
-    """At the last step the outlines of all scenarios, red where the path is hit."""
+def draw_all_scenarios(world: UncertainWorldRecord, offsets: Array, hit: Any) -> list[Layer]:
+    """Draw at the last step the outlines of all scenarios, red where the path is hit."""
     layers = []
     for was_hit, colour in ((False, "outside"), (True, "hit")):
         shapes = [
-            ring + by for number, ring in outlines(world) for by in offsets[hit == was_hit, number]
+            ring + by
+            for number, ring in expected_outlines(world)
+            for by in offsets[hit == was_hit, number]
         ]
-        sides = [np.stack([ring, np.roll(ring, -1, axis=0)], axis=1) for ring in shapes]
+        sides = [sides_of(ring) for ring in shapes]
         if sides:
             segments = np.concatenate(sides)
             layers.append(edges(segments, colour, width=0.6, when=np.full(len(segments), SHOWN)))

@@ -1,3 +1,1 @@
-"""The planners' board: a problem to drag, planned anew, raced, or planned by a reader's own
-planner.
-"""
+"""The planners' boards: plan while dragging, compare planners, and try one's own planner."""

@@ -1,5 +1,6 @@
-"""A reader's own planner on a board: what it asked is recorded and drawn, its path is judged motion
-by motion, and it is stopped when it hangs.
+"""A reader's own planner on a board: its questions are recorded and drawn, its path is judged.
+
+It is stopped when it takes too long.
 """
 
 import inspect
@@ -23,20 +24,18 @@ from ...words import say
 from ..core.drawing import Drawing, Layer, dots, edges, labels, path
 
 SECONDS = 2.0
-MOST = 20_000  # questions kept and drawn; the others are counted
+MOST = 20_000  # the questions kept and drawn; of later ones only the motions are counted
 MOTIONS = ("is_free_path", "is_semi_free_path")
 PACKAGE = Path(__file__).resolve().parent.parent.parent
 
 
 class FirstQuestions(list[Question]):
-    """A recorder's log that keeps the first questions about what is free, and counts the motions
-    among all.
-    """
+    """A recorder's log that keeps the first questions about free space and counts motions."""
 
     motions = 0
 
     def append(self, question: Question) -> None:
-        """Count and keep."""
+        """Count a motion, and keep the question if there is room."""
         self.motions += question.name in MOTIONS
         if len(self) < MOST and question.name in (*MOTIONS, "is_free"):
             super().append(question)
@@ -44,14 +43,20 @@ class FirstQuestions(list[Question]):
 
 @dataclass(frozen=True, eq=False)
 class Attempt:
-    """What a reader's planner did with a problem.
+    """The result of a reader's planner on a problem.
 
-    path : what it returned, or None; wrong : the numbers of its motions that are not free, from 0;
-        length : of a faultless path.
-    fault : what is wrong, in words; still_running : it could not be stopped.
+    Attributes
+    ----------
+    questions : the questions kept.
+    motions : the number of motions checked.
+    path : the path that it returned, or None.
+    wrong : the indices of the path's motions that are not free, from 0.
+    length : the length of a correct path.
+    fault : what is wrong, in words.
+    still_running : whether it could not be stopped.
     """
 
-    asked: list[Question]
+    questions: list[Question]
     motions: int
     path: Array | None = None
     wrong: list[int] = field(default_factory=list)
@@ -60,41 +65,44 @@ class Attempt:
     still_running: bool = False
 
 
-def attempt(
+def try_planner(
     planner: Callable[..., Any], problem: ProblemRecord, seed: int, *, seconds: float = SECONDS
 ) -> Attempt:
-    """Let a reader's planner try a problem, with a copy of it and for a bounded time."""
+    """Run a reader's planner on a copy of a problem, for a bounded time."""
     recorder = Recorder(deepcopy(problem))
     recorder.log = log = FirstQuestions()
 
     def work() -> tuple[Any, BaseException | None]:
         try:
-            return called(planner, recorder, seed), None
+            return call_planner(planner, recorder, seed), None
         except TimeUp:
             raise
-        except BaseException as error:  # also SystemExit: whatever it is, it is the reader's to see
+        except BaseException as error:  # SystemExit too: the reader should see every exception
             return None, error
 
     try:
         answer, error = within_processor_time(seconds, work)
     except TimeUp as over:
-        return Attempt(log[:], log.motions, fault=time_up(over), still_running=over.left_running)
+        return Attempt(
+            log[:], log.motions, fault=describe_timeout(over), still_running=over.left_running
+        )
     if error is not None:
-        return Attempt(log[:], log.motions, fault=raised(error))
-    return judged(answer, problem, log)
+        return Attempt(log[:], log.motions, fault=describe_exception(error))
+    return judge_answer(answer, problem, log)
 
 
-def time_up(over: TimeUp) -> str:
-    """Why a planner was stopped: how long it computed, and for how long it was allowed to."""
+def describe_timeout(over: TimeUp) -> str:
+    """A message why a planner was stopped: the time it used and the time allowed."""
     why = "time_up" if over.used > over.allowed else "waited"
     seconds = {"used": over.used, "allowed": over.allowed, "passed": over.passed}
     words = say(f"board.own.{why}", **{name: f"{value:.1f}" for name, value in seconds.items()})
     return f"{words} {say('board.own.left_running' if over.left_running else 'board.own.stopped')}"
 
 
-def called(planner: Callable[..., Any], problem: Any, seed: int) -> Any:
-    """planner(problem), or with a generator where it takes one: an argument called rng, or a second
-    one that it needs.
+def call_planner(planner: Callable[..., Any], problem: Any, seed: int) -> Any:
+    """Call planner(problem), with a generator where it takes one.
+
+    A generator is passed to an argument called rng, or as a required second argument.
     """
     rng = np.random.default_rng(seed)
     try:
@@ -103,33 +111,26 @@ def called(planner: Callable[..., Any], problem: Any, seed: int) -> Any:
         return planner(problem)
     if "rng" in parameters:
         return planner(problem, rng=rng)
-    places = [
-        p for p in parameters.values() if p.kind in (p.POSITIONAL_ONLY, p.POSITIONAL_OR_KEYWORD)
-    ]
-    return (
-        planner(problem, rng)
-        if len(places) > 1 and places[1].default is inspect.Parameter.empty
-        else planner(problem)
-    )
+    positional = (inspect.Parameter.POSITIONAL_ONLY, inspect.Parameter.POSITIONAL_OR_KEYWORD)
+    places = [p for p in parameters.values() if p.kind in positional]
+    if len(places) > 1 and places[1].default is inspect.Parameter.empty:
+        return planner(problem, rng)
+    return planner(problem)
 
 
-def raised(error: BaseException) -> str:
-    """An exception in words, with the reader's own line and none of ours."""
+def describe_exception(error: BaseException) -> str:
+    """An exception in words, with the reader's own line and none of the package's."""
     name = type(error).__name__
-    text = f"{name}: {shortened_text(error)}" if str(error) else name
+    text = f"{name}: {shorten_message(error)}" if str(error) else name
     frames = [(frame.f_code.co_filename, line) for frame, line in walk_tb(error.__traceback__)]
-    own = [(file, line) for file, line in frames if is_readers(file)]
+    own = [(file, line) for file, line in frames if is_readers_code(file)]
     if not own:
         return say("board.own.raised", error=text)
-    return say(
-        "board.own.raised_in",
-        error=text,
-        number=own[-1][1],
-        line=linecache.getline(*own[-1]).strip(),
-    )
+    line = linecache.getline(*own[-1]).strip()
+    return say("board.own.raised_in", error=text, number=own[-1][1], line=line)
 
 
-def is_readers(file: str) -> bool:
+def is_readers_code(file: str) -> bool:
     """Whether code is a reader's: neither this package's nor a library's."""
     return (
         PACKAGE not in Path(file).parents
@@ -138,14 +139,14 @@ def is_readers(file: str) -> bool:
     )
 
 
-def shortened_text(error: BaseException) -> str:
-    """What an exception says, in one line."""
+def shorten_message(error: BaseException) -> str:
+    """The message of an exception, on one line."""
     text = " ".join(str(error).split())
     return text if len(text) <= 200 else text[:197] + "..."
 
 
-def judged(answer: Any, problem: ProblemRecord, log: FirstQuestions) -> Attempt:
-    """What a planner returned, judged by the problem that it was not given."""
+def judge_answer(answer: Any, problem: ProblemRecord, log: FirstQuestions) -> Attempt:
+    """A planner's answer, judged by the original problem, which the planner did not have."""
     tried = Attempt(log[:], log.motions)
     if isinstance(answer, Plan):
         answer = answer.path
@@ -158,46 +159,43 @@ def judged(answer: Any, problem: ProblemRecord, log: FirstQuestions) -> Attempt:
         points = np.empty(0)
     if points.ndim != 2 or points.shape[1] != d or len(points) == 0:
         return replace(tried, fault=say("board.own.wrong_shape", d=d, given=shortened(answer)))
-    wrong = [
-        i for i in range(len(points) - 1) if not problem.is_free_path(points[i], points[i + 1])
-    ]
-    fault = wrong_end(points, problem)
+    motions = zip(points[:-1], points[1:], strict=True)
+    wrong = [i for i, (a, b) in enumerate(motions) if not problem.is_free_path(a, b)]
+    fault = check_ends(points, problem)
     if wrong and not fault:
-        fault = say(
-            "board.own.wrong",
-            number=wrong[0] + 1,
-            a=place(points[wrong[0]]),
-            b=place(points[wrong[0] + 1]),
-        )
+        a, b = (format_configuration(q) for q in points[wrong[0] : wrong[0] + 2])
+        fault = say("board.own.wrong", number=wrong[0] + 1, a=a, b=b)
     if fault:
         return replace(tried, path=points, wrong=wrong, fault=fault)
     length = sum(problem.distance(a, b) for a, b in zip(points[:-1], points[1:], strict=True))
     return replace(tried, path=points, length=float(length))
 
 
-def wrong_end(points: Array, problem: ProblemRecord) -> str:
-    """What is wrong with a path's ends, or nothing."""
+def check_ends(points: Array, problem: ProblemRecord) -> str:
+    """What is wrong with a path's ends, or ""."""
     near = 1e-9 * world_size(problem)
-    for name, here, there in (
-        ("wrong_start", points[0], problem.start),
-        ("wrong_end", points[-1], problem.goal),
-    ):
+    ends = ("wrong_start", points[0], problem.start), ("wrong_end", points[-1], problem.goal)
+    for name, here, there in ends:
         if problem.distance(here, there) > near:
-            return say(f"board.own.{name}", there=place(there), here=place(here))
+            return say(
+                f"board.own.{name}",
+                there=format_configuration(there),
+                here=format_configuration(here),
+            )
     return ""
 
 
-def place(q: Array) -> str:
+def format_configuration(q: Array) -> str:
     """A configuration in words."""
     return f"({', '.join(f'{x:.4g}' for x in q)})"
 
 
-def race(tried: Attempt, ours: Plan) -> str:
-    """How a reader's planner did beside ours."""
+def describe_race(tried: Attempt, ours: Plan) -> str:
+    """The result of a reader's planner beside ours, in words."""
     return say(
         "board.own.race",
-        yours=result(tried.length, tried.motions),
-        ours=result(length_of(ours), ours.stats.get("checks", 0)),
+        yours=describe_result(tried.length, tried.motions),
+        ours=describe_result(length_of(ours), ours.stats.get("checks", 0)),
     )
 
 
@@ -206,21 +204,20 @@ def length_of(plan: Plan) -> float | None:
     return plan.cost if plan.path is not None else None
 
 
-def result(length: float | None, motions: int) -> str:
+def describe_result(length: float | None, motions: int) -> str:
     """Length and effort in words."""
     count = f"{motions:,}"
-    return (
-        say("board.own.no_path", motions=count)
-        if length is None
-        else say("board.own.length", length=f"{length:.4g}", motions=count)
-    )
+    if length is None:
+        return say("board.own.no_path", motions=count)
+    return say("board.own.length", length=f"{length:.4g}", motions=count)
 
 
-def drawing_of_attempt(tried: Attempt, ours: Plan | None) -> Drawing:
-    """What was asked, in the order it was asked, blocked motions dashed; then the path, its wrong
-    motions, and ours.
+def draw_attempt(tried: Attempt, ours: Plan | None) -> Drawing:
+    """Draw the questions in order, the path with its wrong motions, and our path.
+
+    Blocked motions are dashed.
     """
-    layers = questions(tried.asked)
+    layers = draw_questions(tried.questions)
     if ours is not None and ours.path is not None:
         layers.append(path(ours.path[:, :2], "ink", width=1.5, dash=(2, 4), casing=False))
         middle = ours.path[len(ours.path) // 2, :2]
@@ -230,37 +227,29 @@ def drawing_of_attempt(tried: Attempt, ours: Plan | None) -> Drawing:
         segments = np.stack([tried.path[:-1, :2], tried.path[1:, :2]], axis=1)[tried.wrong]
         layers.append(edges(segments, "contact", width=4.0, dash=(3, 6))._replace(last=True))
         layers.append(dots(segments.mean(axis=1), "contact", radius=5.0)._replace(last=True))
-    text = "" if ours is None else race(tried, ours)
-    return Drawing(
-        layers,
-        text=text,
-        warning=tried.fault,
-        total=len(tried.asked),
-        unit=say("board.own.questions"),
-    )
+    text, unit = "" if ours is None else describe_race(tried, ours), say("board.own.questions")
+    total = len(tried.questions)
+    return Drawing(layers, text=text, warning=tried.fault, total=total, unit=unit)
 
 
-def questions(asked: list[Question]) -> list[Layer]:
+def draw_questions(questions: list[Question]) -> list[Layer]:
     """Questions as layers that grow."""
     kinds: dict[tuple[bool, bool], list[tuple[int, Any]]] = {
         (motion, free): [] for motion in (True, False) for free in (True, False)
     }
-    for number, question in enumerate(asked, start=1):
+    for number, question in enumerate(questions, start=1):
         points = plane_points(question.given)
         if points is not None:
             kinds[len(points) == 2, bool(question.answer)].append((number, points))
     layers = []
     for (motion, free), found in kinds.items():
         rows, when = [points for _, points in found], [number for number, _ in found]
+        colour = "tree" if free else "contact"
         if motion:
-            look: dict[str, Any] = (
-                {"colour": "tree", "width": 1.2}
-                if free
-                else {"colour": "contact", "width": 1.0, "dash": (4, 4)}
-            )
-            layers.append(edges(rows, when=when, **look))
+            width, dash = (1.2, ()) if free else (1.0, (4, 4))
+            layers.append(edges(rows, colour, width=width, dash=dash, when=when))
         else:
-            layers.append(dots(rows, "tree" if free else "contact", when=when))
+            layers.append(dots(rows, colour, when=when))
     return layers
 
 
@@ -270,8 +259,5 @@ def plane_points(given: Iterable[Any]) -> list[Array] | None:
         points = [as_array(q, "q") for q in given]
     except KinoeduError:
         return None
-    return (
-        [q[:2] for q in points]
-        if points and all(q.ndim == 1 and len(q) >= 2 for q in points)
-        else None
-    )
+    planar = points and all(q.ndim == 1 and len(q) >= 2 for q in points)
+    return [q[:2] for q in points] if planar else None

@@ -20,15 +20,15 @@ START, GOAL = "start", "goal"
 
 
 class Settings(NamedTuple):
-    """What a board's controls say."""
+    """The values of a board's controls."""
 
     seed: int
     step: float
     samples: int
 
 
-def in_plane(problem: Any) -> ProblemRecord:
-    """A problem whose configurations are points of the plane, or InvalidParameter."""
+def check_in_plane(problem: Any) -> ProblemRecord:
+    """The problem itself, if its configurations are points of the plane; or InvalidParameter."""
     if not isinstance(problem, ProblemRecord) or problem.start.shape != (2,):
         raise InvalidParameter(
             "a board needs a Problem whose configurations are points of the plane, got "
@@ -37,41 +37,37 @@ def in_plane(problem: Any) -> ProblemRecord:
     return problem
 
 
-def canvas_for(problem: ProblemRecord, answer: Callable[[Scene], Drawing]) -> Canvas:
+def make_problem_canvas(problem: ProblemRecord, answer: Callable[[Scene], Drawing]) -> Canvas:
     """A canvas on which a problem's parts can be dragged."""
-    return canvas_of(problem.world, scene_of(problem), answer)
+    return make_canvas(problem.world, make_problem_scene(problem), answer)
 
 
-def canvas_of(
+def make_canvas(
     world: Any,
     scene: Scene,
     answer: Callable[[Scene], Drawing],
     drive: Callable[[set[str]], None] | None = None,
 ) -> Canvas:
-    """A canvas of a scene in a world, with the world's bitmap where it is one; drive : what arrow
-    keys do, as `Canvas` takes it.
+    """A canvas of a scene in a world, with the world's bitmap if it is a terrain.
+
+    drive : the effect of arrow keys, as in `Canvas`.
     """
-    return Canvas(
-        scene, answer, free=world.free if isinstance(world, TerrainRecord) else None, drive=drive
-    )
+    free = world.free if isinstance(world, TerrainRecord) else None
+    return Canvas(scene, answer, free=free, drive=drive)
 
 
-def scene_of(problem: ProblemRecord) -> Scene:
-    """What stands in a problem's world; start and goal can be dragged, and among polygons every
-    obstacle and its vertices.
-    """
+def make_problem_scene(problem: ProblemRecord) -> Scene:
+    """A problem's world with start and goal as handles; its obstacles can be dragged too."""
     radius = getattr(problem.robot, "radius", 0.0)
     handles = [
         handle(START, problem.start[:2], colour="start", radius=radius),
         handle(GOAL, problem.goal[:2], colour="goal", marker="star", radius=radius),
     ]
-    return scene_with(problem.world, handles)
+    return make_world_scene(problem.world, handles)
 
 
-def scene_with(world: Any, handles: list[dict[str, Any]]) -> Scene:
-    """What stands in a world, and handles; among polygons every obstacle and its vertices can be
-    dragged.
-    """
+def make_world_scene(world: Any, handles: list[dict[str, Any]]) -> Scene:
+    """A world with handles; among polygons every obstacle and its vertices can be dragged."""
     if not isinstance(world, PolygonWorldRecord):
         return make_scene(world.lo, world.hi, handles=handles)
     (outline,), *solids = rings_of(world)
@@ -87,33 +83,30 @@ def scene_with(world: Any, handles: list[dict[str, Any]]) -> Scene:
 
 
 def problem_in(scene: Scene, problem: ProblemRecord) -> ProblemRecord:
-    """The same problem with everything where the scene has it. Raises InvalidPolygon, InvalidStart,
-    InvalidGoal.
+    """The same problem with everything where the scene has it.
+
+    Raises
+    ------
+    InvalidPolygon, InvalidStart, InvalidGoal
     """
     world = problem.world
     if isinstance(world, PolygonWorldRecord):
         world = world_in(scene)
-    return Problem(
-        problem.robot,
-        world,
-        place_of(scene, START),
-        place_of(scene, GOAL),
-        clearance=problem.clearance,
-    )
+    ends = place_of(scene, START), place_of(scene, GOAL)
+    return Problem(problem.robot, world, *ends, clearance=problem.clearance)
 
 
 def world_in(scene: Scene) -> PolygonWorldRecord:
-    """The obstacles of a scene within its boundary. Raises InvalidPolygon."""
+    """The world of a scene's obstacles within its boundary, or InvalidPolygon."""
     solids: list[Any] = [
         (rings[0], rings[1:]) if rings[1:] else rings[0]
         for rings in (p["rings"] for p in scene["polygons"])
     ]
-    return PolygonWorld(
-        scene["boundary"], solids + [(d["at"], d["radius"]) for d in scene["discs"]]
-    )
+    discs = [(d["at"], d["radius"]) for d in scene["discs"]]
+    return PolygonWorld(scene["boundary"], solids + discs)
 
 
-def drawing_of(plan: Plan) -> Drawing:
+def draw_plan(plan: Plan) -> Drawing:
     """A plan as it grew, and its path."""
     layers: list[Layer] = []
     total, unit = growth_of(plan)

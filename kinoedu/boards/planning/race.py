@@ -1,4 +1,4 @@
-"""The race: planners side by side in one scene with one seed, on one clock."""
+"""The race: planners side by side in one scene, with one seed and one slider of steps."""
 
 from collections.abc import Callable, Sequence
 from functools import partial
@@ -12,15 +12,14 @@ from ...problems import Plan, ProblemRecord
 from ...support.text import shortened
 from ...words import say
 from ..core.canvas import Canvas
-from ..core.controls import counter, length_slider
 from ..core.drawing import Drawing
-from ..core.framed import Framed
+from ..core.framed import Framed, make_counter, make_length_slider
 from ..core.scene import Scene
 from .own import Attempt
-from .plans import Settings, canvas_for, in_plane, problem_in
-from .racing import Runner, on_clock, run
+from .plans import Settings, check_in_plane, make_problem_canvas, problem_in
+from .racing import Runner, run_planner, stretch_growth
 
-MOST = 4  # planners beside each other
+MOST = 4  # the most planners side by side
 
 
 def race_board(
@@ -31,23 +30,33 @@ def race_board(
     step: float | None = None,
     rng: int = 0,
 ) -> "RaceBoard":
-    """Planners beside each other: what is dragged in one moves in all, and one slider scrubs
-    through all, a node at a step.
+    """Planners side by side: each scene follows the others, and one slider scrubs through all.
+
+    A step is one node of each tree.
 
     Parameters
     ----------
     problem : a Problem in the plane.
     planners : one to four functions; by default rrt, rrt_connect and rrt_star. A function of yours,
-    `f(problem)` or
-        `f(problem, rng)`, is recorded and stopped as on `board`; its steps are the questions it
-        asked.
-    nodes, step, rng : where the controls begin: the most nodes of a tree, its longest edge, the
-    seed.
+        `f(problem)` or `f(problem, rng)`, is recorded and stopped as on `board`; its steps are the
+        questions that it asked.
+    nodes, step, rng : the first values of the controls: the most nodes of a tree, its longest edge,
+        and the seed.
 
-    `board.plans` are on show. Raises InvalidParameter.
+    Returns
+    -------
+    RaceBoard
+        `plans` are the plans shown.
 
+    Raises
+    ------
+    InvalidParameter
+
+    Examples
+    --------
     >>> from kinoedu import Point, PolygonWorld, Problem
-    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
+    >>> room = [(0, 0), (10, 0), (10, 10), (0, 10)]
+    >>> world = PolygonWorld(room, [[(4, 0), (6, 0), (6, 8), (4, 8)]])
     >>> for plan in race_board(Problem(Point(), world, start=(1, 1), goal=(9, 1))).plans:
     ...     print(plan.planner, len(plan.tree.nodes), f"{plan.cost:.2f}")
     RRT 116 21.92
@@ -58,7 +67,7 @@ def race_board(
 
 
 class RaceBoard(Framed):
-    """What `race_board` makes: the controls, and a canvas for each planner in `canvases`."""
+    """The widget that `race_board` returns: controls, and one canvas per planner in `canvases`."""
 
     def __init__(
         self,
@@ -68,16 +77,16 @@ class RaceBoard(Framed):
         step: float | None,
         rng: int,
     ) -> None:
-        self._given, self._planners = in_plane(problem), checked(planners)
-        self.nodes = counter("rewiring_board.n", whole(nodes, "nodes", least=2), 50, 3000)
-        self.step = length_slider("board.step", world_size(problem), step)
-        self.seed = counter("board.seed", whole(rng, "rng", least=0), 0, 99)
+        self._given, self._planners = check_in_plane(problem), check_planners(planners)
+        self.nodes = make_counter("rewiring_board.n", whole(nodes, "nodes", least=2), 50, 3000)
+        self.step = make_length_slider("board.step", world_size(problem), step)
+        self.seed = make_counter("board.seed", whole(rng, "rng", least=0), 0, 99)
         self._scene: Scene = {}
         self._runners: list[Runner] = []
         self._fault: KinoeduError | None = None
         self.canvases: list[Canvas] = []
         canvases = [
-            canvas_for(problem, partial(self.answer, number))
+            make_problem_canvas(problem, partial(self.answer, number))
             for number in range(len(self._planners))
         ]
         for canvas in canvases[1:]:
@@ -86,12 +95,13 @@ class RaceBoard(Framed):
 
     @property
     def plans(self) -> list[Plan | Attempt]:
-        """What came of each planner; nothing where the scene allows no plan."""
+        """The result of each planner; empty where the scene allows no plan."""
         return [runner.plan for runner in self._runners]
 
     def answer(self, number: int, scene: Scene) -> Drawing:
-        """Let all run in a scene, unless they have, show that to the others, and draw what came of
-        one.
+        """Draw the result of one planner in a scene.
+
+        If the scene is new, all planners run in it first, and the other canvases show it too.
         """
         if scene != self._scene:
             self._run(scene)
@@ -101,10 +111,10 @@ class RaceBoard(Framed):
         if self._fault is not None:
             raise self._fault
         drawings = [runner.drawing for runner in self._runners]
-        return on_clock(drawings[number], max(drawing.total for drawing in drawings))
+        return stretch_growth(drawings[number], max(drawing.total for drawing in drawings))
 
     def _run(self, scene: Scene) -> None:
-        """Let all run; one of a reader's that could not be stopped is not started again."""
+        """Run all planners, except a reader's planner that could not be stopped before."""
         self._scene, self._fault, before, self._runners = scene, None, self._runners, []
         try:
             problem = problem_in(scene, self._given)
@@ -112,24 +122,20 @@ class RaceBoard(Framed):
             self._fault = error
             return
         given = Settings(self.seed.value, self.step.value, self.nodes.value)
-        stuck = [getattr(runner.plan, "still_running", False) for runner in before] or [
-            False
-        ] * len(self._planners)
         for number, planner in enumerate(self._planners):
-            self._runners.append(before[number] if stuck[number] else run(planner, problem, given))
+            old = before[number] if before else None
+            stuck = old is not None and getattr(old.plan, "still_running", False)
+            self._runners.append(old if old and stuck else run_planner(planner, problem, given))
 
     def _changed(self, _: Any) -> None:
         self._scene = {}
         self.canvas.refresh()
 
 
-def checked(planners: Sequence[Callable[..., Any]] | None) -> list[Callable[..., Any]]:
+def check_planners(planners: Sequence[Callable[..., Any]] | None) -> list[Callable[..., Any]]:
     """The planners of a race, or InvalidParameter."""
     chosen = [rrt, rrt_connect, rrt_star] if planners is None else planners
-    if (
-        not isinstance(chosen, Sequence)
-        or not 1 <= len(chosen) <= MOST
-        or not all(map(callable, chosen))
-    ):
+    some = isinstance(chosen, Sequence) and 1 <= len(chosen) <= MOST
+    if not some or not all(map(callable, chosen)):
         raise InvalidParameter(say("race_board.too_many", most=MOST, given=shortened(planners)))
     return list(chosen)

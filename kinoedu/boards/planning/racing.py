@@ -1,4 +1,4 @@
-"""One planner of a race: what came of it, drawn on a clock that all share, a node at a step."""
+"""One planner of a race: its result, drawn step by step on a clock that all planners share."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -13,75 +13,71 @@ from ...problems import Plan, ProblemRecord
 from ...words import say
 from ..arm.rides import is_ours
 from ..core.drawing import Drawing, Layer
-from ..trees.rewired import costs_at, tree_as_it_was, ways_drawn, ways_to_goal
-from .own import Attempt, attempt, drawing_of_attempt, result
-from .plans import Settings, drawing_of
+from ..trees.rewired import costs_at, draw_tree_history, draw_ways, find_ways_to_goal
+from .own import Attempt, describe_result, draw_attempt, try_planner
+from .plans import Settings, draw_plan
 
 
 class Runner(NamedTuple):
-    """What came of a planner, and its drawing on a clock of its own."""
+    """The result of a planner, and its drawing with its own number of steps."""
 
     plan: Plan | Attempt
     drawing: Drawing
 
 
-def run(planner: Callable[..., Any], problem: ProblemRecord, given: Settings) -> Runner:
-    """Let a planner try a problem. The tree of an RRT* is drawn as it was at each step; a reader's
-    own planner is stopped.
+def run_planner(planner: Callable[..., Any], problem: ProblemRecord, given: Settings) -> Runner:
+    """Run a planner on a problem, and draw its result.
+
+    The tree of an RRT* is drawn as it was at each step; a reader's own planner is stopped in time.
     """
+    tuning: Any = {"step": given.step, "max_nodes": given.samples}
     if planner is rrt_star:
-        plan, log = rrt_star_rewirings(
-            problem, step=given.step, max_nodes=given.samples, rng=given.seed
-        )
-        ways = ways_to_goal(log)
-        layers = [tree_as_it_was(log), *ways_drawn(ways)]
-        n = len(log.nodes)
-        return Runner(plan, Drawing(layers, total=n, told=told_of(plan.planner, costs_at(ways, n))))
+        plan, log = rrt_star_rewirings(problem, **tuning, rng=given.seed)
+        ways, n = find_ways_to_goal(log), len(log.nodes)
+        layers = [draw_tree_history(log), *draw_ways(ways)]
+        texts = describe_steps(plan.planner, costs_at(ways, n))
+        return Runner(plan, Drawing(layers, total=n, step_texts=texts))
     if not is_ours(planner):
-        tried = attempt(planner, problem, given.seed)
-        drawing = drawing_of_attempt(tried, None)
+        tried = try_planner(planner, problem, given.seed)
+        drawing = draw_attempt(tried, None)
         name = getattr(planner, "__name__", "?")
-        said = say(
-            "race_board.asked", name=name, result=tried.fault or result(tried.length, tried.motions)
-        )
-        return Runner(tried, replace(drawing, warning="", told=[said] * (drawing.total + 1)))
-    tuning = (
-        {"step": given.step, "max_nodes": given.samples} if planner in (rrt, rrt_connect) else {}
-    )
-    plan = planner(problem, rng=given.seed, **tuning)
-    drawing = drawing_of(plan)
+        outcome = tried.fault or describe_result(tried.length, tried.motions)
+        texts = [say("race_board.asked", name=name, result=outcome)] * (drawing.total + 1)
+        return Runner(tried, replace(drawing, warning="", step_texts=texts))
+    plan = planner(problem, rng=given.seed, **(tuning if planner in (rrt, rrt_connect) else {}))
+    drawing = draw_plan(plan)
     costs = [np.inf] * drawing.total + [plan.cost]
-    return Runner(plan, replace(drawing, told=told_of(plan.planner, costs)))
+    return Runner(plan, replace(drawing, step_texts=describe_steps(plan.planner, costs)))
 
 
-def told_of(name: str, costs: list[float]) -> list[str]:
-    """How many nodes there are at each step, and how long the path is by then."""
-    told = []
-    for nodes, cost in enumerate(costs):
+def describe_steps(name: str, costs: list[float]) -> list[str]:
+    """The number of nodes at each step, and the length of the path found by then, in words."""
+    texts = []
+    for step, cost in enumerate(costs):
+        values = {"name": name, "nodes": f"{step:,}"}
         if np.isfinite(cost):
-            told.append(
-                say("race_board.arrived", name=name, nodes=f"{nodes:,}", cost=f"{cost:.4g}")
-            )
+            texts.append(say("race_board.arrived", **values, cost=f"{cost:.4g}"))
         else:
-            told.append(say("race_board.growing", name=name, nodes=f"{nodes:,}"))
+            texts.append(say("race_board.growing", **values))
     if not np.isfinite(costs[-1]):
-        told[-1] = say("race_board.failed", name=name, nodes=f"{len(costs) - 1:,}")
-    return told
+        texts[-1] = say("race_board.failed", name=name, nodes=f"{len(costs) - 1:,}")
+    return texts
 
 
-def on_clock(drawing: Drawing, total: int) -> Drawing:
-    """A drawing on a longer clock: after its own last step it stays as it is, and its path comes at
-    that.
+def stretch_growth(drawing: Drawing, total: int) -> Drawing:
+    """A drawing stretched to more steps.
+
+    Its path appears at its own last step; afterwards it stays as it is.
     """
-    layers = [at_its_end(layer, drawing.total) for layer in drawing.layers]
-    told = [*drawing.told, *list(drawing.told[-1:]) * (total - drawing.total)]
-    return Drawing(layers, text=told.pop(), total=total, unit=say("race_board.unit"), told=told)
+    layers = [show_from(layer, drawing.total) for layer in drawing.layers]
+    last = list(drawing.step_texts[-1:])
+    *texts, text = [*drawing.step_texts, *last * (total - drawing.total)]
+    unit = say("race_board.unit")
+    return Drawing(layers, text=text, total=total, unit=unit, step_texts=texts)
 
 
-def at_its_end(layer: Layer, step: int) -> Layer:
-    """A layer that is shown at the end, as one whose rows come at a step."""
-    return (
-        layer._replace(last=False, when=np.full(len(layer.rows), float(step)))
-        if layer.last
-        else layer
-    )
+def show_from(layer: Layer, step: int) -> Layer:
+    """A layer that is shown at the end, as one whose rows appear at a given step."""
+    if not layer.last:
+        return layer
+    return layer._replace(last=False, when=np.full(len(layer.rows), float(step)))

@@ -1,1 +1,1 @@
-"""Boards of roadmaps: how they grow, and how well they serve."""
+"""Boards of roadmaps: their growth and their quality."""

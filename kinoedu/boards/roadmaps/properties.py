@@ -1,6 +1,4 @@
-"""The properties' board: how well a roadmap serves its free space, measured anew as obstacles are
-dragged.
-"""
+"""The properties' board: the quality of a roadmap, measured again when obstacles are dragged."""
 
 from typing import Any
 
@@ -13,16 +11,15 @@ from ...planners.roadmaps.properties import Length, RoadmapSurvey, survey_roadma
 from ...problems import Plan, ProblemRecord, Roadmap
 from ...words import say
 from ...worlds.polygon_world import PolygonWorldRecord, discs_of
-from ..core.drawing import Drawing, Layer, dots, edges, labels, path
+from ..core.drawing import Drawing, Layer, dots, edges, labels, path, segments_along
 from ..core.framed import Framed
 from ..core.scene import Scene
-from ..planning.plans import canvas_of, in_plane, scene_with, world_in
+from ..planning.plans import check_in_plane, make_canvas, make_world_scene, world_in
 from .roadmaps import RoadmapControls
 
-PLACES = 100  # drawn, and as many pairs of nodes
-LOOKS: tuple[
-    tuple[str, float, tuple[float, ...]], ...
-] = (  # of components, the largest first: colour, width, dashes
+PLACES = 100  # the places sampled, and the pairs of nodes
+Style = tuple[str, float, tuple[float, ...]]  # colour, width, dashes
+LOOKS: tuple[Style, ...] = (  # of components, the largest first
     ("roadmap", 0.9, ()),
     ("robot", 2.0, ()),
     ("start", 2.0, (7.0, 4.0)),
@@ -39,161 +36,151 @@ def properties_board(
     sampler: str = "random",
     rng: int = 0,
 ) -> "PropertiesBoard":
-    """Drag obstacles, choose rule and samples, and see whether the roadmap is accessible,
-    departable, connected and efficient.
+    """Drag obstacles, and see whether the roadmap is accessible, departable and efficient.
 
-    Red crosses are places from which no free motion leads to a node; each component has its own
-    style; of the pairs of nodes drawn, that with the worst way is shown, and beside it the shortest
-    path, dashed.
+    Red crosses are places without a free motion to a node. Each component has its own style. Of the
+    pairs of nodes sampled, the one with the worst way is shown, beside the shortest path, dashed.
+    The ways of a point among polygons are compared with shortest paths, all others with straight
+    lines.
 
     Parameters
     ----------
-    problem : a Problem in the plane; its start and goal are left out. n, rule, sampler, rng : as
-    for `roadmap_board`.
+    problem : a Problem in the plane; its start and goal are left out.
+    n, rule, sampler, rng : as for `roadmap_board`.
 
-    The ways of a point among polygons are compared with the shortest paths, all others with
-    straight lines. `board.survey` is what was measured, `board.survey.properties` the four. Raises
-    InvalidParameter.
+    Returns
+    -------
+    PropertiesBoard
+        `survey` is the result of the measurement, `survey.properties` the four properties.
 
+    Raises
+    ------
+    InvalidParameter
+
+    Examples
+    --------
     >>> from kinoedu import Point, PolygonWorld, Problem
-    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
-    >>> print(properties_board(Problem(Point(), world, start=(1, 1), goal=(9, 1)), n=20).canvas.drawing.text)
-    accessible 100 of 100 places drawn, departable 100; components 1
-    efficient: delta at least 1.94, for u and v, the worst pair drawn
+    >>> room = [(0, 0), (10, 0), (10, 10), (0, 10)]
+    >>> world = PolygonWorld(room, [[(4, 0), (6, 0), (6, 8), (4, 8)]])
+    >>> board = properties_board(Problem(Point(), world, start=(1, 1), goal=(9, 1)), n=20)
+    >>> print(board.canvas.drawing.text)
+    accessible 100 of 100 places sampled, departable 100; components 1
+    efficient: delta at least 1.94, for u and v, the worst pair sampled
     """
     return PropertiesBoard(problem, n, rule, sampler, rng)
 
 
 class PropertiesBoard(Framed):
-    """What `properties_board` makes: the controls of a roadmap, and what was measured in
-    `canvas`.
-    """
+    """The widget that `properties_board` returns: controls, and the survey in `canvas`."""
 
     def __init__(self, problem: ProblemRecord, n: int, rule: str, sampler: str, rng: int) -> None:
-        self._given = in_plane(problem)
+        self._given = check_in_plane(problem)
         self.controls = RoadmapControls(problem, n, rule, sampler, rng)
         self.survey: RoadmapSurvey | None = None
-        super().__init__(
-            self.controls.all,
-            [canvas_of(problem.world, scene_with(problem.world, []), self.answer)],
-        )
+        canvas = make_canvas(problem.world, make_world_scene(problem.world, []), self.answer)
+        super().__init__(self.controls.all, [canvas])
 
     def answer(self, scene: Scene) -> Drawing:
         """Build the roadmap in a scene, measure it, and draw both."""
         self.survey = None
-        world = (
-            world_in(scene)
-            if isinstance(self._given.world, PolygonWorldRecord)
-            else self._given.world
-        )
+        world = self._given.world
+        if isinstance(world, PolygonWorldRecord):
+            world = world_in(scene)
         problem = self._given._replace(world=world, asked=np.zeros(2, np.int64))
         roadmap = build_roadmap(problem, **self.controls.given)
-        exact = has_shortest(problem)
-        self.survey = survey_roadmap(
-            problem,
-            roadmap,
-            n=PLACES,
-            shortest=shortest_in(problem) if exact else None,
-            rng=np.random.default_rng(
-                (self.controls.seed.value, 1)
-            ),  # of the same seed the places would be the nodes themselves
-        )
-        return survey_drawn(problem, roadmap, self.survey, exact)
+        exact = knows_shortest_paths(problem)
+        shortest = make_length(problem) if exact else None
+        # Another seed than the roadmap's: with the same one the places would be its nodes.
+        rng = np.random.default_rng((self.controls.seed.value, 1))
+        self.survey = survey_roadmap(problem, roadmap, n=PLACES, shortest=shortest, rng=rng)
+        return draw_survey(problem, roadmap, self.survey, exact)
 
     def _changed(self, change: Any) -> None:
         self.controls.dress()
         super()._changed(change)
 
 
-def has_shortest(problem: ProblemRecord) -> bool:
-    """Whether shortest paths are known: those of a point among polygons."""
+def knows_shortest_paths(problem: ProblemRecord) -> bool:
+    """Whether shortest paths can be computed: for a point among polygons."""
     world = problem.world
     if not isinstance(world, PolygonWorldRecord) or len(discs_of(world)):
         return False
     return getattr(problem.robot, "radius", np.inf) + problem.clearance == 0.0
 
 
-def between(problem: ProblemRecord, u: Array, v: Array) -> Plan:
+def plan_shortest(problem: ProblemRecord, u: Array, v: Array) -> Plan:
     """The shortest path between two nodes."""
     return plan_by_visibility(problem._replace(start=u, goal=v, asked=np.zeros(2, np.int64)))
 
 
-def shortest_in(problem: ProblemRecord) -> Length:
+def make_length(problem: ProblemRecord) -> Length:
     """The length of the shortest path, as a function of two nodes."""
-    return lambda u, v: between(problem, u, v).cost
+    return lambda u, v: plan_shortest(problem, u, v).cost
 
 
-def survey_drawn(
+def draw_survey(
     problem: ProblemRecord, roadmap: Roadmap, survey: RoadmapSurvey, exact: bool
 ) -> Drawing:
-    """Components, the places that have no way to the roadmap, and the worst pair."""
-    layers = components_drawn(roadmap, survey)
+    """Draw components, places without a motion to the roadmap, and the worst pair."""
+    layers = draw_components(roadmap, survey)
     reached = survey.reached.all(axis=1)
     layers += [
         dots(survey.places[reached], "outside", radius=2.5),
-        crosses(survey.places[~reached], problem),
+        draw_crosses(survey.places[~reached], problem),
     ]
     if survey.worst:
-        layers += pair_drawn(problem, roadmap.nodes, survey, exact)
-    return Drawing([layer for layer in layers if len(layer.rows)], text=told(survey, exact))
+        layers += draw_worst_pair(problem, roadmap.nodes, survey, exact)
+    return Drawing(
+        [layer for layer in layers if len(layer.rows)], text=describe_survey(survey, exact)
+    )
 
 
-def components_drawn(roadmap: Roadmap, survey: RoadmapSurvey) -> list[Layer]:
-    """Each component in its style; the styles come round again."""
+def draw_components(roadmap: Roadmap, survey: RoadmapSurvey) -> list[Layer]:
+    """Draw each component in its own style; styles repeat from the second one on."""
     style = np.where(survey.component == 0, 0, 1 + (survey.component - 1) % (len(LOOKS) - 1))
     radius = max(dot_size(len(roadmap.nodes)) / 2.0, 2.5)
     layers = []
     for k, (colour, width, dash) in enumerate(LOOKS):
         own = roadmap.edges[style[roadmap.edges[:, 0]] == k]
         layers.append(edges(roadmap.nodes[own], colour, width=width, dash=dash))
-        layers.append(
-            dots(
-                roadmap.nodes[style == k],
-                "tree" if k == 0 else colour,
-                radius=radius if k == 0 else radius + 1.5,
-            )
-        )
+        look, size = ("tree", radius) if k == 0 else (colour, radius + 1.5)
+        layers.append(dots(roadmap.nodes[style == k], look, radius=size))
     return layers
 
 
-def crosses(places: Array, problem: ProblemRecord) -> Layer:
-    """Crosses on places."""
+def draw_crosses(places: Array, problem: ProblemRecord) -> Layer:
+    """Crosses at places."""
     size = 0.011 * float((problem.world.hi - problem.world.lo).max())
     arms = size * np.array([[(-1, -1), (1, 1)], [(-1, 1), (1, -1)]])
     return edges((places[:, None, None] + arms).reshape(-1, 2, 2), "hit", width=2.6)
 
 
-def pair_drawn(
+def draw_worst_pair(
     problem: ProblemRecord, nodes: Array, survey: RoadmapSurvey, exact: bool
 ) -> list[Layer]:
-    """The worst pair, its way along the roadmap, and beside it the shortest path, or the straight
-    line where that is not known.
-    """
+    """Draw the worst pair, its way along the roadmap, and the shortest path or a straight line."""
     u, v = nodes[list(survey.worst)]
-    best = between(problem, u, v).path if exact else None
+    best = plan_shortest(problem, u, v).path if exact else None
     line = np.array([u, v]) if best is None else best
     return [
         path(nodes[survey.way], "path"),
-        edges(np.stack([line[:-1], line[1:]], axis=1), "ink", width=2.2, dash=(7.0, 5.0)),
+        edges(segments_along(line), "ink", width=2.2, dash=(7.0, 5.0)),
         dots([u, v], "ink", radius=6.0),
         labels([u, v], [say("properties_board.u"), say("properties_board.v")], "ink"),
     ]
 
 
-def told(survey: RoadmapSurvey, exact: bool) -> str:
+def describe_survey(survey: RoadmapSurvey, exact: bool) -> str:
     """The four properties in words."""
-    delta, (reach, leave) = (
-        survey.efficiency,
-        survey.reached.sum(axis=0).tolist() if len(survey.places) else (0, 0),
-    )
+    delta = survey.efficiency
+    reach, leave = survey.reached.sum(axis=0).tolist() if len(survey.places) else (0, 0)
     if np.isnan(delta):
         efficient = say("properties_board.none")
     elif np.isinf(delta):
         efficient = say("properties_board.apart")
     else:
-        efficient = say(
-            "properties_board.least" if exact else "properties_board.most", delta=f"{delta:.3g}"
-        )
+        bound = "least" if exact else "most"
+        efficient = say(f"properties_board.{bound}", delta=f"{delta:.3g}")
     return say(
         "properties_board.told",
         accessible=reach,

@@ -1,4 +1,4 @@
-"""The roadmaps' board: a PRM that grows, with its rule, its samples and their number to choose."""
+"""The roadmaps' board: a growing PRM, with its rule, sampler and number of samples to choose."""
 
 import math
 from typing import Any
@@ -14,11 +14,10 @@ from ...planners.tuning import one_of, whole
 from ...problems import Plan, ProblemRecord, Roadmap
 from ...sampling import halton, sukharev_grid
 from ...words import say
-from ..core.controls import counter, length_slider, menu
 from ..core.drawing import Drawing, Layer, dots, edges, path
-from ..core.framed import Framed
+from ..core.framed import Framed, make_counter, make_length_slider, make_menu
 from ..core.scene import Scene
-from ..planning.plans import canvas_for, in_plane, problem_in
+from ..planning.plans import check_in_plane, make_problem_canvas, problem_in
 
 RULES = ("closest", "radius", "component")
 SAMPLERS: dict[str, Sampler | None] = {
@@ -29,26 +28,25 @@ SAMPLERS: dict[str, Sampler | None] = {
 
 
 class RoadmapControls:
-    """The controls of a roadmap: its rule with its number, its samples with theirs; `given` is what
-    they say, as `prm` takes it.
-    """
+    """The controls of a roadmap; `given` are their values as arguments of `prm`."""
 
     def __init__(self, problem: ProblemRecord, n: int, rule: str, sampler: str, rng: int) -> None:
         rules = [(say(f"roadmap_board.{name}"), name) for name in RULES]
         samplers = [(say(f"roadmap_board.{name}"), name) for name in SAMPLERS]
-        self.rule = menu("roadmap_board.rule", rules, one_of(rule, "rule", RULES))
-        self.k = counter("roadmap_board.k", 10, 1, 30)
-        self.r = length_slider("roadmap_board.r", world_size(problem), world_size(problem) / 10.0)
-        self.sampler = menu(
-            "roadmap_board.sampler", samplers, one_of(sampler, "sampler", tuple(SAMPLERS))
+        self.rule = make_menu("roadmap_board.rule", rules, one_of(rule, "rule", RULES))
+        self.k = make_counter("roadmap_board.k", 10, 1, 30)
+        self.r = make_length_slider(
+            "roadmap_board.r", world_size(problem), world_size(problem) / 10.0
         )
-        self.n = counter("roadmap_board.n", whole(n, "n", least=1), 1, 1000)
-        self.seed = counter("roadmap_board.seed", whole(rng, "rng", least=0), 0, 99)
+        chosen = one_of(sampler, "sampler", tuple(SAMPLERS))
+        self.sampler = make_menu("roadmap_board.sampler", samplers, chosen)
+        self.n = make_counter("roadmap_board.n", whole(n, "n", least=1), 1, 1000)
+        self.seed = make_counter("roadmap_board.seed", whole(rng, "rng", least=0), 0, 99)
         self.all = (self.rule, self.k, self.r, self.sampler, self.n, self.seed)
         self.dress()
 
     def dress(self) -> None:
-        """Show the number that the rule takes, and the seed where there is chance."""
+        """Show the number that the rule takes, and the seed for random samples."""
         shown = {
             self.k: self.rule.value != "radius",
             self.r: self.rule.value == "radius",
@@ -60,18 +58,10 @@ class RoadmapControls:
     @property
     def given(self) -> dict[str, Any]:
         """The arguments of `prm` and `build_roadmap`."""
-        k = self.k.value
-        rule = {
-            "closest": KClosest(k),
-            "radius": Radius(self.r.value),
-            "component": ComponentKClosest(k),
-        }[self.rule.value]
-        return {
-            "n": self.n.value,
-            "neighbours": rule,
-            "sampler": SAMPLERS[self.sampler.value],
-            "rng": self.seed.value,
-        }
+        k, r = self.k.value, self.r.value
+        rules = {"closest": KClosest(k), "radius": Radius(r), "component": ComponentKClosest(k)}
+        samples = {"n": self.n.value, "sampler": SAMPLERS[self.sampler.value]}
+        return {**samples, "neighbours": rules[self.rule.value], "rng": self.seed.value}
 
 
 def roadmap_board(
@@ -82,23 +72,34 @@ def roadmap_board(
     sampler: str = "random",
     rng: int = 0,
 ) -> "RoadmapBoard":
-    """Choose which nodes are tried with which, and how they are sampled; drag start, goal and
-    obstacles; scrub through its growth.
+    """Choose neighbours and samples, drag start, goal and obstacles; scrub through the growth.
+
+    A step is a node; when all nodes are there, a step is the edges that one node gets when it is
+    tried with its neighbours.
 
     Parameters
     ----------
     problem : a Problem in the plane.
-    n : how many samples; of a grid, the points of the largest one with no more. Those that are free
-    are nodes.
-    rule : "closest", "radius" or "component": KClosest, Radius or ComponentKClosest. sampler :
-    "random", "halton" or "grid".
-    rng : a seed.
+    n : the number of samples; for a grid, the points of the largest grid with at most n. Free
+        samples become nodes.
+    rule : "closest", "radius" or "component": KClosest, Radius or ComponentKClosest.
+    sampler : "random", "halton" or "grid".
+    rng : the first seed.
 
-    A step is a node, and once all are there the edges that a node gets when it is tried with its
-    neighbours. `board.plan` is on show. Raises InvalidParameter.
+    Returns
+    -------
+    RoadmapBoard
+        `plan` is the plan shown.
 
+    Raises
+    ------
+    InvalidParameter
+
+    Examples
+    --------
     >>> from kinoedu import Point, PolygonWorld, Problem
-    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
+    >>> room = [(0, 0), (10, 0), (10, 10), (0, 10)]
+    >>> world = PolygonWorld(room, [[(4, 0), (6, 0), (6, 8), (4, 8)]])
     >>> roadmap_board(Problem(Point(), world, start=(1, 1), goal=(9, 1)), n=100, sampler="halton")
     RoadmapBoard(path of length 19.12; nodes 86, edges 490, components 1)
     """
@@ -106,42 +107,40 @@ def roadmap_board(
 
 
 class RoadmapBoard(Framed):
-    """What `roadmap_board` makes: the controls, and the roadmap in `canvas`."""
+    """The widget that `roadmap_board` returns: the controls, and the roadmap in `canvas`."""
 
     def __init__(self, problem: ProblemRecord, n: int, rule: str, sampler: str, rng: int) -> None:
-        self._given = in_plane(problem)
+        self._given = check_in_plane(problem)
         self.controls = RoadmapControls(problem, n, rule, sampler, rng)
         self.plan: Plan | None = None
-        super().__init__(self.controls.all, [canvas_for(problem, self.answer)])
+        super().__init__(self.controls.all, [make_problem_canvas(problem, self.answer)])
 
     def answer(self, scene: Scene) -> Drawing:
-        """Plan in a scene as the controls say, and draw the roadmap."""
+        """Plan in a scene with the settings of the controls, and draw the roadmap."""
         self.plan = prm(problem_in(scene, self._given), **self.controls.given)
-        return roadmap_drawn(self.plan)
+        return draw_growing_roadmap(self.plan)
 
     def _changed(self, change: Any) -> None:
         self.controls.dress()
         super()._changed(change)
 
 
-def roadmap_drawn(plan: Plan) -> Drawing:
-    """A roadmap that grows: its nodes one by one, then the edges of one after another; and the
-    path.
-    """
+def draw_growing_roadmap(plan: Plan) -> Drawing:
+    """Draw a roadmap that grows, its nodes first, then the edges of each node; and the path."""
     roadmap = plan.roadmap
     n = len(roadmap.nodes)
-    layers = roadmap_layers(roadmap)
-    told = told_of(roadmap)
+    layers, unit = draw_nodes_and_edges(roadmap), say("roadmap_board.unit")
+    *texts, counts = describe_steps(roadmap)
     if plan.path is None:
-        text = say("roadmap_board.failed", reason=plan.reason, counts=told.pop())
+        text = say("roadmap_board.failed", reason=plan.reason, counts=counts)
     else:
         layers.append(path(plan.path, "path"))
-        text = say("roadmap_board.found", length=f"{plan.cost:.4g}", counts=told.pop())
-    return Drawing(layers, text=text, total=2 * n, unit=say("roadmap_board.unit"), told=told)
+        text = say("roadmap_board.found", length=f"{plan.cost:.4g}", counts=counts)
+    return Drawing(layers, text=text, total=2 * n, unit=unit, step_texts=texts)
 
 
-def roadmap_layers(roadmap: Roadmap) -> list[Layer]:
-    """Edges at the steps at which the first of their nodes is tried, and nodes at those before."""
+def draw_nodes_and_edges(roadmap: Roadmap) -> list[Layer]:
+    """Nodes one per step, then each edge at the step at which its first node is tried."""
     n = len(roadmap.nodes)
     return [
         edges(roadmap.nodes[roadmap.edges], "roadmap", width=0.8, when=n + 1 + roadmap.edges[:, 0]),
@@ -149,28 +148,20 @@ def roadmap_layers(roadmap: Roadmap) -> list[Layer]:
     ]
 
 
-def told_of(roadmap: Roadmap) -> list[str]:
-    """What is there at each step, in words; at the last one the counts."""
+def describe_steps(roadmap: Roadmap) -> list[str]:
+    """The nodes, edges and components at each step, in words; at the last step the counts."""
     n = len(roadmap.nodes)
+    # Each message is looked up once; its numbers are filled in afterwards.
+    blanks = {name: f"{{{name}}}" for name in ("joined", "edges", "components")}
     sampled = say("roadmap_board.sampled", nodes="{nodes}", n=f"{n:,}")
-    joined = say(
-        "roadmap_board.joined",
-        joined="{joined}",
-        edges="{edges}",
-        components="{components}",
-        n=f"{n:,}",
-    )
+    joined = say("roadmap_board.joined", n=f"{n:,}", **blanks)
     so_far = np.searchsorted(roadmap.edges[:, 0], np.arange(n), side="right")
     components = components_as_joined(n, roadmap.edges)[so_far]
-    told = [sampled.format(nodes=f"{k:,}") for k in range(n + 1)]
-    told += [
+    texts = [sampled.format(nodes=f"{k:,}") for k in range(n + 1)]
+    texts += [
         joined.format(joined=f"{k:,}", edges=f"{m:,}", components=f"{c:,}")
         for k, (m, c) in enumerate(zip(so_far.tolist(), components.tolist(), strict=True), start=1)
     ]
-    told[-1] = say(
-        "roadmap_board.counts",
-        n=f"{n:,}",
-        edges=f"{len(roadmap.edges):,}",
-        components=f"{components[-1]:,}",
-    )
-    return told
+    counts = {"edges": f"{len(roadmap.edges):,}", "components": f"{components[-1]:,}"}
+    texts[-1] = say("roadmap_board.counts", n=f"{n:,}", **counts)
+    return texts

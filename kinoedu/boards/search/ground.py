@@ -1,6 +1,4 @@
-"""What a searches' board searches: the graph of what it was given, and the scene in which it
-stands.
-"""
+"""The graph that a search board searches, and the scene in which it is shown."""
 
 from typing import Any, NamedTuple
 
@@ -18,18 +16,16 @@ from ...words import say
 from ...worlds.polygon_world import PolygonWorldRecord
 from ...worlds.terrain import TerrainRecord
 from ..core.scene import Scene, handle, make_scene, stop
-from ..planning.plans import scene_of
+from ..planning.plans import make_problem_scene
 from .expanding import MOST_NUMBERED
 
-MOST = 900  # nodes: so many expansions are drawn while something is dragged
-SAMPLES, NEIGHBOURS = 40, 5  # of the roadmap that a problem among polygons gets
+MOST = 900  # the most nodes: all their expansions are drawn again while something is dragged
+SAMPLES, NEIGHBOURS = 40, 5  # of the roadmap that is made for a problem among polygons
 ENDS = 2  # the handles before those of the nodes: start and goal
 
 
 class Ground(NamedTuple):
-    """What is searched: a graph, the scene it stands in, and for a grid its free cells and the side
-    of one.
-    """
+    """A graph and its scene; for a grid also its free cells and the side of a cell."""
 
     graph: Graph
     scene: Scene
@@ -37,48 +33,42 @@ class Ground(NamedTuple):
     side: float
 
 
-def ground_of(given: Any, start: int | None, goal: int | None) -> Ground:
-    """The graph of what was given, with its scene. Raises InvalidParameter, InvalidGraph."""
+def make_ground(given: Any, start: int | None, goal: int | None) -> Ground:
+    """The graph of the argument of a search board, with its scene.
+
+    Raises
+    ------
+    InvalidParameter, InvalidGraph
+    """
     if isinstance(given, Graph):
         if given.space is None or given.nodes.shape[1] != 2 or len(given) == 0:
             raise InvalidGraph(say("search_board.needs", given=shortened(given)))
-        ground = checked(given, ends_in(given, start, goal), None, 0.0)
-        return with_stops(ground) if len(given) <= MOST_NUMBERED else ground
+        ground = make_small_ground(given, place_ends(given, start, goal), None, 0.0)
+        return add_stops(ground) if len(given) <= MOST_NUMBERED else ground
     if isinstance(given, ProblemRecord) and given.start.shape == (2,):
         world = given.world
+        ends = np.array([given.start, given.goal])
         if isinstance(world, TerrainRecord):
-            graph = grid_graph(world.free, world.lo, world.resolution)
-            return checked(
-                graph,
-                np.array([given.start, given.goal]),
-                world.free,
-                world.resolution,
-                (world.lo, world.hi),
+            graph = make_grid_graph(world.free, world.lo, world.resolution)
+            return make_small_ground(
+                graph, ends, world.free, world.resolution, (world.lo, world.hi)
             )
         if isinstance(world, PolygonWorldRecord):
             roadmap = prm(given, n=SAMPLES, k=NEIGHBOURS, rng=0).roadmap
-            ground = checked(
-                Graph(nodes=roadmap.nodes, edges=roadmap.edges),
-                np.array([given.start, given.goal]),
-                None,
-                0.0,
+            ground = make_small_ground(
+                Graph(nodes=roadmap.nodes, edges=roadmap.edges), ends, None, 0.0
             )
-            return ground._replace(scene=standing(scene_of(given), ground.scene))
+            return ground._replace(scene=fix_obstacles(make_problem_scene(given), ground.scene))
     free: Any = np.asarray(given) if isinstance(given, np.ndarray | list | tuple) else np.empty(0)
     if free.ndim != 2 or free.dtype != np.bool_ or not free.any():
         raise InvalidParameter(say("search_board.needs", given=shortened(given)))
-    graph = grid_graph(free, np.zeros(2), 1.0)
-    return checked(
-        graph,
-        ends_in(graph, start, goal),
-        free,
-        1.0,
-        (np.zeros(2), np.array(free.shape[::-1], float)),
-    )
+    graph = make_grid_graph(free, np.zeros(2), 1.0)
+    box = np.zeros(2), np.array(free.shape[::-1], float)
+    return make_small_ground(graph, place_ends(graph, start, goal), free, 1.0, box)
 
 
-def ends_in(graph: Graph, start: int | None, goal: int | None) -> Array:
-    """The places of the nodes where start and goal begin, (2, 2)."""
+def place_ends(graph: Graph, start: int | None, goal: int | None) -> Array:
+    """The positions of the nodes where start and goal begin, (2, 2)."""
     nodes = list(graph)
     ends = [nodes[0] if start is None else start, nodes[-1] if goal is None else goal]
     for node in ends:
@@ -87,7 +77,7 @@ def ends_in(graph: Graph, start: int | None, goal: int | None) -> Array:
     return graph.nodes[ends]
 
 
-def checked(
+def make_small_ground(
     graph: Graph,
     ends: Array,
     free: NDArray[np.bool_] | None,
@@ -107,18 +97,17 @@ def checked(
     return Ground(graph, make_scene(lo - margin, hi + margin, handles=handles), free, side)
 
 
-def with_stops(ground: Ground) -> Ground:
-    """The ground with a stop on each node: it can be dragged, and start and goal can be called to
-    it.
-    """
+def add_stops(ground: Ground) -> Ground:
+    """The ground with a stop on each node: nodes can be dragged, and clicked for start and goal."""
     graph = ground.graph
     stops = [stop(say("search_board.node", number=u), graph.nodes[u]) for u in graph]
     return ground._replace(scene={**ground.scene, "handles": ground.scene["handles"] + stops})
 
 
-def graph_in(scene: Scene, graph: Graph) -> Graph:
-    """The graph with its nodes where the stops of a scene are; weights that were lengths are the
-    new lengths, others stay.
+def move_nodes(scene: Scene, graph: Graph) -> Graph:
+    """The graph with its nodes at the stops of a scene.
+
+    Weights that were lengths become the new lengths; others stay.
     """
     stops = scene["handles"][ENDS:]
     if not stops:
@@ -135,21 +124,19 @@ def graph_in(scene: Scene, graph: Graph) -> Graph:
     return moved
 
 
-def standing(scene: Scene, searched: Scene) -> Scene:
-    """A problem's scene in which nothing but start and goal moves."""
+def fix_obstacles(scene: Scene, searched: Scene) -> Scene:
+    """A problem's scene in which only start and goal can be dragged."""
     polygons = [{**item, "movable": False, "vertices": False} for item in scene["polygons"]]
     discs = [{**item, "movable": False} for item in scene["discs"]]
     return {**scene, "handles": searched["handles"], "polygons": polygons, "discs": discs}
 
 
-def grid_graph(free: NDArray[np.bool_], corner: Array, side: float) -> Graph:
-    """A node in the middle of each free cell, row by row, joined to those at its four sides."""
+def make_grid_graph(free: NDArray[np.bool_], corner: Array, side: float) -> Graph:
+    """A node in the middle of each free cell, row by row, joined to its four neighbours."""
     number = np.full(free.shape, -1)
     number[free] = np.arange(np.count_nonzero(free))
     across = np.stack([number[:, :-1], number[:, 1:]], axis=-1)[free[:, :-1] & free[:, 1:]]
     up = np.stack([number[:-1], number[1:]], axis=-1)[free[:-1] & free[1:]]
     rows, columns = np.nonzero(free)
-    return Graph(
-        nodes=corner + side * (np.column_stack([columns, rows]) + 0.5),
-        edges=np.concatenate([across, up]),
-    )
+    nodes = corner + side * (np.column_stack([columns, rows]) + 0.5)
+    return Graph(nodes=nodes, edges=np.concatenate([across, up]))

@@ -1,1 +1,1 @@
-"""The board of a tree that is rewired."""
+"""The board of RRT*, whose tree is rewired."""

@@ -1,6 +1,4 @@
-"""The tree of an RRT* as it was at each step, drawn so that it can be scrubbed: a step is a
-node.
-"""
+"""The tree of RRT* at each step, drawn so that it can be scrubbed: one step is one node."""
 
 from typing import Any, NamedTuple
 
@@ -12,25 +10,25 @@ from ...geometry.checks import Array
 from ...graphs import extract_path
 from ...planners.trees.rewiring import Rewirings
 from ...words import say
-from ..core.drawing import Layer, bodies, dots, edges
+from ..core.drawing import Layer, bodies, dots, edges, path_edges, segments_along
 
-CORNERS = 40  # of a ball as it is drawn
+CORNERS = 40  # of the polygon that draws a ball
 
 
 class Way(NamedTuple):
-    """The way to the goal from the step on at which it came, (k, 2), and its length."""
+    """A path to the goal (k, 2), its length, and the step from which it is the path found."""
 
     step: int
     points: Array
     cost: float
 
 
-def tree_as_it_was(log: Rewirings) -> Layer:
-    """Every edge, from the step at which it came to that at which it was replaced."""
+def draw_tree_history(log: Rewirings) -> Layer:
+    """Every edge, from the step at which it was added to the step at which it was replaced."""
     n = len(log.nodes)
     until = np.where(log.gone < n, log.gone + 1.0, np.inf)
     return edges(
-        segments(log, log.parent, log.node),
+        log_segments(log, log.parent, log.node),
         "tree",
         width=line_width(n),
         when=log.came + 1,
@@ -38,13 +36,13 @@ def tree_as_it_was(log: Rewirings) -> Layer:
     )
 
 
-def segments(log: Rewirings, begins: NDArray[np.int64], ends: NDArray[np.int64]) -> Array:
-    """From nodes to nodes, (m, 2, 2)."""
+def log_segments(log: Rewirings, begins: NDArray[np.int64], ends: NDArray[np.int64]) -> Array:
+    """Segments from nodes to nodes, (m, 2, 2)."""
     return np.stack([log.nodes[begins, :2], log.nodes[ends, :2]], axis=1)
 
 
-def ways_to_goal(log: Rewirings) -> list[Way]:
-    """The way to the goal whenever it became another."""
+def find_ways_to_goal(log: Rewirings) -> list[Way]:
+    """The path to the goal after each change of it."""
     parent, ways, on_way = np.full(len(log.nodes), -1), list[Way](), {log.at_goal}
     for node, above, came in zip(
         log.node.tolist(), log.parent.tolist(), log.came.tolist(), strict=True
@@ -55,44 +53,36 @@ def ways_to_goal(log: Rewirings) -> list[Way]:
             on_way, points = set(numbers.tolist()), log.nodes[numbers, :2]
             while ways and ways[-1].step == came + 1:
                 ways.pop()
-            ways.append(
-                Way(
-                    came + 1,
-                    points,
-                    float(np.sqrt((np.diff(points, axis=0) ** 2).sum(axis=1)).sum()),
-                )
-            )
+            length = float(np.sqrt((np.diff(points, axis=0) ** 2).sum(axis=1)).sum())
+            ways.append(Way(came + 1, points, length))
     return ways
 
 
-def ways_drawn(ways: list[Way]) -> list[Layer]:
-    """Ways one after another, on a dark casing as a path is drawn."""
+def draw_ways(ways: list[Way]) -> list[Layer]:
+    """Draw the paths one after another, on a dark casing."""
     rows, when, until = [np.empty((0, 2, 2))], list[float](), list[float]()
     for way, after in zip(ways, [*(float(way.step) for way in ways[1:]), np.inf], strict=False):
-        rows.append(np.stack([way.points[:-1], way.points[1:]], axis=1))
+        rows.append(segments_along(way.points))
         when += [way.step] * len(rows[-1])
         until += [after] * len(rows[-1])
-    whole = np.concatenate(rows)
-    return [
-        edges(whole, colour, width=width, when=when, until=until)
-        for colour, width in (("ink", 5.0), ("path", 3.0))
-    ]
+    return path_edges(np.concatenate(rows), when=when, until=until)
 
 
 def costs_at(ways: list[Way], total: int) -> list[float]:
-    """The length of the way to the goal at each step from 0, infinite before there is one."""
+    """The length of the path to the goal at each step from 0, infinite before there is one."""
     costs = np.full(total + 1, np.inf)
     for way in ways:
         costs[way.step :] = way.cost
     return costs.tolist()
 
 
-def moments_drawn(log: Rewirings, near: NDArray[np.int64]) -> list[Layer]:
-    """At each step the new node with its ball, the nodes near, the parent chosen, and the edges
-    re-hung, the old ones dashed.
+def draw_moments(log: Rewirings, near: NDArray[np.int64]) -> list[Layer]:
+    """Draw at each step the new node, its ball and neighbours, its parent and the rewired edges.
+
+    The edges that were replaced are dashed.
     """
     n, nodes = len(log.nodes), log.nodes[:, :2]
-    old = rehung_from(log)
+    old = former_parents(log)
     new, again = log.node == log.came, log.node != log.came
     looked = np.flatnonzero(log.radius > 0.0)
 
@@ -102,24 +92,14 @@ def moments_drawn(log: Rewirings, near: NDArray[np.int64]) -> list[Layer]:
     angles = 2.0 * np.pi * np.arange(CORNERS) / CORNERS
     rim = np.column_stack([np.cos(angles), np.sin(angles)])
     balls = nodes[looked, None] + log.radius[looked, None, None] * rim
+    replaced = log_segments(log, old, log.node[again])
+    rewired = log_segments(log, log.parent[again], log.node[again])
+    added = log_segments(log, log.parent[new], log.node[new])
     return [
         bodies(balls, "robot", **then(looked)),
-        edges(
-            segments(log, old, log.node[again]),
-            "hit",
-            width=1.8,
-            dash=(3.0, 5.0),
-            **then(log.came[again]),
-        ),
-        edges(
-            segments(log, log.parent[again], log.node[again]),
-            "hit",
-            width=4.0,
-            **then(log.came[again]),
-        ),
-        edges(
-            segments(log, log.parent[new], log.node[new]), "ink", width=4.0, **then(log.came[new])
-        ),
+        edges(replaced, "hit", width=1.8, dash=(3.0, 5.0), **then(log.came[again])),
+        edges(rewired, "hit", width=4.0, **then(log.came[again])),
+        edges(added, "ink", width=4.0, **then(log.came[new])),
         dots(nodes[near[:, 1]], "ink", radius=4.6, **then(near[:, 0])),
         dots(nodes[near[:, 1]], "frontier", radius=3.4, **then(near[:, 0])),
         dots(nodes, "ink", radius=6.5, **then(np.arange(n))),
@@ -127,8 +107,8 @@ def moments_drawn(log: Rewirings, near: NDArray[np.int64]) -> list[Layer]:
     ]
 
 
-def rehung_from(log: Rewirings) -> NDArray[np.int64]:
-    """For each edge that was rewired the parent that its node had before."""
+def former_parents(log: Rewirings) -> NDArray[np.int64]:
+    """For each rewired edge the former parent of its node."""
     before, parents = dict[int, int](), []
     for node, parent, came in zip(
         log.node.tolist(), log.parent.tolist(), log.came.tolist(), strict=True
@@ -139,50 +119,33 @@ def rehung_from(log: Rewirings) -> NDArray[np.int64]:
     return np.array(parents, np.int64)
 
 
-def near_pairs(log: Rewirings) -> NDArray[np.int64]:
+def find_near_pairs(log: Rewirings) -> NDArray[np.int64]:
     """Pairs of a node and an older one within its ball, (m, 2)."""
     from scipy.spatial import cKDTree
 
-    nodes = log.nodes[:, :2]
-    older, newer = (
-        cKDTree(nodes).query_pairs(float(log.radius.max()) * (1.0 + 1e-9), output_type="ndarray").T
-    )
+    nodes, farthest = log.nodes[:, :2], float(log.radius.max()) * (1.0 + 1e-9)
+    older, newer = cKDTree(nodes).query_pairs(farthest, output_type="ndarray").T
     within = ((nodes[older] - nodes[newer]) ** 2).sum(axis=1) <= log.radius[newer] ** 2
     pairs = np.column_stack([newer, older])[within]
     return pairs[np.lexsort((pairs[:, 1], pairs[:, 0]))]
 
 
-def told_of(log: Rewirings, near: NDArray[np.int64], costs: list[float]) -> list[str]:
+def describe_steps(log: Rewirings, near: NDArray[np.int64], costs: list[float]) -> list[str]:
     """What happens at each step, in words."""
     n = len(log.radius)
     count = np.bincount(near[:, 0], minlength=n).tolist()
-    hung = np.bincount(log.came[log.node != log.came], minlength=n).tolist()
-    parent = dict(zip(*log_rows(log), strict=True))
-    told = ["", say("rewiring_board.root")]
-    for node in range(1, n):
-        cost = costs[node + 1]
-        way = (
-            say("rewiring_board.way", cost=f"{cost:.4g}")
-            if np.isfinite(cost)
-            else say("rewiring_board.no_way")
-        )
-        if node == log.at_goal:
-            told.append(say("rewiring_board.goal", node=node, parent=parent[node], way=way))
-        else:
-            told.append(
-                say(
-                    "rewiring_board.node",
-                    node=node,
-                    parent=parent[node],
-                    near=count[node],
-                    hung=hung[node],
-                    way=way,
-                )
-            )
-    return told
-
-
-def log_rows(log: Rewirings) -> tuple[list[int], list[int]]:
-    """The new nodes and the parents chosen for them."""
+    rewired = np.bincount(log.came[log.node != log.came], minlength=n).tolist()
     new = log.node == log.came
-    return log.node[new].tolist(), log.parent[new].tolist()
+    parent = dict(zip(log.node[new].tolist(), log.parent[new].tolist(), strict=True))
+    texts = ["", say("rewiring_board.root")]
+    for node in range(1, n):
+        cost, values = costs[node + 1], {"node": node, "parent": parent[node]}
+        way = say("rewiring_board.no_way")
+        if np.isfinite(cost):
+            way = say("rewiring_board.way", cost=f"{cost:.4g}")
+        if node == log.at_goal:
+            texts.append(say("rewiring_board.goal", **values, way=way))
+        else:
+            counts = {"near": count[node], "hung": rewired[node]}
+            texts.append(say("rewiring_board.node", **values, **counts, way=way))
+    return texts
