@@ -1,9 +1,8 @@
-"""Motions in time among obstacles that move. A configuration is (x, y, t); a motion is straight, at
-a constant speed.
+"""Collision detection among moving obstacles, for straight motions in (x, y, t).
 
-Between two of a mover's times both move straight: seen from the mover, the robot moves straight
-past a piece that stands. So each such stretch is judged whole, by the same test as among obstacles
-that stand still.
+The speed of the robot is constant. Between two times of a moving obstacle both it and the robot
+move along straight lines: relative to the obstacle, the robot moves along a straight line past a
+fixed piece. So each such stretch is tested as a whole, by the same test as for fixed obstacles.
 """
 
 from typing import Any
@@ -22,8 +21,9 @@ from .passing import touches
 def free_in_time(
     robot: Any, world: MovingWorldRecord, a: Array, b: Array, clearance: float
 ) -> bool:
-    """Off all that stands and all that moves, at every moment; never back in time, nor anywhere in
-    no time.
+    """Whether the motion touches no fixed and no moving obstacle at any moment.
+
+    It must not go back in time, and must not change the position in no time.
     """
     if b[2] < a[2] or (b[2] == a[2] and (b[0] != a[0] or b[1] != a[1])):
         return False
@@ -39,9 +39,7 @@ def free_in_time(
 def is_met(
     robot: Any, world: MovingWorldRecord, i: int, a: Array, b: Array, clearance: float
 ) -> bool:
-    """Whether moving piece i touches the robot on its way from a to b, stretch by stretch between
-    the mover's times.
-    """
+    """Whether moving piece i touches the robot on its way from a to b."""
     k, end = world.knots[i, 0], world.knots[i, 1]
     while k < end and world.times[k] <= a[2]:
         k += 1

@@ -1,6 +1,4 @@
-"""What a robot's configurations are in a world: their space, how one enters, and what is wrong with
-one that is not free.
-"""
+"""Configuration spaces of the robots, checks of configurations, and reasons for collisions."""
 
 from functools import singledispatch
 from typing import Any
@@ -25,7 +23,17 @@ from ..support.text import shortened
 
 @singledispatch
 def space_of(robot: Any, world: Any) -> Any:
-    """The configuration space of a robot in a world; each kind of robot has its own."""
+    """The configuration space of a robot in a world.
+
+    Returns
+    -------
+    RealSpace, WrappingSpace or CurveSpace, depending on the kind of robot.
+
+    Raises
+    ------
+    InvalidParameter
+        Where `robot` is not a robot.
+    """
     raise InvalidParameter(f"expected a robot such as Point() or Disk(1), got {shortened(robot)}")
 
 
@@ -37,19 +45,15 @@ def _(robot: RoundRobot, world: Any) -> RealSpace:
 @space_of.register
 def _(robot: TranslatingPolygonRobot, world: Any) -> RealSpace:
     lo, hi = robot.outline.min(axis=0), robot.outline.max(axis=0)
-    return RealSpace(
-        world.lo - np.maximum(lo, 0.0), world.hi - np.minimum(hi, 0.0)
-    )  # a reference point off the body may lie outside
+    # a reference point outside the body may lie outside the world
+    return RealSpace(world.lo - np.maximum(lo, 0.0), world.hi - np.minimum(hi, 0.0))
 
 
 @space_of.register
 def _(robot: RigidPolygonRobot, world: Any) -> WrappingSpace:
     off = point_polygon_distance((0.0, 0.0), robot.outline)
-    lo, hi, weight = (
-        np.append(world.lo - off, -np.pi),
-        np.append(world.hi + off, np.pi),
-        np.array([1.0, 1.0, robot.turn_weight]),
-    )
+    lo, hi = np.append(world.lo - off, -np.pi), np.append(world.hi + off, np.pi)
+    weight = np.array([1.0, 1.0, robot.turn_weight])
     return WrappingSpace(lo, hi, np.array([False, False, True]), weight)
 
 
@@ -67,7 +71,17 @@ def _(robot: ArmRobot, world: Any) -> WrappingSpace:
 
 
 def as_configuration(value: ArrayLike, space: Any, name: str) -> Array:
-    """A configuration of a space, shape (d,), its angles in [-pi, pi), or InvalidPoint."""
+    """Check a configuration of a space.
+
+    Returns
+    -------
+    (d,) array, with its angles in [-pi, pi).
+
+    Raises
+    ------
+    InvalidPoint
+        Where the value is not d finite numbers.
+    """
     q = as_array(value, name)
     if q.shape != space.lo.shape:
         raise InvalidPoint(f"{name} must be {len(space.lo)} numbers, got {shortened(value)}")
@@ -78,7 +92,7 @@ def as_configuration(value: ArrayLike, space: Any, name: str) -> Array:
 
 @singledispatch
 def why_not_free(robot: Any, world: Any, q: Array, clearance: float) -> str:
-    """What is wrong with a configuration that is not free, and what to do, in words."""
+    """Explain why a configuration is not free, and say what to change."""
     return (
         f"the robot{margin_text(clearance)} is outside, inside an obstacle or touching one there; "
         "move it into the open"
@@ -107,5 +121,5 @@ def _(robot: ArmRobot, world: Any, q: Array, clearance: float) -> str:
 
 
 def margin_text(clearance: float) -> str:
-    """The clearance in words, where there is one."""
+    """The clearance as text for a message; empty where the clearance is 0."""
     return f" with a clearance of {clearance:g}" if clearance else ""

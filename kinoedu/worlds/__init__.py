@@ -1,4 +1,4 @@
-"""Worlds: where a robot moves, made from polygons or bitmaps or read from files."""
+"""Worlds in which robots move: polygons and bitmaps, built in code or read from files."""
 
 from .benchmr import read_benchmr
 from .heights import clearance_of_cells, read_heights, roughness, slope

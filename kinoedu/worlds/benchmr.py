@@ -1,12 +1,17 @@
-"""Maps of polygons in JSON, as drawn for bench-mr: parking lots and warehouses, y down as in the
-pictures they were traced from.
+"""Polygon maps in JSON, as drawn for Bench-MR: parking lots and warehouses, with y down.
 
-    {"polygons": [[[x, y], ...], ...], "start": [x, y, theta], "goal": [x, y, theta], "source": "...", "note": "..."}
+    {
+        "polygons": [[[x, y], ...], ...],
+        "start": [x, y, theta],
+        "goal": [x, y, theta],
+        "source": "...",
+        "note": "..."
+    }
 
-All but `polygons` may be left out. E. Heiden, L. Palmieri et al., "Bench-MR: a motion planning
-benchmark for wheeled mobile robots" (2021). Such drawings have what a world refuses: outlines that
-cross themselves, corners and polygons that are there twice. Here they are mended, and a warning
-says which.
+Only `polygons` is required. E. Heiden, L. Palmieri et al., "Bench-MR: a motion planning benchmark
+for wheeled mobile robots" (2021). Such drawings contain what a world refuses: outlines that cross
+themselves, repeated corners and repeated polygons. They are repaired here, and a warning lists the
+repairs.
 """
 
 import os
@@ -25,13 +30,12 @@ from ..support.reading import regular_file
 from .outlines import rectangle
 from .polygon_world import PolygonWorld, PolygonWorldRecord
 
-SLIVER = (
-    1e-12  # of the polygon's rectangle: what a crossing pinches off and is smaller, is rounding
-)
+# of the area of the polygon's bounding rectangle: smaller regions at a crossing are rounding errors
+SLIVER = 1e-12
 
 
 class PolygonMap(NamedTuple):
-    """A map's world, and its start and goal where it has them; y up."""
+    """The world of a map, and its start and goal, or None; y points up."""
 
     world: PolygonWorldRecord
     start: Array | None
@@ -39,33 +43,51 @@ class PolygonMap(NamedTuple):
 
 
 def read_benchmr(path: str | os.PathLike[str], *, boundary: ArrayLike | None = None) -> PolygonMap:
-    """The map in a JSON file of polygons.
+    """Read a polygon map from a JSON file.
+
+    y is flipped to point up: the lowest corner of the drawing has y = 0, x stays. A heading theta
+    becomes -theta. An outline that crosses itself becomes the region that it encloses; repeated
+    corners and polygons are dropped. The warning MendedPolygons gives their numbers.
 
     Parameters
     ----------
-    boundary : (n, 2), a simple polygon, y up; by default the rectangle round all polygons.
+    boundary : (n, 2), a simple polygon, y up; by default the bounding rectangle of all polygons.
 
-    y turns up: the lowest corner of the drawing has y = 0, x stays. A heading theta becomes -theta.
-    An outline that crosses itself becomes all that it encloses; repeated corners and polygons are
-    left out. A warning, MendedPolygons, gives their numbers.
+    Returns
+    -------
+    PolygonMap
 
-    Raises UnreadableScene, with the field at fault; InvalidPolygon for one without area, by its
-    number.
+    Raises
+    ------
+    UnreadableScene
+        Where the file is missing or damaged; the message names the field.
+    InvalidPolygon
+        Where a polygon has no area; the message gives its number.
     """
     file = regular_file(path)
     return read_json(file, "map", lambda field: map_from(field, boundary, str(file)))
 
 
 def is_polygon_map(path: str | os.PathLike[str]) -> bool:
-    """Whether a JSON file is such a map, and not a scene. Raises UnreadableScene."""
+    """Whether a JSON file is a polygon map, and not a scene. Raises UnreadableScene."""
     return read_json(
         Path(path), "map", lambda field: isinstance(field.value, dict) and "polygons" in field.value
     )
 
 
 def read_polygons(path: str | os.PathLike[str]) -> PolygonWorldRecord:
-    """The world alone, as `read_world` gives it. Raises UnknownFormat for a scene, and all that
-    `read_benchmr` does.
+    """Read the world of a polygon map; the reader that `read_world` uses.
+
+    Returns
+    -------
+    PolygonWorldRecord
+
+    Raises
+    ------
+    UnknownFormat
+        Where the file is a scene.
+    UnreadableScene, InvalidPolygon
+        As `read_benchmr`.
     """
     if not is_polygon_map(path):
         raise UnknownFormat(
@@ -75,7 +97,7 @@ def read_polygons(path: str | os.PathLike[str]) -> PolygonWorldRecord:
 
 
 def map_from(field: Field, boundary: ArrayLike | None, file: str) -> PolygonMap:
-    """A map from the whole file."""
+    """Build a map from the parsed file."""
     fields = field.members(("polygons",), ("start", "goal", "source", "note"))
     drawn = [as_array(polygon.points(), polygon.name) for polygon in fields["polygons"].items()]
     if not drawn:
@@ -95,7 +117,7 @@ def map_from(field: Field, boundary: ArrayLike | None, file: str) -> PolygonMap:
 
 
 def turned_up(field: Field, bottom: float) -> Array:
-    """A configuration (x, y) or (x, y, theta), y up."""
+    """Flip the y-axis of a configuration (x, y) or (x, y, theta)."""
     q = as_array(field.numbers(), field.name)
     if len(q) not in (2, 3):
         raise field.wrong("[x, y] or [x, y, theta]")
@@ -103,7 +125,7 @@ def turned_up(field: Field, bottom: float) -> Array:
 
 
 def mended(drawn: list[Array], file: str) -> list[Array]:
-    """Simple polygons from what was drawn, and a warning where they are not the same."""
+    """Repair the drawn polygons, and warn where a repair was needed."""
     rings: list[Array] = []
     seen: dict[Any, int] = {}
     notes = []
@@ -127,7 +149,7 @@ def mended(drawn: list[Array], file: str) -> list[Array]:
 
 
 def same_ring(a: Array, b: Array) -> bool:
-    """Whether two rings have the same edges, whichever way round they are written."""
+    """Whether two rings have the same edges, in either orientation."""
     return edges_of_drawing(a) == edges_of_drawing(b)
 
 
@@ -138,14 +160,13 @@ def edges_of_drawing(ring: Array) -> set[frozenset[Any]]:
 
 
 def enclosed(corners: Array, error: InvalidPolygon) -> list[Array]:
-    """The outlines of all that a ring which crosses itself encloses; without area, its error."""
+    """The outlines of the region that a self-crossing ring encloses; raise `error` without area."""
     import shapely
 
     if len(corners) < 3:
         raise error
-    faces = shapely.polygonize(
-        shapely.get_parts(shapely.node(shapely.linestrings(np.vstack([corners, corners[:1]]))))
-    )
+    closed = shapely.linestrings(np.vstack([corners, corners[:1]]))
+    faces = shapely.polygonize(shapely.get_parts(shapely.node(closed)))
     least = SLIVER * np.prod(np.ptp(corners, axis=0))
     parts = [
         part
