@@ -65,7 +65,7 @@ def test_a_point_is_as_free_as_the_robot_was(boundary, robot):
     for q in np.random.default_rng(0).uniform((-1, -1), (21, 15), size=(1500, 2)):
         answer = is_free(point, free, q, 0.0)
         assert answer == free_by_shapely(robot, boundary, obstacles, q)
-        counts[answer] += 1
+        counts[int(answer)] += 1
     assert min(counts) > 100
 
 
@@ -112,7 +112,7 @@ def test_a_robot_that_fits_nowhere_is_refused():
 
 
 def test_parts_of_shapes_that_are_not_convex_make_up_the_whole():
-    """The union of the convex differences is the union of mirrored robots over the obstacle's points."""
+    """The union of convex differences is the union of mirrored robots over the obstacle."""
     parts = translating_obstacles(L_SHAPE, [HOOK])
     whole = shapely.union_all(
         shapely.polygons(parts)
@@ -126,8 +126,7 @@ def test_parts_of_shapes_that_are_not_convex_make_up_the_whole():
     assert translating_obstacles(L_SHAPE, []) == []
 
 
-# ---- sliding
-# -------------------------------------------------------------------------------------------------------------------
+# ---- sliding ------------------------------------------------------------------------------------
 
 
 def random_polygon(rng, size=1.0):
@@ -156,7 +155,7 @@ def test_a_sliding_robot_always_touches_and_never_enters():
 
 
 def test_stretches_name_what_touches_what():
-    """In the middle of each stretch the given vertex lies on the given edge; EE for parallel edges."""
+    """In the middle of each stretch the given vertex lies on the given edge; EE if parallel."""
     rng = np.random.default_rng(4)
     kinds = set()
     for _ in range(60):
@@ -199,15 +198,14 @@ def test_a_way_begins_and_ends_at_one_place():
 
 
 def test_the_star_algorithm_of_the_book():
-    """LaValle's example 4.14: a triangle round a rectangle, seven edges, each of one or the other."""
+    """LaValle's example 4.14: a triangle round a rectangle gives seven edges."""
     way = slide([(-1, -1), (1, 0), (0, 1)], [(0, 0), (4, 0), (4, 2), (0, 2)])
     assert len(way.corners) == 7 and sorted(way.kind.tolist()) == ["EV"] * 3 + ["VE"] * 4
     assert convex_polygons_intersect(minkowski_sum(way.robot, way.corners[0]), way.obstacle)
     assert np.allclose(turned(TRIANGLE, np.pi / 2), [(1, -1), (0, 2), (-1, 0)])
 
 
-# ---- turning
-# -------------------------------------------------------------------------------------------------------------------
+# ---- turning ------------------------------------------------------------------------------------
 
 
 def assert_closed(mesh):
@@ -234,7 +232,7 @@ def test_the_solid_is_closed_and_has_the_volume_of_integral_geometry():
 
 @pytest.mark.parametrize("theta", [-3.1, -np.pi / 2 + 0.01, -0.3, 0.2, 0.7, 1.5, 3.0])
 def test_a_section_is_the_slice(theta):
-    """The section of the mesh is the difference at that angle, within the error of the docstring."""
+    """The section of the mesh is the difference at that angle, within the stated error."""
     robot, obstacle = (
         np.array([(-1.0, -0.5), (2.0, -0.5), (2.0, 0.5), (-1.0, 0.5)]),
         np.array([(3, 3), (6, 4), (5, 6), (3, 5)]),
@@ -254,7 +252,7 @@ def test_a_section_is_the_slice(theta):
 
 
 def test_corners_of_the_mesh_are_corners_of_slices():
-    """Each vertex lies on the boundary of the difference at its own angle, also for parallel shapes."""
+    """Each vertex lies on the boundary of the difference at its angle, also for parallel edges."""
     for robot, obstacle in (
         (BOX, BOX),
         (TRIANGLE, TRIANGLE),
@@ -276,7 +274,7 @@ def test_corners_of_the_mesh_are_corners_of_slices():
 
 
 def test_shapes_that_are_not_convex_are_solids_of_their_parts():
-    """All are closed; a configuration is in one of them exactly where the robot touches the obstacle."""
+    """All are closed; a configuration is in one of them where the robot touches the obstacle."""
     mesh = turning_obstacle(L_SHAPE, HOOK, n_angles=180)
     bodies = mesh.split(only_watertight=False)
     assert mesh.is_watertight and len(bodies) > 1 and all(body.is_watertight for body in bodies)
@@ -315,8 +313,7 @@ def test_wrong_numbers_of_angles_are_refused():
         turning_volume(L_SHAPE, BOX)
 
 
-# ---- discs
-# ---------------------------------------------------------------------------------------------------------------------
+# ---- discs --------------------------------------------------------------------------------------
 
 
 def test_a_grown_polygon_is_measured_in_closed_form():

@@ -60,8 +60,7 @@ def semi_free(robot: Any, world: Any, a: Any, b: Any, clearance: float = 0.0) ->
     return bool(is_semi_free_path(robot, world, at(*a), at(*b), clearance))
 
 
-# ---- polygons, exactly
-# -------------------------------------------------------------------------------------------------------
+# ---- polygons, exactly --------------------------------------------------------------------------
 
 
 class ExactWorld:
@@ -88,9 +87,7 @@ class ExactWorld:
         )
 
     def is_free(self, a: Any, b: Any) -> bool:
-        """No contact anywhere: the motion starts in the open and meets neither an edge nor a
-        disc.
-        """
+        """No contact: the motion starts in the free space and meets neither an edge nor a disc."""
         return not (
             self.is_solid(a)
             or any(shared_exactly(a, b, *edge) for edge in self.edges)
@@ -98,9 +95,7 @@ class ExactWorld:
         )
 
     def is_semi_free(self, a: Any, b: Any) -> bool:
-        """Nowhere solid on both sides, tried beside the middle of each stretch between two
-        contacts.
-        """
+        """Nowhere solid on both sides, by points beside each stretch between contacts."""
         if any(nearest_exactly(c, a, b)[0] < r * r for c, r in self.discs):
             return False
         a, b = exact(a), exact(b)
@@ -127,7 +122,7 @@ whole = st.tuples(st.integers(-24, 24), st.integers(-24, 24))
 
 @st.composite
 def exact_worlds(draw: Any) -> ExactWorld:
-    """Boundaries with pockets; obstacles that overlap, touch, cross the boundary, have rooms, are round."""
+    """Boundaries with pockets; obstacles that overlap, touch, have rooms, or are round."""
     boundary = (
         BOX if draw(st.booleans()) else [(4 * x, 4 * y) for x, y in draw(simple_polygons(most=9))]
     )
@@ -155,9 +150,9 @@ def exact_worlds(draw: Any) -> ExactWorld:
     [((0, 8), (8, 8)), ((1, 1), (7, 1)), ((2, 5), (6, 5))],
 )
 def test_points_among_polygons_are_judged_exactly(world: ExactWorld, motions: Any) -> None:
-    """Motions, semi-free motions and configurations of a point are tested exactly, in both directions.
+    """Free and semi-free motions and configurations of a point are tested exactly.
 
-    On a lattice, where motions graze, slide and touch at corners.
+    In both directions, on a lattice, where motions graze, slide and touch at corners.
     """
     corners = [edge[0] for edge in world.edges]
     motions += zip(corners[::2], corners[1::2], strict=False)
@@ -243,17 +238,13 @@ class TestContact:
         ],
     )
     def test_standing_still(self, q: Any, is_free_there: bool, semi: bool) -> None:
-        """A motion that stays where it is obeys the same rule: contact is semi-free, the inside is
-        not.
-        """
+        """A configuration in contact is semi-free; a configuration inside an obstacle is not."""
         assert bool(is_free(Point(), self.box, at(*q), 0.0)) is is_free_there
         assert free(Point(), self.box, q, q) is is_free_there
         assert semi_free(Point(), self.box, q, q) is semi
 
     def test_a_disk_touches_at_its_radius(self) -> None:
-        """Along an edge, past a corner (3-4-5), between walls exactly as far apart as it is wide,
-        and at the boundary.
-        """
+        """Along an edge, past a corner (3-4-5), between walls, and at the boundary."""
         for a, b in (
             ((-6, -1), (12, -1)),
             ((-1, -1.0), (-1, 9)),
@@ -318,7 +309,7 @@ def test_rooms_are_free_within_and_hold_obstacles() -> None:
 
 
 def test_pockets_of_the_boundary_are_solid() -> None:
-    """Also where a vertex between two pockets lies on an edge of the hull, and at the hull's corners."""
+    """Also where a vertex between two pockets lies on an edge of the hull, and at its corners."""
     boundary = [
         (0, 0),
         (12, 0),
@@ -362,8 +353,7 @@ def test_a_sliver_of_a_wall_stops_everything(width: float, robot: Any) -> None:
         assert free(robot, world, a, (0.4, a[1]))
 
 
-# ---- polygons, against shapely
-# -----------------------------------------------------------------------------------------------
+# ---- polygons, against shapely ------------------------------------------------------------------
 
 
 def random_world(
@@ -451,7 +441,7 @@ def test_motions_among_polygons_agree_with_shapely(scale: float, shift: float) -
 def test_clearance_is_a_larger_disk(
     world: ExactWorld, a: Any, b: Any, radius: float, clearance: float
 ) -> None:
-    """Disk(r) with clearance c is Disk(r + c); a point with a clearance is a disk of that radius."""
+    """Disk(r) with clearance c is Disk(r + c); a point with clearance c is Disk(c)."""
     for ask in (free, semi_free):
         expected = ask(Disk(radius + clearance), world.record, a, b)
         assert ask(Disk(radius), world.record, a, b, clearance) is expected
@@ -502,8 +492,7 @@ def test_a_world_without_obstacles_is_free_inside() -> None:
     assert not free(Disk(1.0), world, (1, 1), (3, 3))
 
 
-# ---- terrains
-# ----------------------------------------------------------------------------------------------------------------
+# ---- terrains -----------------------------------------------------------------------------------
 
 
 class ExactTerrain:
@@ -519,9 +508,7 @@ class ExactTerrain:
         return not (0 <= i < self.columns and 0 <= j < self.rows and self.cells[j][i])
 
     def is_free(self, a: Any, b: Any) -> bool:
-        """Strictly inside the rim, and no blocked cell is left after clipping the motion to it,
-        slab by slab.
-        """
+        """Strictly inside the border, and no blocked cell meets the motion."""
         if not all(0 < x < self.columns and 0 < y < self.rows for x, y in (a, b)):
             return False
         u = minus(b, a)
@@ -631,9 +618,7 @@ class TestTerrainContact:
             assert semi_free(Point(), self.world, start, end) is semi
 
     def test_a_blocked_cell_at_the_rim_leaves_no_way_between(self) -> None:
-        """What is outside is solid: the rim of a blocked cell is inside the solid, on each of the
-        four sides.
-        """
+        """The outside is solid: no motion runs between it and a blocked cell."""
         world = Terrain([[0, 1, 0], [1, 1, 1], [0, 1, 0]])
         for a, b in (
             ((0, 0), (1, 0)),
@@ -660,9 +645,7 @@ class TestTerrainContact:
         ],
     )
     def test_standing_still(self, q: Any, semi: bool) -> None:
-        """The inside of a cell, or of the edge that two blocked cells share, is not semi-free; a
-        contact is.
-        """
+        """Interiors of cells and of their common edges are not semi-free; contacts are."""
         assert semi_free(Point(), self.world, q, q) is semi
 
     def test_a_disk_touches_at_its_radius(self) -> None:
@@ -685,9 +668,7 @@ class TestTerrainContact:
                 )
 
     def test_a_disk_passes_a_corner_at_the_distance_of_the_corner(self) -> None:
-        """3-4-5: the corner (4, 2) of a blocked cell seen from (4.6, 2.8) is exactly one away, but
-        for rounding.
-        """
+        """3-4-5: the corner (4, 2) is at distance 1 from (4.6, 2.8), up to rounding."""
         assert (
             free(Disk(0.999999999), self.world, (4.6, 2.8), (4.6, 2.8)) is False
         )  # the rim of the cell (3, 2) is nearer
@@ -701,7 +682,10 @@ class TestTerrainContact:
     [(1.0, (0.0, 0.0)), (0.3, (-3.7, 100.1)), (1e-6, (0.0, 0.0)), (7e5, (1e6, -1e6))],
 )
 def test_motions_on_terrains_agree_with_shapely(side: float, origin: Any) -> None:
-    """Points and disks on random bitmaps of any scale; cases within rounding of contact are left out."""
+    """Points and disks on random bitmaps of any scale.
+
+    Cases within rounding of contact are left out.
+    """
     rng = np.random.default_rng(3)
     margin = 1e-9 * side + 1e-14 * max(map(abs, origin))
     judged = {True: 0, False: 0}
@@ -785,8 +769,7 @@ def test_a_bad_terrain_is_refused_by_name(cells: Any, options: Any, error: Any, 
     assert words in str(caught.value)
 
 
-# ---- what makes a world and a problem
-# ----------------------------------------------------------------------------------------
+# ---- what makes a world and a problem -----------------------------------------------------------
 
 INNER = [(1, 1), (3, 1), (3, 3), (1, 3)]
 

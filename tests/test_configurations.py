@@ -32,7 +32,7 @@ def test_counted_freedoms_are_those_of_the_constraints(seed):
 
 
 def test_the_law_of_sines_misses_where_the_angle_at_the_base_is_obtuse():
-    """The program to break is right where l2^2 <= l1^2 + r^2 and wrong elsewhere; both cases occur."""
+    """The program to break is right where l2^2 <= l1^2 + r^2 and wrong elsewhere."""
     rng, met = np.random.default_rng(0), {True: 0, False: 0}
     for _ in range(500):
         l1, l2 = rng.uniform(0.5, 2.0, 2)
@@ -67,7 +67,7 @@ def test_a_way_on_the_torus_is_short_and_even():
 
 
 def test_the_reach_board_tells_both_configurations_or_why_there_is_none():
-    """In the ring, on its rim, beyond it, in its hole; a warning where there are infinitely many."""
+    """In the ring, on its rim, beyond it and in its hole; a warning for infinitely many."""
     arm, equal = TwoLinkArm(2, 1, 0.2, base=(1, 0)), TwoLinkArm(1, 1, 0)
     assert "; or " in repr(reach_board(arm, (3, 1)))
     assert repr(reach_board(arm, (1, 3))) == "Canvas(3 from the base: θ₁ = 1.571, θ₂ = 0)"

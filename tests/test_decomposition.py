@@ -1,4 +1,4 @@
-"""Decompositions against an independent oracle, slabs in rational arithmetic; and against shapely."""
+"""Decompositions against an independent oracle in rational arithmetic, and against shapely."""
 
 import json
 import os
@@ -50,8 +50,7 @@ def diamond(x, y, r=1):
     return [(x - r, y), (x, y - r), (x + r, y), (x, y + r)]
 
 
-# ---- the oracle
-# ----------------------------------------------------------------------------------------------------------------
+# ---- the oracle ---------------------------------------------------------------------------------
 
 
 def slabs(edges):
@@ -153,8 +152,7 @@ def has_overlaps(world):
     return not drain(new_sweep(world.edges))
 
 
-# ---- textbook cases
-# ------------------------------------------------------------------------------------------------------------
+# ---- textbook cases -----------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case["id"])
@@ -195,8 +193,12 @@ TOUCHING = {
     "a cross": ([box(3, 1, 5, 7), box(1, 3, 7, 5)], 8, 8),
     "the same twice": ([diamond(4, 4), diamond(4, 4)], 6, 6),
     "a room": ([(box(1, 1, 7, 7), [box(2, 2, 6, 6)])], 5, 4),
-    "a room in a room": ([(box(1, 1, 7, 7), [box(2, 2, 6, 6)]), (box(3, 3, 5, 5), [diamond(4, 4, 0.5)])], 10, 9),
-    "a room that touches the outside at a corner": ([([(1, 1), (7, 1), (7, 7), (1, 7)], [[(1, 4), (3, 3), (3, 5)]])], 5, 4),
+    "a room in a room": (
+        [(box(1, 1, 7, 7), [box(2, 2, 6, 6)]), (box(3, 3, 5, 5), [diamond(4, 4, 0.5)])], 10, 9
+    ),
+    "a room that touches the outside at a corner": (
+        [(box(1, 1, 7, 7), [[(1, 4), (3, 3), (3, 5)]])], 5, 4
+    ),
     "a straight vertex": ([[(2, 2), (4, 2), (6, 2), (6, 5), (2, 5)]], 5, 5),
 }  # fmt: skip
 
@@ -247,7 +249,7 @@ def test_rings_that_begin_at_one_point_stay_apart():
 
 
 def test_a_fan_at_one_point():
-    """Fifty triangles with a common left corner, and fifty with a common right corner, in any order."""
+    """Fifty triangles with a common left corner, and fifty with a common right corner."""
     rng, angles = np.random.default_rng(0), np.linspace(-1.4, 1.4, 200)
     rays = np.column_stack([np.cos(angles), np.sin(angles)])
     fans = [[(4, 4), *(4 + way * rays[i : i + 2])] for way in (-1, 1) for i in range(0, 200, 4)]
@@ -282,7 +284,7 @@ def test_any_unit_of_length(size, shift):
 
 
 def test_combs_of_ten_thousand_vertices():
-    """A lying comb has a long status, a standing one as many cells as teeth; their areas are exact."""
+    """A lying comb has a long status, a standing one as many cells as teeth; exact areas."""
     k = 4999
     teeth = np.where(np.arange(k) % 2 == 0, 1.0, 50.0) + np.random.default_rng(0).uniform(0, 1, k)
     lying = np.concatenate(
@@ -300,8 +302,7 @@ def test_combs_of_ten_thousand_vertices():
         assert area == pytest.approx(shapely.Polygon(ring).area, rel=1e-12)
 
 
-# ---- random worlds
-# -------------------------------------------------------------------------------------------------------------
+# ---- random worlds ------------------------------------------------------------------------------
 
 
 def random_polygon(rng, kind):
@@ -414,8 +415,7 @@ def test_generated_worlds(polygons, scale):
         assert cut.adjacency.tolist() == [list(pair) for pair in pairs]
 
 
-# ---- the sweep and its status
-# ---------------------------------------------------------------------------------------------------
+# ---- the sweep and its status -------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("seed", range(6))
@@ -448,7 +448,7 @@ def test_steps_drained_are_the_decomposition(seed):
 
 
 def test_the_types_of_vertices():
-    """The corners of a triangle have the types of the table in sweep.py; two on one line have none."""
+    """The corners of a triangle have the types of sweep.py; two on one line have none."""
     kinds = [step.kind for step in ke.sweep(ke.PolygonWorld(SQUARE, [[(3, 3), (6, 2), (5, 4)]]))]
     assert kinds == ["2 vertices", "an obstacle begins", "a bend", "an obstacle ends", "2 vertices"]
     tilted = [step.kind for step in ke.sweep(ke.PolygonWorld([(0, 1), (4, 0), (8, 2), (5, 6)]))]
@@ -456,7 +456,7 @@ def test_the_types_of_vertices():
 
 
 def test_the_interpreted_sweep_is_the_compiled_one():
-    """Interpreted code, and a process without compiled code, give the same numbers to the last bit."""
+    """Interpreted code, and a process without compiled code, give the same bits."""
     rng = np.random.default_rng(3)
     worlds = [
         random_world(rng, kind, kind == "lattice")[0] for kind in ("lattice", "round", "round")
@@ -495,7 +495,7 @@ def digest():
 
 
 def test_the_status_is_a_treap():
-    """Ten thousand insertions and removals keep its order, its heap property and a depth of O(log n)."""
+    """Insertions and removals keep its order, its heap property and a depth of O(log n)."""
     rng, nodes, order = np.random.default_rng(0), np.zeros((10_001, 6), np.int64), []
     for node in range(1, 10_001):
         at = int(rng.integers(0, len(order) + 1))
@@ -535,7 +535,7 @@ def test_the_status_is_a_treap():
 
 
 def test_nodes_inserted_in_order_make_no_list():
-    """Nodes that are inserted from bottom to top, as a sweep often does, have a depth of O(log n) too."""
+    """Insertions from bottom to top, as in many sweeps, keep a depth of O(log n) too."""
     nodes = np.zeros((4097, 6), np.int64)
     for node in range(1, 4097):
         insert_above(nodes, node - 1, node)
@@ -546,12 +546,11 @@ def test_nodes_inserted_in_order_make_no_list():
     assert depth(nodes[NOBODY, HIGH]) <= 48
 
 
-# ---- point location, roadmap, triangles
-# -----------------------------------------------------------------------------------------
+# ---- point location, roadmap, triangles ---------------------------------------------------------
 
 
 def test_cells_at_a_point():
-    """Inside a cell one; on a wall both; at a corner of walls all; in an obstacle or outside none."""
+    """Inside a cell one; on a wall both; at a corner of walls all; elsewhere none."""
     cut = ke.trapezoidation(ke.PolygonWorld(SQUARE, [box(3, 3, 5, 5)]))
     assert [cut.cells_at(q).tolist() for q in ((1, 1), (4, 1), (4, 7), (7, 7))] == [
         [0],
@@ -573,7 +572,7 @@ def test_cells_at_a_point():
     "cut_by", [ke.trapezoidation, ke.triangulation], ids=["trapezoids", "triangles"]
 )
 def test_cells_at_agrees_with_shapely(cut_by):
-    """A random point lies in one cell where it is free, otherwise in none; so does each cell's centre."""
+    """A random point lies in one cell where it is free, otherwise in none."""
     rng = np.random.default_rng(5)
     for kind in ("lattice", "round") * 4:
         world, outer, obstacles = random_world(rng, kind, overlapping=True)
@@ -628,8 +627,7 @@ def test_roadmap_edges_are_free(cut_by):
     )
 
 
-# ---- planning
-# --------------------------------------------------------------------------------------------------------------------
+# ---- planning -----------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(("kind", "overlapping"), [*KINDS[1:], ("wide", False), ("wide", True)])
@@ -668,21 +666,21 @@ def test_a_plan_is_found_exactly_when_there_is_one(kind, overlapping):
 
 
 def test_no_path_is_told_with_the_parts():
-    """For a goal in a closed room: the numbers of cells reached from start and goal, and the roadmap."""
+    """For a goal in a closed room: the numbers of cells reached, and the roadmap."""
     room = (box(2, 2, 6, 6), [box(3, 3, 5, 5)])
     plan = ke.plan_by_decomposition(
         ke.Problem(ke.Point(), ke.PolygonWorld(SQUARE, [room]), (1, 1), (4, 4))
     )
     assert plan.path is None and plan.cost == np.inf
     assert (
-        plan.reason
-        == "there is no path: the start lies in a part of 4 cells that does not touch the goal's part of 1"
+        plan.reason == "there is no path: the start lies in a part of 4 cells that does not touch "
+        "the goal's part of 1"
     )
     assert plan.stats["cells"] == 5 and len(plan.roadmap.nodes) == 5 + 4 + 2
 
 
 def test_within_one_cell_the_way_is_straight():
-    """Start and goal in one convex cell, or on its wall, are joined directly; equal ones at cost 0."""
+    """Start and goal in one cell, or on its wall, are joined directly; equal ones at cost 0."""
     world = ke.PolygonWorld(SQUARE, [box(3, 3, 5, 5)])
     assert len(ke.plan_by_decomposition(ke.Problem(ke.Point(), world, (1, 1), (3, 7))).path) == 2
     assert ke.plan_by_decomposition(ke.Problem(ke.Point(), world, (1, 1), (1, 1))).cost == 0.0
@@ -706,8 +704,7 @@ def test_a_recorder_sees_every_motion():
     assert recorder.counts()["is_free_path"] == unseen.stats["checks"] == len(unseen.roadmap.edges)
 
 
-# ---- what is refused
-# -------------------------------------------------------------------------------------------------------------
+# ---- what is refused ----------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
@@ -755,8 +752,7 @@ def test_free_polygons_on_a_grid():
     assert (edges[:, :4] % 2.0**-20 == 0).all()
 
 
-# ---- figures
-# ---------------------------------------------------------------------------------------------------------------------
+# ---- figures ------------------------------------------------------------------------------------
 
 
 def test_figures_show_the_cells():

@@ -28,18 +28,22 @@ KINDS = ("stl", "obj", "dae", "glb")
 
 DAE = """<?xml version="1.0"?>
 <COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
- <asset><created>2020-01-01T00:00:00</created><modified>2020-01-01T00:00:00</modified><up_axis>{up}_UP</up_axis></asset>
+ <asset><created>2020-01-01T00:00:00</created><modified>2020-01-01T00:00:00</modified>
+  <up_axis>{up}_UP</up_axis></asset>
  <library_geometries><geometry id="g"><mesh>
   <source id="p"><float_array id="a" count="12">0 0 0  4 0 0  0 2 0  0 0 1</float_array>
    <technique_common><accessor source="#a" count="4" stride="3">
-    <param name="X" type="float"/><param name="Y" type="float"/><param name="Z" type="float"/></accessor>
+    <param name="X" type="float"/><param name="Y" type="float"/><param name="Z" type="float"/>
+    </accessor>
    </technique_common></source>
   <vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
-  <triangles count="4"><input semantic="VERTEX" source="#v" offset="0"/><p>0 2 1 0 1 3 0 3 2 1 2 3</p></triangles>
+  <triangles count="4"><input semantic="VERTEX" source="#v" offset="0"/>
+   <p>0 2 1 0 1 3 0 3 2 1 2 3</p></triangles>
  </mesh></geometry></library_geometries>
  <library_visual_scenes><visual_scene id="s">
   <node id="n1"><instance_geometry url="#g"/></node>
-  <node id="n2"><translate>10 0 0</translate><rotate>0 0 1 90</rotate><instance_geometry url="#g"/></node>
+  <node id="n2"><translate>10 0 0</translate><rotate>0 0 1 90</rotate>
+   <instance_geometry url="#g"/></node>
  </visual_scene></library_visual_scenes>
  <scene><instance_visual_scene url="#s"/></scene>
 </COLLADA>"""
@@ -98,7 +102,7 @@ def test_bodies_stand_where_the_scene_puts_them_and_up_is_the_files_when_asked(t
 
 
 def solids_at_random(rng):
-    """Boxes, square pipes and pyramids at random places; as a mesh, and as tests of points at a height."""
+    """Random boxes, pipes and pyramids, as a mesh and as tests of points at a height."""
     meshes, tests = [], []
     for _ in range(6):
         x, y, turn = *rng.uniform(-4, 4, 2), rng.uniform(0, 3)
@@ -149,7 +153,7 @@ def solids_at_random(rng):
 
 @pytest.mark.parametrize("seed", range(8))
 def test_slices_and_shadows_hold_the_points_of_the_solids(tmp_path, seed):
-    """For overlapping bodies with holes, by their formulas. A projection is the union of all slices."""
+    """For overlapping bodies with holes; a projection is the union of all slices."""
     rng = np.random.default_rng(seed)
     mesh, tests = solids_at_random(rng)
     file = saved(mesh, tmp_path, ("stl", "obj", "glb")[seed % 3])
@@ -353,7 +357,7 @@ def test_a_scene_may_name_meshes(tmp_path):
     ],
 )
 def test_benchmr_maps_are_read_upright_and_mended(name, bad):
-    """y is flipped, and the union is that of the drawing, by shapely; a warning lists the repairs."""
+    """y is flipped, the union is that of the drawing, and a warning lists the repairs."""
     file = BENCHMR / f"{name}.json"
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")

@@ -18,7 +18,7 @@ from kinoedu import (
     link_in_contact,
 )
 from kinoedu.collision import clearance_of, is_free, paint_configuration_space
-from kinoedu.collision.arms import painted
+from kinoedu.collision.arms import paint_image
 from kinoedu.collision.turning import contact_size
 from kinoedu.errors import (
     InvalidParameter,
@@ -68,7 +68,7 @@ class TestArm:
 
     @pytest.mark.parametrize("case", cases("ik"))
     def test_inverse(self, case: Any) -> None:
-        """All solutions are found, up to full turns; `why_unreachable` is non-empty exactly without one.
+        """All solutions are found, up to full turns; without one `why_unreachable` is not empty.
 
         Their angles lie in [-pi, pi).
         """
@@ -80,7 +80,7 @@ class TestArm:
         assert bool(why_unreachable(arm, case["p"])) is (not found)
 
     def test_inverse_undoes_joints(self) -> None:
-        """A reachable tip has two solutions that lead to it, one of them the original configuration.
+        """A reachable tip has two solutions, one of them the original configuration.
 
         Near the rims too.
         """
@@ -97,7 +97,7 @@ class TestArm:
             assert min(np.abs((s - q + np.pi) % (2 * np.pi) - np.pi).max() for s in found) < 1e-6
 
     def test_rims(self) -> None:
-        """One solution for a stretched or folded arm; a named error at the base of an arm of equal links."""
+        """One solution for a stretched or folded arm; an error at the base of equal links."""
         assert [q.tolist() for q in TwoLinkArm(2, 1, 0).inverse((-3, 0))] == [[-np.pi, 0.0]]
         assert [q.tolist() for q in TwoLinkArm(1, 2, 0).inverse((1, 0))] == [[-np.pi, -np.pi]]
         assert TwoLinkArm(2, 1, 0).inverse((0, 0)) == []
@@ -217,7 +217,7 @@ def test_painter_is_link_in_contact(world: Any) -> None:
             assert image.tolist() == [
                 [link_in_contact(arm, (t1, t2), world) for t1 in angles] for t2 in angles
             ]
-    by_hand = painted.py_func(
+    by_hand = paint_image.py_func(
         arm, world, np.zeros((5, 5), np.int8), contact_size(world.lo, world.hi)
     )
     assert (by_hand == paint_configuration_space(arm, world, 5)).all()

@@ -47,7 +47,7 @@ def exact_integral(cost, a, b):
 
 @pytest.mark.parametrize("body", [integral, integral.py_func])
 def test_the_integral_is_exact(body):
-    """On random motions, and on motions through corners, along sides, backwards, and in one cell."""
+    """On random motions, and on motions through corners, along sides, and in one cell."""
     rng = np.random.default_rng(0)
     cost = rng.integers(1, 9, (7, 11)).astype(float)
     for number in range(400):
@@ -175,7 +175,7 @@ def test_landscapes_are_reproducible_and_have_a_way(kind):
 
 
 def test_slope_and_roughness_of_known_ground():
-    """A plane has its slope and no roughness, also at its border; noise has its standard deviation."""
+    """A plane has its slope and no roughness; noise has its standard deviation."""
     y, x = np.indices((30, 40)) * 0.5
     plane = 3.0 * x - 4.0 * y + 7.0
     np.testing.assert_allclose(slope(plane, resolution=0.5), 5.0, rtol=1e-12)

@@ -91,7 +91,7 @@ def gaps(robot: Any, scene: Any, qs: Any) -> Any:
 
 
 def least_gap(robot: Any, scene: Any, a: Any, b: Any) -> float:
-    """The least clearance on the motion from a to b: 200 steps, then finer ones near the minimum."""
+    """The least clearance on the motion from a to b, by ever finer steps near the minimum."""
     angles = np.arange(len(a)) >= (0 if hasattr(robot, "lengths") else 2)
     change = np.where(angles, (b - a + np.pi) % (2 * np.pi) - np.pi, b - a)
     t, h = np.linspace(0, 1, 201), 1 / 200
@@ -174,7 +174,7 @@ def test_motions_go_the_short_way_round() -> None:
 
 
 class TestContact:
-    """A motion in contact is not free but semi-free; a motion that enters an obstacle is neither."""
+    """Motions in contact are semi-free, not free; motions into an obstacle are neither."""
 
     world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 4), (4, 4)]])
     square = ((-1, -1), (1, -1), (1, 1), (-1, 1))
@@ -255,7 +255,7 @@ def path_is_free(plan: Plan) -> bool:
     ids=["turning", "sliding", "arm"],
 )
 def test_planners_plan(robot: Any, world: Any) -> None:
-    """RRT and PRM find paths from start to goal that are free by shapely, with the sum of distances as cost."""
+    """RRT and PRM find paths that are free by shapely; the cost is the sum of distances."""
     rng = np.random.default_rng(3)
     lo, hi = (
         (np.full(2, -np.pi), np.full(2, np.pi))

@@ -89,7 +89,7 @@ def test_what_does_not_turn_has_no_free_headings():
 
 @pytest.mark.parametrize("seed", range(5))
 def test_scattered_obstacles_keep_their_distance(seed):
-    """By shapely: apart by the gap, off `keep_free`, inside the square, convex, in a fixed order."""
+    """By shapely: apart by the gap, off `keep_free`, inside the square, and convex."""
     import shapely
 
     world = scattered(12, radius=1.2, gap=0.3, keep_free=[(2, 2, 1.5)], rng=seed)
@@ -121,7 +121,7 @@ def test_worlds_that_cannot_be_scattered_are_refused(wrong):
 
 
 def test_every_search_finds_a_path_of_free_motions_or_none_does():
-    """On one roadmap; the shortest search is shortest, breadth-first search has the fewest motions."""
+    """On one roadmap; breadth-first search has the fewest motions."""
     found = 0
     for seed in range(6):
         world = scattered(10, radius=2.2, keep_free=[(2, 2, 1.6), (18, 18, 1.6)], rng=seed)

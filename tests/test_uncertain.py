@@ -17,7 +17,7 @@ from kinoedu import (
 from kinoedu.collision import path_clearances
 from kinoedu.collision.probability import hit_scenarios, part_gaps
 from kinoedu.errors import InvalidParameter, InvalidPoint, InvalidWorld
-from kinoedu.worlds import as_it_is, chance_margins, inflated, scenarios
+from kinoedu.worlds import chance_margins, inflated, scenario_world, scenarios
 
 BOX = [(0, 0), (12, 0), (12, 8), (0, 8)]
 L_SHAPE = [(7, 1), (10, 1), (10, 2), (8, 2), (8, 4), (7, 4)]
@@ -41,7 +41,7 @@ def test_a_margin_is_the_quantile_of_chi_square():
 
 
 def test_one_disc_and_one_segment_by_quadrature():
-    """The probability is the Gaussian's integral over the points within the radius of the segment."""
+    """The probability is the Gaussian's integral over the points near the segment."""
     from scipy.integrate import quad
     from scipy.stats import norm
 
@@ -82,7 +82,7 @@ def test_each_scenario_is_a_world(robot):
         ]
         for scenario in (
             PolygonWorld([(-9, -9), (30, -9), (30, 30), (-9, 30)], shapes),
-            as_it_is(world, offset),
+            scenario_world(world, offset),
         ):
             ask = Problem(robot, scenario, path[0], path[0]) if not was_hit else None
             free = ask and all(ask.is_free_path(a, b) for a, b in zip(path, path[1:]))
@@ -136,7 +136,7 @@ def test_the_inflated_world_holds_all_that_is_within_the_margin():
 
 
 def test_scenarios_are_common_random_numbers():
-    """The same seed draws the same offsets, with the given spread; the nearer path collides more often."""
+    """The same seed draws the same offsets; the nearer path collides more often."""
     world = UncertainWorld(BOX, OBSTACLES, [0.1, 0.2, 0.0])
     offsets = scenarios(world, 20_000, rng=4)
     assert np.array_equal(offsets, scenarios(world, 20_000, rng=np.random.default_rng(4)))

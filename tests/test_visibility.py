@@ -1,4 +1,4 @@
-"""Visibility roadmaps against brute force in degenerate worlds, and shortest paths against networkx."""
+"""Visibility roadmaps against brute force, and shortest paths against networkx."""
 
 from itertools import combinations, pairwise
 
@@ -50,7 +50,7 @@ WORLDS = {
 
 
 def random_world(seed):
-    """A few obstacles with mostly integer coordinates, so that they touch and overlap; and the generator."""
+    """A few obstacles with mostly integer coordinates, which often touch; and the generator."""
     rng = np.random.default_rng(seed)
     lattice, obstacles = rng.random() < 0.8, []
     for _ in range(rng.integers(1, 9)):
@@ -107,7 +107,7 @@ def shortest_by_brute_force(problem):
 
 
 def assert_all_pairs(world):
-    """Assert that the roadmap has exactly the edges that are semi-free motions between its nodes."""
+    """Assert that the edges of the roadmap are the semi-free motions between its nodes."""
     roadmap = ke.visibility_roadmap(world)
     judge = slides(world)
     expected = {
@@ -193,7 +193,7 @@ def test_start_at_the_goal_and_in_sight():
 
 
 def test_a_closed_room_is_out_of_reach_and_a_touching_corner_is_not():
-    """A closed wall leaves no path; obstacles that meet in a point leave one, with a common edge none."""
+    """Obstacles that meet in a point leave a path; a closed wall or a common edge does not."""
     closed = ke.plan_by_visibility(ke.Problem(ke.Point(), WORLDS["a room"], (1, 1), (5, 5)))
     assert (
         closed.path is None

@@ -48,7 +48,7 @@ def translating_obstacles(robot_vertices: ArrayLike, obstacles: Sequence[ArrayLi
            [1., 3.]])]
     """
     rings = [as_ring(obstacle, f"obstacle {number}") for number, obstacle in enumerate(obstacles)]
-    return differences(
+    return pairwise_differences(
         [part for ring in rings for part in convex_parts(ring)],
         convex_parts(as_ring(robot_vertices, "robot")),
     )
@@ -90,14 +90,14 @@ def c_space_world(robot_vertices: ArrayLike, world: PolygonWorldRecord) -> Polyg
            [3., 4.]]))
     """
     robot = as_ring(robot_vertices, "robot")
-    solids = solids_of(world)
+    solids = convex_solids(world)
     boundary = erosion(world.hull, convex_hull(robot))
     if not len(boundary):
         raise InvalidWorld(
             "the robot fits nowhere into the boundary, not even without obstacles; make it "
             "smaller than the world"
         )
-    return PolygonWorld(boundary, differences(solids, convex_parts(robot)))
+    return PolygonWorld(boundary, pairwise_differences(solids, convex_parts(robot)))
 
 
 def turned(vertices: ArrayLike, theta: float) -> Array:
@@ -121,21 +121,21 @@ def turned(vertices: ArrayLike, theta: float) -> Array:
            [-1.,  0.],
            [ 0.,  0.]])
     """
-    return turned_corners(as_ring(vertices), theta)
+    return rotate_corners(as_ring(vertices), theta)
 
 
-def turned_corners(ring: Array, theta: float) -> Array:
+def rotate_corners(ring: Array, theta: float) -> Array:
     """A ring rotated about the origin by theta radians."""
     c, s = np.cos(theta), np.sin(theta)
     return ring @ np.array([[c, s], [-s, c]])
 
 
-def differences(obstacles: Sequence[Array], robots: Sequence[Array]) -> list[Array]:
+def pairwise_differences(obstacles: Sequence[Array], robots: Sequence[Array]) -> list[Array]:
     """The C-obstacle of every pair of a convex obstacle and a convex robot."""
     return [minkowski_difference(obstacle, robot) for obstacle in obstacles for robot in robots]
 
 
-def solids_of(world: Any) -> list[Array]:
+def convex_solids(world: Any) -> list[Array]:
     """The convex parts of all obstacles inside the boundary's hull; InvalidWorld for round ones."""
     if not isinstance(world, PolygonWorldRecord):
         raise InvalidWorld(

@@ -19,7 +19,7 @@ from ..geometry.checks import Array
 from ..geometry.convex import convex_hull, convex_parts
 from ..geometry.minkowski import corner_pairs, leftmost
 from ..geometry.rings import as_convex_ring, as_ring
-from .translating import turned_corners
+from .translating import rotate_corners
 
 if TYPE_CHECKING:
     from trimesh import Trimesh
@@ -83,7 +83,7 @@ def turning_obstacle(
     faces: list[Array] = []
     for robot in robots:
         for solid in obstacles:
-            points, triangles = solid_of(robot, solid, 2.0 * np.pi / n_angles)
+            points, triangles = build_solid(robot, solid, 2.0 * np.pi / n_angles)
             faces.append(triangles + sum(map(len, vertices)))
             vertices.append(points)
     return Trimesh(np.concatenate(vertices), np.concatenate(faces), process=False)
@@ -106,19 +106,19 @@ def turning_volume(robot_vertices: ArrayLike, obstacle: ArrayLike) -> float:
     >>> turning_volume(square, square) == 4 * np.pi + 16
     True
     """
-    A, a = size_of(as_convex_ring(robot_vertices, "robot"))
-    B, b = size_of(as_convex_ring(obstacle, "obstacle"))
+    A, a = area_and_perimeter(as_convex_ring(robot_vertices, "robot"))
+    B, b = area_and_perimeter(as_convex_ring(obstacle, "obstacle"))
     return 2.0 * np.pi * (A + B) + a * b
 
 
-def size_of(ring: Array) -> tuple[float, float]:
+def area_and_perimeter(ring: Array) -> tuple[float, float]:
     """The area and the perimeter of a polygon."""
     near, along = ring - ring[0], np.roll(ring, -1, axis=0) - ring
     area = float((near[:, 0] * along[:, 1] - near[:, 1] * along[:, 0]).sum()) / 2.0
     return area, float(np.sqrt((along * along).sum(axis=1)).sum())
 
 
-def solid_of(robot: Array, obstacle: Array, step: float) -> tuple[Array, Any]:
+def build_solid(robot: Array, obstacle: Array, step: float) -> tuple[Array, Any]:
     """The solid of two strictly convex polygons.
 
     Returns vertices (n, 3) and triangles (m, 3), counter-clockwise when seen from outside.
@@ -126,7 +126,7 @@ def solid_of(robot: Array, obstacle: Array, step: float) -> tuple[Array, Any]:
     slices = slices_of(robot, obstacle, step)
     first = np.cumsum([0, *(len(slice_.pairs) for slice_ in slices)])
     levels = [
-        obstacle[i] - turned_corners(robot, theta)[j]
+        obstacle[i] - rotate_corners(robot, theta)[j]
         for theta, pairs in slices
         for i, j in [np.array(pairs).T]
     ]
@@ -142,7 +142,7 @@ def solid_of(robot: Array, obstacle: Array, step: float) -> tuple[Array, Any]:
     ]
     twisted: list[tuple[int, ...]] = []
     for low, high in pairwise(numbers):
-        stitch(low, high, faces, twisted)
+        add_side_faces(low, high, faces, twisted)
     quads = np.array(twisted)
     middles = len(points) + np.arange(len(quads))
     fans = [np.column_stack([quads[:, k], quads[:, (k + 1) % 4], middles]) for k in range(4)]
@@ -158,7 +158,7 @@ def slices_of(robot: Array, obstacle: Array, step: float) -> list[Slice]:
     pairs of the other, and the faces between them do not fold.
     """
     stops = critical_angles(robot, obstacle)
-    pieces = [pairs_at(robot, obstacle, (a + b) / 2.0) for a, b in pairwise(stops)]
+    pieces = [corner_pairs_at(robot, obstacle, (a + b) / 2.0) for a, b in pairwise(stops)]
     slices: list[Slice] = []
     for k, (a, b) in enumerate(pairwise(stops)):
         shared = set(pieces[k - 1])  # for k = 0, the last piece: angles are periodic
@@ -181,15 +181,15 @@ def critical_angles(robot: Array, obstacle: Array) -> list[float]:
     return [-np.pi, *inner[np.diff(inner, prepend=-np.inf) > SAME].tolist(), np.pi]
 
 
-def pairs_at(robot: Array, obstacle: Array, theta: float) -> Pairs:
+def corner_pairs_at(robot: Array, obstacle: Array, theta: float) -> Pairs:
     """The pairs i, j that make the corners of the slice at an angle that is not critical."""
-    mirrored = -turned_corners(robot, theta)
+    mirrored = -rotate_corners(robot, theta)
     left = [leftmost(obstacle), leftmost(mirrored)]
     pairs = corner_pairs(np.roll(obstacle, -left[0], axis=0), np.roll(mirrored, -left[1], axis=0))
     return [(i, j) for i, j in ((pairs + left) % [len(obstacle), len(robot)]).tolist()]
 
 
-def stitch(
+def add_side_faces(
     low: Numbers, high: Numbers, faces: list[tuple[int, int, int]], twisted: list[tuple[int, ...]]
 ) -> None:
     """Add the faces between two slices, given as the vertex number of each pair, in order.

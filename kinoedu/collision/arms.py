@@ -65,7 +65,7 @@ def link_in_contact(arm: ArmRobot, q: ArrayLike, world: Any) -> int:
         raise InvalidPoint(
             f"q must be {len(arm.lengths)} angles, one for each link, got {shortened(q)}"
         )
-    return int(contact_link(arm, world, angles, contact_size(world.lo, world.hi)))
+    return int(first_link_in_contact(arm, world, angles, contact_size(world.lo, world.hi)))
 
 
 def check_arm(arm: Any) -> None:
@@ -77,7 +77,7 @@ def check_arm(arm: Any) -> None:
 
 
 @compiled
-def contact_link(arm: ArmRobot, world: Any, q: Array, contact: float) -> int:
+def first_link_in_contact(arm: ArmRobot, world: Any, q: Array, contact: float) -> int:
     """`link_in_contact` for arrays."""
     return first_in_contact(arm, world, q, np.zeros(len(q)), contact, contact) + 1
 
@@ -121,18 +121,20 @@ def paint_configuration_space(arm: ArmRobot, world: Any, n: int = 360) -> NDArra
         )
     if isinstance(n, bool) or not isinstance(n, int | np.integer) or not 1 <= n <= 20_000:
         raise InvalidParameter(f"n must be a whole number from 1 to 20,000, got {n!r}")
-    return painted(
+    return paint_image(
         arm, world, np.zeros((int(n), int(n)), np.int8), contact_size(world.lo, world.hi)
     )
 
 
 @algorithm
-def painted(arm: ArmRobot, world: Any, image: NDArray[np.int8], contact: float) -> NDArray[np.int8]:
+def paint_image(
+    arm: ArmRobot, world: Any, image: NDArray[np.int8], contact: float
+) -> NDArray[np.int8]:
     """Write `paint_configuration_space` into an image of zeros."""
     n, ring = len(image), rim_parts(rim(world))
     corners, q, still = np.empty((4, 5)), np.zeros(2), np.zeros(2)
     for i1 in range(n):
-        q[0], q[1] = centre_of(i1, n), 0.0
+        q[0], q[1] = cell_angle(i1, n), 0.0
         if piece_in_contact(arm, 0, world, q, still, corners, contact, contact):
             image[:, i1] = 1
             continue
@@ -158,7 +160,7 @@ def rim_parts(ring: Array) -> Parts:
 
 
 @compiled
-def centre_of(i: int, n: int) -> float:
+def cell_angle(i: int, n: int) -> float:
     """The angle at the centre of cell i of n."""
     return (i + 0.5) * (FULL_TURN / n) - math.pi
 
@@ -188,12 +190,12 @@ def paint_second_link(
         _, _, nx, ny = line_towards(
             x, y, parts.points[a, X], parts.points[a, Y], parts.points[b, X], parts.points[b, Y]
         )
-        facing = math.atan2(-ny, -nx)
-        ahead = wrapped(facing - q[0])
+        towards = math.atan2(-ny, -nx)
+        ahead = wrapped(towards - q[0])
         below = math.floor((ahead + math.pi) / (FULL_TURN / n) - 0.5)
         for begin, step in ((below, -1), (below + 1, 1)):
             kept = arm.shape.radius[1] + parts.radius[j] + contact
-            turn = ahead + step * last_contact(parts, j, x, y, arm.lengths[1], kept, facing, step)
+            turn = ahead + step * last_contact(parts, j, x, y, arm.lengths[1], kept, towards, step)
             count = cells_in_contact(
                 arm, q, still, corners, parts, j, contact, begin, step, n, turn
             )
@@ -223,10 +225,10 @@ def cells_in_contact(
     most = max(min(n // 4 + 2, n // 2), 1)
     cells = n / FULL_TURN
     doubt = (DOUBT + 2.0 * math.sqrt(contact / arm.lengths[1])) * cells
-    to_end = step * (turn - centre_of(begin, n)) * cells
+    to_end = step * (turn - cell_angle(begin, n)) * cells
     count = min(max(math.floor(to_end - doubt) + 1, 0), most)
     while count < most and count <= to_end + doubt:
-        q[1] = centre_of((begin + count * step) % n, n)
+        q[1] = cell_angle((begin + count * step) % n, n)
         if not meets_part(
             arm, 1, q, still, corners, parts, j, arm.shape.radius[1] + contact, contact
         ):
@@ -237,11 +239,11 @@ def cells_in_contact(
 
 @compiled
 def last_contact(
-    parts: Parts, j: int, x: float, y: float, length: float, kept: float, facing: float, side: int
+    parts: Parts, j: int, x: float, y: float, length: float, kept: float, towards: float, side: int
 ) -> float:
     """The largest angle to one side at which a link comes within `kept` of part j; radians, >= 0.
 
-    The link turns about (x, y), starting in the direction `facing` of the part's nearest point, to
+    The link turns about (x, y), starting in the direction `towards` of the part's nearest point, to
     the side 1 or -1. At the last contact its end or its flank touches a circle round a corner, or
     its end crosses the line parallel to an edge.
     """
@@ -252,14 +254,15 @@ def last_contact(
         bx, by = parts.points[k, X] - x, parts.points[k, Y] - y
         before = k
         last = max(
-            last, side * wrapped(math.atan2(by, bx) - facing) + beside_corner(bx, by, length, kept)
+            last,
+            side * wrapped(math.atan2(by, bx) - towards) + angle_at_corner(bx, by, length, kept),
         )
-        last = max(last, past_edge(ax, ay, bx, by, length, kept, facing, side))
+        last = max(last, angle_at_edge(ax, ay, bx, by, length, kept, towards, side))
     return last
 
 
 @compiled
-def beside_corner(x: float, y: float, length: float, kept: float) -> float:
+def angle_at_corner(x: float, y: float, length: float, kept: float) -> float:
     """The angle from a corner's direction to a link that touches the circle round it.
 
     The link begins at the origin, the circle has the radius `kept`. -inf where the circle is out of
@@ -275,13 +278,20 @@ def beside_corner(x: float, y: float, length: float, kept: float) -> float:
 
 
 @compiled
-def past_edge(
-    ax: float, ay: float, bx: float, by: float, length: float, kept: float, facing: float, side: int
+def angle_at_edge(
+    ax: float,
+    ay: float,
+    bx: float,
+    by: float,
+    length: float,
+    kept: float,
+    towards: float,
+    side: int,
 ) -> float:
     """The angle at which the end of a link crosses the line parallel to the edge a-b.
 
     The link begins at the origin; the line lies at distance `kept` on the origin's side. The angle
-    is measured from `facing` to one side; -inf where the end of the link passes beyond the ends of
+    is measured from `towards` to one side; -inf where the end of the link passes beyond the ends of
     the edge.
     """
     ex, ey = bx - ax, by - ay
@@ -295,4 +305,4 @@ def past_edge(
     straight, half = math.atan2(-ex * apart, ey * apart), math.acos((abs(apart) - kept) / length)
     tip = straight + side * half
     along = ((length * math.cos(tip) - ax) * ex + (length * math.sin(tip) - ay) * ey) / size
-    return side * wrapped(straight - facing) + half if 0.0 <= along <= size else -np.inf
+    return side * wrapped(straight - towards) + half if 0.0 <= along <= size else -np.inf

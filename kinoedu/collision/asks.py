@@ -14,7 +14,7 @@ from ..support.text import shortened
 @generic(2)
 def is_free_path(robot: Any, world: Any, a: Array, b: Array, clearance: float) -> bool:
     """Whether the robot keeps more than `clearance` from obstacles on the motion from a to b."""
-    raise TypeError("this robot cannot be moved in this world")
+    raise TypeError("no motions are defined for this robot in this world")
 
 
 @generic(2)
@@ -32,7 +32,7 @@ def is_semi_free_path(robot: Any, world: Any, a: Array, b: Array, clearance: flo
 
     The robot never enters the interior of an obstacle.
     """
-    raise TypeError("this robot cannot slide in this world")
+    raise TypeError("no sliding motions are defined for this robot in this world")
 
 
 @generic(2)
@@ -40,7 +40,7 @@ def is_free_drive(
     robot: Any, world: Any, pose: Array, distance: float, curvature: float, clearance: float
 ) -> bool:
     """Whether a car keeps more than `clearance` from obstacles while it drives along an arc."""
-    raise TypeError("this robot cannot be driven in this world")
+    raise TypeError("no drives are defined for this robot in this world")
 
 
 @generic(1)

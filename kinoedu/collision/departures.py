@@ -17,7 +17,7 @@ from ..geometry.checks import Array
 from ..geometry.grown import grown, summed
 from ..geometry.parts import Parts, make_parts
 from ..robots.round import RoundRobot
-from ..worlds.moving import MovingWorldRecord, place_at
+from ..worlds.moving import MovingWorldRecord, position_at
 
 PAUSE = 1e-9  # of the horizon: intervals of contact are extended by this at both ends
 
@@ -44,13 +44,13 @@ def seen_from_movers(
         piece = shapes.points[shapes.first[i] : shapes.first[i + 1]]
         for body_piece in bodies:
             pieces.append(
-                grown(summed_with(piece, -body_piece), float(shapes.radius[i]) + more + clearance)
+                grown(sum_pieces(piece, -body_piece), float(shapes.radius[i]) + more + clearance)
             )
             own.append(i)
     return make_parts(pieces, [0.0] * len(pieces)), world.knots[own].reshape(-1, 2)
 
 
-def summed_with(piece: Array, other: Array) -> Array:
+def sum_pieces(piece: Array, other: Array) -> Array:
     """The convex hull of the sums of two convex pieces; a single point is a translation."""
     if len(other) == 1:
         return piece + other[0]
@@ -74,12 +74,12 @@ def met_departures(
             last = times[k] if k < end and times[k] < horizon else horizon
             if first > last:
                 continue
-            x, y = place_at(times, places, begin, end, first)
+            x, y = position_at(times, places, begin, end, first)
             wx, wy = 0.0, 0.0
             if begin < k < end:
                 wx = (places[k, 0] - places[k - 1, 0]) / (times[k] - times[k - 1])
                 wy = (places[k, 1] - places[k - 1, 1]) / (times[k] - times[k - 1])
-            low, high = met_between(
+            low, high = collision_interval(
                 hulls, i, a[0] - x, a[1] - y, vx, vy, wx, wy, duration, first, last
             )
             if low <= high:
@@ -95,7 +95,7 @@ def stretches(knots: NDArray[np.int64]) -> int:
 
 
 @compiled
-def met_between(
+def collision_interval(
     hulls: Parts,
     i: int,
     x: float,
@@ -115,9 +115,9 @@ def met_between(
     collision the first number is larger than the second.
     """
     begin, end = hulls.first[i], hulls.first[i + 1]
-    if is_beyond(hulls.points[begin:end, 0], x, duration * vx, (last - first) * wx) or is_beyond(
-        hulls.points[begin:end, 1], y, duration * vy, (last - first) * wy
-    ):
+    if is_out_of_range(
+        hulls.points[begin:end, 0], x, duration * vx, (last - first) * wx
+    ) or is_out_of_range(hulls.points[begin:end, 1], y, duration * vy, (last - first) * wy):
         return np.inf, -np.inf
     region, size = np.empty((4 + 2 * (end - begin), 2)), 4
     region[0, 0], region[0, 1], region[1, 0], region[1, 1] = 0.0, first, duration, first
@@ -128,7 +128,7 @@ def met_between(
         ex, ey = qx - px, qy - py
         at_corner = ex * (y - py) - ey * (x - px)
         by_s, by_t = ex * vy - ey * vx, ey * wx - ex * wy
-        region, size = clipped(region, size, at_corner - first * by_t, by_s, by_t)
+        region, size = clip_by_half_plane(region, size, at_corner - first * by_t, by_s, by_t)
         if size == 0:
             break
         px, py = qx, qy
@@ -139,7 +139,7 @@ def met_between(
 
 
 @compiled
-def is_beyond(points: Array, x: float, by_s: float, by_t: float) -> bool:
+def is_out_of_range(points: Array, x: float, by_s: float, by_t: float) -> bool:
     """Whether one coordinate never comes within the range of the points, so that nothing collides.
 
     The coordinate begins at x and changes by up to by_s and -by_t.
@@ -149,7 +149,7 @@ def is_beyond(points: Array, x: float, by_s: float, by_t: float) -> bool:
 
 
 @compiled
-def clipped(region: Array, size: int, c: float, a: float, b: float) -> tuple[Array, int]:
+def clip_by_half_plane(region: Array, size: int, c: float, a: float, b: float) -> tuple[Array, int]:
     """The part of a convex region where c + a s + b t >= 0 (Sutherland and Hodgman, 1974).
 
     The region is the first `size` rows.
@@ -182,7 +182,7 @@ def first_departure(met: Array, t: float) -> float:
 
 
 @compiled
-def between_meetings(met: Array, horizon: float) -> Array:
+def complement_intervals(met: Array, horizon: float) -> Array:
     """The intervals of [0, horizon] outside the closed intervals (k, 2), in order; shape (m, 2)."""
     order, free, size, t = np.argsort(met[:, 0]), np.empty((len(met) + 1, 2)), 0, 0.0
     for i in order:
@@ -212,7 +212,7 @@ def all_safe_intervals(
     first = np.zeros(len(nodes) + 1, np.int64)
     for i in range(len(nodes)):
         met = met_departures(hulls, knots, times, places, horizon, nodes[i], 0.0, 0.0, 0.0)
-        own = between_meetings(met, horizon)
+        own = complement_intervals(met, horizon)
         safe[first[i] : first[i] + len(own)] = own
         first[i + 1] = first[i] + len(own)
     return safe[: first[-1]].copy(), first

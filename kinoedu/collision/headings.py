@@ -75,7 +75,7 @@ def free_headings(robot: Any, world: Any, point: ArrayLike) -> Array:
     free = free_configurations(
         robot, world, np.column_stack([np.tile(place, (len(tried), 1)), tried])
     )
-    return joined(ends, free[: len(stops)], free[len(stops) :])
+    return join_intervals(ends, free[: len(stops)], free[len(stops) :])
 
 
 def free_heading(robot: Any, world: Any, point: ArrayLike) -> float | None:
@@ -100,7 +100,7 @@ def free_heading(robot: Any, world: Any, point: ArrayLike) -> float | None:
     return wrapped(float(intervals[np.argmax(widths)].mean()))
 
 
-def joined(ends: Array, between: NDArray[np.bool_], at: NDArray[np.bool_]) -> Array:
+def join_intervals(ends: Array, between: NDArray[np.bool_], at: NDArray[np.bool_]) -> Array:
     """Join free intervals ends[i] to ends[i + 1] whose common end is free.
 
     between : whether the interior of each interval is free. at : whether its first end is free.
@@ -127,12 +127,15 @@ def critical_headings(robot: RigidPolygonRobot, world: Any, place: Array) -> Arr
     mine = [ring_of(robot.shape, i) for i in range(len(robot.shape.radius))]
     ours, theirs = np.vstack(mine)[:, None], np.vstack(rings)[:, None]
     sides = np.vstack([edges_of(ring) for ring in mine])
-    found = [meetings(ours, np.vstack([edges_of(ring) for ring in rings])) - angle(ours)[..., None]]
+    found = [
+        meetings(ours, np.vstack([edges_of(ring) for ring in rings])) - direction(ours)[..., None]
+    ]
     for off in (radius, -radius) if radius.any() else (radius,):
-        found.append(angle(theirs)[..., None] - meetings(theirs, moved_out(sides, off)))
+        found.append(direction(theirs)[..., None] - meetings(theirs, offset_edges(sides, off)))
     discs = radius[:, 0] > 0.0
     found.append(
-        angle(theirs[discs])[..., None] - round_meetings(theirs[discs], ours[:, 0], radius[discs])
+        direction(theirs[discs])[..., None]
+        - circle_directions(theirs[discs], ours[:, 0], radius[discs])
     )
     headings = np.concatenate([angles.ravel() for angles in found])
     return headings[np.isfinite(headings)]
@@ -152,10 +155,10 @@ def meetings(corners: Array, edges: Array) -> Array:
     half = np.sqrt(np.where(room >= -SLACK * size, np.maximum(room, 0.0), np.nan) / square)
     share = np.stack([middle - half, middle + half], axis=-1)
     share[(share < -SLACK) | (share > 1.0 + SLACK)] = np.nan
-    return angle(a[..., None, :] + share[..., None] * u[..., None, :])
+    return direction(a[..., None, :] + share[..., None] * u[..., None, :])
 
 
-def round_meetings(centres: Array, corners: Array, radius: Array) -> Array:
+def circle_directions(centres: Array, corners: Array, radius: Array) -> Array:
     """The directions of the points of circles about the origin at distance `radius` from corners.
 
     The circles pass through centres (m, 1, 2), the corners are (n, 2), radius is (m, 1). Shape (m,
@@ -165,10 +168,10 @@ def round_meetings(centres: Array, corners: Array, radius: Array) -> Array:
     with np.errstate(divide="ignore", invalid="ignore"):
         cos = (d * d + r * r - radius * radius) / (2.0 * d * r)
         turn = np.arccos(np.where(np.abs(cos) <= 1.0 + SLACK, np.clip(cos, -1.0, 1.0), np.nan))
-    return angle(corners)[:, None] + np.stack([-turn, turn], axis=-1)
+    return direction(corners)[:, None] + np.stack([-turn, turn], axis=-1)
 
 
-def moved_out(edges: Array, off: Array) -> Array:
+def offset_edges(edges: Array, off: Array) -> Array:
     """Edges (n, 2, 2) moved to their right by each of the distances (m, 1); shape (m, n, 2, 2)."""
     u = edges[:, 1] - edges[:, 0]
     right = np.column_stack([u[:, 1], -u[:, 0]]) / np.hypot(*u.T)[:, None]
@@ -185,6 +188,6 @@ def ring_of(parts: Parts, i: int) -> Array:
     return parts.points[parts.first[i] : parts.first[i + 1]]
 
 
-def angle(points: Array) -> Any:
+def direction(points: Array) -> Any:
     """The direction from the origin to a point (2,), or to each of (k, 2)."""
     return np.arctan2(points[..., 1], points[..., 0])

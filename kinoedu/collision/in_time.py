@@ -11,7 +11,7 @@ from ..compiled import inlined
 from ..geometry.checks import Array
 from ..robots.polygon import TranslatingPolygonRobot
 from ..robots.round import RoundRobot
-from ..worlds.moving import MovingWorldRecord, place_at
+from ..worlds.moving import MovingWorldRecord, position_at
 from .asks import is_free_path
 from .passing import touches
 
@@ -43,11 +43,11 @@ def is_met(
     k, end = world.knots[i, 0], world.knots[i, 1]
     while k < end and world.times[k] <= a[2]:
         k += 1
-    x, y = place_at(world.times, world.places, world.knots[i, 0], end, a[2])
+    x, y = position_at(world.times, world.places, world.knots[i, 0], end, a[2])
     ax, ay = a[0] - x, a[1] - y
     while True:
         then = world.times[k] if k < end and world.times[k] < b[2] else b[2]
-        x, y = place_at(world.times, world.places, world.knots[i, 0], end, then)
+        x, y = position_at(world.times, world.places, world.knots[i, 0], end, then)
         share = (then - a[2]) / (b[2] - a[2]) if then < b[2] else 1.0
         bx, by = a[0] + share * (b[0] - a[0]) - x, a[1] + share * (b[1] - a[1]) - y
         if touches(robot, ax, ay, bx, by, world.shapes, i, clearance):

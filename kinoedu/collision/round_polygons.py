@@ -114,15 +114,15 @@ def point_slides(world: PolygonWorldRecord, a: Array, b: Array) -> bool:
         ) < parts.radius[i] * (1.0 - ROUND):
             return False
     if a[0] == b[0] and a[1] == b[1]:
-        return not is_within(world, a)
-    for t in stretches(world, a, b):
+        return not is_surrounded(world, a)
+    for t in stretch_middles(world, a, b):
         if is_inside_solid(world, a, b, t):
             return False
     return True
 
 
 @compiled
-def is_within(world: PolygonWorldRecord, q: Array) -> bool:
+def is_surrounded(world: PolygonWorldRecord, q: Array) -> bool:
     """Whether a point is surrounded by obstacles: both sides of every edge through it are solid."""
     touched = False
     for edge in world.edges:
@@ -131,7 +131,7 @@ def is_within(world: PolygonWorldRecord, q: Array) -> bool:
         touched = True
         for end in (edge[0:2], edge[2:4]):
             if (end[0] != q[0] or end[1] != q[1]) and not is_inside_solid(
-                world, q, end, stretches(world, q, end)[0]
+                world, q, end, stretch_middles(world, q, end)[0]
             ):
                 return False
     anywhere = np.array([q[0] + 1.0, q[1]])
@@ -146,7 +146,7 @@ def is_inside_solid(world: PolygonWorldRecord, a: Array, b: Array, t: float) -> 
 
 
 @compiled
-def stretches(world: PolygonWorldRecord, a: Array, b: Array) -> Array:
+def stretch_middles(world: PolygonWorldRecord, a: Array, b: Array) -> Array:
     """The middles of the stretches between consecutive contacts, as fractions of the motion a-b."""
     contacts = np.sort(contacts_along(world, a, b))
     middles, size = np.empty(len(contacts)), 0

@@ -21,7 +21,7 @@ from ..geometry.exact import height, length
 from ..geometry.parts import Parts
 from ..geometry.separation import dividing_line
 from ..robots.arm import ArmRobot
-from ..robots.moving import BEND, VX, VY, X, Y, place, way
+from ..robots.moving import ACC, VX, VY, X, Y, place, way
 from ..robots.polygon import RigidPolygonRobot
 from ..worlds.nearby import obstacles_near, rim
 from ..worlds.polygon_world import PolygonWorldRecord
@@ -165,22 +165,22 @@ def clear_time(
     for k in range(begin, end):
         room = (corners[k, X] - x) * nx + (corners[k, Y] - y) * ny - kept
         speed = -(corners[k, VX] * nx + corners[k, VY] * ny)
-        least, time = min(least, room), min(time, time_across(room, speed, corners[k, BEND]))
+        least, time = min(least, room), min(time, time_across(room, speed, corners[k, ACC]))
     return least, time
 
 
 @compiled
-def time_across(room: float, speed: float, bend: float) -> float:
-    """The first t > 0 with speed * t + bend * t^2 / 2 = room.
+def time_across(room: float, speed: float, acceleration: float) -> float:
+    """The first t > 0 with speed * t + acceleration * t^2 / 2 = room.
 
     Infinite where there is none, 0 where room <= 0.
     """
     if room <= 0.0:
         return 0.0
-    root = math.sqrt(speed * speed + 2.0 * bend * room)
+    root = math.sqrt(speed * speed + 2.0 * acceleration * room)
     if speed > 0.0:
         return 2.0 * room / (speed + root)
-    return (root - speed) / bend if bend > 0.0 else np.inf
+    return (root - speed) / acceleration if acceleration > 0.0 else np.inf
 
 
 @compiled
@@ -190,7 +190,7 @@ def swept_box(
     """A bounding box of the corners for half a unit of time, back and forth, grown by `kept`."""
     x0, y0, x1, y1 = np.inf, np.inf, -np.inf, -np.inf
     for k in range(begin, end):
-        off = kept + corners[k, BEND] / 8.0
+        off = kept + corners[k, ACC] / 8.0
         dx, dy = abs(corners[k, VX]) / 2.0 + off, abs(corners[k, VY]) / 2.0 + off
         x0, y0 = min(x0, corners[k, X] - dx), min(y0, corners[k, Y] - dy)
         x1, y1 = max(x1, corners[k, X] + dx), max(y1, corners[k, Y] + dy)

@@ -91,33 +91,35 @@ def as_configuration(value: ArrayLike, space: Any, name: str) -> Array:
 
 
 @singledispatch
-def why_not_free(robot: Any, world: Any, q: Array, clearance: float) -> str:
+def explain_not_free(robot: Any, world: Any, q: Array, clearance: float) -> str:
     """Explain why a configuration is not free, and say what to change."""
     return (
-        f"the robot{margin_text(clearance)} is outside, inside an obstacle or touching one there; "
-        "move it into the open"
+        f"the robot{margin_text(clearance)} is outside the world or touches an obstacle there; "
+        "move it into the free space"
     )
 
 
-@why_not_free.register
+@explain_not_free.register
 def _(robot: RoundRobot, world: Any, q: Array, clearance: float) -> str:
     if (q <= world.lo).any() or (q >= world.hi).any():
         return (
             f"it must lie inside the world, between {tuple(world.lo.tolist())} and "
-            f"{tuple(world.hi.tolist())}, not on its rim"
+            f"{tuple(world.hi.tolist())}, and not on its boundary"
         )
-    return why_not_free.dispatch(object)(robot, world, q, clearance)
+    return explain_not_free.dispatch(object)(robot, world, q, clearance)
 
 
-@why_not_free.register
+@explain_not_free.register
 def _(robot: ArmRobot, world: Any, q: Array, clearance: float) -> str:
     link = link_in_contact(robot, q, world)
     if not link:
         return (
-            f"the arm{margin_text(clearance)} comes too near to an obstacle or the rim of the "
-            "world there; bend it away"
+            f"the arm{margin_text(clearance)} is too near to an obstacle or the boundary of the "
+            "world there; choose other angles"
         )
-    return f"link {link} touches or enters an obstacle or the rim of the world there; bend it away"
+    return (
+        f"link {link} touches an obstacle or the boundary of the world there; choose other angles"
+    )
 
 
 def margin_text(clearance: float) -> str:

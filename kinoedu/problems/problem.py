@@ -27,7 +27,7 @@ from ..geometry.checks import Array, none_or_more
 from ..robots.controls import control, curvature, drive
 from ..spaces import distance, interpolate, nearest, sample
 from ..worlds.checks import check_world
-from .configurations import as_configuration, space_of, why_not_free
+from .configurations import as_configuration, explain_not_free, space_of
 
 # indices of ProblemRecord.asked, which counts the queries about motions and about configurations
 MOTIONS, PLACES = 0, 1
@@ -153,7 +153,7 @@ def Problem(
         if not problem.is_free(q):
             raise error(
                 f"the {name} {tuple(q.tolist())} is not free: "
-                f"{why_not_free(robot, world, q, margin)}"
+                f"{explain_not_free(robot, world, q, margin)}"
             )
     problem.asked[:] = 0
     return problem

@@ -47,7 +47,7 @@ class Recorder:
         return self._recorded(name, answer) if name in self.QUESTIONS else answer
 
     def _recorded(self, name: str, question: Any) -> Any:
-        def ask(*given: Any) -> Any:
+        def logged(*given: Any) -> Any:
             answer = question(*given)
             kept = tuple(g.copy() if isinstance(g, np.ndarray) else g for g in given)
             self.log.append(
@@ -55,7 +55,7 @@ class Recorder:
             )
             return answer
 
-        return ask
+        return logged
 
     def counts(self) -> dict[str, int]:
         """The number of queries of each kind."""

@@ -133,10 +133,10 @@ class CarRobot(NamedTuple):
         >>> Car(30, 10, 20).turning_centre((0, 0, 0), np.pi / 4).round(9)
         array([ 0., 20.])
         """
-        (x, y, theta), bend = as_pose(pose, "pose"), self.curvature(phi)
-        if bend == 0.0:
+        (x, y, theta), curvature = as_pose(pose, "pose"), self.curvature(phi)
+        if curvature == 0.0:
             return np.array([np.inf, np.inf])
-        return np.array([x - math.sin(theta) / bend, y + math.cos(theta) / bend])
+        return np.array([x - math.sin(theta) / curvature, y + math.cos(theta) / curvature])
 
     def wheel_angles(self, phi: float) -> tuple[float, float]:
         """The angles of the left and right front wheels, so that all wheels roll about one centre.
@@ -155,9 +155,9 @@ class CarRobot(NamedTuple):
         >>> left > 0.5 > right
         True
         """
-        bend, half = self.curvature(phi), 0.5 * float(np.ptp(self.outline[:, 1]))
+        curvature, half = self.curvature(phi), 0.5 * float(np.ptp(self.outline[:, 1]))
         left, right = (
-            math.atan2(self.wheelbase * bend, 1.0 - side * bend) for side in (half, -half)
+            math.atan2(self.wheelbase * curvature, 1.0 - side * curvature) for side in (half, -half)
         )
         return left, right
 

@@ -22,7 +22,7 @@ from .round import RoundRobot
 
 # columns of corners: position, velocity, and an upper bound on the acceleration's magnitude that
 # holds for the whole motion
-X, Y, VX, VY, BEND = range(5)
+X, Y, VX, VY, ACC = range(5)
 
 
 @generic(1)
@@ -77,7 +77,7 @@ def place_unturned(
     for k in range(robot.shape.first[i], robot.shape.first[i + 1]):
         corners[k, X] = robot.shape.points[k, 0] + (a[0] + t * change[0])
         corners[k, Y] = robot.shape.points[k, 1] + (a[1] + t * change[1])
-        corners[k, VX], corners[k, VY], corners[k, BEND] = change[0], change[1], 0.0
+        corners[k, VX], corners[k, VY], corners[k, ACC] = change[0], change[1], 0.0
 
 
 @way.register(RigidPolygonRobot)
@@ -98,7 +98,7 @@ def place_turned(
         rx, ry = cos * px - sin * py, sin * px + cos * py
         corners[k, X], corners[k, Y] = x + rx, y + ry
         corners[k, VX], corners[k, VY] = change[0] - turning * ry, change[1] + turning * rx
-        corners[k, BEND] = turning * turning * length(px, py)
+        corners[k, ACC] = turning * turning * length(px, py)
 
 
 @place.register(CarRobot)
@@ -114,7 +114,7 @@ def place_driven(
         rx, ry = cos * px - sin * py, sin * px + cos * py
         corners[k, X], corners[k, Y] = x + rx, y + ry
         corners[k, VX], corners[k, VY] = s * cos - turning * ry, s * sin + turning * rx
-        corners[k, BEND] = abs(turning * s) + turning * turning * length(px, py)
+        corners[k, ACC] = abs(turning * s) + turning * turning * length(px, py)
 
 
 @way.register(ArmRobot)
@@ -129,18 +129,19 @@ def way_of_joints(robot: ArmRobot, a: Array, b: Array) -> Array:
 @place.register(ArmRobot)
 def place_link(robot: ArmRobot, i: int, a: Array, change: Array, t: float, corners: Array) -> None:
     """Add up the rotations of all links up to link i."""
-    x, y, vx, vy, bend, angle, turning = robot.base[0], robot.base[1], 0.0, 0.0, 0.0, 0.0, 0.0
+    x, y, angle, turning = robot.base[0], robot.base[1], 0.0, 0.0
+    vx, vy, acceleration = 0.0, 0.0, 0.0
     for k in range(i + 1):
         if k == i:
             corners[2 * i, X], corners[2 * i, Y] = x, y
-            corners[2 * i, VX], corners[2 * i, VY], corners[2 * i, BEND] = vx, vy, bend
+            corners[2 * i, VX], corners[2 * i, VY], corners[2 * i, ACC] = vx, vy, acceleration
         size = robot.lengths[k]
         angle += a[k] + t * change[k]
         turning += change[k]
         cos, sin = math.cos(angle), math.sin(angle)
         x, y = x + size * cos, y + size * sin
         vx, vy = vx - size * turning * sin, vy + size * turning * cos
-        bend += size * turning * turning
+        acceleration += size * turning * turning
     end = 2 * i + 1
     corners[end, X], corners[end, Y] = x, y
-    corners[end, VX], corners[end, VY], corners[end, BEND] = vx, vy, bend
+    corners[end, VX], corners[end, VY], corners[end, ACC] = vx, vy, acceleration

@@ -10,7 +10,7 @@ from .range_sensor import Scan, scan
 from .reading import read_world
 from .scattered import scattered
 from .terrain import Terrain
-from .uncertain import UncertainWorld, as_it_is, chance_margins, inflated, scenarios
+from .uncertain import UncertainWorld, chance_margins, inflated, scenario_world, scenarios
 
 __all__ = [
     "LANDSCAPES",
@@ -20,7 +20,6 @@ __all__ = [
     "Scan",
     "Terrain",
     "UncertainWorld",
-    "as_it_is",
     "chance_margins",
     "clearance_of_cells",
     "hills",
@@ -36,6 +35,7 @@ __all__ = [
     "roughness",
     "scan",
     "scattered",
+    "scenario_world",
     "scenarios",
     "slope",
 ]

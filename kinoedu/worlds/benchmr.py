@@ -65,7 +65,7 @@ def read_benchmr(path: str | os.PathLike[str], *, boundary: ArrayLike | None = N
         Where a polygon has no area; the message gives its number.
     """
     file = regular_file(path)
-    return read_json(file, "map", lambda field: map_from(field, boundary, str(file)))
+    return read_json(file, "map", lambda field: parse_map(field, boundary, str(file)))
 
 
 def is_polygon_map(path: str | os.PathLike[str]) -> bool:
@@ -96,7 +96,7 @@ def read_polygons(path: str | os.PathLike[str]) -> PolygonWorldRecord:
     return read_benchmr(path).world
 
 
-def map_from(field: Field, boundary: ArrayLike | None, file: str) -> PolygonMap:
+def parse_map(field: Field, boundary: ArrayLike | None, file: str) -> PolygonMap:
     """Build a map from the parsed file."""
     fields = field.members(("polygons",), ("start", "goal", "source", "note"))
     drawn = [as_array(polygon.points(), polygon.name) for polygon in fields["polygons"].items()]
@@ -106,17 +106,17 @@ def map_from(field: Field, boundary: ArrayLike | None, file: str) -> PolygonMap:
         if polygon.ndim != 2 or polygon.shape[1] != 2:
             raise fields["polygons"].items()[i].wrong("a list of points [x, y]")
     bottom = max(polygon[:, 1].max() for polygon in drawn)
-    rings = mended([polygon * (1.0, -1.0) + (0.0, bottom) for polygon in drawn], file)
+    rings = mend_polygons([polygon * (1.0, -1.0) + (0.0, bottom) for polygon in drawn], file)
     if boundary is None:
         corners = np.concatenate(rings)
         boundary = rectangle(corners.min(axis=0), corners.max(axis=0))
     start, goal = (
-        turned_up(fields[name], bottom) if name in fields else None for name in ("start", "goal")
+        flip_y(fields[name], bottom) if name in fields else None for name in ("start", "goal")
     )
     return PolygonMap(PolygonWorld(boundary, rings), start, goal)
 
 
-def turned_up(field: Field, bottom: float) -> Array:
+def flip_y(field: Field, bottom: float) -> Array:
     """Flip the y-axis of a configuration (x, y) or (x, y, theta)."""
     q = as_array(field.numbers(), field.name)
     if len(q) not in (2, 3):
@@ -124,7 +124,7 @@ def turned_up(field: Field, bottom: float) -> Array:
     return np.append((q[0], bottom - q[1]), -q[2:])
 
 
-def mended(drawn: list[Array], file: str) -> list[Array]:
+def mend_polygons(drawn: list[Array], file: str) -> list[Array]:
     """Repair the drawn polygons, and warn where a repair was needed."""
     rings: list[Array] = []
     seen: dict[Any, int] = {}
@@ -141,8 +141,8 @@ def mended(drawn: list[Array], file: str) -> list[Array]:
         try:
             rings.append(as_ring(corners, f"polygon {i}"))
         except InvalidPolygon as error:
-            rings += enclosed(corners, error)
-            notes.append(f"polygon {i} crosses or touches itself: all that it encloses is solid")
+            rings += enclosed_outlines(corners, error)
+            notes.append(f"polygon {i} crosses or touches itself: the region it encloses is solid")
     if notes:
         warnings.warn(f"{file}: {'; '.join(notes)}", MendedPolygons, stacklevel=2)
     return rings
@@ -159,7 +159,7 @@ def edges_of_drawing(ring: Array) -> set[frozenset[Any]]:
     return {frozenset(pair) for pair in zip(ends, ends[1:] + ends[:1]) if pair[0] != pair[1]}
 
 
-def enclosed(corners: Array, error: InvalidPolygon) -> list[Array]:
+def enclosed_outlines(corners: Array, error: InvalidPolygon) -> list[Array]:
     """The outlines of the region that a self-crossing ring encloses; raise `error` without area."""
     import shapely
 

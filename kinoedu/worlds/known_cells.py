@@ -78,14 +78,14 @@ def fill_known_cells(
             for i in range(0, known.reach.shape[1], size):
                 if known.reach[j, i] == MIXED or known.reach[j, i] == RIM:
                     cell = j // fine * cells.columns + i // fine
-                    known.reach[j : j + size, i : i + size] = judged_block(
+                    known.reach[j : j + size, i : i + size] = classify_block(
                         i, j, size, known, cell, hull, parts, cells
                     )
         size //= 2
 
 
 @compiled
-def judged_block(
+def classify_block(
     i: int,
     j: int,
     size: int,

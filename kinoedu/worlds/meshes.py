@@ -18,7 +18,7 @@ from ..errors import InvalidParameter, InvalidRobot, SceneTooLarge, UnknownForma
 from ..geometry.checks import LIMIT, Array, as_array, as_point, positive
 from ..support.reading import regular_file
 from ..support.text import shortened
-from .outlines import Solid, rectangle, shadow, slice_of
+from .outlines import Solid, project_triangles, rectangle, slice_triangles
 from .polygon_world import PolygonWorld, PolygonWorldRecord
 
 ENDINGS = (".dae", ".glb", ".obj", ".stl")
@@ -79,9 +79,9 @@ def read_mesh(
     if up not in (*UPRIGHT, "file"):
         raise InvalidParameter(f'up must be "x", "y", "z" or "file", got {shortened(up)}')
     file = Path(path)
-    triangles = triangles_in(file, up)
+    triangles = read_triangles(file, up)
     if slice_at is None:
-        made: list[Solid] | None = shadow(triangles)
+        made: list[Solid] | None = project_triangles(triangles)
         if not made:
             raise UnreadableScene(
                 f"{file}: its triangles cover no area seen along {up}; if another axis is up, pass "
@@ -95,7 +95,7 @@ def read_mesh(
             f"{file}: slice_at must be a height from {low:g} to below {high:g}, got "
             f"{shortened(slice_at)}"
         )
-    made = slice_of(triangles, float(height))
+    made = slice_triangles(triangles, float(height))
     if made is None:
         raise UnreadableScene(
             f"{file}: the mesh is not closed at height {float(height):g}, or some of its "
@@ -181,7 +181,7 @@ def mesh_outline(
     return pieces[0][0] - as_point(reference, "reference")
 
 
-def triangles_in(file: Path, up: str) -> Array:
+def read_triangles(file: Path, up: str) -> Array:
     """The triangles of a file, (m, 3, 3), z up."""
     ending = file.suffix.lower()
     if ending not in ENDINGS:
@@ -192,7 +192,7 @@ def triangles_in(file: Path, up: str) -> Array:
         raise SceneTooLarge(
             f"{file}: expected at most {MAX_BYTES:,} bytes, got more; simplify the mesh"
         )
-    triangles = loaded(data, ending[1:], file)
+    triangles = load_triangles(data, ending[1:], file)
     if len(triangles) == 0:
         raise UnreadableScene(f"{file}: it holds no triangles; export the surfaces as a mesh")
     if len(triangles) > MAX_TRIANGLES:
@@ -204,15 +204,15 @@ def triangles_in(file: Path, up: str) -> Array:
         raise UnreadableScene(
             f"{file}: coordinates must be finite and at most 1e150; export it again"
         )
-    axes = UPRIGHT[said_up(data, ending) if up == "file" else up]
+    axes = UPRIGHT[declared_up_axis(data, ending) if up == "file" else up]
     return np.stack([sign * triangles[:, :, row] for row, sign in axes], axis=2)
 
 
-def loaded(data: bytes, kind: str, file: Path) -> Array:
+def load_triangles(data: bytes, kind: str, file: Path) -> Array:
     """Read the triangles of all bodies by trimesh, at their positions in the scene."""
     import trimesh
 
-    if damage := why_cut(data, kind):
+    if damage := describe_truncation(data, kind):
         raise UnreadableScene(
             f"{file}: expected a whole .{kind} file, got {damage}; export it again"
         )
@@ -233,7 +233,7 @@ def loaded(data: bytes, kind: str, file: Path) -> Array:
         ) from error
 
 
-def why_cut(data: bytes, kind: str) -> str:
+def describe_truncation(data: bytes, kind: str) -> str:
     """Describe how a file is truncated where trimesh does not notice it; empty otherwise."""
     if kind == "obj":
         short = re.search(rb"^f(?:[ \t]+[^\s]+){0,2}[ \t\r]*$", data, re.MULTILINE)
@@ -254,7 +254,7 @@ def why_cut(data: bytes, kind: str) -> str:
     return "" if b"endsolid" in data else "one that stops before endsolid"
 
 
-def said_up(data: bytes, ending: str) -> str:
+def declared_up_axis(data: bytes, ending: str) -> str:
     """The axis that the file declares as up."""
     found = re.search(rb"<up_axis>\s*([XYZ])_UP", data) if ending == ".dae" else None
     if found:

@@ -30,7 +30,7 @@ class Mover(NamedTuple):
 
     def at(self, t: float) -> Array:
         """The position of the frame's origin at time t, shape (2,)."""
-        return np.array(place_at(self.times, self.places, 0, len(self.times), float(t)))
+        return np.array(position_at(self.times, self.places, 0, len(self.times), float(t)))
 
 
 class MovingWorldRecord(NamedTuple):
@@ -158,7 +158,7 @@ def movers_at(world: MovingWorldRecord, t: float) -> list[tuple[Array, float]]:
     shown, parts = [], world.outlines
     for k in range(len(parts.radius)):
         begin, end = world.knots[np.flatnonzero(world.owner == k)[0]]
-        offset = place_at(world.times, world.places, int(begin), int(end), float(t))
+        offset = position_at(world.times, world.places, int(begin), int(end), float(t))
         shown.append(
             (parts.points[parts.first[k] : parts.first[k + 1]] + offset, float(parts.radius[k]))
         )
@@ -166,7 +166,7 @@ def movers_at(world: MovingWorldRecord, t: float) -> list[tuple[Array, float]]:
 
 
 @compiled
-def place_at(times: Array, places: Array, begin: int, end: int, t: float) -> tuple[float, float]:
+def position_at(times: Array, places: Array, begin: int, end: int, t: float) -> tuple[float, float]:
     """The position at time t of an origin that is at places[k] at times[k], begin <= k < end."""
     if t <= times[begin]:
         return places[begin, 0], places[begin, 1]

@@ -17,7 +17,7 @@ GRID = 2.0**-40
 Solid = tuple[Array, list[Array]]
 
 
-def shadow(triangles: Array) -> list[Solid]:
+def project_triangles(triangles: Array) -> list[Solid]:
     """The projection of triangles (m, 3, 3) to the plane. Vertical ones cover nothing."""
     import shapely
 
@@ -25,10 +25,10 @@ def shadow(triangles: Array) -> list[Solid]:
     flat = np.round(triangles[:, :, :2] / (unit * GRID)) * GRID
     (ax, ay), (bx, by) = (flat[:, 1] - flat[:, 0]).T, (flat[:, 2] - flat[:, 0]).T
     covered = shapely.union_all(shapely.polygons(flat[ax * by != ay * bx]))
-    return solids(shapely.set_precision(covered, GRID), unit)
+    return as_solids(shapely.set_precision(covered, GRID), unit)
 
 
-def slice_of(triangles: Array, height: float) -> list[Solid] | None:
+def slice_triangles(triangles: Array, height: float) -> list[Solid] | None:
     """The slice of bodies just above a height; None where they are not closed.
 
     The bodies are bounded by triangles (m, 3, 3), counter-clockwise from outside. A point is solid
@@ -38,15 +38,15 @@ def slice_of(triangles: Array, height: float) -> list[Solid] | None:
     import shapely
 
     unit = unit_of(triangles)
-    lines = crossings(triangles / unit, height / unit)
-    if not closed(lines):
+    lines = intersect_plane(triangles / unit, height / unit)
+    if not is_closed(lines):
         return None
     lines = lines[(lines[:, 0] != lines[:, 1]).any(axis=1)]
     noded = shapely.union_all(shapely.linestrings(lines), grid_size=GRID)
     faces = shapely.get_parts(shapely.polygonize(shapely.get_parts(noded)))
     inside = shapely.get_coordinates(shapely.point_on_surface(faces))
-    solid = [face for face, q in zip(faces, inside) if winding(lines, q) != 0]
-    return solids(shapely.union_all(solid, grid_size=GRID), unit)
+    solid = [face for face, q in zip(faces, inside) if winding_number(lines, q) != 0]
+    return as_solids(shapely.union_all(solid, grid_size=GRID), unit)
 
 
 def rectangle(lo: Array, hi: Array) -> Array:
@@ -62,7 +62,7 @@ def unit_of(triangles: Array) -> float:
     return float(2.0 ** np.frexp(np.abs(triangles[:, :, :2]).max())[1])
 
 
-def crossings(triangles: Array, height: float) -> Array:
+def intersect_plane(triangles: Array, height: float) -> Array:
     """The segments in which triangles intersect a horizontal plane, (k, 2, 2), solid to their left.
 
     A corner at the height counts as below it. Two triangles that share an edge get exactly the same
@@ -77,27 +77,29 @@ def crossings(triangles: Array, height: float) -> Array:
     )  # the only corner on its side of the plane
     rows = np.arange(len(lone))
     a, b, c = (triangles[rows, (lone + k) % 3] for k in range(3))
-    ends = [between(a, other, top_heavy, height) for other in (b, c)]
+    ends = [points_at_height(a, other, top_heavy, height) for other in (b, c)]
     lines = np.stack(ends, axis=1)
     lines[top_heavy] = lines[top_heavy, ::-1]
     return lines
 
 
-def between(lone: Array, other: Array, top_heavy: NDArray[np.bool_], height: float) -> Array:
+def points_at_height(
+    lone: Array, other: Array, top_heavy: NDArray[np.bool_], height: float
+) -> Array:
     """The points (k, 2) at which edges reach the height, computed from their lower ends."""
     low, high = np.where(top_heavy[:, None], lone, other), np.where(top_heavy[:, None], other, lone)
     t = (height - low[:, 2]) / (high[:, 2] - low[:, 2])
     return low[:, :2] + t[:, None] * (high - low)[:, :2]
 
 
-def closed(lines: Array) -> bool:
+def is_closed(lines: Array) -> bool:
     """Whether at each point as many segments end as begin."""
     _, numbers = np.unique(lines.reshape(-1, 2), axis=0, return_inverse=True)
     begin, end = numbers.reshape(-1, 2).T
     return np.array_equal(np.sort(begin), np.sort(end))
 
 
-def winding(lines: Array, q: Array) -> int:
+def winding_number(lines: Array, q: Array) -> int:
     """The winding number of segments (n, 2, 2) about q, by those that cross a ray to the right."""
     (ax, ay), (bx, by) = lines[:, 0].T - q[:, None], lines[:, 1].T - q[:, None]
     left = ax * by - ay * bx
@@ -106,7 +108,7 @@ def winding(lines: Array, q: Array) -> int:
     )
 
 
-def solids(shape: object, unit: float) -> list[Solid]:
+def as_solids(shape: object, unit: float) -> list[Solid]:
     """The polygons of a shapely geometry, from left to right, without corners inside an edge."""
     import shapely
 
@@ -116,13 +118,16 @@ def solids(shape: object, unit: float) -> list[Solid]:
         if part.geom_type == "Polygon" and not part.is_empty
     ]
     made = [
-        (ring_of(part.exterior, unit), [ring_of(room, unit) for room in part.interiors])
+        (
+            as_checked_ring(part.exterior, unit),
+            [as_checked_ring(room, unit) for room in part.interiors],
+        )
         for part in parts
     ]
     return sorted(made, key=lambda solid: solid[0].min(axis=0).tolist())
 
 
-def ring_of(ring: object, unit: float) -> Array:
+def as_checked_ring(ring: object, unit: float) -> Array:
     """A shapely ring as a checked ring (n, 2)."""
     import shapely
 

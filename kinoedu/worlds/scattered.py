@@ -60,13 +60,13 @@ def scattered(
     chance, placed, polygons = as_generator(rng), as_discs(keep_free), []
     kept = len(placed)
     for number in range(count):
-        x, y, r = with_room(placed, kept, apart, width, size, chance, number)
+        x, y, r = draw_disc(placed, kept, apart, width, size, chance, number)
         placed = np.vstack([placed, (x, y, r)])
-        polygons.append((x, y) + r * corners_on_circle(chance))
+        polygons.append((x, y) + r * draw_corners(chance))
     return PolygonWorld([(0.0, 0.0), (width, 0.0), (width, width), (0.0, width)], polygons)
 
 
-def with_room(
+def draw_disc(
     placed: Array,
     kept: int,
     apart: float,
@@ -88,7 +88,7 @@ def with_room(
     )
 
 
-def corners_on_circle(rng: np.random.Generator) -> Array:
+def draw_corners(rng: np.random.Generator) -> Array:
     """Draw the corners (k, 2), 3 <= k <= 7, of a convex polygon on the unit circle.
 
     They are counter-clockwise, and the polygon contains the centre.

@@ -61,7 +61,9 @@ def UncertainWorld(
     (array([0.2, 0.2]), array([0, 1]))
     """
     given = list(obstacles)
-    pieces = [pieces_of(obstacle, f"obstacle {number}") for number, obstacle in enumerate(given)]
+    pieces = [
+        convex_pieces(obstacle, f"obstacle {number}") for number, obstacle in enumerate(given)
+    ]
     spread = as_array(sigma, "sigma")
     if (spread.ndim and spread.shape != (len(given),)) or (spread < 0.0).any():
         raise InvalidWorld(
@@ -76,7 +78,7 @@ def UncertainWorld(
     return UncertainWorldRecord(expected, empty, parts, owner, each)
 
 
-def pieces_of(obstacle: Any, name: str) -> tuple[list[Array], float]:
+def convex_pieces(obstacle: Any, name: str) -> tuple[list[Array], float]:
     """The convex pieces of an obstacle and their radius."""
     if is_pair_with_radius(obstacle):
         x, y, radius = as_disc(obstacle[0], obstacle[1], name)
@@ -166,7 +168,7 @@ def scenarios(world: UncertainWorldRecord, n: int, *, rng: int | np.random.Gener
     return as_generator(rng).standard_normal((count, len(world.sigma), 2)) * world.sigma[:, None]
 
 
-def as_it_is(world: UncertainWorldRecord, offsets: ArrayLike) -> PolygonWorldRecord:
+def scenario_world(world: UncertainWorldRecord, offsets: ArrayLike) -> PolygonWorldRecord:
     """One scenario as a world: every convex piece moved by the offset of its obstacle.
 
     Parameters
