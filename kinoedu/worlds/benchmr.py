@@ -176,6 +176,8 @@ def enclosed_outlines(corners: Array, error: InvalidPolygon) -> list[Array]:
     if not parts:
         raise error
     return [
-        as_ring(shapely.get_coordinates(part.exterior)[:-1], "what a mended polygon encloses")
+        as_ring(
+            shapely.get_coordinates(part.exterior)[:-1], "the region enclosed by a repaired polygon"
+        )
         for part in parts
     ]

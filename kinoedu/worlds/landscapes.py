@@ -108,9 +108,9 @@ def landscape(kind: str, rng: int | np.random.Generator = 0, **terrain: Any) -> 
     """
     if kind not in LANDSCAPES:
         raise InvalidParameter(f"kind must be one of {', '.join(LANDSCAPES)}, got {kind!r}")
-    chance = as_generator(rng)
+    generator = as_generator(rng)
     while True:
-        free = LANDSCAPES[kind](chance)
+        free = LANDSCAPES[kind](generator)
         for x, y in (START, GOAL):
             free[int(y) - CLEAR : int(y) + CLEAR, int(x) - CLEAR : int(x) + CLEAR] = True
         if joined_cells(free, START, GOAL):
@@ -136,11 +136,11 @@ def hills(rng: int | np.random.Generator = 0, *, highest: float = 40.0) -> Array
     >>> hills(1).shape
     (256, 256)
     """
-    chance = as_generator(rng)
+    generator = as_generator(rng)
     v, u = np.meshgrid(np.fft.fftfreq(SIDE), np.fft.rfftfreq(SIDE), indexing="ij")
     waves = np.sqrt(u * u + v * v)
     waves[0, 0] = np.inf
-    noise = chance.normal(size=(*waves.shape, 2)) @ np.array([1.0, 1.0j])
+    noise = generator.normal(size=(*waves.shape, 2)) @ np.array([1.0, 1.0j])
     ground = np.fft.irfft2(noise / waves**3.0, s=(SIDE, SIDE))
     return highest * (ground - ground.min()) / (ground.max() - ground.min())
 

@@ -125,25 +125,25 @@ def MovingWorld(still: PolygonWorldRecord, movers: Iterable[Any]) -> MovingWorld
     """
     if not isinstance(still, PolygonWorldRecord):
         raise InvalidWorld(f"the fixed obstacles must be a PolygonWorld, got {shortened(still)}")
-    known = as_things(movers, "movers")
-    for mover in known:
+    given = as_things(movers, "movers")
+    for mover in given:
         if not isinstance(mover, Mover):
             raise InvalidWorld(
                 f"expected movers Moving(shape, times, places), got {shortened(mover)}"
             )
     pieces = [
-        [mover.outline] if mover.radius > 0.0 else convex_parts(mover.outline) for mover in known
+        [mover.outline] if mover.radius > 0.0 else convex_parts(mover.outline) for mover in given
     ]
-    owner = np.repeat(np.arange(len(known)), [len(own) for own in pieces])
-    ends = np.cumsum([0, *(len(mover.times) for mover in known)])
-    radii = [mover.radius for mover in known]
+    owner = np.repeat(np.arange(len(given)), [len(own) for own in pieces])
+    ends = np.cumsum([0, *(len(mover.times) for mover in given)])
+    radii = [mover.radius for mover in given]
     return MovingWorldRecord(
         still,
         make_parts([piece for own in pieces for piece in own], [radii[k] for k in owner]),
-        np.concatenate([np.empty(0), *(mover.times for mover in known)]),
-        np.concatenate([np.empty((0, 2)), *(mover.places for mover in known)]),
+        np.concatenate([np.empty(0), *(mover.times for mover in given)]),
+        np.concatenate([np.empty((0, 2)), *(mover.places for mover in given)]),
         np.column_stack([ends[:-1], ends[1:]])[owner].reshape(-1, 2),
-        make_parts([mover.outline for mover in known], radii),
+        make_parts([mover.outline for mover in given], radii),
         owner,
         still.lo,
         still.hi,

@@ -57,12 +57,12 @@ def scattered(
             f"an obstacle of radius {size:g} must fit into a side of {width:g}; make it smaller"
         )
     apart = -np.inf if gap is None else none_or_more(gap, "gap")
-    chance, placed, polygons = as_generator(rng), as_discs(keep_free), []
+    generator, placed, polygons = as_generator(rng), as_discs(keep_free), []
     kept = len(placed)
     for number in range(count):
-        x, y, r = draw_disc(placed, kept, apart, width, size, chance, number)
+        x, y, r = draw_disc(placed, kept, apart, width, size, generator, number)
         placed = np.vstack([placed, (x, y, r)])
-        polygons.append((x, y) + r * draw_corners(chance))
+        polygons.append((x, y) + r * draw_corners(generator))
     return PolygonWorld([(0.0, 0.0), (width, 0.0), (width, width), (0.0, width)], polygons)
 
 
