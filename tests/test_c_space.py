@@ -1,6 +1,4 @@
-"""C-space obstacles: as free as the robot itself, in contact where it slides, of the volume that
-integral geometry says.
-"""
+"""C-space obstacles, against collision tests in the workspace and volumes of integral geometry."""
 
 from itertools import product
 
@@ -39,7 +37,7 @@ TRIANGLE = [(-1, -1), (2, 0), (0, 1)]
 
 
 def free_by_shapely(robot, boundary, obstacles, q):
-    """Whether a robot at q is inside the boundary and touches nothing, asked of the workspace."""
+    """Whether a robot at q is inside the boundary and touches nothing, in the workspace."""
     body = shapely.Polygon(np.asarray(robot) + q)
     return shapely.contains_properly(shapely.Polygon(boundary), body) and not any(
         body.intersects(shapely.Polygon(o)) for o in obstacles
@@ -57,8 +55,9 @@ def free_by_shapely(robot, boundary, obstacles, q):
     ids=["triangle", "corner", "small"],
 )
 def test_a_point_is_as_free_as_the_robot_was(boundary, robot):
-    """At thousands of random positions the point in c_space_world and the robot in the world, asked
-    of shapely, agree.
+    """A point in c_space_world is free exactly where the robot is free in the world.
+
+    At thousands of random positions, by shapely.
     """
     obstacles = [HOOK, [(14, 2), (17, 4), (15, 7)], [(15, 6), (18, 6), (18, 8), (15, 8)]]
     free = c_space_world(robot, PolygonWorld(boundary, obstacles))
@@ -66,14 +65,12 @@ def test_a_point_is_as_free_as_the_robot_was(boundary, robot):
     for q in np.random.default_rng(0).uniform((-1, -1), (21, 15), size=(1500, 2)):
         answer = is_free(point, free, q, 0.0)
         assert answer == free_by_shapely(robot, boundary, obstacles, q)
-        counts[answer] += 1
+        counts[int(answer)] += 1
     assert min(counts) > 100
 
 
 def test_contact_is_contact():
-    """On the lattice nothing is rounded: each place where the robot touches is a place that is not
-    free, to the last bit.
-    """
+    """On a lattice, where nothing is rounded, every position in contact is not free."""
     world_obstacles = [[(4, 4), (8, 4), (8, 7), (4, 7)], [(10, 2), (13, 2), (10, 6)]]
     for robot in ([(0, 0), (2, 0), (2, 1), (0, 1)], L_SHAPE, [(-1, 0), (1, -1), (1, 1)]):
         free = c_space_world(robot, PolygonWorld(BOX, world_obstacles))
@@ -85,9 +82,7 @@ def test_contact_is_contact():
 
 
 def test_whole_motions_are_as_free():
-    """A motion of the point is free exactly when the swept robot, the hull of both placements,
-    is.
-    """
+    """A motion of the point is free exactly where the hull of the robot at both ends is."""
     obstacles, robot = [HOOK, [(14, 2), (17, 4), (15, 7)]], TRIANGLE
     free = c_space_world(robot, PolygonWorld(BOX, obstacles))
     rng = np.random.default_rng(1)
@@ -101,7 +96,7 @@ def test_whole_motions_are_as_free():
 
 
 def test_a_robot_that_fits_nowhere_is_refused():
-    """So are discs and terrains, and shapes that are none."""
+    """So are round obstacles, terrains and invalid polygons."""
     with pytest.raises(InvalidWorld, match="fits nowhere"):
         c_space_world(2 * np.array(BOX), PolygonWorld(BOX))
     with pytest.raises(InvalidWorld, match="fits nowhere"):  # it touches both sides
@@ -117,9 +112,7 @@ def test_a_robot_that_fits_nowhere_is_refused():
 
 
 def test_parts_of_shapes_that_are_not_convex_make_up_the_whole():
-    """The union of the convex differences is the union of the robot's mirror images moved to all of
-    the obstacle.
-    """
+    """The union of convex differences is the union of mirrored robots over the obstacle."""
     parts = translating_obstacles(L_SHAPE, [HOOK])
     whole = shapely.union_all(
         shapely.polygons(parts)
@@ -133,12 +126,11 @@ def test_parts_of_shapes_that_are_not_convex_make_up_the_whole():
     assert translating_obstacles(L_SHAPE, []) == []
 
 
-# ---- sliding
-# -------------------------------------------------------------------------------------------------------------------
+# ---- sliding ------------------------------------------------------------------------------------
 
 
 def random_polygon(rng, size=1.0):
-    """A convex polygon with whole or with any coordinates."""
+    """A convex polygon with integer or with arbitrary coordinates."""
     while True:
         points = rng.integers(-5, 5, (7, 2)) if rng.random() < 0.5 else rng.normal(size=(7, 2))
         hull = convex_hull(size * points)
@@ -147,7 +139,7 @@ def random_polygon(rng, size=1.0):
 
 
 def test_a_sliding_robot_always_touches_and_never_enters():
-    """All along the way; and it is the boundary of the difference, gone round once."""
+    """All along its way, which is the boundary of the difference, once round."""
     rng = np.random.default_rng(3)
     for _ in range(60):
         robot, obstacle = random_polygon(rng), random_polygon(rng) + rng.normal(size=2)
@@ -163,9 +155,7 @@ def test_a_sliding_robot_always_touches_and_never_enters():
 
 
 def test_stretches_name_what_touches_what():
-    """In the middle of each stretch the named vertex lies on the named edge; edges that run against
-    each other are EE.
-    """
+    """In the middle of each stretch the given vertex lies on the given edge; EE if parallel."""
     rng = np.random.default_rng(4)
     kinds = set()
     for _ in range(60):
@@ -192,8 +182,9 @@ def test_stretches_name_what_touches_what():
 
 
 def test_a_way_begins_and_ends_at_one_place():
-    """Shares from 0 to 1 are gone evenly; others are refused; a point slides round a segment, not
-    round a point.
+    """Fractions from 0 to 1 are proportional to length; others are refused.
+
+    A point slides round a segment, but not round a point.
     """
     way = slide([(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 0), (3, 0), (3, 2), (0, 2)])
     assert np.allclose(way.at(0.0)[0], way.at(1.0)[0]) and way.kind.tolist() == ["EE"] * 4
@@ -207,28 +198,25 @@ def test_a_way_begins_and_ends_at_one_place():
 
 
 def test_the_star_algorithm_of_the_book():
-    """LaValle's example 4.14: a triangle round a rectangle, seven edges, each from one or the
-    other.
-    """
+    """LaValle's example 4.14: a triangle round a rectangle gives seven edges."""
     way = slide([(-1, -1), (1, 0), (0, 1)], [(0, 0), (4, 0), (4, 2), (0, 2)])
     assert len(way.corners) == 7 and sorted(way.kind.tolist()) == ["EV"] * 3 + ["VE"] * 4
     assert convex_polygons_intersect(minkowski_sum(way.robot, way.corners[0]), way.obstacle)
     assert np.allclose(turned(TRIANGLE, np.pi / 2), [(1, -1), (0, 2), (-1, 0)])
 
 
-# ---- turning
-# -------------------------------------------------------------------------------------------------------------------
+# ---- turning ------------------------------------------------------------------------------------
 
 
 def assert_closed(mesh):
-    """A closed surface without folds, its outside outside, in one piece like a ball."""
+    """Assert a closed surface without folds, oriented outward, homeomorphic to a sphere."""
     assert mesh.is_watertight and mesh.is_winding_consistent and mesh.volume > 0.0
     assert mesh.euler_number == 2
     assert mesh.area_faces.min() > 0.0
 
 
 def test_the_solid_is_closed_and_has_the_volume_of_integral_geometry():
-    """For any two convex polygons, and the more slices the closer, with the square of the step."""
+    """For any two convex polygons; the error decreases with the square of the step."""
     rng = np.random.default_rng(5)
     for _ in range(8):
         robot, obstacle = random_polygon(rng, 0.6), random_polygon(rng) + 3.0
@@ -244,9 +232,7 @@ def test_the_solid_is_closed_and_has_the_volume_of_integral_geometry():
 
 @pytest.mark.parametrize("theta", [-3.1, -np.pi / 2 + 0.01, -0.3, 0.2, 0.7, 1.5, 3.0])
 def test_a_section_is_the_slice(theta):
-    """A plane through the mesh cuts out the difference at that angle, within what the docstring
-    promises.
-    """
+    """The section of the mesh is the difference at that angle, within the stated error."""
     robot, obstacle = (
         np.array([(-1.0, -0.5), (2.0, -0.5), (2.0, 0.5), (-1.0, 0.5)]),
         np.array([(3, 3), (6, 4), (5, 6), (3, 5)]),
@@ -266,9 +252,7 @@ def test_a_section_is_the_slice(theta):
 
 
 def test_corners_of_the_mesh_are_corners_of_slices():
-    """Each vertex lies on the boundary of the difference at its own angle; parallel shapes, all
-    angles critical at once, too.
-    """
+    """Each vertex lies on the boundary of the difference at its angle, also for parallel edges."""
     for robot, obstacle in (
         (BOX, BOX),
         (TRIANGLE, TRIANGLE),
@@ -290,9 +274,7 @@ def test_corners_of_the_mesh_are_corners_of_slices():
 
 
 def test_shapes_that_are_not_convex_are_solids_of_their_parts():
-    """Each closed; a configuration is in one of them exactly when the robot touches the
-    obstacle.
-    """
+    """All are closed; a configuration is in one of them where the robot touches the obstacle."""
     mesh = turning_obstacle(L_SHAPE, HOOK, n_angles=180)
     bodies = mesh.split(only_watertight=False)
     assert mesh.is_watertight and len(bodies) > 1 and all(body.is_watertight for body in bodies)
@@ -310,7 +292,7 @@ def test_shapes_that_are_not_convex_are_solids_of_their_parts():
 
 @pytest.mark.parametrize("ending", ["stl", "glb", "ply"])
 def test_a_solid_goes_to_a_file_and_back(tmp_path, ending):
-    """Still closed, of the same volume to the precision of the format."""
+    """It is still closed, with the same volume to the precision of the format."""
     import trimesh
 
     mesh = turning_obstacle(TRIANGLE, [(3, 3), (6, 3), (6, 5), (3, 5)])
@@ -321,7 +303,7 @@ def test_a_solid_goes_to_a_file_and_back(tmp_path, ending):
 
 
 def test_wrong_numbers_of_angles_are_refused():
-    """Whole, at least three; and shapes without area."""
+    """An integer of at least three is required; shapes without area are refused too."""
     for wrong in (2, 0, -5, 10.0, True, "many"):
         with pytest.raises(InvalidParameter, match="n_angles"):
             turning_obstacle(TRIANGLE, BOX, n_angles=wrong)
@@ -331,13 +313,13 @@ def test_wrong_numbers_of_angles_are_refused():
         turning_volume(L_SHAPE, BOX)
 
 
-# ---- discs
-# ---------------------------------------------------------------------------------------------------------------------
+# ---- discs --------------------------------------------------------------------------------------
 
 
 def test_a_grown_polygon_is_measured_in_closed_form():
-    """Area A + p r + pi r^2 (Steiner), perimeter p + 2 pi r; for a segment and a point too; the
-    polyline closes in from outside.
+    """Area A + p r + pi r^2 (Steiner), perimeter p + 2 pi r; also for a segment and a point.
+
+    The polyline encloses the shape.
     """
     square = Rounded(np.array([(0.0, 0), (2, 0), (2, 2), (0, 2)]), 0.5)
     assert square.area == 4 + 8 * 0.5 + np.pi * 0.25 and square.perimeter == 8 + np.pi
@@ -367,9 +349,7 @@ def test_a_grown_polygon_is_measured_in_closed_form():
 
 
 def test_a_disk_is_free_where_its_centre_is_in_a_free_region():
-    """Asked of the exact collision test at thousands of places, but for those within the tolerance
-    of the outline.
-    """
+    """By collision tests at thousands of positions, except within the tolerance of the outline."""
     world = PolygonWorld(NOTCHED, [HOOK, [(14, 2), (17, 4), (15, 7)], ((3, 11), 1.5)])
     for radius in (0.3, 0.8, 1.2):
         regions = [
@@ -391,8 +371,9 @@ def test_a_disk_is_free_where_its_centre_is_in_a_free_region():
 
 
 def test_a_workspace_shrinks_falls_apart_and_vanishes():
-    """A rectangle stays one, exactly; a dumbbell becomes two rooms; a room too small is gone; arcs
-    stand at reflex vertices.
+    """A rectangle stays one, exactly; a dumbbell becomes two regions; a small room vanishes.
+
+    Arcs appear at reflex vertices.
     """
     (region,) = shrunk_workspace(1.0, BOX)
     assert region.tolist() == [[1, 1], [19, 1], [19, 13], [1, 13]]

@@ -1,7 +1,8 @@
-"""Whole motions of points and disks among polygons and on terrains.
+"""Motions of points and disks among polygons and on terrains, against fractions and shapely.
 
-On whole-numbered worlds, where touching is common, against fractions: every answer must be right.
-On worlds of any numbers against shapely, for every motion that is not within rounding of a contact.
+In worlds with integer coordinates, where contact is common, every answer must equal that of exact
+fractions. In worlds with arbitrary coordinates the answers must equal shapely's, except for motions
+within rounding of a contact.
 """
 
 import math
@@ -59,12 +60,11 @@ def semi_free(robot: Any, world: Any, a: Any, b: Any, clearance: float = 0.0) ->
     return bool(is_semi_free_path(robot, world, at(*a), at(*b), clearance))
 
 
-# ---- polygons, exactly
-# -------------------------------------------------------------------------------------------------------
+# ---- polygons, exactly --------------------------------------------------------------------------
 
 
 class ExactWorld:
-    """A world of polygons with rooms and discs, judged by brute force on fractions."""
+    """A world of polygons with rooms and discs, tested by brute force with fractions."""
 
     def __init__(self, boundary: Any, polygons: Any, discs: Any = ()) -> None:
         self.boundary, self.polygons, self.discs = boundary, polygons, discs
@@ -87,9 +87,7 @@ class ExactWorld:
         )
 
     def is_free(self, a: Any, b: Any) -> bool:
-        """No contact anywhere: the motion starts in the open and meets neither an edge nor a
-        disc.
-        """
+        """No contact: the motion starts in the free space and meets neither an edge nor a disc."""
         return not (
             self.is_solid(a)
             or any(shared_exactly(a, b, *edge) for edge in self.edges)
@@ -97,9 +95,7 @@ class ExactWorld:
         )
 
     def is_semi_free(self, a: Any, b: Any) -> bool:
-        """Nowhere solid on both sides, tried beside the middle of each stretch between two
-        contacts.
-        """
+        """Nowhere solid on both sides, by points beside each stretch between contacts."""
         if any(nearest_exactly(c, a, b)[0] < r * r for c, r in self.discs):
             return False
         a, b = exact(a), exact(b)
@@ -126,9 +122,7 @@ whole = st.tuples(st.integers(-24, 24), st.integers(-24, 24))
 
 @st.composite
 def exact_worlds(draw: Any) -> ExactWorld:
-    """Boundaries with pockets; obstacles that overlap, touch, cross the boundary, have rooms with
-    obstacles inside, are round.
-    """
+    """Boundaries with pockets; obstacles that overlap, touch, have rooms, or are round."""
     boundary = (
         BOX if draw(st.booleans()) else [(4 * x, 4 * y) for x, y in draw(simple_polygons(most=9))]
     )
@@ -156,8 +150,9 @@ def exact_worlds(draw: Any) -> ExactWorld:
     [((0, 8), (8, 8)), ((1, 1), (7, 1)), ((2, 5), (6, 5))],
 )
 def test_points_among_polygons_are_judged_exactly(world: ExactWorld, motions: Any) -> None:
-    """Free, semi-free and the place itself, both ways, on whole numbers where motions graze, slide
-    and touch at corners.
+    """Free and semi-free motions and configurations of a point are tested exactly.
+
+    In both directions, on a lattice, where motions graze, slide and touch at corners.
     """
     corners = [edge[0] for edge in world.edges]
     motions += zip(corners[::2], corners[1::2], strict=False)
@@ -180,9 +175,7 @@ def test_points_among_polygons_are_judged_exactly(world: ExactWorld, motions: An
     st.integers(0, 4),
 )
 def test_parts_of_a_free_path_are_free(world: ExactWorld, motions: Any, i: int, j: int) -> None:
-    """Between any two quarters of a motion; whatever is free is semi-free, and its ends are free
-    places.
-    """
+    """Every part of a free motion is free; a free motion is semi-free, and its ends are free."""
     for a, b in motions:
         whole_motion = [at(*a) + k / 4 * (at(*b) - at(*a)) for k in range(5)]
         for robot, clearance in ((Point(), 0.0), (Disk(0.75), 0.5)):
@@ -195,7 +188,7 @@ def test_parts_of_a_free_path_are_free(world: ExactWorld, motions: Any, i: int, 
 
 
 class TestContact:
-    """Touching is contact: not free; but semi-free unless both sides are solid."""
+    """A motion in contact is not free; it is semi-free unless both of its sides are solid."""
 
     box = PolygonWorld(
         BOX, [SQUARE, [(x + 4, y) for x, y in SQUARE], [(x + 8, y + 4) for x, y in SQUARE]]
@@ -245,17 +238,13 @@ class TestContact:
         ],
     )
     def test_standing_still(self, q: Any, is_free_there: bool, semi: bool) -> None:
-        """A motion that stays where it is obeys the same rule: contact is semi-free, the inside is
-        not.
-        """
+        """A configuration in contact is semi-free; a configuration inside an obstacle is not."""
         assert bool(is_free(Point(), self.box, at(*q), 0.0)) is is_free_there
         assert free(Point(), self.box, q, q) is is_free_there
         assert semi_free(Point(), self.box, q, q) is semi
 
     def test_a_disk_touches_at_its_radius(self) -> None:
-        """Along an edge, past a corner (3-4-5), between walls exactly as far apart as it is wide,
-        and at the boundary.
-        """
+        """Along an edge, past a corner (3-4-5), between walls, and at the boundary."""
         for a, b in (
             ((-6, -1), (12, -1)),
             ((-1, -1.0), (-1, 9)),
@@ -290,9 +279,7 @@ class TestContact:
 
 
 def test_rooms_are_free_within_and_hold_obstacles() -> None:
-    """A wall with a room, an island in the room with a room of its own: each wall stops, each room
-    is free.
-    """
+    """In nested walls and rooms every wall blocks a motion and every room is free."""
     wall, room = (
         [(-12, -12), (12, -12), (12, 12), (-12, 12)],
         [(-10, -10), (10, -10), (10, 10), (-10, 10)],
@@ -322,9 +309,7 @@ def test_rooms_are_free_within_and_hold_obstacles() -> None:
 
 
 def test_pockets_of_the_boundary_are_solid() -> None:
-    """A boundary whose vertices lie on an edge of its hull between two pockets, and at the hull's
-    corners.
-    """
+    """Also where a vertex between two pockets lies on an edge of the hull, and at its corners."""
     boundary = [
         (0, 0),
         (12, 0),
@@ -355,9 +340,7 @@ def test_pockets_of_the_boundary_are_solid() -> None:
 @pytest.mark.parametrize("width", [1e-9, 1e-12, 1e-15])
 @pytest.mark.parametrize("robot", [Point(), Disk(1e-3)], ids=["point", "disk"])
 def test_a_sliver_of_a_wall_stops_everything(width: float, robot: Any) -> None:
-    """No motion through a wall of 1e-9, or of a few floats, is free, however long and from
-    wherever.
-    """
+    """No motion through a wall of width 1e-9, or of a few floats, is free, whatever its length."""
     wall = [(0.5, -30), (0.5 + width, -30), (0.5 + width, 30), (0.5, 30)]
     world = PolygonWorld(BOX, [wall])
     rng = np.random.default_rng(0)
@@ -370,15 +353,15 @@ def test_a_sliver_of_a_wall_stops_everything(width: float, robot: Any) -> None:
         assert free(robot, world, a, (0.4, a[1]))
 
 
-# ---- polygons, against shapely
-# -----------------------------------------------------------------------------------------------
+# ---- polygons, against shapely ------------------------------------------------------------------
 
 
 def random_world(
     rng: np.random.Generator, scale: float, shift: float
 ) -> tuple[Any, list[Any], list[Any]]:
-    """A boundary with pockets, its solids as shapely polygons (the outside first) and its discs,
-    scaled and shifted.
+    """A boundary with pockets, its solids as shapely polygons (the outside first) and its discs.
+
+    Scaled and shifted.
     """
 
     def star(centre: Any, low: float, high: float, n: int) -> Any:
@@ -412,8 +395,9 @@ def random_world(
     ("scale", "shift"), [(1.0, 0.0), (1.0, 1e6), (1e-6, 0.0), (1e6, 0.0), (1e6, -1e9)]
 )
 def test_motions_among_polygons_agree_with_shapely(scale: float, shift: float) -> None:
-    """Points and disks, with and without clearance, in worlds of any size and place; cases within
-    rounding of contact left out.
+    """Points and disks, with and without clearance, in worlds of any size and position.
+
+    Cases within rounding of contact are left out.
     """
     rng = np.random.default_rng(1)
     margin = 1e-9 * scale + 1e-14 * abs(shift)
@@ -457,9 +441,7 @@ def test_motions_among_polygons_agree_with_shapely(scale: float, shift: float) -
 def test_clearance_is_a_larger_disk(
     world: ExactWorld, a: Any, b: Any, radius: float, clearance: float
 ) -> None:
-    """Disk(r) with a clearance c is Disk(r + c); a point with a clearance is a disk of that
-    radius.
-    """
+    """Disk(r) with clearance c is Disk(r + c); a point with clearance c is Disk(c)."""
     for ask in (free, semi_free):
         expected = ask(Disk(radius + clearance), world.record, a, b)
         assert ask(Disk(radius), world.record, a, b, clearance) is expected
@@ -467,8 +449,10 @@ def test_clearance_is_a_larger_disk(
 
 
 def test_the_index_finds_what_looking_at_every_part_finds() -> None:
-    """300 obstacles, some across the boundary or outside: motions of every length, along grid lines
-    too, points and discs.
+    """The index gives the same answers as a test of every part, for points and discs.
+
+    300 obstacles, some across the boundary or outside; motions of every length, also along grid
+    lines.
     """
     rng = np.random.default_rng(2)
     obstacles: list[Any] = []
@@ -500,7 +484,7 @@ def test_the_index_finds_what_looking_at_every_part_finds() -> None:
 
 
 def test_a_world_without_obstacles_is_free_inside() -> None:
-    """Nothing but the boundary."""
+    """Only the boundary blocks motions."""
     world = PolygonWorld(SQUARE)
     assert free(Point(), world, (1, 1), (3, 3))
     assert not free(Point(), world, (1, 1), (4, 3))
@@ -508,12 +492,11 @@ def test_a_world_without_obstacles_is_free_inside() -> None:
     assert not free(Disk(1.0), world, (1, 1), (3, 3))
 
 
-# ---- terrains
-# ----------------------------------------------------------------------------------------------------------------
+# ---- terrains -----------------------------------------------------------------------------------
 
 
 class ExactTerrain:
-    """A bitmap judged by brute force on fractions, its cells of side 1 from (0, 0)."""
+    """A bitmap with cells of side 1 from (0, 0), tested by brute force with fractions."""
 
     def __init__(self, cells: Any) -> None:
         self.cells = cells
@@ -525,9 +508,7 @@ class ExactTerrain:
         return not (0 <= i < self.columns and 0 <= j < self.rows and self.cells[j][i])
 
     def is_free(self, a: Any, b: Any) -> bool:
-        """Strictly inside the rim, and no blocked cell is left after clipping the motion to it,
-        slab by slab.
-        """
+        """Strictly inside the border, and no blocked cell meets the motion."""
         if not all(0 < x < self.columns and 0 < y < self.rows for x, y in (a, b)):
             return False
         u = minus(b, a)
@@ -587,8 +568,9 @@ placements = st.sampled_from(
     (1.0, (0.0, 0.0)),
 )
 def test_points_on_terrains_are_judged_exactly(cells: Any, motions: Any, placement: Any) -> None:
-    """Free, semi-free and places, both ways, between half cells, whatever the resolution and
-    origin.
+    """Motions, semi-free motions and configurations, in both directions, between half cells.
+
+    At any resolution and origin.
     """
     oracle, (side, (x0, y0)) = ExactTerrain(cells), placement
     world = Terrain(cells, resolution=side, origin=(x0, y0))
@@ -603,7 +585,7 @@ def test_points_on_terrains_are_judged_exactly(cells: Any, motions: Any, placeme
 
 
 class TestTerrainContact:
-    """Two blocked cells side by side, two that meet at a corner; rows are given from below."""
+    """Two blocked cells side by side, and two that meet at a corner; rows are given from below."""
 
     world = Terrain(
         [[1, 1, 1, 1, 1, 1], [1, 0, 0, 1, 1, 1], [1, 1, 1, 0, 1, 1], [1, 1, 1, 1, 1, 1]]
@@ -636,9 +618,7 @@ class TestTerrainContact:
             assert semi_free(Point(), self.world, start, end) is semi
 
     def test_a_blocked_cell_at_the_rim_leaves_no_way_between(self) -> None:
-        """What is outside is solid: the rim of a blocked cell is inside the solid, on each of the
-        four sides.
-        """
+        """The outside is solid: no motion runs between it and a blocked cell."""
         world = Terrain([[0, 1, 0], [1, 1, 1], [0, 1, 0]])
         for a, b in (
             ((0, 0), (1, 0)),
@@ -665,9 +645,7 @@ class TestTerrainContact:
         ],
     )
     def test_standing_still(self, q: Any, semi: bool) -> None:
-        """The inside of a cell, or of the edge that two blocked cells share, is not semi-free; a
-        contact is.
-        """
+        """Interiors of cells and of their common edges are not semi-free; contacts are."""
         assert semi_free(Point(), self.world, q, q) is semi
 
     def test_a_disk_touches_at_its_radius(self) -> None:
@@ -690,9 +668,7 @@ class TestTerrainContact:
                 )
 
     def test_a_disk_passes_a_corner_at_the_distance_of_the_corner(self) -> None:
-        """3-4-5: the corner (4, 2) of a blocked cell seen from (4.6, 2.8) is exactly one away, but
-        for rounding.
-        """
+        """3-4-5: the corner (4, 2) is at distance 1 from (4.6, 2.8), up to rounding."""
         assert (
             free(Disk(0.999999999), self.world, (4.6, 2.8), (4.6, 2.8)) is False
         )  # the rim of the cell (3, 2) is nearer
@@ -706,8 +682,9 @@ class TestTerrainContact:
     [(1.0, (0.0, 0.0)), (0.3, (-3.7, 100.1)), (1e-6, (0.0, 0.0)), (7e5, (1e6, -1e6))],
 )
 def test_motions_on_terrains_agree_with_shapely(side: float, origin: Any) -> None:
-    """Points and disks on random bitmaps of any scale; cases within rounding of contact left
-    out.
+    """Points and disks on random bitmaps of any scale.
+
+    Cases within rounding of contact are left out.
     """
     rng = np.random.default_rng(3)
     margin = 1e-9 * side + 1e-14 * max(map(abs, origin))
@@ -754,7 +731,7 @@ def test_motions_on_terrains_agree_with_shapely(side: float, origin: Any) -> Non
 
 
 def test_a_terrain_of_one_blocked_column_stops_everything() -> None:
-    """Along every slope."""
+    """A blocked column blocks motions of every slope."""
     cells = np.ones((200, 300), bool)
     cells[:, 150] = False
     world = Terrain(cells)
@@ -792,8 +769,7 @@ def test_a_bad_terrain_is_refused_by_name(cells: Any, options: Any, error: Any, 
     assert words in str(caught.value)
 
 
-# ---- what makes a world and a problem
-# ----------------------------------------------------------------------------------------
+# ---- what makes a world and a problem -----------------------------------------------------------
 
 INNER = [(1, 1), (3, 1), (3, 3), (1, 3)]
 
@@ -835,7 +811,7 @@ INNER = [(1, 1), (3, 1), (3, 3), (1, 3)]
     ],
 )
 def test_a_bad_obstacle_is_refused_by_its_number(obstacle: Any, error: Any) -> None:
-    """The message names the obstacle."""
+    """The message gives the number of the obstacle."""
     good = [(10, 10), (12, 10), (12, 12)]
     with pytest.raises(error, match="obstacle 1") as caught:
         PolygonWorld(BOX, [good, obstacle])
@@ -850,7 +826,7 @@ def test_an_obstacle_may_have_no_rooms() -> None:
 
 
 def test_a_room_may_touch_its_obstacle_at_a_point() -> None:
-    """It is free within all the same; where it touches is contact."""
+    """The room is free, and its point of contact with the outline is not."""
     outer, room = [(0, 0), (8, 0), (8, 8), (0, 8)], [(4, 0), (6, 4), (2, 4)]
     world = PolygonWorld(BOX, [(outer, [room])])
     assert free(Point(), world, (4, 1), (4, 3))
@@ -861,7 +837,7 @@ def test_a_room_may_touch_its_obstacle_at_a_point() -> None:
 
 @pytest.mark.parametrize("clockwise", [False, True])
 def test_the_direction_of_rings_does_not_matter(clockwise: bool) -> None:
-    """Boundary, obstacle and room may be given either way round; the world is the same."""
+    """Boundary, obstacle and room may be clockwise or counter-clockwise; the world is the same."""
     turned = slice(None, None, -1 if clockwise else 1)
     room = [(1.5, 1.5), (2.5, 1.5), (2.0, 2.5)]
     world = PolygonWorld(BOX[turned], [(INNER[turned], [room[turned]])])
@@ -877,7 +853,7 @@ def test_the_direction_of_rings_does_not_matter(clockwise: bool) -> None:
 
 @pytest.mark.parametrize("radius", [0, -1, (1, 2)])
 def test_a_disk_needs_a_size(radius: Any) -> None:
-    """InvalidRobot points to Point()."""
+    """InvalidRobot recommends Point()."""
     with pytest.raises(InvalidRobot, match=r"Point\(\)"):
         Disk(radius)
 
@@ -894,7 +870,7 @@ def test_a_disk_needs_a_size(radius: Any) -> None:
     ],
 )
 def test_start_and_goal_must_be_free(start: Any, words: str) -> None:
-    """InvalidStart and InvalidGoal name the place and say why."""
+    """InvalidStart and InvalidGoal give the position and the reason."""
     world = PolygonWorld(BOX, [INNER])
     with pytest.raises(InvalidStart, match=words) as caught:
         Problem(Point(), world, start, (10, 10))
@@ -904,7 +880,7 @@ def test_start_and_goal_must_be_free(start: Any, words: str) -> None:
 
 
 def test_start_must_keep_the_clearance() -> None:
-    """The message tells of the clearance; a disk counts its radius."""
+    """The message mentions the clearance; the radius of a disk counts."""
     world = PolygonWorld(BOX, [INNER])
     Problem(Point(), world, (0.5, 2), (10, 10), clearance=0.4)
     with pytest.raises(InvalidStart, match=r"clearance of 0\.5"):
@@ -923,7 +899,7 @@ def test_a_start_of_the_wrong_shape_is_an_invalid_point(bad: Any) -> None:
 
 
 def test_bad_clearance_and_bad_robot_are_invalid_parameters() -> None:
-    """Negative or several clearances; what is no robot."""
+    """Negative or several clearances, and arguments that are not robots."""
     for clearance in (-0.1, (1, 2)):
         with pytest.raises(InvalidParameter, match="clearance"):
             Problem(Point(), PolygonWorld(BOX), (0, 0), (1, 1), clearance=clearance)
@@ -932,9 +908,7 @@ def test_bad_clearance_and_bad_robot_are_invalid_parameters() -> None:
 
 
 def test_a_problem_asks_collision_with_its_clearance_and_counts() -> None:
-    """The problem's own questions answer as the functions do; a recorder passes them on and writes
-    them down.
-    """
+    """The methods of a problem equal the collision functions, and a recorder logs their calls."""
     world = PolygonWorld(BOX, [INNER, ((10, -10), 3)])
     problem = Problem(Disk(0.5), world, (-10, 2), (10, 2), clearance=0.25)
     recorder = Recorder(problem)

@@ -1,4 +1,4 @@
-"""Lesson 5: what its exercises and figures claim, against independent computations."""
+"""Lesson 5: the claims of its exercises and figures, against independent computations."""
 
 import numpy as np
 import pytest
@@ -14,9 +14,7 @@ from kinoedu.robots.arm import ArmChain
 
 @pytest.mark.parametrize("seed", range(30))
 def test_counted_freedoms_are_those_of_the_constraints(seed):
-    """Where pins close no ring, the count is what the Jacobian of all constraints leaves, at any
-    places of the pins.
-    """
+    """Where pins close no ring, the count is the nullity of the constraints' Jacobian."""
     rng = np.random.default_rng(seed)
     bodies = int(rng.integers(1, 8))
     joints = random_joints(rng, "arm" if seed % 2 else "loose", bodies)
@@ -34,7 +32,7 @@ def test_counted_freedoms_are_those_of_the_constraints(seed):
 
 
 def test_the_law_of_sines_misses_where_the_angle_at_the_base_is_obtuse():
-    """The program to break is right where l2^2 <= l1^2 + r^2 and wrong elsewhere: both are met."""
+    """The program to break is right where l2^2 <= l1^2 + r^2 and wrong elsewhere."""
     rng, met = np.random.default_rng(0), {True: 0, False: 0}
     for _ in range(500):
         l1, l2 = rng.uniform(0.5, 2.0, 2)
@@ -52,9 +50,7 @@ def test_the_law_of_sines_misses_where_the_angle_at_the_base_is_obtuse():
 
 
 def test_a_way_on_the_torus_is_short_and_even():
-    """Its steps are equal, and as long together as the distance; on the square it is broken where
-    it crosses an edge.
-    """
+    """Its steps are equal and sum up to the distance; in the square it is split at the edges."""
     from matplotlib.figure import Figure
 
     rng = np.random.default_rng(1)
@@ -71,9 +67,7 @@ def test_a_way_on_the_torus_is_short_and_even():
 
 
 def test_the_reach_board_tells_both_configurations_or_why_there_is_none():
-    """In the ring, at its rim, beyond it, in its hole; where there are infinitely many that is told
-    as a warning.
-    """
+    """In the ring, on its rim, beyond it and in its hole; a warning for infinitely many."""
     arm, equal = TwoLinkArm(2, 1, 0.2, base=(1, 0)), TwoLinkArm(1, 1, 0)
     assert "; or " in repr(reach_board(arm, (3, 1)))
     assert repr(reach_board(arm, (1, 3))) == "Canvas(3 from the base: θ₁ = 1.571, θ₂ = 0)"
@@ -85,7 +79,7 @@ def test_the_reach_board_tells_both_configurations_or_why_there_is_none():
 
 
 def test_points_on_the_torus_lie_on_its_tube():
-    """Every point is a tube's radius from the ring in the middle, at its two angles."""
+    """Every point is one tube radius away from the central circle, at its two angles."""
     q = np.random.default_rng(3).uniform(-np.pi, np.pi, (50, 2))
     x, y, z = configurations.on_torus(q).T
     beside = np.hypot(x, y) - configurations.TORUS[0]
@@ -95,7 +89,7 @@ def test_points_on_the_torus_lie_on_its_tube():
 
 
 def test_the_torus_board_draws_no_line_across_the_square():
-    """The way is drawn in short pieces, whichever edges it crosses."""
+    """The path is drawn in short pieces, whichever edges it crosses."""
     rng = np.random.default_rng(2)
     for a, b in rng.uniform(-np.pi, np.pi, (20, 2, 2)):
         canvas = torus_board(a, b)

@@ -1,6 +1,4 @@
-"""Decompositions against an independent oracle: slabs between vertices, cut and merged with
-rational numbers; and shapely.
-"""
+"""Decompositions against an independent oracle in rational arithmetic, and against shapely."""
 
 import json
 import os
@@ -52,16 +50,15 @@ def diamond(x, y, r=1):
     return [(x - r, y), (x, y - r), (x + r, y), (x, y + r)]
 
 
-# ---- the oracle
-# ----------------------------------------------------------------------------------------------------------------
+# ---- the oracle ---------------------------------------------------------------------------------
 
 
 def slabs(edges):
-    """Cells, as rows of exact numbers, and the pairs that share a wall, from edges (n, 5) that do
-    not cross. O(n^2 log n).
+    """The cells, as rows of exact numbers, and the pairs that share a wall; O(n^2 log n).
 
-    Between two neighbouring vertex columns the free space is a pile of cells. One goes on into the
-    next slab, between the same two edges, unless a vertex lies on the wall between.
+    The edges (n, 5) must not cross. Between two consecutive x of vertices the free space is a stack
+    of cells. A cell continues into the next slab, between the same two edges, unless a vertex lies
+    on the wall between them.
     """
     edges = [tuple(map(Fraction, edge[:4])) for edge in edges.tolist()]
     columns = {}
@@ -106,22 +103,22 @@ def slabs(edges):
 
 
 def height(edge, x):
-    """Where an edge is at x."""
+    """The height of an edge at x."""
     return edge[1] + (x - edge[0]) * (edge[3] - edge[1]) / (edge[2] - edge[0])
 
 
 def low_of(pair, x):
-    """The floor's height."""
+    """The height of the floor."""
     return height(pair[0], x)
 
 
 def high_of(pair, x):
-    """The ceiling's height."""
+    """The height of the ceiling."""
     return height(pair[1], x)
 
 
 def free_by_shapely(outer, obstacles):
-    """The free space, rooms and all, made without the library."""
+    """The free space, with rooms, computed without the library."""
     solids = [
         shapely.Polygon(*o) if isinstance(o, tuple) else shapely.Polygon(o) for o in obstacles
     ]
@@ -129,7 +126,7 @@ def free_by_shapely(outer, obstacles):
 
 
 def assert_cuts(cut, free):
-    """The cells cover the free space, to 1e-9 of its area, and no two overlap."""
+    """Assert that the cells cover the free space, to 1e-9 of its area, and do not overlap."""
     room = 1e-9 * max(free.area, 1e-300)
     assert (cut.areas > 0.0).all()
     assert abs(cut.areas.sum() - free.area) <= room
@@ -141,9 +138,7 @@ def assert_cuts(cut, free):
 
 
 def assert_equals_slabs(cut, world):
-    """The same cells, to 1e-12, in the same order, and the same pairs, as rational numbers give;
-    for worlds without overlaps.
-    """
+    """Assert the same cells, to 1e-12, order and pairs as `slabs`; for worlds without overlaps."""
     cells, pairs = slabs(world.edges)
     assert len(cut.trapezoids) == len(cells)
     assert np.allclose(
@@ -157,14 +152,14 @@ def has_overlaps(world):
     return not drain(new_sweep(world.edges))
 
 
-# ---- textbook cases
-# ------------------------------------------------------------------------------------------------------------
+# ---- textbook cases -----------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case["id"])
 def test_shared_cases(case):
-    """Number, areas, coordinates, order and adjacency of the exact decompositions; the formula in
-    general position.
+    """Number, areas, coordinates, order and adjacency equal the exact ones, and the formula.
+
+    The formula is for general position.
     """
     world, expected = ke.PolygonWorld(case["outer"], case["holes"]), case["expected"]
     cut = ke.trapezoidation(world)
@@ -198,16 +193,21 @@ TOUCHING = {
     "a cross": ([box(3, 1, 5, 7), box(1, 3, 7, 5)], 8, 8),
     "the same twice": ([diamond(4, 4), diamond(4, 4)], 6, 6),
     "a room": ([(box(1, 1, 7, 7), [box(2, 2, 6, 6)])], 5, 4),
-    "a room in a room": ([(box(1, 1, 7, 7), [box(2, 2, 6, 6)]), (box(3, 3, 5, 5), [diamond(4, 4, 0.5)])], 10, 9),
-    "a room that touches the outside at a corner": ([([(1, 1), (7, 1), (7, 7), (1, 7)], [[(1, 4), (3, 3), (3, 5)]])], 5, 4),
+    "a room in a room": (
+        [(box(1, 1, 7, 7), [box(2, 2, 6, 6)]), (box(3, 3, 5, 5), [diamond(4, 4, 0.5)])], 10, 9
+    ),
+    "a room that touches the outside at a corner": (
+        [(box(1, 1, 7, 7), [[(1, 4), (3, 3), (3, 5)]])], 5, 4
+    ),
     "a straight vertex": ([[(2, 2), (4, 2), (6, 2), (6, 5), (2, 5)]], 5, 5),
 }  # fmt: skip
 
 
 @pytest.mark.parametrize("name", TOUCHING)
 def test_what_touches_and_what_overlaps(name):
-    """Number of cells and of pairs, by hand; area and cover by shapely; walls of no length make no
-    neighbours.
+    """The numbers of cells and pairs are those by hand; walls of length zero give no neighbours.
+
+    Area and cover are checked by shapely.
     """
     obstacles, cells, pairs = TOUCHING[name]
     world = ke.PolygonWorld(SQUARE, obstacles)
@@ -220,7 +220,7 @@ def test_what_touches_and_what_overlaps(name):
 
 
 def test_only_what_overlaps_is_united():
-    """Where obstacles touch, cells keep the coordinates given, to the last bit."""
+    """Where obstacles only touch, cells keep the given coordinates, to the last bit."""
     third = 1.0 / 3.0
     world = ke.PolygonWorld(
         SQUARE, [[(1, third), (2 + third, third), (2, 1)], [(2 + third, third), (5, third), (4, 3)]]
@@ -239,7 +239,7 @@ def test_only_what_overlaps_is_united():
 
 
 def test_rings_that_begin_at_one_point_stay_apart():
-    """Two obstacles whose first vertices coincide are two rings."""
+    """Two obstacles with the same first vertex are two rings."""
     world = ke.PolygonWorld(SQUARE, [[(4, 4), (6, 4), (6, 6)], [(4, 4), (2, 4), (2, 2)]])
     assert [len(ring) for rings in rings_of(world) for ring in rings] == [4, 3, 3]
     assert_cuts(
@@ -249,7 +249,7 @@ def test_rings_that_begin_at_one_point_stay_apart():
 
 
 def test_a_fan_at_one_point():
-    """Fifty triangles that share their left corner, and as many their right, in any order."""
+    """Fifty triangles with a common left corner, and fifty with a common right corner."""
     rng, angles = np.random.default_rng(0), np.linspace(-1.4, 1.4, 200)
     rays = np.column_stack([np.cos(angles), np.sin(angles)])
     fans = [[(4, 4), *(4 + way * rays[i : i + 2])] for way in (-1, 1) for i in range(0, 200, 4)]
@@ -263,8 +263,9 @@ def test_a_fan_at_one_point():
 @pytest.mark.parametrize("size", [1e-120, 1e-30, 1.0, 1e30, 1e120, 1e148])
 @pytest.mark.parametrize("shift", [0.0, 1e6])
 def test_any_unit_of_length(size, shift):
-    """A world of any size that coordinates may have, far from the origin too, is cut into as many
-    cells, its overlaps united.
+    """A world of any admissible size, also far from the origin, has the same number of cells.
+
+    Its overlaps are united.
     """
     outer, *obstacles = (
         shift + np.array(ring, float)
@@ -283,9 +284,7 @@ def test_any_unit_of_length(size, shift):
 
 
 def test_combs_of_ten_thousand_vertices():
-    """A comb has a long status when it lies, and as many cells as teeth when it stands; both have
-    their exact area.
-    """
+    """A lying comb has a long status, a standing one as many cells as teeth; exact areas."""
     k = 4999
     teeth = np.where(np.arange(k) % 2 == 0, 1.0, 50.0) + np.random.default_rng(0).uniform(0, 1, k)
     lying = np.concatenate(
@@ -303,14 +302,11 @@ def test_combs_of_ten_thousand_vertices():
         assert area == pytest.approx(shapely.Polygon(ring).area, rel=1e-12)
 
 
-# ---- random worlds
-# -------------------------------------------------------------------------------------------------------------
+# ---- random worlds ------------------------------------------------------------------------------
 
 
 def random_polygon(rng, kind):
-    """Corners on a lattice, where much touches and is in line; wide apart there; or on a circle of
-    any size.
-    """
+    """Corners on a lattice, with many contacts and collinear points; or on a circle of any size."""
     if kind == "wide":
         return rng.integers(0, 9, (3, 2))
     if kind == "lattice":
@@ -322,7 +318,7 @@ def random_polygon(rng, kind):
 
 
 def random_world(rng, kind, overlapping):
-    """A world, and the boundary and obstacles it was made of."""
+    """A world, and the boundary and the obstacles from which it was made."""
     outer, obstacles = (
         SQUARE if rng.random() < 0.7 else rng.integers(0, 9, (rng.integers(3, 8), 2)).tolist(),
         [],
@@ -346,8 +342,9 @@ def random_world(rng, kind, overlapping):
 
 @pytest.mark.parametrize(("kind", "overlapping"), KINDS)
 def test_a_thousand_random_worlds(kind, overlapping):
-    """250 of each kind: the cells cover the free space and do not overlap; what overlaps is found
-    exactly when it does.
+    """250 of each kind: the cells cover the free space without overlaps.
+
+    Overlapping obstacles are detected exactly where they exist.
     """
     rng = np.random.default_rng(7)
     for _ in range(250):
@@ -367,7 +364,7 @@ def test_a_thousand_random_worlds(kind, overlapping):
 
 
 def has_slanted_overlap(a, b):
-    """Whether two rings share a stretch that is not vertical."""
+    """Whether two rings share a segment that is not vertical."""
     shared = shapely.intersection(a, b)
     return any(
         part.length > 0 and np.ptp(shapely.get_coordinates(part)[:, 0]) > 0
@@ -377,7 +374,7 @@ def has_slanted_overlap(a, b):
 
 @pytest.mark.parametrize("kind", ["lattice", "round"])
 def test_random_worlds_equal_slabs(kind):
-    """Cells, order and neighbours equal those of rational numbers."""
+    """Cells, order and neighbours equal those of rational arithmetic."""
     rng, tried = np.random.default_rng(11), 0
     while tried < 60:
         world, _, _ = random_world(rng, kind, overlapping=False)
@@ -397,9 +394,7 @@ def test_random_worlds_equal_slabs(kind):
     st.sampled_from([1.0, 0.1, 1e-3, 1e6]),
 )
 def test_generated_worlds(polygons, scale):
-    """Any small world on a lattice of any fineness; Hypothesis looks for the smallest that
-    fails.
-    """
+    """Any small world on a lattice; Hypothesis reduces a failure to the smallest world."""
     outer, obstacles = (np.array(SQUARE) * scale).tolist(), []
     for polygon in polygons:
         try:
@@ -420,14 +415,14 @@ def test_generated_worlds(polygons, scale):
         assert cut.adjacency.tolist() == [list(pair) for pair in pairs]
 
 
-# ---- the sweep and its status
-# ---------------------------------------------------------------------------------------------------
+# ---- the sweep and its status -------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("seed", range(6))
 def test_steps_drained_are_the_decomposition(seed):
-    """Steps close all its cells, and no others, each after it was opened; the status alternates
-    floors and ceilings, in order.
+    """The steps close exactly its cells, each after it was opened.
+
+    The status alternates floors and ceilings, in order.
     """
     world, _, _ = random_world(
         np.random.default_rng(seed), ("lattice", "round")[seed % 2], overlapping=seed > 3
@@ -453,7 +448,7 @@ def test_steps_drained_are_the_decomposition(seed):
 
 
 def test_the_types_of_vertices():
-    """A triangle's corners are what the table in sweep.py says; a column of two is not one type."""
+    """The corners of a triangle have the types of sweep.py; two on one line have none."""
     kinds = [step.kind for step in ke.sweep(ke.PolygonWorld(SQUARE, [[(3, 3), (6, 2), (5, 4)]]))]
     assert kinds == ["2 vertices", "an obstacle begins", "a bend", "an obstacle ends", "2 vertices"]
     tilted = [step.kind for step in ke.sweep(ke.PolygonWorld([(0, 1), (4, 0), (8, 2), (5, 6)]))]
@@ -461,9 +456,7 @@ def test_the_types_of_vertices():
 
 
 def test_the_interpreted_sweep_is_the_compiled_one():
-    """The body in Python, and the whole process without compiled code, give the same numbers to the
-    last bit.
-    """
+    """Interpreted code, and a process without compiled code, give the same bits."""
     rng = np.random.default_rng(3)
     worlds = [
         random_world(rng, kind, kind == "lattice")[0] for kind in ("lattice", "round", "round")
@@ -502,9 +495,7 @@ def digest():
 
 
 def test_the_status_is_a_treap():
-    """Through ten thousand insertions and removals it keeps its order, its heap of priorities, and
-    a depth of some log n.
-    """
+    """Insertions and removals keep its order, its heap property and a depth of O(log n)."""
     rng, nodes, order = np.random.default_rng(0), np.zeros((10_001, 6), np.int64), []
     for node in range(1, 10_001):
         at = int(rng.integers(0, len(order) + 1))
@@ -544,9 +535,7 @@ def test_the_status_is_a_treap():
 
 
 def test_nodes_inserted_in_order_make_no_list():
-    """Rows in rising order from bottom to top, as a sweep often inserts them: still some log n
-    deep.
-    """
+    """Insertions from bottom to top, as in many sweeps, keep a depth of O(log n) too."""
     nodes = np.zeros((4097, 6), np.int64)
     for node in range(1, 4097):
         insert_above(nodes, node - 1, node)
@@ -557,14 +546,11 @@ def test_nodes_inserted_in_order_make_no_list():
     assert depth(nodes[NOBODY, HIGH]) <= 48
 
 
-# ---- point location, roadmap, triangles
-# -----------------------------------------------------------------------------------------
+# ---- point location, roadmap, triangles ---------------------------------------------------------
 
 
 def test_cells_at_a_point():
-    """Inside one cell; on a wall both; at a corner where walls meet all; in an obstacle or outside
-    none.
-    """
+    """Inside a cell one; on a wall both; at a corner of walls all; elsewhere none."""
     cut = ke.trapezoidation(ke.PolygonWorld(SQUARE, [box(3, 3, 5, 5)]))
     assert [cut.cells_at(q).tolist() for q in ((1, 1), (4, 1), (4, 7), (7, 7))] == [
         [0],
@@ -586,9 +572,7 @@ def test_cells_at_a_point():
     "cut_by", [ke.trapezoidation, ke.triangulation], ids=["trapezoids", "triangles"]
 )
 def test_cells_at_agrees_with_shapely(cut_by):
-    """Random points lie in one cell when free, in none when not; the centre of each cell lies in
-    it.
-    """
+    """A random point lies in one cell where it is free, otherwise in none."""
     rng = np.random.default_rng(5)
     for kind in ("lattice", "round") * 4:
         world, outer, obstacles = random_world(rng, kind, overlapping=True)
@@ -622,9 +606,7 @@ def test_triangles_cut_the_same_space():
     "cut_by", [ke.trapezoidation, ke.triangulation], ids=["trapezoids", "triangles"]
 )
 def test_roadmap_edges_are_free(cut_by):
-    """Centres and middles of walls are where they should be, and every motion between them touches
-    nothing.
-    """
+    """Nodes are the centres of cells and the midpoints of walls, and every edge touches nothing."""
     rng = np.random.default_rng(2)
     for kind in ("lattice", "round") * 5:
         world, _, _ = random_world(rng, kind, overlapping=False)
@@ -645,14 +627,14 @@ def test_roadmap_edges_are_free(cut_by):
     )
 
 
-# ---- planning
-# --------------------------------------------------------------------------------------------------------------------
+# ---- planning -----------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(("kind", "overlapping"), [*KINDS[1:], ("wide", False), ("wide", True)])
 def test_a_plan_is_found_exactly_when_there_is_one(kind, overlapping):
-    """Start and goal anywhere free, walls and corners of cells too: a path, free all the way, when
-    both lie in one piece of the free space; otherwise the reason says that there is none.
+    """A free path where start and goal lie in one region of the free space; otherwise a reason.
+
+    Start and goal are also on walls and at corners of cells.
     """
     rng, found = np.random.default_rng(13), {True: 0, False: 0}
     while sum(found.values()) < 60:
@@ -684,34 +666,28 @@ def test_a_plan_is_found_exactly_when_there_is_one(kind, overlapping):
 
 
 def test_no_path_is_told_with_the_parts():
-    """A goal in a closed room: how many cells the start reaches, and the goal; the roadmap is there
-    all the same.
-    """
+    """For a goal in a closed room: the numbers of cells reached, and the roadmap."""
     room = (box(2, 2, 6, 6), [box(3, 3, 5, 5)])
     plan = ke.plan_by_decomposition(
         ke.Problem(ke.Point(), ke.PolygonWorld(SQUARE, [room]), (1, 1), (4, 4))
     )
     assert plan.path is None and plan.cost == np.inf
     assert (
-        plan.reason
-        == "there is no path: the start lies in a part of 4 cells that does not touch the goal's part of 1"
+        plan.reason == "there is no path: the start lies in a part of 4 cells that does not touch "
+        "the goal's part of 1"
     )
     assert plan.stats["cells"] == 5 and len(plan.roadmap.nodes) == 5 + 4 + 2
 
 
 def test_within_one_cell_the_way_is_straight():
-    """Start and goal in a convex cell, or on its wall, are joined without a detour; equal ones at
-    no cost.
-    """
+    """Start and goal in one cell, or on its wall, are joined directly; equal ones at cost 0."""
     world = ke.PolygonWorld(SQUARE, [box(3, 3, 5, 5)])
     assert len(ke.plan_by_decomposition(ke.Problem(ke.Point(), world, (1, 1), (3, 7))).path) == 2
     assert ke.plan_by_decomposition(ke.Problem(ke.Point(), world, (1, 1), (1, 1))).cost == 0.0
 
 
 def test_a_passage_at_the_end_of_precision():
-    """A gap of one float between two obstacles is no closed wall: the plan says so, or goes through
-    it freely.
-    """
+    """A gap of one float between two obstacles is not a wall: a free path, or a reason."""
     gap = np.nextafter(4.0, 5)
     world = ke.PolygonWorld(SQUARE, [box(3, 0, 5, 4), box(3, gap, 5, 8)])
     assert len(ke.trapezoidation(world).trapezoids) == 3
@@ -720,7 +696,7 @@ def test_a_passage_at_the_end_of_precision():
 
 
 def test_a_recorder_sees_every_motion():
-    """The same path, and each edge of the roadmap asked once."""
+    """The path is the same, and each edge of the roadmap is tested once."""
     problem = ke.Problem(ke.Point(), ke.PolygonWorld(SQUARE, [box(3, 0, 5, 5)]), (1, 1), (7, 1))
     recorder = ke.Recorder(problem)
     seen, unseen = ke.plan_by_decomposition(recorder), ke.plan_by_decomposition(problem)
@@ -728,15 +704,14 @@ def test_a_recorder_sees_every_motion():
     assert recorder.counts()["is_free_path"] == unseen.stats["checks"] == len(unseen.roadmap.edges)
 
 
-# ---- what is refused
-# -------------------------------------------------------------------------------------------------------------
+# ---- what is refused ----------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
     "ask", [ke.trapezoidation, ke.triangulation, ke.sweep, ke.decomposition_roadmap]
 )
 def test_worlds_that_are_no_polygons_are_refused(ask):
-    """By InvalidWorld, with what to do: round obstacles, terrains, anything else."""
+    """InvalidWorld with advice: round obstacles, terrains, other objects."""
     with pytest.raises(InvalidWorld, match="1 of the obstacles are round"):
         ask(ke.PolygonWorld(SQUARE, [((4, 4), 1)]))
     for other in (ke.Terrain([[1, 1], [1, 1]]), SQUARE, None):
@@ -764,25 +739,24 @@ def test_worlds_that_are_no_polygons_are_refused(ask):
     ],
 )
 def test_problems_it_cannot_plan_for_are_refused(problem, says):
-    """By InvalidParameter, with what to do."""
+    """InvalidParameter with advice."""
     with pytest.raises(InvalidParameter, match=says):
         ke.plan_by_decomposition(problem(ke.PolygonWorld(SQUARE)))
 
 
 def test_free_polygons_on_a_grid():
-    """United on a grid, edges still do not cross, and solid is on their left."""
+    """After a union on a grid, edges do not cross, and the solid is on their left."""
     world = ke.PolygonWorld(SQUARE, [diamond(3.3, 4.1), diamond(4.2, 4.7)])
     edges = edges_round(free_polygons(world, 2.0**-20)[0])
     assert drain(new_sweep(edges))
     assert (edges[:, :4] % 2.0**-20 == 0).all()
 
 
-# ---- figures
-# ---------------------------------------------------------------------------------------------------------------------
+# ---- figures ------------------------------------------------------------------------------------
 
 
 def test_figures_show_the_cells():
-    """As many outlines as asked for, as many numbers as have room, nothing else on the axes."""
+    """As many outlines as requested, as many numbers as fit, and nothing else on the axes."""
     cut = ke.trapezoidation(ke.PolygonWorld(SQUARE, [box(3, 3, 5, 5)]))
     for upto, shown in ((None, 4), (2, 2), (0, 0), (99, 4)):
         artists = draw_decomposition(cut, upto=upto, neighbours=True)
@@ -800,7 +774,7 @@ def test_figures_show_the_cells():
 
 
 def test_figures_show_the_sweep():
-    """At every event: the line at its x, and the floors and ceilings it crosses."""
+    """At every event: the line at its x, and the floors and ceilings that it crosses."""
     world = ke.PolygonWorld(SQUARE, [[(3, 3), (6, 2), (5, 4)]])
     steps = list(ke.sweep(world))
     for k, step in enumerate(steps, start=1):

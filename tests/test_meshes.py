@@ -1,6 +1,4 @@
-"""Meshes and other people's maps: the polygons they become, against the solids themselves; what is
-wrong is refused by name.
-"""
+"""Meshes and Bench-MR maps: the polygons they become, against the solids; and named errors."""
 
 import json
 import warnings
@@ -30,25 +28,29 @@ KINDS = ("stl", "obj", "dae", "glb")
 
 DAE = """<?xml version="1.0"?>
 <COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
- <asset><created>2020-01-01T00:00:00</created><modified>2020-01-01T00:00:00</modified><up_axis>{up}_UP</up_axis></asset>
+ <asset><created>2020-01-01T00:00:00</created><modified>2020-01-01T00:00:00</modified>
+  <up_axis>{up}_UP</up_axis></asset>
  <library_geometries><geometry id="g"><mesh>
   <source id="p"><float_array id="a" count="12">0 0 0  4 0 0  0 2 0  0 0 1</float_array>
    <technique_common><accessor source="#a" count="4" stride="3">
-    <param name="X" type="float"/><param name="Y" type="float"/><param name="Z" type="float"/></accessor>
+    <param name="X" type="float"/><param name="Y" type="float"/><param name="Z" type="float"/>
+    </accessor>
    </technique_common></source>
   <vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
-  <triangles count="4"><input semantic="VERTEX" source="#v" offset="0"/><p>0 2 1 0 1 3 0 3 2 1 2 3</p></triangles>
+  <triangles count="4"><input semantic="VERTEX" source="#v" offset="0"/>
+   <p>0 2 1 0 1 3 0 3 2 1 2 3</p></triangles>
  </mesh></geometry></library_geometries>
  <library_visual_scenes><visual_scene id="s">
   <node id="n1"><instance_geometry url="#g"/></node>
-  <node id="n2"><translate>10 0 0</translate><rotate>0 0 1 90</rotate><instance_geometry url="#g"/></node>
+  <node id="n2"><translate>10 0 0</translate><rotate>0 0 1 90</rotate>
+   <instance_geometry url="#g"/></node>
  </visual_scene></library_visual_scenes>
  <scene><instance_visual_scene url="#s"/></scene>
 </COLLADA>"""
 
 
 def saved(mesh, folder, kind, name="mesh"):
-    """A mesh or a scene as a file."""
+    """Write a mesh or a scene to a file."""
     data = mesh.export(file_type=kind)
     file = folder / f"{name}.{kind}"
     file.write_bytes(data if isinstance(data, bytes) else data.encode())
@@ -56,20 +58,20 @@ def saved(mesh, folder, kind, name="mesh"):
 
 
 def area(solids):
-    """What polygons with rooms cover, by shapely."""
+    """The area that polygons with rooms cover, by shapely."""
     shapes = [shapely.Polygon(outline, rooms) for outline, rooms in solids]
     assert all(shape.is_valid for shape in shapes)
     return sum(shape.area for shape in shapes)
 
 
 def corners(ring):
-    """A ring's corners, in no order."""
+    """The corners of a ring, without order."""
     return {tuple(corner) for corner in (np.round(ring, 6) + 0.0).tolist()}
 
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_a_box_is_its_rectangle_from_every_format(tmp_path, kind):
-    """Seen from above and sliced, along each axis; without corners that are none."""
+    """Projected and sliced, along each axis; without corners inside an edge."""
     file = saved(trimesh.creation.box((1, 2, 4)), tmp_path, kind)
     for options, (x, y) in (
         ({}, (1, 2)),
@@ -85,9 +87,7 @@ def test_a_box_is_its_rectangle_from_every_format(tmp_path, kind):
 
 @pytest.mark.parametrize("up", ["X", "Y", "Z"])
 def test_bodies_stand_where_the_scene_puts_them_and_up_is_the_files_when_asked(tmp_path, up):
-    """Two instances of a tetrahedron, one moved and turned. Each plane is right-handed: no picture
-    is mirrored.
-    """
+    """Two instances of a tetrahedron, one moved and rotated; each plane is right-handed."""
     file = tmp_path / "two.dae"
     file.write_text(DAE.format(up=up))
     left, right = (outline for outline, _ in read_mesh(file))
@@ -102,9 +102,7 @@ def test_bodies_stand_where_the_scene_puts_them_and_up_is_the_files_when_asked(t
 
 
 def solids_at_random(rng):
-    """Boxes, square pipes and pyramids at random places, turned; as a mesh, and as tests of points
-    (n, 2) at a height.
-    """
+    """Random boxes, pipes and pyramids, as a mesh and as tests of points at a height."""
     meshes, tests = [], []
     for _ in range(6):
         x, y, turn = *rng.uniform(-4, 4, 2), rng.uniform(0, 3)
@@ -155,7 +153,7 @@ def solids_at_random(rng):
 
 @pytest.mark.parametrize("seed", range(8))
 def test_slices_and_shadows_hold_the_points_of_the_solids(tmp_path, seed):
-    """Of overlapping bodies with holes, by their formulas. A shadow is the union of all slices."""
+    """For overlapping bodies with holes; a projection is the union of all slices."""
     rng = np.random.default_rng(seed)
     mesh, tests = solids_at_random(rng)
     file = saved(mesh, tmp_path, ("stl", "obj", "glb")[seed % 3])
@@ -174,7 +172,7 @@ def test_slices_and_shadows_hold_the_points_of_the_solids(tmp_path, seed):
 
 
 def test_holes_are_rooms_and_a_robot_fits_inside(tmp_path):
-    """A pipe seen from above is a ring; what stands in its hole is an obstacle in a room."""
+    """The projection of a pipe is a ring; a body in its hole is an obstacle in a room."""
     pipe = trimesh.creation.annulus(3, 4, 1, sections=32)
     post = trimesh.creation.cylinder(1, 1, sections=16)
     file = saved(trimesh.util.concatenate([pipe, post]), tmp_path, "stl")
@@ -201,7 +199,7 @@ def test_holes_are_rooms_and_a_robot_fits_inside(tmp_path):
 
 
 def test_a_cavity_is_free_in_a_slice_and_covered_from_above(tmp_path):
-    """A hollow box: the inner surface faces inwards."""
+    """In a hollow box, whose inner surface faces inwards."""
     inner = trimesh.creation.box((2, 2, 2))
     inner.invert()
     file = saved(
@@ -215,9 +213,7 @@ def test_a_cavity_is_free_in_a_slice_and_covered_from_above(tmp_path):
 
 
 def test_a_slice_through_faces_and_corners_has_what_is_just_above(tmp_path):
-    """Where two boxes stand on each other, the upper one counts; at the very top there is nothing
-    left.
-    """
+    """Where one box stands on another, the upper one counts; at the very top there is nothing."""
     tower = trimesh.util.concatenate(
         [
             trimesh.creation.box((4, 4, 1)),
@@ -236,7 +232,7 @@ def test_a_slice_through_faces_and_corners_has_what_is_just_above(tmp_path):
 
 
 def test_thousands_of_triangles(tmp_path):
-    """A ball of 20,480: one outline, as large as the circle."""
+    """A ball of 20,480 triangles has one outline, as large as the circle."""
     file = saved(trimesh.creation.icosphere(5), tmp_path, "stl")
     for options in ({}, {"slice_at": 0.001}):
         solids = read_mesh(file, **options)
@@ -261,9 +257,7 @@ def test_any_unit_will_do(tmp_path, scale):
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_meshes_cut_short_are_refused(tmp_path, kind):
-    """In every format at any byte; but an .obj between two lines, which then has fewer
-    triangles.
-    """
+    """In every format and at any byte; but an .obj between two lines has fewer triangles."""
     data = saved(trimesh.creation.box((1, 2, 4)), tmp_path, kind).read_bytes()
     file = tmp_path / f"cut.{kind}"
     for end in range(0, len(data) - 2, max(1, len(data) // 40)):
@@ -298,14 +292,14 @@ def test_meshes_cut_short_are_refused(tmp_path, kind):
     ],
 )
 def test_what_is_wrong_with_a_mesh_is_said(tmp_path, name, text, options, says):
-    """By a named error that names the file."""
+    """A named error names the file."""
     (tmp_path / name).write_text(text)
     with pytest.raises(KinoeduError, match=says):
         read_mesh(tmp_path / name, **options)
 
 
 def test_a_scene_may_name_meshes(tmp_path):
-    """Robot and world from files beside it; planned, and written with the polygons themselves."""
+    """Robot and world are read from files beside the scene, and written as polygons."""
     saved(trimesh.creation.box((4, 1, 1)), tmp_path, "stl", "sofa")
     saved(trimesh.creation.box((1, 6, 3)), tmp_path, "glb", "wall")
     scene = {
@@ -363,9 +357,7 @@ def test_a_scene_may_name_meshes(tmp_path):
     ],
 )
 def test_benchmr_maps_are_read_upright_and_mended(name, bad):
-    """y turned up, nothing lost: the union is that of the drawing, by shapely; a warning names
-    those that were mended.
-    """
+    """y is flipped, the union is that of the drawing, and a warning lists the repairs."""
     file = BENCHMR / f"{name}.json"
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
@@ -384,7 +376,7 @@ def test_benchmr_maps_are_read_upright_and_mended(name, bad):
 
 
 def test_a_car_parks_in_a_benchmr_lot():
-    """The car's outline among the cars of the lot, from lane to lane."""
+    """From lane to lane, with the car's outline among the cars of the lot."""
     with pytest.warns(MendedPolygons):
         world = ke.read_world(BENCHMR / "parking1.json")
     car = rings_of(ke.read_world(BENCHMR / "car.json"))[1][0] - (2.0, 1.2)
@@ -406,14 +398,14 @@ def _clear(world, car, q):
 
 
 def drawn(tmp_path, **content):
-    """A map as a file."""
+    """Write a map to a file."""
     file = tmp_path / "map.json"
     file.write_text(json.dumps(content))
     return file
 
 
 def test_start_goal_and_heading_turn_with_the_map(tmp_path):
-    """As given, y down and the angle with it; a planner may be given others."""
+    """They are given with y down; a planner may be given others."""
     square = [[4, 4], [6, 4], [6, 6], [4, 6]]
     frame = [[0, 0], [0, 10], [0.1, 10], [0.1, 0]], [[9.9, 0], [9.9, 10], [10, 10], [10, 0]]
     file = drawn(tmp_path, polygons=[square, *frame], start=[1, 1, 0.5], goal=[9, 9, -0.5])
@@ -428,9 +420,7 @@ def test_start_goal_and_heading_turn_with_the_map(tmp_path):
 
 
 def test_bow_ties_repeats_and_twins_are_mended(tmp_path):
-    """All that a bow tie encloses is solid; a corner or a polygon that is there twice counts once,
-    whichever way round.
-    """
+    """The region that a bow tie encloses is solid; a repeated corner or polygon counts once."""
     bow = [[0, 0], [4, 4], [4, 0], [0, 4]]
     twice = [[6, 0], [8, 0], [8, 0], [8, 2], [6, 0]]
     triangle = [[10, 0], [12, 0], [11, 2]]
@@ -470,13 +460,13 @@ def test_bow_ties_repeats_and_twins_are_mended(tmp_path):
     ],
 )
 def test_wrong_maps_are_refused(tmp_path, content, error, says):
-    """By name, with the polygon's number."""
+    """By a named error with the number of the polygon."""
     with pytest.raises(error, match=says):
         ke.read_world(drawn(tmp_path, **content))
 
 
 def test_margin_and_boundary_exclude_each_other(tmp_path):
-    """One of them says where the world ends."""
+    """Only one of them determines the boundary."""
     file = saved(trimesh.creation.box(), tmp_path, "stl")
     assert mesh_world(file).hi.tolist() == pytest.approx([0.6, 0.6])
     with pytest.raises(InvalidParameter, match="not both"):

@@ -1,6 +1,4 @@
-"""Robots that turn and bend: what a configuration means, how far a body is from what is solid, and
-which link hits.
-"""
+"""Robots that rotate or bend: their configurations, their clearance, and the link in contact."""
 
 import json
 from pathlib import Path
@@ -20,7 +18,7 @@ from kinoedu import (
     link_in_contact,
 )
 from kinoedu.collision import clearance_of, is_free, paint_configuration_space
-from kinoedu.collision.arms import painted
+from kinoedu.collision.arms import paint_image
 from kinoedu.collision.turning import contact_size
 from kinoedu.errors import (
     InvalidParameter,
@@ -62,7 +60,7 @@ class TestArm:
 
     @pytest.mark.parametrize("case", cases("fk"))
     def test_joints(self, case: Any) -> None:
-        """Elbow and tip to 1e-12."""
+        """Elbow and tip are accurate to 1e-12."""
         elbow, tip = TwoLinkArm(case["L1"], case["L2"], 0).joints((case["t1"], case["t2"]))
         np.testing.assert_allclose(
             [elbow, tip], [case["expected"]["elbow"], case["expected"]["tip"]], atol=1e-12
@@ -70,8 +68,9 @@ class TestArm:
 
     @pytest.mark.parametrize("case", cases("ik"))
     def test_inverse(self, case: Any) -> None:
-        """The very set of solutions, up to whole turns, angles in [-pi, pi); why_unreachable speaks
-        exactly where there is none.
+        """All solutions are found, up to full turns; without one `why_unreachable` is not empty.
+
+        Their angles lie in [-pi, pi).
         """
         arm = TwoLinkArm(case["L1"], case["L2"], 0)
         found, expected = arm.inverse(case["p"]), case["expected"]["solutions"]
@@ -81,8 +80,9 @@ class TestArm:
         assert bool(why_unreachable(arm, case["p"])) is (not found)
 
     def test_inverse_undoes_joints(self) -> None:
-        """Any reachable tip: two solutions, both lead there, one of them is where it came from;
-        near the rims too.
+        """A reachable tip has two solutions, one of them the original configuration.
+
+        Near the rims too.
         """
         rng = np.random.default_rng(0)
         for _ in range(300):
@@ -97,9 +97,7 @@ class TestArm:
             assert min(np.abs((s - q + np.pi) % (2 * np.pi) - np.pi).max() for s in found) < 1e-6
 
     def test_rims(self) -> None:
-        """One solution where the arm is stretched or folded; at the base of equal links infinitely
-        many, said by name.
-        """
+        """One solution for a stretched or folded arm; an error at the base of equal links."""
         assert [q.tolist() for q in TwoLinkArm(2, 1, 0).inverse((-3, 0))] == [[-np.pi, 0.0]]
         assert [q.tolist() for q in TwoLinkArm(1, 2, 0).inverse((1, 0))] == [[-np.pi, -np.pi]]
         assert TwoLinkArm(2, 1, 0).inverse((0, 0)) == []
@@ -140,7 +138,7 @@ class TestArm:
 
 
 def solids(world: Any) -> tuple[Any, Any]:
-    """What is solid, as shapely sees it, and the room."""
+    """The obstacles and the free interior of the boundary, as shapely geometries."""
     if world is CELLS:
         boxes = [
             shapely.box(i / 2 - 4, j / 2 - 4, i / 2 - 3.5, j / 2 - 3.5)
@@ -168,7 +166,7 @@ def solids(world: Any) -> tuple[Any, Any]:
     ],
 )
 def test_clearance_is_shapelys(robot: Any, world: Any) -> None:
-    """The distance of the placed body to what is solid, for every robot in both kinds of world."""
+    """The clearance of every robot in both kinds of world is the distance that shapely computes."""
     solid, room = solids(world)
     rng = np.random.default_rng(1)
     for _ in range(60):
@@ -204,8 +202,9 @@ def test_clearance_is_shapelys(robot: Any, world: Any) -> None:
 
 @pytest.mark.parametrize("world", [ROOM, CELLS], ids=["polygons", "terrain"])
 def test_painter_is_link_in_contact(world: Any) -> None:
-    """Cell by cell the same answers, compiled and interpreted, for a wide arm and a line, for few
-    and odd numbers of cells.
+    """The image equals `link_in_contact` in each cell, compiled and interpreted.
+
+    For a wide arm and for an arm without width; few cells and an odd number of cells.
     """
     if world is CELLS:
         world = CELLS._replace(free=CELLS.free.copy())
@@ -218,14 +217,14 @@ def test_painter_is_link_in_contact(world: Any) -> None:
             assert image.tolist() == [
                 [link_in_contact(arm, (t1, t2), world) for t1 in angles] for t2 in angles
             ]
-    by_hand = painted.py_func(
+    by_hand = paint_image.py_func(
         arm, world, np.zeros((5, 5), np.int8), contact_size(world.lo, world.hi)
     )
     assert (by_hand == paint_configuration_space(arm, world, 5)).all()
 
 
 class TestRefused:
-    """What makes no robot, or no configuration, is refused by name."""
+    """Invalid robots and configurations raise their named errors."""
 
     @pytest.mark.parametrize(
         ("make", "error"),
@@ -267,7 +266,7 @@ class TestRefused:
     ],
 )
 def test_scenes_keep_robots(robot: Any, start: Any, goal: Any, tmp_path: Path) -> None:
-    """Written and read back equal; angles are wrapped."""
+    """A robot that is written and read back is equal; angles are wrapped."""
     problem = Problem(robot, ROOM, start, goal)
     write_scene(problem, tmp_path / "scene.json")
     again = read_scene(tmp_path / "scene.json")

@@ -1,6 +1,4 @@
-"""Terrains with costs: the integral along a motion, what planners make of it, landscapes, heights,
-and worlds that change.
-"""
+"""Terrains with costs: integrals along motions, plans, landscapes, heights, and changing worlds."""
 
 from fractions import Fraction
 
@@ -16,8 +14,9 @@ from kinoedu.worlds.landscapes import GOAL, START
 
 
 def exact_integral(cost, a, b):
-    """The integral over its length in rational numbers: the motion cut at every whole x and y, the
-    cheaper cell along a side.
+    """The integral in rational arithmetic, over its length; along a side the lower cost counts.
+
+    The motion is divided at every integer x and y.
     """
     (ax, ay), (bx, by) = [tuple(map(Fraction, p)) for p in (a, b)]
     shares = {Fraction(0), Fraction(1)}
@@ -41,7 +40,7 @@ def exact_integral(cost, a, b):
 
 @pytest.mark.parametrize("body", [integral, integral.py_func])
 def test_the_integral_is_exact(body):
-    """On random motions, and on those through corners, along sides, backwards, and in one cell."""
+    """On random motions, and on motions through corners, along sides, and in one cell."""
     rng = np.random.default_rng(0)
     cost = rng.integers(1, 9, (7, 11)).astype(float)
     for number in range(400):
@@ -57,7 +56,7 @@ def test_the_integral_is_exact(body):
 
 
 def test_the_integral_is_additive_and_no_less_than_the_length():
-    """The laws that RRT* and A* rely on."""
+    """RRT* and A* rely on these laws."""
     rng = np.random.default_rng(1)
     terrain = ke.Terrain(
         np.ones((20, 30)), cost=1.0 + rng.exponential(3.0, (20, 30)), resolution=0.5, origin=(-3, 4)
@@ -74,7 +73,7 @@ def test_the_integral_is_additive_and_no_less_than_the_length():
 
 
 def test_a_cost_of_one_is_the_length_and_without_costs_nothing_changes():
-    """The same trees and the same costs as on a plain terrain."""
+    """Trees and costs are the same as on a terrain without costs."""
     plain = landscape("rocks", 3)
     level = ke.Terrain(plain.free, cost=np.ones_like(plain.free, float))
     problems = [ke.Problem(ke.Point(), world, START, GOAL) for world in (plain, level)]
@@ -98,8 +97,9 @@ def ford():
 
 
 def test_planners_go_round_where_that_costs_less():
-    """A*, PRM and RRT* find the crossing; each plan's cost is that of its path; the straight way
-    costs more than theirs.
+    """A*, PRM and RRT* find the crossing, and the cost of each plan is the cost of its path.
+
+    The straight path costs more.
     """
     problem = ford()
     straight = ke.path_cost(problem, [problem.start, problem.goal])
@@ -119,7 +119,7 @@ def test_planners_go_round_where_that_costs_less():
 
 
 def test_a_disk_pays_at_its_centre_and_other_robots_are_refused():
-    """No robot's cost is guessed."""
+    """Robots without a single reference position raise InvalidParameter."""
     assert (
         ke.plan_on_grid(ke.Problem(ke.Disk(1.0), ford().world, (35.5, 5.5), (35.5, 35.5))).cost < 80
     )
@@ -140,13 +140,13 @@ def test_a_disk_pays_at_its_centre_and_other_robots_are_refused():
     ],
 )
 def test_costs_that_make_no_sense_are_refused(cost):
-    """Below one, not a number, of another shape, endless."""
+    """Below one, not a number, of another shape, infinite."""
     with pytest.raises(InvalidWorld):
         ke.Terrain(np.ones((2, 2)), cost=cost)
 
 
 def test_scenes_keep_costs(tmp_path):
-    """Written and read again."""
+    """Costs are written and read back."""
     problem = ford()
     ke.write_scene(problem, tmp_path / "mud.json")
     np.testing.assert_array_equal(
@@ -156,7 +156,7 @@ def test_scenes_keep_costs(tmp_path):
 
 @pytest.mark.parametrize("kind", LANDSCAPES)
 def test_landscapes_are_reproducible_and_have_a_way(kind):
-    """The same for the same seed, others for others; A* finds a way on each."""
+    """Equal for equal seeds, different for others; A* finds a path on each."""
     one, again, other = (landscape(kind, seed).free for seed in (0, 0, 1))
     np.testing.assert_array_equal(one, again)
     assert (one != other).any()
@@ -168,7 +168,7 @@ def test_landscapes_are_reproducible_and_have_a_way(kind):
 
 
 def test_slope_and_roughness_of_known_ground():
-    """A plane is as steep as it is, and not rough, up to its rim; noise is as rough as it is."""
+    """A plane has its slope and no roughness; noise has its standard deviation."""
     y, x = np.indices((30, 40)) * 0.5
     plane = 3.0 * x - 4.0 * y + 7.0
     np.testing.assert_allclose(slope(plane, resolution=0.5), 5.0, rtol=1e-12)
@@ -195,7 +195,7 @@ def test_roughness_is_the_scatter_about_the_fitted_plane():
 
 
 def test_clearance_of_cells_by_brute_force():
-    """The nearest blocked centre, those outside among them."""
+    """The nearest centre of a blocked cell, including cells outside."""
     free = np.random.default_rng(3).random((9, 12)) > 0.15
     blocked = np.argwhere(~np.pad(free, 1)) - 1
     for (j, i), far in np.ndenumerate(clearance_of_cells(free, resolution=2.0)):
@@ -211,9 +211,7 @@ def test_heights_from_a_picture(tmp_path):
 
 
 def test_a_changed_roadmap_is_the_one_built_anew():
-    """Whatever moves, the edges judged anew and those kept are together what all edges judged anew
-    would be.
-    """
+    """After any change, the retested edges and the kept ones equal a test of all edges."""
     rng = np.random.default_rng(4)
     for robot in (ke.Point(), ke.Disk(1.5)):
         free = np.ones((50, 50), bool)
@@ -237,7 +235,7 @@ def test_a_changed_roadmap_is_the_one_built_anew():
 
 
 def test_an_unchanged_world_asks_for_nearly_nothing():
-    """No cell differs: nothing but the origin is looked at."""
+    """Where no cell differs, only the origin is compared."""
     problem = ke.Problem(ke.Point(), ke.Terrain(np.ones((20, 20))), (3, 3), (17, 17))
     roadmap = ke.changing_roadmap(problem, n=50, rng=0)
     assert (
@@ -248,9 +246,7 @@ def test_an_unchanged_world_asks_for_nearly_nothing():
 
 
 def test_the_parameters_of_the_document():
-    """Step 20, spacing just below, the goal half of the time, at most 10,000 failures in a row; PRM
-    with all pairs.
-    """
+    """Step 20, goal bias one half, at most 10,000 consecutive failures; PRM with all pairs."""
     problem = ke.Problem(ke.Point(), landscape("rocks", 0), START, GOAL)
     plan = ke.rrt(
         problem,

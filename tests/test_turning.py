@@ -1,6 +1,4 @@
-"""Whole motions of robots that turn, bend or slide, against shapely at fine steps and against
-fractions of the very same motion.
-"""
+"""Motions of robots that rotate, bend or slide, against shapely at fine steps and fractions."""
 
 from typing import Any
 
@@ -49,7 +47,7 @@ NAMES = ["turning", "needle", "arm", "sliding"]
 
 
 def scenery(world: Any) -> tuple[Any, Any, Any]:
-    """What is solid but for the discs, the discs, and the room, as shapely sees them."""
+    """The polygonal solids, the discs, and the interior of the boundary, as shapely geometries."""
     if isinstance(world, type(CELLS)):
         boxes = [
             shapely.box(i / 2, j / 2, i / 2 + 0.5, j / 2 + 0.5) for j, i in np.argwhere(~world.free)
@@ -66,9 +64,7 @@ def scenery(world: Any) -> tuple[Any, Any, Any]:
 
 
 def gaps(robot: Any, scene: Any, qs: Any) -> Any:
-    """How far the robot at each q is from what is solid; zero or less in contact. Its body is
-    placed by numpy.
-    """
+    """The clearance of the robot at each q; zero or less in contact. numpy places its body."""
     solid, discs, room = scene
     if hasattr(robot, "lengths"):
         angles = np.cumsum(qs, axis=1)
@@ -95,9 +91,7 @@ def gaps(robot: Any, scene: Any, qs: Any) -> Any:
 
 
 def least_gap(robot: Any, scene: Any, a: Any, b: Any) -> float:
-    """The least gap on the motion from a to b: 200 steps, and then ever finer ones round the
-    closest.
-    """
+    """The least clearance on the motion from a to b, by ever finer steps near the minimum."""
     angles = np.arange(len(a)) >= (0 if hasattr(robot, "lengths") else 2)
     change = np.where(angles, (b - a + np.pi) % (2 * np.pi) - np.pi, b - a)
     t, h = np.linspace(0, 1, 201), 1 / 200
@@ -126,8 +120,9 @@ def judged(robot: Any, world: Any, a: Any, b: Any) -> Any:
 @pytest.mark.parametrize("world", [AMONG, CELLS], ids=["polygons", "terrain"])
 @pytest.mark.parametrize("robot", ROBOTS, ids=NAMES)
 def test_no_false_free_and_no_false_hit(robot: Any, world: Any) -> None:
-    """120 motions from free places, many of them across a wall of a ten-millionth; a few also
-    interpreted. Deterministic.
+    """120 motions from free configurations, many of them across a wall of width 1e-7.
+
+    A few are also interpreted. Deterministic.
     """
     scene, rng = scenery(world), np.random.default_rng(7)
     angles = np.arange(
@@ -152,8 +147,9 @@ def test_no_false_free_and_no_false_hit(robot: Any, world: Any) -> None:
 
 
 def test_needle_does_not_jump_a_wall() -> None:
-    """Half a turn of a needle across a wall thinner than any step, though both ends are free;
-    without the wall it is free.
+    """A needle rotates by half a turn across a wall thinner than any step; both ends are free.
+
+    Without the wall the motion is free.
     """
     wall = [(3, 1), (3 + 1e-12, 1), (3 + 1e-12, 1.4), (3, 1.4)]
     box = [(-5, -5), (5, -5), (5, 5), (-5, 5)]
@@ -165,7 +161,7 @@ def test_needle_does_not_jump_a_wall() -> None:
 
 
 def test_motions_go_the_short_way_round() -> None:
-    """From 3 to -3 radians an arm passes the direction pi, and never 0."""
+    """From 3 to -3 radians an arm passes through pi and not through 0."""
     box = [(-5, -5), (5, -5), (5, 5), (-5, 5)]
     a, b = np.array([3.0, 0.0]), np.array([-3.0, 0.0])
     for x, free in ((1.0, True), (-1.0, False)):
@@ -178,7 +174,7 @@ def test_motions_go_the_short_way_round() -> None:
 
 
 class TestContact:
-    """Touching is contact: not free, but semi-free; entering is neither."""
+    """Motions in contact are semi-free, not free; motions into an obstacle are neither."""
 
     world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 4), (4, 4)]])
     square = ((-1, -1), (1, -1), (1, 1), (-1, 1))
@@ -208,9 +204,7 @@ class TestContact:
 
 
 def test_pieces_against_shapely() -> None:
-    """Meeting, distance and dividing line of points, segments and polygons on a small lattice,
-    where touching is common.
-    """
+    """Contact, distance and separating line of points, segments and polygons on a small lattice."""
     rng = np.random.default_rng(4)
     for _ in range(1500):
         P, Q = (
@@ -239,9 +233,7 @@ def corners(shape: Any) -> Any:
 
 
 def path_is_free(plan: Plan) -> bool:
-    """Whether a path keeps off everything at 100 places of each of its motions, as shapely sees
-    it.
-    """
+    """Whether a path touches nothing at 100 configurations of each of its motions, by shapely."""
     problem, scene = plan.problem, scenery(plan.problem.world)
     assert plan.path is not None
     places = [
@@ -263,9 +255,7 @@ def path_is_free(plan: Plan) -> bool:
     ids=["turning", "sliding", "arm"],
 )
 def test_planners_plan(robot: Any, world: Any) -> None:
-    """RRT and PRM find paths that shapely finds free, whose ends are start and goal and whose
-    length is their distances' sum.
-    """
+    """RRT and PRM find paths that are free by shapely; the cost is the sum of distances."""
     rng = np.random.default_rng(3)
     lo, hi = (
         (np.full(2, -np.pi), np.full(2, np.pi))
@@ -287,7 +277,7 @@ def test_planners_plan(robot: Any, world: Any) -> None:
 
 
 def test_placed_turns_about_the_reference_point() -> None:
-    """A quarter of a turn of a polygon about a point outside it."""
+    """A quarter turn of a polygon about a point outside it."""
     body = placed(RigidPolygon([(1, 0), (2, 0), (2, 1)]), np.array([5.0, 5.0, np.pi / 2]))
     np.testing.assert_allclose(
         body.points[np.lexsort(body.points.T)], [(5, 6), (4, 7), (5, 7)], atol=1e-15

@@ -1,6 +1,4 @@
-"""Scattered worlds, free headings, and plans by cells with headings: against brute force, by other
-searches, and where they end.
-"""
+"""Scattered worlds, free headings, and plans by cells with headings, against brute force."""
 
 import numpy as np
 import pytest
@@ -36,8 +34,9 @@ def drawn_world(seed):
 
 @pytest.mark.parametrize("seed", range(12))
 def test_free_headings_equal_asking_for_thousands(seed):
-    """Whatever robot, world and place: a random heading is free exactly when it lies in an
-    interval.
+    """A random heading is free exactly where it lies in an interval.
+
+    For random robots, worlds and positions.
     """
     world, rng = drawn_world(seed), np.random.default_rng(seed)
     for place in rng.uniform(1, 19, (6, 2)):
@@ -58,7 +57,7 @@ def test_free_headings_equal_asking_for_thousands(seed):
 
 
 def test_a_heading_that_only_a_narrow_gap_leaves_is_found():
-    """A slot a ten-thousandth wider than the robot; tries every degree would miss it."""
+    """In a slot wider than the robot by 1e-4, which samples at every degree would miss."""
     gap = ke.PolygonWorld([(0, 0), (20, 0), (20, 0.8001), (0, 0.8001)])
     rows = free_headings(BAR, gap, (10, 0.40005))
     assert len(rows) == 2
@@ -69,7 +68,7 @@ def test_a_heading_that_only_a_narrow_gap_leaves_is_found():
 
 
 def test_no_heading_and_every_heading():
-    """None inside an obstacle, outside the world, too near a wall; all in the open, as one row."""
+    """None in an obstacle, outside the world or too near a wall; all in the open, as one row."""
     world = ke.PolygonWorld(
         [(0, 0), (20, 0), (20, 20), (0, 20)], [[(4, 4), (6, 4), (6, 6), (4, 6)]]
     )
@@ -80,7 +79,7 @@ def test_no_heading_and_every_heading():
 
 
 def test_what_does_not_turn_has_no_free_headings():
-    """Refused by name; so is a place that is none."""
+    """Robots that do not rotate and invalid positions raise named errors."""
     world = ke.PolygonWorld([(0, 0), (9, 0), (9, 9)])
     with pytest.raises(InvalidParameter):
         free_headings(ke.Disk(1), world, (2, 1))
@@ -90,9 +89,7 @@ def test_what_does_not_turn_has_no_free_headings():
 
 @pytest.mark.parametrize("seed", range(5))
 def test_scattered_obstacles_keep_their_distance(seed):
-    """By shapely: apart by the gap, off what is kept free, inside the square, convex; fewer are the
-    first of more.
-    """
+    """By shapely: apart by the gap, off `keep_free`, inside the square, and convex."""
     import shapely
 
     world = scattered(12, radius=1.2, gap=0.3, keep_free=[(2, 2, 1.5)], rng=seed)
@@ -118,15 +115,13 @@ def test_scattered_obstacles_keep_their_distance(seed):
     ],
 )
 def test_worlds_that_cannot_be_scattered_are_refused(wrong):
-    """By name, those without room as well."""
+    """By named errors; also where there is no room."""
     with pytest.raises(InvalidParameter):
         scattered(**wrong, rng=0)
 
 
 def test_every_search_finds_a_path_of_free_motions_or_none_does():
-    """Along the same roadmap; the shortest is shortest, breadth first has the fewest motions; all
-    motions are free.
-    """
+    """On one roadmap; breadth-first search has the fewest motions."""
     found = 0
     for seed in range(6):
         world = scattered(10, radius=2.2, keep_free=[(2, 2, 1.6), (18, 18, 1.6)], rng=seed)
@@ -163,7 +158,7 @@ def test_a_recorder_and_the_problem_get_the_same_roadmap():
 
 
 def test_cells_with_headings_are_for_turning_polygons():
-    """A point, a margin, a bitmap: refused by name."""
+    """A point, a clearance and a bitmap raise named errors."""
     square = ke.PolygonWorld([(0, 0), (9, 0), (9, 9), (0, 9)])
     for problem in (
         ke.Problem(ke.Point(), square, (1, 1), (2, 2)),

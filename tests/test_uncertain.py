@@ -1,6 +1,4 @@
-"""Obstacles whose places are uncertain: margins, bounds and estimates, against quadrature, scipy,
-shapely and worlds made anew.
-"""
+"""Uncertain obstacles: margins, bounds and estimates, against quadrature, scipy and shapely."""
 
 import numpy as np
 import pytest
@@ -19,7 +17,7 @@ from kinoedu import (
 from kinoedu.collision import path_clearances
 from kinoedu.collision.probability import hit_scenarios, part_gaps
 from kinoedu.errors import InvalidParameter, InvalidPoint, InvalidWorld
-from kinoedu.worlds import as_it_is, chance_margins, inflated, scenarios
+from kinoedu.worlds import chance_margins, inflated, scenario_world, scenarios
 
 BOX = [(0, 0), (12, 0), (12, 8), (0, 8)]
 L_SHAPE = [(7, 1), (10, 1), (10, 2), (8, 2), (8, 4), (7, 4)]
@@ -29,8 +27,9 @@ ROBOTS = [Point(), Disk(0.3), TranslatingPolygon([(-0.3, -0.2), (0.4, -0.2), (0,
 
 
 def test_a_margin_is_the_quantile_of_chi_square():
-    """The square of the offset over the variance has two degrees of freedom; each uncertain
-    obstacle has an equal share.
+    """The square of the offset over the variance has two degrees of freedom.
+
+    Each uncertain obstacle has an equal fraction of the probability.
     """
     from scipy.stats import chi2
 
@@ -42,9 +41,7 @@ def test_a_margin_is_the_quantile_of_chi_square():
 
 
 def test_one_disc_and_one_segment_by_quadrature():
-    """The offset must bring the centre within the radius of the segment: the Gaussian, integrated
-    over that stadium.
-    """
+    """The probability is the Gaussian's integral over the points near the segment."""
     from scipy.integrate import quad
     from scipy.stats import norm
 
@@ -72,7 +69,7 @@ def test_one_disc_and_one_segment_by_quadrature():
 
 @pytest.mark.parametrize("robot", ROBOTS, ids=range(len(ROBOTS)))
 def test_each_scenario_is_a_world(robot):
-    """A scenario is hit exactly where the path is not free in the world that it makes."""
+    """A scenario has a collision exactly where the path is not free in its world."""
     world, path = UncertainWorld(BOX, OBSTACLES, [0.5, 0.4, 0.6]), np.array(PATH)
     offsets = scenarios(world, 150, rng=3)
     gaps = part_gaps(robot, world.parts, path)
@@ -85,7 +82,7 @@ def test_each_scenario_is_a_world(robot):
         ]
         for scenario in (
             PolygonWorld([(-9, -9), (30, -9), (30, 30), (-9, 30)], shapes),
-            as_it_is(world, offset),
+            scenario_world(world, offset),
         ):
             ask = Problem(robot, scenario, path[0], path[0]) if not was_hit else None
             free = ask and all(ask.is_free_path(a, b) for a, b in zip(path, path[1:]))
@@ -103,8 +100,9 @@ def test_each_scenario_is_a_world(robot):
 @pytest.mark.parametrize("robot", ROBOTS[:2], ids=("point", "disk"))
 @pytest.mark.parametrize("delta", [0.3, 0.05])
 def test_a_path_that_is_free_with_the_margins_is_hit_as_seldom_as_promised(robot, delta):
-    """Union bound: planned in the inflated world, never hit more often than delta, and less often
-    than the bound says.
+    """A path that is free in the inflated world collides with probability at most delta.
+
+    And at most as often as the bound says.
     """
     world = UncertainWorld(BOX, OBSTACLES, [0.1, 0.2, 0.15])
     for seed in range(4):
@@ -116,9 +114,7 @@ def test_a_path_that_is_free_with_the_margins_is_hit_as_seldom_as_promised(robot
 
 
 def test_the_inflated_world_holds_all_that_is_within_the_margin():
-    """Points sampled within the margin of an obstacle are not free; points a hundredth of it
-    farther out are.
-    """
+    """Points within the margin of an obstacle are not free; points one percent farther out are."""
     import shapely
 
     world = UncertainWorld(BOX, OBSTACLES, [0.1, 0.2, 0.0])
@@ -140,9 +136,7 @@ def test_the_inflated_world_holds_all_that_is_within_the_margin():
 
 
 def test_scenarios_are_common_random_numbers():
-    """The same seed draws the same offsets, as spread as was said, and the nearer path is hit more
-    often.
-    """
+    """The same seed draws the same offsets; the nearer path collides more often."""
     world = UncertainWorld(BOX, OBSTACLES, [0.1, 0.2, 0.0])
     offsets = scenarios(world, 20_000, rng=4)
     assert np.array_equal(offsets, scenarios(world, 20_000, rng=np.random.default_rng(4)))
@@ -156,9 +150,7 @@ def test_scenarios_are_common_random_numbers():
 
 
 def test_certain_obstacles_and_the_boundary():
-    """Sigma 0: never hit where the path is clear, always where it touches; a path that leaves the
-    boundary is always hit.
-    """
+    """With sigma 0 a path collides always or never; a path that leaves the boundary always does."""
     world = UncertainWorld(BOX, [((6, 4), 1)], 0.0)
     assert collision_probability(Point(), world, [(1, 1), (11, 1)], n=50, rng=0)[:1] == (0.0,)
     assert collision_probability(Point(), world, [(1, 3), (11, 3)], n=50, rng=0).estimate == 1.0
@@ -178,7 +170,7 @@ def test_certain_obstacles_and_the_boundary():
 
 
 def test_what_makes_no_sense_is_refused_by_name():
-    """Negative spread, chances that are none, paths that are none, robots that turn."""
+    """Negative sigma, invalid probabilities, invalid paths, robots that rotate."""
     world = UncertainWorld(BOX, OBSTACLES, 0.1)
     for error, call in (
         (InvalidWorld, lambda: UncertainWorld(BOX, OBSTACLES, -0.1)),

@@ -1,6 +1,4 @@
-"""Visibility roadmaps against brute force over degenerate worlds, and shortest paths against
-networkx on all vertices.
-"""
+"""Visibility roadmaps against brute force, and shortest paths against networkx."""
 
 from itertools import combinations, pairwise
 
@@ -52,9 +50,7 @@ WORLDS = {
 
 
 def random_world(seed):
-    """A few obstacles, mostly with whole coordinates, so that they touch, overlap and line up; and
-    the generator.
-    """
+    """A few obstacles with mostly integer coordinates, which often touch; and the generator."""
     rng = np.random.default_rng(seed)
     lattice, obstacles = rng.random() < 0.8, []
     for _ in range(rng.integers(1, 9)):
@@ -70,7 +66,7 @@ def random_world(seed):
 
 
 def slides(world):
-    """The house's own judge of semi-free motions, which knows nothing of sweeps."""
+    """The library's test of semi-free motions, which does not use sweeps."""
     return ke.problems.ProblemRecord(
         ke.Point(),
         world,
@@ -83,7 +79,7 @@ def slides(world):
 
 
 def random_problem(seed):
-    """Start and goal in the open of a random world, or None where there is hardly any."""
+    """A start and a goal in the free space of a random world, or None where there is hardly any."""
     world, rng = random_world(seed)
     for _ in range(50):
         try:
@@ -94,7 +90,7 @@ def random_problem(seed):
 
 
 def shortest_by_brute_force(problem):
-    """Dijkstra by networkx over all vertices that are not inside a solid, every pair judged."""
+    """Dijkstra's algorithm by networkx over all vertices outside solids, with every pair tested."""
     vertices = np.unique(
         np.concatenate([problem.world.edges[:, :2], [problem.start, problem.goal]]), axis=0
     )
@@ -111,7 +107,7 @@ def shortest_by_brute_force(problem):
 
 
 def assert_all_pairs(world):
-    """The roadmap has exactly the edges that the judge of motions allows between its nodes."""
+    """Assert that the edges of the roadmap are the semi-free motions between its nodes."""
     roadmap = ke.visibility_roadmap(world)
     judge = slides(world)
     expected = {
@@ -131,15 +127,13 @@ def test_touching_and_overlapping_worlds_by_name(name):
 
 @pytest.mark.parametrize("seed", range(60))
 def test_edges_are_those_of_brute_force(seed):
-    """Over random worlds, most of them degenerate."""
+    """In random worlds, most of them degenerate."""
     assert_all_pairs(random_world(seed)[0])
 
 
 @pytest.mark.parametrize("seed", range(100, 160))
 def test_paths_are_the_shortest(seed):
-    """As long as the shortest over all vertices, so no node is missing; never through the inside of
-    an obstacle, by shapely.
-    """
+    """As long as the shortest path over all vertices; never through an interior, by shapely."""
     problem = random_problem(seed)
     if problem is None:
         return
@@ -162,9 +156,7 @@ def test_paths_are_the_shortest(seed):
 
 
 def test_the_numbers_of_known_worlds():
-    """Convex corners of an obstacle, reflex ones of a boundary and a room, none where nothing
-    turns.
-    """
+    """Convex corners of obstacles, reflex corners of a boundary and a room, no straight ones."""
     assert len(ke.visibility_roadmap(WORLDS["nothing"]).nodes) == 0
     assert len(ke.visibility_roadmap(WORLDS["a reflex boundary"]).nodes) == 1
     assert len(ke.visibility_roadmap(WORLDS["a room"]).nodes) == 4
@@ -176,7 +168,7 @@ def test_the_numbers_of_known_worlds():
 
 @pytest.mark.parametrize("scale", [1e-100, 1e100])
 def test_a_world_of_any_size(scale):
-    """Scaled by a power far from one, the same edges."""
+    """The edges are the same after scaling by a power far from one."""
     obstacles = [np.array(box(2, 2)) * scale, np.array(box(5, 3)) * scale]
     small = ke.visibility_roadmap(ke.PolygonWorld(np.array(SQUARE) * scale, obstacles))
     assert np.array_equal(
@@ -192,7 +184,7 @@ def test_compiled_and_interpreted_see_the_same():
 
 
 def test_start_at_the_goal_and_in_sight():
-    """No way at no cost; one straight motion where nothing is between."""
+    """Cost 0 where start is the goal; one straight motion where nothing is between them."""
     there = ke.plan_by_visibility(ke.Problem(ke.Point(), WORLDS["a room"], (1, 1), (1, 1)))
     assert there.cost == 0.0 and len(there.path) == 2
     assert ke.plan_by_visibility(
@@ -201,9 +193,7 @@ def test_start_at_the_goal_and_in_sight():
 
 
 def test_a_closed_room_is_out_of_reach_and_a_touching_corner_is_not():
-    """A wall all round leaves no way; two obstacles that meet in a point leave one, two that share
-    an edge do not.
-    """
+    """Obstacles that meet in a point leave a path; a closed wall or a common edge does not."""
     closed = ke.plan_by_visibility(ke.Problem(ke.Point(), WORLDS["a room"], (1, 1), (5, 5)))
     assert (
         closed.path is None
@@ -223,7 +213,7 @@ def test_a_closed_room_is_out_of_reach_and_a_touching_corner_is_not():
 
 
 def test_what_it_is_not_for_is_refused_by_name():
-    """Discs, robots with a size, margins, terrains, other objects."""
+    """Discs, robots with a size, clearances, terrains, other objects."""
     round_world = ke.PolygonWorld(SQUARE, [((5, 5), 1)])
     with pytest.raises(InvalidWorld, match="round"):
         ke.visibility_roadmap(round_world)

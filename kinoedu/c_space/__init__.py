@@ -1,6 +1,4 @@
-"""Configuration space: what the obstacles of a workspace are to the one point that a robot's
-configuration is.
-"""
+"""Configuration-space obstacles: where the reference point of a robot must not be."""
 
 from .disk import free_regions, grown_obstacles, shrunk_workspace
 from .rounded import Rounded

@@ -1,9 +1,9 @@
-"""A disk among polygons: its obstacles grow by its radius, its workspace shrinks by it. Bullo &
-Smith, chapter 4.
+"""The configuration space of a disk among polygons: obstacles grow, the workspace shrinks.
 
-Each convex part of an obstacle grows into a shape whose outline is known exactly (`Rounded`). Where
-such shapes overlap, and where the workspace is not convex, the free regions are polygons, to a
-tolerance, and on the safe side: never larger than the truth.
+Bullo & Smith, chapter 4. Each convex part of an obstacle grows by the disk's radius into a shape
+with an exact outline (`Rounded`). Where these shapes overlap, and where the workspace is not
+convex, the free regions are polygons to within a tolerance. They are conservative: never larger
+than the exact free space.
 """
 
 from typing import Any
@@ -19,18 +19,31 @@ from ..geometry.minkowski import leftmost, moved_inward
 from ..worlds.polygon_world import PolygonWorld, PolygonWorldRecord
 from .rounded import Rounded
 
-FINE = 1e-4  # of the radius: the tolerance where none is given
+FINE = 1e-4  # the default tolerance, as a fraction of the radius
 
 
 def grown_obstacles(radius: float, world: PolygonWorldRecord) -> list[Rounded]:
-    """Where a disk's centre may not be: every convex part of what is solid in the world, round
-    obstacles too, grown by the radius.
+    """The C-obstacles of a disk: every convex part of an obstacle, grown by the disk's radius.
 
-    They overlap, and together are the C-obstacle inside the hull of the boundary: with the
-    obstacles' parts come those of what lies between the boundary and its convex hull. Each is
-    exact. Raises InvalidRobot, InvalidWorld.
+    Round obstacles are included, and so are the parts between the boundary and its convex hull. The
+    shapes may overlap; their union is the C-obstacle inside the hull of the boundary. Each of them
+    is exact.
 
-    >>> world = PolygonWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [[(3, 2), (5, 2), (5, 4), (3, 4)], ((7, 4), 0.5)])
+    Returns
+    -------
+    list of Rounded
+
+    Raises
+    ------
+    InvalidRobot
+        Where the radius is not positive.
+    InvalidWorld
+        Where the world is not a PolygonWorld.
+
+    Examples
+    --------
+    >>> square, disc = [(3, 2), (5, 2), (5, 4), (3, 4)], ((7, 4), 0.5)
+    >>> world = PolygonWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [square, disc])
     >>> [round(shape.area, 3) for shape in grown_obstacles(1.0, world)]
     [15.142, 7.069]
     """
@@ -44,14 +57,28 @@ def grown_obstacles(radius: float, world: PolygonWorldRecord) -> list[Rounded]:
 def shrunk_workspace(
     radius: float, boundary: ArrayLike, *, tolerance: float | None = None
 ) -> list[Array]:
-    """Where a disk's centre may be inside a boundary: polygons (k, 2), one, several or none;
-    contact on their outline.
+    """The positions of a disk's centre inside a boundary.
 
-    Edges move inward by the radius; round a vertex that turns inward stands an arc, drawn to the
-    tolerance (default: 1e-4 of the radius), the polygon a little smaller than the truth. Where the
-    boundary is convex there are no arcs, and the polygon is exact to rounding. Raises InvalidRobot,
-    InvalidPolygon, InvalidPoint, InvalidParameter.
+    Edges move inward by the radius. A vertex with an interior angle above pi becomes an arc, which
+    is replaced by a polyline within the tolerance, so that the polygon is a little smaller than the
+    exact region. Where the boundary is convex there are no arcs, and the polygon is exact to
+    rounding.
 
+    Parameters
+    ----------
+    tolerance : the largest distance of a polyline from its arc; by default 1e-4 of the radius.
+
+    Returns
+    -------
+    list of polygons (k, 2): none, one or several. On their outlines the disk is in contact.
+
+    Raises
+    ------
+    InvalidRobot, InvalidPolygon, InvalidPoint, InvalidParameter
+        Where an argument is not valid.
+
+    Examples
+    --------
     >>> shrunk_workspace(1, [(0, 0), (9, 0), (9, 6), (0, 6)])
     [array([[1., 1.],
            [8., 1.],
@@ -64,12 +91,24 @@ def shrunk_workspace(
 def free_regions(
     radius: float, world: PolygonWorldRecord, *, tolerance: float | None = None
 ) -> list[list[Array]]:
-    """The free configuration space of a disk: for each connected piece its outline,
-    counter-clockwise, and those of its holes.
+    """The free configuration space of a disk, as polygons with holes.
 
-    Polygons within the tolerance of the truth (default: a ten-thousandth of the radius), and never
-    larger: where a point is inside one, the disk is free. Pieces narrower than the tolerance are
-    lost. The unions are shapely's. Raises InvalidRobot, InvalidWorld, InvalidParameter.
+    A polygon lies within the tolerance of the exact region and is never larger: the disk is free at
+    every point inside it. Regions narrower than the tolerance are lost. The unions are shapely's.
+
+    Parameters
+    ----------
+    tolerance : a length; by default 1e-4 of the radius.
+
+    Returns
+    -------
+    list with one entry for each connected region: its outline, counter-clockwise, and then its
+    holes.
+
+    Raises
+    ------
+    InvalidRobot, InvalidWorld, InvalidParameter
+        Where an argument is not valid.
     """
     import shapely
 
@@ -90,20 +129,20 @@ def free_regions(
     free = shapely.orient_polygons(
         shapely.difference(shapely.Polygon(inner), shapely.union_all(solids))
     )
-    pieces: list[Any] = [
+    regions: list[Any] = [
         part
         for part in shapely.get_parts(free)
         if part.geom_type == "Polygon" and not part.is_empty
     ]
     rings = [
         [shapely.get_coordinates(ring)[:-1] for ring in (part.exterior, *part.interiors)]
-        for part in pieces
+        for part in regions
     ]
-    return [[np.roll(ring, -leftmost(ring), axis=0) for ring in piece] for piece in rings]
+    return [[np.roll(ring, -leftmost(ring), axis=0) for ring in region] for region in rings]
 
 
 def as_radius(radius: float) -> float:
-    """A radius, or InvalidRobot."""
+    """Check a radius; raise InvalidRobot otherwise."""
     size = as_array(radius, "radius")
     if size.ndim or size <= 0.0:
         raise InvalidRobot(f"a disk's radius must be one positive length, got {radius!r}")
@@ -111,9 +150,9 @@ def as_radius(radius: float) -> float:
 
 
 def as_world(world: Any) -> PolygonWorldRecord:
-    """A polygonal world, or InvalidWorld."""
+    """Check that a world is a PolygonWorld; raise InvalidWorld otherwise."""
     if not isinstance(world, PolygonWorldRecord):
         raise InvalidWorld(
-            f"obstacles grow in a PolygonWorld, got {type(world).__name__}; give polygons and discs"
+            f"expected a PolygonWorld, got {type(world).__name__}; give polygons and discs"
         )
     return world

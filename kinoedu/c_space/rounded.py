@@ -1,6 +1,4 @@
-"""A convex shape with everything that is within a radius of it: what a disk's centre must avoid.
-LaValle, section 4.3.2.
-"""
+"""The Minkowski sum of a convex shape and a disc: a disk's C-obstacle. LaValle, section 4.3.2."""
 
 import math
 from typing import NamedTuple
@@ -11,10 +9,11 @@ from ..geometry.checks import Array
 
 
 class Rounded(NamedTuple):
-    """A convex polygon, a segment or a point, grown by a radius: its outline is segments and arcs
-    in turn, exactly.
+    """A convex polygon, a segment or a point, grown by a radius; its outline is segments and arcs.
 
-    corners : (k, 2), of what was grown, counter-clockwise, none on an edge. radius : by how much.
+    corners : (k, 2), of the shape before it is grown, counter-clockwise, without corners inside an
+        edge.
+    radius : the distance by which it is grown.
     """
 
     corners: Array
@@ -22,8 +21,10 @@ class Rounded(NamedTuple):
 
     @property
     def area(self) -> float:
-        """A + p r + pi r^2 (Steiner), with the area A and the perimeter p of what was grown; a
-        segment's p is twice its length.
+        """The area A + p r + pi r^2 (Steiner).
+
+        A and p are the area and the perimeter of the shape before it is grown. The perimeter of a
+        segment is twice its length.
         """
         p, q = self.corners - self.corners[0], np.roll(self.corners, -1, axis=0) - self.corners[0]
         core = float((p[:, 0] * q[:, 1] - p[:, 1] * q[:, 0]).sum()) / 2.0
@@ -31,18 +32,18 @@ class Rounded(NamedTuple):
 
     @property
     def perimeter(self) -> float:
-        """p + 2 pi r."""
+        """The perimeter p + 2 pi r."""
         return self.straight + 2.0 * math.pi * self.radius
 
     @property
     def straight(self) -> float:
-        """The length of all the segments."""
+        """The total length of the segments."""
         along = np.roll(self.corners, -1, axis=0) - self.corners
         return float(np.sqrt((along * along).sum(axis=1)).sum())
 
     @property
     def segments(self) -> Array:
-        """The straight pieces, (k, 2, 2): segment i is edge i, moved outward."""
+        """The segments of the outline, (k, 2, 2): segment i is edge i, moved outward."""
         normals = self.radius * np.column_stack([np.cos(self.headings), np.sin(self.headings)])
         return np.stack(
             [self.corners + normals, np.roll(self.corners, -1, axis=0) + normals], axis=1
@@ -50,21 +51,25 @@ class Rounded(NamedTuple):
 
     @property
     def arcs(self) -> Array:
-        """The round pieces as rows x, y, angle, turn, (k, 4): arc i, round corner i, comes before
-        segment i; it begins at an angle and goes on counter-clockwise by a turn."""
+        """The arcs of the outline as rows x, y, angle, turn, (k, 4).
+
+        Arc i is centred at corner i and comes before segment i. It begins at `angle` and goes on
+        counter-clockwise by `turn`.
+        """
         before = np.roll(self.headings, 1)
         turns = np.mod(self.headings - before, 2.0 * math.pi)
         return np.column_stack([self.corners, before, turns if len(turns) > 1 else [2.0 * math.pi]])
 
     @property
     def headings(self) -> Array:
-        """The direction in which each edge faces outward, (k,), an angle; 0 for a point."""
+        """The angle of the outward normal of each edge, (k,); 0 for a point."""
         along = np.roll(self.corners, -1, axis=0) - self.corners
         return np.arctan2(-along[:, 0], along[:, 1])
 
     def polyline(self, tolerance: float) -> Array:
-        """A convex polygon round it, (n, 2), nowhere farther from it than the tolerance: tangents
-        in place of the arcs.
+        """A circumscribed convex polygon (n, 2), nowhere farther from the shape than the tolerance.
+
+        Tangents replace the arcs.
         """
         widest = 2.0 * math.acos(self.radius / (self.radius + tolerance))
         points = []

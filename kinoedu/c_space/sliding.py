@@ -1,5 +1,6 @@
-"""A robot that slides once round an obstacle: its reference point traces the boundary of the
-C-obstacle. LaValle, section 4.3.2.
+"""A convex robot slides round a convex obstacle: its reference point traces the C-obstacle.
+
+LaValle, section 4.3.2.
 """
 
 from typing import NamedTuple
@@ -13,17 +14,16 @@ from ..geometry.minkowski import as_convex_corners, corner_pairs
 
 
 class Slide(NamedTuple):
-    """The way of a convex robot round a convex obstacle, counter-clockwise, in stretches that are
-    straight.
+    """The motion of a convex robot round a convex obstacle, counter-clockwise, by stretches.
 
-    corners : (k, 2), where the reference point is when stretch i begins; it ends where the next one
-        begins.
-    kind : (k,), what touches what, in LaValle's words: "EV", an edge of the robot slides along a
+    corners : (k, 2), the position of the reference point where stretch i begins; it ends where the
+        next one begins.
+    kind : (k,), the type of contact, named as in LaValle: "EV", an edge of the robot slides along a
         vertex of the obstacle (Latombe's type A); "VE", a vertex of the robot slides along an edge
-        of the obstacle (type B); "EE", an edge along an edge.
-    robot_part, obstacle_part : (k,), the number of that vertex or edge; edge i leaves vertex i.
-    robot, obstacle : the corners that these numbers count, counter-clockwise; the robot's reference
-        point is at the origin.
+        of the obstacle (type B); "EE", an edge slides along an edge.
+    robot_part, obstacle_part : (k,), the number of that vertex or edge; edge i begins at vertex i.
+    robot, obstacle : the vertices that these numbers count, counter-clockwise; the reference point
+        of the robot is the origin.
     """
 
     corners: Array
@@ -40,8 +40,20 @@ class Slide(NamedTuple):
         return np.sqrt((along * along).sum(axis=1))
 
     def at(self, share: float) -> tuple[Array, int]:
-        """Where the reference point is after a share of the whole way, 0 to 1, and in which
-        stretch. Raises InvalidParameter.
+        """The position of the reference point after a fraction of the whole way, and its stretch.
+
+        Parameters
+        ----------
+        share : from 0 to 1.
+
+        Returns
+        -------
+        (2,) array and the number of the stretch.
+
+        Raises
+        ------
+        InvalidParameter
+            Where `share` is not one number from 0 to 1.
         """
         gone = as_array(share, "share")
         if gone.ndim or not 0.0 <= gone <= 1.0:
@@ -54,30 +66,41 @@ class Slide(NamedTuple):
 
 
 def slide(robot_vertices: ArrayLike, obstacle: ArrayLike) -> Slide:
-    """How a convex robot, moved without turning, slides once round a convex obstacle, always in
-    contact.
+    """The motion of a convex robot that slides once round a convex obstacle without rotating.
+
+    The reference point follows the outline of their `minkowski_difference`; each of its edges is an
+    edge of the obstacle or of the robot. O(n + m), after a check that both polygons are simple.
 
     Parameters
     ----------
-    robot_vertices : (n, 2), a convex polygon, its reference point at the origin. obstacle : (m, 2),
-    a convex polygon.
+    robot_vertices : (n, 2), a convex polygon, a segment or a point, with its reference point at the
+        origin.
+    obstacle : (m, 2), a convex polygon, a segment or a point.
 
-    The reference point goes round their `minkowski_difference`, and each of its stretches is an
-    edge of the obstacle or of the robot. Each may be a segment or a point, but not both be a point.
-    O(n + m), after a check that both are simple. Raises InvalidPolygon, InvalidPoint.
+    Returns
+    -------
+    Slide
 
+    Raises
+    ------
+    InvalidPolygon, InvalidPoint
+        Where a polygon is not valid.
+    InvalidParameter
+        Where both are points.
+
+    Examples
+    --------
     >>> way = slide([(0, 0), (1, 0), (0, 1)], [(2, 2), (4, 2), (4, 3), (2, 3)])
     >>> way.kind.tolist()
     ['EV', 'VE', 'EE', 'EE', 'VE']
     """
     solid = as_convex_corners(obstacle, "obstacle")
-    mirrored = as_convex_corners(
-        -as_convex_corners(robot_vertices, "robot"), "robot"
-    )  # begins at its own leftmost
+    # checked again, so that the mirrored corners begin at the leftmost one, too
+    mirrored = as_convex_corners(-as_convex_corners(robot_vertices, "robot"), "robot")
     i, j = corner_pairs(solid, mirrored).T
     if len(i) < 2:
         raise InvalidParameter(
-            "a point does not slide round a point; give the robot or the obstacle a second vertex"
+            "a point cannot slide round a point; give the robot or the obstacle a second vertex"
         )
     along_obstacle, along_robot = np.roll(i, -1) != i, np.roll(j, -1) != j
     kind = np.where(along_obstacle, np.where(along_robot, "EE", "VE"), "EV")

@@ -1,12 +1,11 @@
-"""A polygon that turns as well: its C-obstacle is a solid in (x, y, theta), a screw-like pile of
-slices. LaValle, section 4.3.3.
+"""The C-obstacle of a polygon that translates and rotates: a solid in (x, y, theta).
 
-At each theta the slice is the Minkowski difference of the obstacle and the turned robot. Its
-corners are differences of one corner each, i of the obstacle and j of the robot, and which pairs i,
-j they are changes only at the *critical* angles, where an edge of the robot runs against one of the
-obstacle: there one corner slides into an edge and another out of it. Between two critical angles
-every corner moves along a smooth curve, and a face is swept by an edge on a vertex ("EV") or a
-vertex on an edge ("VE").
+LaValle, section 4.3.3. At each theta the slice of the solid is the Minkowski difference of the
+obstacle and the rotated robot. Each of its corners is a difference of two corners: i of the
+obstacle and j of the robot. The set of these pairs i, j changes only at the *critical* angles,
+where an edge of the robot is antiparallel to an edge of the obstacle: there one corner slides into
+an edge and another one leaves it. Between two critical angles every corner moves along a smooth
+curve, and each face is swept by an edge on a vertex ("EV") or a vertex on an edge ("VE").
 """
 
 from itertools import pairwise
@@ -20,18 +19,18 @@ from ..geometry.checks import Array
 from ..geometry.convex import convex_hull, convex_parts
 from ..geometry.minkowski import corner_pairs, leftmost
 from ..geometry.rings import as_convex_ring, as_ring
-from .translating import turned_corners
+from .translating import rotate_corners
 
 if TYPE_CHECKING:
     from trimesh import Trimesh
 
-SAME = 1e-9  # radians: critical angles closer than this are one
+SAME = 1e-9  # radians: critical angles closer than this count as one
 Pairs = list[tuple[int, int]]
 Numbers = dict[tuple[int, int], int]
 
 
 class Slice(NamedTuple):
-    """The solid at one angle: which pairs of corners i, j make its own, counter-clockwise."""
+    """The slice of the solid at one angle, by the pairs i, j that make its corners, in order."""
 
     theta: float
     pairs: Pairs
@@ -40,24 +39,35 @@ class Slice(NamedTuple):
 def turning_obstacle(
     robot_vertices: ArrayLike, obstacle: ArrayLike, *, n_angles: int = 72
 ) -> "Trimesh":
-    """The C-obstacle of a polygon that moves and turns, as a closed triangle mesh in (x, y, theta),
-    theta from -pi to pi.
+    """The C-obstacle of a polygon that translates and rotates, as a closed triangle mesh.
+
+    The mesh is in (x, y, theta), theta from -pi to pi. Its slices are exact to rounding. Between
+    them, with d = 2 pi / n_angles, the mesh lies within R d^2 / 8 + L d / 16 of the solid, where R
+    is the distance of the robot's farthest vertex from its reference point and L the length of its
+    longest edge. The solid is periodic: its flat ends at -pi and pi are the same set. Where a
+    polygon is not convex, the mesh has one closed component for each pair of convex parts; the
+    components overlap, and their union is the C-obstacle. `mesh.export("solid.stl")` or `.glb`
+    writes it to a file.
 
     Parameters
     ----------
-    robot_vertices : (n, 2), a simple polygon, convex or not; it turns about its reference point,
-    the origin.
+    robot_vertices : (n, 2), a simple polygon, convex or not; it rotates about its reference point,
+        the origin.
     obstacle : (m, 2), a simple polygon, convex or not.
-    n_angles : slices no farther apart than 2 pi / n_angles, besides those at the critical angles
-    and between them.
+    n_angles : slices are at most 2 pi / n_angles apart. There are also slices at each critical
+        angle and at least one between two of them.
 
-    Slices are exact to rounding. Between them, with d = 2 pi / n_angles, the mesh lies within R d^2
-    / 8 + L d / 16 of the solid: R is the distance of the robot's farthest vertex from its reference
-    point, L the length of its longest edge. The solid is periodic: its flat ends at -pi and pi are
-    the same place. Where a shape is not convex, the mesh has one closed body for each pair of
-    convex parts; they overlap, and together are the C-obstacle. `mesh.export("solid.stl")` or
-    `.glb` writes it to a file. Raises InvalidPolygon, InvalidPoint, InvalidParameter.
+    Returns
+    -------
+    trimesh.Trimesh
 
+    Raises
+    ------
+    InvalidPolygon, InvalidPoint, InvalidParameter
+        Where an argument is not valid.
+
+    Examples
+    --------
     >>> robot, obstacle = [(0, 0), (2, 0), (0, 1)], [(2, 2), (4, 2), (4, 3), (2, 3)]
     >>> mesh = turning_obstacle(robot, obstacle)
     >>> mesh.is_watertight, round(float(mesh.volume) / turning_volume(robot, obstacle), 3)
@@ -66,50 +76,57 @@ def turning_obstacle(
     from trimesh import Trimesh
 
     if isinstance(n_angles, bool) or not isinstance(n_angles, int | np.integer) or n_angles < 3:
-        raise InvalidParameter(f"n_angles must be a whole number, at least 3, got {n_angles!r}")
+        raise InvalidParameter(f"n_angles must be an integer of at least 3, got {n_angles!r}")
     robots = [convex_hull(part) for part in convex_parts(as_ring(robot_vertices, "robot"))]
     obstacles = [convex_hull(part) for part in convex_parts(as_ring(obstacle, "obstacle"))]
     vertices: list[Array] = []
     faces: list[Array] = []
     for robot in robots:
         for solid in obstacles:
-            points, triangles = solid_of(robot, solid, 2.0 * np.pi / n_angles)
+            points, triangles = build_solid(robot, solid, 2.0 * np.pi / n_angles)
             faces.append(triangles + sum(map(len, vertices)))
             vertices.append(points)
     return Trimesh(np.concatenate(vertices), np.concatenate(faces), process=False)
 
 
 def turning_volume(robot_vertices: ArrayLike, obstacle: ArrayLike) -> float:
-    """The volume, in area times radians, of the C-obstacle of two convex polygons: 2 pi (A + B) + a
-    b, with their areas A and B and perimeters a and b. Source: Santaló, Integral Geometry and
-    Geometric Probability, chapter 6. Raises InvalidPolygon.
+    """The volume of the C-obstacle of two convex polygons, in area times radians.
 
+    It is 2 pi (A + B) + a b, with their areas A and B and perimeters a and b. Source: Santaló,
+    Integral Geometry and Geometric Probability, chapter 6.
+
+    Raises
+    ------
+    InvalidPolygon
+        Where a polygon is not convex.
+
+    Examples
+    --------
     >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
     >>> turning_volume(square, square) == 4 * np.pi + 16
     True
     """
-    (A, a), (B, b) = (
-        size_of(as_convex_ring(robot_vertices, "robot")),
-        size_of(as_convex_ring(obstacle, "obstacle")),
-    )
+    A, a = area_and_perimeter(as_convex_ring(robot_vertices, "robot"))
+    B, b = area_and_perimeter(as_convex_ring(obstacle, "obstacle"))
     return 2.0 * np.pi * (A + B) + a * b
 
 
-def size_of(ring: Array) -> tuple[float, float]:
-    """A polygon's area and perimeter."""
+def area_and_perimeter(ring: Array) -> tuple[float, float]:
+    """The area and the perimeter of a polygon."""
     near, along = ring - ring[0], np.roll(ring, -1, axis=0) - ring
     area = float((near[:, 0] * along[:, 1] - near[:, 1] * along[:, 0]).sum()) / 2.0
     return area, float(np.sqrt((along * along).sum(axis=1)).sum())
 
 
-def solid_of(robot: Array, obstacle: Array, step: float) -> tuple[Array, Any]:
-    """The solid of two strictly convex polygons: vertices (n, 3), triangles (m, 3) whose outside is
-    where they turn left.
+def build_solid(robot: Array, obstacle: Array, step: float) -> tuple[Array, Any]:
+    """The solid of two strictly convex polygons.
+
+    Returns vertices (n, 3) and triangles (m, 3), counter-clockwise when seen from outside.
     """
     slices = slices_of(robot, obstacle, step)
     first = np.cumsum([0, *(len(slice_.pairs) for slice_ in slices)])
     levels = [
-        obstacle[i] - turned_corners(robot, theta)[j]
+        obstacle[i] - rotate_corners(robot, theta)[j]
         for theta, pairs in slices
         for i, j in [np.array(pairs).T]
     ]
@@ -125,28 +142,26 @@ def solid_of(robot: Array, obstacle: Array, step: float) -> tuple[Array, Any]:
     ]
     twisted: list[tuple[int, ...]] = []
     for low, high in pairwise(numbers):
-        stitch(low, high, faces, twisted)
+        add_side_faces(low, high, faces, twisted)
     quads = np.array(twisted)
     middles = len(points) + np.arange(len(quads))
     fans = [np.column_stack([quads[:, k], quads[:, (k + 1) % 4], middles]) for k in range(4)]
-    return np.concatenate([points, points[quads].mean(axis=1)]), np.concatenate(
-        [np.array(faces), *fans]
-    )
+    vertices = np.concatenate([points, points[quads].mean(axis=1)])
+    return vertices, np.concatenate([np.array(faces), *fans])
 
 
 def slices_of(robot: Array, obstacle: Array, step: float) -> list[Slice]:
-    """Slices from -pi to pi: at the ends, at every critical angle, and between two such at least
-    one, no more than a step apart.
+    """The slices from -pi to pi, at most `step` apart: at the ends, at and between critical angles.
 
-    At a critical angle the corner that goes and the one that comes both lie inside an edge: the
-    slice has what is left, the pairs that the slices on either side share. So every neighbouring
-    two have pairs of one another, and nothing between them folds.
+    At a critical angle one corner of each neighbouring slice lies inside an edge. The slice there
+    has only the pairs that both neighbours share. So of two neighbouring slices one has all the
+    pairs of the other, and the faces between them do not fold.
     """
     stops = critical_angles(robot, obstacle)
-    pieces = [pairs_at(robot, obstacle, (a + b) / 2.0) for a, b in pairwise(stops)]
+    pieces = [corner_pairs_at(robot, obstacle, (a + b) / 2.0) for a, b in pairwise(stops)]
     slices: list[Slice] = []
     for k, (a, b) in enumerate(pairwise(stops)):
-        shared = set(pieces[k - 1])  # before -pi comes what is before pi
+        shared = set(pieces[k - 1])  # for k = 0, the last piece: angles are periodic
         slices.append(Slice(a, [pair for pair in pieces[k] if pair in shared]))
         count = max(int(np.ceil((b - a) / step)), 2)
         slices += [Slice(a + (b - a) * i / count, pieces[k]) for i in range(1, count)]
@@ -154,8 +169,9 @@ def slices_of(robot: Array, obstacle: Array, step: float) -> list[Slice]:
 
 
 def critical_angles(robot: Array, obstacle: Array) -> list[float]:
-    """The angles from -pi to pi, both included, at which an edge of the robot runs against an edge
-    of the obstacle.
+    """The angles from -pi to pi at which edges of robot and obstacle are antiparallel.
+
+    Both ends are included.
     """
     ours, theirs = (
         np.arctan2(*(np.roll(ring, -1, axis=0) - ring).T[::-1]) for ring in (robot, obstacle)
@@ -165,25 +181,23 @@ def critical_angles(robot: Array, obstacle: Array) -> list[float]:
     return [-np.pi, *inner[np.diff(inner, prepend=-np.inf) > SAME].tolist(), np.pi]
 
 
-def pairs_at(robot: Array, obstacle: Array, theta: float) -> Pairs:
-    """The pairs of corners i, j that make the corners of the slice at an angle that is not
-    critical.
-    """
-    mirrored = -turned_corners(robot, theta)
+def corner_pairs_at(robot: Array, obstacle: Array, theta: float) -> Pairs:
+    """The pairs i, j that make the corners of the slice at an angle that is not critical."""
+    mirrored = -rotate_corners(robot, theta)
     left = [leftmost(obstacle), leftmost(mirrored)]
     pairs = corner_pairs(np.roll(obstacle, -left[0], axis=0), np.roll(mirrored, -left[1], axis=0))
     return [(i, j) for i, j in ((pairs + left) % [len(obstacle), len(robot)]).tolist()]
 
 
-def stitch(
+def add_side_faces(
     low: Numbers, high: Numbers, faces: list[tuple[int, int, int]], twisted: list[tuple[int, ...]]
 ) -> None:
-    """Add the faces between two slices, given as the vertex number of each pair in order; one has
-    all the pairs of the other.
+    """Add the faces between two slices, given as the vertex number of each pair, in order.
 
-    What is swept by an edge of the obstacle is flat, two triangles. An edge of the robot turns as
-    it goes: its four corners are not in one plane, and are kept for a fan round their middle, which
-    lies on the solid as neither diagonal does.
+    One slice has all the pairs of the other. A face swept by an edge of the obstacle is flat: two
+    triangles. An edge of the robot rotates while it sweeps: the four corners of its face are not in
+    one plane. They are added to `twisted` for a fan about their mean, which lies on the solid, as
+    neither diagonal does.
     """
     ring = list(low if len(low) >= len(high) else high)
     begin = next(k for k, pair in enumerate(ring) if pair in low and pair in high)

@@ -1,4 +1,4 @@
-"""Collision: whole motions of a robot's body against a world."""
+"""Collision detection for whole motions of a robot in a world."""
 
 from . import driving, in_time, round_polygons, round_terrain, translating, turning
 from .arms import link_in_contact, paint_configuration_space

@@ -1,5 +1,6 @@
-"""Which link of an arm is in contact: at one configuration, or painted over all of them. Bullo &
-Smith, chapter 4.
+"""The link of an arm that is in contact: at one configuration, or over the configuration space.
+
+Bullo & Smith, chapter 4.
 """
 
 import math
@@ -21,19 +22,36 @@ from ..worlds.checks import check_world
 from ..worlds.nearby import obstacles_near, rim
 from .turning import contact_size, first_in_contact, meets_part, piece_in_contact
 
-# radians from the end of an interval within which cells are judged; an end is known far better, but
-# where it grazes
+# radians: cells so near to the end of an interval are tested for collision; the closed form is far
+# more accurate, except where the link only grazes the part
 DOUBT = 1e-3
 
 
 def link_in_contact(arm: ArmRobot, q: ArrayLike, world: Any) -> int:
-    """The first link that touches or enters an obstacle, or the outside of the world, counted from
-    1; 0 where none does.
+    """The first link that touches an obstacle or leaves the world, counted from 1; 0 for no link.
 
-    arm : TwoLinkArm(...) or ArmChain(...). q : its angles, shape (n,). Contact is what `is_free`
-        takes for contact: it is decided to 1e-9 of the world's size. Raises InvalidRobot,
-        InvalidPoint.
+    Contact is the same as in `is_free`: it is decided to 1e-9 of the world's size.
 
+    Parameters
+    ----------
+    arm : TwoLinkArm(...) or ArmChain(...).
+    q : its angles, shape (n,).
+
+    Returns
+    -------
+    int
+
+    Raises
+    ------
+    InvalidRobot
+        Where `arm` is not an arm.
+    InvalidPoint
+        Where q is not n angles.
+    InvalidWorld
+        Where `world` is not a world.
+
+    Examples
+    --------
     >>> from kinoedu import PolygonWorld, TwoLinkArm
     >>> world = PolygonWorld([(-4, -4), (4, -4), (4, 4), (-4, 4)], [((2, 1), 0.5)])
     >>> arm = TwoLinkArm(1.5, 1.2, 0.2)
@@ -47,11 +65,11 @@ def link_in_contact(arm: ArmRobot, q: ArrayLike, world: Any) -> int:
         raise InvalidPoint(
             f"q must be {len(arm.lengths)} angles, one for each link, got {shortened(q)}"
         )
-    return int(contact_link(arm, world, angles, contact_size(world.lo, world.hi)))
+    return int(first_link_in_contact(arm, world, angles, contact_size(world.lo, world.hi)))
 
 
 def check_arm(arm: Any) -> None:
-    """Raise InvalidRobot for what is no arm."""
+    """Raise InvalidRobot where the argument is not an arm."""
     if not isinstance(arm, ArmRobot):
         raise InvalidRobot(
             f"expected an arm such as TwoLinkArm(1.5, 1.2, 0.2), got {shortened(arm)}"
@@ -59,49 +77,64 @@ def check_arm(arm: Any) -> None:
 
 
 @compiled
-def contact_link(arm: ArmRobot, world: Any, q: Array, contact: float) -> int:
+def first_link_in_contact(arm: ArmRobot, world: Any, q: Array, contact: float) -> int:
     """`link_in_contact` for arrays."""
     return first_in_contact(arm, world, q, np.zeros(len(q)), contact, contact) + 1
 
 
 def paint_configuration_space(arm: ArmRobot, world: Any, n: int = 360) -> NDArray[np.int8]:
-    """`link_in_contact` of a two-link arm all over its configuration space, as an image of shape
-    (n, n), int8.
+    """Evaluate `link_in_contact` of a two-link arm over its configuration space, as an image.
 
     image[i2, i1] belongs to theta1 = angles[i1] and theta2 = angles[i2], where angles = -pi + (i +
     1/2) * 2 pi / n are the centres of n equal cells: theta1 to the right, theta2 up when row 0 is
     drawn lowest.
 
-    Link 1 depends on theta1 alone. Link 2 turns about the elbow: the directions in which it meets a
-    convex obstacle are one interval round the direction of the obstacle's nearest point, whose ends
-    are known in closed form: only cells close to an end are judged. O(n (n + k)) for k corners
-    within reach, instead of O(n^2 k). Raises InvalidRobot, InvalidParameter.
+    Link 1 depends on theta1 alone. Link 2 rotates about the elbow. The directions in which it meets
+    a convex obstacle are one interval around the direction of the obstacle's nearest point, and the
+    ends of the interval have a closed form; only cells near an end are tested for collision. O(n (n
+    + k)) for k corners within reach, instead of O(n^2 k).
 
+    Returns
+    -------
+    (n, n) array, int8.
+
+    Raises
+    ------
+    InvalidRobot
+        Where `arm` is not an arm of two links.
+    InvalidParameter
+        Where n is not an integer from 1 to 20,000.
+
+    Examples
+    --------
     >>> from kinoedu import PolygonWorld, TwoLinkArm
     >>> world = PolygonWorld([(-4, -4), (4, -4), (4, 4), (-4, 4)], [((2, 1), 0.5)])
-    >>> [int((paint_configuration_space(TwoLinkArm(1.5, 1.2, 0.2), world, 36) == link).sum()) for link in (0, 1, 2)]
+    >>> image = paint_configuration_space(TwoLinkArm(1.5, 1.2, 0.2), world, 36)
+    >>> [int((image == link).sum()) for link in (0, 1, 2)]
     [1224, 0, 72]
     """
     check_arm(arm)
     if len(arm.lengths) != 2:
         raise InvalidRobot(
-            "a picture has two axes: it is for an arm of two links, this one has "
+            "the image is for an arm of two links, one for each axis; this one has "
             f"{len(arm.lengths)}"
         )
     if isinstance(n, bool) or not isinstance(n, int | np.integer) or not 1 <= n <= 20_000:
         raise InvalidParameter(f"n must be a whole number from 1 to 20,000, got {n!r}")
-    return painted(
+    return paint_image(
         arm, world, np.zeros((int(n), int(n)), np.int8), contact_size(world.lo, world.hi)
     )
 
 
 @algorithm
-def painted(arm: ArmRobot, world: Any, image: NDArray[np.int8], contact: float) -> NDArray[np.int8]:
-    """`paint_configuration_space` on an image of zeros."""
+def paint_image(
+    arm: ArmRobot, world: Any, image: NDArray[np.int8], contact: float
+) -> NDArray[np.int8]:
+    """Write `paint_configuration_space` into an image of zeros."""
     n, ring = len(image), rim_parts(rim(world))
     corners, q, still = np.empty((4, 5)), np.zeros(2), np.zeros(2)
     for i1 in range(n):
-        q[0], q[1] = centre_of(i1, n), 0.0
+        q[0], q[1] = cell_angle(i1, n), 0.0
         if piece_in_contact(arm, 0, world, q, still, corners, contact, contact):
             image[:, i1] = 1
             continue
@@ -115,8 +148,9 @@ def painted(arm: ArmRobot, world: Any, image: NDArray[np.int8], contact: float) 
 
 @compiled
 def rim_parts(ring: Array) -> Parts:
-    """The edges of a ring as parts of two points each: what starts inside the ring leaves it
-    through one of them.
+    """The edges of a ring as parts of two points each.
+
+    A body that starts inside the ring can leave it only through one of them.
     """
     n = len(ring)
     points = np.empty((2 * n, 2))
@@ -126,7 +160,7 @@ def rim_parts(ring: Array) -> Parts:
 
 
 @compiled
-def centre_of(i: int, n: int) -> float:
+def cell_angle(i: int, n: int) -> float:
     """The angle at the centre of cell i of n."""
     return (i + 0.5) * (FULL_TURN / n) - math.pi
 
@@ -141,9 +175,7 @@ def paint_second_link(
     corners: Array,
     column: NDArray[np.int8],
 ) -> None:
-    """Paint the angles of link 2 at which it meets one of the parts near its elbow, which touches
-    none of them.
-    """
+    """Paint the angles of link 2 at which it meets a part; its elbow touches none of the parts."""
     n, still = len(column), np.zeros(2)
     reach = arm.lengths[1] + arm.shape.radius[1] + 2.0 * contact
     for j in near:
@@ -158,12 +190,12 @@ def paint_second_link(
         _, _, nx, ny = line_towards(
             x, y, parts.points[a, X], parts.points[a, Y], parts.points[b, X], parts.points[b, Y]
         )
-        facing = math.atan2(-ny, -nx)
-        ahead = wrapped(facing - q[0])
+        towards = math.atan2(-ny, -nx)
+        ahead = wrapped(towards - q[0])
         below = math.floor((ahead + math.pi) / (FULL_TURN / n) - 0.5)
         for begin, step in ((below, -1), (below + 1, 1)):
             kept = arm.shape.radius[1] + parts.radius[j] + contact
-            turn = ahead + step * last_contact(parts, j, x, y, arm.lengths[1], kept, facing, step)
+            turn = ahead + step * last_contact(parts, j, x, y, arm.lengths[1], kept, towards, step)
             count = cells_in_contact(
                 arm, q, still, corners, parts, j, contact, begin, step, n, turn
             )
@@ -185,18 +217,18 @@ def cells_in_contact(
     n: int,
     turn: float,
 ) -> int:
-    """How many cells from `begin` on meet part j, which link 2 meets up to the angle `turn`: cells
-    near that end are judged.
+    """The number of cells, counted from `begin`, at which link 2 meets part j.
 
-    Beyond a right angle from the part's nearest point none does.
+    The closed form says that it meets the part up to the angle `turn`; cells near that angle are
+    tested for collision. There is no contact beyond a right angle from the part's nearest point.
     """
     most = max(min(n // 4 + 2, n // 2), 1)
     cells = n / FULL_TURN
     doubt = (DOUBT + 2.0 * math.sqrt(contact / arm.lengths[1])) * cells
-    to_end = step * (turn - centre_of(begin, n)) * cells
+    to_end = step * (turn - cell_angle(begin, n)) * cells
     count = min(max(math.floor(to_end - doubt) + 1, 0), most)
     while count < most and count <= to_end + doubt:
-        q[1] = centre_of((begin + count * step) % n, n)
+        q[1] = cell_angle((begin + count * step) % n, n)
         if not meets_part(
             arm, 1, q, still, corners, parts, j, arm.shape.radius[1] + contact, contact
         ):
@@ -207,13 +239,13 @@ def cells_in_contact(
 
 @compiled
 def last_contact(
-    parts: Parts, j: int, x: float, y: float, length: float, kept: float, facing: float, side: int
+    parts: Parts, j: int, x: float, y: float, length: float, kept: float, towards: float, side: int
 ) -> float:
-    """How far a link that turns about (x, y), from facing part j's nearest point to one side, 1 or
-    -1, comes within `kept` of it.
+    """The largest angle to one side at which a link comes within `kept` of part j; radians, >= 0.
 
-    There its end or its flank touches a circle round a corner, or its end crosses a line beside an
-    edge. Radians, zero or more.
+    The link turns about (x, y), starting in the direction `towards` of the part's nearest point, to
+    the side 1 or -1. At the last contact its end or its flank touches a circle round a corner, or
+    its end crosses the line parallel to an edge.
     """
     begin, end, last = parts.first[j], parts.first[j + 1], 0.0
     before = end - 1
@@ -222,16 +254,19 @@ def last_contact(
         bx, by = parts.points[k, X] - x, parts.points[k, Y] - y
         before = k
         last = max(
-            last, side * wrapped(math.atan2(by, bx) - facing) + beside_corner(bx, by, length, kept)
+            last,
+            side * wrapped(math.atan2(by, bx) - towards) + angle_at_corner(bx, by, length, kept),
         )
-        last = max(last, past_edge(ax, ay, bx, by, length, kept, facing, side))
+        last = max(last, angle_at_edge(ax, ay, bx, by, length, kept, towards, side))
     return last
 
 
 @compiled
-def beside_corner(x: float, y: float, length: float, kept: float) -> float:
-    """The angle between a corner's direction and a link from the origin that touches the circle
-    round it; -inf out of its reach.
+def angle_at_corner(x: float, y: float, length: float, kept: float) -> float:
+    """The angle from a corner's direction to a link that touches the circle round it.
+
+    The link begins at the origin, the circle has the radius `kept`. -inf where the circle is out of
+    reach.
     """
     squared = x * x + y * y
     d = math.sqrt(squared)
@@ -243,23 +278,31 @@ def beside_corner(x: float, y: float, length: float, kept: float) -> float:
 
 
 @compiled
-def past_edge(
-    ax: float, ay: float, bx: float, by: float, length: float, kept: float, facing: float, side: int
+def angle_at_edge(
+    ax: float,
+    ay: float,
+    bx: float,
+    by: float,
+    length: float,
+    kept: float,
+    towards: float,
+    side: int,
 ) -> float:
-    """The angle, from `facing` to one side, at which the end of a link from the origin crosses the
-    line beside the edge a-b, on the side of the origin; -inf where it passes beyond the edge's
-    ends.
+    """The angle at which the end of a link crosses the line parallel to the edge a-b.
+
+    The link begins at the origin; the line lies at distance `kept` on the origin's side. The angle
+    is measured from `towards` to one side; -inf where the end of the link passes beyond the ends of
+    the edge.
     """
     ex, ey = bx - ax, by - ay
     size = math.sqrt(ex * ex + ey * ey)
     if size == 0.0:
         return -np.inf
-    apart = (
-        ax * ey - ay * ex
-    ) / size  # signed: the foot of the perpendicular on the edge's line is (ey, -ex) * apart / size
+    # signed: the foot of the perpendicular on the edge's line is (ey, -ex) * apart / size
+    apart = (ax * ey - ay * ex) / size
     if not 0.0 <= abs(apart) - kept <= length:
         return -np.inf
     straight, half = math.atan2(-ex * apart, ey * apart), math.acos((abs(apart) - kept) / length)
     tip = straight + side * half
     along = ((length * math.cos(tip) - ax) * ex + (length * math.sin(tip) - ay) * ey) / size
-    return side * wrapped(straight - facing) + half if 0.0 <= along <= size else -np.inf
+    return side * wrapped(straight - towards) + half if 0.0 <= along <= size else -np.inf

@@ -1,5 +1,6 @@
-"""What a problem asks of a robot in a world. Each pair of a robot's and a world's kind answers in
-its own file.
+"""Generic functions for collision queries, dispatched on the kinds of robot and world.
+
+Each pair of a robot and a world registers its own functions, in a file of its own.
 """
 
 from typing import Any
@@ -12,39 +13,37 @@ from ..support.text import shortened
 
 @generic(2)
 def is_free_path(robot: Any, world: Any, a: Array, b: Array, clearance: float) -> bool:
-    """Whether the whole straight motion from a to b stays more than `clearance` away from every
-    obstacle: no contact.
-    """
-    raise TypeError("this robot cannot be moved in this world")
+    """Whether the robot keeps more than `clearance` from obstacles on the motion from a to b."""
+    raise TypeError("no motions are defined for this robot in this world")
 
 
 @generic(2)
 def is_free(robot: Any, world: Any, q: Array, clearance: float) -> bool:
-    """Whether the robot at q is more than `clearance` away from every obstacle: a motion that stays
-    where it is.
+    """Whether the robot at q is more than `clearance` away from every obstacle.
+
+    By default this is a motion of length zero.
     """
     return is_free_path(robot, world, q, q, clearance)
 
 
 @generic(2)
 def is_semi_free_path(robot: Any, world: Any, a: Array, b: Array, clearance: float) -> bool:
-    """Whether the motion from a to b keeps `clearance`, contact allowed: it never enters the inside
-    of what is solid.
+    """Whether the robot keeps at least `clearance` on the motion from a to b; contact is allowed.
+
+    The robot never enters the interior of an obstacle.
     """
-    raise TypeError("this robot cannot slide in this world")
+    raise TypeError("no sliding motions are defined for this robot in this world")
 
 
 @generic(2)
 def is_free_drive(
     robot: Any, world: Any, pose: Array, distance: float, curvature: float, clearance: float
 ) -> bool:
-    """Whether a car, driven a distance along an arc, stays more than `clearance` away from every
-    obstacle all the way.
-    """
-    raise TypeError("this robot cannot be driven in this world")
+    """Whether a car keeps more than `clearance` from obstacles while it drives along an arc."""
+    raise TypeError("no drives are defined for this robot in this world")
 
 
 @generic(1)
 def coordinates(robot: Any) -> int:
-    """How many numbers a configuration of this robot has."""
+    """The number of coordinates of a configuration of this robot."""
     raise InvalidParameter(f"expected a robot such as Point() or Disk(1), got {shortened(robot)}")

@@ -1,4 +1,4 @@
-"""Many configurations or motions at once, each judged by the very question that planners ask."""
+"""Collision queries for many configurations or motions at once."""
 
 from typing import Any
 
@@ -18,15 +18,31 @@ from .asks import coordinates, is_free, is_free_path
 def free_configurations(
     robot: Any, world: Any, qs: ArrayLike, *, clearance: float = 0.0
 ) -> NDArray[np.bool_]:
-    """Whether the robot at each of many configurations, shape (n, d), stays more than `clearance`
-    away from every obstacle.
+    """Whether the robot keeps more than `clearance` from every obstacle, for many configurations.
 
-    The answer has shape (n,). Touching is contact, and outside the world nothing is free: for a
-    point among polygons it tells which points lie in no polygon. Raises InvalidPoint,
-    InvalidParameter.
+    Touching is contact, and nothing is free outside the world. For a point robot among polygons the
+    result says which points lie in no polygon.
 
+    Parameters
+    ----------
+    qs : (n, d).
+
+    Returns
+    -------
+    (n,) array of bool.
+
+    Raises
+    ------
+    InvalidPoint
+        Where qs does not have that shape.
+    InvalidParameter
+        Where the robot or the clearance is not valid.
+
+    Examples
+    --------
     >>> from kinoedu import Point, PolygonWorld
-    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
+    >>> wall = [(4, 0), (6, 0), (6, 8), (4, 8)]
+    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [wall])
     >>> free_configurations(Point(), world, [(1, 1), (5, 5), (6, 5), (11, 5)])
     array([ True, False, False, False])
     """
@@ -38,13 +54,28 @@ def free_configurations(
 def free_motions(
     robot: Any, world: Any, a: ArrayLike, b: ArrayLike, *, clearance: float = 0.0
 ) -> NDArray[np.bool_]:
-    """Whether each of many straight motions, from a[i] to b[i], stays more than `clearance` away
-    from every obstacle, all the way.
+    """Whether the robot keeps more than `clearance` from every obstacle on many straight motions.
 
-    a and b have shape (n, d), the answer (n,). Raises InvalidPoint, InvalidParameter.
+    Parameters
+    ----------
+    a, b : (n, d); motion i goes from a[i] to b[i].
 
+    Returns
+    -------
+    (n,) array of bool.
+
+    Raises
+    ------
+    InvalidPoint
+        Where a and b do not have the same shape (n, d).
+    InvalidParameter
+        Where the robot or the clearance is not valid.
+
+    Examples
+    --------
     >>> from kinoedu import Point, PolygonWorld
-    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
+    >>> wall = [(4, 0), (6, 0), (6, 8), (4, 8)]
+    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [wall])
     >>> free_motions(Point(), world, [(1, 1), (1, 9)], [(9, 1), (9, 9)])
     array([False,  True])
     """
@@ -59,26 +90,26 @@ def free_motions(
 @coordinates.register(RoundRobot)
 @coordinates.register(TranslatingPolygonRobot)
 def position(robot: Any) -> int:
-    """x and y."""
+    """Two: x and y."""
     return 2
 
 
 @coordinates.register(RigidPolygonRobot)
 @coordinates.register(CarRobot)
 def pose(robot: Any) -> int:
-    """x, y and theta."""
+    """Three: x, y and theta."""
     return 3
 
 
 @coordinates.register(ArmRobot)
 def joint_angles(robot: ArmRobot) -> int:
-    """One angle a link."""
+    """One angle for each link."""
     return len(robot.lengths)
 
 
 @algorithm
 def judge_configurations(robot: Any, world: Any, qs: Array, clearance: float) -> NDArray[np.bool_]:
-    """The answer to `is_free` for each row of qs, shape (n,)."""
+    """The result of `is_free` for each row of qs, shape (n,)."""
     free = np.empty(len(qs), np.bool_)
     for i in range(len(qs)):
         free[i] = is_free(robot, world, qs[i], clearance)
@@ -89,7 +120,7 @@ def judge_configurations(robot: Any, world: Any, qs: Array, clearance: float) ->
 def judge_motions(
     robot: Any, world: Any, a: Array, b: Array, clearance: float
 ) -> NDArray[np.bool_]:
-    """The answer to `is_free_path` for each pair of rows, shape (n,)."""
+    """The result of `is_free_path` for each pair of rows, shape (n,)."""
     free = np.empty(len(a), np.bool_)
     for i in range(len(a)):
         free[i] = is_free_path(robot, world, a[i], b[i], clearance)
@@ -97,7 +128,10 @@ def judge_motions(
 
 
 def as_configurations(value: ArrayLike, robot: Any, name: str) -> Array:
-    """Configurations of a robot, shape (n, d); an empty list holds none. InvalidPoint otherwise."""
+    """Check configurations of a robot, shape (n, d); raise InvalidPoint otherwise.
+
+    An empty list holds no configurations.
+    """
     size, qs = coordinates(robot), as_array(value, name)
     if qs.shape == (0,):
         return qs.reshape(0, size)

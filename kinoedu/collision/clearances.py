@@ -1,4 +1,4 @@
-"""How far a robot is from what is solid."""
+"""The distance from a robot to the nearest obstacle."""
 
 from typing import Any
 
@@ -17,12 +17,22 @@ from ..worlds.nearby import obstacles_near, rim
 
 
 def clearance_of(robot: Any, world: Any, q: ArrayLike) -> float:
-    """The distance from the robot at q to what is solid, be it an obstacle or the world's rim; 0 in
-    contact, inside or outside.
+    """The distance from the robot at q to the nearest obstacle or to the world's boundary.
 
-    Good to 1e-12 of itself, but for what rounding makes of the place of a body that turns. Raises
-    InvalidPoint.
+    It is 0 in contact, inside an obstacle and outside the world. The relative error is 1e-12, plus
+    the rounding of the position of a body that rotates.
 
+    Returns
+    -------
+    float
+
+    Raises
+    ------
+    InvalidPoint
+        Where q has too few numbers.
+
+    Examples
+    --------
     >>> from kinoedu import PolygonWorld, RigidPolygon
     >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [((7, 5), 1)])
     >>> clearance_of(RigidPolygon([(-1, -1), (1, -1), (1, 1), (-1, 1)]), world, (3, 5, 0))
@@ -38,8 +48,9 @@ def clearance_of(robot: Any, world: Any, q: ArrayLike) -> float:
 
 @compiled
 def least_distance(body: Parts, world: Any) -> float:
-    """The least distance of any piece of a body; only obstacles in a box as wide as the least so
-    far are looked at.
+    """The least distance of any piece of a body.
+
+    Only obstacles in a box as wide as the least distance so far are examined.
     """
     best = np.inf
     for i in range(len(body.radius)):
@@ -62,7 +73,7 @@ def least_distance(body: Parts, world: Any) -> float:
 
 @compiled
 def rim_distance(points: Array, ring: Array) -> float:
-    """How far inside a convex ring the point nearest to it is; negative outside."""
+    """The least distance of points inside a convex ring from its edges; negative outside."""
     least = np.inf
     for i in range(len(ring)):
         for x, y in points:

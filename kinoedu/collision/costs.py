@@ -1,4 +1,4 @@
-"""What a motion costs: its length, or on a terrain with costs their integral along it.
+"""The cost of a motion: its length, or the integral of a terrain's costs along it.
 
 J. S. B. Mitchell, C. H. Papadimitriou, "The weighted region problem: finding shortest paths through
 a weighted planar subdivision" (1991).
@@ -18,43 +18,46 @@ from ..spaces import distance
 from ..worlds.terrain import TerrainRecord
 from .round_terrain import in_cells
 
-ROUND = 1e-12  # of a motion: a blocked cell that is met for less is met by rounding only
+ROUND = 1e-12  # of a motion: a shorter stretch in a blocked cell is a rounding error
 
 
 @generic(2)
 def motion_cost(robot: Any, world: Any, space: Any, a: Array, b: Array) -> float:
-    """What the straight motion from a to b costs, free or not: its length."""
+    """The cost of the straight motion from a to b, free or not: its length."""
     return distance(space, a, b)
 
 
 @motion_cost.register(RoundRobot, TerrainRecord)
 @motion_cost.register(TranslatingPolygonRobot, TerrainRecord)
 def cost_on_terrain(robot: Any, world: TerrainRecord, space: Any, a: Array, b: Array) -> float:
-    """The integral of what the cells cost at the robot's centre or reference point."""
+    """The integral of the cells' costs at the robot's centre or reference point."""
     if world.cost.size == 0:
         return distance(space, a, b)
     return world.resolution * integral(world.cost, *in_cells(world, a, b))
 
 
 def check_cost(robot: Any, world: Any) -> None:
-    """Raise InvalidParameter where a terrain has costs, and the robot no single place at which they
-    count.
+    """Check that a robot can be used on a terrain with costs.
+
+    Raises
+    ------
+    InvalidParameter
+        Where the terrain has costs and the robot has no single point at which they are evaluated.
     """
     on_costs = isinstance(world, TerrainRecord) and world.cost.size
     if on_costs and not isinstance(robot, RoundRobot | TranslatingPolygonRobot):
         raise InvalidParameter(
-            "a terrain with costs is for Point(), Disk(r) and TranslatingPolygon(...); leave out "
-            "cost="
+            "a terrain with costs needs Point(), Disk(r) or TranslatingPolygon(...); use a terrain "
+            "without cost="
         )
 
 
 @compiled
 def integral(cost: Array, ax: float, ay: float, bx: float, by: float) -> float:
-    """The integral of the cells' costs along the segment a-b, from cell to cell as it crosses their
-    sides; O(cells crossed).
+    """The integral of the cells' costs along the segment a-b; O(cells crossed).
 
-    Along a common side of two cells the cheaper one counts, which lets cheapest paths exist.
-    Outside all cells it is infinite. J. Amanatides, A. Woo, "A fast voxel traversal algorithm for
+    Along the common side of two cells the lower cost counts, so that cheapest paths exist. Outside
+    the cells the integral is infinite. J. Amanatides, A. Woo, "A fast voxel traversal algorithm for
     ray tracing" (1987).
     """
     dx, dy = bx - ax, by - ay
@@ -76,14 +79,14 @@ def integral(cost: Array, ax: float, ay: float, bx: float, by: float) -> float:
 
 @compiled
 def first_cell(x: float, dx: float) -> int:
-    """The number of the column that a motion from x is in at first."""
+    """The number of the column in which a motion from x begins."""
     cell = math.floor(x)
     return int(cell) - 1 if dx < 0.0 and x == cell else int(cell)
 
 
 @compiled
 def crossing(x: float, dx: float, i: int) -> float:
-    """The share of a motion after which it leaves column i, 1 or more where it ends there."""
+    """The fraction of a motion at which it leaves column i; 1 or more where it ends there."""
     if dx == 0.0:
         return np.inf
     return (i + 1 - x) / dx if dx > 0.0 else (i - x) / dx
@@ -91,9 +94,7 @@ def crossing(x: float, dx: float, i: int) -> float:
 
 @compiled
 def cheapest(cost: Array, i: int, j: int, on_left: bool, on_bottom: bool) -> float:
-    """What cell (i, j) costs, and where a motion runs along its left or bottom side, the cheaper of
-    the cells beside it.
-    """
+    """The cost of cell (i, j), or the lowest cost of the cells beside a motion along a side."""
     rows, columns = cost.shape
     least = np.inf
     for row in range(j - 1 if on_bottom else j, j + 1):

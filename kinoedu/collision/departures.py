@@ -1,10 +1,10 @@
-"""When to leave: the moments at which a place, or a way that begins then, is met by something that
-moves.
+"""Departure times at which a straight motion, or a wait, collides with a moving obstacle.
 
-A way from a place at a constant speed, begun at the time t, is at the share s of its duration at
-the time t + s. In the plane of s and that time, what a convex piece in straight motion meets is
-convex: the robot seen from the piece is a point among grown obstacles, and its place depends
-linearly on both. So each piece, in each of its stretches, forbids one interval of departures.
+A motion at constant speed that departs at time t is, after s units of time, at time t + s. In the
+plane of s and that time, the set where it collides with one convex piece in straight motion is
+convex: relative to the piece the robot is a point among grown obstacles, and its position depends
+linearly on both. So each piece, in each of its straight stretches, forbids one interval of
+departure times.
 """
 
 from typing import Any
@@ -17,16 +17,20 @@ from ..geometry.checks import Array
 from ..geometry.grown import grown, summed
 from ..geometry.parts import Parts, make_parts
 from ..robots.round import RoundRobot
-from ..worlds.moving import MovingWorldRecord, place_at
+from ..worlds.moving import MovingWorldRecord, position_at
 
-PAUSE = 1e-9  # of the horizon: so long before and after contact a place counts as met
+PAUSE = 1e-9  # of the horizon: intervals of contact are extended by this at both ends
 
 
 def seen_from_movers(
     robot: Any, world: MovingWorldRecord, clearance: float
 ) -> tuple[Parts, NDArray[np.int64]]:
-    """Where the robot's reference point must not be, in the frame of each moving piece: convex
-    polygons, what is round a little larger than the truth; and the `knots` of each.
+    """The C-obstacles of the robot in the frame of each moving piece.
+
+    Returns
+    -------
+    Parts, convex polygons; round shapes are replaced by slightly larger polygons. And the `knots`
+    of each, (k, 2).
     """
     shapes = world.shapes
     pieces: list[Any] = []
@@ -40,21 +44,17 @@ def seen_from_movers(
         piece = shapes.points[shapes.first[i] : shapes.first[i + 1]]
         for body_piece in bodies:
             pieces.append(
-                grown(summed_with(piece, -body_piece), float(shapes.radius[i]) + more + clearance)
+                grown(sum_pieces(piece, -body_piece), float(shapes.radius[i]) + more + clearance)
             )
             own.append(i)
     return make_parts(pieces, [0.0] * len(pieces)), world.knots[own].reshape(-1, 2)
 
 
-def summed_with(piece: Array, other: Array) -> Array:
-    """The hull of sums of two pieces; a point moves the other."""
-    return (
-        piece + other[0]
-        if len(other) == 1
-        else other + piece[0]
-        if len(piece) == 1
-        else summed(piece, other)
-    )
+def sum_pieces(piece: Array, other: Array) -> Array:
+    """The convex hull of the sums of two convex pieces; a single point is a translation."""
+    if len(other) == 1:
+        return piece + other[0]
+    return other + piece[0] if len(piece) == 1 else summed(piece, other)
 
 
 @compiled
@@ -62,23 +62,24 @@ def met_departures(
     hulls: Parts, knots: NDArray[np.int64], times: Array, places: Array, horizon: float,
     a: Array, vx: float, vy: float, duration: float,
 ) -> Array:  # fmt: skip
-    """The closed intervals of departures from a with the velocity v, held for a duration, that are
-    met; (k, 2), unsorted.
+    """The closed intervals of departure times from a that collide; (k, 2), unsorted.
+
+    The motion has the velocity (vx, vy) for `duration`.
     """
     met, size = np.empty((stretches(knots), 2)), 0
     for i in range(len(knots)):
         begin, end = knots[i, 0], knots[i, 1]
-        for k in range(begin, end + 1):  # the stretch before knot k, and the last after all of them
+        for k in range(begin, end + 1):  # the stretch before knot k; for k = end, after all knots
             first = times[k - 1] if k > begin and times[k - 1] > 0.0 else 0.0
             last = times[k] if k < end and times[k] < horizon else horizon
             if first > last:
                 continue
-            x, y = place_at(times, places, begin, end, first)
+            x, y = position_at(times, places, begin, end, first)
             wx, wy = 0.0, 0.0
             if begin < k < end:
                 wx = (places[k, 0] - places[k - 1, 0]) / (times[k] - times[k - 1])
                 wy = (places[k, 1] - places[k - 1, 1]) / (times[k] - times[k - 1])
-            low, high = met_between(
+            low, high = collision_interval(
                 hulls, i, a[0] - x, a[1] - y, vx, vy, wx, wy, duration, first, last
             )
             if low <= high:
@@ -89,14 +90,12 @@ def met_departures(
 
 @compiled
 def stretches(knots: NDArray[np.int64]) -> int:
-    """How many straight motions all pieces make together: those between their knots, and a rest
-    before and after.
-    """
+    """The number of straight motions of all pieces, with the rests before and after."""
     return int((knots[:, 1] - knots[:, 0] + 1).sum())
 
 
 @compiled
-def met_between(
+def collision_interval(
     hulls: Parts,
     i: int,
     x: float,
@@ -109,14 +108,16 @@ def met_between(
     first: float,
     last: float,
 ) -> tuple[float, float]:
-    """The least and the greatest departure t - s such that (x, y) + s v - (t - first) w lies in
-    hull i for some 0 <= s <= duration and first <= t <= last: the rectangle of s and t, clipped by
-    the hull's edges. The first is larger where there is none.
+    """The interval of departure times t - s that collide with hull i in one straight stretch.
+
+    A collision means that (x, y) + s v - (t - first) w lies in hull i for some 0 <= s <= duration
+    and first <= t <= last: the rectangle of s and t, clipped by the edges of the hull. Without a
+    collision the first number is larger than the second.
     """
     begin, end = hulls.first[i], hulls.first[i + 1]
-    if is_beyond(hulls.points[begin:end, 0], x, duration * vx, (last - first) * wx) or is_beyond(
-        hulls.points[begin:end, 1], y, duration * vy, (last - first) * wy
-    ):
+    if is_out_of_range(
+        hulls.points[begin:end, 0], x, duration * vx, (last - first) * wx
+    ) or is_out_of_range(hulls.points[begin:end, 1], y, duration * vy, (last - first) * wy):
         return np.inf, -np.inf
     region, size = np.empty((4 + 2 * (end - begin), 2)), 4
     region[0, 0], region[0, 1], region[1, 0], region[1, 1] = 0.0, first, duration, first
@@ -127,7 +128,7 @@ def met_between(
         ex, ey = qx - px, qy - py
         at_corner = ex * (y - py) - ey * (x - px)
         by_s, by_t = ex * vy - ey * vx, ey * wx - ex * wy
-        region, size = clipped(region, size, at_corner - first * by_t, by_s, by_t)
+        region, size = clip_by_half_plane(region, size, at_corner - first * by_t, by_s, by_t)
         if size == 0:
             break
         px, py = qx, qy
@@ -138,18 +139,20 @@ def met_between(
 
 
 @compiled
-def is_beyond(points: Array, x: float, by_s: float, by_t: float) -> bool:
-    """Whether no coordinate from x on, as far as by_s and minus by_t bring it, is within what
-    points span: then nothing is met.
+def is_out_of_range(points: Array, x: float, by_s: float, by_t: float) -> bool:
+    """Whether one coordinate never comes within the range of the points, so that nothing collides.
+
+    The coordinate begins at x and changes by up to by_s and -by_t.
     """
     low, high = x + min(by_s, 0.0) - max(by_t, 0.0), x + max(by_s, 0.0) - min(by_t, 0.0)
     return high < points.min() or low > points.max()
 
 
 @compiled
-def clipped(region: Array, size: int, c: float, a: float, b: float) -> tuple[Array, int]:
-    """The part of a convex region, its first `size` rows, where c + a s + b t >= 0 (Sutherland and
-    Hodgman, 1974).
+def clip_by_half_plane(region: Array, size: int, c: float, a: float, b: float) -> tuple[Array, int]:
+    """The part of a convex region where c + a s + b t >= 0 (Sutherland and Hodgman, 1974).
+
+    The region is the first `size` rows.
     """
     kept, n = np.empty_like(region), 0
     for k in range(size):
@@ -168,7 +171,7 @@ def clipped(region: Array, size: int, c: float, a: float, b: float) -> tuple[Arr
 
 @compiled
 def first_departure(met: Array, t: float) -> float:
-    """The first moment from t on that lies in none of the closed intervals, (k, 2)."""
+    """The first time from t on that lies in none of the closed intervals (k, 2)."""
     waiting = True
     while waiting:
         waiting = False
@@ -179,10 +182,8 @@ def first_departure(met: Array, t: float) -> float:
 
 
 @compiled
-def between_meetings(met: Array, horizon: float) -> Array:
-    """The intervals of [0, horizon] that lie between the closed intervals met, (k, 2), in order;
-    shape (m, 2).
-    """
+def complement_intervals(met: Array, horizon: float) -> Array:
+    """The intervals of [0, horizon] outside the closed intervals (k, 2), in order; shape (m, 2)."""
     order, free, size, t = np.argsort(met[:, 0]), np.empty((len(met) + 1, 2)), 0, 0.0
     for i in order:
         if met[i, 0] > t:
@@ -206,17 +207,12 @@ def all_safe_intervals(
     horizon: float,
     nodes: Array,
 ) -> tuple[Array, NDArray[np.int64]]:
-    """The safe intervals (k, 2) of all nodes, one node's after another's; those of node i are rows
-    first[i]:first[i + 1].
-    """
-    safe, first = (
-        np.empty((len(nodes) * (stretches(knots) + 1), 2)),
-        np.zeros(len(nodes) + 1, np.int64),
-    )
+    """The safe intervals (k, 2) of all nodes; those of node i are rows first[i]:first[i + 1]."""
+    safe = np.empty((len(nodes) * (stretches(knots) + 1), 2))
+    first = np.zeros(len(nodes) + 1, np.int64)
     for i in range(len(nodes)):
-        own = between_meetings(
-            met_departures(hulls, knots, times, places, horizon, nodes[i], 0.0, 0.0, 0.0), horizon
-        )
+        met = met_departures(hulls, knots, times, places, horizon, nodes[i], 0.0, 0.0, 0.0)
+        own = complement_intervals(met, horizon)
         safe[first[i] : first[i] + len(own)] = own
         first[i + 1] = first[i] + len(own)
     return safe[: first[-1]].copy(), first

@@ -1,6 +1,4 @@
-"""Cars, in any world: an arc is judged whole, and so is a curve of arcs, by conservative
-advancement.
-"""
+"""Collision detection for cars: along arcs and curves of arcs, by conservative advancement."""
 
 import math
 from typing import Any
@@ -23,7 +21,7 @@ from .turning import contact_size, first_in_contact
 def driving_freely(
     robot: CarRobot, world: Any, pose: Array, distance: float, curvature: float, clearance: float
 ) -> bool:
-    """Nothing is touched on the arc."""
+    """Conservative advancement along the arc."""
     contact = contact_size(world.lo, world.hi)
     change = np.array([distance, distance * curvature])
     return first_in_contact(robot, world, pose, change, clearance + contact, contact) < 0
@@ -41,7 +39,7 @@ def standing_freely(robot: CarRobot, world: Any, q: Array, clearance: float) -> 
 def driving_the_curve_freely(
     robot: CarRobot, world: Any, a: Array, b: Array, clearance: float
 ) -> bool:
-    """Every piece of the shortest curve from a to b."""
+    """Every arc of the shortest curve from a to b."""
     turns, lengths = pieces_between(a, b, robot.radius, robot.both_ways)
     pose = np.array([a[0], a[1], a[2]])
     for i in range(len(turns)):
@@ -57,11 +55,16 @@ def driving_the_curve_freely(
 def is_free_trajectory(
     robot: CarRobot, world: Any, trajectory: TrajectoryRecord, clearance: float = 0.0
 ) -> bool:
-    """Whether a car that follows a trajectory stays more than `clearance` away from every obstacle
-    all the way: no contact.
+    """Whether a car keeps more than `clearance` from every obstacle along a trajectory.
 
-    Each control drives an arc, which is judged whole.
+    Each control drives an arc, which is tested as a whole.
 
+    Returns
+    -------
+    bool
+
+    Examples
+    --------
     >>> from kinoedu import Car, PolygonWorld
     >>> from kinoedu.robots import Trajectory
     >>> car, world = Car(3, 1, 2), PolygonWorld([(0, 0), (20, 0), (20, 20), (0, 20)])

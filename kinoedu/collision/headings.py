@@ -1,12 +1,12 @@
-"""At which headings a robot that turns is free at a place: exact intervals, with nothing tried at
-random.
+"""The headings at which a rotating robot is free at a given position: exact intervals.
 
-As the robot turns on the spot, it can come into contact or out of it only at a *critical* heading,
-where a corner of the robot is on an edge of an obstacle, or a corner of an obstacle on an edge of
-the robot. These are finitely many, each where a segment meets a circle round the place. Between two
-of them that follow each other all headings are free or none is, so one is asked for all.
+While the robot rotates on the spot, contact can begin or end only at a *critical* heading, where a
+corner of the robot lies on an edge of an obstacle, or a corner of an obstacle on an edge of the
+robot. There are finitely many; each is an intersection of a segment with a circle about the
+position. Between two consecutive critical headings either all headings are free or none is, so one
+collision query per interval is enough.
 
-LaValle, section 4.3.3: contacts of the types VE and EV; here for one fixed place.
+LaValle, section 4.3.3: contacts of types VE and EV, here for one fixed position.
 """
 
 from typing import Any
@@ -22,35 +22,49 @@ from ..spaces.angles import wrapped
 from ..worlds.nearby import obstacles_near, rim
 from .batches import free_configurations
 
-# of an edge: how far past its ends a circle may meet it; a heading too many is harmless, one too
-# few is not
+# of an edge's length: a circle may intersect it so far beyond its ends; a superfluous heading is
+# harmless, a missing one is not
 SLACK = 1e-9
 
 
 def free_headings(robot: Any, world: Any, point: ArrayLike) -> Array:
-    """The open intervals of headings at which a robot is free with its reference point at `point`,
-    as rows low, high; (k, 2).
+    """The open intervals of headings at which a robot is free with its reference point at `point`.
+
+    Results are exact to rounding; intervals shorter than the tolerance of collision detection,
+    1e-9, may be missing. O(k log k) and k collision queries for k critical headings: at most 4 for
+    each pair of an edge of the robot and an edge of an obstacle near it.
 
     Parameters
     ----------
-    robot : a RigidPolygon. world : a PolygonWorld or a Terrain. point : (2,).
+    robot : a RigidPolygon.
+    world : a PolygonWorld or a Terrain.
+    point : (2,).
 
-    -pi <= low < pi, and low < high <= low + 2 pi, so an interval may reach across pi; if no heading
-    is in contact the one row is
-    -pi, pi. Exact but for rounding: what is free over less than collision's tolerance of 1e-9 may
-    be left out. O(k log k) for k critical headings, at most 4 for each pair of an edge of the robot
-    and one of an obstacle near it, and a question for each. Raises InvalidPoint, InvalidParameter.
+    Returns
+    -------
+    (k, 2) array of rows low, high with -pi <= low < pi and low < high <= low + 2 pi; an interval
+    may extend beyond pi. Where every heading is free the one row is -pi, pi.
 
+    Raises
+    ------
+    InvalidPoint
+        Where `point` is not a point.
+    InvalidParameter
+        Where the robot is not a RigidPolygon.
+
+    Examples
+    --------
     >>> from kinoedu import PolygonWorld, RigidPolygon
     >>> corridor = PolygonWorld([(0, 0), (20, 0), (20, 2), (0, 2)])
-    >>> free_headings(RigidPolygon([(-2, -0.5), (2, -0.5), (2, 0.5), (-2, 0.5)]), corridor, (10, 1)).round(3)
+    >>> bar = RigidPolygon([(-2, -0.5), (2, -0.5), (2, 0.5), (-2, 0.5)])
+    >>> free_headings(bar, corridor, (10, 1)).round(3)
     array([[-0.261,  0.261],
            [ 2.88 ,  3.403]])
     """
     if not isinstance(robot, RigidPolygonRobot):
         raise InvalidParameter(
-            "free headings are those of a RigidPolygon; other robots do not turn, or look the "
-            "same turned"
+            "expected a RigidPolygon; the other robots do not rotate, or rotation does not change "
+            "their collisions"
         )
     place = as_point(point)
     stops = np.unique([wrapped(float(theta)) for theta in critical_headings(robot, world, place)])
@@ -61,13 +75,18 @@ def free_headings(robot: Any, world: Any, point: ArrayLike) -> Array:
     free = free_configurations(
         robot, world, np.column_stack([np.tile(place, (len(tried), 1)), tried])
     )
-    return joined(ends, free[: len(stops)], free[len(stops) :])
+    return join_intervals(ends, free[: len(stops)], free[len(stops) :])
 
 
 def free_heading(robot: Any, world: Any, point: ArrayLike) -> float | None:
-    """The middle of the widest free interval of headings at a point, in [-pi, pi); None where there
-    is none. See `free_headings`.
+    """The middle of the widest free interval of headings at a point.
 
+    Returns
+    -------
+    float in [-pi, pi), or None where no heading is free. Raises as `free_headings`.
+
+    Examples
+    --------
     >>> from kinoedu import PolygonWorld, RigidPolygon
     >>> corridor = PolygonWorld([(0, 0), (20, 0), (20, 2), (0, 2)])
     >>> bar = RigidPolygon([(-2, -0.5), (2, -0.5), (2, 0.5), (-2, 0.5)])
@@ -77,13 +96,14 @@ def free_heading(robot: Any, world: Any, point: ArrayLike) -> float | None:
     intervals = free_headings(robot, world, point)
     if not len(intervals):
         return None
-    widths = (intervals[:, 1] - intervals[:, 0]).round(9)  # among equally wide ones the first
+    widths = (intervals[:, 1] - intervals[:, 0]).round(9)  # ties go to the first
     return wrapped(float(intervals[np.argmax(widths)].mean()))
 
 
-def joined(ends: Array, between: NDArray[np.bool_], at: NDArray[np.bool_]) -> Array:
-    """The free intervals, from stretches ends[i] to ends[i + 1] and from whether each stretch, and
-    its first end, is free.
+def join_intervals(ends: Array, between: NDArray[np.bool_], at: NDArray[np.bool_]) -> Array:
+    """Join free intervals ends[i] to ends[i + 1] whose common end is free.
+
+    between : whether the interior of each interval is free. at : whether its first end is free.
     """
     if between.all() and at.all():
         return np.array([[-np.pi, np.pi]])
@@ -99,9 +119,7 @@ def joined(ends: Array, between: NDArray[np.bool_], at: NDArray[np.bool_]) -> Ar
 
 
 def critical_headings(robot: RigidPolygonRobot, world: Any, place: Array) -> Array:
-    """Headings at which the robot may touch something: all at which it comes into contact or out of
-    it, and some more; (k,).
-    """
+    """The headings at which contact may begin or end, and some others; (k,)."""
     reach = np.hypot(*robot.shape.points.T).max()
     parts, near = obstacles_near(world, *(place - reach), *(place + reach))
     rings = [ring_of(parts, j) - place for j in near] + [rim(world) - place]
@@ -109,23 +127,25 @@ def critical_headings(robot: RigidPolygonRobot, world: Any, place: Array) -> Arr
     mine = [ring_of(robot.shape, i) for i in range(len(robot.shape.radius))]
     ours, theirs = np.vstack(mine)[:, None], np.vstack(rings)[:, None]
     sides = np.vstack([edges_of(ring) for ring in mine])
-    found = [meetings(ours, np.vstack([edges_of(ring) for ring in rings])) - angle(ours)[..., None]]
+    found = [
+        meetings(ours, np.vstack([edges_of(ring) for ring in rings])) - direction(ours)[..., None]
+    ]
     for off in (radius, -radius) if radius.any() else (radius,):
-        found.append(angle(theirs)[..., None] - meetings(theirs, moved_out(sides, off)))
+        found.append(direction(theirs)[..., None] - meetings(theirs, offset_edges(sides, off)))
     discs = radius[:, 0] > 0.0
     found.append(
-        angle(theirs[discs])[..., None] - round_meetings(theirs[discs], ours[:, 0], radius[discs])
+        direction(theirs[discs])[..., None]
+        - circle_directions(theirs[discs], ours[:, 0], radius[discs])
     )
     headings = np.concatenate([angles.ravel() for angles in found])
     return headings[np.isfinite(headings)]
 
 
 def meetings(corners: Array, edges: Array) -> Array:
-    """The directions in which edges (..., 2, 2) meet the circles round the origin on which corners
-    (..., 2) turn.
+    """The directions of the intersections of edges with circles about the origin through corners.
 
-    Shape (..., 2): a line meets a circle twice at the most. nan where it does not, or beyond the
-    edge's ends.
+    edges (..., 2, 2), corners (..., 2); shape (..., 2), because a line intersects a circle at most
+    twice. nan for intersections that do not exist or lie beyond the ends of the edge.
     """
     a, u = edges[..., 0, :], edges[..., 1, :] - edges[..., 0, :]
     square, size = (u * u).sum(axis=-1), (corners * corners).sum(axis=-1)
@@ -135,33 +155,31 @@ def meetings(corners: Array, edges: Array) -> Array:
     half = np.sqrt(np.where(room >= -SLACK * size, np.maximum(room, 0.0), np.nan) / square)
     share = np.stack([middle - half, middle + half], axis=-1)
     share[(share < -SLACK) | (share > 1.0 + SLACK)] = np.nan
-    return angle(a[..., None, :] + share[..., None] * u[..., None, :])
+    return direction(a[..., None, :] + share[..., None] * u[..., None, :])
 
 
-def round_meetings(centres: Array, corners: Array, radius: Array) -> Array:
-    """The directions of the places a radius away from corners (n, 2) on the circles round the
-    origin through centres (m, 1, 2).
+def circle_directions(centres: Array, corners: Array, radius: Array) -> Array:
+    """The directions of the points of circles about the origin at distance `radius` from corners.
 
-    Shape (m, n, 2), nan where there are none; radius (m, 1).
+    The circles pass through centres (m, 1, 2), the corners are (n, 2), radius is (m, 1). Shape (m,
+    n, 2), nan where there is no such point.
     """
     d, r = np.hypot(centres[..., 0], centres[..., 1]), np.hypot(*corners.T)
     with np.errstate(divide="ignore", invalid="ignore"):
         cos = (d * d + r * r - radius * radius) / (2.0 * d * r)
         turn = np.arccos(np.where(np.abs(cos) <= 1.0 + SLACK, np.clip(cos, -1.0, 1.0), np.nan))
-    return angle(corners)[:, None] + np.stack([-turn, turn], axis=-1)
+    return direction(corners)[:, None] + np.stack([-turn, turn], axis=-1)
 
 
-def moved_out(edges: Array, off: Array) -> Array:
-    """Edges, (n, 2, 2), moved to their right by each of some distances (m, 1); shape (m, n, 2,
-    2).
-    """
+def offset_edges(edges: Array, off: Array) -> Array:
+    """Edges (n, 2, 2) moved to their right by each of the distances (m, 1); shape (m, n, 2, 2)."""
     u = edges[:, 1] - edges[:, 0]
     right = np.column_stack([u[:, 1], -u[:, 0]]) / np.hypot(*u.T)[:, None]
     return edges + off[..., None, None] * right[:, None]
 
 
 def edges_of(ring: Array) -> Array:
-    """A ring's edges, (n, 2, 2); none where it is one point."""
+    """The edges of a ring, (n, 2, 2); none where it is a single point."""
     return np.stack([ring, np.roll(ring, -1, axis=0)], axis=1)[: len(ring) if len(ring) > 2 else 0]
 
 
@@ -170,6 +188,6 @@ def ring_of(parts: Parts, i: int) -> Array:
     return parts.points[parts.first[i] : parts.first[i + 1]]
 
 
-def angle(points: Array) -> Any:
+def direction(points: Array) -> Any:
     """The direction from the origin to a point (2,), or to each of (k, 2)."""
     return np.arctan2(points[..., 1], points[..., 0])

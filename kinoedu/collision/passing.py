@@ -1,7 +1,6 @@
-"""A robot that moves straight past one convex piece: whether it touches it, and how near it comes.
+"""The contact and the distance between one convex piece and a robot in straight motion.
 
-What moves, and what is not quite where it was expected, is passed in its own frame: there the robot
-moves and the piece stands.
+For a moving obstacle, or one with an uncertain position, coordinates are relative to the piece.
 """
 
 from typing import Any
@@ -21,15 +20,16 @@ from .translating import hull_touches, swept_hull
 def touches(
     robot: Any, ax: float, ay: float, bx: float, by: float, parts: Parts, j: int, margin: float
 ) -> bool:
-    """Whether the robot, moved from (ax, ay) to (bx, by) without turning, comes as near to part j
-    as a margin.
+    """Whether the robot comes within `margin` of part j on the way from (ax, ay) to (bx, by).
+
+    The robot does not rotate.
     """
     raise TypeError("this robot cannot pass a moving or an uncertain obstacle")
 
 
 @generic(1)
 def gap(robot: Any, a: Array, b: Array, parts: Parts, j: int) -> float:
-    """How near the robot comes to part j on the way from a to b; 0 or less where they touch."""
+    """The distance of the robot from part j on the way from a to b; 0 or less where they touch."""
     raise TypeError("this robot cannot pass a moving or an uncertain obstacle")
 
 
@@ -44,13 +44,13 @@ def touches_round(
     j: int,
     margin: float,
 ) -> bool:
-    """The segment of its centre, and both radii."""
+    """The segment that the centre sweeps, grown by both radii."""
     return motion_touches_part(ax, ay, bx, by, robot.radius + margin, parts, j)
 
 
 @gap.register(RoundRobot)
 def gap_round(robot: RoundRobot, a: Array, b: Array, parts: Parts, j: int) -> float:
-    """The same."""
+    """The distance of the segment that the centre sweeps, less both radii."""
     return segment_part_distance(a[0], a[1], b[0], b[1], parts, j) - parts.radius[j] - robot.radius
 
 
@@ -65,7 +65,7 @@ def touches_polygon(
     j: int,
     margin: float,
 ) -> bool:
-    """The hulls that its pieces sweep."""
+    """The convex hulls that the pieces sweep."""
     a, b = np.array([ax, ay]), np.array([bx, by])
     for i in range(len(robot.shape.radius)):
         if hull_touches(swept_hull(robot.shape, i, a, b), parts, j, margin):
@@ -75,7 +75,7 @@ def touches_polygon(
 
 @gap.register(TranslatingPolygonRobot)
 def gap_polygon(robot: TranslatingPolygonRobot, a: Array, b: Array, parts: Parts, j: int) -> float:
-    """The least of its pieces' hulls."""
+    """The least distance of the convex hulls that the pieces sweep."""
     least = np.inf
     for i in range(len(robot.shape.radius)):
         hull = swept_hull(robot.shape, i, a, b)

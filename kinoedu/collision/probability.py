@@ -1,5 +1,6 @@
-"""The chance that a path is hit by obstacles whose places are uncertain: bounded by its distances,
-and estimated by scenarios.
+"""The probability that a path collides with obstacles at uncertain positions.
+
+It is bounded by the clearances of the path, and estimated by random scenarios.
 """
 
 from typing import Any, NamedTuple
@@ -20,12 +21,14 @@ from ..worlds.uncertain import UncertainWorldRecord, scenarios
 from .asks import is_free_path
 from .passing import gap, touches
 
-SURE = 1e-9  # an offset shorter than a gap by this share of it cannot close it
+SURE = 1e-9  # an offset shorter than (1 - SURE) times a gap cannot close it
 
 
 class Chance(NamedTuple):
-    """A chance that was tried: the share of the n scenarios with a contact, and the ends of
-    Wilson's 95 percent interval.
+    """An estimated probability: the fraction of n scenarios with contact.
+
+    low and high are the ends of Wilson's 95 percent interval, hits the number of scenarios with
+    contact.
     """
 
     estimate: float
@@ -43,19 +46,31 @@ def collision_probability(
     n: int = 10_000,
     rng: int | np.random.Generator,
 ) -> Chance:
-    """The chance that the robot touches an obstacle anywhere along a path, estimated by n
-    scenarios.
+    """Estimate the probability that the robot touches an obstacle along a path, by n scenarios.
+
+    A path that touches the boundary, which is certain, collides in all scenarios. O(n m k).
 
     Parameters
     ----------
-    robot : Point(), Disk(radius) or TranslatingPolygon(vertices). world : an UncertainWorld.
-    path : (k, 2), k >= 1, its stretches judged whole. rng : a seed or a Generator; the same one
-    draws the same scenarios for
-        another path, so that what two paths differ by is not chance.
+    robot : Point(), Disk(radius) or TranslatingPolygon(vertices).
+    world : an UncertainWorld.
+    path : (k, 2), k >= 1; each segment is tested as a whole.
+    rng : a seed or a Generator. The same seed draws the same scenarios for another path, so that
+        the difference between two paths is not random.
 
-    A path that touches the boundary, which is certain, is hit in all. O(n m k). Raises
-    InvalidPoint, InvalidParameter.
+    Returns
+    -------
+    Chance
 
+    Raises
+    ------
+    InvalidPoint
+        Where the path is not valid.
+    InvalidParameter
+        Where the robot or n is not valid.
+
+    Examples
+    --------
     >>> from ..robots import Point
     >>> from ..worlds.uncertain import UncertainWorld
     >>> world = UncertainWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [((4, 3), 1)], 0.5)
@@ -63,48 +78,62 @@ def collision_probability(
     >>> bool(chance.low < 0.0228 < chance.high)
     True
     """
-    body_of, way = as_mover(robot), as_path(path)
+    mover, points = as_mover(robot), as_path(path)
     offsets = scenarios(world, n, rng=rng)
     if len(offsets) == 0:
-        raise InvalidParameter("a chance is estimated from at least one scenario, n >= 1")
-    if any(
-        not is_free_path(body_of, world.empty, a, b, 0.0) for a, b in zip(way, [*way[1:], way[-1]])
-    ):
+        raise InvalidParameter("a probability is estimated from at least one scenario, n >= 1")
+    segments = zip(points, [*points[1:], points[-1]])
+    if any(not is_free_path(mover, world.empty, a, b, 0.0) for a, b in segments):
         return Chance(1.0, 1.0, 1.0, len(offsets), len(offsets))
-    hits = int(
-        hit_scenarios(
-            body_of, world.parts, world.owner, part_gaps(body_of, world.parts, way), way, offsets
-        ).sum()
-    )
+    gaps = part_gaps(mover, world.parts, points)
+    hits = int(hit_scenarios(mover, world.parts, world.owner, gaps, points, offsets).sum())
     low, high = wilson(hits, len(offsets))
     return Chance(hits / len(offsets), float(low), float(high), hits, len(offsets))
 
 
 def path_clearances(robot: Any, world: UncertainWorldRecord, path: ArrayLike) -> Array:
-    """How near a path comes to each obstacle where it is expected, shape (m,); 0 where it touches.
-    Raises as above.
+    """The distance between a path and the expected position of each obstacle; 0 where they touch.
 
+    Returns
+    -------
+    (m,) array.
+
+    Raises
+    ------
+    InvalidPoint, InvalidParameter
+        As `collision_probability`.
+
+    Examples
+    --------
     >>> from ..robots import Point
     >>> from ..worlds.uncertain import UncertainWorld
     >>> world = UncertainWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [((4, 3), 1)], 0.5)
     >>> path_clearances(Point(), world, [(1, 1), (8, 1)])
     array([1.])
     """
-    gaps, nearest = (
-        part_gaps(as_mover(robot), world.parts, as_path(path)),
-        np.full(len(world.sigma), np.inf),
-    )
+    gaps = part_gaps(as_mover(robot), world.parts, as_path(path))
+    nearest = np.full(len(world.sigma), np.inf)
     np.minimum.at(nearest, world.owner, gaps)
     return np.maximum(nearest, 0.0)
 
 
 def collision_bound(robot: Any, world: UncertainWorldRecord, path: ArrayLike) -> float:
-    """A number that the chance to be hit does not exceed: the sum of exp(-d^2 / (2 sigma^2)) over
-    the obstacles, at most 1.
+    """An upper bound of the probability of a collision along a path.
 
-    d is how near the path comes to an obstacle: an offset shorter than that cannot reach it. Raises
-    as above.
+    The sum of exp(-d^2 / (2 sigma^2)) over the obstacles, at most 1, where d is the clearance of
+    the path from the obstacle: a shorter offset cannot reach the path.
 
+    Returns
+    -------
+    float
+
+    Raises
+    ------
+    InvalidPoint, InvalidParameter
+        As `collision_probability`.
+
+    Examples
+    --------
     >>> from ..robots import Point
     >>> from ..worlds.uncertain import UncertainWorld
     >>> world = UncertainWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [((4, 3), 1)], 0.5)
@@ -121,9 +150,7 @@ def collision_bound(robot: Any, world: UncertainWorldRecord, path: ArrayLike) ->
 
 @algorithm
 def part_gaps(robot: Any, parts: Parts, path: Array) -> Array:
-    """How near the path comes to each part, shape (k,); negative where it is inside what is
-    round.
-    """
+    """The distance between the path and each part, shape (k,); negative inside a round part."""
     least = np.full(len(parts.radius), np.inf)
     for j in range(len(parts.radius)):
         for i in range(len(path)):
@@ -135,10 +162,10 @@ def part_gaps(robot: Any, parts: Parts, path: Array) -> Array:
 def hit_scenarios(
     robot: Any, parts: Parts, owner: NDArray[np.int64], gaps: Array, path: Array, offsets: Array
 ) -> NDArray[np.bool_]:
-    """Whether the path touches some obstacle in each scenario, offsets (n, m, 2); shape (n,).
+    """Whether the path touches an obstacle in each scenario, shape (n,); offsets (n, m, 2).
 
-    An obstacle moved by e is passed as the path moved by -e passes it where it is expected. gaps
-    are the `part_gaps`.
+    An obstacle moved by e meets the path exactly where the obstacle at its expected position meets
+    the path moved by -e. gaps are the `part_gaps`.
     """
     hit = np.zeros(len(offsets), np.bool_)
     for s in range(len(offsets)):
@@ -157,7 +184,7 @@ def hit_scenarios(
 
 
 def as_mover(robot: Any) -> Any:
-    """A robot that does not turn, or InvalidParameter."""
+    """Check that a robot does not rotate; raise InvalidParameter otherwise."""
     if not isinstance(robot, RoundRobot | TranslatingPolygonRobot):
         raise InvalidParameter(
             "expected Point(), Disk(radius) or TranslatingPolygon(vertices), got "
@@ -167,7 +194,7 @@ def as_mover(robot: Any) -> Any:
 
 
 def as_path(path: ArrayLike) -> Array:
-    """A path of at least one point, (k, 2), or InvalidPoint."""
+    """Check a path of at least one point, (k, 2); raise InvalidPoint otherwise."""
     way = as_array(path, "path")
     if way.ndim != 2 or way.shape[1] != 2 or len(way) == 0:
         raise InvalidPoint(f"a path must have shape (k, 2), k >= 1, got {way.shape}")

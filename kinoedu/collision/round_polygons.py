@@ -1,4 +1,4 @@
-"""Round robots among polygons and discs."""
+"""Collision detection for round robots among polygons and discs."""
 
 import numpy as np
 
@@ -13,8 +13,7 @@ from ..worlds.parts_index import motion_touches_any, point_touches_any
 from ..worlds.polygon_world import PolygonWorldRecord
 from .asks import is_free, is_free_path, is_semi_free_path
 
-# contact of what is round is decided to this share of its radius; shorter stretches of a motion
-# count as contact
+# of a radius: the tolerance of contact; of a motion: shorter stretches are ignored
 ROUND = 1e-12
 
 
@@ -22,8 +21,9 @@ ROUND = 1e-12
 def round_among_polygons(
     robot: RoundRobot, world: PolygonWorldRecord, a: Array, b: Array, clearance: float
 ) -> bool:
-    """Both ends inside the hull of the boundary, and no part touched on the way. A point's motion
-    is judged exactly.
+    """Both ends are inside the hull of the boundary, and no part is touched on the way.
+
+    Motions of a point are tested exactly.
     """
     radius = robot.radius + clearance
     if not (is_in_box(a, world) and is_in_box(b, world)):
@@ -42,7 +42,7 @@ def round_among_polygons(
 def round_in_place(
     robot: RoundRobot, world: PolygonWorldRecord, q: Array, clearance: float
 ) -> bool:
-    """A motion that stays where it is; but a point is looked for in one cell of the index only."""
+    """A motion of length zero; for a point, only one cell of the index is searched."""
     x, y, radius = q[0], q[1], robot.radius + clearance
     if not is_in_box(q, world):
         return False
@@ -80,9 +80,7 @@ def is_inside(q: Array, radius: float, ring: Array) -> bool:
 def round_sliding_on_polygons(
     robot: RoundRobot, world: PolygonWorldRecord, a: Array, b: Array, clearance: float
 ) -> bool:
-    """A disc slides where its centre keeps the radius; a point where it never passes through the
-    inside of what is solid.
-    """
+    """Whether the centre of a disc keeps the radius, or a point stays outside every interior."""
     radius = robot.radius + clearance
     return disc_slides(world, a, b, radius) if radius > 0.0 else point_slides(world, a, b)
 
@@ -104,11 +102,10 @@ def disc_slides(world: PolygonWorldRecord, a: Array, b: Array, radius: float) ->
 
 @compiled
 def point_slides(world: PolygonWorldRecord, a: Array, b: Array) -> bool:
-    """Whether the motion of a point from a to b stays out of the inside of what is solid.
+    """Whether the motion of a point from a to b stays outside the interior of all obstacles.
 
-    Between two neighbouring contacts a motion is inside a solid, outside, or along edges. It
-    penetrates where both its left and its right are solid, be it the same obstacle or two that
-    touch.
+    Between two consecutive contacts a motion is inside an obstacle, outside, or along edges. It
+    penetrates where both its left and its right side are solid: one obstacle, or two that touch.
     """
     parts = world.obstacles
     for i in range(len(parts.radius)):
@@ -117,18 +114,16 @@ def point_slides(world: PolygonWorldRecord, a: Array, b: Array) -> bool:
         ) < parts.radius[i] * (1.0 - ROUND):
             return False
     if a[0] == b[0] and a[1] == b[1]:
-        return not is_within(world, a)
-    for t in stretches(world, a, b):
+        return not is_surrounded(world, a)
+    for t in stretch_middles(world, a, b):
         if is_inside_solid(world, a, b, t):
             return False
     return True
 
 
 @compiled
-def is_within(world: PolygonWorldRecord, q: Array) -> bool:
-    """Whether all round a point is solid: along every edge that passes through it, on both sides,
-    as soon as it is left.
-    """
+def is_surrounded(world: PolygonWorldRecord, q: Array) -> bool:
+    """Whether a point is surrounded by obstacles: both sides of every edge through it are solid."""
     touched = False
     for edge in world.edges:
         if segment_distance(q[0], q[1], edge[0], edge[1], edge[2], edge[3]) > 0.0:
@@ -136,7 +131,7 @@ def is_within(world: PolygonWorldRecord, q: Array) -> bool:
         touched = True
         for end in (edge[0:2], edge[2:4]):
             if (end[0] != q[0] or end[1] != q[1]) and not is_inside_solid(
-                world, q, end, stretches(world, q, end)[0]
+                world, q, end, stretch_middles(world, q, end)[0]
             ):
                 return False
     anywhere = np.array([q[0] + 1.0, q[1]])
@@ -145,16 +140,14 @@ def is_within(world: PolygonWorldRecord, q: Array) -> bool:
 
 @compiled
 def is_inside_solid(world: PolygonWorldRecord, a: Array, b: Array, t: float) -> bool:
-    """Whether what lies on either side of the motion a-b at its fraction t is solid."""
+    """Whether both sides of the motion a-b are solid at its fraction t."""
     left, right = solid_sides(world, a, b, t)
     return left and right
 
 
 @compiled
-def stretches(world: PolygonWorldRecord, a: Array, b: Array) -> Array:
-    """The middles, as fractions of the motion a-b, of its stretches between neighbouring
-    contacts.
-    """
+def stretch_middles(world: PolygonWorldRecord, a: Array, b: Array) -> Array:
+    """The middles of the stretches between consecutive contacts, as fractions of the motion a-b."""
     contacts = np.sort(contacts_along(world, a, b))
     middles, size = np.empty(len(contacts)), 0
     for i in range(len(contacts) - 1):
@@ -182,25 +175,17 @@ def contacts_along(world: PolygonWorldRecord, a: Array, b: Array) -> Array:
 
 @compiled
 def solid_sides(world: PolygonWorldRecord, a: Array, b: Array, t: float) -> tuple[bool, bool]:
-    """Whether what lies just left, and just right, of the motion a-b at its fraction t is solid.
+    """Whether the left and the right side of the motion a-b are solid at its fraction t.
 
-    Solid by solid: by the edge that the motion runs along, or else by how often the solid's rings
-    wind round the point.
+    For each obstacle this follows from the edge that the motion runs along, or else from the
+    winding number of the obstacle's rings about the point.
     """
     x, y = a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])
     left, right = False, False
-    winding, along = (
-        1,
-        0,
-    )  # the outside winds once round everything, and its clockwise ring takes that back
+    winding, along = 1, 0  # the outside has winding number 1, less 1 inside its clockwise ring
     for i in range(len(world.edges)):
-        cx, cy, dx, dy, solid = (
-            world.edges[i, 0],
-            world.edges[i, 1],
-            world.edges[i, 2],
-            world.edges[i, 3],
-            world.edges[i, 4],
-        )
+        cx, cy = world.edges[i, 0], world.edges[i, 1]
+        dx, dy, solid = world.edges[i, 2], world.edges[i, 3], world.edges[i, 4]
         if edge_runs_along(a, b, cx, cy, dx, dy, x, y):
             along = 1 if (dx - cx) * (b[0] - a[0]) + (dy - cy) * (b[1] - a[1]) > 0.0 else -1
         elif (cy > y) != (dy > y):
@@ -217,7 +202,7 @@ def solid_sides(world: PolygonWorldRecord, a: Array, b: Array, t: float) -> tupl
 def edge_runs_along(
     a: Array, b: Array, cx: float, cy: float, dx: float, dy: float, x: float, y: float
 ) -> bool:
-    """Whether the edge c-d lies on the line a-b and reaches past (x, y) on both sides."""
+    """Whether the edge c-d lies on the line a-b and extends beyond (x, y) on both sides."""
     if turn(a[0], a[1], b[0], b[1], cx, cy) != 0 or turn(a[0], a[1], b[0], b[1], dx, dy) != 0:
         return False
     if abs(b[0] - a[0]) >= abs(b[1] - a[1]):

@@ -1,5 +1,6 @@
-"""Round robots on terrains. Motions are judged in cells; exactly for a point when positions in
-cells are exact.
+"""Collision detection for round robots on terrains, in units of cells.
+
+For a point it is exact where positions in units of cells are exact.
 """
 
 import math
@@ -15,15 +16,15 @@ from ..worlds.parts_index import stretch_in_band
 from ..worlds.terrain import TerrainRecord
 from .asks import is_free_path, is_semi_free_path
 
-ROUND = 1e-12  # a disc slides where it keeps its radius but for this share
-SLACK = 1e-3  # of a cell: rows are looked up a little beyond the motion
+ROUND = 1e-12  # of a radius: a disc that slides may be nearer by this fraction
+SLACK = 1e-3  # of a cell: rows are searched a little beyond the motion
 
 
 @is_free_path.register(RoundRobot, TerrainRecord)
 def round_on_terrain(
     robot: RoundRobot, world: TerrainRecord, a: Array, b: Array, clearance: float
 ) -> bool:
-    """Inside the terrain and touching no blocked cell, not even its corner."""
+    """Whether the robot stays inside the terrain and touches no blocked cell, not even a corner."""
     ax, ay, bx, by = in_cells(world, a, b)
     radius = (robot.radius + clearance) / world.resolution
     rows, columns = world.free.shape
@@ -41,8 +42,9 @@ def round_on_terrain(
 def round_sliding_on_terrain(
     robot: RoundRobot, world: TerrainRecord, a: Array, b: Array, clearance: float
 ) -> bool:
-    """Entering no blocked cell; a point does not pass between two blocked cells that share an edge
-    either.
+    """Whether the robot enters no blocked cell.
+
+    A point does not pass between two blocked cells that share an edge either.
     """
     ax, ay, bx, by = in_cells(world, a, b)
     radius = (robot.radius + clearance) / world.resolution * (1.0 - ROUND)
@@ -74,19 +76,16 @@ def in_cells(world: TerrainRecord, a: Array, b: Array) -> tuple[float, float, fl
 def meets_blocked(
     free: np.ndarray, ax: float, ay: float, bx: float, by: float, radius: float, closed: bool
 ) -> bool:
-    """Whether a disc moved along a-b meets a blocked cell. Row by row, every cell within reach is
-    looked up.
+    """Whether a disc moved along a-b meets a blocked cell; every cell within reach is examined.
 
-    `closed` cells include their edges and corners; otherwise only their insides count.
+    Where `closed`, cells include their edges and corners; otherwise only their interiors.
     """
     rows, columns = free.shape
     low, high = min(ay, by) - radius, max(ay, by) + radius
     for j in range(max(math.ceil(low) - 1, 0), min(math.floor(high), rows - 1) + 1):
         left, right = stretch_in_band(ax, ay, bx, by, j - radius - SLACK, j + 1 + radius + SLACK)
-        begin, end = (
-            max(math.floor(left - radius) - 1, 0),
-            min(math.floor(right + radius) + 1, columns - 1),
-        )
+        begin = max(math.floor(left - radius) - 1, 0)
+        end = min(math.floor(right + radius) + 1, columns - 1)
         for i in range(begin, end + 1):
             if not free[j, i] and meets_cell(ax, ay, bx, by, radius, i, j, closed):
                 return True
@@ -97,8 +96,9 @@ def meets_blocked(
 def meets_cell(
     ax: float, ay: float, bx: float, by: float, radius: float, i: int, j: int, closed: bool
 ) -> bool:
-    """Whether a disc moved along a-b meets the cell [i, i + 1] x [j, j + 1]: exactly for a point,
-    to rounding for a disc.
+    """Whether a disc moved along a-b meets the cell [i, i + 1] x [j, j + 1].
+
+    Exact for a point, to rounding for a disc.
     """
     if radius > 0.0:
         gap = cell_distance(ax, ay, bx, by, i, j)
@@ -112,16 +112,9 @@ def meets_cell(
     if ax == bx or ay == by:
         return True
     # the corners farthest to either side of the motion's line
-    lower = (
-        turn(ax, ay, bx, by, i + 1.0, float(j))
-        if (bx > ax) == (by > ay)
-        else turn(ax, ay, bx, by, float(i), float(j))
-    )
-    upper = (
-        turn(ax, ay, bx, by, float(i), j + 1.0)
-        if (bx > ax) == (by > ay)
-        else turn(ax, ay, bx, by, i + 1.0, j + 1.0)
-    )
+    rising = (bx > ax) == (by > ay)
+    lower = turn(ax, ay, bx, by, i + 1.0 if rising else float(i), float(j))
+    upper = turn(ax, ay, bx, by, float(i) if rising else i + 1.0, j + 1.0)
     return lower * upper <= 0 if closed else lower * upper < 0
 
 
@@ -144,10 +137,9 @@ def cell_distance(ax: float, ay: float, bx: float, by: float, i: int, j: int) ->
 
 @compiled
 def runs_in_wall(free: np.ndarray, ax: float, bx: float, ay: float, by: float) -> bool:
-    """Whether a motion along a grid line y = const has blocked cells on both sides somewhere, as
-    has all that is outside.
+    """Whether a motion along a grid line y = const has blocked cells on both sides somewhere.
 
-    For a line x = const hand over free.T, and y for x.
+    The outside counts as blocked. For a line x = const call it with free.T, and y for x.
     """
     if ay != by or ay != math.floor(ay) or ax == bx:
         return False

@@ -1,6 +1,4 @@
-"""Polygons that move without turning, in any world: exact, by the hull that each convex piece
-sweeps.
-"""
+"""Exact collision detection for translating polygons, by the convex hull that each piece sweeps."""
 
 from typing import Any
 
@@ -18,7 +16,7 @@ from ..worlds.polygon_world import PolygonWorldRecord
 from ..worlds.terrain import TerrainRecord
 from .asks import is_free_path, is_semi_free_path
 
-ROUND = 1e-12  # what is round may be slid along where the distance is kept but for this share
+ROUND = 1e-12  # of a distance: a robot that slides may be nearer by this fraction
 
 
 @is_free_path.register(TranslatingPolygonRobot, PolygonWorldRecord)
@@ -26,7 +24,7 @@ ROUND = 1e-12  # what is round may be slid along where the distance is kept but 
 def translating_freely(
     robot: TranslatingPolygonRobot, world: Any, a: Array, b: Array, clearance: float
 ) -> bool:
-    """The hull of each piece at both ends lies inside the rim and touches nothing."""
+    """The hull of each piece at both ends lies inside the boundary's hull and touches nothing."""
     ring = rim(world)
     for i in range(len(robot.shape.radius)):
         hull = swept_hull(robot.shape, i, a, b)
@@ -44,7 +42,7 @@ def translating_freely(
 def translating_in_contact(
     robot: TranslatingPolygonRobot, world: Any, a: Array, b: Array, clearance: float
 ) -> bool:
-    """The inside of that hull stays out of the inside of what is solid."""
+    """The interior of the hull of each piece does not meet the interior of an obstacle."""
     ring = rim(world)
     for i in range(len(robot.shape.radius)):
         hull = swept_hull(robot.shape, i, a, b)
@@ -71,9 +69,7 @@ def swept_hull(shape: Parts, i: int, a: Array, b: Array) -> Array:
 
 @compiled
 def hull_of(points: Array) -> Array:
-    """The convex hull of a few points, which are put in order; at least two rows, even where all
-    are equal.
-    """
+    """The convex hull of a few points, which are sorted in place; at least two rows."""
     for i in range(1, len(points)):
         x, y, k = points[i, 0], points[i, 1], i
         while k > 0 and (points[k - 1, 0] > x or (points[k - 1, 0] == x and points[k - 1, 1] > y)):
@@ -97,7 +93,7 @@ def box_round(hull: Array, margin: float) -> tuple[float, float, float, float]:
 
 @compiled
 def hull_within(hull: Array, margin: float, ring: Array) -> bool:
-    """Whether corners lie inside a convex ring, and more than a margin off its edges."""
+    """Whether corners lie inside a convex ring and more than a margin away from its edges."""
     for i in range(len(ring)):
         px, py, qx, qy = ring[i - 1, 0], ring[i - 1, 1], ring[i, 0], ring[i, 1]
         for x, y in hull:
@@ -110,7 +106,7 @@ def hull_within(hull: Array, margin: float, ring: Array) -> bool:
 
 @compiled
 def hull_slides_within(hull: Array, margin: float, ring: Array) -> bool:
-    """Whether corners lie in a convex ring or on it, and no less than a margin off its edges."""
+    """Whether corners lie in or on a convex ring and at least a margin away from its edges."""
     for i in range(len(ring)):
         px, py, qx, qy = ring[i - 1, 0], ring[i - 1, 1], ring[i, 0], ring[i, 1]
         for x, y in hull:
@@ -123,8 +119,9 @@ def hull_slides_within(hull: Array, margin: float, ring: Array) -> bool:
 
 @inlined
 def hull_touches(hull: Array, parts: Parts, j: int, margin: float) -> bool:
-    """Whether a hull comes as near to part j as a margin: exact for polygons without one, to 1e-12
-    where something is round.
+    """Whether a hull comes within `margin` of part j.
+
+    Exact for polygons without a margin, to 1e-12 where something is round.
     """
     begin, end, reach = parts.first[j], parts.first[j + 1], margin + parts.radius[j]
     if reach == 0.0:
@@ -134,7 +131,7 @@ def hull_touches(hull: Array, parts: Parts, j: int, margin: float) -> bool:
 
 @inlined
 def hull_enters(hull: Array, parts: Parts, j: int, margin: float) -> bool:
-    """Whether a hull comes nearer to part j than a margin, or enters its inside."""
+    """Whether a hull comes nearer to part j than a margin, or enters its interior."""
     begin, end, reach = parts.first[j], parts.first[j + 1], margin + parts.radius[j]
     if reach == 0.0:
         return insides_meet(hull, 0, len(hull), parts.points, begin, end)

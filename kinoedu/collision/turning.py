@@ -1,13 +1,13 @@
-"""Robots that turn or bend, in any world: conservative advancement.
+"""Collision detection for robots that rotate, and for arms: conservative advancement.
 
-At some time of the motion a line divides a piece of the robot from an obstacle. From how far off
-that line each corner of the piece is, how fast it comes nearer, and how sharply it can bend towards
-it, follows a time before which no contact can be. Then the next line is drawn. No fixed resolution:
-a needle cannot jump a wall of any thinness.
+At some time of the motion a line separates a piece of the robot from an obstacle. The distance of
+each corner of the piece from that line, its velocity towards the line and the bound on its
+acceleration give a time before which there is no contact. From that time on the next line is used.
+No fixed resolution is involved: a motion cannot jump over an obstacle, however thin.
 
 Contact is decided to 1e-9 of the world's size. Source: B. Mirtich, "Impulse-based dynamic
-simulation of rigid body systems" (1996), section 2.3.2, here with each corner's own direction and
-acceleration; LaValle, section 5.3.4.
+simulation of rigid body systems" (1996), section 2.3.2, here with the direction and acceleration of
+each corner; LaValle, section 5.3.4.
 """
 
 import math
@@ -21,15 +21,15 @@ from ..geometry.exact import height, length
 from ..geometry.parts import Parts
 from ..geometry.separation import dividing_line
 from ..robots.arm import ArmRobot
-from ..robots.moving import BEND, VX, VY, X, Y, place, way
+from ..robots.moving import ACC, VX, VY, X, Y, place, way
 from ..robots.polygon import RigidPolygonRobot
 from ..worlds.nearby import obstacles_near, rim
 from ..worlds.polygon_world import PolygonWorldRecord
 from ..worlds.terrain import TerrainRecord
 from .asks import is_free_path, is_semi_free_path
 
-CONTACT = 1e-9  # of the world's size: so near is contact
-FAR = 1e-14  # of the largest coordinate: more than what rounding makes of a corner's place
+CONTACT = 1e-9  # of the world's size: this distance counts as contact
+FAR = 1e-14  # of the largest coordinate: an upper bound on the rounding of a corner's position
 
 
 @is_free_path.register(RigidPolygonRobot, PolygonWorldRecord)
@@ -37,7 +37,7 @@ FAR = 1e-14  # of the largest coordinate: more than what rounding makes of a cor
 @is_free_path.register(ArmRobot, PolygonWorldRecord)
 @is_free_path.register(ArmRobot, TerrainRecord)
 def turning_freely(robot: Any, world: Any, a: Array, b: Array, clearance: float) -> bool:
-    """Every piece stays within the world's rim and off each obstacle by more than the tolerance."""
+    """Every piece stays inside the world and off each obstacle by more than the tolerance."""
     contact = contact_size(world.lo, world.hi)
     return first_in_contact(robot, world, a, way(robot, a, b), clearance + contact, contact) < 0
 
@@ -47,7 +47,7 @@ def turning_freely(robot: Any, world: Any, a: Array, b: Array, clearance: float)
 @is_semi_free_path.register(ArmRobot, PolygonWorldRecord)
 @is_semi_free_path.register(ArmRobot, TerrainRecord)
 def turning_in_contact(robot: Any, world: Any, a: Array, b: Array, clearance: float) -> bool:
-    """No piece reaches deeper than twice the tolerance into what is solid."""
+    """No piece penetrates an obstacle by more than twice the tolerance."""
     contact = contact_size(world.lo, world.hi)
     return (
         first_in_contact(robot, world, a, way(robot, a, b), clearance - 2.0 * contact, contact) < 0
@@ -56,7 +56,7 @@ def turning_in_contact(robot: Any, world: Any, a: Array, b: Array, clearance: fl
 
 @compiled
 def contact_size(lo: Array, hi: Array) -> float:
-    """The distance that counts as contact in a world between two corners."""
+    """The distance that counts as contact in a world with bounding box lo, hi."""
     extent = max(hi[0] - lo[0], hi[1] - lo[1])
     farthest = max(max(abs(lo[0]), abs(lo[1])), max(abs(hi[0]), abs(hi[1])))
     return max(CONTACT * extent, FAR * farthest)
@@ -66,7 +66,7 @@ def contact_size(lo: Array, hi: Array) -> float:
 def first_in_contact(
     robot: Any, world: Any, a: Array, change: Array, margin: float, contact: float
 ) -> int:
-    """The first piece that does not keep `margin` on the way from a to a + change, or -1."""
+    """The first piece that does not keep `margin` on the motion from a to a + change, or -1."""
     corners = np.empty((len(robot.shape.points), 5))
     for i in range(len(robot.shape.radius)):
         if piece_in_contact(robot, i, world, a, change, corners, margin, contact):
@@ -85,15 +85,9 @@ def piece_in_contact(
     margin: float,
     contact: float,
 ) -> bool:
-    """Whether piece i does not keep `margin` from the rim or an obstacle on the way from a to a +
-    change.
-    """
-    begin, end, kept, ring = (
-        robot.shape.first[i],
-        robot.shape.first[i + 1],
-        robot.shape.radius[i] + margin,
-        rim(world),
-    )
+    """Whether piece i does not keep `margin` from the boundary or an obstacle on its motion."""
+    begin, end = robot.shape.first[i], robot.shape.first[i + 1]
+    kept, ring = robot.shape.radius[i] + margin, rim(world)
     place(robot, i, a, change, 0.5, corners)
     x0, y0, x1, y1 = swept_box(corners, begin, end, kept)
     for edge in range(0 if box_within(x0, y0, x1, y1, ring) else len(ring)):
@@ -118,7 +112,7 @@ def meets_part(
     kept: float,
     contact: float,
 ) -> bool:
-    """Whether piece i does not keep its distance from part j on the way."""
+    """Whether piece i does not keep its distance from part j on its motion."""
     begin, end, least = robot.shape.first[i], robot.shape.first[i + 1], kept + parts.radius[j]
     t = 0.0
     while True:
@@ -146,9 +140,7 @@ def crosses_edge(
     kept: float,
     contact: float,
 ) -> bool:
-    """Whether piece i does not keep its distance from the outer side of the edge p-q of the world's
-    rim.
-    """
+    """Whether piece i does not keep its distance from the outer side of the boundary's edge p-q."""
     size = length(q[0] - p[0], q[1] - p[1])
     nx, ny = (p[1] - q[1]) / size, (q[0] - p[0]) / size
     t = 0.0
@@ -168,40 +160,37 @@ def crosses_edge(
 def clear_time(
     corners: Array, begin: int, end: int, x: float, y: float, nx: float, ny: float, kept: float
 ) -> tuple[float, float]:
-    """The least room that corners have ahead of a line, beyond what is to be kept, and for how long
-    they surely have some.
-    """
+    """The least distance of the corners from a line, less `kept`, and a time without contact."""
     least, time = np.inf, np.inf
     for k in range(begin, end):
         room = (corners[k, X] - x) * nx + (corners[k, Y] - y) * ny - kept
         speed = -(corners[k, VX] * nx + corners[k, VY] * ny)
-        least, time = min(least, room), min(time, time_across(room, speed, corners[k, BEND]))
+        least, time = min(least, room), min(time, time_across(room, speed, corners[k, ACC]))
     return least, time
 
 
 @compiled
-def time_across(room: float, speed: float, bend: float) -> float:
-    """The first t > 0 at which speed * t + bend * t^2 / 2 is as large as room; infinite where it
-    never is, 0 without room.
+def time_across(room: float, speed: float, acceleration: float) -> float:
+    """The first t > 0 with speed * t + acceleration * t^2 / 2 = room.
+
+    Infinite where there is none, 0 where room <= 0.
     """
     if room <= 0.0:
         return 0.0
-    root = math.sqrt(speed * speed + 2.0 * bend * room)
+    root = math.sqrt(speed * speed + 2.0 * acceleration * room)
     if speed > 0.0:
         return 2.0 * room / (speed + root)
-    return (root - speed) / bend if bend > 0.0 else np.inf
+    return (root - speed) / acceleration if acceleration > 0.0 else np.inf
 
 
 @compiled
 def swept_box(
     corners: Array, begin: int, end: int, kept: float
 ) -> tuple[float, float, float, float]:
-    """A box round all that corners can reach in half a unit of time, back and forth, grown by
-    `kept`.
-    """
+    """A bounding box of the corners for half a unit of time, back and forth, grown by `kept`."""
     x0, y0, x1, y1 = np.inf, np.inf, -np.inf, -np.inf
     for k in range(begin, end):
-        off = kept + corners[k, BEND] / 8.0
+        off = kept + corners[k, ACC] / 8.0
         dx, dy = abs(corners[k, VX]) / 2.0 + off, abs(corners[k, VY]) / 2.0 + off
         x0, y0 = min(x0, corners[k, X] - dx), min(y0, corners[k, Y] - dy)
         x1, y1 = max(x1, corners[k, X] + dx), max(y1, corners[k, Y] + dy)

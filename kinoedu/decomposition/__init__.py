@@ -1,4 +1,4 @@
-"""The free space of a polygonal world cut into convex cells, and the roadmap that they make."""
+"""Decomposition of a polygonal world's free space into convex cells, and their roadmap."""
 
 from .roadmap import decomposition_roadmap
 from .trapezoidation import Step, Trapezoidation, sweep, trapezoidation

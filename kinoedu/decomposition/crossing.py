@@ -1,16 +1,27 @@
-"""What happens on the sweep line at one x: what ends there is merged with what begins there, from
-the bottom upwards.
+"""One event of the sweep: edges and cells that end at the line are replaced by those that begin.
 
-The line is walked in *stretches*: from a place where both its left and its right side are solid to
-the next such place. On the way there are points, at which edges end and begin, and edges that pass;
-each point and each passing edge is a level. Edges that end or pass bound the cells to the left,
-those that begin or pass the cells to the right, and two cells share a wall where their levels
-overlap. So a vertical edge needs no treatment: it is where one side is solid and the other free.
+Steps 4 to 7 of the algorithm in sweep.py, for vertices in any position. At a point p of the line,
+three sets of edges matter (de Berg et al., section 2.1, HandleEventPoint):
 
-Every comparison is exact, so the order on the line is never wrong: either all edges are apart, or a
-vertex is found on the wrong side of an edge next to it, and then two have crossed (M. I. Shamos, D.
-Hoey, "Geometric intersection problems", 1976); or edges overlap; or floors and ceilings do not take
-turns, because one obstacle lies in another.
+| set | edges |
+|---|---|
+| L(p) | that end at p: it is their right end |
+| C(p) | that contain p in their interior |
+| U(p) | that begin at p: it is their left end |
+
+Left of the line lie L(p) and C(p), which the status holds; right of it lie C(p) and U(p).
+
+One call of `cross` handles the points of one x from one place where both sides of the line are
+solid up to the next such place. Each point on the way is a *level* of the line, and so is each edge
+that passes between two points. On either side of the line the edges are alternately floors and
+ceilings: those on the left bound the cells that end, those on the right the cells that begin, and
+two of these cells share a wall where their ranges of levels overlap. A vertical edge needs no
+special case: between its levels one side of the line is solid and the other is free.
+
+All comparisons are exact, so the order of the status is always correct. Input that has no
+trapezoidation is detected: a vertex on the wrong side of a neighbouring edge shows that two edges
+cross (M. I. Shamos, D. Hoey, "Geometric intersection problems", 1976); edges overlap; or floors and
+ceilings do not alternate, because one obstacle lies in another.
 """
 
 from typing import Any
@@ -20,126 +31,130 @@ import numpy as np
 from ..compiled import compiled, inlined
 from ..geometry.checks import Array
 from ..geometry.exact import turn
-from .cells import settle
-from .slopes import line_up
-from .status import ABOVE, BELOW, CELL, HIGH, LOW, NOBODY
+from .cells import CEILING, EDGE, FLOOR, LEVEL, NODE, settle
+from .slopes import sort_by_slope
+from .status import CELL, HIGH, LOW, NOBODY, next_above, next_below
 
-CROSSED = -1  # instead of an answer: edges cross or overlap, or one obstacle lies in another
-# where Sweep.walk is: the next vertex; the next edge, as a node's floor or ceiling; cells ended,
-# edges begun, levels passed
-MET, NODE, ON_CEILING, ENDED, BEGUN, LEVEL = range(6)
+CROSSED = -1  # returned where edges cross or overlap, or one obstacle lies in another
 
 
 @inlined
 def cross(sweep: Any, met: int, stop: int) -> int:
-    """Cross the lowest stretch that holds vertices order[met:stop], all of one x; returns how many
-    are met then, or CROSSED.
+    """Handle the event points order[met:stop], all of one x, up to the first solid place.
+
+    Returns the number of vertices that have been handled then, or CROSSED.
     """
-    node, walk, x = lowest_touched(sweep, met), sweep.walk, sweep.vertices[sweep.order[met], 0]
+    x, ends = sweep.vertices[sweep.order[met], 0], sweep.ends
+    node = lowest_touched(sweep, met)  # 4: the lowest cell that the walls may reach
     if node == CROSSED:
         return CROSSED
-    below = sweep.nodes[node, BELOW]
-    walk[MET], walk[NODE], walk[ON_CEILING], walk[ENDED], walk[BEGUN], walk[LEVEL] = (
-        met,
-        node,
-        0,
-        0,
-        0,
-        0,
-    )
-    while walk[MET] == met or walk[ON_CEILING] == 1 or walk[BEGUN] % 2 == 1:
-        y = sweep.vertices[sweep.order[walk[MET]], 1] if walk[MET] < stop else np.inf
-        edge = next_edge(sweep)
-        if edge >= 0 and (walk[MET] == stop or side(sweep.ends, edge, x, y) > 0):
-            ordered = pass_edge(sweep, edge, x, y) and not (
-                walk[MET] == met and walk[ON_CEILING] == 0
-            )
+    below, now, left, right, level = next_below(sweep.nodes, node), met, 0, 0, 0
+    while now == met or is_ceiling(left) or is_ceiling(right):
+        y = sweep.vertices[sweep.order[now], 1] if now < stop else np.inf
+        edge = edge_of(sweep, node, left)
+        if edge >= 0 and (now == stop or side(ends, edge, x, y) > 0):  # 5: it bounds a wall
+            if ends[edge, 2] <= x or (now == met and is_ceiling(left)):
+                return CROSSED
+            sweep.heights[level] = height_between(sweep, edge, x, level, y)
+            node = leave_edge(sweep, node, left, level)
+            enter_edge(sweep, edge, right, level)
+            left, right = left + 1, right + 1
+        elif now < stop:
+            now, node, left, right = meet_point(sweep, x, y, now, stop, node, left, right, level)
+            if now == CROSSED:
+                return CROSSED
         else:
-            ordered = walk[MET] < stop and meet_point(sweep, x, y, stop)
-        if not ordered:
             return CROSSED
-        walk[LEVEL] += 1
-    return walk[MET] if settle(sweep, x, below, walk[ENDED], walk[BEGUN] // 2) else CROSSED
+        level += 1
+    return now if settle(sweep, x, below, left // 2, right // 2) else CROSSED  # 6, 7
 
 
 @inlined
-def next_edge(sweep: Any) -> int:
-    """The next edge of the status on the walk up the line, -1 above the last."""
-    return (
-        border(sweep, sweep.walk[NODE], sweep.walk[ON_CEILING])
-        if sweep.walk[NODE] != NOBODY
-        else -1
-    )
+def meet_point(
+    sweep: Any,
+    x: float,
+    y: float,
+    now: int,
+    stop: int,
+    node: int,
+    left: int,
+    right: int,
+    level: int,
+) -> tuple[int, int, int, int]:
+    """Handle the event point p = (x, y): L(p) and C(p) on the left, C(p) and U(p) on the right.
 
-
-@inlined
-def pass_edge(sweep: Any, edge: int, x: float, y: float) -> bool:
-    """Take an edge that goes on beyond x, below the point (x, y); False where it does not go on."""
-    level = sweep.walk[LEVEL]
-    lowest = sweep.heights[level - 1] if level > 0 else -np.inf
-    sweep.heights[level] = min(max(height_at(sweep.ends, edge, x), lowest), y)
-    leave_edge(sweep)
-    begin_edge(sweep, edge)
-    return sweep.ends[edge, 2] > x
-
-
-@inlined
-def meet_point(sweep: Any, x: float, y: float, stop: int) -> bool:
-    """Take all that ends in a point, passes through it or begins at it; False where that does not
-    fit what is below and above.
+    Returns the number of vertices that have been handled, the next node, and how many edges there
+    are on the left and on the right; first CROSSED where the edges at p do not fit the status.
     """
-    walk, ends = sweep.walk, sweep.ends
-    first, through, unfound = walk[BEGUN], 0, 0
-    sweep.heights[walk[LEVEL]] = y
-    edge = next_edge(sweep)
+    ends, first, passing, missing = sweep.ends, right, 0, 0
+    sweep.heights[level] = y
+    edge = edge_of(sweep, node, left)
     while edge >= 0 and side(ends, edge, x, y) == 0:
-        if ends[edge, 2] == x:
-            unfound -= 1
-        else:
-            through += 1
-            begin_edge(sweep, edge)
-        leave_edge(sweep)
-        edge = next_edge(sweep)
-    while walk[MET] < stop and sweep.vertices[sweep.order[walk[MET]], 1] == y:
-        vertex = sweep.order[walk[MET]]
+        if ends[edge, 2] == x:  # in L(p)
+            missing -= 1
+        else:  # in C(p)
+            passing += 1
+            enter_edge(sweep, edge, right, level)
+            right += 1
+        node = leave_edge(sweep, node, left, level)
+        left += 1
+        edge = edge_of(sweep, node, left)
+    while now < stop and sweep.vertices[sweep.order[now], 1] == y:
+        vertex = sweep.order[now]
         for leg in (vertex, sweep.incoming[vertex]):
             if ends[leg, 0] < ends[leg, 2]:
-                unfound += ends[leg, 2] == x
-                if ends[leg, 0] == x:
-                    begin_edge(sweep, leg)
-        walk[MET] += 1
-    apart = line_up(sweep.begun, ends, first, walk[BEGUN], x, y)
-    return apart and through <= 1 and unfound == 0 and (edge < 0 or side(ends, edge, x, y) < 0)
+                missing += ends[leg, 2] == x
+                if ends[leg, 0] == x:  # in U(p)
+                    enter_edge(sweep, leg, right, level)
+                    right += 1
+        now += 1
+    apart = sort_by_slope(sweep.begun, ends, first, right, x, y)
+    fits = passing <= 1 and missing == 0 and (edge < 0 or side(ends, edge, x, y) < 0)
+    return (now if apart and fits else CROSSED), node, left, right
 
 
 @inlined
-def leave_edge(sweep: Any) -> None:
-    """Go on from an edge of the status: from a floor to its ceiling, from a ceiling to the floor of
-    the next cell.
-    """
-    walk, ended = sweep.walk, sweep.ended
-    if walk[ON_CEILING] == 0:
-        ended[walk[ENDED], 0], ended[walk[ENDED], 1] = walk[NODE], walk[LEVEL]
-        walk[ON_CEILING] = 1
-    else:
-        ended[walk[ENDED], 2] = walk[LEVEL]
-        walk[NODE], walk[ON_CEILING] = sweep.nodes[walk[NODE], ABOVE], 0
-        walk[ENDED] += 1
+def edge_of(sweep: Any, node: int, left: int) -> int:
+    """The edge of the status that comes after `left` others, at a node; -1 above the last one."""
+    return border(sweep, node, left % 2) if node != NOBODY else -1
 
 
 @inlined
-def begin_edge(sweep: Any, edge: int) -> None:
-    """Note an edge that leads on to the right, at this level."""
-    sweep.begun[sweep.walk[BEGUN], 0], sweep.begun[sweep.walk[BEGUN], 1] = edge, sweep.walk[LEVEL]
-    sweep.walk[BEGUN] += 1
+def leave_edge(sweep: Any, node: int, left: int, level: int) -> int:
+    """Put edge number `left` of the left side at a level; returns the node of the edge after it."""
+    cell = left // 2
+    if is_ceiling(left):
+        sweep.ended[cell, CEILING] = level
+        return next_above(sweep.nodes, node)
+    sweep.ended[cell, NODE], sweep.ended[cell, FLOOR] = node, level
+    return node
+
+
+@inlined
+def enter_edge(sweep: Any, edge: int, right: int, level: int) -> None:
+    """Put an edge at a level of the right side, as number `right`."""
+    sweep.begun[right, EDGE], sweep.begun[right, LEVEL] = edge, level
+
+
+@compiled
+def is_ceiling(number: int) -> bool:
+    """Whether the edge of this number on one side of the line is a ceiling: 0 is a floor."""
+    return number % 2 == 1
+
+
+@inlined
+def height_between(sweep: Any, edge: int, x: float, level: int, y: float) -> float:
+    """The height of an edge at x, rounded so that it lies between the level below and y."""
+    lowest = sweep.heights[level - 1] if level > 0 else -np.inf
+    return min(max(height_at(sweep.ends, edge, x), lowest), y)
 
 
 @inlined
 def lowest_touched(sweep: Any, met: int) -> int:
-    """The lowest node whose cell has vertex order[met] on it or below its ceiling, NOBODY where all
-    are below; or CROSSED.
+    """The node of the lowest cell whose ceiling is not below vertex order[met]; or CROSSED.
 
-    An edge that ends at the vertex leads there at once; otherwise it is found in O(log n).
+    NOBODY where all cells are below. An edge that ends at the vertex is looked up directly;
+    otherwise the cell is found by a binary search, in O(log n).
     """
     nodes, ends = sweep.nodes, sweep.ends
     v = sweep.order[met]
@@ -155,7 +170,7 @@ def lowest_touched(sweep: Any, met: int) -> int:
             else:
                 node, descent = descent, nodes[descent, LOW]
     while True:
-        below = nodes[node, BELOW]
+        below = next_below(nodes, node)
         where = 1 if below == NOBODY else side(ends, border(sweep, below, 1), x, y)
         if where != 0:
             return node if where > 0 else CROSSED
@@ -163,9 +178,9 @@ def lowest_touched(sweep: Any, met: int) -> int:
 
 
 @inlined
-def border(sweep: Any, node: int, on_ceiling: int) -> int:
+def border(sweep: Any, node: int, which: int) -> int:
     """The floor (0) or the ceiling (1) of the open cell at a node of the status."""
-    return sweep.sides[sweep.nodes[node, CELL], on_ceiling]
+    return sweep.sides[sweep.nodes[node, CELL], which]
 
 
 @compiled
@@ -176,7 +191,7 @@ def side(ends: Array, edge: int, x: float, y: float) -> int:
 
 @compiled
 def height_at(ends: Array, edge: int, x: float) -> float:
-    """The height of an edge at x, reckoned from its nearer end."""
+    """The height of an edge at x, computed from its nearer end."""
     slope = (ends[edge, 3] - ends[edge, 1]) / (ends[edge, 2] - ends[edge, 0])
     from_left, from_right = x - ends[edge, 0], ends[edge, 2] - x
     return (

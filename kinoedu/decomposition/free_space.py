@@ -1,6 +1,4 @@
-"""What a decomposition is made of: the edges round a world's free space, overlapping obstacles
-united where they need be.
-"""
+"""The edges of a polygonal world's free space; overlapping obstacles are united if needed."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -11,16 +9,15 @@ from ..errors import InvalidWorld
 from ..geometry.checks import Array
 from ..worlds.polygon_world import PolygonWorldRecord, discs_of, edges_of, rings_of
 
-GRIDS = (None, 2.0**-48, 2.0**-44, 2.0**-40)  # of the size of the coordinates
+GRIDS = (None, 2.0**-48, 2.0**-44, 2.0**-40)  # as fractions of the size of the coordinates
 
 
 def edges_to_try(world: Any) -> Iterator[Array]:
-    """Edges round the free space, (n, 5) as `PolygonWorldRecord.edges`: as given, then united, then
-    united on a grid.
+    """The edges of the free space, (n, 5) as `PolygonWorldRecord.edges`: as given, then united.
 
-    What is given is exact, but obstacles may overlap. shapely unites them, and rounds the points
-    where edges cross; should rounding have pushed an edge over another, a grid far finer than the
-    world, but coarser than floats, puts them apart.
+    The given edges are exact, but obstacles may overlap. shapely unites them and rounds the points
+    where edges cross. If rounding pushes an edge across another one, the union is repeated on grids
+    that are far finer than the world but coarser than floats.
     """
     yield as_polygons(world).edges
     for grid in GRIDS:
@@ -29,26 +26,36 @@ def edges_to_try(world: Any) -> Iterator[Array]:
 
 
 def as_polygons(world: Any) -> PolygonWorldRecord:
-    """The world itself, refused with InvalidWorld unless it is made of polygons alone."""
+    """Check that a world is a PolygonWorld without round obstacles.
+
+    Returns
+    -------
+    PolygonWorldRecord, the world itself.
+
+    Raises
+    ------
+    InvalidWorld
+        Otherwise.
+    """
     if not isinstance(world, PolygonWorldRecord):
         raise InvalidWorld(
-            f"only a PolygonWorld can be cut into cells, got {type(world).__name__}; give its "
-            "obstacles as polygons"
+            f"only a PolygonWorld can be decomposed into cells, got {type(world).__name__}; give "
+            "its obstacles as polygons"
         )
     if n := len(discs_of(world)):
         raise InvalidWorld(
-            f"{n} of the obstacles are round, and a trapezoid's floor and ceiling are straight; "
-            "put a polygon round each instead"
+            f"{n} of the obstacles are round, but the edges of cells are straight; replace each "
+            "by a polygon around it"
         )
     return world
 
 
 def free_polygons(world: PolygonWorldRecord, grid: float | None = None) -> tuple[list[Any], float]:
-    """The free space as shapely polygons with holes, disjoint but for single points, and the unit
-    that they are measured in.
+    """The free space as shapely polygons with holes, and the unit in which they are measured.
 
-    The unit is a power of two near the largest coordinate, so that shapely's products neither
-    overflow nor vanish. With a grid, all corners are whole multiples of it.
+    The polygons are disjoint except for single points. The unit is a power of two near the largest
+    coordinate, so that shapely's products neither overflow nor vanish. With a grid, all corners are
+    integer multiples of it.
     """
     import shapely
 
@@ -58,15 +65,13 @@ def free_polygons(world: PolygonWorldRecord, grid: float | None = None) -> tuple
         [shapely.Polygon(ring, rooms) for ring, *rooms in solids], grid_size=grid
     )
     free = shapely.difference(shapely.Polygon(outline), obstacles, grid_size=grid)
-    return [
-        part
-        for part in shapely.get_parts(free)
-        if part.geom_type == "Polygon" and not part.is_empty
-    ], float(unit)
+    parts = shapely.get_parts(free)
+    polygons = [part for part in parts if part.geom_type == "Polygon" and not part.is_empty]
+    return polygons, float(unit)
 
 
 def edges_round(polygons: list[Any]) -> Array:
-    """The edges of shapely polygons, (n, 5), each with what is solid to its left."""
+    """The edges of shapely polygons, (n, 5), each with the solid side to its left."""
     import shapely
 
     turned = shapely.orient_polygons(polygons, exterior_cw=True)

@@ -1,5 +1,6 @@
-"""The roadmap that a decomposition makes: a node in each cell, a node on each wall. Bullo & Smith,
-chapter 2.
+"""The roadmap of a decomposition: a node in each cell and a node on each wall.
+
+Bullo & Smith, chapter 2.
 """
 
 from typing import Any
@@ -12,25 +13,39 @@ from .triangulation import Triangulation
 
 
 def decomposition_roadmap(world: Any) -> Roadmap:
-    """Join the centre of each cell to the middle of each wall that it shares with a neighbour.
+    """Join the centre of each cell to the midpoints of the walls that it shares with neighbours.
 
-    world : a PolygonWorld, cut into trapezoids here; or its `trapezoidation` or `triangulation`.
+    For n cells, node i is the centre of cell i and node n + j the midpoint of wall j; wall j has
+    the edges 2j and 2j + 1. Cells are convex, so an edge stays in its cell; walls have positive
+    length, so it touches no obstacle. From every point of a cell there is a free motion to its
+    centre, so the roadmap is complete: where it has no path, there is none. O(n log n) for n
+    vertices.
 
-    For n cells, node i is the centre of cell i, node n + j the middle of wall j; wall j gives edges
-    2j and 2j + 1. Cells are convex, so an edge stays in its cell, and walls have length, so it
-    touches no obstacle. From every point of a cell there is a free motion to its centre, so the
-    roadmap misses no connection: where it has no path, there is none. O(n log n) for n vertices.
-    Raises InvalidWorld.
+    Parameters
+    ----------
+    world : a PolygonWorld, for which the trapezoidation is computed; or its `trapezoidation` or
+        `triangulation`.
 
+    Returns
+    -------
+    Roadmap
+
+    Raises
+    ------
+    InvalidWorld
+        Where the world is not made of polygons.
+
+    Examples
+    --------
     >>> from kinoedu.worlds import PolygonWorld
-    >>> roadmap = decomposition_roadmap(PolygonWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [[(3, 2), (6, 2), (6, 4), (3, 4)]]))
+    >>> obstacle = [(3, 2), (6, 2), (6, 4), (3, 4)]
+    >>> world = PolygonWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [obstacle])
+    >>> roadmap = decomposition_roadmap(world)
     >>> len(roadmap.nodes), len(roadmap.edges)
     (8, 8)
     """
     cut = world if isinstance(world, Trapezoidation | Triangulation) else trapezoidation(world)
-    centres, n = cut.centres, len(cut.areas)
-    middle = n + np.arange(len(cut.adjacency))
-    edges = np.column_stack([cut.adjacency[:, 0], middle, middle, cut.adjacency[:, 1]]).reshape(
-        -1, 2
-    )
-    return Roadmap(np.concatenate([centres, cut.walls.sum(axis=1) / 2.0]), edges)
+    left, right = cut.adjacency.T
+    wall = len(cut.areas) + np.arange(len(cut.adjacency))
+    nodes = np.concatenate([cut.centres, cut.walls.sum(axis=1) / 2.0])
+    return Roadmap(nodes, np.column_stack([left, wall, wall, right]).reshape(-1, 2))

@@ -1,23 +1,31 @@
-"""A vertical line sweeps a polygonal world from left to right: where it meets vertices, cells end
-and others begin.
+"""The sweep: a vertical line moves over a world from left to right and cuts it into cells.
 
 Bullo & Smith, chapter 2, the sweeping trapezoidation algorithm; M. de Berg, O. Cheong, M. van
-Kreveld, M. Overmars, Computational Geometry, sections 2.1 and 6.1. The line's status is the list S
-of the edges that it crosses, here in pairs: a floor and the ceiling above it, with an open cell
-between them.
+Kreveld, M. Overmars, Computational Geometry, sections 2.1 and 6.1.
 
-An *event* is all the vertices of one x. Each sends a wall up and one down, as far as all is free.
-What that does to the cells tells the type of the vertex (the six types of the book):
+    1: T := empty list of trapezoids; S := empty status
+    2: sort the vertices p_1, ..., p_n by x
+    3: for each p_i, from left to right:
+    4:     find in S the edges just above and just below p_i
+    5:     draw walls from p_i up and down to these edges, where that is free
+    6:     add to T the cells that end at these walls
+    7:     remove from S the edges that end in p_i, insert those that begin there
+    8: return T
 
-| its edges lead | closes | opens | the vertex is |
-|---|---|---|---|
-| both right, free between them | 0 | 1 | the left end of a room |
-| both right, solid between them | 1 | 2 | the left end of an obstacle |
-| both left, free between them | 1 | 0 | the right end of a room |
-| both left, solid between them | 2 | 1 | the right end of an obstacle |
-| one left, one right | 1 | 1 | a bend in a floor, or a bend in a ceiling |
+The status S is the sorted list of the edges that the line crosses. It is stored in pairs: a floor
+and the ceiling above it, with an open cell between them (status.py). An *event* is all vertices of
+one x. Steps 4 to 7 are in crossing.py and cells.py. They treat all types of vertices alike: the
+numbers of cells that end and begin tell the type (de Berg et al., section 3.2).
 
-Vertical edges and obstacles that touch need no types of their own: crossing.py.
+| edges of the vertex lead | cells that end | that begin | the vertex is | de Berg et al. |
+|---|---|---|---|---|
+| both right, free between them | 0 | 1 | the left end of a room | start vertex |
+| both right, solid between them | 1 | 2 | the left end of an obstacle | split vertex |
+| both left, free between them | 1 | 0 | the right end of a room | end vertex |
+| both left, solid between them | 2 | 1 | the right end of an obstacle | merge vertex |
+| one left, one right | 1 | 1 | a bend in a floor or a ceiling | regular vertex |
+
+Vertical edges and obstacles that touch need no types of their own: see crossing.py.
 """
 
 from collections.abc import Iterator
@@ -33,22 +41,30 @@ from .status import NOBODY
 
 
 class Sweep(NamedTuple):
-    """The state of a sweep over n vertices; edge i leaves vertex i, with what is solid to its left.
+    """The state of a sweep over n vertices; edge i begins at vertex i, with the solid to its left.
 
-    vertices (n, 2); order (n,), they from left to right, and upwards; incoming (n,), the edge that
-    ends in each. ends (n, 4), each edge's left end and right end; floor (n,), whether it has the
-    free space above it.
+    The input:
+    vertices : (n, 2).
+    order : (n,), the vertices from left to right, and upwards for equal x.
+    incoming : (n,), the edge that leads to each vertex.
+    ends : (n, 4), the left end and the right end of each edge.
+    floor : (n,), whether the free space is above the edge.
 
-    cells, rows x_left, x_right, then the heights of floor and ceiling on the left and on the right;
-    sides, each cell's floor and ceiling edge; closed, the cells in the order they were closed;
-    pairs and walls, which cells share a wall, its x, its ends.
+    The output T:
+    cells : rows x_left, x_right, the heights of floor and ceiling on the left, and on the right.
+    sides : the floor and the ceiling edge of each cell.
+    closed : the cells in the order in which they were closed.
+    pairs, walls : the two cells that share each wall; its x and the heights of its ends.
 
-    nodes, the status (status.py); place (n,), the node of the cell that each edge in the status
-    borders; sizes, how many cells, closed cells, walls and nodes there are.
+    The status S:
+    nodes : the tree of open cells (status.py).
+    place : (n,), for each edge in the status, the node of its cell.
+    sizes : the numbers of cells, closed cells, walls and nodes.
 
-    walk, ended, begun, heights: one stretch of the line (crossing.py): where the walk up is; the
-    cells that end there, as rows node, level of the floor, level of the ceiling; the edges that
-    lead on, with their levels; each level's height.
+    The two sides of the line at an event (crossing.py, cells.py):
+    ended : the cells that end, as rows node, level of the floor, level of the ceiling.
+    begun : the edges that go on, as rows edge, level.
+    heights : the height of each level.
     """
 
     vertices: Array
@@ -64,22 +80,22 @@ class Sweep(NamedTuple):
     nodes: NDArray[np.int64]
     place: NDArray[np.int64]
     sizes: NDArray[np.int64]
-    walk: NDArray[np.int64]
     ended: NDArray[np.int64]
     begun: NDArray[np.int64]
     heights: Array
 
 
 def new_sweep(edges: Array) -> Sweep:
-    """A sweep that has not begun, over edges (n, 5) as a world has them. O(n log n)."""
+    """The state before the sweep, steps 1 and 2, for edges (n, 5) of a world. O(n log n)."""
     n = len(edges)
-    order, rightward = np.lexsort((edges[:, 1], edges[:, 0])), edges[:, 0] < edges[:, 2]
+    rightward = edges[:, 0] < edges[:, 2]
+    ends = np.where(rightward[:, None], edges[:, :4], edges[:, [2, 3, 0, 1]])
     return Sweep(
-        np.ascontiguousarray(edges[:, :2]),
-        order,
-        edges_into_vertices(edges),
-        np.where(rightward[:, None], edges[:, :4], edges[:, [2, 3, 0, 1]]),
-        ~rightward,
+        vertices=np.ascontiguousarray(edges[:, :2]),
+        order=np.lexsort((edges[:, 1], edges[:, 0])),  # 2: sort the vertices by x
+        incoming=edges_into_vertices(edges),
+        ends=ends,
+        floor=~rightward,
         cells=np.empty((2 * n, 6)),
         sides=np.empty((2 * n, 2), np.int64),
         closed=np.empty(2 * n, np.int64),
@@ -88,7 +104,6 @@ def new_sweep(edges: Array) -> Sweep:
         nodes=np.zeros((2 * n + 1, 6), np.int64),
         place=np.full(n, NOBODY, np.int64),
         sizes=np.array([0, 0, 0, 1]),
-        walk=np.zeros(6, np.int64),
         ended=np.empty((n, 3), np.int64),
         begun=np.empty((n, 2), np.int64),
         heights=np.empty(2 * n + 1),
@@ -97,9 +112,7 @@ def new_sweep(edges: Array) -> Sweep:
 
 @compiled
 def edges_into_vertices(edges: Array) -> NDArray[np.int64]:
-    """The edge that ends in each vertex, (n,): the one before it, but a ring's first vertex ends
-    its last edge.
-    """
+    """The edge that leads to each vertex, (n,): the previous one, cyclically in each ring."""
     incoming = np.empty(len(edges), np.int64)
     first = 0
     for i in range(len(edges)):
@@ -111,16 +124,17 @@ def edges_into_vertices(edges: Array) -> NDArray[np.int64]:
 
 @compiled
 def events(sweep: Sweep) -> Iterator[int]:
-    """Move the line from event to event; yields how many vertices it has met, or CROSSED, and then
-    stops, where two edges cross.
+    """Move the line from event to event, steps 3 to 7.
+
+    Yields the number of vertices met so far; or CROSSED where two edges cross, and then stops.
     """
     vertices, order, met = sweep.vertices, sweep.order, 0
-    while met < len(order):
+    while met < len(order):  # 3: for each x, from left to right
         stop = met + 1
         while stop < len(order) and vertices[order[stop], 0] == vertices[order[met], 0]:
             stop += 1
-        while met < stop:
-            met = cross(sweep, met, stop)
+        while met < stop:  # upwards, from solid to solid
+            met = cross(sweep, met, stop)  # 4 to 7
             if met == CROSSED:
                 yield CROSSED
                 return

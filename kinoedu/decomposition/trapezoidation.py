@@ -1,5 +1,4 @@
-"""Trapezoids: the free space of a polygonal world cut by a vertical wall up and down from every
-vertex.
+"""Trapezoidation: vertical walls at every vertex cut the free space into trapezoids.
 
 Bullo & Smith, chapter 2; M. de Berg, O. Cheong, M. van Kreveld, M. Overmars, Computational
 Geometry, sections 6.1 and 13.2. The algorithm is in sweep.py.
@@ -18,22 +17,24 @@ from ..graphs.flat import counting_sort
 from .cells import CELLS, CLOSED, WALLS
 from .crossing import CROSSED, side
 from .free_space import edges_to_try
-from .status import ABOVE, CELL, NOBODY
+from .status import CELL, NOBODY, next_above
 from .sweep import Sweep, events, new_sweep
 
 
 class Trapezoidation(NamedTuple):
-    """A world cut into trapezoids, in the order in which the sweep line enters them; of those it
-    enters together, the one it leaves first comes first, then the lower.
+    """The free space of a world, decomposed into trapezoids.
+
+    They are in the order in which the sweep line enters them; of those that it enters together,
+    first the one that it leaves first, then the lower one.
 
     trapezoids : (n, 6), rows x_left, x_right, the heights of floor and ceiling at x_left, and those
-        at x_right. Where the two heights of one side are equal, the cell is a triangle.
-    adjacency : (m, 2), pairs (i, j) with a wall of positive length between them, i on the left; in
+        at x_right. Where both heights of one side are equal, the cell is a triangle.
+    adjacency : (m, 2), pairs (i, j) with a common wall of positive length, i on the left; in
         increasing order.
-    walls : (m, 2, 2), those walls: their lower and upper ends.
-    sides : (n, 2), each cell's floor and ceiling, as rows of edges.
-    edges : (k, 4), the edges round the free space, each from its left end to its right end. world :
-        what was cut.
+    walls : (m, 2, 2), the lower and upper ends of those walls.
+    sides : (n, 2), the floor and the ceiling of each cell, as rows of edges.
+    edges : (k, 4), the edges of the free space, each from its left end to its right end.
+    world : the world that was decomposed.
     """
 
     trapezoids: Array
@@ -51,7 +52,7 @@ class Trapezoidation(NamedTuple):
 
     @property
     def centres(self) -> Array:
-        """A point inside each cell, (n, 2): half way across, half way up."""
+        """A point inside each cell, (n, 2): the mean of both walls' x, and of the four heights."""
         x0, x1, low0, high0, low1, high1 = self.trapezoids.T
         return np.column_stack([(x0 + x1) / 2.0, (low0 + high0 + low1 + high1) / 4.0])
 
@@ -61,8 +62,9 @@ class Trapezoidation(NamedTuple):
         return corners_of(self.trapezoids)
 
     def cells_at(self, q: ArrayLike) -> NDArray[np.int64]:
-        """The cells that hold the point q: one, those on both sides of a wall that it lies on, or
-        none. Exact, O(n).
+        """The cells that contain the point q: none, one, or those on both sides of a wall.
+
+        Exact, O(n). Raises InvalidPoint.
         """
         x, y = as_point(q, "q").tolist()
         return np.flatnonzero(holding(self.trapezoids, self.sides, self.edges, x, y))
@@ -77,9 +79,7 @@ def corners_of(trapezoids: Array) -> Array:
 def holding(
     trapezoids: Array, sides: NDArray[np.int64], edges: Array, x: float, y: float
 ) -> NDArray[np.bool_]:
-    """Whether each closed cell holds a point, (n,): between its walls, not below its floor, not
-    above its ceiling.
-    """
+    """Whether each closed cell contains a point, (n,)."""
     holds = np.zeros(len(sides), np.bool_)
     for i in range(len(sides)):
         if trapezoids[i, 0] <= x <= trapezoids[i, 1]:
@@ -87,7 +87,7 @@ def holding(
     return holds
 
 
-KINDS = {  # of a vertex, by how many cells it closes and opens: the table in sweep.py
+KINDS = {  # of a vertex, by the numbers of cells that end and begin there: the table in sweep.py
     (0, 1): "a room begins",
     (1, 2): "an obstacle begins",
     (1, 0): "a room ends",
@@ -97,9 +97,10 @@ KINDS = {  # of a vertex, by how many cells it closes and opens: the table in sw
 
 
 class Step(NamedTuple):
-    """One event of the sweep, and what it leaves.
+    """One event of the sweep, and the state after it.
 
-    x : where the line is. vertices : (k, 2), those on it, from bottom to top.
+    x : the position of the line.
+    vertices : (k, 2), the vertices on it, from bottom to top.
     closed : (c, 6), the trapezoids that end here, from bottom to top, as rows of
         `Trapezoidation.trapezoids`.
     opened : (o, 3), the left walls of the cells that begin here: x, and the heights of floor and
@@ -116,47 +117,64 @@ class Step(NamedTuple):
 
     @property
     def kind(self) -> str:
-        """The type of the vertex, in words; where several lie on the line, how many."""
-        return (
-            KINDS.get((len(self.closed), len(self.opened)), "a touch")
-            if len(self.vertices) == 1
-            else f"{len(self.vertices)} vertices"
-        )
+        """The type of the vertex, in words; or the number of vertices, where it is not one."""
+        if len(self.vertices) > 1:
+            return f"{len(self.vertices)} vertices"
+        return KINDS.get((len(self.closed), len(self.opened)), "a touch")
 
 
 def trapezoidation(world: Any) -> Trapezoidation:
-    """Cut the free space of a PolygonWorld into trapezoids by a sweep line.
+    """Decompose the free space of a PolygonWorld into trapezoids, by a sweep line.
 
-    Obstacles may touch each other and the boundary; where they overlap they are united first, and
-    the points where their edges cross are rounded. Everything else is exact, but for the heights of
-    walls inside an edge, which are good to 1e-15 of the world. A wall stands at every vertex,
-    straight ones too.
+    Obstacles may touch each other and the boundary. Where they overlap they are united first, and
+    the points where their edges cross are rounded. Everything else is exact, except the heights of
+    walls inside an edge, which are accurate to 1e-15 of the world's size. There is a wall at every
+    vertex, also where the outline is straight. O(n log n) expected for n vertices.
 
-    O(n log n) expected for n vertices. Raises InvalidWorld for round obstacles and for terrains.
+    Returns
+    -------
+    Trapezoidation
 
+    Raises
+    ------
+    InvalidWorld
+        For round obstacles and for terrains.
+
+    Examples
+    --------
     >>> from kinoedu.worlds import PolygonWorld
-    >>> cut = trapezoidation(PolygonWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [[(3, 2), (6, 2), (6, 4), (3, 4)]]))
+    >>> obstacle = [(3, 2), (6, 2), (6, 4), (3, 4)]
+    >>> cut = trapezoidation(PolygonWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [obstacle]))
     >>> cut.areas
     array([18.,  6.,  6., 18.])
     >>> cut.adjacency.tolist()
     [[0, 1], [0, 2], [1, 3], [2, 3]]
     """
-    done, _ = swept(world)
+    done, _ = sweep_world(world)
     cells, closed = done.cells[: done.sizes[CELLS]], done.closed[: done.sizes[CELLS]]
     walls, pairs = done.walls[: done.sizes[WALLS]], done.pairs[: done.sizes[WALLS]]
-    cell_order, wall_order, pairs = in_order(cells, closed, pairs)
+    cell_order, wall_order, pairs = sort_cells(cells, closed, pairs)
     ends = walls[wall_order][:, [[0, 1], [0, 2]]]
     return Trapezoidation(cells[cell_order], pairs, ends, done.sides[cell_order], done.ends, world)
 
 
 def sweep(world: Any) -> Iterator[Step]:
-    """Yield what the sweep line does at each event, from left to right: the steps of
-    `trapezoidation`, which drains them.
+    """Iterate over the events of the sweep line, from left to right: the steps of `trapezoidation`.
 
-    Raises InvalidWorld as it does, before the first step.
+    Yields
+    ------
+    Step
 
+    Raises
+    ------
+    InvalidWorld
+        As `trapezoidation`, before the first step.
+
+    Examples
+    --------
     >>> from kinoedu.worlds import PolygonWorld
-    >>> for step in sweep(PolygonWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [[(3, 3), (6, 2), (5, 4)]])):
+    >>> world = PolygonWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [[(3, 3), (6, 2), (5, 4)]])
+    >>> for step in sweep(world):
     ...     step.x, len(step.closed), len(step.opened), len(step.status)
     (0.0, 0, 1, 2)
     (3.0, 1, 2, 4)
@@ -164,19 +182,19 @@ def sweep(world: Any) -> Iterator[Step]:
     (6.0, 2, 1, 2)
     (9.0, 1, 0, 0)
     """
-    _, edges = swept(world)
+    _, edges = sweep_world(world)
     return steps(new_sweep(edges))
 
 
-def swept(world: Any) -> tuple[Sweep, Array]:
-    """The sweep of a world, to its end, and the edges that it swept."""
+def sweep_world(world: Any) -> tuple[Sweep, Array]:
+    """The completed sweep of a world, and the edges that it swept."""
     for edges in edges_to_try(world):
         state = new_sweep(edges)
         if drain(state):
             return state, edges
     raise InvalidWorld(
-        "these obstacles overlap in a way that could not be united; move them a little, or join "
-        "them yourself"
+        "the union of these overlapping obstacles could not be computed; move them a little, or "
+        "unite them yourself"
     )
 
 
@@ -190,39 +208,34 @@ def drain(state: Sweep) -> bool:
 
 
 def steps(state: Sweep) -> Iterator[Step]:
-    """What the state of a sweep shows after each event."""
+    """The state of a sweep after each event."""
     met = cells = closed = 0
     for now in events(state):
         vertices = state.vertices[state.order[met:now]]
-        ending, beginning = (
-            state.closed[closed : state.sizes[CLOSED]],
-            state.cells[cells : state.sizes[CELLS], [0, 2, 3]],
-        )
-        yield Step(
-            float(vertices[0, 0]),
-            vertices,
-            state.cells[ending],
-            beginning,
-            state.ends[edges_on_line(state.nodes, state.sides)],
-        )
+        ending = state.closed[closed : state.sizes[CLOSED]]
+        opened = state.cells[cells : state.sizes[CELLS], [0, 2, 3]]
+        status = state.ends[edges_on_line(state.nodes, state.sides)]
+        yield Step(float(vertices[0, 0]), vertices, state.cells[ending], opened, status)
         met, cells, closed = now, int(state.sizes[CELLS]), int(state.sizes[CLOSED])
 
 
 def edges_on_line(nodes: NDArray[np.int64], sides: NDArray[np.int64]) -> NDArray[np.int64]:
     """The edges of the status, from bottom to top, (s,)."""
-    found, node = [], nodes[NOBODY, ABOVE]
+    found, node = [], next_above(nodes, NOBODY)
     while node != NOBODY:
         found.append(sides[nodes[node, CELL]])
-        node = nodes[node, ABOVE]
+        node = next_above(nodes, node)
     return np.array(found, np.int64).ravel()
 
 
 @compiled
-def in_order(
+def sort_cells(
     cells: Array, closed: NDArray[np.int64], pairs: NDArray[np.int64]
 ) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.int64]]:
-    """From the numbers in which cells were opened to the final ones: which cells (n,), which walls
-    (m,), pairs (m, 2).
+    """Convert the order in which cells were opened to the final order.
+
+    Returns the old numbers of the cells (n,) and of the walls (m,), in the new order, and the pairs
+    (m, 2).
     """
     n = len(cells)
     entered = np.zeros(n, np.int64)

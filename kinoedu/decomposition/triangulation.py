@@ -1,7 +1,7 @@
-"""Triangles: the other way to cut a polygonal world into convex cells, without walls inside edges.
+"""Decomposition of a polygonal world into triangles.
 
 Bullo & Smith, chapter 2; de Berg et al., chapters 3 and 9. The constrained Delaunay triangulation,
-whose triangles are as little slender as the edges allow, is shapely's.
+which avoids slender triangles as far as the edges allow, is shapely's.
 """
 
 from typing import Any, NamedTuple
@@ -16,11 +16,12 @@ from .free_space import as_polygons, free_polygons
 
 
 class Triangulation(NamedTuple):
-    """A world cut into triangles.
+    """The free space of a world, decomposed into triangles.
 
-    triangles : (n, 3, 2), counter-clockwise. adjacency : (m, 2), pairs (i, j), i < j, with an edge
-        between them, in increasing order. walls : (m, 2, 2), the ends of those edges. world : what
-        was cut.
+    triangles : (n, 3, 2), counter-clockwise.
+    adjacency : (m, 2), pairs (i, j), i < j, of triangles with a common edge, in increasing order.
+    walls : (m, 2, 2), the ends of those edges.
+    world : the world that was decomposed.
     """
 
     triangles: Array
@@ -31,10 +32,8 @@ class Triangulation(NamedTuple):
     @property
     def areas(self) -> Array:
         """The area of each cell, (n,)."""
-        (ax, ay), (bx, by) = (
-            (self.triangles[:, 1] - self.triangles[:, 0]).T,
-            (self.triangles[:, 2] - self.triangles[:, 0]).T,
-        )
+        first = self.triangles[:, 0]
+        (ax, ay), (bx, by) = (self.triangles[:, 1] - first).T, (self.triangles[:, 2] - first).T
         return (ax * by - ay * bx) / 2.0
 
     @property
@@ -48,8 +47,9 @@ class Triangulation(NamedTuple):
         return self.triangles
 
     def cells_at(self, q: ArrayLike) -> NDArray[np.int64]:
-        """The cells that hold the point q, those on both sides of an edge that it lies on, or none.
-        Exact, O(n).
+        """The cells that contain the point q: none, one, or those on both sides of an edge.
+
+        Exact, O(n). Raises InvalidPoint.
         """
         x, y = as_point(q, "q").tolist()
         return np.flatnonzero(rings_holding(self.triangles, x, y))
@@ -57,7 +57,7 @@ class Triangulation(NamedTuple):
 
 @compiled
 def rings_holding(rings: Array, x: float, y: float) -> NDArray[np.bool_]:
-    """Whether each convex ring (n, k, 2) holds a point, (n,)."""
+    """Whether each convex ring (n, k, 2) contains a point, (n,)."""
     holds = np.empty(len(rings), np.bool_)
     for i in range(len(rings)):
         holds[i] = in_convex(x, y, rings[i])
@@ -65,13 +65,24 @@ def rings_holding(rings: Array, x: float, y: float) -> NDArray[np.bool_]:
 
 
 def triangulation(world: Any) -> Triangulation:
-    """Cut the free space of a PolygonWorld into triangles by a constrained Delaunay triangulation,
-    from its vertices alone.
+    """Decompose the free space of a PolygonWorld into triangles, with vertices of the world only.
 
-    Raises InvalidWorld for round obstacles and for terrains.
+    It is a constrained Delaunay triangulation.
 
+    Returns
+    -------
+    Triangulation
+
+    Raises
+    ------
+    InvalidWorld
+        For round obstacles and for terrains.
+
+    Examples
+    --------
     >>> from kinoedu.worlds import PolygonWorld
-    >>> cut = triangulation(PolygonWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [[(3, 2), (6, 2), (6, 4), (3, 4)]]))
+    >>> obstacle = [(3, 2), (6, 2), (6, 4), (3, 4)]
+    >>> cut = triangulation(PolygonWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [obstacle]))
     >>> len(cut.triangles), len(cut.adjacency), float(cut.areas.sum())
     (8, 8, 48.0)
     """
@@ -82,9 +93,8 @@ def triangulation(world: Any) -> Triangulation:
             np.array(part.exterior.coords)[:-1],
             [np.array(hole.coords)[:-1] for hole in part.interiors],
         )
-    left_of = {
-        edge: i for i, cell in enumerate(cells) for edge in sides(corners(cell))
-    }  # an edge is shared by its reverse
+    # two triangles share an edge where one of them has it in the opposite direction
+    left_of = {edge: i for i, cell in enumerate(cells) for edge in sides(corners(cell))}
     shared = sorted(
         (i, j, a, b) for (a, b), i in left_of.items() if i < (j := left_of.get((b, a), -1))
     )

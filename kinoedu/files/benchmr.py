@@ -1,12 +1,17 @@
-"""Maps of polygons in JSON, as drawn for bench-mr: parking lots and warehouses, y down as in the
-pictures they were traced from.
+"""Polygon maps in JSON, as drawn for Bench-MR: parking lots and warehouses, with y down.
 
-    {"polygons": [[[x, y], ...], ...], "start": [x, y, theta], "goal": [x, y, theta], "source": "...", "note": "..."}
+    {
+        "polygons": [[[x, y], ...], ...],
+        "start": [x, y, theta],
+        "goal": [x, y, theta],
+        "source": "...",
+        "note": "..."
+    }
 
-All but `polygons` may be left out. E. Heiden, L. Palmieri et al., "Bench-MR: a motion planning
-benchmark for wheeled mobile robots" (2021). Such drawings have what a world refuses: outlines that
-cross themselves, corners and polygons that are there twice. Here they are mended, and a warning
-says which.
+Only `polygons` is required. E. Heiden, L. Palmieri et al., "Bench-MR: a motion planning benchmark
+for wheeled mobile robots" (2021). Such drawings contain what a world refuses: outlines that cross
+themselves, repeated corners and repeated polygons. They are repaired here, and a warning lists the
+repairs.
 """
 
 import os
@@ -25,13 +30,12 @@ from ..support.reading import regular_file
 from ..worlds.polygon_world import PolygonWorld, PolygonWorldRecord
 from .outlines import rectangle
 
-SLIVER = (
-    1e-12  # of the polygon's rectangle: what a crossing pinches off and is smaller, is rounding
-)
+# of the area of the polygon's bounding rectangle: smaller regions at a crossing are rounding errors
+SLIVER = 1e-12
 
 
 class PolygonMap(NamedTuple):
-    """A map's world, and its start and goal where it has them; y up."""
+    """The world of a map, and its start and goal, or None; y points up."""
 
     world: PolygonWorldRecord
     start: Array | None
@@ -39,33 +43,51 @@ class PolygonMap(NamedTuple):
 
 
 def read_benchmr(path: str | os.PathLike[str], *, boundary: ArrayLike | None = None) -> PolygonMap:
-    """The map in a JSON file of polygons.
+    """Read a polygon map from a JSON file.
+
+    y is flipped to point up: the lowest corner of the drawing has y = 0, x stays. A heading theta
+    becomes -theta. An outline that crosses itself becomes the region that it encloses; repeated
+    corners and polygons are dropped. The warning MendedPolygons gives their numbers.
 
     Parameters
     ----------
-    boundary : (n, 2), a simple polygon, y up; by default the rectangle round all polygons.
+    boundary : (n, 2), a simple polygon, y up; by default the bounding rectangle of all polygons.
 
-    y turns up: the lowest corner of the drawing has y = 0, x stays. A heading theta becomes -theta.
-    An outline that crosses itself becomes all that it encloses; repeated corners and polygons are
-    left out. A warning, MendedPolygons, gives their numbers.
+    Returns
+    -------
+    PolygonMap
 
-    Raises UnreadableScene, with the field at fault; InvalidPolygon for one without area, by its
-    number.
+    Raises
+    ------
+    UnreadableScene
+        Where the file is missing or damaged; the message names the field.
+    InvalidPolygon
+        Where a polygon has no area; the message gives its number.
     """
     file = regular_file(path)
-    return read_json(file, "map", lambda field: map_from(field, boundary, str(file)))
+    return read_json(file, "map", lambda field: parse_map(field, boundary, str(file)))
 
 
 def is_polygon_map(path: str | os.PathLike[str]) -> bool:
-    """Whether a JSON file is such a map, and not a scene. Raises UnreadableScene."""
+    """Whether a JSON file is a polygon map, and not a scene. Raises UnreadableScene."""
     return read_json(
         Path(path), "map", lambda field: isinstance(field.value, dict) and "polygons" in field.value
     )
 
 
 def read_polygons(path: str | os.PathLike[str]) -> PolygonWorldRecord:
-    """The world alone, as `read_world` gives it. Raises UnknownFormat for a scene, and all that
-    `read_benchmr` does.
+    """Read the world of a polygon map; the reader that `read_world` uses.
+
+    Returns
+    -------
+    PolygonWorldRecord
+
+    Raises
+    ------
+    UnknownFormat
+        Where the file is a scene.
+    UnreadableScene, InvalidPolygon
+        As `read_benchmr`.
     """
     if not is_polygon_map(path):
         raise UnknownFormat(
@@ -74,8 +96,8 @@ def read_polygons(path: str | os.PathLike[str]) -> PolygonWorldRecord:
     return read_benchmr(path).world
 
 
-def map_from(field: Field, boundary: ArrayLike | None, file: str) -> PolygonMap:
-    """A map from the whole file."""
+def parse_map(field: Field, boundary: ArrayLike | None, file: str) -> PolygonMap:
+    """Build a map from the parsed file."""
     fields = field.members(("polygons",), ("start", "goal", "source", "note"))
     drawn = [as_array(polygon.points(), polygon.name) for polygon in fields["polygons"].items()]
     if not drawn:
@@ -84,26 +106,26 @@ def map_from(field: Field, boundary: ArrayLike | None, file: str) -> PolygonMap:
         if polygon.ndim != 2 or polygon.shape[1] != 2:
             raise fields["polygons"].items()[i].wrong("a list of points [x, y]")
     bottom = max(polygon[:, 1].max() for polygon in drawn)
-    rings = mended([polygon * (1.0, -1.0) + (0.0, bottom) for polygon in drawn], file)
+    rings = mend_polygons([polygon * (1.0, -1.0) + (0.0, bottom) for polygon in drawn], file)
     if boundary is None:
         corners = np.concatenate(rings)
         boundary = rectangle(corners.min(axis=0), corners.max(axis=0))
     start, goal = (
-        turned_up(fields[name], bottom) if name in fields else None for name in ("start", "goal")
+        flip_y(fields[name], bottom) if name in fields else None for name in ("start", "goal")
     )
     return PolygonMap(PolygonWorld(boundary, rings), start, goal)
 
 
-def turned_up(field: Field, bottom: float) -> Array:
-    """A configuration (x, y) or (x, y, theta), y up."""
+def flip_y(field: Field, bottom: float) -> Array:
+    """Flip the y-axis of a configuration (x, y) or (x, y, theta)."""
     q = as_array(field.numbers(), field.name)
     if len(q) not in (2, 3):
         raise field.wrong("[x, y] or [x, y, theta]")
     return np.append((q[0], bottom - q[1]), -q[2:])
 
 
-def mended(drawn: list[Array], file: str) -> list[Array]:
-    """Simple polygons from what was drawn, and a warning where they are not the same."""
+def mend_polygons(drawn: list[Array], file: str) -> list[Array]:
+    """Repair the drawn polygons, and warn where a repair was needed."""
     rings: list[Array] = []
     seen: dict[Any, int] = {}
     notes = []
@@ -119,15 +141,15 @@ def mended(drawn: list[Array], file: str) -> list[Array]:
         try:
             rings.append(as_ring(corners, f"polygon {i}"))
         except InvalidPolygon as error:
-            rings += enclosed(corners, error)
-            notes.append(f"polygon {i} crosses or touches itself: all that it encloses is solid")
+            rings += enclosed_outlines(corners, error)
+            notes.append(f"polygon {i} crosses or touches itself: the region it encloses is solid")
     if notes:
         warnings.warn(f"{file}: {'; '.join(notes)}", MendedPolygons, stacklevel=2)
     return rings
 
 
 def same_ring(a: Array, b: Array) -> bool:
-    """Whether two rings have the same edges, whichever way round they are written."""
+    """Whether two rings have the same edges, in either orientation."""
     return edges_of_drawing(a) == edges_of_drawing(b)
 
 
@@ -137,15 +159,14 @@ def edges_of_drawing(ring: Array) -> set[frozenset[Any]]:
     return {frozenset(pair) for pair in zip(ends, ends[1:] + ends[:1]) if pair[0] != pair[1]}
 
 
-def enclosed(corners: Array, error: InvalidPolygon) -> list[Array]:
-    """The outlines of all that a ring which crosses itself encloses; without area, its error."""
+def enclosed_outlines(corners: Array, error: InvalidPolygon) -> list[Array]:
+    """The outlines of the region that a self-crossing ring encloses; raise `error` without area."""
     import shapely
 
     if len(corners) < 3:
         raise error
-    faces = shapely.polygonize(
-        shapely.get_parts(shapely.node(shapely.linestrings(np.vstack([corners, corners[:1]]))))
-    )
+    closed = shapely.linestrings(np.vstack([corners, corners[:1]]))
+    faces = shapely.polygonize(shapely.get_parts(shapely.node(closed)))
     least = SLIVER * np.prod(np.ptp(corners, axis=0))
     parts = [
         part
@@ -155,6 +176,8 @@ def enclosed(corners: Array, error: InvalidPolygon) -> list[Array]:
     if not parts:
         raise error
     return [
-        as_ring(shapely.get_coordinates(part.exterior)[:-1], "what a mended polygon encloses")
+        as_ring(
+            shapely.get_coordinates(part.exterior)[:-1], "the region enclosed by a repaired polygon"
+        )
         for part in parts
     ]

@@ -1,4 +1,4 @@
-"""Terrains from pictures: bright is free, dark is blocked."""
+"""Terrains from pictures: bright pixels are free, dark pixels are blocked."""
 
 import os
 import warnings
@@ -18,28 +18,34 @@ if TYPE_CHECKING:
     from PIL.Image import Image
     from PIL.ImageFile import ImageFile
 
-_FORMATS = ("PNG", "BMP", "PPM")  # PPM is Pillow's name for the whole family of PGM
+_FORMATS = ("PNG", "BMP", "PPM")  # PPM is Pillow's name for a family that includes PGM
 _DEEP_GREY = ("I", "I;16", "I;16B", "I;16L", "I;16N")  # Pillow scales each of these to 0..65535
 _SHALLOW = ("1", "L", "LA", "P", "PA", "RGB", "RGBA", "RGBX", "CMYK")
 _KEY_SCALE = {"1": 255, "L;2": 85, "L;4": 17}  # from 1, 2 and 4 bits to 0..255
 
 
 def read_image(path: str | os.PathLike[str]) -> TerrainRecord:
-    """A terrain with one cell a pixel, side 1, the picture's lower left corner at the origin.
+    """Read a terrain with one cell for each pixel of a picture, of side 1.
 
-    A pixel is free when its brightness is at least half of full scale. Colour counts by its
-    luminance (ITU-R BT.601), what is transparent is seen on white paper, an animation gives its
-    first picture.
+    The lower left corner of the picture is the origin. A pixel is free when its brightness is at
+    least half of full scale. The brightness of a colour is its luminance (ITU-R BT.601),
+    transparent pixels are laid on white, and of an animation the first picture is used.
 
     Parameters
     ----------
     path : str or path
         PNG, BMP or PGM (plain P2 or binary P5), 1 to 16 bits a channel.
 
+    Returns
+    -------
+    TerrainRecord
+
     Raises
     ------
-    UnreadableScene, SceneTooLarge
-        The file is missing, damaged or no such picture; it has more than `MAX_CELLS` pixels.
+    UnreadableScene
+        Where the file is missing, damaged or not such a picture.
+    SceneTooLarge
+        Where it has more than `MAX_CELLS` pixels.
 
     Examples
     --------
@@ -58,8 +64,9 @@ def read_image(path: str | os.PathLike[str]) -> TerrainRecord:
 
 
 def brightness(path: str | os.PathLike[str]) -> NDArray[np.float64]:
-    """How bright a picture is, 0 to 1, (rows, columns), the top row first. Files and errors as in
-    `read_image`.
+    """The brightness of each pixel, 0 to 1, (rows, columns), top row first.
+
+    Files and errors are the same as in `read_image`.
     """
     image = load_image(path)
     deep = deep_grey(image)
@@ -67,7 +74,7 @@ def brightness(path: str | os.PathLike[str]) -> NDArray[np.float64]:
 
 
 def load_image(path: str | os.PathLike[str]) -> "Image":
-    """A picture, decoded after its header has been judged.
+    """Decode a picture after its header has been checked.
 
     Raises
     ------
@@ -79,7 +86,7 @@ def load_image(path: str | os.PathLike[str]) -> "Image":
     path = regular_file(path)
     try:
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # what Pillow warns of is refused here, or harmless
+            warnings.simplefilter("ignore")  # the causes are refused here, or harmless
             with Image.open(path, formats=_FORMATS) as image:
                 check_size(path, *image.size)
                 _check_mode(image, path)
@@ -92,9 +99,7 @@ def load_image(path: str | os.PathLike[str]) -> "Image":
         raise SceneTooLarge(
             f"{path}: expected at most {MAX_CELLS:,} cells: {error}; shrink it"
         ) from error
-    except (
-        Exception
-    ) as error:  # on damaged bytes Pillow fails with anything from OSError to struct.error
+    except Exception as error:  # damaged bytes raise anything from OSError to struct.error
         why = "something else" if isinstance(error, UnidentifiedImageError) else f"damage: {error}"
         raise UnreadableScene(
             f"{path}: expected a PNG, BMP or PGM, got {why}; save it again"
@@ -102,9 +107,7 @@ def load_image(path: str | os.PathLike[str]) -> "Image":
 
 
 def _check_mode(image: "ImageFile", path: Path) -> None:
-    """Refuse pixels whose brightness cannot be told: floats, and one transparent colour in 16
-    bits.
-    """
+    """Refuse pixels without a defined brightness: floats, and a transparent colour in 16 bits."""
     if image.mode not in _DEEP_GREY + _SHALLOW:
         raise UnreadableScene(
             f"{path}: expected 1 to 16 bits a channel, got Pillow's mode {image.mode!r}"
@@ -116,23 +119,19 @@ def _check_mode(image: "ImageFile", path: Path) -> None:
 
 
 def _scale_transparent_grey(image: "ImageFile") -> None:
-    """Bring the transparent grey of a PNG to 0..255, as Pillow brings the pixels but not always
-    this key.
-    """
+    """Scale the transparent grey of a PNG to 0..255, which Pillow does not always do."""
     scale = _KEY_SCALE.get(str(image.tile[0][3]))
     if scale and "transparency" in image.info:
         image.info["transparency"] = min(255, scale * image.info["transparency"])
 
 
 def deep_grey(image: "Image") -> NDArray[Any] | None:
-    """The greys (rows, columns) in 0..65535 of a picture with more than 8 bits a pixel, else
-    None.
-    """
+    """The greys (rows, columns) in 0..65535 where a pixel has more than 8 bits, else None."""
     return np.asarray(image) if image.mode in _DEEP_GREY else None
 
 
 def _luminance(image: "Image") -> NDArray[np.uint8]:
-    """The brightness (rows, columns) in 0..255 of a picture laid on white paper, top row first."""
+    """The brightness (rows, columns) in 0..255 of a picture laid on white, top row first."""
     from PIL import Image
 
     paper = Image.new("RGBA", image.size, "white")
@@ -140,9 +139,17 @@ def _luminance(image: "Image") -> NDArray[np.uint8]:
 
 
 def read_heights(path: str | os.PathLike[str], *, highest: float = 1.0) -> Array:
-    """The heights (rows, columns) in a grey picture: black is 0, white `highest`; row 0 is the
-    lowest, as in `Terrain`.
+    """Read heights from a grey picture: black is 0, white is `highest`.
 
-    Raises UnreadableScene, SceneTooLarge, InvalidParameter.
+    Returns
+    -------
+    (rows, columns) array; row 0 is the lowest, as in `Terrain`.
+
+    Raises
+    ------
+    UnreadableScene, SceneTooLarge
+        Where the picture cannot be read.
+    InvalidParameter
+        Where `highest` is not positive.
     """
     return positive(highest, "highest") * brightness(path)[::-1]

@@ -1,8 +1,7 @@
-"""Worlds and robots from meshes: triangles in space become polygons in the plane, seen from above
-or sliced at a height.
+"""Worlds and robots from triangle meshes, projected to the plane or sliced at a height.
 
-trimesh reads the files. What a file says of which way is up, a program that writes it often does
-not mean, and trimesh turns nothing: z is up unless `up` says otherwise.
+trimesh reads the files and does not rotate them. The up-axis that a file declares is often wrong,
+so z is up unless the parameter `up` says otherwise.
 """
 
 import io
@@ -20,12 +19,12 @@ from ..geometry.checks import LIMIT, Array, as_array, as_point, positive
 from ..support.reading import regular_file
 from ..support.text import shortened
 from ..worlds.polygon_world import PolygonWorld, PolygonWorldRecord
-from .outlines import Solid, rectangle, shadow, slice_of
+from .outlines import Solid, project_triangles, rectangle, slice_triangles
 
 ENDINGS = (".dae", ".glb", ".obj", ".stl")
 MAX_TRIANGLES = 500_000
 MAX_BYTES = 200_000_000
-UPRIGHT = {  # which rows become x, y and z, each with its sign, where another axis is up
+UPRIGHT = {  # by the axis that is up: the coordinates, with signs, that become x, y and z
     "z": ((0, 1), (1, 1), (2, 1)),
     "y": ((0, 1), (2, -1), (1, 1)),
     "x": ((1, -1), (2, -1), (0, 1)),
@@ -35,27 +34,39 @@ UPRIGHT = {  # which rows become x, y and z, each with its sign, where another a
 def read_mesh(
     path: str | os.PathLike[str], *, slice_at: float | None = None, up: str = "z"
 ) -> list[Solid]:
-    """The polygons that a mesh makes in the plane, as pairs (outline, rooms): obstacles for
-    `PolygonWorld`.
+    """Read the polygons of a mesh as pairs (outline, rooms): obstacles for `PolygonWorld`.
+
+    Outlines are counter-clockwise and disjoint; holes of the mesh are rooms. Coordinates are exact
+    to 2^-39 of the size of the mesh. A slice shows the bodies just above its height. An .obj file
+    that is truncated between two lines cannot be distinguished from a complete one.
 
     Parameters
     ----------
-    path : .stl, .obj, .dae or .glb. All of a scene's bodies count, each where the file puts it.
-    slice_at : the height to slice at, which needs closed bodies; by default the mesh is seen from
-    above, with all that it covers.
-    up : the axis of the file that points up: "z", "y", "x", or "file" for what the file says:
-    `<up_axis>` of a .dae, y in a .glb,
-        z else. Programs often write an `<up_axis>` that they do not mean, so it is not followed
-        unless asked for. With y up, the plane is (x, -z); with x up, (-y, -z).
+    path : .stl, .obj, .dae or .glb. All bodies of a scene are used, at their positions in the file.
+    slice_at : the height of the slice, which needs closed bodies; by default the mesh is projected
+        from above.
+    up : the axis of the file that points up: "z", "y", "x", or "file" for the axis that the file
+        declares: `<up_axis>` of a .dae, y in a .glb, z otherwise. Programs often write a wrong
+        `<up_axis>`, so it is used only on request. With y up, the plane is (x, -z); with x up, (-y,
+        -z).
 
-    Outlines are counter-clockwise and disjoint, with rooms where the mesh has holes. Coordinates
-    are exact to 2^-39 of the mesh's size. A slice has what is just above its height. An .obj cut
-    short between two lines cannot be told from a whole one.
+    Returns
+    -------
+    list of pairs (outline, rooms): a polygon (n, 2), and a list of polygons.
 
-    Raises UnreadableScene for a file that is missing, damaged or empty, covers no area, or is to be
-    sliced and is not closed; SceneTooLarge; UnknownFormat; InvalidParameter for a height where
-    nothing is.
+    Raises
+    ------
+    UnreadableScene
+        Where the file is missing, damaged or empty, covers no area, or is not closed at a slice.
+    SceneTooLarge
+        Where the file has too many bytes or triangles.
+    UnknownFormat
+        Where its ending is not one of these.
+    InvalidParameter
+        Where there is nothing at the height, or `up` is unknown.
 
+    Examples
+    --------
     >>> from pathlib import Path
     >>> from tempfile import TemporaryDirectory
     >>> with TemporaryDirectory() as folder:
@@ -68,13 +79,13 @@ def read_mesh(
     if up not in (*UPRIGHT, "file"):
         raise InvalidParameter(f'up must be "x", "y", "z" or "file", got {shortened(up)}')
     file = Path(path)
-    triangles = triangles_in(file, up)
+    triangles = read_triangles(file, up)
     if slice_at is None:
-        made: list[Solid] | None = shadow(triangles)
+        made: list[Solid] | None = project_triangles(triangles)
         if not made:
             raise UnreadableScene(
-                f"{file}: its triangles cover no area seen along {up}; is another axis up? Then "
-                "say so by `up`"
+                f"{file}: its triangles cover no area seen along {up}; if another axis is up, pass "
+                "it as `up`"
             )
         return made
     height = as_array(slice_at, "slice_at")
@@ -84,12 +95,11 @@ def read_mesh(
             f"{file}: slice_at must be a height from {low:g} to below {high:g}, got "
             f"{shortened(slice_at)}"
         )
-    made = slice_of(triangles, float(height))
+    made = slice_triangles(triangles, float(height))
     if made is None:
         raise UnreadableScene(
             f"{file}: the mesh is not closed at height {float(height):g}, or some of its "
-            "triangles face the other way; "
-            "repair it, or leave out slice_at to see it from above"
+            "triangles are oriented inward; repair it, or omit slice_at to project it from above"
         )
     if not made:
         raise InvalidParameter(
@@ -106,13 +116,25 @@ def mesh_world(
     slice_at: float | None = None,
     up: str = "z",
 ) -> PolygonWorldRecord:
-    """The world whose obstacles are a mesh's polygons.
+    """Read a world whose obstacles are the polygons of a mesh.
 
     Parameters
     ----------
-    boundary : (n, 2), a simple polygon; by default a rectangle round all, `margin` away.
-    margin : a length, by default a tenth of the mesh's longer side.
-    path, slice_at, up : as in `read_mesh`, and so are the errors; InvalidPolygon for the boundary.
+    boundary : (n, 2), a simple polygon; by default the bounding rectangle of the mesh, grown by
+        `margin`.
+    margin : a length, by default a tenth of the longer side of the mesh.
+    path, slice_at, up : as in `read_mesh`.
+
+    Returns
+    -------
+    PolygonWorldRecord
+
+    Raises
+    ------
+    InvalidPolygon
+        Where the boundary is not a simple polygon.
+    UnreadableScene, SceneTooLarge, UnknownFormat, InvalidParameter
+        As `read_mesh`.
     """
     obstacles = read_mesh(path, slice_at=slice_at, up=up)
     if boundary is None:
@@ -132,13 +154,26 @@ def mesh_outline(
     up: str = "z",
     reference: ArrayLike = (0.0, 0.0),
 ) -> Array:
-    """The outline (n, 2) of a mesh of one piece: vertices for `RigidPolygon` or
-    `TranslatingPolygon`. Its holes are filled.
+    """Read the outline of a mesh of one piece: vertices for `RigidPolygon` or `TranslatingPolygon`.
 
-    reference : the point of the mesh, in its own plane, that becomes the origin: the robot's
-        reference point.
+    Holes are filled.
 
-    All else as in `read_mesh`; InvalidRobot where there is more than one piece.
+    Parameters
+    ----------
+    reference : the point of the mesh, in the plane, that becomes the origin: the reference point of
+        the robot.
+    path, slice_at, up : as in `read_mesh`.
+
+    Returns
+    -------
+    (n, 2) array.
+
+    Raises
+    ------
+    InvalidRobot
+        Where there is more than one piece.
+    UnreadableScene, SceneTooLarge, UnknownFormat, InvalidParameter
+        As `read_mesh`.
     """
     pieces = read_mesh(path, slice_at=slice_at, up=up)
     if len(pieces) > 1:
@@ -146,8 +181,8 @@ def mesh_outline(
     return pieces[0][0] - as_point(reference, "reference")
 
 
-def triangles_in(file: Path, up: str) -> Array:
-    """A file's triangles, (m, 3, 3), z up."""
+def read_triangles(file: Path, up: str) -> Array:
+    """The triangles of a file, (m, 3, 3), z up."""
     ending = file.suffix.lower()
     if ending not in ENDINGS:
         raise UnknownFormat(f"{file}: expected {', '.join(ENDINGS)}, got {ending or 'no ending'}")
@@ -157,7 +192,7 @@ def triangles_in(file: Path, up: str) -> Array:
         raise SceneTooLarge(
             f"{file}: expected at most {MAX_BYTES:,} bytes, got more; simplify the mesh"
         )
-    triangles = loaded(data, ending[1:], file)
+    triangles = load_triangles(data, ending[1:], file)
     if len(triangles) == 0:
         raise UnreadableScene(f"{file}: it holds no triangles; export the surfaces as a mesh")
     if len(triangles) > MAX_TRIANGLES:
@@ -169,22 +204,22 @@ def triangles_in(file: Path, up: str) -> Array:
         raise UnreadableScene(
             f"{file}: coordinates must be finite and at most 1e150; export it again"
         )
-    axes = UPRIGHT[said_up(data, ending) if up == "file" else up]
+    axes = UPRIGHT[declared_up_axis(data, ending) if up == "file" else up]
     return np.stack([sign * triangles[:, :, row] for row, sign in axes], axis=2)
 
 
-def loaded(data: bytes, kind: str, file: Path) -> Array:
-    """Triangles as trimesh reads them, every body of a scene where the scene puts it."""
+def load_triangles(data: bytes, kind: str, file: Path) -> Array:
+    """Read the triangles of all bodies by trimesh, at their positions in the scene."""
     import trimesh
 
-    if damage := why_cut(data, kind):
+    if damage := describe_truncation(data, kind):
         raise UnreadableScene(
             f"{file}: expected a whole .{kind} file, got {damage}; export it again"
         )
     options: dict[str, Any] = {"skip_materials": True} if kind in ("obj", "glb") else {}
     try:
         with warnings.catch_warnings(), np.errstate(all="ignore"):
-            warnings.simplefilter("ignore")  # what matters of it is judged here
+            warnings.simplefilter("ignore")  # the results are checked below
             scene = trimesh.load_scene(io.BytesIO(data), file_type=kind, process=False, **options)
             surfaces = any(isinstance(body, trimesh.Trimesh) for body in scene.geometry.values())
             return np.array(scene.triangles, np.float64) if surfaces else np.empty((0, 3, 3))
@@ -192,18 +227,14 @@ def loaded(data: bytes, kind: str, file: Path) -> Array:
         raise UnreadableScene(
             f"{file}: reading .{kind} needs a package that is not installed: {error}"
         ) from error
-    except (
-        Exception
-    ) as error:  # on damaged bytes the readers fail with anything from KeyError to struct.error
+    except Exception as error:  # damaged bytes raise anything from KeyError to struct.error
         raise UnreadableScene(
             f"{file}: expected a mesh in .{kind}, got damage: {shortened(error)}; export it again"
         ) from error
 
 
-def why_cut(data: bytes, kind: str) -> str:
-    """What shows that a file was cut short, where trimesh would read what is left as a smaller
-    mesh, or as none; else empty.
-    """
+def describe_truncation(data: bytes, kind: str) -> str:
+    """Describe how a file is truncated where trimesh does not notice it; empty otherwise."""
     if kind == "obj":
         short = re.search(rb"^f(?:[ \t]+[^\s]+){0,2}[ \t\r]*$", data, re.MULTILINE)
         return (
@@ -223,11 +254,9 @@ def why_cut(data: bytes, kind: str) -> str:
     return "" if b"endsolid" in data else "one that stops before endsolid"
 
 
-def said_up(data: bytes, ending: str) -> str:
-    """The axis that the file says is up."""
+def declared_up_axis(data: bytes, ending: str) -> str:
+    """The axis that the file declares as up."""
     found = re.search(rb"<up_axis>\s*([XYZ])_UP", data) if ending == ".dae" else None
     if found:
         return found[1].decode().lower()
-    return (
-        "y" if ending in (".dae", ".glb") else "z"
-    )  # what the two formats prescribe where nothing is said
+    return "y" if ending in (".dae", ".glb") else "z"  # the default of the two formats is y

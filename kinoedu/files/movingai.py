@@ -1,5 +1,6 @@
-"""Grid maps and scenarios of MovingAI (Sturtevant 2012,
-https://movingai.com/benchmarks/formats.html).
+"""MovingAI grid maps and scenarios.
+
+Sturtevant 2012, https://movingai.com/benchmarks/formats.html.
 """
 
 import os
@@ -19,11 +20,11 @@ _PASSABLE, _BLOCKED = ".GS", "@OTW"
 
 
 class Query(NamedTuple):
-    """One line of a scenario: where to go on which map, and the length of the best way.
+    """One line of a scenario: a map, a start, a goal, and the length of the shortest path.
 
     `start` and `goal` (2,) are centres of cells in a terrain of resolution 1 at the origin, y up.
-    `length` is the shortest octile length: moves between centres, diagonally only past two free
-    cells. `columns` and `rows` are the size of the map that is meant.
+    `length` is the shortest octile length: moves between centres, diagonal only where the two cells
+    beside the diagonal are free. `columns` and `rows` are the size of the map.
     """
 
     map_name: str
@@ -35,13 +36,19 @@ class Query(NamedTuple):
 
 
 def read_map(path: str | os.PathLike[str]) -> TerrainRecord:
-    """A terrain from a MovingAI map: `.`, `G` and `S` are free, `@`, `O`, `T` and `W` are blocked.
+    """Read a terrain from a MovingAI map: `.`, `G`, `S` are free, `@`, `O`, `T`, `W` are blocked.
+
+    Returns
+    -------
+    TerrainRecord
 
     Raises
     ------
-    UnreadableScene, SceneTooLarge
-        The file is missing or no text, a character is unknown, rows contradict the header; too many
-        cells.
+    UnreadableScene
+        Where the file is missing or is not text, a character is unknown, or rows contradict the
+        header.
+    SceneTooLarge
+        Where it has more than `MAX_CELLS` cells.
 
     Examples
     --------
@@ -63,7 +70,7 @@ def read_map(path: str | os.PathLike[str]) -> TerrainRecord:
 
 
 def _header(path: Path, head: str) -> tuple[int, int]:
-    """The height and the width that the lines before `map` announce, in whatever order."""
+    """The height and the width in the lines before `map`, in any order."""
     entries = [line.split() for line in head.splitlines() if line.strip()]
     keys = sorted(words[0] for words in entries)
     if keys != ["height", "type", "width"] or any(len(words) != 2 for words in entries):
@@ -80,7 +87,7 @@ def _header(path: Path, head: str) -> tuple[int, int]:
 
 
 def _check_rows(path: Path, rows: list[str], height: int, width: int) -> None:
-    """Refuse rows that are not what the header says: too many or few, too long or short."""
+    """Refuse rows whose number or length differs from the header."""
     if len(rows) != height:
         raise UnreadableScene(f"{path}: expected {height} rows as the header says, got {len(rows)}")
     for number, row in enumerate(rows, start=1):
@@ -91,26 +98,32 @@ def _check_rows(path: Path, rows: list[str], height: int, width: int) -> None:
 
 
 def _free_cells(path: Path, rows: list[str]) -> NDArray[np.bool_]:
-    """Which cells (rows, columns) are passable, top row first."""
+    """Whether each cell is passable, (rows, columns), top row first."""
     codes = np.frombuffer("".join(rows).encode("ascii", "replace"), np.uint8).reshape(len(rows), -1)
     unknown = ~np.isin(codes, list((_PASSABLE + _BLOCKED).encode()))
     if unknown.any():
         row, column = np.argwhere(unknown)[0]
         raise UnreadableScene(
             f"{path}: row {row + 1}, column {column + 1} of the map: expected one of "
-            f"{_PASSABLE}{_BLOCKED},"
-            f" got {rows[row][column]!r}"
+            f"{_PASSABLE}{_BLOCKED}, got {rows[row][column]!r}"
         )
     return np.isin(codes, list(_PASSABLE.encode()))
 
 
 def read_scenario(path: str | os.PathLike[str]) -> list[Query]:
-    """The queries of a MovingAI scenario, in the file's order.
+    """Read the queries of a MovingAI scenario, in the order of the file.
+
+    Returns
+    -------
+    list of Query
 
     Raises
     ------
-    UnreadableScene, SceneTooLarge
-        The file is missing or is not text, or a line, which the message names, makes no sense.
+    UnreadableScene
+        Where the file is missing or is not text, or a line is not valid; the message names the
+        line.
+    SceneTooLarge
+        Where a map has more than `MAX_CELLS` cells.
     """
     path = Path(path)
     version, *lines = read_text(path).split("\n")
@@ -140,9 +153,7 @@ def _query(line: str, where: str) -> Query:
 
 
 def _whole_number(word: str, where: str) -> int:
-    """A number of cells; so many digits that no terrain is meant are refused before `int` chokes on
-    them.
-    """
+    """An integer number of cells; too many digits are refused before `int` fails on them."""
     if not re.fullmatch("[0-9]{1,18}", word):
         raise UnreadableScene(f"{where}: expected a whole number, got {word[:40]!r}")
     return int(word)
@@ -156,14 +167,17 @@ def _length(word: str, where: str) -> float:
 
 
 def scenario_beside(path: str | os.PathLike[str]) -> Path | None:
-    """The scenario of a map `X.map`: `X.map.scen`, else `X.scen`, else the first `X-even-1.scen`,
-    ...
+    """The scenario of a map `X.map`: `X.map.scen`, `X.scen`, or the first `X-even-1.scen`, ....
+
+    Returns
+    -------
+    Path, or None where there is no such file.
     """
     path = Path(path)
     numbered = re.compile(re.escape(path.stem) + r"-(even|random)-[0-9]+\.scen")
     try:
         beside = sorted(name for name in os.listdir(path.parent) if numbered.fullmatch(name))
-    except (OSError, ValueError):  # no such folder: nothing lies in it
+    except (OSError, ValueError):  # there is no such folder
         return None
     names = [f"{path.name}.scen", f"{path.stem}.scen", *beside]
     return next(

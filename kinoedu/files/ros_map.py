@@ -1,6 +1,4 @@
-"""Maps of ROS: a picture, and a YAML file that says what it means
-(https://wiki.ros.org/map_server).
-"""
+"""Maps of ROS: a picture and a YAML file with its settings (https://wiki.ros.org/map_server)."""
 
 import math
 import os
@@ -28,25 +26,31 @@ _MAX_YAML = 20_000  # bytes: a map's settings are ten lines
 
 
 def read_ros_map(path: str | os.PathLike[str]) -> TerrainRecord:
-    """A terrain from a ROS map, in metres.
+    """Read a terrain from a ROS map, in metres.
 
     A pixel of shade x, the mean of its channels in 0..255, is occupied with probability p = (255 -
-    x) / 255, or x / 255 under `negate`. It is free when p < free_thresh; what is occupied or
-    unknown is not free. In mode `trinary` an alpha channel is averaged in, as ROS does; in mode
-    `scale` transparent is unknown.
+    x) / 255, or x / 255 under `negate`. It is free where p < free_thresh; occupied and unknown
+    cells are not free. In mode `trinary` an alpha channel is included in the mean, as in ROS; in
+    mode `scale` transparent pixels are unknown.
 
     Parameters
     ----------
     path : str or path
-        The YAML file, with the keys image (a path relative to it), resolution (metres a cell),
+        The YAML file, with the keys image (a path relative to it), resolution (metres per cell),
         origin (x, y, yaw of the lower left corner), negate, occupied_thresh, free_thresh, and mode
         if it is not trinary.
 
+    Returns
+    -------
+    TerrainRecord
+
     Raises
     ------
-    UnreadableScene, SceneTooLarge
-        A file is missing, damaged or too large; a setting is missing, misspelt or senseless; yaw;
-        mode `raw`.
+    UnreadableScene
+        Where a file is missing or damaged; a setting is missing, misspelt or not valid; the yaw is
+        not 0; the mode is `raw`.
+    SceneTooLarge
+        Where a file is too large.
     """
     path = Path(path)
     settings = _settings(path)
@@ -55,12 +59,8 @@ def read_ros_map(path: str | os.PathLike[str]) -> TerrainRecord:
     origin = _origin(path, settings["origin"])
     negate, name, mode = settings["negate"], settings["image"], settings.get("mode", "trinary")
     _expect(negate in (0, 1), path, "negate: 0 or negate: 1", negate)
-    _expect(
-        mode in ("trinary", "scale"),
-        path,
-        "mode: trinary or scale (raw cannot tell what is free)",
-        mode,
-    )
+    modes = "mode: trinary or scale (raw does not define which cells are free)"
+    _expect(mode in ("trinary", "scale"), path, modes, mode)
     _expect(isinstance(name, str) and name != "", path, "image: the name of a picture", name)
     free_below, image = _free_threshold(path, settings), load_image(path.parent / str(name))
     free = _free_cells(image, free_below, bool(negate), averages_alpha=mode == "trinary")
@@ -68,13 +68,13 @@ def read_ros_map(path: str | os.PathLike[str]) -> TerrainRecord:
 
 
 def _expect(holds: bool, path: Path, wanted: str, got: object) -> None:
-    """Refuse a setting unless the condition holds."""
+    """Raise UnreadableScene unless the condition holds."""
     if not holds:
         raise UnreadableScene(f"{path}: expected {wanted}, got {brief(got)}; correct it")
 
 
 def _settings(path: Path) -> dict[object, object]:
-    """The mapping in a YAML file, with every key that is needed."""
+    """The mapping in a YAML file, with all required keys."""
     settings = _load_yaml(path)
     if not isinstance(settings, dict):
         raise UnreadableScene(
@@ -87,14 +87,13 @@ def _settings(path: Path) -> dict[object, object]:
     if missing or misspelt:
         raise UnreadableScene(
             f"{path}: expected the keys {', '.join(known)}; missing: "
-            f"{', '.join(missing) or 'none'};"
-            f" misspelt: {brief(misspelt) if misspelt else 'none'}"
+            f"{', '.join(missing) or 'none'}; misspelt: {brief(misspelt) if misspelt else 'none'}"
         )
     return settings
 
 
 def _load_yaml(path: Path) -> object:
-    """What a small YAML file says."""
+    """Parse a small YAML file."""
     import yaml
 
     text = read_text(path, _MAX_YAML)
@@ -102,16 +101,14 @@ def _load_yaml(path: Path) -> object:
         _check_tokens(yaml.scan(text))
         _check_twins(yaml.compose(text, Loader=yaml.SafeLoader))
         return yaml.safe_load(text)
-    except Exception as error:  # besides YAMLError it lets ValueError and RecursionError through
+    except Exception as error:  # ValueError and RecursionError too, not only YAMLError
         raise UnreadableScene(
             f"{path}: expected YAML, got: {str(error)[:300]}; mend that line"
         ) from error
 
 
 def _check_tokens(tokens: Iterator[Any]) -> None:
-    """Refuse what no map needs and what costs a parser minutes: aliases, heaps of lists, endless
-    numbers.
-    """
+    """Refuse what costs a parser minutes and no map needs: aliases, deep nesting, long values."""
     nested = 0
     for token in tokens:
         kind = type(token).__name__
@@ -123,9 +120,7 @@ def _check_tokens(tokens: Iterator[Any]) -> None:
 
 
 def _check_twins(node: Any) -> None:
-    """Refuse a key that stands twice: ROS would take the first of them, and the parser here the
-    last.
-    """
+    """Refuse a repeated key: ROS would use the first value, and this parser the last."""
     pairs = node.value if getattr(node, "id", None) == "mapping" else []
     keys = sorted(str(key.value) for key, _ in pairs)
     if twins := [key for key, following in pairwise(keys) if key == following]:
@@ -133,7 +128,7 @@ def _check_twins(node: Any) -> None:
 
 
 def _number(path: Path, key: str, value: object) -> float:
-    """A finite number. `1e-2` is text in YAML 1.1 but a number to ROS, so text is tried too."""
+    """A finite number. `1e-2` is text in YAML 1.1 but a number in ROS, so text is tried too."""
     number = math.nan
     if isinstance(value, int | float | str) and not isinstance(value, bool):
         with suppress(ValueError, OverflowError):
@@ -143,36 +138,30 @@ def _number(path: Path, key: str, value: object) -> float:
 
 
 def _origin(path: Path, value: object) -> tuple[float, float]:
-    """Where the lower left corner lies, in metres."""
+    """The position of the lower left corner, in metres."""
     if not isinstance(value, list) or len(value) != 3:
         raise UnreadableScene(
             f"{path}: expected origin: [x, y, yaw], got {brief(value)}; correct it"
         )
     x, y, yaw = (_number(path, "origin", coordinate) for coordinate in value)
-    _expect(yaw == 0, path, "an origin with yaw 0 (turn the picture instead)", yaw)
+    _expect(yaw == 0, path, "an origin with yaw 0 (rotate the picture instead)", yaw)
     return x, y
 
 
 def _free_threshold(path: Path, settings: dict[object, object]) -> float:
-    """Below which occupancy a cell is free; no more than where it is occupied, so that no cell is
-    both.
-    """
+    """The occupancy below which a cell is free; at most the threshold of occupied cells."""
     free, occupied = (
         _number(path, key, settings[key]) for key in ("free_thresh", "occupied_thresh")
     )
-    _expect(
-        0 <= free <= occupied <= 1,
-        path,
-        "0 <= free_thresh <= occupied_thresh <= 1",
-        (free, occupied),
-    )
+    wanted = "0 <= free_thresh <= occupied_thresh <= 1"
+    _expect(0 <= free <= occupied <= 1, path, wanted, (free, occupied))
     return free
 
 
 def _free_cells(
     image: "Image", free_below: float, negate: bool, averages_alpha: bool
 ) -> NDArray[np.bool_]:
-    """Which cells (rows, columns) are free, top row first. The rule is applied once a shade."""
+    """Whether each cell is free, (rows, columns), top row first; evaluated once for each shade."""
     shade = deep_grey(image)
     full, opaque = 65535, True
     if shade is None:

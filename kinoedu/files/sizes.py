@@ -1,20 +1,21 @@
-"""How large a terrain may be."""
+"""The largest size of a terrain."""
 
 from pathlib import Path
 
 from ..errors import SceneTooLarge, UnreadableScene
 
-MAX_CELLS = 25_000_000  # 5,000 x 5,000, which takes some 400 MB to read
+MAX_CELLS = 25_000_000  # 5,000 x 5,000; reading them takes about 400 MB
 
 
 def check_size(where: str | Path, columns: int, rows: int) -> None:
-    """Refuse, before anything is decoded, a size that no terrain can have; `where` begins the
-    message.
+    """Check the size of a terrain before anything is decoded; `where` begins the message.
 
     Raises
     ------
-    UnreadableScene, SceneTooLarge
-        A side is not positive; the cells are more than `MAX_CELLS`.
+    UnreadableScene
+        Where a side is not positive.
+    SceneTooLarge
+        Where there are more than `MAX_CELLS` cells.
     """
     if columns < 1 or rows < 1:
         raise UnreadableScene(

@@ -1,4 +1,4 @@
-"""The world in a file: which reader takes which file."""
+"""`read_world`: read a world from a file, by the reader for its file name extension."""
 
 import os
 from collections.abc import Callable
@@ -16,27 +16,29 @@ from .ros_map import read_ros_map
 
 
 def read_world(path: str | os.PathLike[str]) -> TerrainRecord | PolygonWorldRecord:
-    """The world in a file, read by what the file's name ends in (capitals do not matter).
+    """Read a world from a file, by its file name extension; upper or lower case.
 
     Parameters
     ----------
     path : str or path
         `.png`, `.bmp`, `.pgm`: a picture (`read_image`); `.map`: a MovingAI map (`read_map`);
-        `.yaml`, `.yml`: a ROS map (`read_ros_map`); `.dae`, `.glb`, `.obj`, `.stl`: a mesh, seen
-        from above (`mesh_world`); `.json`: a map of polygons (`read_benchmr`). A scene in `.json`
-        is read by `kinoedu.files.scenes.read_scene`.
+        `.yaml`, `.yml`: a ROS map (`read_ros_map`); `.dae`, `.glb`, `.obj`, `.stl`: a mesh,
+        projected from above (`mesh_world`); `.json`: a polygon map (`read_benchmr`). A scene in
+        `.json` is read by `kinoedu.files.scenes.read_scene`.
 
     Returns
     -------
-    TerrainRecord, or of a mesh or polygons a PolygonWorldRecord
-        x right, y up; the picture or map looks on the page as in its file.
+    TerrainRecord, or a PolygonWorldRecord for a mesh or polygons
+        x points right and y up; the picture or map has the same orientation as in its file.
 
     Raises
     ------
     UnknownFormat
-        No reader knows the ending.
-    UnreadableScene, SceneTooLarge
-        The file is missing or damaged; it holds more than `MAX_CELLS` cells.
+        Where there is no reader for the extension.
+    UnreadableScene
+        Where the file is missing or damaged.
+    SceneTooLarge
+        Where it has more than `MAX_CELLS` cells.
 
     Examples
     --------
@@ -45,9 +47,12 @@ def read_world(path: str | os.PathLike[str]) -> TerrainRecord | PolygonWorldReco
     kinoedu.errors.UnknownFormat: world.txt: expected .bmp, .dae, ... .yaml or .yml, got .txt; ...
     """
     readers: dict[str, Callable[[str | os.PathLike[str]], TerrainRecord | PolygonWorldRecord]] = {
-        ".bmp": read_image, ".dae": mesh_world, ".glb": mesh_world, ".json": read_polygons, ".map": read_map, ".obj": mesh_world,
-        ".pgm": read_image, ".png": read_image, ".stl": mesh_world, ".yaml": read_ros_map, ".yml": read_ros_map,
-    }  # fmt: skip
+        **dict.fromkeys((".bmp", ".pgm", ".png"), read_image),
+        **dict.fromkeys((".dae", ".glb", ".obj", ".stl"), mesh_world),
+        **dict.fromkeys((".yaml", ".yml"), read_ros_map),
+        ".json": read_polygons,
+        ".map": read_map,
+    }
     file = as_path(path)
     ending = file.suffix.lower()
     if ending not in readers:
@@ -56,7 +61,7 @@ def read_world(path: str | os.PathLike[str]) -> TerrainRecord | PolygonWorldReco
 
 
 def _unknown_format(path: Path, ending: str, known: list[str]) -> UnknownFormat:
-    """The error for an ending that no reader knows; a folder gets advice of its own."""
+    """The error for an unknown extension, or for a folder."""
     got, advice = ending or "no ending", "save it as one of those"
     if os.path.isdir(path):
         got, advice = "a folder", "name a file inside it"

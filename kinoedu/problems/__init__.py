@@ -1,4 +1,4 @@
-"""Problems: what a planner is asked, what it answers, and a recorder of its questions."""
+"""Planning problems, plans, and a recorder of the queries that a planner makes."""
 
 from .in_time import TimedProblem
 from .plan import Plan, Roadmap, Tree, Walk

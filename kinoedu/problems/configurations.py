@@ -1,6 +1,4 @@
-"""What a robot's configurations are in a world: their space, how one enters, and what is wrong with
-one that is not free.
-"""
+"""Configuration spaces of the robots, checks of configurations, and reasons for collisions."""
 
 from functools import singledispatch
 from typing import Any
@@ -25,7 +23,17 @@ from ..support.text import shortened
 
 @singledispatch
 def space_of(robot: Any, world: Any) -> Any:
-    """The configuration space of a robot in a world; each kind of robot has its own."""
+    """The configuration space of a robot in a world.
+
+    Returns
+    -------
+    RealSpace, WrappingSpace or CurveSpace, depending on the kind of robot.
+
+    Raises
+    ------
+    InvalidParameter
+        Where `robot` is not a robot.
+    """
     raise InvalidParameter(f"expected a robot such as Point() or Disk(1), got {shortened(robot)}")
 
 
@@ -37,19 +45,15 @@ def _(robot: RoundRobot, world: Any) -> RealSpace:
 @space_of.register
 def _(robot: TranslatingPolygonRobot, world: Any) -> RealSpace:
     lo, hi = robot.outline.min(axis=0), robot.outline.max(axis=0)
-    return RealSpace(
-        world.lo - np.maximum(lo, 0.0), world.hi - np.minimum(hi, 0.0)
-    )  # a reference point off the body may lie outside
+    # a reference point outside the body may lie outside the world
+    return RealSpace(world.lo - np.maximum(lo, 0.0), world.hi - np.minimum(hi, 0.0))
 
 
 @space_of.register
 def _(robot: RigidPolygonRobot, world: Any) -> WrappingSpace:
     off = point_polygon_distance((0.0, 0.0), robot.outline)
-    lo, hi, weight = (
-        np.append(world.lo - off, -np.pi),
-        np.append(world.hi + off, np.pi),
-        np.array([1.0, 1.0, robot.turn_weight]),
-    )
+    lo, hi = np.append(world.lo - off, -np.pi), np.append(world.hi + off, np.pi)
+    weight = np.array([1.0, 1.0, robot.turn_weight])
     return WrappingSpace(lo, hi, np.array([False, False, True]), weight)
 
 
@@ -67,7 +71,17 @@ def _(robot: ArmRobot, world: Any) -> WrappingSpace:
 
 
 def as_configuration(value: ArrayLike, space: Any, name: str) -> Array:
-    """A configuration of a space, shape (d,), its angles in [-pi, pi), or InvalidPoint."""
+    """Check a configuration of a space.
+
+    Returns
+    -------
+    (d,) array, with its angles in [-pi, pi).
+
+    Raises
+    ------
+    InvalidPoint
+        Where the value is not d finite numbers.
+    """
     q = as_array(value, name)
     if q.shape != space.lo.shape:
         raise InvalidPoint(f"{name} must be {len(space.lo)} numbers, got {shortened(value)}")
@@ -77,35 +91,37 @@ def as_configuration(value: ArrayLike, space: Any, name: str) -> Array:
 
 
 @singledispatch
-def why_not_free(robot: Any, world: Any, q: Array, clearance: float) -> str:
-    """What is wrong with a configuration that is not free, and what to do, in words."""
+def explain_not_free(robot: Any, world: Any, q: Array, clearance: float) -> str:
+    """Explain why a configuration is not free, and say what to change."""
     return (
-        f"the robot{margin_text(clearance)} is outside, inside an obstacle or touching one there; "
-        "move it into the open"
+        f"the robot{margin_text(clearance)} is outside the world or touches an obstacle there; "
+        "move it into the free space"
     )
 
 
-@why_not_free.register
+@explain_not_free.register
 def _(robot: RoundRobot, world: Any, q: Array, clearance: float) -> str:
     if (q <= world.lo).any() or (q >= world.hi).any():
         return (
             f"it must lie inside the world, between {tuple(world.lo.tolist())} and "
-            f"{tuple(world.hi.tolist())}, not on its rim"
+            f"{tuple(world.hi.tolist())}, and not on its boundary"
         )
-    return why_not_free.dispatch(object)(robot, world, q, clearance)
+    return explain_not_free.dispatch(object)(robot, world, q, clearance)
 
 
-@why_not_free.register
+@explain_not_free.register
 def _(robot: ArmRobot, world: Any, q: Array, clearance: float) -> str:
     link = link_in_contact(robot, q, world)
     if not link:
         return (
-            f"the arm{margin_text(clearance)} comes too near to an obstacle or the rim of the "
-            "world there; bend it away"
+            f"the arm{margin_text(clearance)} is too near to an obstacle or the boundary of the "
+            "world there; choose other angles"
         )
-    return f"link {link} touches or enters an obstacle or the rim of the world there; bend it away"
+    return (
+        f"link {link} touches an obstacle or the boundary of the world there; choose other angles"
+    )
 
 
 def margin_text(clearance: float) -> str:
-    """The clearance in words, where there is one."""
+    """The clearance as text for a message; empty where the clearance is 0."""
     return f" with a clearance of {clearance:g}" if clearance else ""

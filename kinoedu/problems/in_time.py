@@ -1,5 +1,6 @@
-"""A problem whose obstacles move: configurations are (x, y, t), the robot has a greatest speed, its
-goal no time.
+"""Problems with moving obstacles: configurations are (x, y, t) and the robot's speed is limited.
+
+The goal is a place; it may be reached at any time up to the horizon.
 """
 
 import math
@@ -18,13 +19,14 @@ from .configurations import as_configuration, space_of
 
 __all__ = ["TimedProblem", "TimedProblemRecord", "in_time"]
 
-ROUNDING = 1e-9  # the share by which a motion may be faster than the greatest speed
+ROUNDING = 1e-9  # a motion may exceed the greatest speed by this fraction
 
 
 @record
 class TimedProblemRecord(NamedTuple):
-    """What `TimedProblem` makes. start and goal are places, shape (2,); configurations have shape
-    (3,), float64.
+    """The record that `TimedProblem` returns.
+
+    start and goal are places, shape (2,). Configurations have shape (3,), float64.
     """
 
     robot: Any
@@ -36,15 +38,16 @@ class TimedProblemRecord(NamedTuple):
     clearance: float
 
     def is_free(self, q: Array) -> bool:
-        """Whether the robot at the place (x, y) touches nothing at the time t."""
+        """Whether the robot at (x, y) touches nothing at time t, for q = (x, y, t)."""
         return is_free(self.robot, self.world, q, self.clearance)
 
     def is_free_path(self, a: Array, b: Array) -> bool:
-        """Whether the motion from a to b goes forward in time, is no faster than the robot, and
-        touches nothing at any moment.
+        """Whether the motion from a to b is possible and free of contact at every moment.
+
+        It must go forward in time and must not exceed the robot's greatest speed.
         """
-        far = math.sqrt((b[0] - a[0]) * (b[0] - a[0]) + (b[1] - a[1]) * (b[1] - a[1]))
-        return far <= self.speed * (b[2] - a[2]) * (1.0 + ROUNDING) and is_free_path(
+        length = math.sqrt((b[0] - a[0]) * (b[0] - a[0]) + (b[1] - a[1]) * (b[1] - a[1]))
+        return length <= self.speed * (b[2] - a[2]) * (1.0 + ROUNDING) and is_free_path(
             self.robot, self.world, a, b, self.clearance
         )
 
@@ -59,20 +62,32 @@ def TimedProblem(
     horizon: float | None = None,
     clearance: float = 0.0,
 ) -> TimedProblemRecord:
-    """The task: from start, at time 0, to goal, at any time up to the horizon, among obstacles that
-    move.
+    """Define a problem among moving obstacles: from start at time 0 to goal, within the horizon.
 
     Parameters
     ----------
-    robot : Point(), Disk(radius) or TranslatingPolygon(vertices). world : a MovingWorld.
-    start, goal : places (x, y). The start must be free at time 0, the goal of what stands still.
-    speed : the robot's greatest, in lengths a unit of time. clearance : as of a Problem.
-    horizon : the last moment that is planned for; by default everything has come to rest then, for
-    as long as the robot needs for
-        four diagonals of the world.
+    robot : Point(), Disk(radius) or TranslatingPolygon(vertices).
+    world : a MovingWorld.
+    start, goal : places (x, y). The start must be free at time 0; the goal must be free of the
+        obstacles that stand still.
+    speed : the robot's greatest speed, in lengths per unit of time.
+    horizon : the latest time to plan for. By default: the time at which the last obstacle stops,
+        plus the time that the robot needs for four diagonals of the world.
+    clearance : as in `Problem`.
 
-    Raises InvalidStart, InvalidGoal, InvalidPoint, InvalidParameter.
+    Returns
+    -------
+    TimedProblemRecord
 
+    Raises
+    ------
+    InvalidStart, InvalidGoal
+        Where the start or the goal is not free.
+    InvalidPoint, InvalidParameter
+        Where another argument is not valid.
+
+    Examples
+    --------
     >>> from kinoedu import Disk, PolygonWorld
     >>> from kinoedu.worlds import Moving, MovingWorld
     >>> hall = PolygonWorld([(0, 0), (10, 0), (10, 6), (0, 6)])
@@ -83,36 +98,29 @@ def TimedProblem(
     """
     if not isinstance(world, MovingWorldRecord):
         raise InvalidParameter(
-            f"expected a MovingWorld(PolygonWorld(...), movers), got {shortened(world)}; else use "
-            "Problem"
+            f"expected a MovingWorld(PolygonWorld(...), movers), got {shortened(world)}; use "
+            "Problem for worlds without moving obstacles"
         )
-    space, margin, fastest = (
-        space_of(robot, world.still),
-        none_or_more(clearance, "clearance"),
-        positive(speed, "speed"),
-    )
+    space, margin = space_of(robot, world.still), none_or_more(clearance, "clearance")
+    fastest = positive(speed, "speed")
     if len(space.lo) != 2:
         raise InvalidParameter(
-            "among moving obstacles a robot does not turn; expected Point, Disk, ..., got "
-            f"{shortened(robot)}"
+            "among moving obstacles the robot must not rotate; expected Point(), Disk(radius) or "
+            f"TranslatingPolygon(vertices), got {shortened(robot)}"
         )
     begin, end = as_configuration(start, space, "start"), as_configuration(goal, space, "goal")
     rest = max(float(world.times.max()), 0.0) if len(world.times) else 0.0
     last = rest + 4.0 * float(np.sqrt(np.square(world.hi - world.lo).sum())) / fastest
-    problem = TimedProblemRecord(
-        robot,
-        world,
-        begin,
-        end,
-        fastest,
-        last if horizon is None else positive(horizon, "horizon"),
-        margin,
-    )
+    latest = last if horizon is None else positive(horizon, "horizon")
+    problem = TimedProblemRecord(robot, world, begin, end, fastest, latest, margin)
     if not problem.is_free(np.append(begin, 0.0)):
         raise InvalidStart(
-            f"the start {tuple(begin.tolist())} is not free at time 0: something stands or comes "
-            "there"
+            f"the start {tuple(begin.tolist())} is not free at time 0: the robot touches an "
+            "obstacle or the boundary there"
         )
     if not is_free(robot, world.still, end, margin):
-        raise InvalidGoal(f"the goal {tuple(end.tolist())} is not free: something stands there")
+        raise InvalidGoal(
+            f"the goal {tuple(end.tolist())} is not free: the robot touches a fixed obstacle or "
+            "the boundary there"
+        )
     return problem

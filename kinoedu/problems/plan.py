@@ -1,6 +1,4 @@
-"""A plan is a planner's answer: its path, and what was built on the way, in the order it was
-built.
-"""
+"""A plan is a planner's answer: a path, and the data structures in the order they were built."""
 
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
@@ -27,9 +25,14 @@ class Roadmap(NamedTuple):
 
 
 class Walk(NamedTuple):
-    """A bug's walk in its order: points (n, 2), at most a step apart; for each, shape (n,), whether
-    it followed a wall to get there, how far it had come, and how far the goal was; and the numbers
-    of the points where it hit and left walls."""
+    """The walk of a bug, in order.
+
+    points : (n, 2), at most one step apart.
+    following : (n,), whether the bug followed a wall to reach each point.
+    travelled : (n,), the length of the walk up to each point.
+    distance_to_goal : (n,), the distance from each point to the goal.
+    hit, leave : the numbers of the points where the bug hit a wall and where it left one.
+    """
 
     points: Array
     following: NDArray[np.bool_]
@@ -40,27 +43,28 @@ class Walk(NamedTuple):
 
     @property
     def hits(self) -> Array:
-        """Where it came upon a wall, in order, shape (k, 2)."""
+        """The points where the bug hit a wall, in order, shape (k, 2)."""
         return self.points[self.hit]
 
     @property
     def leaves(self) -> Array:
-        """Where it left a wall, in order, shape (m, 2)."""
+        """The points where the bug left a wall, in order, shape (m, 2)."""
         return self.points[self.leave]
 
 
 @dataclass(frozen=True, eq=False)
 class Plan:
-    """A planner's answer.
+    """The answer of a planner.
 
-    path : (n, d) from start to goal, or None where none was found; then `reason` says why.
-    cost : the path's length, or on a terrain with costs what it costs; infinite without a path.
-    tree, roadmap, walk : what was built on the way, in the order it was built; the ones that the
-        planner has.
-    trajectory : of planners that drive, the controls that lead along the path; without a path, to
-        the pose nearest to the goal.
-    stats : counts such as nodes, iterations, and checks (motions judged).
-    problem : what was asked; planner : who answered.
+    path : (n, d) from start to goal, or None where none was found; `reason` then says why.
+    cost : the length of the path, or the integral of the costs on a terrain with costs; infinite
+        without a path.
+    tree, roadmap, walk : the data structures that the planner built, in the order it built them.
+    trajectory : for planners that drive, the controls that follow the path; without a path, the
+        controls that lead to the pose nearest to the goal.
+    stats : counts such as nodes, iterations, and checks (motions that were tested for collision).
+    problem : the problem that was solved.
+    planner : the name of the planner.
     """
 
     path: Array | None

@@ -1,11 +1,11 @@
-"""A problem answers a planner's questions.
+"""A problem joins a robot, a world, a start and a goal, and answers the queries of a planner.
 
-Planners never see robots or worlds. They ask: `problem.sample(rng)`, `.distance(a, b)`, `.steer(a,
-b, step)`, `.is_free(q)`, `.is_free_path(a, b)`, `.nearest(tree, q)`, what a path is worth by
-`.motion_cost(a, b)`, those that walk along obstacles `.is_semi_free_path(a, b)`, those that drive
-`.control(rng)`, `.drive(...)` and `.is_free_drive(...)`, and read `problem.start` and
-`problem.goal`. So one planner serves every robot in every world, and a reader's own object with
-these names as well.
+Planners do not use robots or worlds directly. They call `problem.sample(rng)`, `.distance(a, b)`,
+`.steer(a, b, step)`, `.is_free(q)`, `.is_free_path(a, b)`, `.nearest(tree, q)` and `.motion_cost(a,
+b)`. Planners that walk along obstacles also call `.is_semi_free_path(a, b)`; planners that drive
+call `.control(rng)`, `.drive(...)` and `.is_free_drive(...)`. They read `problem.start` and
+`problem.goal`. So one planner works for every robot in every world, and for any other object that
+has these methods and fields.
 """
 
 from typing import Any, NamedTuple
@@ -27,17 +27,19 @@ from ..geometry.checks import Array, none_or_more
 from ..robots.controls import control, curvature, drive
 from ..spaces import distance, interpolate, nearest, sample
 from ..worlds.checks import check_world
-from .configurations import as_configuration, space_of, why_not_free
+from .configurations import as_configuration, explain_not_free, space_of
 
-MOTIONS, PLACES = (
-    0,
-    1,
-)  # what ProblemRecord.asked counts: is_free_path or is_semi_free_path, and is_free
+# indices of ProblemRecord.asked, which counts the queries about motions and about configurations
+MOTIONS, PLACES = 0, 1
 
 
 @record
 class ProblemRecord(NamedTuple):
-    """What `Problem` makes. Configurations have shape (d,), float64."""
+    """The record that `Problem` returns. Configurations have shape (d,), float64.
+
+    `asked` counts the collision queries: asked[MOTIONS] for motions, asked[PLACES] for
+    configurations.
+    """
 
     robot: Any
     world: Any
@@ -48,7 +50,7 @@ class ProblemRecord(NamedTuple):
     asked: NDArray[np.int64]
 
     def sample(self, rng: np.random.Generator) -> Array:
-        """A configuration drawn uniformly, free or not."""
+        """A configuration drawn uniformly from the space, free or not."""
         return sample(self.space, rng)
 
     def distance(self, a: Array, b: Array) -> float:
@@ -56,18 +58,16 @@ class ProblemRecord(NamedTuple):
         return distance(self.space, a, b)
 
     def motion_cost(self, a: Array, b: Array) -> float:
-        """What the motion from a to b costs: its length, and on a terrain with costs their integral
-        along it.
-        """
+        """The cost of the motion from a to b: its length, or the integral of a terrain's cost."""
         return motion_cost(self.robot, self.world, self.space, a, b)
 
     def steer(self, a: Array, b: Array, step: float) -> Array:
-        """The configuration at most `step` from a on the way to b."""
-        whole = distance(self.space, a, b)
-        return b.copy() if whole <= step else interpolate(self.space, a, b, step / whole)
+        """The configuration at distance `step` from a on the way to b, or b if it is nearer."""
+        length = distance(self.space, a, b)
+        return b.copy() if length <= step else interpolate(self.space, a, b, step / length)
 
     def nearest(self, tree: Any, q: Array) -> int:
-        """The number of the tree's node nearest to q."""
+        """The number of the tree node that is nearest to q."""
         return nearest(self.space, tree, q)
 
     def is_free(self, q: Array) -> bool:
@@ -76,31 +76,29 @@ class ProblemRecord(NamedTuple):
         return is_free(self.robot, self.world, q, self.clearance)
 
     def is_free_path(self, a: Array, b: Array) -> bool:
-        """Whether the whole motion from a to b touches nothing."""
+        """Whether the robot touches nothing during the whole motion from a to b."""
         self.asked[MOTIONS] += 1
         return is_free_path(self.robot, self.world, a, b, self.clearance)
 
     def is_semi_free_path(self, a: Array, b: Array) -> bool:
-        """Whether the motion from a to b enters nothing; contact is allowed."""
+        """Whether the robot enters no obstacle on the motion from a to b; contact is allowed."""
         self.asked[MOTIONS] += 1
         return is_semi_free_path(self.robot, self.world, a, b, self.clearance)
 
     def control(self, rng: np.random.Generator) -> tuple[float, float]:
-        """A control (v, phi) at random, for a robot that is driven."""
+        """A random control (v, phi), for a robot that is driven."""
         return control(self.robot, rng)
 
     def curvature(self, phi: float) -> float:
-        """The curvature that a steering angle drives."""
+        """The curvature of the arc that the robot drives at a steering angle."""
         return curvature(self.robot, phi)
 
     def drive(self, q: Array, v: float, phi: float, t: float, there: Array) -> None:
-        """Write into `there` where the control (v, phi), held for a time t, leads from q."""
+        """Write into `there` the configuration after driving from q by (v, phi) for time t."""
         drive(self.robot, q, v, phi, t, there)
 
     def is_free_drive(self, q: Array, v: float, phi: float, t: float) -> bool:
-        """Whether the robot, driven from q by the control (v, phi) for a time t, touches nothing
-        all the way.
-        """
+        """Whether the robot touches nothing while it drives from q by (v, phi) for time t."""
         self.asked[MOTIONS] += 1
         return is_free_drive(
             self.robot, self.world, q, v * t, curvature(self.robot, phi), self.clearance
@@ -110,26 +108,40 @@ class ProblemRecord(NamedTuple):
 def Problem(
     robot: Any, world: Any, start: ArrayLike, goal: ArrayLike, *, clearance: float = 0.0
 ) -> ProblemRecord:
-    """The task: a robot, a world, and where it is to go from where.
+    """Define a planning problem: a robot, a world, a start and a goal.
 
     Parameters
     ----------
     robot : Point(), Disk(radius), TranslatingPolygon(vertices), RigidPolygon(vertices),
-    TwoLinkArm(l1, l2, width), ...
-    world : PolygonWorld(...), Terrain(...) or what read_world(path) returns. start, goal :
-    configurations, shape (d,): (x, y); (x, y, theta) for what turns; an arm's angles. Both must be
-    free.
-    clearance : the whole robot keeps more than this away from every obstacle, in the world's unit
-    of length.
+        TwoLinkArm(l1, l2, width), ...
+    world : PolygonWorld(...), Terrain(...) or the result of read_world(path).
+    start, goal : free configurations, shape (d,): (x, y); (x, y, theta) for a robot that turns; the
+        angles of an arm.
+    clearance : the whole robot keeps more than this distance from every obstacle, in the world's
+        unit of length.
 
-    Raises InvalidStart, InvalidGoal, InvalidPoint, InvalidParameter.
+    Returns
+    -------
+    ProblemRecord
 
+    Raises
+    ------
+    InvalidStart, InvalidGoal
+        Where the start or the goal is not free.
+    InvalidPoint, InvalidParameter, InvalidWorld
+        Where another argument is not valid.
+
+    Examples
+    --------
     >>> from kinoedu.robots import Point
     >>> from kinoedu.worlds import PolygonWorld
-    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
+    >>> wall = [(4, 0), (6, 0), (6, 8), (4, 8)]
+    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [wall])
     >>> problem = Problem(Point(), world, start=(1, 1), goal=(9, 1))
-    >>> problem.is_free_path(problem.start, problem.goal), problem.distance(problem.start, problem.goal)
-    (False, 8.0)
+    >>> problem.is_free_path(problem.start, problem.goal)
+    False
+    >>> problem.distance(problem.start, problem.goal)
+    8.0
     """
     margin = none_or_more(clearance, "clearance")
     check_world(world)
@@ -141,7 +153,7 @@ def Problem(
         if not problem.is_free(q):
             raise error(
                 f"the {name} {tuple(q.tolist())} is not free: "
-                f"{why_not_free(robot, world, q, margin)}"
+                f"{explain_not_free(robot, world, q, margin)}"
             )
     problem.asked[:] = 0
     return problem

@@ -1,4 +1,4 @@
-"""A recorder stands for a problem and writes down every question that a planner asks."""
+"""A recorder wraps a problem and logs every query of a planner."""
 
 from typing import Any, NamedTuple
 
@@ -6,7 +6,7 @@ import numpy as np
 
 
 class Question(NamedTuple):
-    """One question asked of a problem: its name, what was given, what was answered."""
+    """One logged query: the name of the method, its arguments and its result."""
 
     name: str
     given: tuple[Any, ...]
@@ -14,12 +14,16 @@ class Question(NamedTuple):
 
 
 class Recorder:
-    """A problem that writes down every question it is asked, in order, in `log`.
+    """A problem that logs every query, in order, in `log`.
 
-    A planner given a recorder runs its interpreted body and grows the very same tree.
+    A planner that is given a recorder runs interpreted and builds exactly the same tree.
 
+    Examples
+    --------
     >>> from kinoedu import Point, Problem, Terrain
-    >>> recorder = Recorder(Problem(Point(), Terrain([[1, 1], [1, 1]]), start=(0.5, 0.5), goal=(1.5, 1.5)))
+    >>> world = Terrain([[1, 1], [1, 1]])
+    >>> problem = Problem(Point(), world, start=(0.5, 0.5), goal=(1.5, 1.5))
+    >>> recorder = Recorder(problem)
     >>> recorder.is_free_path(recorder.start, recorder.goal)
     True
     >>> recorder.log[0].name, recorder.counts()
@@ -27,16 +31,8 @@ class Recorder:
     """
 
     QUESTIONS: tuple[str, ...] = (
-        *(
-            "sample",
-            "distance",
-            "motion_cost",
-            "steer",
-            "nearest",
-            "is_free",
-            "is_free_path",
-            "is_semi_free_path",
-        ),
+        *("sample", "distance", "motion_cost", "steer", "nearest"),
+        *("is_free", "is_free_path", "is_semi_free_path"),
         *("control", "is_free_drive"),
     )
 
@@ -45,13 +41,13 @@ class Recorder:
         self.log: list[Question] = []
 
     def __getattr__(self, name: str) -> Any:
-        if name == "problem":  # while being unpickled or copied there is none yet
+        if name == "problem":  # it does not exist yet while a copy is unpickled
             raise AttributeError(name)
         answer = getattr(self.problem, name)
         return self._recorded(name, answer) if name in self.QUESTIONS else answer
 
     def _recorded(self, name: str, question: Any) -> Any:
-        def ask(*given: Any) -> Any:
+        def logged(*given: Any) -> Any:
             answer = question(*given)
             kept = tuple(g.copy() if isinstance(g, np.ndarray) else g for g in given)
             self.log.append(
@@ -59,10 +55,10 @@ class Recorder:
             )
             return answer
 
-        return ask
+        return logged
 
     def counts(self) -> dict[str, int]:
-        """How often each question was asked."""
+        """The number of queries of each kind."""
         return {
             name: n
             for name in self.QUESTIONS

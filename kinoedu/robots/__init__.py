@@ -1,4 +1,4 @@
-"""Robots: what a configuration means, and the body it places."""
+"""Robots: the meaning of their configurations, and the set of points that they occupy."""
 
 from .arm import ArmChain, TwoLinkArm, why_unreachable
 from .car import Car

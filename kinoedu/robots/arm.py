@@ -1,4 +1,4 @@
-"""Arms in the plane: bars with rounded ends, one joint after another. Bullo & Smith, chapter 3."""
+"""Planar arms: bars with rounded ends, joined one after another. Bullo & Smith, chapter 3."""
 
 import math
 from typing import NamedTuple
@@ -14,15 +14,18 @@ from ..geometry.parts import Parts, make_parts
 from ..spaces.angles import wrapped
 from ..support.text import shortened
 
-RIM = 1e-12  # of the arm's length: so near to the rim of what it reaches, a target is on it
+RIM = 1e-12  # of the arm's length: a target so near to the rim of the reachable ring is on it
 
 
 class ArmRobot(NamedTuple):
-    """What `TwoLinkArm` and `ArmChain` make: lengths (n,), base (2,), and each link as a bar along
-    the x-axis of its own frame.
+    """The record that `TwoLinkArm` and `ArmChain` return.
 
-    A configuration q has n angles: the first link's from the x-axis, and each other's from the link
-    before it.
+    lengths : (n,), the lengths of the links.
+    base : (2,), the position of the first joint.
+    shape : Parts, each link as a bar along the x-axis of its own frame.
+
+    A configuration q has n angles: the angle of the first link from the x-axis, and the angle of
+    each other link from the link before it.
     """
 
     lengths: Array
@@ -30,9 +33,19 @@ class ArmRobot(NamedTuple):
     shape: Parts
 
     def joints(self, q: ArrayLike) -> tuple[Array, ...]:
-        """Where each link ends: for two links the elbow and the tip. Forward kinematics. Raises
-        InvalidPoint.
+        """The end point of each link: elbow and tip for two links (forward kinematics).
 
+        Returns
+        -------
+        tuple of n arrays (2,).
+
+        Raises
+        ------
+        InvalidPoint
+            Where q is not n finite angles.
+
+        Examples
+        --------
         >>> elbow, tip = TwoLinkArm(2, 1, 0.2).joints((0, np.pi / 2))
         >>> elbow, tip.round(12)
         (array([2., 0.]), array([2., 1.]))
@@ -47,16 +60,30 @@ class ArmRobot(NamedTuple):
         return tuple(ends[1:])
 
     def inverse(self, p: ArrayLike) -> list[Array]:
-        """Every q that puts the tip of a two-link arm at p, angles in [-pi, pi): the one with the
-        elbow to the right of the way to p first, the one to its left second. At the rims of what it
-        reaches there is one; beyond them none, and `why_unreachable` says why. Inverse kinematics.
+        """All configurations of a two-link arm that put its tip at p (inverse kinematics).
 
-        Raises InvalidPoint where all angles of link 1 do, which is at the base of an arm of two
-        equal links; InvalidRobot unless there are two links.
+        Returns
+        -------
+        list of arrays (2,), angles in [-pi, pi). Inside the reachable ring there are two: first the
+        one whose elbow lies to the right of the line from base to tip, then the one whose elbow
+        lies to its left. On the rims of the ring there is one; outside there is none, and
+        `why_unreachable` gives the reason.
 
+        Raises
+        ------
+        InvalidPoint
+            Where p is the base of an arm with two equal links: there every angle of link 1 is a
+            solution.
+        InvalidRobot
+            Where the arm does not have two links.
+
+        Examples
+        --------
         >>> arm = TwoLinkArm(2, 1, 0.2)
-        >>> [q.round(6).tolist() for q in arm.inverse((2, 1))], arm.inverse((3, 0)), arm.inverse((4, 0))
-        ([[0.0, 1.570796], [0.927295, -1.570796]], [array([0., 0.])], [])
+        >>> [q.round(6).tolist() for q in arm.inverse((2, 1))]
+        [[0.0, 1.570796], [0.927295, -1.570796]]
+        >>> arm.inverse((3, 0)), arm.inverse((4, 0))
+        ([array([0., 0.])], [])
         """
         l1, l2, x, y, far = two_links(self, p)
         if far == 0.0 and l1 == l2:
@@ -64,20 +91,20 @@ class ArmRobot(NamedTuple):
                 "at its base an arm of two equal links has infinitely many solutions: q = (any "
                 "angle, -pi)"
             )
-        whole, heading = l1 + l2, math.atan2(y, x)
-        if abs(far - whole) <= RIM * whole:
+        reach, heading = l1 + l2, math.atan2(y, x)
+        if abs(far - reach) <= RIM * reach:
             return [np.array([wrapped(heading), 0.0])]
-        if abs(far - abs(l1 - l2)) <= RIM * whole and l1 != l2:
+        if abs(far - abs(l1 - l2)) <= RIM * reach and l1 != l2:
             return [np.array([wrapped(heading if l1 > l2 else heading + math.pi), -math.pi])]
-        if far > whole or far < abs(l1 - l2):
+        if far > reach or far < abs(l1 - l2):
             return []
-        # half angles of the triangle base, elbow, tip: tangents stay accurate near the rims,
-        # cosines do not
+        # half-angle formulas of the triangle base, elbow, tip: the tangents are accurate near the
+        # rims, where cosines are not
         bend = 2.0 * math.atan2(
-            math.sqrt((whole - far) * (whole + far)), math.sqrt((far - l1 + l2) * (far + l1 - l2))
+            math.sqrt((reach - far) * (reach + far)), math.sqrt((far - l1 + l2) * (far + l1 - l2))
         )
         lead = 2.0 * math.atan2(
-            math.sqrt((whole - far) * (l2 + far - l1)), math.sqrt((far + l1 - l2) * (far + whole))
+            math.sqrt((reach - far) * (l2 + far - l1)), math.sqrt((far + l1 - l2) * (far + reach))
         )
         return [
             np.array([wrapped(heading - lead), wrapped(bend)]),
@@ -86,18 +113,28 @@ class ArmRobot(NamedTuple):
 
 
 def TwoLinkArm(l1: float, l2: float, width: float, *, base: ArrayLike = (0.0, 0.0)) -> ArmRobot:
-    """An arm of two links. Its configuration is q = (angle of link 1, angle of link 2 from link 1),
-    in radians.
+    """An arm of two links, with configuration q = (angle of link 1, angle of link 2 from link 1).
 
     Parameters
     ----------
-    l1, l2 : the lengths between joints, in the world's unit.
-    width : W; each link is a bar with rounded ends, all that is within W / 2 of the line between
-    its joints. 0 makes it a line.
-    base : where the first joint is.
+    l1, l2 : the lengths between the joints, in the world's unit. Angles are in radians.
+    width : each link is a bar with rounded ends: all points within width / 2 of the segment between
+        its joints. 0 makes it a segment.
+    base : the position of the first joint.
 
-    Raises InvalidRobot, InvalidPoint.
+    Returns
+    -------
+    ArmRobot
 
+    Raises
+    ------
+    InvalidRobot
+        Where a length is not positive or the width is negative.
+    InvalidPoint
+        Where a value is not a finite number.
+
+    Examples
+    --------
     >>> TwoLinkArm(1.5, 1.2, 0.2).shape.radius
     array([0.1, 0.1])
     """
@@ -107,10 +144,21 @@ def TwoLinkArm(l1: float, l2: float, width: float, *, base: ArrayLike = (0.0, 0.
 
 
 def ArmChain(lengths: ArrayLike, width: float, *, base: ArrayLike = (0.0, 0.0)) -> ArmRobot:
-    """An arm of any number of links, shape (n,), each moved by the joint at its beginning; all else
-    as in `TwoLinkArm`.
+    """An arm with any number of links; otherwise as `TwoLinkArm`.
 
-    Raises InvalidRobot, InvalidPoint.
+    Parameters
+    ----------
+    lengths : (n,), the length of each link. Joint i is at the beginning of link i.
+    width, base : as for `TwoLinkArm`.
+
+    Returns
+    -------
+    ArmRobot
+
+    Raises
+    ------
+    InvalidRobot, InvalidPoint
+        As for `TwoLinkArm`.
     """
     sizes, across = as_array(lengths, "the links' lengths"), as_array(width, "width")
     if sizes.ndim != 1 or len(sizes) == 0 or (sizes <= 0.0).any():
@@ -124,9 +172,21 @@ def ArmChain(lengths: ArrayLike, width: float, *, base: ArrayLike = (0.0, 0.0)) 
 
 
 def why_unreachable(arm: ArmRobot, p: ArrayLike) -> str:
-    """Why a two-link arm cannot put its tip at p, in words; empty where it can. Raises
-    InvalidPoint, InvalidRobot.
+    """Explain why the tip of a two-link arm cannot reach p.
 
+    Returns
+    -------
+    str, empty where the tip can reach p.
+
+    Raises
+    ------
+    InvalidPoint
+        Where p is not a point.
+    InvalidRobot
+        Where the arm does not have two links.
+
+    Examples
+    --------
     >>> why_unreachable(TwoLinkArm(2, 1, 0.2), (4, 0))
     'it is 4 from the base, and the links together reach only 3'
     """
@@ -142,7 +202,7 @@ def why_unreachable(arm: ArmRobot, p: ArrayLike) -> str:
 
 
 def two_links(arm: ArmRobot, p: ArrayLike) -> tuple[float, float, float, float, float]:
-    """The two lengths, and a target seen from the base: x, y and its distance."""
+    """The lengths of both links, and a target relative to the base: x, y and its distance."""
     if len(arm.lengths) != 2:
         raise InvalidRobot(
             f"inverse kinematics is for an arm of two links, this one has {len(arm.lengths)}"
@@ -153,7 +213,7 @@ def two_links(arm: ArmRobot, p: ArrayLike) -> tuple[float, float, float, float, 
 
 @compiled
 def joints_at(lengths: Array, base: Array, q: Array, ends: Array) -> None:
-    """Write where the joints are into ends, shape (n + 1, 2): the base first, the tip last."""
+    """Write the joints into ends, shape (n + 1, 2): the base first, the tip last."""
     ends[0] = base
     angle = 0.0
     for i in range(len(lengths)):

@@ -1,8 +1,8 @@
-"""A car that steers with its front wheels. Its configuration is the pose (x, y, theta) of the
-middle of its rear axle.
+"""A car with front-wheel steering; its configuration is the pose (x, y, theta) of its rear axle.
 
-x' = v cos theta, y' = v sin theta, theta' = (v / L) tan phi, with the speed v, the wheelbase L and
-the steering angle phi. LaValle, Planning Algorithms, section 13.1.2.1.
+The pose is that of the middle of the rear axle. x' = v cos theta, y' = v sin theta, theta' = (v /
+L) tan phi, with the speed v, the wheelbase L and the steering angle phi. LaValle, Planning
+Algorithms, section 13.1.2.1.
 """
 
 import math
@@ -21,11 +21,13 @@ from .polygon import shape_of
 
 
 class CarRobot(NamedTuple):
-    """What `Car` makes: outline (4, 2) and its shape, round the rear axle's middle, heading along
-    x.
+    """The record that `Car` returns.
 
-    radius : of the tightest circle that the rear axle's middle can drive, L / tan(max_steering).
-    speeds : (k,), those that planners choose from; both_ways : whether one of them is negative.
+    outline : (4, 2), the body in the frame of the rear axle's middle, with heading along x; shape
+        is the same body as Parts.
+    radius : the smallest turning radius of the rear axle's middle, L / tan(max_steering).
+    speeds : (k,), the speeds that planners choose from.
+    both_ways : whether one of the speeds is negative.
     """
 
     outline: Array
@@ -39,16 +41,31 @@ class CarRobot(NamedTuple):
     def move(
         self, pose: ArrayLike, v: float, phi: float, t: float, *, reference: float = 0.0
     ) -> Array:
-        """The pose after driving for a time t with the speed v and the steering angle phi, both
-        held; shape (3,). Exact.
+        """The pose after driving for time t at constant speed v and steering angle phi; exact.
 
-        reference : how far before the rear axle the point lies whose place and speed are meant,
-            such as the centre of gravity. It moves askew, by the angle beta with tan(beta) =
-            reference tan(phi) / L, and the rear axle is slower by cos(beta).
+        The middle of the rear axle moves on an arc of curvature tan(phi) / L, or on a straight
+        line.
 
-        The rear axle's middle drives an arc of curvature tan(phi) / L, or a straight line. Raises
-        InvalidPoint; InvalidParameter where phi is more than the car can steer, or t is negative.
+        Parameters
+        ----------
+        reference : the distance from the rear axle forward to the point whose pose and speed are
+            given, such as the centre of gravity. This point moves at the angle beta to the car's
+            axis, with tan(beta) = reference tan(phi) / L, and the rear axle is slower by the factor
+            cos(beta).
 
+        Returns
+        -------
+        (3,) array.
+
+        Raises
+        ------
+        InvalidPoint
+            Where the pose is not three finite numbers.
+        InvalidParameter
+            Where phi exceeds the largest steering angle, or t is negative.
+
+        Examples
+        --------
         >>> Car(30, 10, 20).move((0, 0, 0), 1, np.pi / 4, 20 * np.pi / 2).round(9)
         array([20.        , 20.        ,  1.57079633])
         """
@@ -65,12 +82,18 @@ class CarRobot(NamedTuple):
         return self.ahead(driven(axle[0], axle[1], axle[2], distance, curvature), lead)
 
     def ahead(self, pose: ArrayLike, distance: float) -> Array:
-        """The pose of the point of the car's axis that lies so far ahead of the one at `pose`,
-        shape (3,). Raises InvalidPoint.
+        """The pose of the point of the car's axis that is `distance` ahead of `pose`, (3,).
 
-        So a pose that is told by another point than the rear axle's middle becomes a configuration,
-        and back.
+        It converts the pose of another point of the axis to the pose of the rear axle's middle, and
+        back.
 
+        Raises
+        ------
+        InvalidPoint
+            Where the pose is not three finite numbers.
+
+        Examples
+        --------
         >>> Car(30, 10, 20).ahead((1, 2, 0), 10)
         array([11.,  2.,  0.])
         """
@@ -78,8 +101,12 @@ class CarRobot(NamedTuple):
         return np.array([x + distance * math.cos(theta), y + distance * math.sin(theta), theta])
 
     def curvature(self, phi: float) -> float:
-        """tan(phi) / L, the curvature that the rear axle's middle drives. InvalidParameter where
-        phi is more than it can steer.
+        """The curvature tan(phi) / L of the path of the rear axle's middle.
+
+        Raises
+        ------
+        InvalidParameter
+            Where phi exceeds the largest steering angle.
         """
         steering = as_number(phi, "phi")
         if abs(steering) > self.max_steering:
@@ -90,33 +117,47 @@ class CarRobot(NamedTuple):
         return math.tan(steering) / self.wheelbase
 
     def turning_centre(self, pose: ArrayLike, phi: float) -> Array:
-        """The point round which the whole car turns, shape (2,): on the line of the rear axle.
-        Infinite where it drives straight.
+        """The point about which the whole car turns; it lies on the line of the rear axle.
 
-        Raises InvalidPoint, InvalidParameter.
+        Returns
+        -------
+        (2,) array, infinite where the car drives straight.
 
+        Raises
+        ------
+        InvalidPoint, InvalidParameter
+            Where the pose or phi is not valid.
+
+        Examples
+        --------
         >>> Car(30, 10, 20).turning_centre((0, 0, 0), np.pi / 4).round(9)
         array([ 0., 20.])
         """
-        (x, y, theta), bend = as_pose(pose, "pose"), self.curvature(phi)
-        if bend == 0.0:
+        (x, y, theta), curvature = as_pose(pose, "pose"), self.curvature(phi)
+        if curvature == 0.0:
             return np.array([np.inf, np.inf])
-        return np.array([x - math.sin(theta) / bend, y + math.cos(theta) / bend])
+        return np.array([x - math.sin(theta) / curvature, y + math.cos(theta) / curvature])
 
     def wheel_angles(self, phi: float) -> tuple[float, float]:
-        """How far the left and the right front wheel are turned, so that all four wheels roll about
-        one centre (Ackermann).
+        """The angles of the left and right front wheels, so that all wheels roll about one centre.
 
-        phi is the angle of a single wheel midway between them; the inner one turns more. The wheels
-        stand as far apart as the body is wide. Raises InvalidParameter.
+        phi is the angle of a single wheel midway between them; the inner wheel turns more
+        (Ackermann). The wheels are as far apart as the body is wide.
 
+        Raises
+        ------
+        InvalidParameter
+            Where phi exceeds the largest steering angle.
+
+        Examples
+        --------
         >>> left, right = Car(30, 10, 20).wheel_angles(0.5)
         >>> left > 0.5 > right
         True
         """
-        bend, half = self.curvature(phi), 0.5 * float(np.ptp(self.outline[:, 1]))
+        curvature, half = self.curvature(phi), 0.5 * float(np.ptp(self.outline[:, 1]))
         left, right = (
-            math.atan2(self.wheelbase * bend, 1.0 - side * bend) for side in (half, -half)
+            math.atan2(self.wheelbase * curvature, 1.0 - side * curvature) for side in (half, -half)
         )
         return left, right
 
@@ -133,16 +174,29 @@ def Car(
     """A car with a rectangular body.
 
     Parameters
-    ---------- length, width, wheelbase : in the world's unit; the wheelbase L is the distance
-    between the axles.
-    rear_overhang : how far the body reaches behind the rear axle; by default as far as before the
-    front axle.
-    max_steering : the largest steering angle either way, in radians, below pi / 2.
-    speeds : those that planners choose from, in units of length a second; all positive for a car
-    that only goes forward.
+    ----------
+    length, width, wheelbase : in the world's unit; the wheelbase L is the distance between the
+        axles.
+    rear_overhang : the distance from the rear axle to the rear end; by default equal to the
+        distance from the front axle to the front end.
+    max_steering : the largest steering angle to either side, in radians, below pi / 2.
+    speeds : the speeds that planners choose from, in lengths per second; all positive for a car
+        that only drives forward.
 
-    Raises InvalidRobot, InvalidPoint.
+    Returns
+    -------
+    CarRobot
 
+    Raises
+    ------
+    InvalidRobot
+        Where a size is not positive, an axle is not under the body, or the steering or a speed is
+        not valid.
+    InvalidParameter, InvalidPoint
+        Where a value is not one finite number.
+
+    Examples
+    --------
     >>> car = Car(30, 10, 20)
     >>> car.radius, car.outline[0]
     (20.000000000000004, array([-5., -5.]))
@@ -181,7 +235,7 @@ def Car(
 
 
 def as_number(value: float, name: str) -> float:
-    """One number, or InvalidParameter."""
+    """Check one number; raise InvalidParameter otherwise."""
     number = as_array(value, name)
     if number.ndim:
         raise InvalidParameter(f"{name} must be one number, got {shortened(value)}")
@@ -189,7 +243,7 @@ def as_number(value: float, name: str) -> float:
 
 
 def as_size(value: float, name: str) -> float:
-    """One positive length, or InvalidRobot."""
+    """Check one positive length; raise InvalidRobot otherwise."""
     size = as_number(value, f"the car's {name}")
     if size <= 0.0:
         raise InvalidRobot(f"the car's {name} must be positive, got {size:g}")

@@ -1,7 +1,7 @@
-"""What a planner that picks controls asks of a robot: a control at random, and where it leads.
+"""Controls of a robot that is driven: drawing one at random, and the configuration it leads to.
 
 A control is a speed v and a steering angle phi, held for some time. Each kind of robot that is
-driven answers in this file.
+driven registers its functions in this file.
 """
 
 import math
@@ -17,36 +17,36 @@ from .car import CarRobot
 
 @generic(1)
 def control(robot: Any, rng: np.random.Generator) -> tuple[float, float]:
-    """A control (v, phi) at random."""
+    """A random control (v, phi)."""
     raise TypeError("this robot is not driven")
 
 
 @generic(1)
 def curvature(robot: Any, phi: float) -> float:
-    """The curvature that a steering angle drives."""
+    """The curvature of the arc that is driven at a steering angle."""
     raise TypeError("this robot is not driven")
 
 
 @generic(1)
 def drive(robot: Any, q: Array, v: float, phi: float, t: float, there: Array) -> None:
-    """Write into `there` the configuration after a time t."""
+    """Write into `there` the configuration after driving from q for time t."""
     raise TypeError("this robot is not driven")
 
 
 @control.register(CarRobot)
 def car_control(robot: CarRobot, rng: np.random.Generator) -> tuple[float, float]:
-    """One of its speeds, and an angle up to its largest either way, each as likely as any other."""
+    """One of the car's speeds and a steering angle within its limits, drawn uniformly."""
     v = robot.speeds[int(len(robot.speeds) * rng.random())]
     return v, robot.max_steering * (2.0 * rng.random() - 1.0)
 
 
 @curvature.register(CarRobot)
 def car_curvature(robot: CarRobot, phi: float) -> float:
-    """tan(phi) / L."""
+    """The curvature tan(phi) / L."""
     return math.tan(phi) / robot.wheelbase
 
 
 @drive.register(CarRobot)
 def car_drive(robot: CarRobot, q: Array, v: float, phi: float, t: float, there: Array) -> None:
-    """Along an arc, or straight on."""
+    """Drive along an arc or a straight line."""
     there[0], there[1], there[2] = driven(q[0], q[1], q[2], v * t, math.tan(phi) / robot.wheelbase)

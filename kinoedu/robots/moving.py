@@ -1,8 +1,7 @@
-"""Where the corners of a robot are on the way from one configuration to another, how fast, and how
-sharply they bend off.
+"""The positions, velocities and accelerations of a robot's corners during a motion.
 
-That is all that judging a motion needs to know of a robot. Each piece of the robot's `shape` is
-placed by itself.
+Collision detection needs nothing else from a robot. Each piece of the robot's `shape` is placed
+separately.
 """
 
 import math
@@ -21,34 +20,35 @@ from .car import CarRobot
 from .polygon import RigidPolygonRobot, TranslatingPolygonRobot
 from .round import RoundRobot
 
-X, Y, VX, VY, BEND = (
-    0,
-    1,
-    2,
-    3,
-    4,
-)  # columns of corners: place, velocity, and a bound on the acceleration's size all the way
+# columns of corners: position, velocity, and an upper bound on the acceleration's magnitude that
+# holds for the whole motion
+X, Y, VX, VY, ACC = range(5)
 
 
 @generic(1)
 def way(robot: Any, a: Array, b: Array) -> Array:
-    """What is added to a on the way to b, angles the short way round; shape (d,)."""
+    """The change of configuration from a to b, shape (d,); angles change along the shorter arc."""
     raise TypeError("this robot does not move")
 
 
 @generic(1)
 def place(robot: Any, i: int, a: Array, change: Array, t: float, corners: Array) -> None:
-    """Write the corners of piece i at a + t * change, for 0 <= t <= 1, into their rows of corners,
-    shape (n, 5).
+    """Write the corners of piece i at a + t * change, 0 <= t <= 1, into their rows of `corners`.
 
-    The motion takes a unit of time. Velocities are those at t; BEND holds for the whole motion.
+    The motion takes one unit of time. corners has shape (n, 5): position and velocity at time t,
+    and an upper bound on the acceleration that holds for the whole motion.
     """
     raise TypeError("this robot has no body")
 
 
 @generic(1)
 def placed(robot: Any, q: Array) -> Parts:
-    """The body at a configuration."""
+    """The robot's body at a configuration.
+
+    Returns
+    -------
+    Parts, in the coordinates of the world.
+    """
     corners = np.empty((len(robot.shape.points), 5))
     for i in range(len(robot.shape.radius)):
         place(robot, i, q, np.zeros(len(q)), 0.0, corners)
@@ -57,7 +57,7 @@ def placed(robot: Any, q: Array) -> Parts:
 
 @placed.register(RoundRobot)
 def placed_disc(robot: RoundRobot, q: Array) -> Parts:
-    """A disc round q."""
+    """A disc centred at q."""
     points = np.empty((1, 2))
     points[0, 0], points[0, 1] = q[0], q[1]
     return Parts(points, np.array([0, 1]), np.array([robot.radius]))
@@ -65,7 +65,7 @@ def placed_disc(robot: RoundRobot, q: Array) -> Parts:
 
 @way.register(TranslatingPolygonRobot)
 def straight_way(robot: TranslatingPolygonRobot, a: Array, b: Array) -> Array:
-    """b - a."""
+    """The difference b - a."""
     return b - a
 
 
@@ -73,16 +73,16 @@ def straight_way(robot: TranslatingPolygonRobot, a: Array, b: Array) -> Array:
 def place_unturned(
     robot: TranslatingPolygonRobot, i: int, a: Array, change: Array, t: float, corners: Array
 ) -> None:
-    """Straight on, all corners alike."""
+    """Translate the piece; all corners have the same velocity."""
     for k in range(robot.shape.first[i], robot.shape.first[i + 1]):
         corners[k, X] = robot.shape.points[k, 0] + (a[0] + t * change[0])
         corners[k, Y] = robot.shape.points[k, 1] + (a[1] + t * change[1])
-        corners[k, VX], corners[k, VY], corners[k, BEND] = change[0], change[1], 0.0
+        corners[k, VX], corners[k, VY], corners[k, ACC] = change[0], change[1], 0.0
 
 
 @way.register(RigidPolygonRobot)
 def way_with_turn(robot: RigidPolygonRobot, a: Array, b: Array) -> Array:
-    """Straight on, and the short turn."""
+    """The difference of positions, and the shorter turn."""
     return np.array([b[0] - a[0], b[1] - a[1], short_way(a[2], b[2])])
 
 
@@ -90,7 +90,7 @@ def way_with_turn(robot: RigidPolygonRobot, a: Array, b: Array) -> Array:
 def place_turned(
     robot: RigidPolygonRobot, i: int, a: Array, change: Array, t: float, corners: Array
 ) -> None:
-    """Straight on, and round the reference point."""
+    """Translate the piece and rotate it about the reference point."""
     x, y, heading = a[0] + t * change[0], a[1] + t * change[1], a[2] + t * change[2]
     cos, sin, turning = math.cos(heading), math.sin(heading), change[2]
     for k in range(robot.shape.first[i], robot.shape.first[i + 1]):
@@ -98,14 +98,14 @@ def place_turned(
         rx, ry = cos * px - sin * py, sin * px + cos * py
         corners[k, X], corners[k, Y] = x + rx, y + ry
         corners[k, VX], corners[k, VY] = change[0] - turning * ry, change[1] + turning * rx
-        corners[k, BEND] = turning * turning * length(px, py)
+        corners[k, ACC] = turning * turning * length(px, py)
 
 
 @place.register(CarRobot)
 def place_driven(
     robot: CarRobot, i: int, a: Array, change: Array, t: float, corners: Array
 ) -> None:
-    """Along an arc: change is the distance driven and the turn made on it."""
+    """Drive the piece along an arc; `change` is the distance and the change of heading."""
     s, turning = change[0], change[1]
     x, y, heading = driven(a[0], a[1], a[2], t * s, turning / s if s != 0.0 else 0.0)
     cos, sin = math.cos(heading), math.sin(heading)
@@ -114,12 +114,12 @@ def place_driven(
         rx, ry = cos * px - sin * py, sin * px + cos * py
         corners[k, X], corners[k, Y] = x + rx, y + ry
         corners[k, VX], corners[k, VY] = s * cos - turning * ry, s * sin + turning * rx
-        corners[k, BEND] = abs(turning * s) + turning * turning * length(px, py)
+        corners[k, ACC] = abs(turning * s) + turning * turning * length(px, py)
 
 
 @way.register(ArmRobot)
 def way_of_joints(robot: ArmRobot, a: Array, b: Array) -> Array:
-    """Each joint the short way."""
+    """The shorter turn of each joint."""
     change = np.empty(len(a))
     for i in range(len(a)):
         change[i] = short_way(a[i], b[i])
@@ -128,24 +128,20 @@ def way_of_joints(robot: ArmRobot, a: Array, b: Array) -> Array:
 
 @place.register(ArmRobot)
 def place_link(robot: ArmRobot, i: int, a: Array, change: Array, t: float, corners: Array) -> None:
-    """Joint after joint: each link adds its own turning to what the links before it do."""
-    x, y, vx, vy, bend, angle, turning = robot.base[0], robot.base[1], 0.0, 0.0, 0.0, 0.0, 0.0
+    """Add up the rotations of all links up to link i."""
+    x, y, angle, turning = robot.base[0], robot.base[1], 0.0, 0.0
+    vx, vy, acceleration = 0.0, 0.0, 0.0
     for k in range(i + 1):
         if k == i:
             corners[2 * i, X], corners[2 * i, Y] = x, y
-            corners[2 * i, VX], corners[2 * i, VY], corners[2 * i, BEND] = vx, vy, bend
+            corners[2 * i, VX], corners[2 * i, VY], corners[2 * i, ACC] = vx, vy, acceleration
         size = robot.lengths[k]
         angle += a[k] + t * change[k]
         turning += change[k]
         cos, sin = math.cos(angle), math.sin(angle)
         x, y = x + size * cos, y + size * sin
         vx, vy = vx - size * turning * sin, vy + size * turning * cos
-        bend += size * turning * turning
-    k = 2 * i + 1
-    corners[k, X], corners[k, Y], corners[k, VX], corners[k, VY], corners[k, BEND] = (
-        x,
-        y,
-        vx,
-        vy,
-        bend,
-    )
+        acceleration += size * turning * turning
+    end = 2 * i + 1
+    corners[end, X], corners[end, Y] = x, y
+    corners[end, VX], corners[end, VY], corners[end, ACC] = vx, vy, acceleration

@@ -1,5 +1,6 @@
-"""Polygon robots: one that only moves, and one that turns as well. Bullo & Smith, chapter 3;
-LaValle, section 4.2.
+"""Polygonal robots that translate, or translate and rotate.
+
+Bullo & Smith, chapter 3; LaValle, section 4.2.
 """
 
 from typing import NamedTuple
@@ -15,8 +16,9 @@ from ..geometry.rings import as_ring
 
 
 class TranslatingPolygonRobot(NamedTuple):
-    """A polygon that moves without turning. outline (n, 2) and its convex parts stand round the
-    reference point, the origin.
+    """A polygon that translates without rotating.
+
+    outline (n, 2) and its convex parts `shape` are relative to the reference point, the origin.
     """
 
     outline: Array
@@ -24,8 +26,9 @@ class TranslatingPolygonRobot(NamedTuple):
 
 
 class RigidPolygonRobot(NamedTuple):
-    """A polygon that moves and turns about its reference point, the origin of outline and shape; a
-    radian is turn_weight long.
+    """A polygon that translates and rotates about its reference point, the origin of its outline.
+
+    A rotation by one radian counts as the length turn_weight in distances.
     """
 
     outline: Array
@@ -34,11 +37,23 @@ class RigidPolygonRobot(NamedTuple):
 
 
 def TranslatingPolygon(vertices: ArrayLike) -> TranslatingPolygonRobot:
-    """A polygon robot that never turns. Its configuration (x, y) is where the origin of its
-    vertices' frame is.
+    """A polygon robot that does not rotate; its configuration (x, y) is its reference point.
 
-    vertices : (n, 2), a simple polygon, convex or not. Raises InvalidPolygon, InvalidPoint.
+    Parameters
+    ----------
+    vertices : (n, 2), a simple polygon, convex or not. Its origin is the reference point.
 
+    Returns
+    -------
+    TranslatingPolygonRobot
+
+    Raises
+    ------
+    InvalidPolygon, InvalidPoint
+        Where the vertices are not a simple polygon.
+
+    Examples
+    --------
     >>> robot = TranslatingPolygon([(0, 0), (2, 0), (0, 1)])
     >>> robot.shape.first
     array([0, 3])
@@ -48,21 +63,31 @@ def TranslatingPolygon(vertices: ArrayLike) -> TranslatingPolygonRobot:
 
 
 def RigidPolygon(vertices: ArrayLike, *, turn_weight: float | None = None) -> RigidPolygonRobot:
-    """A polygon robot that moves and turns. Its configuration is (x, y, theta): the reference point
-    and the heading in radians.
+    """A polygon robot that translates and rotates; its configuration is (x, y, theta).
+
+    (x, y) is the reference point and theta the heading in radians.
 
     Parameters
     ----------
-    vertices : (n, 2), a simple polygon, convex or not, at heading 0. The origin of their frame is
-    the reference point, which the
-        robot turns about; it may lie outside the polygon.
-    turn_weight : how long a turn of one radian counts in distances, in lengths per radian; by
-    default the distance of the farthest
-        vertex from the reference point, so that no point of the robot moves farther than the
-        distance says, times sqrt(2).
+    vertices : (n, 2), a simple polygon, convex or not, at heading 0. Its origin is the reference
+        point, about which the robot rotates; it may lie outside the polygon.
+    turn_weight : the length that a rotation by one radian counts in distances. The default is the
+        distance of the farthest vertex from the reference point; then no point of the robot moves
+        farther than sqrt(2) times the distance.
 
-    Raises InvalidPolygon, InvalidPoint; InvalidRobot for a weight that is not positive.
+    Returns
+    -------
+    RigidPolygonRobot
 
+    Raises
+    ------
+    InvalidPolygon, InvalidPoint
+        Where the vertices are not a simple polygon.
+    InvalidRobot
+        Where turn_weight is not positive.
+
+    Examples
+    --------
     >>> RigidPolygon([(-1, -1), (3, -1), (3, 1), (-1, 1)]).turn_weight ** 2
     10.000000000000002
     """

@@ -1,4 +1,4 @@
-"""Round robots: a point, and a disk. Their configuration is the position (x, y) of their centre."""
+"""Round robots: a point and a disk. Their configuration is the position (x, y) of the centre."""
 
 from typing import NamedTuple
 
@@ -10,27 +10,43 @@ from ..geometry.parts import Parts, make_parts
 
 
 class RoundRobot(NamedTuple):
-    """A body of one point with a radius, moved without turning."""
+    """A disc, or a point where the radius is 0."""
 
     radius: float
 
     @property
     def body(self) -> Parts:
-        """The body as Parts, at the origin."""
+        """The disc as Parts, at the origin."""
         return make_parts([np.zeros((1, 2))], [self.radius])
 
 
 def Point() -> RoundRobot:
-    """A robot without size. Its motions are judged exactly; on a terrain where positions in cells
-    are exact, as at resolution 1.
+    """A robot without size.
+
+    Collision tests of its motions are exact; on a terrain they are exact where positions in units
+    of cells are, as at resolution 1.
+
+    Returns
+    -------
+    RoundRobot, with radius 0.
     """
     return RoundRobot(0.0)
 
 
 def Disk(radius: float) -> RoundRobot:
-    """A disk of the given radius, in the world's unit of length. Raises InvalidRobot unless it is
-    positive and finite.
+    """A disk with a radius in the world's unit of length.
 
+    Returns
+    -------
+    RoundRobot
+
+    Raises
+    ------
+    InvalidRobot
+        Where the radius is not one positive, finite number.
+
+    Examples
+    --------
     >>> Disk(0.5).body.radius
     array([0.5])
     """

@@ -1,4 +1,4 @@
-"""Trajectories: what a car is told to do, and for how long. Where it then is follows, exactly."""
+"""Trajectories of a car: a sequence of controls with durations, and the exact poses along it."""
 
 import math
 from typing import NamedTuple
@@ -15,8 +15,13 @@ from .car import CarRobot
 
 
 class TrajectoryRecord(NamedTuple):
-    """What `Trajectory` makes: from `start` (3,) by `controls` (n, 2), each a speed v and a
-    steering angle phi, held for durations[i]."""
+    """The record that `Trajectory` returns.
+
+    start : (3,), the first pose.
+    controls : (n, 2), each a speed v and a steering angle phi.
+    durations : (n,), the time for which each control is held.
+    wheelbase : of the car.
+    """
 
     start: Array
     controls: Array
@@ -25,49 +30,59 @@ class TrajectoryRecord(NamedTuple):
 
     @property
     def duration(self) -> float:
-        """How long it takes."""
+        """The total time."""
         return float(self.durations.sum())
 
     @property
     def length(self) -> float:
-        """How far the rear axle's middle is driven, forward and back."""
+        """The distance that the rear axle's middle drives, forward and backward."""
         return float(np.abs(self.controls[:, 0] * self.durations).sum())
 
     @property
     def poses(self) -> Array:
-        """The pose at the start and after each control, shape (n + 1, 3): the controls replayed."""
+        """The pose at the start and after each control, shape (n + 1, 3)."""
         return replayed(self.start, self.controls, self.durations, self.wheelbase)
 
     @property
     def reversed(self) -> "TrajectoryRecord":
-        """The same drive from its end to its start: every control the other way, the last one
-        first.
-        """
+        """The same drive backwards: from the last pose to the first."""
         backwards = self.controls[::-1] * (-1.0, 1.0)
         return TrajectoryRecord(
             self.poses[-1], backwards, self.durations[::-1].copy(), self.wheelbase
         )
 
     def at(self, t: ArrayLike) -> Array:
-        """The pose after a time t, shape (3,); for many, shape (m,), the poses (m, 3). t is kept
-        between 0 and the whole duration.
+        """The pose at time t, clipped to 0 <= t <= duration.
 
-        Raises InvalidPoint where it is not numbers.
+        Parameters
+        ----------
+        t : a number, or (m,) times.
+
+        Returns
+        -------
+        (3,) array, or (m, 3) for many times.
+
+        Raises
+        ------
+        InvalidPoint
+            Where t is not finite numbers.
         """
         times = np.clip(as_array(t, "t"), 0.0, self.duration)
         begins = np.concatenate([[0.0], np.cumsum(self.durations)])
-        which = np.searchsorted(
-            begins[1:-1], np.atleast_1d(times)
-        )  # the last control is held to the end, however sums are rounded
-        poses = on_the_way(
-            self.poses, self.controls, self.wheelbase, which, np.atleast_1d(times) - begins[which]
-        )
+        # without begins[-1], so that the last control is held to the end in spite of rounding
+        which = np.searchsorted(begins[1:-1], np.atleast_1d(times))
+        since = np.atleast_1d(times) - begins[which]
+        poses = on_the_way(self.poses, self.controls, self.wheelbase, which, since)
         return poses if times.ndim else poses[0]
 
 
 class DrivenTree(NamedTuple):
-    """A tree grown by driving, in its order: to nodes[i] (x, y, theta) leads the control
-    controls[i] (v, phi) from its parent, held for durations[i]. Shapes (n, 3), (n,), (n, 2), (n,).
+    """A tree that was grown by driving, in the order it grew.
+
+    nodes : (n, 3), poses (x, y, theta), the root first.
+    parent : (n,), -1 for the root.
+    controls : (n, 2), the control (v, phi) that leads from the parent to each node.
+    durations : (n,), the time for which each control is held.
     """
 
     nodes: Array
@@ -77,9 +92,12 @@ class DrivenTree(NamedTuple):
 
 
 class DrivenRoadmap(NamedTuple):
-    """A roadmap grown by driving, in its order: along edges[e], from one node to another and never
-    back, controls[e] (v, phi) is held for durations[e]. Shapes (n, 3), (m, 2), (m, 2), (m,);
-    `goals` are the nodes that count as the goal, (k,)."""
+    """A directed roadmap that was grown by driving, in the order it grew.
+
+    nodes : (n, 3), poses. edges : (m, 2), from the first node to the second only.
+    controls : (m, 2), the control (v, phi) along each edge. durations : (m,), its time.
+    goals : (k,), the numbers of the nodes that count as the goal.
+    """
 
     nodes: Array
     edges: NDArray[np.int64]
@@ -91,14 +109,30 @@ class DrivenRoadmap(NamedTuple):
 def Trajectory(
     car: CarRobot, start: ArrayLike, controls: ArrayLike, durations: ArrayLike
 ) -> TrajectoryRecord:
-    """A drive from a pose by controls (v, phi), shape (n, 2), each held for its duration, shape
-    (n,); n may be zero.
+    """A drive of a car from a pose by controls that are held one after another.
 
-    Raises InvalidPoint; InvalidParameter where the shapes do not fit, the car cannot steer so far,
-    or a duration is negative.
+    Parameters
+    ----------
+    controls : (n, 2), rows (v, phi); n may be 0.
+    durations : (n,), zero or more each.
 
+    Returns
+    -------
+    TrajectoryRecord
+
+    Raises
+    ------
+    InvalidPoint
+        Where an array is not finite numbers.
+    InvalidParameter
+        Where the shapes do not fit, phi exceeds the car's largest steering angle, or a duration is
+        negative.
+
+    Examples
+    --------
     >>> from kinoedu import Car
-    >>> there = Trajectory(Car(30, 10, 20), (0, 0, 0), [(1, 0), (-1, np.pi / 4)], [50, 20 * np.pi / 2])
+    >>> controls = [(1, 0), (-1, np.pi / 4)]
+    >>> there = Trajectory(Car(30, 10, 20), (0, 0, 0), controls, [50, 20 * np.pi / 2])
     >>> there.poses.round(9)[1:]
     array([[50.        ,  0.        ,  0.        ],
            [30.        , 20.        , -1.57079633]])
@@ -107,12 +141,12 @@ def Trajectory(
     """
     if not isinstance(car, CarRobot):
         raise InvalidParameter(f"a trajectory is driven by a Car, got a {type(car).__name__}")
-    told, times = as_array(controls, "controls"), as_array(durations, "durations")
-    if told.size == 0:
-        told = told.reshape(0, 2)
-    if told.ndim != 2 or told.shape[1] != 2 or times.shape != (len(told),):
+    rows, times = as_array(controls, "controls"), as_array(durations, "durations")
+    if rows.size == 0:
+        rows = rows.reshape(0, 2)
+    if rows.ndim != 2 or rows.shape[1] != 2 or times.shape != (len(rows),):
         raise InvalidParameter(
-            f"controls must have shape (n, 2) and durations (n,), got {told.shape} and "
+            f"controls must have shape (n, 2) and durations (n,), got {rows.shape} and "
             f"{times.shape}"
         )
     if (times < 0.0).any():
@@ -120,9 +154,9 @@ def Trajectory(
             f"durations must be zero or more, got {times.min():g}; to drive backwards give a "
             "negative speed"
         )
-    for phi in told[:, 1]:
+    for phi in rows[:, 1]:
         car.curvature(phi)
-    return TrajectoryRecord(as_pose(start, "start"), told, times, car.wheelbase)
+    return TrajectoryRecord(as_pose(start, "start"), rows, times, car.wheelbase)
 
 
 @compiled
@@ -142,9 +176,7 @@ def replayed(start: Array, controls: Array, durations: Array, wheelbase: float) 
 def on_the_way(
     begins: Array, controls: Array, wheelbase: float, which: NDArray[np.int64], times: Array
 ) -> Array:
-    """The poses (m, 3) at each time since the control of that number began; `begins` is where they
-    begin.
-    """
+    """The poses (m, 3) at times[i] after control which[i] began, at pose begins[which[i]]."""
     poses = np.empty((len(times), 3))
     for i in range(len(times)):
         x, y, theta = begins[which[i]]

@@ -1,4 +1,4 @@
-"""Worlds: where a robot moves, made from polygons or bitmaps."""
+"""Worlds in which robots move: polygons and bitmaps."""
 
 from .heights import clearance_of_cells, roughness, slope
 from .landscapes import LANDSCAPES, hills, landscape
@@ -7,7 +7,7 @@ from .polygon_world import PolygonWorld
 from .range_sensor import Scan, scan
 from .scattered import scattered
 from .terrain import Terrain
-from .uncertain import UncertainWorld, as_it_is, chance_margins, inflated, scenarios
+from .uncertain import UncertainWorld, chance_margins, inflated, scenario_world, scenarios
 
 __all__ = [
     "LANDSCAPES",
@@ -17,7 +17,6 @@ __all__ = [
     "Scan",
     "Terrain",
     "UncertainWorld",
-    "as_it_is",
     "chance_margins",
     "clearance_of_cells",
     "hills",
@@ -27,6 +26,7 @@ __all__ = [
     "roughness",
     "scan",
     "scattered",
+    "scenario_world",
     "scenarios",
     "slope",
 ]

@@ -1,7 +1,6 @@
-"""What a field of heights says of the ground: how steep it is, how rough, how far from what blocks
-the way.
+"""Slope, roughness and clearance of a field of heights.
 
-Each is an array with a number for each cell, made to be put together into a terrain's cost:
+Each function returns one number for each cell. Together they give the cost of a terrain:
 `Terrain(slope(h) < 1.0, cost=1.0 + 4.0 * slope(h) + 2.0 * roughness(h))`.
 """
 
@@ -16,7 +15,7 @@ from .terrain import Terrain
 
 
 def as_heights(heights: ArrayLike) -> Array:
-    """Heights (rows, columns), two or more either way, or InvalidWorld."""
+    """Check heights (rows, columns), at least 2 x 2; raise InvalidWorld otherwise."""
     field = as_array(heights, "heights")
     if field.ndim != 2 or min(field.shape) < 2:
         raise InvalidWorld(
@@ -26,12 +25,23 @@ def as_heights(heights: ArrayLike) -> Array:
 
 
 def slope(heights: ArrayLike, *, resolution: float = 1.0) -> Array:
-    """How steep the ground is in each cell: rise over run, by the heights of the cells on both
-    sides; shape (rows, columns).
+    """The slope of the ground in each cell: rise over run, from the heights of its neighbours.
 
-    heights : (rows, columns), in the unit in which `resolution`, the side of a cell, is given.
-        Raises InvalidWorld.
+    Parameters
+    ----------
+    heights : (rows, columns), in the same unit as `resolution`, the side of a cell.
 
+    Returns
+    -------
+    (rows, columns) array.
+
+    Raises
+    ------
+    InvalidWorld
+        Where heights do not have that shape.
+
+    Examples
+    --------
     >>> slope([[0.0, 3.0, 6.0], [4.0, 7.0, 10.0]]).tolist()
     [[5.0, 5.0, 5.0], [5.0, 5.0, 5.0]]
     """
@@ -40,12 +50,24 @@ def slope(heights: ArrayLike, *, resolution: float = 1.0) -> Array:
 
 
 def roughness(heights: ArrayLike, *, reach: int = 1) -> Array:
-    """How far the heights of (2 reach + 1)^2 cells scatter about the plane that fits them best, as
-    a standard deviation.
+    """The standard deviation of the heights of (2 reach + 1)^2 cells about their best-fit plane.
 
-    A smooth incline is steep, and not rough. Beyond the rim the ground is taken to go on as it
-    came. O(cells * reach^2). Raises InvalidWorld, InvalidParameter.
+    A smooth incline is steep but not rough. Beyond the edges of the field the heights are
+    extrapolated by reflection. O(cells * reach^2).
 
+    Returns
+    -------
+    (rows, columns) array.
+
+    Raises
+    ------
+    InvalidWorld
+        Where heights are not (rows, columns), or are too few for `reach`.
+    InvalidParameter
+        Where `reach` is not an integer of at least 1.
+
+    Examples
+    --------
     >>> roughness([[0.0, 1.0, 2.0], [3.0, 4.0, 5.0], [6.0, 7.0, 8.0]]).max() < 1e-7
     np.True_
     """
@@ -60,24 +82,31 @@ def roughness(heights: ArrayLike, *, reach: int = 1) -> Array:
     along = [
         sum(step[axis] * above for step, above in zip(steps, rise)) / len(steps) for axis in (0, 1)
     ]
-    spread = sum(u * u for u, _ in steps) / len(
-        steps
-    )  # of the cells' own columns, and of their rows
-    scatter = (
-        sum(above * above for above in rise) / len(steps)
-        - mean * mean
-        - (along[0] ** 2 + along[1] ** 2) / spread
-    )
+    # the variances of the cells' rows (or columns), of their heights, and about the plane
+    spread = sum(u * u for u, _ in steps) / len(steps)
+    total = sum(above * above for above in rise) / len(steps) - mean * mean
+    scatter = total - (along[0] ** 2 + along[1] ** 2) / spread
     return np.sqrt(np.maximum(scatter, 0.0))
 
 
 def clearance_of_cells(free: ArrayLike, *, resolution: float = 1.0) -> Array:
-    """How far each cell's centre is from the nearest centre of a blocked cell, 0 there; all outside
-    is blocked. (rows, columns)
+    """The distance from the centre of each cell to the nearest centre of a blocked cell.
 
-    A. Meijster, J. B. T. M. Roerdink, W. H. Hesselink, "A general algorithm for computing distance
-    transforms in linear time" (2000). O(cells). Raises InvalidWorld.
+    It is 0 for a blocked cell; everything outside is blocked. A. Meijster, J. B. T. M. Roerdink, W.
+    H. Hesselink, "A general algorithm for computing distance transforms in linear time" (2000).
+    O(cells).
 
+    Returns
+    -------
+    (rows, columns) array.
+
+    Raises
+    ------
+    InvalidWorld
+        Where `free` is not a bitmap.
+
+    Examples
+    --------
     >>> clearance_of_cells([[1, 1, 1], [1, 1, 0], [1, 1, 1]]).tolist()
     [[1.0, 1.0, 1.0], [1.0, 1.0, 0.0], [1.0, 1.0, 1.0]]
     """

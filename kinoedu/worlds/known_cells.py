@@ -1,13 +1,12 @@
-"""Small cells known to be wholly free or wholly solid: most questions are answered by looking up a
-few of them.
+"""Occupancy cells: small cells that are entirely free or solid answer most collision queries.
 
-A free cell also knows how far freedom reaches round it, in cells; a motion that stays within that
-is free without a look at any obstacle. What is left, near the obstacles' edges, has to be judged
-exactly.
+A free cell also stores its reach: how many cells around it are free. A motion that stays within the
+reach is free, and no obstacle is examined. Only near the edges of obstacles an exact test is
+needed.
 
 Sources: M. Edahiro, I. Kokubo, T. Asano, "A new point-location algorithm and its practical
 efficiency" (1984), for cells as buckets; H. Samet, "The quadtree and related hierarchical data
-structures" (1984), for halving them; A. Rosenfeld and J. L. Pfaltz, "Sequential operations in
+structures" (1984), for the subdivision; A. Rosenfeld and J. L. Pfaltz, "Sequential operations in
 digital picture processing" (1966), for the reach.
 """
 
@@ -22,24 +21,20 @@ from ..geometry.exact import length, turn
 from ..geometry.parts import Parts
 from .parts_index import FAR, MARGIN, PartsIndex, clip, has_margins
 
-SOLID, RIM, MIXED, FREE = -2, -1, 0, 1  # the less, the worse; FREE is the least reach as well
-FINE, ALONG = (
-    32,
-    600,
-    # small cells along the side of a cell of the index, and along the longer side of a world, at
-    # most
-)
-MOST = 16  # the greatest reach that is counted
-PIECES = 4  # of a motion, looked up one by one
+SOLID, RIM, MIXED, FREE = -2, -1, 0, 1  # in this order; FREE is also the least reach
+FINE = 32  # the most occupancy cells along the side of a cell of the index
+ALONG = 600  # the most occupancy cells along the longer side of a world
+MOST = 16  # the largest reach that is stored
+PIECES = 4  # a motion is divided into so many stretches, each looked up by itself
 
 
 class KnownCells(NamedTuple):
-    """Cell (i, j) covers (x, y) + (i, j) * side, with per_unit = 1 / side; reach[j, i] says what
-    all of it is.
+    """The occupancy cells of a world: cell (i, j) covers (x, y) + (i, j) * side.
 
-    SOLID; or FREE, and then how far: 1 if the cell itself is, 2 if its eight neighbours are too,
-    and so on. MIXED: inside the world's hull, no more is known. RIM: not even that. Where nothing
-    is known, there are no cells.
+    per_unit is 1 / side. reach[j, i] is the state of the whole cell: SOLID; or FREE and its reach:
+    1 if the cell itself is free, 2 if its eight neighbours are free too, and so on; or MIXED:
+    inside the hull of the world, otherwise unknown; or RIM: unknown. Without information there are
+    no cells.
     """
 
     x: float
@@ -50,11 +45,10 @@ class KnownCells(NamedTuple):
 
 
 def known_cells(hull: Array, parts: Parts, cells: PartsIndex, lo: Array, hi: Array) -> KnownCells:
-    """The small cells of a world: the cells of the index, halved and halved again as long as they
-    are not too many.
+    """Build the occupancy cells of a world by subdividing the cells of its index.
 
-    A cell counts with a margin round it, so that rounding cannot carry a point to a cell which it
-    does not belong to. No cells for worlds that have no room for margins.
+    A cell is tested with a margin around it, so that rounding cannot assign a point to the wrong
+    cell. Worlds without room for margins have no cells.
     """
     if not has_margins(lo, hi):
         return nothing_known()
@@ -69,7 +63,7 @@ def known_cells(hull: Array, parts: Parts, cells: PartsIndex, lo: Array, hi: Arr
 
 
 def nothing_known() -> KnownCells:
-    """No cells."""
+    """Occupancy cells of a world about which nothing is known: none."""
     return KnownCells(0.0, 0.0, 1.0, 1.0, np.zeros((0, 0), np.int8))
 
 
@@ -77,23 +71,21 @@ def nothing_known() -> KnownCells:
 def fill_known_cells(
     known: KnownCells, fine: int, hull: Array, parts: Parts, cells: PartsIndex
 ) -> None:
-    """Judge cells of the index, then their quarters where that does not tell, and so on down to the
-    small cells.
-    """
+    """Classify the cells of the index, then recursively their quarters where they are mixed."""
     size = fine
     while size > 0:
         for j in range(0, known.reach.shape[0], size):
             for i in range(0, known.reach.shape[1], size):
                 if known.reach[j, i] == MIXED or known.reach[j, i] == RIM:
                     cell = j // fine * cells.columns + i // fine
-                    known.reach[j : j + size, i : i + size] = judged_block(
+                    known.reach[j : j + size, i : i + size] = classify_block(
                         i, j, size, known, cell, hull, parts, cells
                     )
         size //= 2
 
 
 @compiled
-def judged_block(
+def classify_block(
     i: int,
     j: int,
     size: int,
@@ -103,12 +95,10 @@ def judged_block(
     parts: Parts,
     cells: PartsIndex,
 ) -> int:
-    """What size * size small cells wholly are, with the margin of one: by the hull, and by the
-    parts in their cell of the index.
-    """
+    """The state of a block of size * size cells, with its margin; by the hull and nearby parts."""
     x0, x1 = known.x + (i - MARGIN) * known.side, known.x + (i + size + MARGIN) * known.side
     y0, y1 = known.y + (j - MARGIN) * known.side, known.y + (j + size + MARGIN) * known.side
-    # what the block was a quarter of is MIXED if it is inside the hull
+    # MIXED means that the four times larger block is inside the hull
     inside = (
         known.reach[j, i] == MIXED or box_in_polygon(x0, y0, x1, y1, hull, 0, len(hull)) == SOLID
     )
@@ -122,10 +112,9 @@ def judged_block(
 
 
 def measure_reach(reach: NDArray[np.int8]) -> None:
-    """Count for each FREE cell how many peelings it outlives, up to MOST. Each takes the outermost
-    layer of what is free.
+    """Count for each FREE cell how many erosions by one layer it survives, up to MOST.
 
-    The cells along the grid's edge are never FREE: they are not wholly inside the hull.
+    The cells along the edge of the grid are never FREE: they are not entirely inside the hull.
     """
     free = reach == FREE
     for _ in range(FREE, MOST):
@@ -138,7 +127,7 @@ def measure_reach(reach: NDArray[np.int8]) -> None:
 def box_in_part(
     x0: float, y0: float, x1: float, y1: float, parts: Parts, i: int, boxes: Array
 ) -> int:
-    """Whether a box is SOLID inside part i, FREE of it, or neither."""
+    """SOLID where a box is inside part i, FREE where it is outside, MIXED otherwise."""
     if x1 < boxes[i, 0] or x0 > boxes[i, 2] or y1 < boxes[i, 1] or y0 > boxes[i, 3]:
         return FREE
     if parts.radius[i] > 0.0:
@@ -148,8 +137,9 @@ def box_in_part(
 
 @compiled
 def box_in_disc(x0: float, y0: float, x1: float, y1: float, centre: Array, radius: float) -> int:
-    """Whether a box is SOLID strictly inside a disc, FREE of it, or neither; MIXED for one too
-    large for a margin.
+    """SOLID where a box is strictly inside a disc, FREE where it is outside, MIXED otherwise.
+
+    MIXED also for a disc that is too large for a margin.
     """
     left, right, below, above = centre[0] - x0, x1 - centre[0], centre[1] - y0, y1 - centre[1]
     if radius > FAR * (x1 - x0):
@@ -163,11 +153,10 @@ def box_in_disc(x0: float, y0: float, x1: float, y1: float, centre: Array, radiu
 def box_in_polygon(
     x0: float, y0: float, x1: float, y1: float, points: Array, begin: int, end: int
 ) -> int:
-    """Whether a box is SOLID strictly inside the convex polygon points[begin:end], FREE to the
-    right of an edge, or neither.
+    """SOLID where a box is strictly inside a convex polygon, FREE to the right of an edge.
 
-    The box's corner farthest to the left of an edge and the one farthest to its right decide for
-    all four.
+    MIXED otherwise. The polygon is points[begin:end]. For each edge the corner farthest to its left
+    and the corner farthest to its right decide for all four.
     """
     found = SOLID
     px, py = points[end - 1, 0], points[end - 1, 1]
@@ -185,8 +174,9 @@ def box_in_polygon(
 
 @inlined
 def known_at(x: float, y: float, radius: float, known: KnownCells) -> int:
-    """Whether a disc with its centre in the world's bounding box is known to be FREE, or its centre
-    SOLID; else RIM or MIXED.
+    """FREE where a disc is known to be free, SOLID where its centre is not; else RIM or MIXED.
+
+    The centre must lie in the world's bounding box.
     """
     rows, columns = known.reach.shape
     if rows == 0:
@@ -202,8 +192,9 @@ def known_at(x: float, y: float, radius: float, known: KnownCells) -> int:
 def known_between(
     ax: float, ay: float, bx: float, by: float, radius: float, known: KnownCells
 ) -> int:
-    """The same for a disc moved along a-b. A piece of the way is FREE where the reach of one end
-    holds the other and the disc.
+    """The same for a disc that moves along a-b.
+
+    A stretch of the motion is FREE where the reach of one end covers the other end and the disc.
     """
     rows, columns = known.reach.shape
     if rows == 0:
@@ -231,5 +222,5 @@ def known_between(
 
 @inlined
 def cells_in(radius: float, known: KnownCells) -> int:
-    """How many cells a disc may stick out of the one that holds its centre."""
+    """The number of cells by which a disc may extend beyond the cell of its centre."""
     return int(min(np.ceil(radius * known.per_unit), float(MOST))) if radius > 0.0 else 0

@@ -1,8 +1,7 @@
-"""Terrains of 256 x 256 cells, each made from a seed, on which planners are compared: from START to
-GOAL there is always a way.
+"""Random terrains of 256 x 256 cells for comparing planners; START and GOAL are always connected.
 
 J. R. Sánchez-Ibáñez, C. J. Pérez-del-Pulgar, A. García-Cerezo, "Path planning for autonomous mobile
-robots: a review" (2021), on what is asked of planners outdoors.
+robots: a review" (2021), on the requirements of outdoor planners.
 """
 
 from collections.abc import Callable
@@ -17,17 +16,17 @@ from .terrain import Terrain, TerrainRecord
 
 SIDE = 256
 START, GOAL = (10.0, 10.0), (246.0, 246.0)
-CLEAR = 9  # cells about start and goal that are kept free
+CLEAR = 9  # half the side, in cells, of the free squares around START and GOAL
 Cells = NDArray[np.bool_]
 
 
 def rocks(rng: np.random.Generator) -> Cells:
-    """Ninety round rocks of all sizes, some of them in heaps."""
+    """Ninety round rocks of different sizes, some of which overlap."""
     return ~discs(rng.uniform(0, SIDE, (90, 2)), rng.uniform(3.0, 13.0, 90))
 
 
 def craters(rng: np.random.Generator) -> Cells:
-    """Fourteen craters: a rim that is open on one side, so that each is a bag to be caught in."""
+    """Fourteen craters, each a rim with a gap on one side: traps for greedy planners."""
     x, y = centres()
     blocked = np.zeros((SIDE, SIDE), np.bool_)
     for cx, cy, radius, opening in zip(
@@ -40,7 +39,7 @@ def craters(rng: np.random.Generator) -> Cells:
 
 
 def ridges(rng: np.random.Generator) -> Cells:
-    """Three ridges from rim to rim, each with one pass of ten cells."""
+    """Three ridges across the terrain, each with one pass of ten cells."""
     x, y = centres()
     free = np.ones((SIDE, SIDE), np.bool_)
     for middle, phase, gap in zip(
@@ -52,7 +51,7 @@ def ridges(rng: np.random.Generator) -> Cells:
 
 
 def dunes(rng: np.random.Generator) -> Cells:
-    """A maze of dunes: walls of three cells between rooms of 29, some of them gone."""
+    """A maze of dunes: walls of three cells between rooms of 29 cells, some of them missing."""
     free = np.ones((SIDE, SIDE), np.bool_)
     for place in range(32, SIDE - 8, 32):
         for k in range(8):
@@ -64,9 +63,7 @@ def dunes(rng: np.random.Generator) -> Cells:
 
 
 def fords(rng: np.random.Generator) -> Cells:
-    """A river that winds from corner to corner, with three fords six cells wide, and stones on both
-    banks.
-    """
+    """A winding river with three fords six cells wide, and stones on both banks."""
     x, y = centres()
     along, across = (x - y) / np.sqrt(2), (x + y - SIDE) / np.sqrt(2)
     river = np.abs(across - 22.0 * np.sin(along / 30.0 + rng.uniform(0, 2 * np.pi))) < 9.0
@@ -76,7 +73,7 @@ def fords(rng: np.random.Generator) -> Cells:
 
 
 def spires(rng: np.random.Generator) -> Cells:
-    """Five hundred thin spires: much free space, and hardly a long straight line in it."""
+    """Five hundred thin spires: much free space, but few long straight lines in it."""
     return ~discs(rng.uniform(0, SIDE, (500, 2)), rng.uniform(1.0, 3.0, 500))
 
 
@@ -86,20 +83,34 @@ LANDSCAPES: dict[str, Callable[[np.random.Generator], Cells]] = {
 
 
 def landscape(kind: str, rng: int | np.random.Generator = 0, **terrain: Any) -> TerrainRecord:
-    """A terrain of a kind: rocks, craters, ridges, dunes, fords or spires.
+    """Draw a terrain of a kind: rocks, craters, ridges, dunes, fords or spires.
 
-    rng : a seed or a numpy Generator; what it leads to is drawn again until there is a way from
-        START (10, 10) to GOAL (246, 246).
-    The rest is handed to Terrain: resolution, origin, cost. Raises InvalidParameter.
+    Terrains are drawn until START (10, 10) and GOAL (246, 246) are connected.
 
+    Parameters
+    ----------
+    rng : a seed or a numpy Generator.
+    terrain : further arguments of `Terrain`: resolution, origin, cost.
+
+    Returns
+    -------
+    TerrainRecord
+
+    Raises
+    ------
+    InvalidParameter
+        Where the kind is unknown.
+
+    Examples
+    --------
     >>> landscape("rocks", 0).free.shape
     (256, 256)
     """
     if kind not in LANDSCAPES:
         raise InvalidParameter(f"kind must be one of {', '.join(LANDSCAPES)}, got {kind!r}")
-    chance = as_generator(rng)
+    generator = as_generator(rng)
     while True:
-        free = LANDSCAPES[kind](chance)
+        free = LANDSCAPES[kind](generator)
         for x, y in (START, GOAL):
             free[int(y) - CLEAR : int(y) + CLEAR, int(x) - CLEAR : int(x) + CLEAR] = True
         if joined_cells(free, START, GOAL):
@@ -107,25 +118,35 @@ def landscape(kind: str, rng: int | np.random.Generator = 0, **terrain: Any) -> 
 
 
 def hills(rng: int | np.random.Generator = 0, *, highest: float = 40.0) -> Array:
-    """Heights (256, 256) from 0 to `highest`: waves of all lengths, the long ones highest, as in
-    worn mountains.
+    """Draw random heights: waves of all lengths, the long ones highest, as in eroded mountains.
 
-    R. F. Voss, "Random fractal forgeries" (1985). Raises InvalidParameter.
+    R. F. Voss, "Random fractal forgeries" (1985).
 
+    Returns
+    -------
+    (256, 256) array with values from 0 to `highest`.
+
+    Raises
+    ------
+    InvalidParameter
+        Where `rng` is not a seed or a Generator.
+
+    Examples
+    --------
     >>> hills(1).shape
     (256, 256)
     """
-    chance = as_generator(rng)
+    generator = as_generator(rng)
     v, u = np.meshgrid(np.fft.fftfreq(SIDE), np.fft.rfftfreq(SIDE), indexing="ij")
     waves = np.sqrt(u * u + v * v)
     waves[0, 0] = np.inf
-    noise = chance.normal(size=(*waves.shape, 2)) @ np.array([1.0, 1.0j])
+    noise = generator.normal(size=(*waves.shape, 2)) @ np.array([1.0, 1.0j])
     ground = np.fft.irfft2(noise / waves**3.0, s=(SIDE, SIDE))
     return highest * (ground - ground.min()) / (ground.max() - ground.min())
 
 
 def centres() -> tuple[Array, Array]:
-    """x and y of every cell's centre, (256, 256) each."""
+    """The coordinates x and y of every cell's centre, (256, 256) each."""
     y, x = np.indices((SIDE, SIDE)) + 0.5
     return x, y
 
@@ -140,7 +161,7 @@ def discs(places: Array, radii: Array) -> Cells:
 
 
 def joined_cells(free: Cells, a: tuple[float, float], b: tuple[float, float]) -> bool:
-    """Whether free cells that share sides lead from one place to another."""
+    """Whether a and b are connected by free cells that share sides."""
     from scipy.ndimage import label
 
     parts, _ = label(free)

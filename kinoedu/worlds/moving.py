@@ -1,6 +1,4 @@
-"""Obstacles that move as is known: each from place to place in straight lines, at given times.
-Nothing turns.
-"""
+"""Worlds with obstacles that move along known straight lines at given times, without rotating."""
 
 from collections.abc import Iterable
 from typing import Any, NamedTuple
@@ -19,8 +17,10 @@ from .polygon_world import PolygonWorldRecord, as_disc
 
 
 class Mover(NamedTuple):
-    """What `Moving` makes: an outline (n, 2) in its own frame, or a radius, and the frame's origin
-    (k, 2) at times (k,).
+    """The record that `Moving` returns: an obstacle and its motion.
+
+    outline : (n, 2), in its own frame; or, for a disc, its centre, with `radius`.
+    times, places : (k,) and (k, 2), the positions of the frame's origin.
     """
 
     outline: Array
@@ -29,17 +29,19 @@ class Mover(NamedTuple):
     places: Array
 
     def at(self, t: float) -> Array:
-        """Where its frame's origin is at a time, shape (2,)."""
-        return np.array(place_at(self.times, self.places, 0, len(self.times), float(t)))
+        """The position of the frame's origin at time t, shape (2,)."""
+        return np.array(position_at(self.times, self.places, 0, len(self.times), float(t)))
 
 
 class MovingWorldRecord(NamedTuple):
-    """What `MovingWorld` makes. Configurations in it are (x, y, t).
+    """The record that `MovingWorld` returns. Configurations in it are (x, y, t).
 
-    `still` is what does not move. `shapes` are the convex pieces of what does, each in its own
-    frame; the origin of piece i is at places[k] at times[k] for knots[i, 0] <= k < knots[i, 1].
-    `outlines` are the movers' whole outlines, for drawing, and `owner` (pieces,) tells which of
-    them a piece belongs to. lo and hi are the corners of the bounding box.
+    still : the world of the obstacles that do not move.
+    shapes : the convex pieces of the moving obstacles, each in its own frame. The origin of piece i
+        is at places[k] at times[k] for knots[i, 0] <= k < knots[i, 1].
+    outlines : the whole outlines of the moving obstacles, for drawing.
+    owner : (pieces,), the number of the obstacle to which each piece belongs.
+    lo, hi : the corners of the bounding box.
     """
 
     still: PolygonWorldRecord
@@ -54,24 +56,35 @@ class MovingWorldRecord(NamedTuple):
 
 
 def Moving(shape: ArrayLike, times: ArrayLike, places: ArrayLike) -> Mover:
-    """An obstacle that moves from place to place in straight lines, without turning.
+    """An obstacle that moves along straight lines from place to place, without rotating.
+
+    Before the first time it stands at the first place, after the last time at the last.
 
     Parameters
     ----------
-    shape : a simple polygon (n, 2) in its own frame, or one number: the radius of a disc round its
-    frame's origin.
-    times : (k,), increasing, k >= 1. places : (k, 2), where the frame's origin is then.
+    shape : a simple polygon (n, 2) in its own frame; or one number, the radius of a disc about the
+        frame's origin.
+    times : (k,), increasing, k >= 1.
+    places : (k, 2), the position of the frame's origin at each time.
 
-    Before the first time it stands at the first place, after the last at the last. Raises
-    InvalidWorld, InvalidPolygon, InvalidPoint.
+    Returns
+    -------
+    Mover
 
+    Raises
+    ------
+    InvalidWorld, InvalidPolygon, InvalidPoint
+        Where an argument is not valid.
+
+    Examples
+    --------
     >>> Moving(0.5, [0, 4], [(0, 0), (8, 0)]).at(1.0)
     array([2., 0.])
     """
     moments, where = as_array(times, "times"), as_array(places, "places")
     if moments.ndim != 1 or len(moments) == 0 or where.shape != (len(moments), 2):
         raise InvalidWorld(
-            f"times (k,) and places (k, 2) must be as many, k >= 1, got shapes {moments.shape} "
+            f"times (k,) and places (k, 2) must have the same k >= 1, got shapes {moments.shape} "
             f"and {where.shape}"
         )
     if not (np.diff(moments) > 0.0).all():
@@ -86,38 +99,51 @@ def Moving(shape: ArrayLike, times: ArrayLike, places: ArrayLike) -> Mover:
 
 
 def MovingWorld(still: PolygonWorldRecord, movers: Iterable[Any]) -> MovingWorldRecord:
-    """A PolygonWorld with obstacles that move through it; they may pass through what stands still,
-    and through each other.
+    """A PolygonWorld with moving obstacles; they may overlap fixed obstacles and each other.
 
-    Raises InvalidWorld.
+    Parameters
+    ----------
+    still : a PolygonWorld. movers : results of `Moving`.
 
+    Returns
+    -------
+    MovingWorldRecord
+
+    Raises
+    ------
+    InvalidWorld
+        Where an argument is of another type.
+
+    Examples
+    --------
     >>> from .polygon_world import PolygonWorld
     >>> hall = PolygonWorld([(0, 0), (10, 0), (10, 6), (0, 6)])
-    >>> world = MovingWorld(hall, [Moving([(-1, -1), (1, -1), (1, 1), (-1, 1)], [0, 5], [(5, -2), (5, 8)])])
+    >>> cart = Moving([(-1, -1), (1, -1), (1, 1), (-1, 1)], [0, 5], [(5, -2), (5, 8)])
+    >>> world = MovingWorld(hall, [cart])
     >>> world.knots
     array([[0, 2]])
     """
     if not isinstance(still, PolygonWorldRecord):
-        raise InvalidWorld(f"what stands still must be a PolygonWorld, got {shortened(still)}")
-    known = as_things(movers, "movers")
-    for mover in known:
+        raise InvalidWorld(f"the fixed obstacles must be a PolygonWorld, got {shortened(still)}")
+    given = as_things(movers, "movers")
+    for mover in given:
         if not isinstance(mover, Mover):
             raise InvalidWorld(
-                f"what moves must be made by Moving(shape, times, places), got {shortened(mover)}"
+                f"expected movers Moving(shape, times, places), got {shortened(mover)}"
             )
     pieces = [
-        [mover.outline] if mover.radius > 0.0 else convex_parts(mover.outline) for mover in known
+        [mover.outline] if mover.radius > 0.0 else convex_parts(mover.outline) for mover in given
     ]
-    owner = np.repeat(np.arange(len(known)), [len(own) for own in pieces])
-    ends = np.cumsum([0, *(len(mover.times) for mover in known)])
-    radii = [mover.radius for mover in known]
+    owner = np.repeat(np.arange(len(given)), [len(own) for own in pieces])
+    ends = np.cumsum([0, *(len(mover.times) for mover in given)])
+    radii = [mover.radius for mover in given]
     return MovingWorldRecord(
         still,
         make_parts([piece for own in pieces for piece in own], [radii[k] for k in owner]),
-        np.concatenate([np.empty(0), *(mover.times for mover in known)]),
-        np.concatenate([np.empty((0, 2)), *(mover.places for mover in known)]),
+        np.concatenate([np.empty(0), *(mover.times for mover in given)]),
+        np.concatenate([np.empty((0, 2)), *(mover.places for mover in given)]),
         np.column_stack([ends[:-1], ends[1:]])[owner].reshape(-1, 2),
-        make_parts([mover.outline for mover in known], radii),
+        make_parts([mover.outline for mover in given], radii),
         owner,
         still.lo,
         still.hi,
@@ -125,13 +151,14 @@ def MovingWorld(still: PolygonWorldRecord, movers: Iterable[Any]) -> MovingWorld
 
 
 def movers_at(world: MovingWorldRecord, t: float) -> list[tuple[Array, float]]:
-    """Where what moves is at a time: for each mover its outline (n, 2), or its centre (1, 2), and
-    its radius, 0 for a polygon.
+    """The outline (n, 2) and the radius of each moving obstacle at time t.
+
+    The outline of a disc is its centre (1, 2); the radius of a polygon is 0.
     """
     shown, parts = [], world.outlines
     for k in range(len(parts.radius)):
         begin, end = world.knots[np.flatnonzero(world.owner == k)[0]]
-        offset = place_at(world.times, world.places, int(begin), int(end), float(t))
+        offset = position_at(world.times, world.places, int(begin), int(end), float(t))
         shown.append(
             (parts.points[parts.first[k] : parts.first[k + 1]] + offset, float(parts.radius[k]))
         )
@@ -139,8 +166,8 @@ def movers_at(world: MovingWorldRecord, t: float) -> list[tuple[Array, float]]:
 
 
 @compiled
-def place_at(times: Array, places: Array, begin: int, end: int, t: float) -> tuple[float, float]:
-    """Where something is at a time t that is at places[k] at times[k], begin <= k < end."""
+def position_at(times: Array, places: Array, begin: int, end: int, t: float) -> tuple[float, float]:
+    """The position at time t of an origin that is at places[k] at times[k], begin <= k < end."""
     if t <= times[begin]:
         return places[begin, 0], places[begin, 1]
     for k in range(begin + 1, end):

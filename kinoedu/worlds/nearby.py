@@ -1,7 +1,6 @@
-"""What a body in a world may meet: the convex obstacles near it, and the convex ring round
-everything.
+"""Generic functions of a world: its convex boundary, and the convex obstacles near a box.
 
-Every kind of world answers these two questions, and so one body of collision serves them all.
+Every kind of world registers both, so that the collision tests work for all of them.
 """
 
 import math
@@ -20,7 +19,7 @@ from .terrain import TerrainRecord
 
 @generic(1)
 def rim(world: Any) -> Array:
-    """The convex ring (n, 2), counter-clockwise, outside of which all is solid."""
+    """The convex ring (n, 2), counter-clockwise, outside of which everything is solid."""
     raise TypeError("this world has no rim")
 
 
@@ -28,15 +27,16 @@ def rim(world: Any) -> Array:
 def obstacles_near(
     world: Any, x0: float, y0: float, x1: float, y1: float
 ) -> tuple[Parts, NDArray[np.int64]]:
-    """Obstacles as convex parts, and the numbers of those whose boxes meet the box from (x0, y0) to
-    (x1, y1), each once.
+    """The obstacles as convex parts, and the numbers of those near a box, each once.
+
+    Near are the parts whose bounding boxes meet the box from (x0, y0) to (x1, y1).
     """
     raise TypeError("this world has no obstacles")
 
 
 @rim.register(PolygonWorldRecord)
 def rim_of_polygons(world: PolygonWorldRecord) -> Array:
-    """The hull of the boundary; what lies between the two is among the obstacles."""
+    """The hull of the boundary; the region between boundary and hull is part of the obstacles."""
     return world.hull
 
 
@@ -44,14 +44,15 @@ def rim_of_polygons(world: PolygonWorldRecord) -> Array:
 def polygons_near(
     world: PolygonWorldRecord, x0: float, y0: float, x1: float, y1: float
 ) -> tuple[Parts, NDArray[np.int64]]:
-    """By the index of parts."""
+    """Search the index of parts."""
     return world.obstacles, parts_near(world.cells, x0, y0, x1, y1)
 
 
 @compiled
 def parts_near(cells: PartsIndex, x0: float, y0: float, x1: float, y1: float) -> NDArray[np.int64]:
-    """The numbers of the parts whose boxes meet a box. A part in several cells is taken in the
-    first one looked up.
+    """The numbers of the parts whose bounding boxes meet a box.
+
+    A part in several cells is reported at the first of them that is searched.
     """
     found, size = np.empty(len(cells.boxes), np.int64), 0
     i0, i1 = column_of(cells, x0, -MARGIN), column_of(cells, x1, MARGIN)
@@ -75,13 +76,13 @@ def parts_near(cells: PartsIndex, x0: float, y0: float, x1: float, y1: float) ->
 
 @compiled
 def column_of(cells: PartsIndex, x: float, margin: float) -> int:
-    """The column that x lies in, as the index counts them."""
+    """The column of the index in which x lies."""
     return clip(math.floor((x - cells.x) / cells.cell + margin), cells.columns - 1)
 
 
 @compiled
 def row_of(cells: PartsIndex, y: float, margin: float) -> int:
-    """The row that y lies in, as the index counts them."""
+    """The row of the index in which y lies."""
     return clip(math.floor((y - cells.y) / cells.cell + margin), cells.rows - 1)
 
 
@@ -99,10 +100,8 @@ def blocked_near(
     """Rectangles of blocked cells."""
     side, ox, oy = world.resolution, world.origin[0], world.origin[1]
     rows, columns = world.free.shape
-    i0, i1 = (
-        clip((x0 - ox) / side - MARGIN, columns - 1),
-        clip((x1 - ox) / side + MARGIN, columns - 1),
-    )
+    i0 = clip((x0 - ox) / side - MARGIN, columns - 1)
+    i1 = clip((x1 - ox) / side + MARGIN, columns - 1)
     j0, j1 = clip((y0 - oy) / side - MARGIN, rows - 1), clip((y1 - oy) / side + MARGIN, rows - 1)
     runs = blocked_runs(world.free, i0, i1, j0, j1)
     points = np.empty((4 * len(runs), 2))
@@ -119,9 +118,7 @@ def blocked_near(
 
 @compiled
 def blocked_runs(free: NDArray[np.bool_], i0: int, i1: int, j0: int, j1: int) -> NDArray[np.int64]:
-    """The runs of blocked cells in columns i0..i1 of rows j0..j1, as row, first column, and the
-    column after the last.
-    """
+    """The runs of blocked cells in columns i0..i1 of rows j0..j1: row, first and end column."""
     runs, size = np.empty(((j1 - j0 + 1) * ((i1 - i0) // 2 + 1), 3), np.int64), 0
     for j in range(j0, j1 + 1):
         begin = -1

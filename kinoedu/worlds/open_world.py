@@ -1,4 +1,4 @@
-"""The open plane with polygons in it: a world without a rim, as the Bug family walks it."""
+"""The unbounded plane with polygonal obstacles, for bug algorithms."""
 
 from typing import NamedTuple
 
@@ -6,10 +6,10 @@ from ..geometry.checks import Array
 
 
 class OpenWorld(NamedTuple):
-    """Obstacles in the open plane, rings of shape (n, 2); what is no obstacle is free.
+    """Obstacles in the unbounded plane, rings of shape (n, 2); everything else is free.
 
-    walls : the rings that a robot follows: those of the united obstacles, grown by its clearance;
-        holes clockwise.
+    walls : the rings that a robot follows: the union of the obstacles, grown by the robot's
+        clearance; holes are clockwise.
     lo, hi : the corners of a frame for pictures.
     """
 

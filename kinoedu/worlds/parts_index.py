@@ -1,6 +1,4 @@
-"""A grid of cells that tells which parts are near: a motion is judged against those few instead of
-all.
-"""
+"""A uniform grid as an index of parts: a motion is tested against nearby parts only."""
 
 from typing import NamedTuple
 
@@ -12,22 +10,18 @@ from ..geometry.checks import Array
 from ..geometry.exact import turn
 from ..geometry.parts import Parts, motion_touches_part, part_boxes
 
-MARGIN = (
-    0.01  # of a cell: boxes are grown by it, so that no rounding of a cell's number loses a part
-)
-ROUNDING = 1e-9  # of a cell: by no more may the world stick out of its cells
-FAR, SMALL = (
-    1e9,
-    1e-290,
-)  # farther out than FAR times its size, or smaller than SMALL, a margin would be lost in rounding
+MARGIN = 0.01  # of a cell: boxes are grown by it, so that rounding of cell numbers loses no part
+ROUNDING = 1e-9  # of a cell: the world may extend beyond its cells by this
+# margins are lost in rounding for a box farther out than FAR times its size, or smaller than SMALL
+FAR, SMALL = 1e9, 1e-290
 
 
 class PartsIndex(NamedTuple):
-    """Cell (i, j) covers (x, y) + (i, j) * cell and holds parts[first[j * columns + i] : first[j *
-    columns + i + 1]].
+    """A grid of buckets: cell (i, j) covers (x, y) + (i, j) * cell.
 
-    boxes (k, 4) are the bounding boxes of all parts. Few arrays: compiled code counts a reference
-    to each at every call.
+    It holds parts[first[j * columns + i] : first[j * columns + i + 1]]. boxes (k, 4) are the
+    bounding boxes of all parts. There are few arrays, because compiled code counts a reference to
+    each of them in every call.
     """
 
     x: float
@@ -41,48 +35,42 @@ class PartsIndex(NamedTuple):
 
 
 def has_margins(lo: Array, hi: Array) -> bool:
-    """Whether the box lo..hi can be cut into cells whose margins are more than rounding."""
+    """Whether the box lo..hi can be divided into cells with margins larger than rounding errors."""
     size = (hi - lo).max()
     return bool(size >= SMALL and np.abs([lo, hi]).max() <= FAR * size)
 
 
 def index_parts(parts: Parts, lo: Array, hi: Array) -> PartsIndex:
-    """About four cells for each part over the box lo..hi; one where a margin would be lost."""
+    """Build the index of parts over the box lo..hi: about four cells for each part.
+
+    One cell where a margin would be lost in rounding.
+    """
     boxes = part_boxes(parts)
     divisions = max(1, int(np.ceil(2.0 * np.sqrt(len(boxes))))) if has_margins(lo, hi) else 1
     cell = float((hi - lo).max() / divisions)
     columns, rows = np.maximum(np.ceil((hi - lo) / cell - ROUNDING), 1).astype(int).tolist()
-    low = np.clip(np.floor((boxes[:, :2] - lo) / cell - MARGIN), 0, [columns - 1, rows - 1]).astype(
-        int
-    )
-    high = np.clip(
-        np.floor((boxes[:, 2:] - lo) / cell + MARGIN), 0, [columns - 1, rows - 1]
-    ).astype(int)
+    last = [columns - 1, rows - 1]
+    low = np.clip(np.floor((boxes[:, :2] - lo) / cell - MARGIN), 0, last).astype(int)
+    high = np.clip(np.floor((boxes[:, 2:] - lo) / cell + MARGIN), 0, last).astype(int)
     wide, tall = (high - low + 1).T
-    part = np.repeat(np.arange(len(boxes)), wide * tall)
-    k = np.arange(len(part)) - np.repeat(
-        np.cumsum(wide * tall) - wide * tall, wide * tall
-    )  # which of its part's cells
+    count = wide * tall
+    # one entry for each cell of each part: its part, and its number among the cells of that part
+    part = np.repeat(np.arange(len(boxes)), count)
+    k = np.arange(len(part)) - np.repeat(np.cumsum(count) - count, count)
     held = (low[part, 1] + k // wide[part]) * columns + low[part, 0] + k % wide[part]
     first = np.append(0, np.cumsum(np.bincount(held, minlength=columns * rows)))
-    return PartsIndex(
-        float(lo[0]),
-        float(lo[1]),
-        cell,
-        columns,
-        rows,
-        first,
-        part[np.argsort(held, kind="stable")],
-        boxes,
-    )
+    parts_by_cell = part[np.argsort(held, kind="stable")]
+    x, y = float(lo[0]), float(lo[1])
+    return PartsIndex(x, y, cell, columns, rows, first, parts_by_cell, boxes)
 
 
 @compiled
 def stretch_in_band(
     ax: float, ay: float, bx: float, by: float, low: float, high: float
 ) -> tuple[float, float]:
-    """The least and greatest x of the part of a-b with low <= y <= high, to rounding; a-b is known
-    to enter the band.
+    """The least and greatest x of the part of a-b with low <= y <= high, to rounding.
+
+    a-b must enter the band.
     """
     if ay == by:
         return min(ax, bx), max(ax, bx)
@@ -95,7 +83,7 @@ def stretch_in_band(
 
 @compiled
 def clip(value: float, high: int) -> int:
-    """The whole number below value, kept within 0..high."""
+    """The integer part of a value, clipped to 0..high."""
     return int(min(max(value, 0.0), float(high)))
 
 
@@ -103,9 +91,7 @@ def clip(value: float, high: int) -> int:
 def motion_touches_any(
     ax: float, ay: float, bx: float, by: float, radius: float, parts: Parts, cells: PartsIndex
 ) -> bool:
-    """Whether a disc moved along a-b touches a part. Row by row, the cells that the motion passes
-    are looked up.
-    """
+    """Whether a disc moved along a-b touches a part; row by row, by the cells it crosses."""
     ox, oy, cell = cells.x, cells.y, cells.cell
     y0, y1 = min(ay, by) - radius, max(ay, by) + radius
     for j in range(
@@ -130,7 +116,7 @@ def motion_touches_any(
 def may_touch(
     ax: float, ay: float, bx: float, by: float, radius: float, boxes: Array, i: int
 ) -> bool:
-    """Whether the box round a disc moved along a-b meets part i's box."""
+    """Whether the bounding box of a disc moved along a-b meets the bounding box of part i."""
     return (
         max(ax, bx) + radius >= boxes[i, 0]
         and min(ax, bx) - radius <= boxes[i, 2]
@@ -141,8 +127,9 @@ def may_touch(
 
 @inlined
 def point_touches_any(x: float, y: float, parts: Parts, cells: PartsIndex) -> bool:
-    """Whether a point of the indexed box lies in a part. Its cell names all that may hold it; exact
-    but where a part is round.
+    """Whether a point of the indexed box lies in a part; exact except for round parts.
+
+    Its cell lists all parts that may contain it.
     """
     boxes = cells.boxes
     cell = clip((y - cells.y) / cells.cell, cells.rows - 1) * cells.columns + clip(
@@ -163,7 +150,7 @@ def point_touches_any(x: float, y: float, parts: Parts, cells: PartsIndex) -> bo
 
 @inlined
 def is_left_of_edges(x: float, y: float, parts: Parts, i: int) -> bool:
-    """Whether a point of its box lies in part i, a convex polygon."""
+    """Whether a point of its bounding box lies in part i, a convex polygon."""
     points, begin, end = parts.points, parts.first[i], parts.first[i + 1]
     last = end - 1
     for k in range(begin, end):

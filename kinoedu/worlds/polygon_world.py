@@ -1,4 +1,4 @@
-"""A world of polygons and discs: exact, with rooms inside holes."""
+"""Worlds of polygons, with rooms in their holes, and discs; geometry is exact."""
 
 from collections.abc import Iterable, Sequence
 from typing import Any, NamedTuple
@@ -17,17 +17,17 @@ from .parts_index import PartsIndex, index_parts
 
 
 class PolygonWorldRecord(NamedTuple):
-    """What `PolygonWorld` makes; planners and figures read it, nothing writes it.
+    """The record that `PolygonWorld` returns; nothing writes to it.
 
-    Row i of `edges` is x, y, next x, next y, solid: an edge with what is solid to its left, ring
-    after ring. Solid 0 is the outside: the first ring is the boundary, clockwise. The others are
-    the polygonal obstacles in their order, each counter-clockwise, followed by its rooms,
-    clockwise.
-
-    For collision the same is held as convex parts: `hull` (k, 2) is the convex hull of the
-    boundary, outside of which all is solid; `obstacles` has the convex parts of every obstacle and
-    of the pockets between boundary and hull, and last the round obstacles. lo and hi are the
-    corners of the bounding box.
+    edges : (n, 5), rows x, y, next x, next y, solid: edges with the solid side to their left, ring
+        after ring. Solid 0 is the outside: the first ring is the boundary, clockwise. The others
+        are the polygonal obstacles in their order: each outline counter-clockwise, followed by its
+        rooms, clockwise.
+    hull : (k, 2), the convex hull of the boundary, outside of which everything is solid.
+    obstacles : the convex parts of the obstacles and of the pockets between boundary and hull, and
+        then the round obstacles.
+    cells, known : the index of the parts, and the occupancy cells.
+    lo, hi : the corners of the bounding box.
     """
 
     edges: Array
@@ -40,21 +40,30 @@ class PolygonWorldRecord(NamedTuple):
 
 
 def PolygonWorld(boundary: ArrayLike, obstacles: Iterable[Any] = ()) -> PolygonWorldRecord:
-    """A workspace bounded by a simple polygon, with obstacles in it.
+    """A workspace bounded by a simple polygon, with obstacles.
 
     Parameters
     ----------
-    boundary : (n, 2), a simple polygon, convex or not. Outside it nothing is free, and it is itself
-    a wall.
-    obstacles : each a simple polygon (m, 2); or a pair (centre, radius) for a round one; or a pair
-    (polygon, rooms), where each
-        room is a simple polygon inside, free within: rooms may hold further obstacles. Obstacles
-        are closed: touching is contact. They may overlap each other and the boundary.
+    boundary : (n, 2), a simple polygon, convex or not. Nothing outside it is free, and it is itself
+        a wall.
+    obstacles : each a simple polygon (m, 2); or a pair (centre, radius) for a round obstacle; or a
+        pair (polygon, rooms), where each room is a simple polygon inside, with free interior; rooms
+        may contain further obstacles. Obstacles are closed sets: touching is contact. They may
+        overlap each other and the boundary.
 
-    Raises InvalidWorld, InvalidPolygon or InvalidPoint; the message names the obstacle by its
-    number.
+    Returns
+    -------
+    PolygonWorldRecord
 
-    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(2, 2), (4, 2), (3, 4)], ((7, 7), 1.5)])
+    Raises
+    ------
+    InvalidWorld, InvalidPolygon, InvalidPoint
+        Where a polygon or a disc is not valid; the message gives the number of the obstacle.
+
+    Examples
+    --------
+    >>> triangle, disc = [(2, 2), (4, 2), (3, 4)], ((7, 7), 1.5)
+    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [triangle, disc])
     >>> len(world.obstacles.radius)
     2
     """
@@ -76,50 +85,42 @@ def PolygonWorld(boundary: ArrayLike, obstacles: Iterable[Any] = ()) -> PolygonW
     edges = np.concatenate(
         [edges_of(ring, solid) for solid, rings in enumerate(solids) for ring in rings]
     )
-    parts, lo, hi = (
-        make_parts(pieces + centres, [0.0] * len(pieces) + radii),
-        hull.min(axis=0),
-        hull.max(axis=0),
-    )
+    parts = make_parts(pieces + centres, [0.0] * len(pieces) + radii)
+    lo, hi = hull.min(axis=0), hull.max(axis=0)
     cells = index_parts(parts, lo, hi)
-    return PolygonWorldRecord(
-        edges, hull, parts, cells, known_cells(hull, parts, cells, lo, hi), lo, hi
-    )
+    known = known_cells(hull, parts, cells, lo, hi)
+    return PolygonWorldRecord(edges, hull, parts, cells, known, lo, hi)
 
 
 def world_of_triangles(lo: Array, hi: Array, triangles: Array) -> PolygonWorldRecord:
-    """A box with triangles (k, 3, 2) in it, each counter-clockwise with an area: a `PolygonWorld`,
-    unchecked and made at once.
+    """A box with triangular obstacles (k, 3, 2): an unchecked `PolygonWorld`.
 
-    For a few motions: what would make many questions quick takes longer to prepare than they do.
+    The triangles are counter-clockwise and have a positive area. There are no occupancy cells,
+    because it is for a few motions only: occupancy cells would make each query faster, but take
+    longer to build.
     """
     box = np.array([(lo[0], lo[1]), (hi[0], lo[1]), (hi[0], hi[1]), (lo[0], hi[1])])
     numbers = np.repeat(np.arange(1.0, len(triangles) + 1.0), 3)
     sides = np.concatenate([triangles, np.roll(triangles, -1, axis=1)], axis=2).reshape(-1, 4)
     edges = np.concatenate([edges_of(box[::-1], 0), np.column_stack([sides, numbers])])
-    parts = Parts(
-        triangles.reshape(-1, 2), 3 * np.arange(len(triangles) + 1), np.zeros(len(triangles))
-    )
-    return PolygonWorldRecord(
-        edges, box, parts, index_parts(parts, lo, hi), nothing_known(), lo, hi
-    )
+    first, radius = 3 * np.arange(len(triangles) + 1), np.zeros(len(triangles))
+    parts = Parts(triangles.reshape(-1, 2), first, radius)
+    cells = index_parts(parts, lo, hi)
+    return PolygonWorldRecord(edges, box, parts, cells, nothing_known(), lo, hi)
 
 
 def edges_of(ring: Array, solid: int) -> Array:
-    """A ring's edges as rows of `PolygonWorldRecord.edges`, shape (n, 5)."""
+    """The edges of a ring as rows of `PolygonWorldRecord.edges`, shape (n, 5)."""
     return np.hstack([ring, np.roll(ring, -1, axis=0), np.full((len(ring), 1), float(solid))])
 
 
 def rings_of(world: PolygonWorldRecord) -> list[list[Array]]:
-    """The rings of each solid: the boundary's first, clockwise; then each polygonal obstacle's own
-    and its rooms'.
-    """
+    """The rings of each solid: the boundary; then each obstacle's outline and its rooms."""
     solids: list[list[Array]] = [[] for _ in range(int(world.edges[-1, 4]) + 1)]
     begin = 0
     for end, (x, y, solid) in enumerate(world.edges[:, 2:].tolist(), start=1):
-        if (
-            x == world.edges[begin, 0] and y == world.edges[begin, 1]
-        ):  # the ring is closed; the next may begin at the same point
+        # the ring ends where it closes, even if the next ring begins at the same point
+        if x == world.edges[begin, 0] and y == world.edges[begin, 1]:
             solids[int(solid)].append(world.edges[begin:end, :2])
             begin = end
     return solids
@@ -135,7 +136,7 @@ def discs_of(world: PolygonWorldRecord) -> Array:
 
 
 def is_pair_with_radius(obstacle: Any) -> bool:
-    """Whether an obstacle is written (centre, radius)."""
+    """Whether an obstacle is a pair (centre, radius)."""
     return (
         isinstance(obstacle, Sequence | np.ndarray)
         and len(obstacle) == 2
@@ -144,7 +145,7 @@ def is_pair_with_radius(obstacle: Any) -> bool:
 
 
 def as_disc(centre: ArrayLike, radius: float, name: str) -> Array:
-    """A round obstacle as (x, y, radius), or InvalidWorld."""
+    """Check a round obstacle (x, y, radius); raise InvalidWorld otherwise."""
     size = as_array(radius, f"{name}: its radius")
     if size <= 0.0:
         raise InvalidWorld(
@@ -154,7 +155,7 @@ def as_disc(centre: ArrayLike, radius: float, name: str) -> Array:
 
 
 def as_polygon_with_rooms(obstacle: Any, name: str) -> tuple[Array, list[Array]]:
-    """An obstacle's outer ring and the rings of its rooms."""
+    """The outer ring of an obstacle and the rings of its rooms."""
     try:
         polygon, rooms = obstacle
         has_rooms = len(polygon) > 2
@@ -167,7 +168,7 @@ def as_polygon_with_rooms(obstacle: Any, name: str) -> tuple[Array, list[Array]]
 
 
 def pockets(outline: Array, hull: Array) -> list[Array]:
-    """Convex parts of what lies between a boundary and its convex hull."""
+    """The convex parts of the region between a boundary and its convex hull."""
     on_hull = np.flatnonzero(places(outline, hull) == 0)
     parts: list[Array] = []
     for i, j in zip(on_hull, [*on_hull[1:], on_hull[0] + len(outline)], strict=True):

@@ -1,5 +1,6 @@
-"""A range sensor: how far it is to the first wall in each direction. LaValle, section 11.1.1; Bullo
-& Smith, chapter 5.
+"""A range sensor: the distance to the first wall in each direction.
+
+LaValle, section 11.1.1; Bullo & Smith, chapter 5.
 """
 
 import math
@@ -19,8 +20,12 @@ from .polygon_world import PolygonWorldRecord, discs_of, rings_of
 
 
 class Scan(NamedTuple):
-    """What the sensor at `origin` sees: for each of its angles (n,) the distance to the first wall,
-    its reach where there is none; whether it hit a wall, (n,); and the point there, (n, 2).
+    """The measurement of a range sensor at `origin`.
+
+    angles : (n,), the directions of the rays.
+    distances : (n,), to the first wall; the sensor's reach where no wall is hit.
+    hit : (n,), whether the ray hits a wall.
+    points : (n, 2), the end points of the rays.
     """
 
     origin: Array
@@ -31,15 +36,33 @@ class Scan(NamedTuple):
 
 
 def scan(world: Any, q: ArrayLike, *, rays: int = 180, reach: float = math.inf) -> Scan:
-    """Send out rays from q, evenly all round, the first along the x-axis.
+    """Measure the distances to walls from q, along evenly spaced rays; the first along the x-axis.
 
-    world : a PolygonWorld; q : (x, y), in the open; rays : how many; reach : the sensor's range, in
-        the world's unit of length.
+    Whether a ray hits a wall is decided exactly, for the segment from q to its rounded end point;
+    distances are accurate to 1e-12. O(rays * edges).
 
-    Whether a ray meets a wall is decided exactly, for the ray from q to the rounded point at its
-    end; distances are accurate to 1e-12. O(rays * edges). Raises InvalidWorld, InvalidPoint,
-    InvalidParameter.
+    Parameters
+    ----------
+    world : a PolygonWorld.
+    q : (x, y), inside the boundary.
+    rays : their number.
+    reach : the range of the sensor, in the world's unit of length.
 
+    Returns
+    -------
+    Scan
+
+    Raises
+    ------
+    InvalidWorld
+        Where `world` is not a PolygonWorld.
+    InvalidPoint
+        Where q is not a point inside the boundary.
+    InvalidParameter
+        Where `rays` or `reach` is not valid.
+
+    Examples
+    --------
     >>> from kinoedu.worlds import PolygonWorld
     >>> world = PolygonWorld([(0, 0), (4, 0), (4, 4), (0, 4)], [((3, 2), 0.5)])
     >>> scan(world, (1, 2), rays=4, reach=1.75).distances
@@ -48,11 +71,8 @@ def scan(world: Any, q: ArrayLike, *, rays: int = 180, reach: float = math.inf) 
     if not isinstance(world, PolygonWorldRecord):
         raise InvalidWorld(f"the range sensor works in a PolygonWorld, got {type(world).__name__}")
     place = as_point(q, "q")
-    if (
-        isinstance(rays, bool)
-        or not isinstance(rays, int | np.integer)
-        or not 1 <= rays <= 1_000_000
-    ):
+    is_integer = isinstance(rays, int | np.integer) and not isinstance(rays, bool)
+    if not is_integer or not 1 <= rays <= 1_000_000:
         raise InvalidParameter(
             f"rays must be a whole number from 1 to 1,000,000, got {shortened(rays)}"
         )
@@ -63,25 +83,17 @@ def scan(world: Any, q: ArrayLike, *, rays: int = 180, reach: float = math.inf) 
     if places(place[None], rings_of(world)[0][0])[0] <= 0:
         raise InvalidPoint(f"q must lie inside the world's boundary, got {tuple(place.tolist())}")
     angles = 2.0 * math.pi * np.arange(rays) / rays
-    distances = distances_along(
-        world.edges, discs_of(world), place, angles, min(float(most), farthest)
-    )
+    within = min(float(most), farthest)
+    distances = distances_along(world.edges, discs_of(world), place, angles, within)
     hit = distances < np.inf
     distances = np.where(hit, distances, float(most))
-    return Scan(
-        place,
-        angles,
-        distances,
-        hit,
-        place + distances[:, None] * np.column_stack([np.cos(angles), np.sin(angles)]),
-    )
+    directions = np.column_stack([np.cos(angles), np.sin(angles)])
+    return Scan(place, angles, distances, hit, place + distances[:, None] * directions)
 
 
 @compiled
 def distances_along(edges: Array, discs: Array, q: Array, angles: Array, reach: float) -> Array:
-    """The distance from q to the first edge or disc in each direction, infinite where there is none
-    within reach, (n,).
-    """
+    """The distance from q to the first wall in each direction, (n,); infinite beyond reach."""
     distances, points = np.empty(len(angles)), np.empty((2, 2))
     for i in range(len(angles)):
         ux, uy = math.cos(angles[i]), math.sin(angles[i])
@@ -102,9 +114,7 @@ def distances_along(edges: Array, discs: Array, q: Array, angles: Array, reach: 
 def distance_to_disc(
     x: float, y: float, ux: float, uy: float, cx: float, cy: float, radius: float
 ) -> float:
-    """How far it is from (x, y) along the unit vector u to a disc, infinite where the ray misses
-    it.
-    """
+    """The distance from (x, y) along the unit vector u to a disc; infinite for a miss."""
     along, across = (cx - x) * ux + (cy - y) * uy, (cx - x) * uy - (cy - y) * ux
     if along < 0.0 or abs(across) > radius:
         return math.inf

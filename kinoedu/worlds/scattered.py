@@ -1,4 +1,4 @@
-"""Random polygons in a square: worlds to try planners in, each from its seed."""
+"""Random convex polygons in a square: test worlds that are determined by a seed."""
 
 from collections.abc import Sequence
 
@@ -8,7 +8,7 @@ from ..errors import InvalidParameter
 from ..geometry.checks import Array, as_array, as_generator, none_or_more, positive, whole
 from .polygon_world import PolygonWorld, PolygonWorldRecord
 
-TRIES = 1000  # places that are drawn for each obstacle before there is said to be no room
+TRIES = 1000  # draws for each obstacle before the world counts as full
 
 
 def scattered(
@@ -20,23 +20,31 @@ def scattered(
     keep_free: Sequence[Sequence[float]] = (),
     rng: int | np.random.Generator,
 ) -> PolygonWorldRecord:
-    """A square world with n convex polygons at random places in it, for robots to find their way
-    among.
+    """Draw a square world with n random convex polygons.
+
+    The same seed gives the same world; the first k of n obstacles are those of the world with k.
 
     Parameters
     ----------
-    n : how many obstacles; 0 or more.
+    n : the number of obstacles; 0 or more.
     side : of the square, whose lower left corner is (0, 0).
-    radius : each obstacle has 3 to 7 corners on a circle of half this radius to the whole of it,
-    whose centre it holds.
-    gap : how far apart the circles round two obstacles are at the least; without it they may
-    overlap.
-    keep_free : discs (x, y, r) that no obstacle touches, such as those round start and goal.
+    radius : each obstacle has 3 to 7 corners on a circle whose radius is between half of this and
+        this; it contains the centre of the circle.
+    gap : the least distance between the circles of two obstacles; without it they may overlap.
+    keep_free : discs (x, y, r) that no obstacle touches, such as those around start and goal.
     rng : a seed or a numpy Generator.
 
-    The same seed gives the same world; the first k of n obstacles are those of the world with k.
-    Raises InvalidParameter, for n that find no room as well.
+    Returns
+    -------
+    PolygonWorldRecord
 
+    Raises
+    ------
+    InvalidParameter
+        Where an argument is not valid, or there is no room for n obstacles.
+
+    Examples
+    --------
     >>> ten, twenty = scattered(10, rng=0), scattered(20, rng=0)
     >>> len(ten.obstacles.radius), len(twenty.obstacles.radius)
     (10, 20)
@@ -49,16 +57,16 @@ def scattered(
             f"an obstacle of radius {size:g} must fit into a side of {width:g}; make it smaller"
         )
     apart = -np.inf if gap is None else none_or_more(gap, "gap")
-    chance, placed, polygons = as_generator(rng), as_discs(keep_free), []
+    generator, placed, polygons = as_generator(rng), as_discs(keep_free), []
     kept = len(placed)
     for number in range(count):
-        x, y, r = with_room(placed, kept, apart, width, size, chance, number)
+        x, y, r = draw_disc(placed, kept, apart, width, size, generator, number)
         placed = np.vstack([placed, (x, y, r)])
-        polygons.append((x, y) + r * corners_on_circle(chance))
+        polygons.append((x, y) + r * draw_corners(generator))
     return PolygonWorld([(0.0, 0.0), (width, 0.0), (width, width), (0.0, width)], polygons)
 
 
-def with_room(
+def draw_disc(
     placed: Array,
     kept: int,
     apart: float,
@@ -67,7 +75,7 @@ def with_room(
     rng: np.random.Generator,
     number: int,
 ) -> tuple[float, float, float]:
-    """A disc (x, y, r) in the square, off the first `kept` discs and `apart` from the others."""
+    """Draw a disc (x, y, r) off the first `kept` discs and `apart` from the others."""
     least = np.where(np.arange(len(placed)) < kept, 0.0, apart)
     for _ in range(TRIES):
         r = radius * rng.uniform(0.5, 1.0)
@@ -75,14 +83,15 @@ def with_room(
         if (np.hypot(placed[:, 0] - x, placed[:, 1] - y) - placed[:, 2] - r > least).all():
             return float(x), float(y), float(r)
     raise InvalidParameter(
-        f"after {TRIES:,} tries there is no room for obstacle {number}; ask for fewer or smaller "
-        "ones"
+        f"after {TRIES:,} tries there is no room for obstacle {number}; choose fewer or smaller "
+        "obstacles"
     )
 
 
-def corners_on_circle(rng: np.random.Generator) -> Array:
-    """The corners of a convex polygon on the unit circle, whose centre it holds, counter-clockwise;
-    shape (k, 2), 3 <= k <= 7.
+def draw_corners(rng: np.random.Generator) -> Array:
+    """Draw the corners (k, 2), 3 <= k <= 7, of a convex polygon on the unit circle.
+
+    They are counter-clockwise, and the polygon contains the centre.
     """
     k = int(rng.integers(3, 8))
     while True:
@@ -93,7 +102,7 @@ def corners_on_circle(rng: np.random.Generator) -> Array:
 
 
 def as_discs(discs: Sequence[Sequence[float]]) -> Array:
-    """Discs as rows x, y, r, shape (k, 3)."""
+    """Check discs; rows x, y, r, shape (k, 3)."""
     rows = as_array(discs, "keep_free").reshape(-1, 3) if len(discs) else np.empty((0, 3))
     if (rows[:, 2] < 0.0).any():
         raise InvalidParameter(

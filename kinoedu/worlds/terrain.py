@@ -1,6 +1,4 @@
-"""A terrain: a bitmap of free and blocked cells, and where it is rough what a motion through each
-cell costs.
-"""
+"""A terrain: a bitmap of free and blocked cells, and optionally a cost for each cell."""
 
 from typing import NamedTuple
 
@@ -14,11 +12,12 @@ MOST_COST = 1e9
 
 
 class TerrainRecord(NamedTuple):
-    """What `Terrain` makes. Cell free[j, i] covers origin + resolution * ([i, i + 1) x [j, j + 1));
-    lo and hi are the corners.
+    """The record that `Terrain` returns.
 
-    cost : (rows, columns), what a unit of length costs in each cell, infinite where it is blocked;
-        (0, 0) where motions cost their length.
+    free : (rows, columns); cell free[j, i] covers origin + resolution * ([i, i + 1) x [j, j + 1)).
+    lo, hi : the corners of the bounding box.
+    cost : (rows, columns), the cost of a unit of length in each cell, infinite where it is blocked;
+        shape (0, 0) where the cost of a motion is its length.
     """
 
     free: NDArray[np.bool_]
@@ -36,25 +35,36 @@ def Terrain(
     resolution: float = 1.0,
     origin: ArrayLike = (0.0, 0.0),
 ) -> TerrainRecord:
-    """A world made of square cells.
+    """A world of square cells.
+
+    Blocked cells are closed: their edges and corners are not free. The border of the terrain is not
+    free either.
 
     Parameters
     ----------
-    free : (rows, columns), true where a cell is free. x goes right and y up: free[j, i] is the cell
-    i to the right and j up, so
-        row 0 is the lowest. A picture's array, whose row 0 is the top, goes in as
-        `Terrain(picture[::-1])`; the readers of `read_world` do so.
-    cost : (rows, columns), what a unit of length costs in each cell; 1, on the best ground there
-    is, or more. So no path costs less
-        than it is long, which is what estimates and early stops rely on. What stands in blocked
-        cells does not matter. Without it a motion costs its length. See `kinoedu.worlds.heights`
-        for what slopes and roughness cost.
+    free : (rows, columns), true where a cell is free. x points right and y up: free[j, i] is the
+        cell i to the right and j up, so row 0 is the lowest. For a picture, whose row 0 is the top,
+        pass `Terrain(picture[::-1])`, as the readers of `read_world` do.
+    cost : (rows, columns), the cost of a unit of length in each cell, at least 1. So no path costs
+        less than its length; heuristics and early termination rely on this. Values in blocked cells
+        are ignored. By default the cost of a motion is its length. See `kinoedu.worlds.heights` for
+        costs from slopes and roughness.
     resolution : the side of a cell, in the world's unit of length.
     origin : the lower left corner, (x, y).
 
-    Blocked cells are closed: their edges and corners are not free. Nor is the rim of the terrain.
-    Raises InvalidWorld.
+    Returns
+    -------
+    TerrainRecord
 
+    Raises
+    ------
+    InvalidWorld
+        Where the bitmap, the cost or the resolution is not valid.
+    InvalidPoint
+        Where the origin is not a point.
+
+    Examples
+    --------
     >>> Terrain([[True, False], [True, True]]).hi
     array([2., 2.])
     """
@@ -79,7 +89,7 @@ def Terrain(
     extent = float(side) * np.array(cells.shape[::-1], np.float64)
     if not (corner + float(side) > corner).all() or not (np.abs(corner + extent) <= LIMIT).all():
         raise InvalidWorld(
-            f"cells of {float(side):g} cannot be told apart at {tuple(corner.tolist())}, or reach "
+            f"cells of {float(side):g} are lost in rounding at {tuple(corner.tolist())}, or extend "
             "beyond 1e150"
         )
     open_cells = np.ascontiguousarray(cells, np.bool_)
@@ -89,9 +99,7 @@ def Terrain(
 
 
 def cell_costs(cost: ArrayLike | None, free: NDArray[np.bool_]) -> Array:
-    """The cost of each cell, infinite where it is blocked; shape (0, 0) where none is given.
-    InvalidWorld.
-    """
+    """Check the cost of each cell; infinite where blocked, shape (0, 0) without costs."""
     if cost is None:
         return np.empty((0, 0))
     try:
@@ -105,8 +113,5 @@ def cell_costs(cost: ArrayLike | None, free: NDArray[np.bool_]) -> Array:
             f"a terrain's cost must have its bitmap's shape {free.shape}, got {costs.shape}"
         )
     if not ((costs >= 1.0) & (costs <= MOST_COST))[free].all():
-        raise InvalidWorld(
-            "a free cell must cost 1, on the best ground there is, or more, up to 1e9; scale the "
-            "costs"
-        )
+        raise InvalidWorld("the cost of a free cell must be from 1 to 1e9; scale the costs")
     return np.where(free, costs, np.inf)

@@ -1,6 +1,4 @@
-"""Obstacles whose places are uncertain: each is off from where it is expected by a Gaussian offset,
-the same in all directions.
-"""
+"""Worlds whose obstacles are displaced by random offsets: isotropic Gaussians."""
 
 import math
 from collections.abc import Iterable
@@ -19,11 +17,11 @@ from .polygon_world import PolygonWorld, PolygonWorldRecord, as_disc, is_pair_wi
 
 
 class UncertainWorldRecord(NamedTuple):
-    """What `UncertainWorld` makes. `expected` has every obstacle where it is expected, `empty`
-    none.
+    """The record that `UncertainWorld` returns.
 
-    `parts` are the convex pieces of the obstacles, owner (k,) tells which obstacle each belongs to,
-    sigma (m,) how uncertain each obstacle is: the standard deviation of its offset in x, and in y.
+    expected : the world with every obstacle at its expected position. empty : without obstacles.
+    parts : the convex pieces of the obstacles. owner : (k,), the obstacle of each piece.
+    sigma : (m,), the standard deviation of each obstacle's offset in x, and in y.
     """
 
     expected: PolygonWorldRecord
@@ -36,24 +34,36 @@ class UncertainWorldRecord(NamedTuple):
 def UncertainWorld(
     boundary: ArrayLike, obstacles: Iterable[Any], sigma: ArrayLike
 ) -> UncertainWorldRecord:
-    """A workspace whose obstacles are about where they are said to be. Its boundary is certain.
+    """A workspace whose obstacles have uncertain positions. Its boundary is certain.
 
     Parameters
     ----------
-    boundary : (n, 2), a simple polygon. obstacles : m simple polygons (k, 2), or pairs (centre,
-    radius).
+    boundary : (n, 2), a simple polygon.
+    obstacles : m simple polygons (k, 2), or pairs (centre, radius).
     sigma : the standard deviation of each obstacle's offset along any axis, one number for all or
-    (m,); 0 where it is certain.
-        Each obstacle moves as a whole; offsets are independent of each other.
+        (m,); 0 for a certain obstacle. Each obstacle moves as a whole; the offsets are independent
+        of each other.
 
-    Raises InvalidWorld, InvalidPolygon, InvalidPoint.
+    Returns
+    -------
+    UncertainWorldRecord
 
-    >>> world = UncertainWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [((3, 3), 1), [(5, 2), (7, 2), (6, 4)]], 0.2)
+    Raises
+    ------
+    InvalidWorld, InvalidPolygon, InvalidPoint
+        Where an argument is not valid.
+
+    Examples
+    --------
+    >>> disc, triangle = ((3, 3), 1), [(5, 2), (7, 2), (6, 4)]
+    >>> world = UncertainWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [disc, triangle], 0.2)
     >>> world.sigma, world.owner
     (array([0.2, 0.2]), array([0, 1]))
     """
     given = list(obstacles)
-    pieces = [pieces_of(obstacle, f"obstacle {number}") for number, obstacle in enumerate(given)]
+    pieces = [
+        convex_pieces(obstacle, f"obstacle {number}") for number, obstacle in enumerate(given)
+    ]
     spread = as_array(sigma, "sigma")
     if (spread.ndim and spread.shape != (len(given),)) or (spread < 0.0).any():
         raise InvalidWorld(
@@ -63,16 +73,12 @@ def UncertainWorld(
     owner = np.repeat(np.arange(len(given)), [len(own) for own, _ in pieces])
     radii = [radius for own, radius in pieces for _ in own]
     parts = make_parts([piece for own, _ in pieces for piece in own], radii)
-    return UncertainWorldRecord(
-        PolygonWorld(boundary, given),
-        PolygonWorld(boundary),
-        parts,
-        owner,
-        np.broadcast_to(spread, (len(given),)).copy(),
-    )
+    expected, empty = PolygonWorld(boundary, given), PolygonWorld(boundary)
+    each = np.broadcast_to(spread, (len(given),)).copy()
+    return UncertainWorldRecord(expected, empty, parts, owner, each)
 
 
-def pieces_of(obstacle: Any, name: str) -> tuple[list[Array], float]:
+def convex_pieces(obstacle: Any, name: str) -> tuple[list[Array], float]:
     """The convex pieces of an obstacle and their radius."""
     if is_pair_with_radius(obstacle):
         x, y, radius = as_disc(obstacle[0], obstacle[1], name)
@@ -81,21 +87,31 @@ def pieces_of(obstacle: Any, name: str) -> tuple[list[Array], float]:
 
 
 def chance_margins(sigma: ArrayLike, delta: float) -> Array:
-    """How far to stay away from each obstacle, so that the chance to touch any is at most delta;
-    shape (m,).
+    """The distance to keep from each obstacle for a collision probability of at most delta.
 
-    An offset of standard deviation sigma along each of two axes is longer than r with the chance
-    exp(-r^2 / (2 sigma^2)): its square over sigma^2 has the chi-square distribution of two degrees
-    of freedom. Each of the m obstacles that are uncertain gets an equal share delta / m of the
-    chance (union bound): r = sigma sqrt(-2 log(delta / m)). Raises InvalidParameter.
+    An offset with standard deviation sigma along each of two axes is longer than r with probability
+    exp(-r^2 / (2 sigma^2)): its square over sigma^2 has the chi-square distribution with two
+    degrees of freedom. Each of the m uncertain obstacles gets an equal fraction delta / m of the
+    probability (union bound): r = sigma sqrt(-2 log(delta / m)).
 
+    Returns
+    -------
+    (m,) array, 0 for certain obstacles.
+
+    Raises
+    ------
+    InvalidParameter
+        Where sigma or delta is not valid.
+
+    Examples
+    --------
     >>> chance_margins([0.1, 0.1, 0.0], 0.05).round(4)
     array([0.2716, 0.2716, 0.    ])
     """
     spread = as_array(sigma, "sigma")
     if not is_real(delta) or not 0.0 < delta < 1.0:
         raise InvalidParameter(
-            f"delta must be a chance between 0 and 1, both excluded, got {delta!r}"
+            f"delta must be a probability between 0 and 1, both excluded, got {delta!r}"
         )
     if spread.ndim != 1 or (spread < 0.0).any():
         raise InvalidParameter(f"sigma must be numbers of zero or more, shape (m,), got {sigma!r}")
@@ -104,12 +120,23 @@ def chance_margins(sigma: ArrayLike, delta: float) -> Array:
 
 
 def inflated(world: UncertainWorldRecord, delta: float) -> PolygonWorldRecord:
-    """The world with every obstacle grown by its `chance_margins`: a path that is free in it is hit
-    with a chance of at most delta.
+    """The world with every obstacle grown by its `chance_margins`.
 
-    Any planner may be used there. Corners are rounded by polygons on the safe side, half a percent
-    of a margin beyond the truth. Raises InvalidParameter.
+    The collision probability of a path that is free in it is at most delta; any planner may be
+    used. Rounded corners are replaced by polygons that are conservative, by up to half a percent of
+    a margin.
 
+    Returns
+    -------
+    PolygonWorldRecord
+
+    Raises
+    ------
+    InvalidParameter
+        Where delta is not between 0 and 1.
+
+    Examples
+    --------
     >>> world = UncertainWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [((3, 3), 1)], 0.2)
     >>> inflated(world, 0.05).obstacles.radius.round(4)
     array([1.4895])
@@ -123,24 +150,45 @@ def inflated(world: UncertainWorldRecord, delta: float) -> PolygonWorldRecord:
 
 
 def scenarios(world: UncertainWorldRecord, n: int, *, rng: int | np.random.Generator) -> Array:
-    """n draws of all obstacles' offsets, shape (n, m, 2). The same seed gives the same ones: common
-    random numbers, so that two paths are compared in the same scenarios. Raises InvalidParameter.
+    """Draw n scenarios: the offsets of all obstacles, shape (n, m, 2).
+
+    The same seed gives the same scenarios (common random numbers), so that two paths are compared
+    in the same ones.
+
+    Returns
+    -------
+    (n, m, 2) array.
+
+    Raises
+    ------
+    InvalidParameter
+        Where n or rng is not valid.
     """
     count = whole(n, "n", least=0)
     return as_generator(rng).standard_normal((count, len(world.sigma), 2)) * world.sigma[:, None]
 
 
-def as_it_is(world: UncertainWorldRecord, offsets: ArrayLike) -> PolygonWorldRecord:
-    """One scenario as a world: every convex piece moved by its obstacle's offset, offsets (m, 2).
-    Raises InvalidPoint.
+def scenario_world(world: UncertainWorldRecord, offsets: ArrayLike) -> PolygonWorldRecord:
+    """One scenario as a world: every convex piece moved by the offset of its obstacle.
+
+    Parameters
+    ----------
+    offsets : (m, 2).
+
+    Returns
+    -------
+    PolygonWorldRecord
+
+    Raises
+    ------
+    InvalidPoint
+        Where offsets are not finite numbers.
     """
-    moved, parts = (
-        as_array(offsets, "offsets").reshape(len(world.sigma), 2)[world.owner],
-        world.parts,
-    )
+    moves = as_array(offsets, "offsets").reshape(len(world.sigma), 2)[world.owner]
+    parts = world.parts
     solids: list[Any] = []
-    for k, (own, by) in enumerate(zip(parts.radius, moved)):
-        piece = parts.points[parts.first[k] : parts.first[k + 1]] + by
+    for k, (own, move) in enumerate(zip(parts.radius, moves)):
+        piece = parts.points[parts.first[k] : parts.first[k + 1]] + move
         solids.append((piece[0], own) if own > 0.0 else piece)
     return PolygonWorld(ring_of(world.empty), solids)
 
