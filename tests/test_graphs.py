@@ -25,7 +25,7 @@ from kinoedu.graphs import (
     flat_graph,
 )
 from kinoedu.graphs.bfs import search_breadth_first
-from kinoedu.graphs.components import component_labels
+from kinoedu.graphs.components import label_components
 from kinoedu.graphs.dfs import search_depth_first
 from kinoedu.graphs.search import search
 
@@ -111,7 +111,7 @@ def test_interpreted_search_is_the_same():
         calls = [
             (search, (graph, 0, -1, np.zeros(60))),
             (search, (graph, 0, 7, rng.random(60))),
-            (component_labels, (graph, 60)),
+            (label_components, (graph, 60)),
         ]
         for goal in (-1, 7):
             calls += [

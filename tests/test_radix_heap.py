@@ -12,12 +12,12 @@ from kinoedu.compiled import compiled
 from kinoedu.graphs import Graph, astar, astar_expansions, dijkstra
 from kinoedu.graphs.radix_heap import (
     NONE,
-    enlarged,
-    first,
+    empty_heap,
+    enlarge,
     has_room,
-    in_order,
     insert,
-    radix_heap,
+    list_in_order,
+    peek,
     remove_first,
 )
 
@@ -48,7 +48,7 @@ class Reference:
 
 def retrieved(queue: Any) -> int:
     """The first node, taken out."""
-    node = first(queue)
+    node = peek(queue)
     if node != NONE:
         remove_first(queue)
     return int(node)
@@ -60,24 +60,24 @@ def test_it_retrieves_what_a_heap_does(actions):
     """Whatever is inserted and retrieved in turn, rising or not; and what waits is listed in that
     order at any time.
     """
-    queue, reference = radix_heap(1), Reference()
+    queue, reference = empty_heap(1), Reference()
     for node, priority in enumerate(actions):
         if priority is RETRIEVE:
             assert retrieved(queue) == reference.retrieve()
             continue
         if not has_room(queue, 1):
-            queue = enlarged(queue, 1)
+            queue = enlarge(queue, 1)
         insert(queue, node, priority)
         reference.insert(node, priority)
-        assert in_order(queue) == [node for *_, node in sorted(reference.heap)]
-    left = in_order(queue)
+        assert list_in_order(queue) == [node for *_, node in sorted(reference.heap)]
+    left = list_in_order(queue)
     assert [retrieved(queue) for _ in left] == [reference.retrieve() for _ in left] == left
     assert retrieved(queue) == reference.retrieve() == NONE
 
 
 def test_entries_are_used_again():
     """A queue that never holds more than three nodes needs no more room than that."""
-    queue = radix_heap(3)
+    queue = empty_heap(3)
     for node in range(1000):
         insert(queue, node, float(node // 3))
         if node % 3 == 2:
@@ -88,13 +88,13 @@ def test_entries_are_used_again():
 @compiled
 def drained(priorities: Any) -> Any:
     """The order of retrieval, compiled."""
-    queue, order = radix_heap(4), np.empty(len(priorities), np.int64)
+    queue, order = empty_heap(4), np.empty(len(priorities), np.int64)
     for node in range(len(priorities)):
         if not has_room(queue, 1):
-            queue = enlarged(queue, 1)
+            queue = enlarge(queue, 1)
         insert(queue, node, priorities[node])
     for i in range(len(order)):
-        order[i] = first(queue)
+        order[i] = peek(queue)
         remove_first(queue)
     return order
 

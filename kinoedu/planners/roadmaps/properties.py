@@ -12,7 +12,7 @@ from ...compiled import algorithm
 from ...errors import InvalidParameter
 from ...geometry.checks import Array, as_generator
 from ...graphs import GraphRecord, Search, dijkstra, extract_path, flat_graph
-from ...graphs.components import component_labels
+from ...graphs.components import label_components
 from ...problems import ProblemRecord, Recorder, Roadmap
 from ...robots.round import RoundRobot
 from ...support.text import shortened
@@ -163,7 +163,7 @@ def components_of(graph: GraphRecord) -> NDArray[np.int64]:
     """The number of each node's component, (m,): 0 the largest, the first among equals, and so
     on.
     """
-    labels = component_labels(graph, graph.size)
+    labels = label_components(graph, graph.size)
     order = np.argsort(-np.bincount(labels), kind="stable")
     return np.argsort(order)[labels]
 
