@@ -127,7 +127,7 @@ def peek(queue: RadixHeap) -> int:
 
 @callable_from_compiled
 def remove_first(queue: RadixHeap) -> None:
-    """Remove the entry whose node `first` has just returned."""
+    """Remove the entry whose node `peek` has just returned."""
     entry = queue.heads[0]
     queue.heads[0] = queue.entries[entry, NEXT]
     push_front(queue, FREE, entry)

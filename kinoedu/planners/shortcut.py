@@ -1,4 +1,4 @@
-"""Shorter paths from longer ones: cut corners where the straight motion is free.
+"""Shorten paths: replace parts of a path by straight motions where these are free.
 
 R. Geraerts, M. H. Overmars, "Creating high-quality paths for motion planning" (2007).
 """
@@ -20,8 +20,11 @@ from .tuning import whole
 
 @algorithm
 def cut_corners(problem: Any, path: Array, tries: int, rng: np.random.Generator) -> Array:
-    """Try so many times to go straight between two random places of a path (n, d); the path that is
-    left, (m, d).
+    """Try to join two random places of a path (n, d) by a straight motion, `tries` times.
+
+    Returns
+    -------
+    (m, d) array: the path that remains.
     """
     kept, size = np.empty((len(path) + tries, path.shape[1])), len(path)
     kept[:size] = path
@@ -50,7 +53,7 @@ def cut_corners(problem: Any, path: Array, tries: int, rng: np.random.Generator)
 
 @callable_from_compiled
 def cost_between(problem: Any, path: Array, first: int, last: int) -> float:
-    """What a path costs from one of its points to another."""
+    """The cost of a path from point `first` to point `last`."""
     cost = 0.0
     for k in range(first, last):
         cost += problem.motion_cost(path[k], path[k + 1])
@@ -58,21 +61,33 @@ def cost_between(problem: Any, path: Array, first: int, last: int) -> float:
 
 
 def shortcut(plan: Plan, *, tries: int = 200, rng: int | np.random.Generator) -> Plan:
-    """The plan with a cheaper path: again and again two places on it are drawn, and joined where
-    the straight motion is free.
+    """The plan with a cheaper path, found by random shortcuts.
+
+    Two random places on the path are joined by a straight motion where this is free and cheaper;
+    this is tried `tries` times. The path remains free and never costs more; it need not become a
+    shortest one. O(tries) motions.
 
     Parameters
     ----------
-    plan : any planner's; without a path it is returned as it is.
+    plan : the plan of any planner, except one with a trajectory.
     tries : how many pairs of places are drawn.
     rng : a seed or a numpy Generator.
 
-    Never dearer, and free all the way; a shortest path is not promised. What the planner built
-    stays in the plan; its stats gain the motions that were judged. O(tries) motions. Raises
-    InvalidParameter.
+    Returns
+    ------- Plan with the new path. All else that the planner built stays, and the motions that were
+    checked are added to its stats. A plan without a path is returned unchanged.
 
+    Raises
+    ------
+    InvalidParameter
+        Where `plan` is no Plan or has a trajectory, `tries` is negative or not an integer, or `rng`
+        is neither a seed nor a Generator.
+
+    Examples
+    --------
     >>> from kinoedu import Point, PolygonWorld, Problem, rrt
-    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
+    >>> wall = [(4, 0), (6, 0), (6, 8), (4, 8)]
+    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [wall])
     >>> plan = rrt(Problem(Point(), world, start=(1, 1), goal=(9, 1)), rng=0)
     >>> bool(17.2 < shortcut(plan, rng=0).cost < plan.cost)
     True

@@ -1,6 +1,4 @@
-"""Tuning arguments, checked: each becomes a plain number, or InvalidParameter says which was wrong
-and what it may be.
-"""
+"""Checks of tuning parameters: each becomes a plain number, or an InvalidParameter is raised."""
 
 from typing import Any
 
@@ -12,8 +10,15 @@ __all__ = ["none_or_more", "one_of", "positive", "share", "whole"]
 
 
 def one_of(value: Any, name: str, choices: tuple[str, ...]) -> str:
-    """One of a few words.
+    """One of a few strings.
 
+    Raises
+    ------
+    InvalidParameter
+        Where the value is not one of `choices`.
+
+    Examples
+    --------
     >>> one_of("left", "turn", ("left", "right"))
     'left'
     """
@@ -25,7 +30,13 @@ def one_of(value: Any, name: str, choices: tuple[str, ...]) -> str:
 
 
 def share(value: Any, name: str) -> float:
-    """A number from 0 to 1."""
+    """A number from 0 to 1 as a float.
+
+    Raises
+    ------
+    InvalidParameter
+        Where the value is not such a number.
+    """
     if not is_real(value) or not 0.0 <= value <= 1.0:
         raise InvalidParameter(f"{name} must be a number from 0 to 1, got {value!r}")
     return float(value)

@@ -1,9 +1,8 @@
-"""What a contact sensor feels along walls, and where a straight motion is stopped. Every decision
-is exact.
+"""The contact sensor along walls, and where a straight motion is stopped; every decision is exact.
 
-Obstacles are closed, and a bug's motion is semi-free: it may touch a wall, pass a corner and slide
-along an edge. It is stopped where it would enter what is solid, or squeeze through where two
-obstacles touch.
+Obstacles are closed sets and the motion of a bug is semi-free: it may touch a wall, pass a corner
+and slide along an edge. It is stopped where it would enter an obstacle, or pass between two
+obstacles that touch.
 """
 
 from typing import NamedTuple
@@ -21,16 +20,17 @@ REACHED, AT_CORNER, ON_EDGE = 0, 1, 2  # how a straight motion ends
 
 
 class Feeling(NamedTuple):
-    """What is felt along the walls, one row for each of its n points and for the edge that leaves
-    it.
+    """What the contact sensor measures along the walls, for each of n points and its edge.
 
-    opens : at the point, where the direction to the goal leads: BLOCKED, OPEN, along the edge
-        before or the one after.
+    Edge i leaves point i.
+
+    opens : where the direction to the goal leads from the point: BLOCKED, OPEN, ALONG_BEFORE or
+        ALONG_AFTER, along the edge before the point or after it.
     faces : whether the goal lies on the free side of the edge.
     on_line : whether the point lies on the start-goal line.
-    foot, crossing : how far along the edge, from 0 to 1, are its inner point nearest to the goal
-        and the one on the start-goal line; nan where there is none. foot_at, crossing_at : where
-        that is, shape (n, 2).
+    foot, foot_at : the point inside the edge nearest to the goal, as a fraction of the edge and as
+        (x, y); nan where there is none.
+    crossing, crossing_at : the same for the point inside the edge on the start-goal line.
     """
 
     opens: NDArray[np.int64]
@@ -54,10 +54,10 @@ def leads(
     dy: float,
     sense: int,
 ) -> int:
-    """Where the direction from v to d (sense 1), or away from d (sense -1), leads at a corner u, v,
-    w, what is solid on its left.
+    """Where a direction leads at the corner u, v, w, with the obstacle on its left.
 
-    What is free there lies counter-clockwise from the direction of u to that of w.
+    The direction is that from v to d (sense 1), or the opposite one (sense -1). The free directions
+    are those counter-clockwise from the direction of u to that of w.
     """
     u_side, w_side = sense * turn(vx, vy, dx, dy, ux, uy), sense * turn(vx, vy, dx, dy, wx, wy)
     if u_side == 0 and sense * facing(vx, vy, dx, dy, ux, uy) > 0:
@@ -76,7 +76,7 @@ def leads(
 def feel(
     points: Array, before: NDArray[np.int64], after: NDArray[np.int64], start: Array, goal: Array
 ) -> Feeling:
-    """What the contact sensor will feel along the walls on the way from start to goal. O(n)."""
+    """What the contact sensor measures along the walls from start to goal. O(n)."""
     n = len(points)
     opens, faces, on_line = np.empty(n, np.int64), np.empty(n, np.bool_), np.empty(n, np.bool_)
     foot, crossing, foot_at, crossing_at = (
@@ -108,7 +108,7 @@ def feel(
 
 @compiled
 def inner(along: float) -> float:
-    """A share of an edge, known to be inside it."""
+    """A fraction of an edge, kept strictly between 0 and 1."""
     return min(max(along, 1e-300), 1.0 - 2.0**-53)
 
 
@@ -116,7 +116,7 @@ def inner(along: float) -> float:
 def divided(
     ax: float, ay: float, bx: float, by: float, cx: float, cy: float, dx: float, dy: float
 ) -> float:
-    """How far along a-b, from 0 to 1, the line c-d crosses it."""
+    """The fraction of a-b at which the line c-d crosses it."""
     from_a, from_b = abs(height(cx, cy, dx, dy, ax, ay)), abs(height(cx, cy, dx, dy, bx, by))
     return inner(from_a / (from_a + from_b))
 
@@ -130,12 +130,19 @@ def first_contact(
     goal: Array,
     left: int,
 ) -> tuple[int, int]:
-    """How a motion on the line from origin to goal ends: REACHED, AT_CORNER or ON_EDGE, and at
-    which.
+    """Where a motion on the line from origin to goal ends.
 
-    left : the edge that the robot leaves, which the line crosses from its solid to its free side,
-        or -1: what comes before does not count. Walls do not cross each other, so what comes first
-        is decided by turns alone, never by rounded positions. O(n).
+    No position is rounded in these decisions: walls do not cross each other, so orientations alone
+    decide which comes first. O(n).
+
+    Parameters
+    ----------
+    left : the edge that the robot leaves, or -1. The line crosses it from its solid to its free
+        side, and anything before that crossing is ignored.
+
+    Returns
+    -------
+    REACHED, AT_CORNER or ON_EDGE, and the number of the corner or edge.
     """
     (ox, oy), (gx, gy) = origin, goal
     how, which = REACHED, -1
@@ -176,9 +183,7 @@ def first_contact(
 
 @compiled
 def side_of(points: Array, after: NDArray[np.int64], edge: int, x: float, y: float) -> int:
-    """The side of an edge that a point is on: 1 its solid one, -1 its free one, 0 in line with
-    it.
-    """
+    """The side of an edge that a point is on: 1 solid, -1 free, 0 in line with it."""
     a, b = points[edge], points[after[edge]]
     return turn(a[0], a[1], b[0], b[1], x, y)
 
@@ -187,10 +192,10 @@ def side_of(points: Array, after: NDArray[np.int64], edge: int, x: float, y: flo
 def crossed_before(
     points: Array, after: NDArray[np.int64], edge: int, other: int, behind: int
 ) -> bool:
-    """Whether a line that enters what is solid at `edge` does so before it crosses `other`, coming
-    from the side `behind` of that.
+    """Whether a line that enters an obstacle at `edge` does so before it crosses `other`.
 
-    Two edges that do not cross: all of one lies on one side of the line through the other.
+    The line crosses `other` from the side `behind`. The two edges do not cross, so one of them lies
+    entirely on one side of the line through the other.
     """
     a, b = points[other], points[after[other]]
     a_side, b_side = (

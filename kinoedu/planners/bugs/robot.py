@@ -1,9 +1,9 @@
-"""The robot of the Bug family. It knows where it is and how far the goal is, and it feels the wall
-it touches: nothing else.
+"""The robot of the Bug family: a point with a contact sensor.
 
-Bullo & Smith, chapter 1: a point with a contact sensor of range zero, which knows the direction and
-the distance to the goal, can move straight towards it, and can follow a wall. Whoever holds one
-cannot see the obstacles.
+It knows its own place, and the direction and distance to the goal. It can move straight towards the
+goal, and follow a wall that it touches. The obstacles are not accessible through this object.
+
+Bullo & Smith, chapter 1.
 """
 
 import numpy as np
@@ -29,11 +29,10 @@ from .walls import Walls
 class BugRobot:
     """A robot among walls, on its way from start to goal, shape (2,) each.
 
-    turn : +1 to follow walls with the wall on its left (it turned right), -1 with the wall on its
-        right (it turned left).
+    An algorithm may use `place`, `travelled` (the distance walked) and the methods without an
+    underscore. `trail` records the walk.
 
-    `place`, `travelled` (how far it has come) and the methods without an underscore are all that an
-    algorithm may ask; `trail` keeps what happened.
+    turn : +1 to turn right at a wall, which is then on the robot's left; -1 to turn left.
     """
 
     def __init__(self, walls: Walls, start: Array, goal: Array, turn: int) -> None:
@@ -46,9 +45,7 @@ class BugRobot:
         self.trail = Trail(self.place)
 
     def move_to_goal(self) -> bool:
-        """Move straight towards the goal, until it is reached (True) or a wall is in the way
-        (False).
-        """
+        """Move straight towards the goal; returns False where a wall was hit before it."""
         walls, place = self._walls, self.place
         here = np.array([place.x, place.y])
         origin = (
@@ -75,17 +72,17 @@ class BugRobot:
         return False
 
     def can_move_to_goal(self) -> bool:
-        """Whether the wall that it touches lets it move towards the goal; along the wall, but not
-        back the way it came.
-        """
+        """Whether the robot can move towards the goal, other than back the way it came."""
         place = self.place
         at_corner = place.wall >= 0 and place.along == 0.0
         back = ALONG_BEFORE if self._heading > 0 else ALONG_AFTER
         return place.is_open and not (at_corner and self._feeling.opens[place.wall] == back)
 
     def follow_wall(self) -> None:
-        """Follow the wall to the next place of note: a corner, a hit, the start-goal line, or where
-        the goal comes no nearer.
+        """Follow the wall to the next place of interest.
+
+        Such places are corners, hit points, points on the start-goal line, and points inside an
+        edge that are nearest to the goal.
         """
         wall, along, walls = self.place.wall, self.place.along, self._walls
         if self._heading > 0:
@@ -102,7 +99,7 @@ class BugRobot:
             self._go(self._places_on(int(walls.before[wall]))[-1], following=True)
 
     def turn_round(self) -> None:
-        """Follow the wall the other way from now on, until it is left."""
+        """Follow the wall in the other direction from now on, until the robot leaves it."""
         self._heading = -self._heading
         self.trail.keep()
 
@@ -131,9 +128,7 @@ class BugRobot:
         self.trail.go(place, following)
 
     def _places_on(self, wall: int) -> list[Place]:
-        """The places of note on a stretch of wall, in its order: the corner where it begins, and
-        those inside.
-        """
+        """The places of interest on an edge, in order, from the corner where it begins."""
         if wall not in self._places:
             felt, (a, b) = self._feeling, self._ends(wall)
             inner = {}
@@ -159,9 +154,7 @@ class BugRobot:
         return self._places[wall]
 
     def _crossing(self, wall: int, origin: Array) -> Place:
-        """The place where the line from origin to the goal meets a stretch of wall; of note from
-        now on.
-        """
+        """The place where the line from origin to goal meets an edge, now of interest."""
         (a, b), known = self._ends(wall), self._places_on(wall)
         along = divided(*a, *b, *origin, *self._goal)
         for place in known:
@@ -178,8 +171,9 @@ class BugRobot:
 
 
 class Trail:
-    """What a robot did, in order: where it was, and whether it followed a wall to get there; hits
-    and leaves number places.
+    """The record of a walk: the places in order, and whether a wall was followed to each of them.
+
+    hits, leaves : the numbers of the places where a wall was hit or left.
     """
 
     def __init__(self, start: Place) -> None:
@@ -188,8 +182,9 @@ class Trail:
         self._kept = True
 
     def go(self, place: Place, following: bool) -> None:
-        """On to a place; the last one is forgotten where nothing happened there and the wall was
-        straight.
+        """Append a place.
+
+        The last place is dropped where nothing happened there and the wall was straight.
         """
         if not self._kept:
             del self.places[-1], self.following[-1]
@@ -202,19 +197,19 @@ class Trail:
         )
 
     def hit(self) -> None:
-        """A wall is in the way."""
+        """Record that a wall was hit at the last place."""
         self.keep()
         self.hits.append(len(self.places) - 1)
 
     def leave(self) -> None:
-        """The wall is left."""
+        """Record that the wall was left at the last place."""
         self.keep()
         self.leaves.append(len(self.places) - 1)
 
     def keep(self) -> None:
-        """Where the robot is now counts, even on a straight wall."""
+        """Keep the last place, even on a straight wall."""
         self._kept = True
 
     def times_left(self, place: Place) -> int:
-        """How often the wall was left at a place."""
+        """How many times the wall was left at a place."""
         return sum(self.places[leave] == place for leave in self.leaves)

@@ -1,4 +1,4 @@
-"""From a robot's walk to the plan that a Bug algorithm returns."""
+"""Build the plan that a Bug algorithm returns from the walk of its robot."""
 
 import math
 from collections.abc import Callable, Iterable
@@ -20,9 +20,7 @@ MOST_POINTS = 10_000_000  # what memory holds
 
 
 class BugProblem(NamedTuple):
-    """What a Bug plan answers: a point robot, or a disc of radius `clearance`, from start to goal
-    among obstacles.
-    """
+    """The problem of a Bug plan: a point, or a disk of radius `clearance`, among obstacles."""
 
     robot: Any
     world: OpenWorld
@@ -41,8 +39,10 @@ def plan_walk(
     turn: str,
     clearance: float,
 ) -> Plan:
-    """Check what is asked, let the algorithm lead a robot, and make a plan of its walk. It returns
-    why it failed, or nothing.
+    """Check the arguments, run a Bug algorithm on a robot, and make a plan of its walk.
+
+    The algorithm returns why it failed, or an empty string. The other parameters and the errors are
+    those of `bug0`.
     """
     q_start, q_goal = as_point(start, "start"), as_point(goal, "goal")
     longest, margin = positive(step, "step"), none_or_more(clearance, "clearance")
@@ -68,7 +68,7 @@ def plan_walk(
 
 
 def walk_of(trail: Trail, goal: Array, step: float) -> Walk:
-    """A trail with points filled in, so that none are more than a step apart."""
+    """The walk along a trail, with points inserted so that no two are more than `step` apart."""
     corners = np.array([(place.x, place.y) for place in trail.places])
     moves = np.diff(corners, axis=0)
     size = np.abs(moves).max(axis=1, initial=0.0)
@@ -106,7 +106,7 @@ def walk_of(trail: Trail, goal: Array, step: float) -> Walk:
 def open_world(
     rings: list[Array], walls: list[Array], points: Array, goal: Array, clearance: float
 ) -> OpenWorld:
-    """The obstacles with a frame round them and the walk."""
+    """The obstacles in a frame that also holds the walk."""
     shown = np.concatenate([*walls, points, goal[None]])
     lo, hi = shown.min(axis=0), shown.max(axis=0)
     margin = 0.05 * float((hi - lo).max()) + clearance or 1.0

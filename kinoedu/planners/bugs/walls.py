@@ -1,6 +1,4 @@
-"""From obstacles to the walls that a robot follows: closed loops of edges, what is solid on their
-left.
-"""
+"""Walls: closed loops of edges round the obstacles, with the obstacle on their left."""
 
 import math
 from collections import defaultdict
@@ -34,12 +32,11 @@ GRID = 2.0**-44
 
 
 class Walls(NamedTuple):
-    """Edge i leads from points[i] to points[after[i]], what is solid on its left, what is free on
-    its right; before undoes after.
+    """Edges that a robot can follow, with the obstacle on their left and free space on their right.
 
-    Where two loops touch at a corner, each has a point of its own there, and follows what is free:
-    the way between them is shut. `rings` are the same loops as obstacles and holes, for asking what
-    is inside.
+    Edge i leads from points[i] to points[after[i]]; `before` is the inverse of `after`. Where two
+    loops touch at a corner, each has a point of its own there, and the passage between them is
+    closed. `rings` are the same loops as obstacles and holes, for point location.
     """
 
     points: Array
@@ -49,8 +46,16 @@ class Walls(NamedTuple):
 
 
 def as_rings(obstacles: Iterable[ArrayLike]) -> list[Array]:
-    """Obstacles as checked rings, counter-clockwise. Raises InvalidPolygon, InvalidPoint,
-    InvalidParameter.
+    """Obstacles as checked rings, counter-clockwise.
+
+    Raises
+    ------
+    InvalidPolygon
+        Where an obstacle is not a simple polygon.
+    InvalidPoint
+        Where a coordinate is not a finite number.
+    InvalidParameter
+        Where `obstacles` is not a list.
     """
     if isinstance(obstacles, str) or not isinstance(obstacles, Iterable):
         raise InvalidParameter(
@@ -61,8 +66,9 @@ def as_rings(obstacles: Iterable[ArrayLike]) -> list[Array]:
 
 
 def make_walls(rings: list[Array], clearance: float) -> Walls:
-    """The walls round checked rings, grown by `clearance`; those that meet, overlap or hold one
-    another are united first.
+    """The walls round checked rings that are grown by `clearance`.
+
+    Obstacles that touch, overlap or contain one another are united first.
     """
     if clearance > 0.0:
         rings = [grown(part, clearance) for ring in rings for part in convex_parts(ring)]
@@ -70,7 +76,7 @@ def make_walls(rings: list[Array], clearance: float) -> Walls:
 
 
 def contact(walls: Walls, q: Array) -> int:
-    """Where a point is: 1 inside what is solid, 0 on a wall, -1 in the open. Exact."""
+    """Where a point is: 1 inside an obstacle, 0 on a wall, -1 in free space; exact."""
     inside = -1
     for ring in walls.rings:
         where = place(q[0], q[1], ring)
@@ -84,9 +90,7 @@ def contact(walls: Walls, q: Array) -> int:
 
 @compiled
 def grown(ring: Array, clearance: float) -> Array:
-    """A convex ring's outline at a distance: edges exactly `clearance` away, each corner round it
-    by tangents to its circle.
-    """
+    """A convex ring grown by `clearance`; the edges are exact, the corners are short tangents."""
     n, size = len(ring), 0
     outline = np.empty(
         (n + int(2.0 * math.pi / CORNER) + 1, 2)
@@ -112,7 +116,7 @@ def grown(ring: Array, clearance: float) -> Array:
 
 
 def any_meet(rings: list[Array]) -> bool:
-    """Whether any two rings, taken as solid, share a point. Exact."""
+    """Whether any two rings, taken as solid, share a point; exact."""
     boxes = [(ring.min(axis=0).tolist(), ring.max(axis=0).tolist()) for ring in rings]
     for (ring_a, (a_lo, a_hi)), (ring_b, (b_lo, b_hi)) in combinations(zip(rings, boxes), 2):
         apart = a_lo[0] > b_hi[0] or b_lo[0] > a_hi[0] or a_lo[1] > b_hi[1] or b_lo[1] > a_hi[1]
@@ -152,9 +156,7 @@ def united(rings: list[Array]) -> list[Array]:
 
 
 def linked(rings: list[Array]) -> Walls:
-    """Rings as walls; where several touch at a corner, they are joined so that each loop borders
-    one free region.
-    """
+    """The walls of rings; where several touch at a corner, each loop borders one free region."""
     sizes = [len(ring) for ring in rings]
     first = np.repeat(np.cumsum([0, *sizes])[:-1], sizes)
     size = np.repeat(sizes, sizes).astype(np.int64)
@@ -169,9 +171,7 @@ def linked(rings: list[Array]) -> Walls:
 def join_at_touching_corners(
     points: Array, before: NDArray[np.int64], after: NDArray[np.int64]
 ) -> None:
-    """From each edge that arrives at a shared corner go on along the first one met when turning
-    through what is free.
-    """
+    """Link each edge that arrives at a shared corner to the first edge met across free space."""
     at: defaultdict[Any, list[int]] = defaultdict(list)
     for i, point in enumerate(points.tolist()):
         at[tuple(point)].append(i)
@@ -185,8 +185,9 @@ def join_at_touching_corners(
 
 
 def met_first(points: Array, v: Array, u: Array, i: int, j: int) -> int:
-    """-1 where, turning counter-clockwise round v from u, point i is met before point j; 1 where j
-    is. Exact.
+    """-1 where a ray that turns counter-clockwise round v from u meets i before j, 1 if after.
+
+    The comparison is exact.
     """
     a, b = points[i], points[j]
     a_late, b_late = turn(*v, *u, *a) < 0, turn(*v, *u, *b) < 0  # in the second half of the turn

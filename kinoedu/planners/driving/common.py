@@ -1,5 +1,4 @@
-"""What the planners that drive a car have in common: where to go next, the best of some random
-drives, and a tree of them.
+"""Common parts of the planners that drive a car: targets, random drives, and trees of drives.
 
 S. M. LaValle, J. J. Kuffner, "Randomized kinodynamic planning" (2001).
 """
@@ -25,9 +24,12 @@ from ..tuning import none_or_more, positive, whole
 
 
 class Bias(NamedTuple):
-    """By turn: every `region_every`th place to go is drawn from a disc of radius `region` round the
-    goal, the denser the nearer, its heading within `region_turn` of the goal's; every
-    `goal_every`th is the goal itself; 0 for never."""
+    """How often targets are drawn near the goal.
+
+    Every `region_every`-th target is drawn from a disc of radius `region` round the goal, with a
+    density that grows towards the goal and a heading within `region_turn` of the goal's. Every
+    `goal_every`-th target is the goal itself. 0 means never.
+    """
 
     goal_every: int
     region_every: int
@@ -36,8 +38,10 @@ class Bias(NamedTuple):
 
 
 class Drives(NamedTuple):
-    """How drives are tried: M `trials` at a time, each simulated for so many `steps` of a time
-    `step`; in so many `batches`.
+    """How drives are tried.
+
+    In each of `batches` batches, `trials` random controls are simulated for up to `steps` steps of
+    time `step`.
     """
 
     trials: int
@@ -47,8 +51,9 @@ class Drives(NamedTuple):
 
 
 class Near(NamedTuple):
-    """What counts as the goal: a place within `tolerance`, a heading within `turn_tolerance`
-    radians.
+    """What counts as the goal.
+
+    A position within `tolerance` of it, and a heading within `turn_tolerance` radians.
     """
 
     tolerance: float
@@ -56,9 +61,7 @@ class Near(NamedTuple):
 
 
 class DrivenGrowth(NamedTuple):
-    """A tree under construction, with the control (v, phi) that leads to each node from its parent,
-    and for how long.
-    """
+    """A growing tree with the control (v, phi) that leads to each node, and its duration."""
 
     tree: GrowingTree
     controls: Array
@@ -67,7 +70,7 @@ class DrivenGrowth(NamedTuple):
 
 @callable_from_compiled
 def next_place(problem: Any, bias: Bias, turn: int, rng: np.random.Generator) -> Array:
-    """Where to go at this turn, counted from 1."""
+    """The target of iteration `turn`, counted from 1."""
     if bias.region_every > 0 and turn % bias.region_every == 0:
         off, towards = bias.region * rng.random(), 2.0 * math.pi * rng.random()
         heading = wrapped(problem.goal[2] + bias.region_turn * (2.0 * rng.random() - 1.0))
@@ -87,10 +90,11 @@ def next_place(problem: Any, bias: Bias, turn: int, rng: np.random.Generator) ->
 def free_drive(
     problem: Any, q: Array, q_rand: Array, drives: Drives, rng: np.random.Generator
 ) -> tuple[float, float, float]:
-    """A control (v, phi) and a time: of M random controls the one that brings q closest to q_rand,
-    cut where it is closest.
+    """A free drive from q towards q_rand: a control (v, phi) and its duration.
 
-    Where that drive is not free, M others are drawn; after the last batch the time is 0.
+    Of M random controls it is the one that comes closest to q_rand, ended where it is closest.
+    Where that drive is not free, another M controls are drawn; after the last batch the duration is
+    0.
     """
     there = np.empty(3)
     for _ in range(drives.batches):
@@ -116,11 +120,11 @@ def closest_step(
     least: float,
     there: Array,
 ) -> tuple[int, float]:
-    """The step of a drive from q that comes closest to q_rand, closer than `least`, and how close;
-    step 0 where none does.
+    """The step of a drive from q that comes closest to q_rand, and its distance.
 
-    While a control is held the distance changes at most at one pace: steps that therefore cannot be
-    the closest are passed over.
+    Only steps closer than `least` count; where there is none, the step is 0. While a control is
+    held, the distance changes by at most a constant in each step, so steps that cannot be the
+    closest are skipped.
     """
     bend = problem.space.weight[2] * problem.curvature(phi)
     pace = abs(v) * math.sqrt(1.0 + bend * bend) * drives.step
@@ -138,7 +142,7 @@ def closest_step(
 def add_drive(
     problem: Any, growth: DrivenGrowth, parent: int, v: float, phi: float, t: float
 ) -> int:
-    """Append the node that a control leads to from its parent; returns its number."""
+    """Append the node that a control leads to from its parent; returns the node's number."""
     there = np.empty(3)
     problem.drive(growth.tree.nodes[parent], v, phi, t, there)
     node = add(growth.tree, there, parent)
@@ -157,8 +161,15 @@ def is_near(q: Array, goal: Array, near: Near) -> bool:
 
 
 def driven(problem: Any, planner: str, turn_weight: float | None, wheelbases: float = 0.25) -> Any:
-    """The problem of a car, its poses as far apart as in SE(2), a radian counting `turn_weight` or,
-    without one, so many wheelbases. Raises InvalidParameter."""
+    """The problem of a car with the distance of SE(2), for planners that drive.
+
+    A radian counts as `turn_weight` units of length; by default as `wheelbases` wheelbases.
+
+    Raises
+    ------
+    InvalidParameter
+        Where the robot is not a car, or `turn_weight` is not positive.
+    """
     inner = problem.problem if isinstance(problem, Recorder) else problem
     if not isinstance(inner, ProblemRecord) or not isinstance(inner.robot, CarRobot):
         raise InvalidParameter(
@@ -180,7 +191,7 @@ def driven(problem: Any, planner: str, turn_weight: float | None, wheelbases: fl
 def bias_of(
     problem: Any, goal_every: int, region_every: int, region: float | None, region_turn: float
 ) -> Bias:
-    """The turns, checked."""
+    """Check the parameters of a Bias; by default the region's radius is 2.5 wheelbases."""
     radius = 2.5 * problem.robot.wheelbase if region is None else none_or_more(region, "region")
     turns = whole(goal_every, "goal_every", least=0), whole(region_every, "region_every", least=0)
     return Bias(*turns, radius, none_or_more(region_turn, "region_turn"))
@@ -189,8 +200,9 @@ def bias_of(
 def drives_of(
     problem: Any, trials: int, duration: float | None, step: float | None, batches: int
 ) -> Drives:
-    """How drives are tried, checked; by default the fastest lasts for three quarters of a
-    wheelbase, in 150 steps.
+    """Check the parameters of Drives.
+
+    By default a drive at top speed covers 0.75 wheelbases, in 150 steps.
     """
     fastest = float(np.abs(problem.robot.speeds).max())
     whole_time = (
@@ -208,7 +220,7 @@ def drives_of(
 
 
 def near_of(problem: Any, tolerance: float | None, turn_tolerance: float) -> Near:
-    """What counts as the goal, checked."""
+    """Check what counts as the goal; by default the tolerance is a quarter of the wheelbase."""
     off = (
         0.25 * problem.robot.wheelbase
         if tolerance is None
@@ -218,14 +230,14 @@ def near_of(problem: Any, tolerance: float | None, turn_tolerance: float) -> Nea
 
 
 def new_growth(problem: Any, capacity: int) -> DrivenGrowth:
-    """The start alone, with room for more."""
+    """A tree that holds the start alone, with room for `capacity` nodes."""
     growth = DrivenGrowth(new_tree(problem, capacity), np.zeros((capacity, 2)), np.zeros(capacity))
     add.py_func(growth.tree, problem.start, -1)
     return growth
 
 
 def grown_tree(growth: DrivenGrowth) -> DrivenTree:
-    """What has grown, in its own arrays."""
+    """A copy of the tree that has grown, without unused room."""
     n = int(growth.tree.size[0])
     tree = growth.tree
     return DrivenTree(
@@ -245,9 +257,7 @@ def trajectory_to(problem: Any, tree: DrivenTree, numbers: NDArray[np.int64]) ->
 
 
 def plan_driven(problem: Any, trajectory: TrajectoryRecord, arrived: bool, **built: Any) -> Plan:
-    """The plan along a trajectory; where that only comes near the goal, a plan without a path, and
-    why.
-    """
+    """The plan along a trajectory; where it only comes near the goal, a plan without a path."""
     if arrived:
         return Plan(
             trajectory.poses, trajectory.length, trajectory=trajectory, problem=problem, **built

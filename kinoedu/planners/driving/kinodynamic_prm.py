@@ -1,10 +1,11 @@
-"""A roadmap whose motions a car can drive: each place to go is driven to from its K nearest nodes,
-and A* searches what grew.
+"""A roadmap that a car can drive: drives from the K nodes nearest to each target, and A*.
+
+The edges are directed, because a control that leads one way does not lead back. Each edge ends in a
+new node, because random controls never meet an old one. So the route to each pose is unique, and
+alternative routes end at other poses near the goal.
 
 After S. M. LaValle, J. J. Kuffner, "Randomized kinodynamic planning" (2001) and L. E. Kavraki et
-al. (1996). What was driven one way cannot be driven the other way by the same control: the edges
-are directed. Each ends in a new node, since random controls never meet an old one; so routes to one
-pose are unique, and alternatives end at other poses near the goal.
+al. (1996).
 """
 
 import math
@@ -50,8 +51,9 @@ def drive_from_nearest(
     iterations: int,
     rng: np.random.Generator,
 ) -> None:
-    """Grow the roadmap: each iteration drives from the k nodes nearest to a place, as they were
-    when it was drawn.
+    """Grow the roadmap by drives from the k nodes nearest to each target.
+
+    The k nodes are chosen when the target is drawn, so nodes made for it do not count.
     """
     tree = growth.tree
     for turn in range(1, iterations + 1):
@@ -83,22 +85,35 @@ def kinodynamic_prm(
     iterations: int = 350,
     rng: int | np.random.Generator,
 ) -> Plan:
-    """Drive towards many places, each from its K nearest nodes; then take the shortest drive to a
-    node near the goal.
+    """Plan by drives towards random targets, each from its K nearest nodes, and A*.
+
+    O(n^2) distances for n nodes.
 
     Parameters
     ----------
-    k : K, from how many nodes each place is driven to.
-    iterations : how many places are drawn; there is no stopping at the first that reaches the goal.
+    k : K, from how many nodes each target is driven to.
+    iterations : how many targets are drawn; the planner does not stop at the first path.
 
-    The others are those of `kinodynamic_rrt`. Returns a Plan with its `roadmap`, whose edges are
-    directed, and its `trajectory`; see `alternative_routes` for others. Without a path the
-    trajectory leads to the node nearest to the goal. O(n^2) distances for n nodes. Raises
-    InvalidParameter.
+    The other parameters are those of `kinodynamic_rrt`.
 
+    Returns
+    -------
+    Plan with its `roadmap`, whose edges are directed, and its `trajectory`, the shortest drive to a
+    node near the goal. Without a path the trajectory leads to the node nearest to the goal. See
+    `alternative_routes` for other drives.
+
+    Raises
+    ------
+    InvalidParameter
+        Where the robot is not a car, or a parameter is out of its range.
+
+    Examples
+    --------
     >>> from kinoedu import Car, PolygonWorld, Problem
-    >>> world = PolygonWorld([(0, 0), (20, 0), (20, 20), (0, 20)], [[(9, 0), (11, 0), (11, 10), (9, 10)]])
-    >>> plan = kinodynamic_prm(Problem(Car(3, 1, 2), world, (4, 4, 0), (16, 4, 0)), iterations=3000, rng=0)
+    >>> wall = [(9, 0), (11, 0), (11, 10), (9, 10)]
+    >>> world = PolygonWorld([(0, 0), (20, 0), (20, 20), (0, 20)], [wall])
+    >>> problem = Problem(Car(3, 1, 2), world, (4, 4, 0), (16, 4, 0))
+    >>> plan = kinodynamic_prm(problem, iterations=3000, rng=0)
     >>> bool(plan.cost > 20), plan.roadmap.edges.shape == (len(plan.roadmap.nodes) - 1, 2)
     (True, True)
     """
@@ -121,9 +136,7 @@ def kinodynamic_prm(
 
 
 def searched(problem: Any, tree: DrivenTree, near: Near, stats: dict[str, int]) -> Plan:
-    """The plan along the shortest drive to a node near the goal; where there is none, to the node
-    nearest to it.
-    """
+    """The plan along the shortest drive to a node near the goal, or else to the nearest node."""
     edges = np.stack([tree.parent, np.arange(len(tree.nodes))], axis=1)[1:]
     goals = np.flatnonzero([is_near(q, problem.goal, near) for q in tree.nodes])
     roadmap = DrivenRoadmap(tree.nodes, edges, tree.controls[1:], tree.durations[1:], goals)

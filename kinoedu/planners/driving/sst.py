@@ -1,6 +1,7 @@
-"""Stable sparse trees: drives that become ever cheaper, without a curve that joins two poses. Y.
-Li, Z. Littlefield, K. E. Bekris, "Asymptotically optimal sampling-based kinodynamic planning"
-(2016), algorithm 6.
+"""Stable sparse trees (SST): trees of random drives that become ever shorter.
+
+No curve that joins two poses is needed. Y. Li, Z. Littlefield, K. E. Bekris, "Asymptotically
+optimal sampling-based kinodynamic planning" (2016), algorithm 6.
 """
 
 import math
@@ -32,9 +33,16 @@ from .common import (
 
 
 class Sparse(NamedTuple):
-    """What makes a tree sparse: within `radius` of each of its `spots` (m, 3) only the cheapest
-    node, `cheapest` (m,), is driven on from. `size[0]` spots are there. `cost` (n,) is how far each
-    node is driven from the root; `reach`, how far round a place the cheapest node is looked for."""
+    """The witnesses that keep a tree sparse.
+
+    Within `radius` of each witness only the cheapest node is driven on from.
+
+    witnesses : (m, 3), of which the first size[0] exist.
+    cheapest : (m,), the cheapest node of each witness.
+    cost : (n,), the length of the drive from the root to each node.
+    radius : delta_s.
+    reach : delta_BN, the radius round a target within which the cheapest node is chosen.
+    """
 
     spots: Array
     cheapest: NDArray[np.int64]
@@ -55,7 +63,7 @@ def grow_sparsely(
     max_iterations: int,
     rng: np.random.Generator,
 ) -> int:
-    """Grow the tree for so many iterations; returns the cheapest node near the goal, or -1."""
+    """Grow the tree; returns the cheapest node near the goal, or -1."""
     tree, there, cost = growth.tree, np.empty(3), sparse.cost
     add_spot(sparse, problem.start, 0)
     at_goal = 0 if is_near(problem.start, problem.goal, near) else -1
@@ -86,7 +94,7 @@ def grow_sparsely(
 
 @callable_from_compiled
 def add_spot(sparse: Sparse, q: Array, node: int) -> None:
-    """A spot at q, and the node that is there."""
+    """Add a witness at q, with its cheapest node."""
     spot = sparse.size[0]
     sparse.spots[spot] = q
     sparse.cheapest[spot] = node
@@ -95,9 +103,7 @@ def add_spot(sparse: Sparse, q: Array, node: int) -> None:
 
 @callable_from_compiled
 def cheapest_near(problem: Any, growth: DrivenGrowth, sparse: Sparse, q: Array) -> int:
-    """Of the nodes that stand for a spot the cheapest within reach of q; where there is none, the
-    nearest.
-    """
+    """The cheapest node within reach of q among those of the witnesses, or else the nearest."""
     nearest, cheapest, least_apart, least_cost = 0, -1, np.inf, np.inf
     for spot in range(sparse.size[0]):
         node = sparse.cheapest[spot]
@@ -111,7 +117,7 @@ def cheapest_near(problem: Any, growth: DrivenGrowth, sparse: Sparse, q: Array) 
 
 @callable_from_compiled
 def spot_round(problem: Any, sparse: Sparse, q: Array) -> int:
-    """The nearest spot within whose radius q lies, or -1."""
+    """The nearest witness within whose radius q lies, or -1."""
     best, least = -1, sparse.radius
     for spot in range(sparse.size[0]):
         apart = problem.distance(sparse.spots[spot], q)
@@ -136,27 +142,38 @@ def sst(
     max_iterations: int = 20_000,
     rng: int | np.random.Generator,
 ) -> Plan:
-    """Grow a tree of random drives in which only the cheapest node of each spot is driven on from:
-    its drives become near-shortest.
+    """Plan by stable sparse trees: grow a tree in which each witness keeps its cheapest node.
+
+    The drives become near-shortest. O(n m) distances for n iterations and m witnesses.
 
     Parameters
     ----------
-    duration : the longest drive; each lasts for a random part of it. By default the fastest drives
-    3 wheelbases.
-    radius : delta_s, within which a spot keeps one node; by default 0.4 wheelbases. The smaller,
-    the shorter the drives in the end.
-    reach : delta_BN, how far round a place the cheapest node is looked for; by default 0.8
-    wheelbases.
-    turn_weight : by default half a wheelbase, so that a spot holds headings at most some 45 degrees
-    from its own.
-    max_iterations : how many drives are tried; it does not stop at the first that reaches the goal.
+    duration : the longest drive; each drive lasts for a random fraction of it. By default a drive
+        at top speed covers 3 wheelbases.
+    radius : delta_s, within which a witness keeps one node; by default 0.4 wheelbases. The smaller
+        it is, the shorter the drives become in the end.
+    reach : delta_BN, the radius round a target within which the cheapest node is chosen; by default
+        0.8 wheelbases.
+    turn_weight : by default half a wheelbase, so that headings differ by at most about 45 degrees
+        from that of their witness.
+    max_iterations : how many drives are tried; the planner does not stop at the first path.
 
-    The others are those of `kinodynamic_rrt`. Returns a Plan with its `tree` (nodes that lost their
-    spot are kept in it) and its `trajectory`; without a path that leads to the node nearest to the
-    goal. O(n m) distances for n iterations and m spots. Raises InvalidParameter.
+    The other parameters are those of `kinodynamic_rrt`.
 
+    Returns
+    ------- Plan with its `tree` (nodes that lost their witness stay in it) and its `trajectory`.
+    Without a path the trajectory leads to the node nearest to the goal.
+
+    Raises
+    ------
+    InvalidParameter
+        Where the robot is not a car, or a parameter is out of its range.
+
+    Examples
+    --------
     >>> from kinoedu import Car, PolygonWorld, Problem
-    >>> world = PolygonWorld([(0, 0), (20, 0), (20, 20), (0, 20)], [[(9, 0), (11, 0), (11, 10), (9, 10)]])
+    >>> wall = [(9, 0), (11, 0), (11, 10), (9, 10)]
+    >>> world = PolygonWorld([(0, 0), (20, 0), (20, 20), (0, 20)], [wall])
     >>> plan = sst(Problem(Car(3, 1, 2), world, (4, 4, 0), (16, 4, 0)), rng=1)
     >>> bool(20 < plan.cost < 40)
     True

@@ -1,5 +1,4 @@
-"""Sensor-based planning with a receding horizon: look, plan in what is known, go a little way, and
-look again.
+"""Sensor-based planning with a receding horizon: sense, plan in the map, follow, and repeat.
 
     RECEDING-HORIZON(start, goal)
      1  q := start; the map is empty
@@ -38,17 +37,19 @@ Local = Callable[[ProblemRecord, np.random.Generator], Plan]
 
 
 class SeenMap(NamedTuple):
-    """The walls seen so far: thin triangles between the hits of neighbouring rays, which lie behind
-    the wall as the sensor sees it.
+    """The walls seen so far, as thin triangles between the hits of neighbouring rays.
 
-    One is kept for each size (by powers of two) and each little square of that size.
+    The triangles lie behind the wall as the sensor sees it. One is kept for each size (a power of
+    two) and each square of that size.
     """
 
     walls: dict[tuple[int, ...], Array]
 
     def add(self, seen: Scan) -> None:
-        """Take in what a scan hit. Hits that are far apart for their rays are not joined: there may
-        be a way between.
+        """Add the hits of a scan.
+
+        Neighbouring hits that are far apart for their rays are not joined: there may be a passage
+        between them.
         """
         first, second = seen.points, np.roll(seen.points, -1, axis=0)
         apart = np.sqrt(((second - first) ** 2).sum(axis=1))
@@ -76,9 +77,14 @@ class SeenMap(NamedTuple):
 
 
 class Look(NamedTuple):
-    """One turn of the loop: what the sensor sees, the walls known with it (k, 3, 2), the plan in
-    that map, the points of it that are followed (j, d), none where there is no plan or the moves
-    have run out, and how many motions were judged.
+    """One iteration of the loop.
+
+    seen : what the sensor sees.
+    walls : (k, 3, 2), the walls of the map, with this scan.
+    plan : the plan in that map.
+    followed : (j, d), the points of the plan that are followed; none where there is no plan or no
+        move is left.
+    checks : how many motions were checked.
     """
 
     seen: Scan
@@ -98,26 +104,37 @@ def receding_horizon(
     max_moves: int = 200,
     rng: int | np.random.Generator,
 ) -> Plan:
-    """Go to the goal through a world that is only seen by a range sensor.
+    """Plan through a world that only a range sensor sees.
+
+    Not complete: the path that is followed may miss a passage.
 
     Parameters
     ----------
-    problem : a Problem of a Point or Disk in a PolygonWorld, or a Recorder of one. Only its
-    bounding box is known beforehand.
-    reach : the sensor's range; by default a quarter of the world's diagonal.
+    problem : a Problem of a Point or Disk in a PolygonWorld, or a Recorder of one. Only the world's
+        bounding box is known in advance.
+    reach : the range of the sensor; by default a quarter of the world's diagonal.
     horizon : how far a plan is followed before the robot looks again; by default half the reach.
-    rays : how many directions the sensor looks in.
-    planner : a function of a problem and a generator that plans in the map; by default rrt_connect
-    and shortcut.
-    max_moves : where to give up.
+    rays : in how many directions the sensor looks.
+    planner : a function of a problem and a generator that plans in the map; by default rrt_connect,
+        then shortcut.
+    max_moves : stop after this many moves.
     rng : a seed or a numpy Generator.
 
-    Returns a Plan: its path is what was followed, its `tree` the places where the robot looked, one
-    after another. Not complete: `plan.reason` says whether the map shows no way, or the moves ran
-    out. Raises InvalidParameter.
+    Returns
+    -------
+    Plan whose path was followed, and whose `tree` is the chain of places where the robot looked.
+    Without a path `plan.reason` says whether the map shows no path or the moves ran out.
 
+    Raises
+    ------
+    InvalidParameter
+        Where the robot or the world is another, or a parameter is out of its range.
+
+    Examples
+    --------
     >>> from kinoedu import Point, PolygonWorld, Problem
-    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
+    >>> wall = [(4, 0), (6, 0), (6, 8), (4, 8)]
+    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [wall])
     >>> plan = receding_horizon(Problem(Point(), world, start=(1, 1), goal=(9, 1)), rng=0)
     >>> bool(17.2 < plan.cost < 40)
     True
@@ -143,11 +160,15 @@ def receding_horizon_looks(
     max_moves: int = 200,
     rng: int | np.random.Generator,
 ) -> Iterator[Look]:
-    """`receding_horizon`, whose arguments these are, look by look.
+    """The iterations of `receding_horizon`, which has the same parameters.
 
+    Examples
+    --------
     >>> from kinoedu import Point, PolygonWorld, Problem
-    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
-    >>> looks = list(receding_horizon_looks(Problem(Point(), world, start=(1, 1), goal=(9, 1)), rng=0))
+    >>> wall = [(4, 0), (6, 0), (6, 8), (4, 8)]
+    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [wall])
+    >>> problem = Problem(Point(), world, start=(1, 1), goal=(9, 1))
+    >>> looks = list(receding_horizon_looks(problem, rng=0))
     >>> looks[0].seen.origin, looks[-1].followed[-1]
     (array([1., 1.]), array([9., 1.]))
     """
@@ -186,9 +207,7 @@ def receding_horizon_looks(
 
 
 def plan_of_looks(problem: Any, looks: list[Look]) -> Plan:
-    """What became of looking and following: the way that was gone, or why it does not end at the
-    goal.
-    """
+    """The plan that results from all looks: the path followed, or why it ends elsewhere."""
     path = np.concatenate([[problem.start], *(look.followed for look in looks)])
     reason = ""
     if looks and looks[-1].plan.path is None:
@@ -210,7 +229,7 @@ def plan_of_looks(problem: Any, looks: list[Look]) -> Plan:
 
 
 def connect_and_shorten(problem: ProblemRecord, rng: np.random.Generator) -> Plan:
-    """RRT-Connect, and its path made shorter."""
+    """RRT-Connect, then shortcuts."""
     return shortcut(rrt_connect(problem, max_nodes=4000, max_iterations=8000, rng=rng), rng=rng)
 
 
@@ -222,8 +241,9 @@ def plan_in_map(
     planner: Local,
     rng: np.random.Generator,
 ) -> Plan:
-    """A plan from q in what was seen, with a margin to the walls while there is one: corners
-    between two rays were not seen.
+    """A plan from q in the map, with a margin to the walls where this leaves a path.
+
+    Corners between two rays were not seen, so a margin is needed.
     """
     world = world_of_triangles(asked.world.lo, asked.world.hi, seen.known())
     plan = Plan(None, np.inf, reason="the walls seen leave no room at the start or the goal")
@@ -243,8 +263,9 @@ def plan_in_map(
 
 
 def follow(problem: Any, path: Array, ahead: float) -> list[Array]:
-    """The points of a path as far as the horizon, or up to the first motion that is not free; that
-    one halved, to come nearer.
+    """The points of a path up to the horizon, or to the first motion that is not free.
+
+    That motion is halved up to four times, to come nearer.
     """
     gone, left = [], ahead
     for a, b in zip(path[:-1], path[1:], strict=True):

@@ -1,5 +1,4 @@
-"""Other ways to the goal than the shortest: what else a roadmap offers when something stands in the
-way.
+"""Alternative routes: further paths in a roadmap, for use when the shortest one is blocked.
 
 R. Bader, J. Dees, R. Geisberger, P. Sanders, "Alternative route graphs in road networks" (2011),
 section 4.2: the penalty method.
@@ -23,25 +22,39 @@ from .multi_query import costs_of
 
 
 def alternative_routes(plan: Plan, k: int = 3, *, penalty: float = 1.0) -> list[Plan]:
-    """Up to k routes through a plan's roadmap, the shortest first: each avoids what those before it
-    used, as far as it can.
+    """Up to k routes through the roadmap of a plan, in the order of their costs.
+
+    Each edge that a route uses becomes longer for the routes after it, so they avoid it where they
+    can. O(k m log n).
 
     Parameters
     ----------
-    plan : one of `prm`, `prm_star`, `kinodynamic_prm` and their like, with its roadmap.
+    plan : a plan with a roadmap, of `prm`, `prm_star`, `kinodynamic_prm` or a similar planner.
     k : how many routes.
-    penalty : by what share of its length an edge becomes longer each time a route uses it: the
-    larger, the less routes share.
+    penalty : the fraction of its length by which an edge becomes longer each time a route uses it.
+        The larger it is, the less the routes share.
 
-    Returns plans that differ in their path. Fewer than k where penalties lead to no other; none
-    where the plan has no path. Raises InvalidParameter. O(k m log n).
+    Returns
+    -------
+    Plans with different paths. They are fewer than k where the penalties lead to no other path, and
+    none where the plan has no path.
 
+    Raises
+    ------
+    InvalidParameter
+        Where the plan has no roadmap, `k` is not a positive integer, or `penalty` is not positive.
+
+    Examples
+    --------
     >>> from kinoedu import Point, PolygonWorld, Problem, prm
-    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 2), (6, 2), (6, 8), (4, 8)]])
+    >>> wall = [(4, 2), (6, 2), (6, 8), (4, 8)]
+    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [wall])
     >>> plan = prm(Problem(Point(), world, start=(1, 5), goal=(9, 5)), n=200, rng=0)
     >>> below, above = alternative_routes(plan, 2, penalty=10)
-    >>> bool(below.cost <= above.cost), bool((below.path[:, 1].mean() < 5) != (above.path[:, 1].mean() < 5))
-    (True, True)
+    >>> bool(below.cost <= above.cost)
+    True
+    >>> bool((below.path[:, 1].mean() < 5) != (above.path[:, 1].mean() < 5))
+    True
     """
     if not isinstance(plan, Plan) or not isinstance(plan.roadmap, Roadmap | DrivenRoadmap):
         raise InvalidParameter(
@@ -69,8 +82,9 @@ def alternative_routes(plan: Plan, k: int = 3, *, penalty: float = 1.0) -> list[
 def route(
     n: int, edges: NDArray[np.int64], weights: Array, goals: NDArray[np.int64], directed: bool
 ) -> NDArray[np.int64]:
-    """The nodes of the lightest way from node 0 to one of the goals, all of which lead to one more
-    node at no cost.
+    """The nodes of the lightest path from node 0 to any of the goals.
+
+    One more node is added, to which every goal has an edge of weight zero.
     """
     last = np.stack([goals, np.full(len(goals), n)], axis=1)
     graph = flat_graph(
@@ -90,7 +104,7 @@ def route(
 def edges_along(
     edges: NDArray[np.int64], numbers: NDArray[np.int64], directed: bool
 ) -> NDArray[np.int64]:
-    """The numbers of the edges that a way through nodes uses."""
+    """The numbers of the edges that a path through nodes uses."""
     steps = set(zip(numbers.tolist(), numbers[1:].tolist()))
     if not directed:
         steps |= {(v, u) for u, v in steps}

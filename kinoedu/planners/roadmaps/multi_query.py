@@ -1,5 +1,4 @@
-"""One roadmap for many queries: a roadmap is built once, and each pair of start and goal is only
-joined to it.
+"""One roadmap for many queries: it is built once, and each start and goal is joined to it.
 
 Bullo & Smith, chapter 5: the preprocessing phase and the query phase.
 """
@@ -22,8 +21,9 @@ from .prm import Sampler, free_configurations, searched
 
 @algorithm
 def join_ends(problem: Any, nodes: Array, k: int) -> tuple[NDArray[np.int64], Array]:
-    """Edges from nodes 0 and 1 to the k closest others that a free motion leads to, (m, 2), and
-    their costs (m,).
+    """Join nodes 0 and 1 to the k closest other nodes that a free motion leads to.
+
+    Returns the edges (m, 2) and their costs (m,).
     """
     edges, costs, size = np.empty((2 * k, 2), np.int64), np.empty(2 * k), 0
     for end in range(2):
@@ -49,7 +49,7 @@ def join_ends(problem: Any, nodes: Array, k: int) -> tuple[NDArray[np.int64], Ar
 
 @algorithm
 def costs_of(problem: Any, nodes: Array, edges: NDArray[np.int64]) -> Array:
-    """What each edge (m, 2) costs, shape (m,)."""
+    """The cost of each edge (m, 2), shape (m,)."""
     costs = np.empty(len(edges))
     for i in range(len(edges)):
         costs[i] = problem.motion_cost(nodes[edges[i, 0]], nodes[edges[i, 1]])
@@ -65,14 +65,24 @@ def build_roadmap(
     sampler: Sampler | None = None,
     rng: int | np.random.Generator | None = None,
 ) -> Roadmap:
-    """A probabilistic roadmap without start and goal, for `query`. The arguments are those of
-    `prm`. Raises InvalidParameter.
+    """A probabilistic roadmap without start and goal, for `query`; the preprocessing phase.
 
+    The parameters are those of `prm`.
+
+    Raises
+    ------
+    InvalidParameter
+        Where a parameter is out of its range, or the robot only drives forward.
+
+    Examples
+    --------
     >>> from kinoedu import Point, PolygonWorld, Problem
-    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
+    >>> wall = [(4, 0), (6, 0), (6, 8), (4, 8)]
+    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [wall])
     >>> problem = Problem(Point(), world, start=(1, 1), goal=(9, 1))
     >>> roadmap = build_roadmap(problem, n=200, rng=0)
-    >>> [query(problem, roadmap, (1, 1), goal).path is not None for goal in ((9, 1), (5, 9), (1, 9))]
+    >>> goals = (9, 1), (5, 9), (1, 9)
+    >>> [query(problem, roadmap, (1, 1), goal).path is not None for goal in goals]
     [True, True, True]
     """
     asked, rule = both_ways(problem, "a roadmap"), KClosest(k) if neighbours is None else neighbours
@@ -89,14 +99,31 @@ def query(
     *,
     k: int = 10,
 ) -> Plan:
-    """The cheapest way along a roadmap: start and goal are joined to the k closest nodes in free
-    reach, and A* searches.
+    """The cheapest path along a roadmap between a start and a goal; the query phase.
 
-    problem : whose roadmap it is; start, goal : shape (d,), by default the problem's own; both must
-        be free.
+    Start and goal are joined to the k closest nodes that a free motion leads to, and A* finds the
+    path.
 
-    Returns a Plan whose roadmap has start and goal as nodes 0 and 1 before all others. Raises
-    InvalidStart, InvalidGoal, InvalidPoint, InvalidParameter.
+    Parameters
+    ----------
+    problem : the problem for which the roadmap was built.
+    roadmap : of `build_roadmap` or `grid_roadmap`.
+    start, goal : (d,), by default those of the problem; both must be free.
+    k : how many nodes each of them is joined to.
+
+    Returns
+    -------
+    Plan whose roadmap has start and goal as nodes 0 and 1, before all others. Without a path
+    `plan.reason` says why there is none.
+
+    Raises
+    ------
+    InvalidStart, InvalidGoal
+        Where the start or the goal is not a free configuration.
+    InvalidPoint
+        Where it is not an array of finite numbers.
+    InvalidParameter
+        Where `roadmap` is not a roadmap, or `k` is not a positive integer.
     """
     if not isinstance(roadmap, Roadmap):
         raise InvalidParameter(
@@ -120,8 +147,12 @@ def query(
 
 
 def as_free(problem: Any, value: ArrayLike | None, name: str) -> Array:
-    """A free configuration, shape (d,), the problem's own where none is given. InvalidStart or
-    InvalidGoal.
+    """A free configuration, shape (d,), by default that of the problem.
+
+    Raises
+    ------
+    InvalidStart, InvalidGoal
+        Where it is not a free configuration.
     """
     q = getattr(problem, name) if value is None else np.atleast_1d(as_array(value, name))
     error = InvalidStart if name == "start" else InvalidGoal

@@ -96,7 +96,8 @@ def rrt(
     of missing it goes to zero as max_nodes and max_iterations grow. Raises InvalidParameter.
 
     >>> from kinoedu import Point, PolygonWorld, Problem
-    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
+    >>> wall = [(4, 0), (6, 0), (6, 8), (4, 8)]
+    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [wall])
     >>> plan = rrt(Problem(Point(), world, start=(1, 1), goal=(9, 1)), rng=0)
     >>> plan.path[0], plan.path[-1]
     (array([1., 1.]), array([9., 1.]))

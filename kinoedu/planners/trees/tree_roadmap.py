@@ -1,4 +1,4 @@
-"""The incremental tree roadmap, whose expansion is yours to choose. Bullo & Smith, chapter 5.
+"""The incremental tree roadmap, with an expansion of the reader's choice. Bullo & Smith, chapter 5.
 
      1  T := the start, without edges
      2  while T has fewer than N nodes:
@@ -7,7 +7,7 @@
      5          add q_nearby and the motion to T
      6  return T
 
-Here it also stops when it has reached the goal.
+Here the tree also stops when it has reached the goal.
 """
 
 from collections.abc import Callable
@@ -37,30 +37,42 @@ def tree_roadmap(
     max_iterations: int | None = None,
     rng: int | np.random.Generator,
 ) -> Plan:
-    """Grow a tree from the start by an expansion of your own until it reaches the goal.
+    """Plan with a tree that grows from the start by an expansion of your own.
+
+    The planner runs interpreted, as the expansion does.
 
     Parameters
     ----------
-    problem : a Problem, a Recorder, or an object of yours that answers the same questions.
-    expand : a function `expand(problem, tree, rng)` that returns the number of the node to expand
-    and the configuration near it,
-        shape (d,). `tree.nodes[: tree.size[0]]` are the nodes so far, and `problem.nearest(tree,
-        q)` is the one nearest to q. By default `rrt_expansion()`, which makes this an RRT.
-    reach : the goal is joined to a new node within so much of it; by default a twentieth of the
-    world's diagonal. max_nodes, max_iterations : where to give up; by default ten iterations for
-    each node.
+    problem : a Problem, a Recorder, or an object of yours with the same methods.
+    expand : a function `expand(problem, tree, rng)` that returns the number of a node and a
+        configuration near it, shape (d,). `tree.nodes[: tree.size[0]]` are the nodes so far, and
+        `problem.nearest(tree, q)` is the node nearest to q. By default `rrt_expansion()`, which
+        makes this an RRT.
+    reach : a new node within this distance of the goal is joined to it; by default a twentieth of
+        the world's diagonal.
+    max_nodes : stop at this many nodes.
+    max_iterations : stop after this many iterations; by default ten for each node.
     rng : a seed or a numpy Generator.
 
-    Returns a Plan with its `tree`; without a path `plan.reason` says what ran out. Runs
-    interpreted, as the expansion does. Raises InvalidParameter where the expansion's answer is no
-    node with a configuration.
+    Returns
+    -------
+    Plan with its `tree`. Without a path `plan.reason` says what ran out.
 
+    Raises
+    ------
+    InvalidParameter
+        Where a parameter is out of its range, or the expansion does not return a node and a
+        configuration.
+
+    Examples
+    --------
     >>> from kinoedu import Point, PolygonWorld, Problem
     >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)])
     >>> def wander(problem, tree, rng):
     ...     node = int(rng.integers(tree.size[0]))
     ...     return node, tree.nodes[node] + rng.uniform(-1, 1, 2)
-    >>> tree_roadmap(Problem(Point(), world, start=(4, 4), goal=(6, 6)), wander, rng=0).path is not None
+    >>> problem = Problem(Point(), world, start=(4, 4), goal=(6, 6))
+    >>> tree_roadmap(problem, wander, rng=0).path is not None
     True
     """
     asked = askable(problem)
@@ -98,8 +110,12 @@ def tree_roadmap(
 
 
 def rrt_expansion(step: float | None = None, goal_bias: float = 0.05) -> Expansion:
-    """The expansion that makes an RRT: the node nearest to a sample, and one step from it towards
-    the sample. InvalidParameter.
+    """The expansion of an RRT: the node nearest to a sample, and one step from it to the sample.
+
+    Raises
+    ------
+    InvalidParameter
+        Where `step` is not positive or `goal_bias` is not from 0 to 1.
     """
     bias, delta = share(goal_bias, "goal_bias"), None if step is None else positive(step, "step")
 
@@ -114,7 +130,13 @@ def rrt_expansion(step: float | None = None, goal_bias: float = 0.05) -> Expansi
 
 
 def as_expansion(answer: Any, tree: GrowingTree) -> tuple[int, Array]:
-    """An expansion's answer as a node's number and a configuration, or InvalidParameter."""
+    """The answer of an expansion as a node's number and a configuration.
+
+    Raises
+    ------
+    InvalidParameter
+        Where it is not a node of the tree and a configuration.
+    """
     if not isinstance(answer, tuple | list) or len(answer) != 2:
         raise InvalidParameter(
             "an expansion must return a node's number and a configuration near it, got "
