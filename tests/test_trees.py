@@ -170,8 +170,8 @@ def test_costs_of_the_whole_tree_are_those_of_its_ways():
             at = tree.parent[at]
         assert at == 0
         assert costs.cost[node] == pytest.approx(way, rel=1e-12)
-    hung = [node for parent in range(tree.size[0]) for node in chain(costs, parent)]
-    assert sorted(hung) == list(range(1, tree.size[0]))
+    attached = [node for parent in range(tree.size[0]) for node in chain(costs, parent)]
+    assert sorted(attached) == list(range(1, tree.size[0]))
 
 
 def chain(costs, parent):

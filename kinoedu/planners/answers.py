@@ -11,7 +11,7 @@ from ..geometry.checks import Array, as_array
 from ..graphs import extract_path
 from ..problems import Plan, Tree
 from ..spaces.buckets import GrowingTree
-from .problem_input import askable
+from .problem_input import as_problem
 
 
 @algorithm
@@ -45,10 +45,10 @@ def path_cost(problem: Any, path: ArrayLike) -> float:
     >>> path_cost(Problem(Point(), mud, (0.5, 0.5), (2.5, 0.5)), [(0.5, 0.5), (2.5, 0.5)])
     6.0
     """
-    asked, places = askable(problem), as_array(path, "path")
-    if places.ndim != 2 or places.shape[1:] != asked.start.shape:
-        raise InvalidPoint(f"a path must have shape (n, {len(asked.start)}), got {places.shape}")
-    return float(cost_along(asked, places))
+    problem, places = as_problem(problem), as_array(path, "path")
+    if places.ndim != 2 or places.shape[1:] != problem.start.shape:
+        raise InvalidPoint(f"a path must have shape (n, {len(problem.start)}), got {places.shape}")
+    return float(cost_along(problem, places))
 
 
 def plan_along(

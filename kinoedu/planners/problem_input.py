@@ -11,6 +11,7 @@ from ..robots.round import RoundRobot
 from ..spaces import diameter
 from ..spaces.buckets import GrowingTree, empty_tree
 from ..worlds.polygon_world import PolygonWorldRecord
+from .tuning import positive
 
 
 class OwnProblem:
@@ -84,7 +85,7 @@ class OwnProblem:
         return int(np.argmin([self.distance(node, q) for node in tree.nodes[: tree.size[0]]]))
 
 
-def askable(problem: Any) -> Any:
+def as_problem(problem: Any) -> Any:
     """The problem itself where it is ours or a recorder of ours; else a reader's object, checked.
 
     Raises
@@ -98,12 +99,28 @@ def askable(problem: Any) -> Any:
     return problem if isinstance(inner, ProblemRecord) else OwnProblem(problem)
 
 
+def count_checks(problem: Any) -> int:
+    """How many motions the problem has checked so far."""
+    return int(problem.asked[MOTIONS])
+
+
 def world_size(problem: Any) -> float:
     """The diameter of the space; for a reader's object the distance from start to goal."""
     space = getattr(problem, "space", None)
     if space is None:
         return float(problem.distance(problem.start, problem.goal)) or 1.0
     return float(diameter(space))
+
+
+def as_step_size(problem: Any, value: Any, name: str) -> float:
+    """A length, checked; by default a twentieth of the world's size.
+
+    Raises
+    ------
+    InvalidParameter
+        Where it is neither None nor a positive number.
+    """
+    return positive(world_size(problem) / 20.0 if value is None else value, name)
 
 
 def new_tree(problem: Any, capacity: int) -> GrowingTree:
@@ -134,7 +151,7 @@ def check_exact(problem: Any, planner: str) -> None:
         )
 
 
-def both_ways(problem: Any, planner: str) -> Any:
+def as_two_way_problem(problem: Any, planner: str) -> Any:
     """Convert as `as_problem` does, for a planner that uses its edges in both directions.
 
     Raises
@@ -144,9 +161,9 @@ def both_ways(problem: Any, planner: str) -> Any:
     InvalidPoint
         Where the start or goal of a reader's object is not a configuration.
     """
-    asked = askable(problem)
-    if not getattr(getattr(asked, "space", None), "both_ways", True):
+    problem = as_problem(problem)
+    if not getattr(getattr(problem, "space", None), "both_ways", True):
         raise InvalidParameter(
             f"{planner} uses its edges both ways, and this robot only goes forward; plan with rrt"
         )
-    return asked
+    return problem

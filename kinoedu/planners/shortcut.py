@@ -11,10 +11,10 @@ import numpy as np
 from ..compiled import algorithm, callable_from_compiled
 from ..errors import InvalidParameter
 from ..geometry.checks import Array, as_generator
-from ..problems import MOTIONS, Plan
+from ..problems import Plan
 from ..support.text import shortened
 from .answers import cost_along
-from .problem_input import askable
+from .problem_input import as_problem, count_checks
 from .tuning import whole
 
 
@@ -102,14 +102,14 @@ def shortcut(plan: Plan, *, tries: int = 200, rng: int | np.random.Generator) ->
     attempts, generator = whole(tries, "tries", least=0), as_generator(rng)
     if plan.path is None or len(plan.path) < 3:
         return plan
-    asked = askable(plan.problem)
-    before = asked.asked[MOTIONS]
-    path = cut_corners(asked, plan.path, attempts, generator)
-    cost = float(cost_along(asked, path))
+    problem = as_problem(plan.problem)
+    before = count_checks(problem)
+    path = cut_corners(problem, plan.path, attempts, generator)
+    cost = float(cost_along(problem, path))
     if cost >= plan.cost:
         return plan
     stats = {
         **plan.stats,
-        "checks": plan.stats.get("checks", 0) + int(asked.asked[MOTIONS] - before),
+        "checks": plan.stats.get("checks", 0) + count_checks(problem) - before,
     }
     return replace(plan, path=path, cost=cost, stats=stats)

@@ -6,7 +6,7 @@ from ..errors import InvalidParameter
 from ..geometry.checks import is_real, none_or_more, positive, whole
 from ..support.text import shortened
 
-__all__ = ["none_or_more", "one_of", "positive", "share", "whole"]
+__all__ = ["fraction", "iteration_limit", "none_or_more", "one_of", "positive", "whole"]
 
 
 def one_of(value: Any, name: str, choices: tuple[str, ...]) -> str:
@@ -29,7 +29,20 @@ def one_of(value: Any, name: str, choices: tuple[str, ...]) -> str:
     return value
 
 
-def share(value: Any, name: str) -> float:
+def iteration_limit(max_iterations: Any, max_nodes: int) -> int:
+    """The largest number of iterations; by default ten for each node.
+
+    Raises
+    ------
+    InvalidParameter
+        Where it is neither None nor an integer of zero or more.
+    """
+    if max_iterations is None:
+        return 10 * max_nodes
+    return whole(max_iterations, "max_iterations", least=0)
+
+
+def fraction(value: Any, name: str) -> float:
     """A number from 0 to 1 as a float.
 
     Raises

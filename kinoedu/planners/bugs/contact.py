@@ -19,7 +19,7 @@ BLOCKED, OPEN, ALONG_BEFORE, ALONG_AFTER = 0, 1, 2, 3  # where a direction leads
 REACHED, AT_CORNER, ON_EDGE = 0, 1, 2  # how a straight motion ends
 
 
-class Feeling(NamedTuple):
+class WallReadings(NamedTuple):
     """What the contact sensor measures along the walls, for each of n points and its edge.
 
     Edge i leaves point i.
@@ -43,7 +43,7 @@ class Feeling(NamedTuple):
 
 
 @compiled
-def leads(
+def classify_direction(
     ux: float,
     uy: float,
     vx: float,
@@ -73,9 +73,9 @@ def leads(
 
 
 @compiled
-def feel(
+def sense_walls(
     points: Array, before: NDArray[np.int64], after: NDArray[np.int64], start: Array, goal: Array
-) -> Feeling:
+) -> WallReadings:
     """What the contact sensor measures along the walls from start to goal. O(n)."""
     n = len(points)
     opens, faces, on_line = np.empty(n, np.int64), np.empty(n, np.bool_), np.empty(n, np.bool_)
@@ -88,7 +88,7 @@ def feel(
     (sx, sy), (gx, gy) = start, goal
     for i in range(n):
         (ux, uy), (ax, ay), (bx, by) = points[before[i]], points[i], points[after[i]]
-        opens[i] = leads(ux, uy, ax, ay, bx, by, gx, gy, 1)
+        opens[i] = classify_direction(ux, uy, ax, ay, bx, by, gx, gy, 1)
         to_goal, to_start = turn(ax, ay, bx, by, gx, gy), turn(ax, ay, bx, by, sx, sy)
         faces[i] = to_goal < 0
         a_side, b_side = turn(sx, sy, gx, gy, ax, ay), turn(sx, sy, gx, gy, bx, by)
@@ -96,29 +96,29 @@ def feel(
         x, y, region = closest_on_segment(gx, gy, ax, ay, bx, by)
         if region == 0:
             foot[i], foot_at[i, 0], foot_at[i, 1] = (
-                inner(length(x - ax, y - ay) / length(bx - ax, by - ay)),
+                clamp_inside(length(x - ax, y - ay) / length(bx - ax, by - ay)),
                 x,
                 y,
             )
         if a_side * b_side < 0 and to_goal * to_start < 0:
-            crossing[i] = divided(ax, ay, bx, by, sx, sy, gx, gy)
+            crossing[i] = crossing_fraction(ax, ay, bx, by, sx, sy, gx, gy)
             crossing_at[i] = proper_crossing(points[i], points[after[i]], start, goal)
-    return Feeling(opens, faces, on_line, foot, foot_at, crossing, crossing_at)
+    return WallReadings(opens, faces, on_line, foot, foot_at, crossing, crossing_at)
 
 
 @compiled
-def inner(along: float) -> float:
+def clamp_inside(along: float) -> float:
     """A fraction of an edge, kept strictly between 0 and 1."""
     return min(max(along, 1e-300), 1.0 - 2.0**-53)
 
 
 @compiled
-def divided(
+def crossing_fraction(
     ax: float, ay: float, bx: float, by: float, cx: float, cy: float, dx: float, dy: float
 ) -> float:
     """The fraction of a-b at which the line c-d crosses it."""
     from_a, from_b = abs(height(cx, cy, dx, dy, ax, ay)), abs(height(cx, cy, dx, dy, bx, by))
-    return inner(from_a / (from_a + from_b))
+    return clamp_inside(from_a / (from_a + from_b))
 
 
 @compiled
@@ -153,8 +153,11 @@ def first_contact(
             if left >= 0 and side_of(points, after, left, ax, ay) >= 0:
                 continue
             ux, uy = points[before[i]]
-            came_from_here = leads(ux, uy, ax, ay, bx, by, ox, oy, 1) != BLOCKED
-            if not came_from_here or leads(ux, uy, ax, ay, bx, by, ox, oy, -1) != BLOCKED:
+            came_from_here = classify_direction(ux, uy, ax, ay, bx, by, ox, oy, 1) != BLOCKED
+            if (
+                not came_from_here
+                or classify_direction(ux, uy, ax, ay, bx, by, ox, oy, -1) != BLOCKED
+            ):
                 continue
             if (
                 how == REACHED

@@ -18,9 +18,9 @@ from .contact import (
     AT_CORNER,
     BLOCKED,
     REACHED,
-    divided,
-    feel,
+    crossing_fraction,
     first_contact,
+    sense_walls,
 )
 from .place import Place
 from .walls import Walls
@@ -37,7 +37,7 @@ class BugRobot:
 
     def __init__(self, walls: Walls, start: Array, goal: Array, turn: int) -> None:
         self._walls, self._start, self._goal, self._turn = walls, start, goal, turn
-        self._feeling = feel(walls.points, walls.before, walls.after, start, goal)
+        self._readings = sense_walls(walls.points, walls.before, walls.after, start, goal)
         self._heading = turn
         self._places: dict[int, list[Place]] = {}
         self.place = self._at(*start, on_line=True, wall=-1)
@@ -76,7 +76,7 @@ class BugRobot:
         place = self.place
         at_corner = place.wall >= 0 and place.along == 0.0
         back = ALONG_BEFORE if self._heading > 0 else ALONG_AFTER
-        return place.is_open and not (at_corner and self._feeling.opens[place.wall] == back)
+        return place.is_open and not (at_corner and self._readings.opens[place.wall] == back)
 
     def follow_wall(self) -> None:
         """Follow the wall to the next place of interest.
@@ -116,7 +116,7 @@ class BugRobot:
         points = tuple((float(p[0]), float(p[1])) for p in (self._goal, *made_of))
         distance = float(length(self._goal[0] - x, self._goal[1] - y))
         is_open = wall < 0 or (
-            self._feeling.faces[wall] if along > 0.0 else self._feeling.opens[wall] != BLOCKED
+            self._readings.faces[wall] if along > 0.0 else self._readings.opens[wall] != BLOCKED
         )
         return Place(
             float(x), float(y), distance, bool(on_line), bool(is_open), wall, float(along), points
@@ -130,25 +130,25 @@ class BugRobot:
     def _places_on(self, wall: int) -> list[Place]:
         """The places of interest on an edge, in order, from the corner where it begins."""
         if wall not in self._places:
-            felt, (a, b) = self._feeling, self._ends(wall)
+            readings, (a, b) = self._readings, self._ends(wall)
             inner = {}
-            if felt.foot[wall] > 0.0:
+            if readings.foot[wall] > 0.0:
                 foot = self._at(
-                    *felt.foot_at[wall],
+                    *readings.foot_at[wall],
                     on_line=False,
                     wall=wall,
-                    along=felt.foot[wall],
+                    along=readings.foot[wall],
                     made_of=(a, b),
                 )
                 inner[foot.along] = foot
-            if felt.crossing[wall] > 0.0:
-                at, along = felt.crossing_at[wall], felt.crossing[wall]
+            if readings.crossing[wall] > 0.0:
+                at, along = readings.crossing_at[wall], readings.crossing[wall]
                 crossing = self._at(
                     *at, on_line=True, wall=wall, along=along, made_of=(a, b, self._start)
                 )
                 inner[crossing.along] = crossing
             self._places[wall] = [
-                self._at(*a, on_line=felt.on_line[wall], wall=wall),
+                self._at(*a, on_line=readings.on_line[wall], wall=wall),
                 *(inner[along] for along in sorted(inner)),
             ]
         return self._places[wall]
@@ -156,7 +156,7 @@ class BugRobot:
     def _crossing(self, wall: int, origin: Array) -> Place:
         """The place where the line from origin to goal meets an edge, now of interest."""
         (a, b), known = self._ends(wall), self._places_on(wall)
-        along = divided(*a, *b, *origin, *self._goal)
+        along = crossing_fraction(*a, *b, *origin, *self._goal)
         for place in known:
             if place.along == along:
                 return place

@@ -71,8 +71,8 @@ def make_walls(rings: list[Array], clearance: float) -> Walls:
     Obstacles that touch, overlap or contain one another are united first.
     """
     if clearance > 0.0:
-        rings = [grown(part, clearance) for ring in rings for part in convex_parts(ring)]
-    return linked(united(rings) if any_meet(rings) else rings)
+        rings = [grow_ring(part, clearance) for ring in rings for part in convex_parts(ring)]
+    return link_rings(unite_rings(rings) if any_meet(rings) else rings)
 
 
 def contact(walls: Walls, q: Array) -> int:
@@ -89,7 +89,7 @@ def contact(walls: Walls, q: Array) -> int:
 
 
 @compiled
-def grown(ring: Array, clearance: float) -> Array:
+def grow_ring(ring: Array, clearance: float) -> Array:
     """A convex ring grown by `clearance`; the edges are exact, the corners are short tangents."""
     n, size = len(ring), 0
     outline = np.empty(
@@ -138,7 +138,7 @@ def rings_meet(P: Array, Q: Array) -> bool:
     return False
 
 
-def united(rings: list[Array]) -> list[Array]:
+def unite_rings(rings: list[Array]) -> list[Array]:
     """The outlines of the union: obstacles counter-clockwise, holes clockwise."""
     import shapely
 
@@ -155,7 +155,7 @@ def united(rings: list[Array]) -> list[Array]:
     return outlines
 
 
-def linked(rings: list[Array]) -> Walls:
+def link_rings(rings: list[Array]) -> Walls:
     """The walls of rings; where several touch at a corner, each loop borders one free region."""
     sizes = [len(ring) for ring in rings]
     first = np.repeat(np.cumsum([0, *sizes])[:-1], sizes)
@@ -179,12 +179,13 @@ def join_at_touching_corners(
         leading = [int(after[i]) for i in shared]
         for i in shared if len(shared) > 1 else ():
             after[i] = min(
-                leading, key=cmp_to_key(partial(met_first, points, points[i], points[before[i]]))
+                leading,
+                key=cmp_to_key(partial(compare_by_turn, points, points[i], points[before[i]])),
             )
     before[after] = np.arange(len(points))
 
 
-def met_first(points: Array, v: Array, u: Array, i: int, j: int) -> int:
+def compare_by_turn(points: Array, v: Array, u: Array, i: int, j: int) -> int:
     """-1 where a ray that turns counter-clockwise round v from u meets i before j, 1 if after.
 
     The comparison is exact.

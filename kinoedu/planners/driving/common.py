@@ -69,7 +69,7 @@ class DrivenGrowth(NamedTuple):
 
 
 @callable_from_compiled
-def next_place(problem: Any, bias: Bias, turn: int, rng: np.random.Generator) -> Array:
+def next_target(problem: Any, bias: Bias, turn: int, rng: np.random.Generator) -> Array:
     """The target of iteration `turn`, counted from 1."""
     if bias.region_every > 0 and turn % bias.region_every == 0:
         off, towards = bias.region * rng.random(), 2.0 * math.pi * rng.random()
@@ -180,10 +180,10 @@ def driven(problem: Any, planner: str, turn_weight: float | None, wheelbases: fl
         if turn_weight is None
         else positive(turn_weight, "turn_weight")
     )
-    asked = inner._replace(space=SE2(inner.world.lo, inner.world.hi, turn_weight=weight))
+    in_se2 = inner._replace(space=SE2(inner.world.lo, inner.world.hi, turn_weight=weight))
     if not isinstance(problem, Recorder):
-        return asked
-    recorder = Recorder(asked)
+        return in_se2
+    recorder = Recorder(in_se2)
     recorder.log = problem.log
     return recorder
 
@@ -236,7 +236,7 @@ def new_growth(problem: Any, capacity: int) -> DrivenGrowth:
     return growth
 
 
-def grown_tree(growth: DrivenGrowth) -> DrivenTree:
+def copy_tree(growth: DrivenGrowth) -> DrivenTree:
     """A copy of the tree that has grown, without unused room."""
     n = int(growth.tree.size[0])
     tree = growth.tree
@@ -256,7 +256,9 @@ def trajectory_to(problem: Any, tree: DrivenTree, numbers: NDArray[np.int64]) ->
     )
 
 
-def plan_driven(problem: Any, trajectory: TrajectoryRecord, arrived: bool, **built: Any) -> Plan:
+def plan_from_trajectory(
+    problem: Any, trajectory: TrajectoryRecord, arrived: bool, **built: Any
+) -> Plan:
     """The plan along a trajectory; where it only comes near the goal, a plan without a path."""
     if arrived:
         return Plan(

@@ -26,13 +26,14 @@ from ...compiled import algorithm, compiled
 from ...errors import InvalidParameter
 from ...geometry.checks import Array
 from ...graphs import extract_path
-from ...problems import MOTIONS, Plan, ProblemRecord, Recorder
+from ...problems import Plan, ProblemRecord, Recorder
 from ...robots.car import CarRobot
 from ...robots.trajectory import TrajectoryRecord
 from ...support.text import shortened
+from ..problem_input import count_checks
 from ..tuning import positive, whole
-from .common import DrivenGrowth, add_drive, grown_tree, new_growth
-from .trajectories import told_along
+from .common import DrivenGrowth, add_drive, copy_tree, new_growth
+from .trajectories import controls_along
 
 
 class Lattice(NamedTuple):
@@ -156,14 +157,14 @@ def hybrid_astar(
         whole(angles, "angles", least=2),
     )
     growth = new_growth(inner, whole(max_nodes, "max_nodes", least=1) + len(lattice.moves))
-    before = int(inner.asked[MOTIONS])
+    before = count_checks(inner)
     last, expanded = drive_by_cells(problem, growth, lattice)
-    tree = grown_tree(growth)
+    tree = copy_tree(growth)
     built = {"tree": tree, "problem": problem, "planner": "hybrid A*"}
     stats = {
         "nodes": len(tree.nodes),
         "expanded": int(expanded),
-        "checks": int(inner.asked[MOTIONS]) - before,
+        "checks": count_checks(inner) - before,
     }
     if last < 0:
         reason = (
@@ -172,7 +173,7 @@ def hybrid_astar(
         )
         return Plan(None, math.inf, reason=reason, stats=stats, **built)
     numbers = extract_path(tree.parent, last)[1:]
-    controls, durations = told_along(inner.robot, tree.nodes[last], inner.goal)
+    controls, durations = controls_along(inner.robot, tree.nodes[last], inner.goal)
     trajectory = TrajectoryRecord(
         inner.start.copy(),
         np.concatenate([tree.controls[numbers], controls]),

@@ -17,8 +17,9 @@ import numpy as np
 from ...compiled import algorithm
 from ...geometry.checks import as_generator
 from ...graphs import astar, flat_graph
-from ...problems import MOTIONS, Plan
+from ...problems import Plan
 from ...robots.trajectory import DrivenRoadmap, DrivenTree
+from ..problem_input import count_checks
 from ..roadmaps.prm import distances_to
 from ..tuning import whole
 from .common import (
@@ -28,15 +29,15 @@ from .common import (
     Near,
     add_drive,
     bias_of,
+    copy_tree,
     driven,
     drives_of,
     free_drive,
-    grown_tree,
     is_near,
     near_of,
     new_growth,
-    next_place,
-    plan_driven,
+    next_target,
+    plan_from_trajectory,
     trajectory_to,
 )
 
@@ -57,7 +58,7 @@ def drive_from_nearest(
     """
     tree = growth.tree
     for turn in range(1, iterations + 1):
-        q_rand = next_place(problem, bias, turn, rng)
+        q_rand = next_target(problem, bias, turn, rng)
         apart = np.empty(tree.size[0])
         for node in range(len(apart)):
             apart[node] = problem.distance(tree.nodes[node], q_rand)
@@ -117,22 +118,22 @@ def kinodynamic_prm(
     >>> bool(plan.cost > 20), plan.roadmap.edges.shape == (len(plan.roadmap.nodes) - 1, 2)
     (True, True)
     """
-    asked, nearest = driven(problem, "kinodynamic_prm", turn_weight), whole(k, "k", least=1)
-    bias = bias_of(asked, goal_every, region_every, region, region_turn)
+    car_problem, nearest = driven(problem, "kinodynamic_prm", turn_weight), whole(k, "k", least=1)
+    bias = bias_of(car_problem, goal_every, region_every, region, region_turn)
     drives, near = (
-        drives_of(asked, trials, duration, step, batches),
-        near_of(asked, tolerance, turn_tolerance),
+        drives_of(car_problem, trials, duration, step, batches),
+        near_of(car_problem, tolerance, turn_tolerance),
     )
     turns = whole(iterations, "iterations", least=0)
-    growth, before = new_growth(asked, turns * nearest + 1), int(asked.asked[MOTIONS])
-    drive_from_nearest(asked, growth, nearest, bias, drives, turns, as_generator(rng))
-    tree = grown_tree(growth)
+    growth, before = new_growth(car_problem, turns * nearest + 1), count_checks(car_problem)
+    drive_from_nearest(car_problem, growth, nearest, bias, drives, turns, as_generator(rng))
+    tree = copy_tree(growth)
     stats = {
         "nodes": len(tree.nodes),
         "iterations": turns,
-        "checks": int(asked.asked[MOTIONS]) - before,
+        "checks": count_checks(car_problem) - before,
     }
-    return replace(searched(asked, tree, near, stats), problem=problem)
+    return replace(searched(car_problem, tree, near, stats), problem=problem)
 
 
 def searched(problem: Any, tree: DrivenTree, near: Near, stats: dict[str, int]) -> Plan:
@@ -155,7 +156,7 @@ def searched(problem: Any, tree: DrivenTree, near: Near, stats: dict[str, int]) 
     numbers, _ = astar(graph, 0, at_goal, estimate)
     assert numbers is not None  # every node hangs on the start
     trajectory = trajectory_to(problem, tree, numbers[:-1])
-    return plan_driven(
+    return plan_from_trajectory(
         problem,
         trajectory,
         bool(len(goals)),

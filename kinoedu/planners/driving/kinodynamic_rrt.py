@@ -20,7 +20,8 @@ import numpy as np
 from ...compiled import algorithm
 from ...geometry.checks import as_generator
 from ...graphs import extract_path
-from ...problems import MOTIONS, Plan
+from ...problems import Plan
+from ..problem_input import count_checks
 from ..tuning import whole
 from .common import (
     Bias,
@@ -29,15 +30,15 @@ from .common import (
     Near,
     add_drive,
     bias_of,
+    copy_tree,
     driven,
     drives_of,
     free_drive,
-    grown_tree,
     is_near,
     near_of,
     new_growth,
-    next_place,
-    plan_driven,
+    next_target,
+    plan_from_trajectory,
     trajectory_to,
 )
 
@@ -62,7 +63,7 @@ def grow_by_driving(
     at_goal = 0 if is_near(problem.start, problem.goal, near) else -1
     while at_goal < 0 and iteration < max_iterations:
         iteration += 1
-        q_rand = next_place(problem, bias, iteration, rng)
+        q_rand = next_target(problem, bias, iteration, rng)
         q_near = problem.nearest(tree, q_rand)
         v, phi, t = free_drive(problem, tree.nodes[q_near], q_rand, drives, rng)
         if t > 0.0:
@@ -132,25 +133,25 @@ def kinodynamic_rrt(
     >>> bool(np.array_equal(plan.path, plan.trajectory.poses)), bool(plan.cost > 20)
     (True, True)
     """
-    asked = driven(problem, "kinodynamic_rrt", turn_weight)
-    bias = bias_of(asked, goal_every, region_every, region, region_turn)
+    car_problem = driven(problem, "kinodynamic_rrt", turn_weight)
+    bias = bias_of(car_problem, goal_every, region_every, region, region_turn)
     drives, near = (
-        drives_of(asked, trials, duration, step, batches),
-        near_of(asked, tolerance, turn_tolerance),
+        drives_of(car_problem, trials, duration, step, batches),
+        near_of(car_problem, tolerance, turn_tolerance),
     )
     limit = whole(max_iterations, "max_iterations", least=0)
-    growth, before = new_growth(asked, limit + 1), int(asked.asked[MOTIONS])
+    growth, before = new_growth(car_problem, limit + 1), count_checks(car_problem)
     at_goal, iterations = grow_by_driving(
-        asked, growth, bias, drives, near, limit, as_generator(rng)
+        car_problem, growth, bias, drives, near, limit, as_generator(rng)
     )
-    tree = grown_tree(growth)
-    last = at_goal if at_goal >= 0 else int(asked.nearest(growth.tree, asked.goal))
-    trajectory = trajectory_to(asked, tree, extract_path(tree.parent, last))
+    tree = copy_tree(growth)
+    last = at_goal if at_goal >= 0 else int(car_problem.nearest(growth.tree, car_problem.goal))
+    trajectory = trajectory_to(car_problem, tree, extract_path(tree.parent, last))
     stats = {
         "nodes": len(tree.nodes),
         "iterations": int(iterations),
-        "checks": int(asked.asked[MOTIONS]) - before,
+        "checks": count_checks(car_problem) - before,
     }
-    return plan_driven(
+    return plan_from_trajectory(
         problem, trajectory, at_goal >= 0, planner="kinodynamic RRT", tree=tree, stats=stats
     )

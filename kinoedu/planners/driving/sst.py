@@ -13,7 +13,8 @@ from numpy.typing import NDArray
 from ...compiled import algorithm, callable_from_compiled
 from ...geometry.checks import Array, as_generator
 from ...graphs import extract_path
-from ...problems import MOTIONS, Plan
+from ...problems import Plan
+from ..problem_input import count_checks
 from ..tuning import positive, whole
 from .common import (
     Bias,
@@ -21,13 +22,13 @@ from .common import (
     Near,
     add_drive,
     bias_of,
+    copy_tree,
     driven,
-    grown_tree,
     is_near,
     near_of,
     new_growth,
-    next_place,
-    plan_driven,
+    next_target,
+    plan_from_trajectory,
     trajectory_to,
 )
 
@@ -44,7 +45,7 @@ class Sparse(NamedTuple):
     reach : delta_BN, the radius round a target within which the cheapest node is chosen.
     """
 
-    spots: Array
+    witnesses: Array
     cheapest: NDArray[np.int64]
     size: NDArray[np.int64]
     cost: Array
@@ -65,16 +66,16 @@ def grow_sparsely(
 ) -> int:
     """Grow the tree; returns the cheapest node near the goal, or -1."""
     tree, there, cost = growth.tree, np.empty(3), sparse.cost
-    add_spot(sparse, problem.start, 0)
+    add_witness(sparse, problem.start, 0)
     at_goal = 0 if is_near(problem.start, problem.goal, near) else -1
     for turn in range(1, max_iterations + 1):
-        q_rand = next_place(problem, bias, turn, rng)
+        q_rand = next_target(problem, bias, turn, rng)
         q_near = cheapest_near(problem, growth, sparse, q_rand)
         (v, phi), t = problem.control(rng), duration * rng.random()
         problem.drive(tree.nodes[q_near], v, phi, t, there)
         c_new = cost[q_near] + abs(v) * t
-        spot = spot_round(problem, sparse, there)
-        beaten = spot >= 0 and c_new >= cost[sparse.cheapest[spot]]
+        witness = nearest_witness(problem, sparse, there)
+        beaten = witness >= 0 and c_new >= cost[sparse.cheapest[witness]]
         if (
             beaten
             or (at_goal >= 0 and c_new >= cost[at_goal])
@@ -83,30 +84,30 @@ def grow_sparsely(
             continue
         q_new = add_drive(problem, growth, q_near, v, phi, t)
         cost[q_new] = c_new
-        if spot < 0:
-            add_spot(sparse, there, q_new)
+        if witness < 0:
+            add_witness(sparse, there, q_new)
         else:
-            sparse.cheapest[spot] = q_new
+            sparse.cheapest[witness] = q_new
         if is_near(there, problem.goal, near):
             at_goal = q_new
     return at_goal
 
 
 @callable_from_compiled
-def add_spot(sparse: Sparse, q: Array, node: int) -> None:
+def add_witness(sparse: Sparse, q: Array, node: int) -> None:
     """Add a witness at q, with its cheapest node."""
-    spot = sparse.size[0]
-    sparse.spots[spot] = q
-    sparse.cheapest[spot] = node
-    sparse.size[0] = spot + 1
+    witness = sparse.size[0]
+    sparse.witnesses[witness] = q
+    sparse.cheapest[witness] = node
+    sparse.size[0] = witness + 1
 
 
 @callable_from_compiled
 def cheapest_near(problem: Any, growth: DrivenGrowth, sparse: Sparse, q: Array) -> int:
     """The cheapest node within reach of q among those of the witnesses, or else the nearest."""
     nearest, cheapest, least_apart, least_cost = 0, -1, np.inf, np.inf
-    for spot in range(sparse.size[0]):
-        node = sparse.cheapest[spot]
+    for witness in range(sparse.size[0]):
+        node = sparse.cheapest[witness]
         apart = problem.distance(growth.tree.nodes[node], q)
         if apart < least_apart:
             nearest, least_apart = node, apart
@@ -116,13 +117,13 @@ def cheapest_near(problem: Any, growth: DrivenGrowth, sparse: Sparse, q: Array) 
 
 
 @callable_from_compiled
-def spot_round(problem: Any, sparse: Sparse, q: Array) -> int:
+def nearest_witness(problem: Any, sparse: Sparse, q: Array) -> int:
     """The nearest witness within whose radius q lies, or -1."""
     best, least = -1, sparse.radius
-    for spot in range(sparse.size[0]):
-        apart = problem.distance(sparse.spots[spot], q)
+    for witness in range(sparse.size[0]):
+        apart = problem.distance(sparse.witnesses[witness], q)
         if apart <= least:
-            best, least = spot, apart
+            best, least = witness, apart
     return best
 
 
@@ -178,12 +179,12 @@ def sst(
     >>> bool(20 < plan.cost < 40)
     True
     """
-    asked = driven(problem, "sst", turn_weight, 0.5)
+    car_problem = driven(problem, "sst", turn_weight, 0.5)
     bias, near = (
-        bias_of(asked, goal_every, region_every, region, region_turn),
-        near_of(asked, tolerance, turn_tolerance),
+        bias_of(car_problem, goal_every, region_every, region, region_turn),
+        near_of(car_problem, tolerance, turn_tolerance),
     )
-    base, fastest = asked.robot.wheelbase, float(np.abs(asked.robot.speeds).max())
+    base, fastest = car_problem.robot.wheelbase, float(np.abs(car_problem.robot.speeds).max())
     longest = 3.0 * base / fastest if duration is None else positive(duration, "duration")
     limit = whole(max_iterations, "max_iterations", least=0)
     sparse = Sparse(
@@ -196,11 +197,15 @@ def sst(
         0.4 * base if radius is None else positive(radius, "radius"),
         0.8 * base if reach is None else positive(reach, "reach"),
     )
-    growth, before = new_growth(asked, limit + 1), int(asked.asked[MOTIONS])
-    at_goal = grow_sparsely(asked, growth, sparse, bias, longest, near, limit, as_generator(rng))
-    tree = grown_tree(growth)
-    last = at_goal if at_goal >= 0 else int(asked.nearest(growth.tree, asked.goal))
+    growth, before = new_growth(car_problem, limit + 1), count_checks(car_problem)
+    at_goal = grow_sparsely(
+        car_problem, growth, sparse, bias, longest, near, limit, as_generator(rng)
+    )
+    tree = copy_tree(growth)
+    last = at_goal if at_goal >= 0 else int(car_problem.nearest(growth.tree, car_problem.goal))
     stats = {"nodes": len(tree.nodes), "spots": int(sparse.size[0]), "iterations": limit}
-    stats["checks"] = int(asked.asked[MOTIONS]) - before
-    trajectory = trajectory_to(asked, tree, extract_path(tree.parent, last))
-    return plan_driven(problem, trajectory, at_goal >= 0, planner="SST", tree=tree, stats=stats)
+    stats["checks"] = count_checks(car_problem) - before
+    trajectory = trajectory_to(car_problem, tree, extract_path(tree.parent, last))
+    return plan_from_trajectory(
+        problem, trajectory, at_goal >= 0, planner="SST", tree=tree, stats=stats
+    )

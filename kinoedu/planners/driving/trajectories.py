@@ -42,17 +42,17 @@ def trajectory_along(plan: Plan) -> TrajectoryRecord:
             "only a car is driven along a path; plan for a Problem(Car(...), world, start, goal)"
         )
     car = inner.robot
-    told = [told_along(car, a, b) for a, b in zip(plan.path, plan.path[1:])]
-    controls = np.concatenate([np.empty((0, 2)), *(controls for controls, _ in told)])
+    pieces = [controls_along(car, a, b) for a, b in zip(plan.path, plan.path[1:])]
+    controls = np.concatenate([np.empty((0, 2)), *(controls for controls, _ in pieces)])
     return Trajectory(
         car,
         plan.path[0],
         controls,
-        np.concatenate([np.empty(0), *(durations for _, durations in told)]),
+        np.concatenate([np.empty(0), *(durations for _, durations in pieces)]),
     )
 
 
-def told_along(car: CarRobot, a: Array, b: Array) -> tuple[Array, Array]:
+def controls_along(car: CarRobot, a: Array, b: Array) -> tuple[Array, Array]:
     """The controls (n, 2) along the shortest curve from pose a to pose b, and their durations."""
     turns, lengths = pieces_between(a, b, car.radius, car.both_ways)
     turns, lengths = turns[lengths != 0.0], lengths[lengths != 0.0]

@@ -13,9 +13,9 @@ from ...compiled import algorithm
 from ...decomposition import decomposition_roadmap, trapezoidation
 from ...geometry.checks import Array
 from ...graphs import Graph, astar, dijkstra
-from ...problems import MOTIONS, Plan, Roadmap
+from ...problems import Plan, Roadmap
 from ..answers import plan_along
-from ..problem_input import check_exact
+from ..problem_input import check_exact, count_checks
 
 
 def plan_by_decomposition(problem: Any) -> Plan:
@@ -55,20 +55,20 @@ def plan_by_decomposition(problem: Any) -> Plan:
     check_exact(problem, "planning by decomposition")
     cut = trapezoidation(problem.world)
     at_start, at_goal = cut.cells_at(problem.start), cut.cells_at(problem.goal)
-    roadmap = with_ends(decomposition_roadmap(cut), problem, at_start, at_goal)
+    roadmap = add_ends(decomposition_roadmap(cut), problem, at_start, at_goal)
     n, start, goal = len(cut.trapezoids), len(roadmap.nodes) - 2, len(roadmap.nodes) - 1
-    before = problem.asked[MOTIONS]
-    free, lengths = judge(problem, *roadmap)
+    before = count_checks(problem)
+    free, lengths = check_edges(problem, *roadmap)
     graph = Graph(len(roadmap.nodes), roadmap.edges[free], lengths[free])
     numbers, _ = astar(
         graph, start, goal, np.sqrt(((roadmap.nodes - problem.goal) ** 2).sum(axis=1))
     )
-    reason = why_apart(roadmap, free, n) if numbers is None else ""
+    reason = explain_no_path(roadmap, free, n) if numbers is None else ""
     stats = {
         "cells": n,
         "nodes": len(roadmap.nodes),
         "edges": len(roadmap.edges),
-        "checks": int(problem.asked[MOTIONS] - before),
+        "checks": count_checks(problem) - before,
     }
     shown = Roadmap(roadmap.nodes, roadmap.edges[free])
     return plan_along(
@@ -76,7 +76,7 @@ def plan_by_decomposition(problem: Any) -> Plan:
     )
 
 
-def with_ends(
+def add_ends(
     roadmap: Roadmap, problem: Any, at_start: NDArray[np.int64], at_goal: NDArray[np.int64]
 ) -> Roadmap:
     """The roadmap with start and goal as its last nodes.
@@ -92,7 +92,9 @@ def with_ends(
 
 
 @algorithm
-def judge(problem: Any, nodes: Array, edges: NDArray[np.int64]) -> tuple[NDArray[np.bool_], Array]:
+def check_edges(
+    problem: Any, nodes: Array, edges: NDArray[np.int64]
+) -> tuple[NDArray[np.bool_], Array]:
     """Whether each edge (m, 2) is free, and its length, both (m,)."""
     free, lengths = np.empty(len(edges), np.bool_), np.empty(len(edges))
     for k in range(len(edges)):
@@ -102,7 +104,7 @@ def judge(problem: Any, nodes: Array, edges: NDArray[np.int64]) -> tuple[NDArray
     return free, lengths
 
 
-def why_apart(roadmap: Roadmap, free: NDArray[np.bool_], n: int) -> str:
+def explain_no_path(roadmap: Roadmap, free: NDArray[np.bool_], n: int) -> str:
     """Why start and goal, the last two nodes, are not connected; the first n nodes are cells."""
     start, goal = len(roadmap.nodes) - 2, len(roadmap.nodes) - 1
     whole = Graph(len(roadmap.nodes), roadmap.edges)

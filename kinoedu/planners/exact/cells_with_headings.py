@@ -13,10 +13,11 @@ from ...collision import free_headings
 from ...decomposition import decomposition_roadmap, trapezoidation
 from ...errors import InvalidParameter
 from ...geometry.checks import Array
-from ...problems import MOTIONS, Plan, ProblemRecord, Recorder
+from ...problems import Plan, ProblemRecord, Recorder
 from ...robots.polygon import RigidPolygonRobot
 from ...spaces.angles import wrapped
 from ...worlds.polygon_world import PolygonWorldRecord
+from ..problem_input import count_checks
 from ..roadmaps.connecting import KClosest, joined
 from ..roadmaps.search import Search, dijkstra_path, plan_on_roadmap
 from ..tuning import whole
@@ -113,9 +114,9 @@ def plan_by_cells_with_headings(
     True
     """
     turning_polygon(problem)
-    before = problem.asked[MOTIONS]
+    before = count_checks(problem)
     roadmap = cells_with_headings(problem, headings=headings, neighbours=neighbours)
-    checks = int(problem.asked[MOTIONS] - before)
+    checks = count_checks(problem) - before
     plan = plan_on_roadmap(problem, roadmap, search)
     plan.stats.update(checks=checks, empty=len(roadmap.empty))
     return plan

@@ -23,7 +23,7 @@ from ...worlds.polygon_world import rings_of
 class Corners(NamedTuple):
     """The corners of a world.
 
-    points : (n, 2), each corner once, then the places that were asked for.
+    points : (n, 2), each corner once, then further places.
     nodes : (m,), the points round which shortest paths may turn.
     before, after : (k, n), the neighbours of each point on the ring of family k through it, with
         the obstacle to the left of before-point-after; -1 where there is no such ring.
@@ -35,7 +35,7 @@ class Corners(NamedTuple):
     after: NDArray[np.int64]
 
 
-def corners_of(world: Any, *places_asked: Array) -> tuple[Corners, list[int]]:
+def corners_of(world: Any, *further_places: Array) -> tuple[Corners, list[int]]:
     """The corners of a PolygonWorld, and the numbers of further places, which become nodes too.
 
     O(n^2) for n corners.
@@ -53,21 +53,20 @@ def corners_of(world: Any, *places_asked: Array) -> tuple[Corners, list[int]]:
         for ring in solid
     ]
     corners = len(numbers)
-    asked = [numbers.setdefault(tuple(place.tolist()), len(numbers)) for place in places_asked]
+    further = [numbers.setdefault(tuple(place.tolist()), len(numbers)) for place in further_places]
     points = np.array(list(numbers))
     rings = cut_at_corners(rings, points[:corners])
-    before, after = tied(rings, families_of(rings, points), len(points))
-    nodes = turning_points(points[:corners], before, after) & ~swallowed(points[:corners], solids)
-    return Corners(
-        points, np.append(np.flatnonzero(nodes), sorted(set(asked))).astype(np.int64), before, after
-    ), asked
+    before, after = link_rings(rings, assign_families(rings, points), len(points))
+    nodes = turning_points(points[:corners], before, after) & ~find_swallowed(
+        points[:corners], solids
+    )
+    numbered = np.append(np.flatnonzero(nodes), sorted(set(further))).astype(np.int64)
+    return Corners(points, numbered, before, after), further
 
 
 def cut_at_corners(rings: list[list[int]], points: Array) -> list[list[int]]:
     """The rings, cut at every corner that lies on one of their edges."""
-    ends = np.array(
-        [(p, q) for ring in rings for p, q in zip(ring, ring[1:] + ring[:1], strict=True)]
-    )
+    ends = np.array([edge for ring in rings for edge in edges_of(ring)])
     on_edge: dict[int, list[int]] = {}
     for edge, point in points_on_edges(points, ends).reshape(-1, 2).tolist():
         on_edge.setdefault(edge, []).append(point)
@@ -82,6 +81,11 @@ def cut_at_corners(rings: list[list[int]], points: Array) -> list[list[int]]:
             edge += 1
         cut.append(whole)
     return cut
+
+
+def edges_of(ring: list[int]) -> list[tuple[int, int]]:
+    """The edges of a ring, as pairs of points."""
+    return list(zip(ring, ring[1:] + ring[:1], strict=True))
 
 
 @compiled
@@ -103,15 +107,9 @@ def points_on_edges(points: Array, ends: NDArray[np.int64]) -> NDArray[np.int64]
     return np.array(found, dtype=np.int64)
 
 
-def families_of(rings: list[list[int]], points: Array) -> list[int]:
+def assign_families(rings: list[list[int]], points: Array) -> list[int]:
     """A family for each ring, chosen greedily: the first family in which it meets no other ring."""
-    ends = np.array(
-        [
-            (p, q, i)
-            for i, ring in enumerate(rings)
-            for p, q in zip(ring, ring[1:] + ring[:1], strict=True)
-        ]
-    )
+    ends = np.array([(p, q, i) for i, ring in enumerate(rings) for p, q in edges_of(ring)])
     meeting = rings_that_meet(points, ends, len(rings))
     families: list[int] = []
     for i in range(len(rings)):
@@ -138,7 +136,7 @@ def rings_that_meet(points: Array, ends: NDArray[np.int64], rings: int) -> NDArr
     return meet
 
 
-def tied(
+def link_rings(
     rings: list[list[int]], families: list[int], size: int
 ) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     """The points before and after each point on the rings of each family, both (k, n)."""
@@ -149,13 +147,12 @@ def tied(
     return before, after
 
 
-def swallowed(points: Array, solids: list[list[Array]]) -> NDArray[np.bool_]:
+def find_swallowed(points: Array, solids: list[list[Array]]) -> NDArray[np.bool_]:
     """Whether each point (n, 2) lies strictly inside some obstacle."""
     inside = np.zeros(len(points), np.bool_)
     for number, (outer, *rooms) in enumerate(solids):
-        within = places(points, outer) == (
-            1 if number > 0 else -1
-        )  # the first ring is the boundary, with the solid outside
+        solid_side = 1 if number > 0 else -1  # the first ring is the boundary, solid outside
+        within = places(points, outer) == solid_side
         for room in rooms:
             within &= places(points, room) < 0
         inside |= within
@@ -216,14 +213,8 @@ def opens_wide(points: Array, end: int, after: NDArray[np.int64], v: int) -> boo
 @compiled
 def same_way(points: Array, v: int, a: int, b: int) -> bool:
     """Whether a and b lie in the same direction from v."""
-    x, y, ax, ay, bx, by = (
-        points[v, 0],
-        points[v, 1],
-        points[a, 0],
-        points[a, 1],
-        points[b, 0],
-        points[b, 1],
-    )
+    x, y = points[v, 0], points[v, 1]
+    ax, ay, bx, by = points[a, 0], points[a, 1], points[b, 0], points[b, 1]
     return (
         turn(x, y, ax, ay, bx, by) == 0
         and (ax > x) == (bx > x)

@@ -20,12 +20,12 @@ import numpy as np
 from ...errors import InvalidGoal, InvalidParameter, InvalidStart
 from ...geometry.checks import Array, as_generator
 from ...geometry.exact import turn
-from ...problems import MOTIONS, Plan, Problem, ProblemRecord, Recorder, Tree
+from ...problems import Plan, Problem, ProblemRecord, Recorder, Tree
 from ...robots.round import RoundRobot
 from ...worlds.polygon_world import PolygonWorldRecord, world_of_triangles
 from ...worlds.range_sensor import Scan, scan
 from ..answers import plan_along
-from ..problem_input import world_size
+from ..problem_input import count_checks, world_size
 from ..shortcut import shortcut
 from ..trees.rrt_connect import rrt_connect
 from ..tuning import positive, whole
@@ -192,18 +192,18 @@ def receding_horizon_looks(
         seen.add(around)
         room = 0.5 * (float(around.distances.min()) - inner.robot.radius - inner.clearance)
         plan = plan_in_map(seen, inner, q, min(margin, room), local, generator)
-        before, walls = problem.asked[MOTIONS], seen.known()
-        gone = [] if plan.path is None or moves == most else follow(problem, plan.path, ahead)
+        before, walls = count_checks(problem), seen.known()
+        followed = [] if plan.path is None or moves == most else follow(problem, plan.path, ahead)
         yield Look(
             around,
             walls,
             plan,
-            np.array(gone).reshape(-1, len(q)),
-            int(problem.asked[MOTIONS] - before),
+            np.array(followed).reshape(-1, len(q)),
+            count_checks(problem) - before,
         )
         if plan.path is None:
             return
-        q, moves = gone[-1] if gone else q, moves + 1
+        q, moves = followed[-1] if followed else q, moves + 1
 
 
 def plan_of_looks(problem: Any, looks: list[Look]) -> Plan:
@@ -235,7 +235,7 @@ def connect_and_shorten(problem: ProblemRecord, rng: np.random.Generator) -> Pla
 
 def plan_in_map(
     seen: SeenMap,
-    asked: ProblemRecord,
+    problem: ProblemRecord,
     q: Array,
     margin: float,
     planner: Local,
@@ -245,13 +245,17 @@ def plan_in_map(
 
     Corners between two rays were not seen, so a margin is needed.
     """
-    world = world_of_triangles(asked.world.lo, asked.world.hi, seen.known())
+    world = world_of_triangles(problem.world.lo, problem.world.hi, seen.known())
     plan = Plan(None, np.inf, reason="the walls seen leave no room at the start or the goal")
     for share in (1.0, 0.25, 0.0625, 0.015625):
         try:
             plan = planner(
                 Problem(
-                    asked.robot, world, q, asked.goal, clearance=asked.clearance + share * margin
+                    problem.robot,
+                    world,
+                    q,
+                    problem.goal,
+                    clearance=problem.clearance + share * margin,
                 ),
                 rng,
             )
@@ -267,16 +271,16 @@ def follow(problem: Any, path: Array, ahead: float) -> list[Array]:
 
     That motion is halved up to four times, to come nearer.
     """
-    gone, left = [], ahead
+    followed, left = [], ahead
     for a, b in zip(path[:-1], path[1:], strict=True):
         apart = problem.distance(a, b)
         q = b if apart <= left else problem.steer(a, b, left)
         for _ in range(5):
             if problem.is_free_path(a, q):
-                gone.append(q)
+                followed.append(q)
                 break
             q = problem.steer(a, q, 0.5 * problem.distance(a, q))
-        if not gone or not np.array_equal(gone[-1], b):
+        if not followed or not np.array_equal(followed[-1], b):
             break
         left -= apart
-    return gone
+    return followed

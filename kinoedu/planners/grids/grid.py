@@ -16,12 +16,12 @@ from ...errors import InvalidParameter
 from ...geometry.checks import Array
 from ...graphs import astar
 from ...graphs.flat import degree, edge
-from ...problems import MOTIONS, Plan, ProblemRecord, Tree
+from ...problems import Plan, ProblemRecord, Tree
 from ...robots.round import RoundRobot
 from ...spaces import RealSpace
 from ...worlds.terrain import TerrainRecord
 from ..answers import plan_along
-from ..problem_input import world_size
+from ..problem_input import count_checks, world_size
 from ..tuning import positive
 
 SQRT2 = float(np.sqrt(2.0))
@@ -181,7 +181,7 @@ def plan_on_grid(problem: ProblemRecord, *, spacing: float | None = None) -> Pla
         raise InvalidParameter(
             "a grid needs a Problem whose configurations are points of the plane"
         )
-    before = problem.asked[MOTIONS]
+    before = count_checks(problem)
     grid = grid_for(problem, None if spacing is None else positive(spacing, "spacing"))
     first, last = (joined_node(problem, grid, q) for q in (problem.start, problem.goal))
     if first < 0 or last < 0:
@@ -194,13 +194,13 @@ def plan_on_grid(problem: ProblemRecord, *, spacing: float | None = None) -> Pla
             planner="A*",
         )
     numbers, found = astar(grid, first, last, octile(grid, last))
-    tree = Tree(centres(grid, found.expanded), found_from(found.expanded, found.parent))
+    tree = Tree(centres(grid, found.expanded), parent_positions(found.expanded, found.parent))
     looked_at = (
         8 * len(found.expanded) if isinstance(grid.moves, Cells) else 0
     )  # moves judged by cells, without asking the problem
     stats = {
         "expanded": len(found.expanded),
-        "checks": int(problem.asked[MOTIONS] - before) + looked_at,
+        "checks": count_checks(problem) - before + looked_at,
     }
     reason = (
         f"the goal cannot be reached on a grid of spacing {grid.side:g}; a finer one may have a "
@@ -263,7 +263,7 @@ def centres_of(x: float, y: float, side: float, columns: int, nodes: NDArray[np.
 
 
 @algorithm
-def found_from(expanded: NDArray[np.int64], parent: NDArray[np.int64]) -> NDArray[np.int64]:
+def parent_positions(expanded: NDArray[np.int64], parent: NDArray[np.int64]) -> NDArray[np.int64]:
     """For each expanded node, (k,), the place of its parent in that order; -1 for the start."""
     order = np.full(len(parent), -1)
     for i in range(len(expanded)):

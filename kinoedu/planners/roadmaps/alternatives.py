@@ -16,9 +16,9 @@ from ...problems import Plan, Roadmap
 from ...robots.trajectory import DrivenRoadmap, TrajectoryRecord
 from ...support.text import shortened
 from ..answers import plan_along
-from ..problem_input import askable
+from ..problem_input import as_problem
 from ..tuning import positive, whole
-from .multi_query import costs_of
+from .multi_query import motion_costs
 
 
 def alternative_routes(plan: Plan, k: int = 3, *, penalty: float = 1.0) -> list[Plan]:
@@ -64,22 +64,22 @@ def alternative_routes(plan: Plan, k: int = 3, *, penalty: float = 1.0) -> list[
     if plan.path is None:
         return []
     roadmap, driven = plan.roadmap, isinstance(plan.roadmap, DrivenRoadmap)
-    lengths, goals = lengths_and_goals(plan)
+    lengths, goals = find_lengths_and_goals(plan)
     found: list[NDArray[np.int64]] = []
     weights = lengths.copy()
-    for _ in range(3 * wanted):  # a route may come again before its penalties tell
-        numbers = route(len(roadmap.nodes), roadmap.edges, weights, goals, driven)
+    for _ in range(3 * wanted):  # a route may repeat until its penalties suffice
+        numbers = find_route(len(roadmap.nodes), roadmap.edges, weights, goals, driven)
         if not any(np.array_equal(numbers, other) for other in found):
             found.append(numbers)
         if len(found) == wanted:
             break
         used = edges_along(roadmap.edges, numbers, driven)
         weights[used] += more * lengths[used]
-    routes = [along(plan, numbers) for numbers in found]
+    routes = [plan_along_route(plan, numbers) for numbers in found]
     return sorted(routes, key=lambda one: one.cost)
 
 
-def route(
+def find_route(
     n: int, edges: NDArray[np.int64], weights: Array, goals: NDArray[np.int64], directed: bool
 ) -> NDArray[np.int64]:
     """The nodes of the lightest path from node 0 to any of the goals.
@@ -111,20 +111,20 @@ def edges_along(
     return np.array([e for e, (u, v) in enumerate(edges.tolist()) if (u, v) in steps], np.int64)
 
 
-def lengths_and_goals(plan: Plan) -> tuple[Array, NDArray[np.int64]]:
+def find_lengths_and_goals(plan: Plan) -> tuple[Array, NDArray[np.int64]]:
     """The length of each edge (m,), and the nodes that count as the goal (k,)."""
     roadmap = plan.roadmap
     if isinstance(roadmap, DrivenRoadmap):
         return np.abs(roadmap.controls[:, 0] * roadmap.durations), roadmap.goals
-    asked = askable(plan.problem)
-    return costs_of(asked, roadmap.nodes, roadmap.edges), np.array([1])
+    problem = as_problem(plan.problem)
+    return motion_costs(problem, roadmap.nodes, roadmap.edges), np.array([1])
 
 
-def along(plan: Plan, numbers: NDArray[np.int64]) -> Plan:
+def plan_along_route(plan: Plan, numbers: NDArray[np.int64]) -> Plan:
     """The plan with the path through these nodes."""
     if not isinstance(plan.roadmap, DrivenRoadmap):
         kept = {"planner": plan.planner, "roadmap": plan.roadmap, "stats": plan.stats}
-        return plan_along(askable(plan.problem), plan.roadmap.nodes, numbers, "", **kept)
+        return plan_along(as_problem(plan.problem), plan.roadmap.nodes, numbers, "", **kept)
     used = edges_along(plan.roadmap.edges, numbers, directed=True)
     used = used[np.argsort(np.searchsorted(numbers, plan.roadmap.edges[used, 1]))]
     assert plan.trajectory is not None  # a driven roadmap comes with one

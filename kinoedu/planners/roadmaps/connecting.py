@@ -22,7 +22,7 @@ from ..tuning import positive, whole
 from .neighbours import k_closest
 
 Numbers = NDArray[np.int64]
-MOST_PAIRS = 100_000_000  # what memory holds
+MOST_PAIRS = 100_000_000  # that memory can hold
 
 
 class ClosestRule(NamedTuple):
@@ -113,20 +113,20 @@ def _(rule: ClosestRule, problem: Any, nodes: Array) -> tuple[Numbers, Array]:
         )
     if k == 0:
         return np.empty((0, 2), np.int64), np.empty(0)
-    return join(problem, nodes, k * np.arange(n + 1), k_closest(problem, nodes, k).ravel())
+    return join_pairs(problem, nodes, k * np.arange(n + 1), k_closest(problem, nodes, k).ravel())
 
 
 @joined.register
 def _(rule: RadiusRule, problem: Any, nodes: Array) -> tuple[Numbers, Array]:
     tree = new_tree(problem, max(len(nodes), 1))
     fill(tree, nodes)
-    first, to = within(problem, tree, rule.r, MOST_PAIRS)
+    first, to = find_within(problem, tree, rule.r, MOST_PAIRS)
     if len(to) > MOST_PAIRS:
         raise InvalidParameter(
             f"more than 100,000,000 pairs lie within {rule.r:g}; sample fewer nodes, or choose a "
             "smaller radius"
         )
-    return join(problem, nodes, first, to)
+    return join_pairs(problem, nodes, first, to)
 
 
 @joined.register
@@ -135,7 +135,7 @@ def _(rule: ComponentRule, problem: Any, nodes: Array) -> tuple[Numbers, Array]:
 
 
 @algorithm
-def join(problem: Any, nodes: Array, first: Numbers, to: Numbers) -> tuple[Numbers, Array]:
+def join_pairs(problem: Any, nodes: Array, first: Numbers, to: Numbers) -> tuple[Numbers, Array]:
     """Join each node i to those of to[first[i]:first[i + 1]] that a free motion leads to.
 
     Each pair is checked once. Returns the edges (m, 2) and their costs (m,).
@@ -143,8 +143,8 @@ def join(problem: Any, nodes: Array, first: Numbers, to: Numbers) -> tuple[Numbe
     edges, costs, size = np.empty((len(to), 2), np.int64), np.empty(len(to)), 0
     for i in range(len(nodes)):
         for j in to[first[i] : first[i + 1]]:
-            asked_before = j < i and np.any(to[first[j] : first[j + 1]] == i)
-            if not asked_before and problem.is_free_path(nodes[i], nodes[j]):
+            tried_before = j < i and np.any(to[first[j] : first[j + 1]] == i)
+            if not tried_before and problem.is_free_path(nodes[i], nodes[j]):
                 edges[size, 0], edges[size, 1] = i, j
                 costs[size] = problem.motion_cost(nodes[i], nodes[j])
                 size += 1
@@ -152,7 +152,7 @@ def join(problem: Any, nodes: Array, first: Numbers, to: Numbers) -> tuple[Numbe
 
 
 @algorithm
-def within(problem: Any, tree: Any, radius: float, most: int) -> tuple[Numbers, Numbers]:
+def find_within(problem: Any, tree: Any, radius: float, most: int) -> tuple[Numbers, Numbers]:
     """For each node of a tree the other nodes within a radius, in increasing order, as flat rows.
 
     The search stops after `most` pairs.
@@ -179,12 +179,10 @@ def join_components(problem: Any, nodes: Array, k: int) -> tuple[Numbers, Array]
     n = len(nodes)
     root, edges, costs, size = np.arange(n), np.empty((n, 2), np.int64), np.empty(n), 0
     for i in range(1, n):
-        closest, tries = (
-            [(problem.distance(nodes[i], nodes[j]), j) for j in range(i)],
-            np.zeros(n, np.int64),
-        )
+        closest = [(problem.distance(nodes[i], nodes[j]), j) for j in range(i)]
+        tries = np.zeros(n, np.int64)
         heapify(closest)
-        components = i - size  # that may still be joined: each edge so far made one of two
+        components = i - size  # that may still be joined: each edge has made two into one
         while components > 0 and len(closest) > 0:
             j = heappop(closest)[1]
             component = root_of(root, j)
@@ -194,11 +192,8 @@ def join_components(problem: Any, nodes: Array, k: int) -> tuple[Numbers, Array]
             joins = problem.is_free_path(nodes[i], nodes[j])
             if joins:
                 root[component] = root_of(root, i)
-                edges[size, 0], edges[size, 1], costs[size] = (
-                    i,
-                    j,
-                    problem.motion_cost(nodes[i], nodes[j]),
-                )
+                edges[size, 0], edges[size, 1] = i, j
+                costs[size] = problem.motion_cost(nodes[i], nodes[j])
                 size += 1
             if joins or tries[component] == k:
                 components -= 1

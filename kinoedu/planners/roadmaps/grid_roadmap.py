@@ -12,12 +12,12 @@ from numpy.typing import NDArray
 from ...errors import InvalidParameter
 from ...geometry.checks import Array
 from ...problems import ProblemRecord, Recorder, Roadmap
-from ..exact.by_decomposition import judge
-from ..problem_input import both_ways
+from ..exact.by_decomposition import check_edges
+from ..problem_input import as_two_way_problem
 from ..tuning import positive, whole
 from .prm import free_among
 
-MOST = 5_000_000  # neighbours that are held at once
+MOST = 5_000_000  # pairs of neighbours at once
 
 
 def grid_roadmap(
@@ -55,8 +55,8 @@ def grid_roadmap(
     >>> len(roadmap.nodes), len(roadmap.edges)
     (15, 20)
     """
-    asked = both_ways(problem, "a grid")
-    inner = asked.problem if isinstance(asked, Recorder) else asked
+    problem = as_two_way_problem(problem, "a grid")
+    inner = problem.problem if isinstance(problem, Recorder) else problem
     if not isinstance(inner, ProblemRecord):
         raise InvalidParameter("a grid needs a Problem, whose space it covers")
     lo, extent = inner.space.lo, inner.space.hi - inner.space.lo
@@ -71,11 +71,10 @@ def grid_roadmap(
     cells = np.indices(counts).reshape(len(lo), -1).T
     nodes = lo + (cells + 0.5) * (extent / counts)
     free = free_among(problem, nodes)
-    pairs = neighbouring(
-        cells, counts, steps, getattr(inner.space, "wraps", np.zeros(len(lo), np.bool_))
-    )
+    wraps = getattr(inner.space, "wraps", np.zeros(len(lo), np.bool_))
+    pairs = neighbouring(cells, counts, steps, wraps)
     pairs = (np.cumsum(free) - 1)[pairs[free[pairs].all(axis=1)]]
-    is_open, _ = judge(problem, nodes[free], pairs)
+    is_open, _ = check_edges(problem, nodes[free], pairs)
     return Roadmap(nodes[free], pairs[is_open])
 
 

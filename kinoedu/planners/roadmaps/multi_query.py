@@ -11,12 +11,12 @@ from numpy.typing import ArrayLike, NDArray
 from ...compiled import algorithm
 from ...errors import InvalidGoal, InvalidParameter, InvalidStart
 from ...geometry.checks import Array, as_array
-from ...problems import MOTIONS, Plan, Problem, ProblemRecord, Recorder, Roadmap
+from ...problems import Plan, Problem, ProblemRecord, Recorder, Roadmap
 from ...support.text import shortened
-from ..problem_input import both_ways
+from ..problem_input import as_two_way_problem, count_checks
 from ..tuning import whole
 from .connecting import KClosest, joined
-from .prm import Sampler, free_configurations, searched
+from .prm import Sampler, free_configurations, plan_by_astar
 
 
 @algorithm
@@ -31,24 +31,18 @@ def join_ends(problem: Any, nodes: Array, k: int) -> tuple[NDArray[np.int64], Ar
         for j in range(len(nodes)):
             apart[j] = problem.distance(nodes[end], nodes[j])
         for j in np.argsort(apart, kind="mergesort"):
-            asked_before = end == 1 and j == 0
-            if (
-                joined_to < k
-                and j != end
-                and not asked_before
-                and problem.is_free_path(nodes[end], nodes[j])
-            ):
-                edges[size, 0], edges[size, 1], costs[size] = (
-                    end,
-                    j,
-                    problem.motion_cost(nodes[end], nodes[j]),
-                )
+            tried_before = end == 1 and j == 0
+            if joined_to == k or j == end or tried_before:
+                continue
+            if problem.is_free_path(nodes[end], nodes[j]):
+                edges[size, 0], edges[size, 1] = end, j
+                costs[size] = problem.motion_cost(nodes[end], nodes[j])
                 size, joined_to = size + 1, joined_to + 1
     return edges[:size].copy(), costs[:size].copy()
 
 
 @algorithm
-def costs_of(problem: Any, nodes: Array, edges: NDArray[np.int64]) -> Array:
+def motion_costs(problem: Any, nodes: Array, edges: NDArray[np.int64]) -> Array:
     """The cost of each edge (m, 2), shape (m,)."""
     costs = np.empty(len(edges))
     for i in range(len(edges)):
@@ -85,9 +79,10 @@ def build_roadmap(
     >>> [query(problem, roadmap, (1, 1), goal).path is not None for goal in goals]
     [True, True, True]
     """
-    asked, rule = both_ways(problem, "a roadmap"), KClosest(k) if neighbours is None else neighbours
-    nodes = free_configurations(asked, n, sampler, rng)
-    edges, _ = joined(rule, asked, nodes)
+    problem = as_two_way_problem(problem, "a roadmap")
+    rule = KClosest(k) if neighbours is None else neighbours
+    nodes = free_configurations(problem, n, sampler, rng)
+    edges, _ = joined(rule, problem, nodes)
     return Roadmap(nodes, edges)
 
 
@@ -130,20 +125,22 @@ def query(
             "expected the roadmap that build_roadmap or grid_roadmap made, got "
             f"{shortened(roadmap)}"
         )
-    asked, closest = both_ways(problem, "a roadmap"), whole(k, "k", least=1)
-    if isinstance(asked, ProblemRecord) and (start is not None or goal is not None):
-        ends = [
-            own if given is None else given
-            for own, given in ((asked.start, start), (asked.goal, goal))
-        ]
-        asked = Problem(asked.robot, asked.world, *ends, clearance=asked.clearance)
-    q_start, q_goal = as_free(asked, start, "start"), as_free(asked, goal, "goal")
-    before = asked.asked[MOTIONS]
+    problem, closest = as_two_way_problem(problem, "a roadmap"), whole(k, "k", least=1)
+    if isinstance(problem, ProblemRecord) and (start is not None or goal is not None):
+        own_start = problem.start if start is None else start
+        own_goal = problem.goal if goal is None else goal
+        problem = Problem(
+            problem.robot, problem.world, own_start, own_goal, clearance=problem.clearance
+        )
+    q_start, q_goal = as_free(problem, start, "start"), as_free(problem, goal, "goal")
+    before = count_checks(problem)
     nodes = np.concatenate([[q_start, q_goal], roadmap.nodes.reshape(-1, len(q_start))])
-    to_ends, ways = join_ends(asked, nodes, min(closest, len(nodes)))
-    costs = costs_of(asked, roadmap.nodes, roadmap.edges)
+    to_ends, ways = join_ends(problem, nodes, min(closest, len(nodes)))
+    costs = motion_costs(problem, roadmap.nodes, roadmap.edges)
     edges = np.concatenate([to_ends, roadmap.edges + 2])
-    return searched("roadmap query", asked, nodes, edges, np.concatenate([ways, costs]), before)
+    return plan_by_astar(
+        "roadmap query", problem, nodes, edges, np.concatenate([ways, costs]), before
+    )
 
 
 def as_free(problem: Any, value: ArrayLike | None, name: str) -> Array:

@@ -37,7 +37,6 @@ def k_closest(problem: Any, nodes: Array, k: int) -> NDArray[np.int64]:
     _, found = cKDTree(nodes).query(nodes, k=k + 1)
     found = np.asarray(found, np.int64).reshape(len(nodes), k + 1)
     others = found != np.arange(len(nodes))[:, None]
-    others[others.all(axis=1), -1] = (
-        False  # among many nodes at one place a node may not find itself
-    )
+    # among many nodes at one place a node may not be among its own neighbours
+    others[others.all(axis=1), -1] = False
     return found[others].reshape(len(nodes), k)

@@ -24,10 +24,10 @@ from ...compiled import algorithm
 from ...errors import InvalidParameter
 from ...geometry.checks import Array, as_array, as_generator
 from ...graphs import GraphRecord, astar, flat_graph
-from ...problems import MOTIONS, Plan, Roadmap
+from ...problems import Plan, Roadmap
 from ...support.text import shortened
 from ..answers import plan_along
-from ..problem_input import askable, both_ways
+from ..problem_input import as_problem, as_two_way_problem, count_checks
 from ..tuning import whole
 from .connecting import KClosest, joined
 
@@ -109,12 +109,13 @@ def prm(
     >>> bool(15.2 < plan.cost < 20)
     True
     """
-    asked, rule = both_ways(problem, "PRM"), KClosest(k) if neighbours is None else neighbours
-    before = asked.asked[MOTIONS]
-    sampled = free_configurations(asked, n, sampler, rng)
-    nodes = np.concatenate([[asked.start, asked.goal], sampled])
-    edges, costs = joined(rule, asked, nodes)
-    return searched("PRM", asked, nodes, edges, costs, before)
+    problem = as_two_way_problem(problem, "PRM")
+    rule = KClosest(k) if neighbours is None else neighbours
+    before = count_checks(problem)
+    sampled = free_configurations(problem, n, sampler, rng)
+    nodes = np.concatenate([[problem.start, problem.goal], sampled])
+    edges, costs = joined(rule, problem, nodes)
+    return plan_by_astar("PRM", problem, nodes, edges, costs, before)
 
 
 def prm_star(
@@ -140,7 +141,7 @@ def prm_star(
     >>> bool(17.2 < plan.cost < 18)
     True
     """
-    samples, d = whole(n, "n", least=0), len(askable(problem).start)
+    samples, d = whole(n, "n", least=0), len(as_problem(problem).start)
     k = math.ceil(math.e * (1.0 + 1.0 / d) * math.log(samples + 2))
     return prm(problem, n=samples, neighbours=KClosest(k), sampler=sampler, rng=rng)
 
@@ -166,8 +167,8 @@ def free_configurations(
     space, d = getattr(problem, "space", None), len(problem.start)
     if space is None:
         raise InvalidParameter(
-            "a sampler needs a Problem, whose space it covers; for an object of yours its own "
-            "`sample` is asked"
+            "a sampler needs a Problem, whose space it covers; an object of yours has its own "
+            "`sample`"
         )
     points = as_array(sampler(samples, d), "the sampler's points")
     if points.ndim != 2 or points.shape[1] != d or not ((points >= 0.0) & (points <= 1.0)).all():
@@ -179,7 +180,7 @@ def free_configurations(
     return places[free_among(problem, places)]
 
 
-def searched(
+def plan_by_astar(
     planner: str, problem: Any, nodes: Array, edges: NDArray[np.int64], costs: Array, before: int
 ) -> Plan:
     """The plan along the shortest path in a roadmap whose nodes 0 and 1 are start and goal.
@@ -191,20 +192,20 @@ def searched(
     stats = {
         "nodes": len(nodes),
         "edges": len(edges),
-        "checks": int(problem.asked[MOTIONS] - before),
+        "checks": count_checks(problem) - before,
     }
     return plan_along(
         problem,
         nodes,
         numbers,
-        why_apart(graph),
+        explain_no_path(graph),
         planner=planner,
         roadmap=Roadmap(nodes, edges),
         stats=stats,
     )
 
 
-def why_apart(graph: GraphRecord) -> str:
+def explain_no_path(graph: GraphRecord) -> str:
     """Why a roadmap has no path from node 0 to node 1."""
     for node, name in ((0, "start"), (1, "goal")):
         if graph.degree(node) == 0:

@@ -17,9 +17,9 @@ from ...graphs.components import label_components
 from ...problems import ProblemRecord, Recorder, Roadmap
 from ...robots.round import RoundRobot
 from ...support.text import shortened
-from ..problem_input import askable
+from ..problem_input import as_problem
 from ..tuning import whole
-from .multi_query import costs_of
+from .multi_query import motion_costs
 from .prm import sample_free
 
 Length = Callable[[Array, Array], float]
@@ -72,7 +72,7 @@ class RoadmapSurvey(NamedTuple):
 
 
 @algorithm
-def in_reach(problem: Any, nodes: Array, places: Array) -> NDArray[np.bool_]:
+def find_reached(problem: Any, nodes: Array, places: Array) -> NDArray[np.bool_]:
     """Whether each place (n, d) can reach some node by a free motion, and some node it, (n, 2)."""
     reached = np.zeros((len(places), 2), np.bool_)
     for i in range(len(places)):
@@ -83,8 +83,8 @@ def in_reach(problem: Any, nodes: Array, places: Array) -> NDArray[np.bool_]:
 
 
 @algorithm
-def in_sliding_reach(problem: Any, nodes: Array, places: Array) -> NDArray[np.bool_]:
-    """As `in_reach`, by semi-free motions: the nodes of a visibility roadmap are in contact."""
+def find_reached_sliding(problem: Any, nodes: Array, places: Array) -> NDArray[np.bool_]:
+    """As `find_reached`, by semi-free motions: the nodes of a visibility roadmap are in contact."""
     reached = np.zeros((len(places), 2), np.bool_)
     for i in range(len(places)):
         for j in range(len(nodes)):
@@ -156,19 +156,19 @@ def survey_roadmap(
         raise InvalidParameter(
             f"expected a roadmap, such as build_roadmap makes, got {shortened(roadmap)}"
         )
-    asked, draws, generator = askable(problem), whole(n, "n", least=1), as_generator(rng)
+    problem, draws, generator = as_problem(problem), whole(n, "n", least=1), as_generator(rng)
     inner = problem.problem if isinstance(problem, Recorder) else problem
     slides = isinstance(inner, ProblemRecord) and isinstance(inner.robot, RoundRobot)
-    places = sample_free(asked, draws, 100 * draws, generator)
-    reached = (in_sliding_reach if slides else in_reach)(asked, roadmap.nodes, places)
-    graph = flat_graph(len(roadmap.nodes), roadmap.edges, costs_of(asked, *roadmap))
+    places = sample_free(problem, draws, 100 * draws, generator)
+    reached = (find_reached_sliding if slides else find_reached)(problem, roadmap.nodes, places)
+    graph = flat_graph(len(roadmap.nodes), roadmap.edges, motion_costs(problem, *roadmap))
     worst, way, delta = worst_pair(
-        roadmap.nodes, graph, asked.distance, shortest or asked.distance, draws, generator
+        roadmap.nodes, graph, problem.distance, shortest or problem.distance, draws, generator
     )
-    return RoadmapSurvey(places, reached, components_of(graph), worst, way, delta)
+    return RoadmapSurvey(places, reached, number_components(graph), worst, way, delta)
 
 
-def components_of(graph: GraphRecord) -> NDArray[np.int64]:
+def number_components(graph: GraphRecord) -> NDArray[np.int64]:
     """The component of each node, (m,), numbered from the largest; ties go to the first."""
     labels = label_components(graph, graph.size)
     order = np.argsort(-np.bincount(labels), kind="stable")
@@ -198,10 +198,8 @@ def worst_pair(
     searches: dict[int, Search] = {}
     candidates = []
     for u in rng.integers(len(nodes), size=pairs).tolist() if len(nodes) else []:
-        v, search = (
-            int(rng.integers(len(nodes))),
-            searches.get(u) or searches.setdefault(u, dijkstra(graph, u)),
-        )
+        v = int(rng.integers(len(nodes)))
+        search = searches.get(u) or searches.setdefault(u, dijkstra(graph, u))
         apart = float(distance(nodes[u], nodes[v])) if u != v else 0.0
         if apart > 0.0:
             candidates.append((search.cost[v] / apart, u, v))

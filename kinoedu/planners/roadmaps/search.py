@@ -7,11 +7,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...graphs import Graph, astar
-from ...problems import MOTIONS, Plan
+from ...problems import Plan
 from ..answers import plan_along
-from ..problem_input import askable
-from .multi_query import costs_of
-from .prm import why_apart
+from ..problem_input import as_problem, count_checks
+from .multi_query import motion_costs
+from .prm import explain_no_path
 
 Search = Callable[[Graph, int, int], NDArray[np.int64] | None]
 
@@ -53,21 +53,22 @@ def plan_on_roadmap(problem: Any, roadmap: Any, search: Search = dijkstra_path) 
     >>> len(fewest.path) <= len(shortest.path), shortest.cost <= fewest.cost
     (True, True)
     """
-    asked = askable(problem)
-    before = asked.asked[MOTIONS]
-    graph = Graph(len(roadmap.nodes), roadmap.edges, costs_of(asked, roadmap.nodes, roadmap.edges))
+    problem = as_problem(problem)
+    before = count_checks(problem)
+    costs = motion_costs(problem, roadmap.nodes, roadmap.edges)
+    graph = Graph(len(roadmap.nodes), roadmap.edges, costs)
     numbers = search(graph, 0, 1)
     stats = {
         "nodes": len(roadmap.nodes),
         "edges": len(roadmap.edges),
-        "checks": int(asked.asked[MOTIONS] - before),
+        "checks": count_checks(problem) - before,
     }
     name = getattr(search, "__name__", "search").replace("_", " ")
     return plan_along(
-        asked,
+        problem,
         roadmap.nodes,
         numbers,
-        why_apart(graph.flat()),
+        explain_no_path(graph.flat()),
         planner=name,
         roadmap=roadmap,
         stats=stats,

@@ -27,7 +27,7 @@ class CostTree(NamedTuple):
     child: NDArray[np.int64]
     sibling: NDArray[np.int64]
     log: NDArray[np.int64]
-    hung: NDArray[np.int64]
+    attached: NDArray[np.int64]
 
 
 def empty_costs(tree: GrowingTree, rows: int = 0) -> CostTree:
@@ -46,19 +46,19 @@ def join(costs: CostTree, q: Array, parent: int, length: float) -> int:
     node = add(costs.tree, q, parent)
     costs.child[node], costs.sibling[node], costs.cost[node] = -1, -1, length
     if parent >= 0:
-        hang(costs, node, parent, length)
+        attach(costs, node, parent, length)
         costs.cost[node] = costs.cost[parent] + length
     return node
 
 
 @inlined
-def hang(costs: CostTree, node: int, parent: int, length: float) -> None:
+def attach(costs: CostTree, node: int, parent: int, length: float) -> None:
     """Make a node the first child of a parent, and log the edge where there is room."""
     costs.tree.parent[node], costs.length[node] = parent, length
     costs.sibling[node], costs.child[parent] = costs.child[parent], node
-    if costs.hung[0] < len(costs.log):
-        costs.log[costs.hung[0], 0], costs.log[costs.hung[0], 1] = node, parent
-    costs.hung[0] += 1
+    if costs.attached[0] < len(costs.log):
+        costs.log[costs.attached[0], 0], costs.log[costs.attached[0], 1] = node, parent
+    costs.attached[0] += 1
 
 
 @inlined
@@ -72,12 +72,12 @@ def rewire(costs: CostTree, node: int, parent: int, length: float) -> None:
         while costs.sibling[before] != node:
             before = costs.sibling[before]
         costs.sibling[before] = costs.sibling[node]
-    hang(costs, node, parent, length)
-    pass_on(costs, node)
+    attach(costs, node, parent, length)
+    update_costs(costs, node)
 
 
 @inlined
-def pass_on(costs: CostTree, root: int) -> None:
+def update_costs(costs: CostTree, root: int) -> None:
     """Update the costs of a subtree, parents before children, in a walk without a stack."""
     node = root
     while True:

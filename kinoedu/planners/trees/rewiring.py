@@ -8,11 +8,11 @@ from numpy.typing import NDArray
 
 from ...geometry.checks import Array, as_generator
 from ...problems import Plan
-from ..tuning import share, whole
+from ..tuning import fraction, whole
 from .informed import Everywhere
-from .rrt_star import grown, plan_of
+from .rrt_star import grow_rrt_star, plan_from_growth
 
-USUAL = 4  # times that a node is hung somewhere, on the way to a large tree
+EDGES_PER_NODE = 4  # times that a node is attached somewhere, on the way to a large tree
 
 
 class Rewirings(NamedTuple):
@@ -22,7 +22,7 @@ class Rewirings(NamedTuple):
     node, parent : (m,), the ends of each edge.
     came : (m,), the number of the new node with which the edge was made. Where it is not `node`
         itself, the older `node` was rewired to the new one.
-    gone : (m,), the number of the new node with which the edge was replaced; n where it never was.
+    gone : (m,), the number of the new node with which the edge was find_replacements; n where it never was.
     radius : (n,), the radius within which each new node looked for neighbours; 0 for the root and
         the goal, which did not look for any.
     at_goal : the goal's node, or -1.
@@ -62,28 +62,30 @@ def rrt_star_rewirings(
     >>> bool((plan.tree.parent[edges.node[last]] == edges.parent[last]).all())
     True
     """
-    generator, rows = as_generator(rng), USUAL * whole(max_nodes, "max_nodes", least=1)
-    sampler, unused = Everywhere(share(goal_bias, "goal_bias")), deepcopy(generator)
-    growth = grown(
+    generator, rows = as_generator(rng), EDGES_PER_NODE * whole(max_nodes, "max_nodes", least=1)
+    sampler, unused = Everywhere(fraction(goal_bias, "goal_bias")), deepcopy(generator)
+    growth = grow_rrt_star(
         "RRT*", problem, sampler, step, gamma, max_nodes, max_iterations, generator, rows
     )
-    hung = int(growth.costs.hung[0])
-    if hung > rows:  # once more, now that it is known how much room the log needs
-        growth = grown(
-            "RRT*", problem, sampler, step, gamma, max_nodes, max_iterations, unused, hung
+    attached = int(growth.costs.attached[0])
+    if attached > rows:  # once more, now that it is known how much room the log needs
+        growth = grow_rrt_star(
+            "RRT*", problem, sampler, step, gamma, max_nodes, max_iterations, unused, attached
         )
     n = int(growth.costs.tree.size[0])
-    node, parent = growth.costs.log[:hung].T.copy()
+    node, parent = growth.costs.log[:attached].T.copy()
     radius = growth.radii[:n].copy()
     radius[[0, growth.at_goal] if growth.at_goal >= 0 else [0]] = 0.0
-    came, plan = np.maximum.accumulate(node), plan_of("RRT*", growth)
+    came, plan = np.maximum.accumulate(node), plan_from_growth("RRT*", growth)
     nodes = growth.costs.tree.nodes[:n].copy()
     return plan, Rewirings(
-        nodes, node, parent, came, replaced(node, came, n), radius, growth.at_goal
+        nodes, node, parent, came, find_replacements(node, came, n), radius, growth.at_goal
     )
 
 
-def replaced(node: NDArray[np.int64], came: NDArray[np.int64], n: int) -> NDArray[np.int64]:
+def find_replacements(
+    node: NDArray[np.int64], came: NDArray[np.int64], n: int
+) -> NDArray[np.int64]:
     """For each edge when the next edge of its node was made, (m,); n where there is none."""
     order = np.argsort(node, kind="stable")
     gone = np.full(len(node), n)

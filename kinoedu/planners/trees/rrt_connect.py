@@ -26,15 +26,15 @@ from numpy.typing import NDArray
 from ...compiled import algorithm, callable_from_compiled, compiled
 from ...geometry.checks import Array, as_generator
 from ...graphs import extract_path
-from ...problems import MOTIONS, Plan, Tree
+from ...problems import Plan, Tree
 from ...spaces.buckets import GrowingTree, add
 from ..answers import plan_along
-from ..problem_input import both_ways, new_tree, world_size
-from ..tuning import positive, whole
+from ..problem_input import as_step_size, as_two_way_problem, count_checks, new_tree
+from ..tuning import iteration_limit, whole
 
 Numbers = NDArray[np.int64]
 TRAPPED = -1
-USUAL = 500  # nodes of a tree when it meets the other
+TYPICAL_NODES = 500  # nodes of a tree when it meets the other
 
 
 @algorithm
@@ -151,27 +151,22 @@ def rrt_connect(
     >>> plan.path[0], plan.path[-1]
     (array([1., 1.]), array([9., 1.]))
     """
-    asked = both_ways(problem, "RRT-Connect")
-    epsilon = positive(world_size(asked) / 20.0 if step is None else step, "step")
+    problem = as_two_way_problem(problem, "RRT-Connect")
+    epsilon = as_step_size(problem, step, "step")
     most = whole(max_nodes, "max_nodes", least=2)
-    limit = (
-        10 * most if max_iterations is None else whole(max_iterations, "max_iterations", least=0)
-    )
-    trees, owner = (roomy_tree(asked, most), roomy_tree(asked, most)), np.empty(most, np.int64)
-    before = asked.asked[MOTIONS]
+    limit = iteration_limit(max_iterations, most)
+    trees, owner = (roomy_tree(problem, most), roomy_tree(problem, most)), np.empty(most, np.int64)
+    before = count_checks(problem)
     at_start, at_goal, iterations = grow_both(
-        asked, *trees, owner, epsilon, limit, as_generator(rng)
+        problem, *trees, owner, epsilon, limit, as_generator(rng)
     )
     grown = int(trees[0].size[0] + trees[1].size[0])
-    nodes, parent, number = as_one(
+    nodes, parent, number = merge_trees(
         (trees[0].nodes, trees[1].nodes), (trees[0].parent, trees[1].parent), owner[:grown]
     )
-    tree = Tree(nodes, parent)
-    path = (
-        None
-        if at_start == TRAPPED
-        else meeting(tree.parent, number[0, at_start], number[1, at_goal])
-    )
+    tree, path = Tree(nodes, parent), None
+    if at_start != TRAPPED:
+        path = join_paths(parent, number[0, at_start], number[1, at_goal])
     reason = (
         f"after {iterations:,} iterations the trees, {len(tree.nodes):,} nodes, have not met; "
         "allow more, or another step"
@@ -179,10 +174,10 @@ def rrt_connect(
     stats = {
         "nodes": len(tree.nodes),
         "iterations": int(iterations),
-        "checks": int(asked.asked[MOTIONS] - before),
+        "checks": count_checks(problem) - before,
     }
     return plan_along(
-        asked, tree.nodes, path, reason, planner="RRT-Connect", tree=tree, stats=stats
+        problem, tree.nodes, path, reason, planner="RRT-Connect", tree=tree, stats=stats
     )
 
 
@@ -191,7 +186,10 @@ def roomy_tree(problem: Any, capacity: int) -> GrowingTree:
 
     Trees that meet early would leave most buckets empty, and a search among empty buckets is slow.
     """
-    tree, d = new_tree(problem, min(capacity, max(USUAL, capacity // 20))), len(problem.start)
+    tree, d = (
+        new_tree(problem, min(capacity, max(TYPICAL_NODES, capacity // 20))),
+        len(problem.start),
+    )
     return tree._replace(
         nodes=np.empty((capacity, d)),
         parent=np.empty(capacity, np.int64),
@@ -200,7 +198,7 @@ def roomy_tree(problem: Any, capacity: int) -> GrowingTree:
 
 
 @compiled
-def as_one(
+def merge_trees(
     nodes: tuple[Array, Array], parents: tuple[Numbers, Numbers], owner: Numbers
 ) -> tuple[Array, Numbers, Numbers]:
     """Merge two trees in the order in which their nodes were made.
@@ -220,6 +218,6 @@ def as_one(
     return together, parent, number
 
 
-def meeting(parent: Numbers, at_start: int, at_goal: int) -> Numbers:
+def join_paths(parent: Numbers, at_start: int, at_goal: int) -> Numbers:
     """The path from the start's root to where the trees meet, and on to the goal's root."""
     return np.concatenate([extract_path(parent, at_start), extract_path(parent, at_goal)[-2::-1]])

@@ -26,10 +26,10 @@ from numpy.typing import NDArray
 
 from ...compiled import algorithm, callable_from_compiled
 from ...geometry.checks import Array, as_generator
-from ...problems import MOTIONS, Plan
+from ...problems import Plan
 from ..answers import plan_from_tree
-from ..problem_input import both_ways, new_tree, world_size
-from ..tuning import positive, share, whole
+from ..problem_input import as_step_size, as_two_way_problem, count_checks, new_tree
+from ..tuning import fraction, iteration_limit, positive, whole
 from .cost_tree import CostTree, empty_costs, join, rewire
 from .informed import Everywhere, Informed, draw
 from .near import near_nodes
@@ -72,11 +72,8 @@ def grow_shortest(
     tree = costs.tree
     join(costs, problem.start, -1, 0.0)
     at_goal = reach_goal(problem, costs, 0, step)
-    least, iteration, room = (
-        problem.distance(problem.start, problem.goal),
-        0,
-        len(tree.nodes) - 1,
-    )  # one more is kept for the goal
+    least, iteration = problem.distance(problem.start, problem.goal), 0
+    room = len(tree.nodes) - 1  # the last place is reserved for the goal
     while iteration < max_iterations and tree.size[0] < room + int(at_goal >= 0):
         shortest = np.inf if at_goal < 0 else costs.cost[at_goal]
         if shortest <= least:
@@ -91,10 +88,10 @@ def grow_shortest(
         parent, length = cheapest_parent(problem, costs, near, nearest, q_new)
         new = join(costs, q_new, parent, length)
         for node in near:
-            length = problem.motion_cost(q_new, tree.nodes[node])
-            if costs.cost[new] + length < costs.cost[node] and problem.is_free_path(
-                q_new, tree.nodes[node]
-            ):
+            q_near = tree.nodes[node]
+            length = problem.motion_cost(q_new, q_near)
+            cheaper = costs.cost[new] + length < costs.cost[node]
+            if cheaper and problem.is_free_path(q_new, q_near):
                 rewire(costs, node, new, length)
         if at_goal < 0:
             at_goal = reach_goal(problem, costs, new, step)
@@ -173,10 +170,9 @@ def rrt_star(
     >>> bool(17.2 < plan.cost < 17.7)
     True
     """
-    sampler = Everywhere(share(goal_bias, "goal_bias"))
-    return plan_of(
-        "RRT*", grown("RRT*", problem, sampler, step, gamma, max_nodes, max_iterations, rng)
-    )
+    sampler = Everywhere(fraction(goal_bias, "goal_bias"))
+    growth = grow_rrt_star("RRT*", problem, sampler, step, gamma, max_nodes, max_iterations, rng)
+    return plan_from_growth("RRT*", growth)
 
 
 def informed_rrt_star(
@@ -193,14 +189,16 @@ def informed_rrt_star(
 
     Parameters, result and errors are those of `rrt_star`.
     """
-    sampler = Informed(share(goal_bias, "goal_bias"))
-    return plan_of(
+    sampler = Informed(fraction(goal_bias, "goal_bias"))
+    return plan_from_growth(
         "informed RRT*",
-        grown("informed RRT*", problem, sampler, step, gamma, max_nodes, max_iterations, rng),
+        grow_rrt_star(
+            "informed RRT*", problem, sampler, step, gamma, max_nodes, max_iterations, rng
+        ),
     )
 
 
-def grown(
+def grow_rrt_star(
     planner: str,
     problem: Any,
     sampler: Everywhere | Informed,
@@ -212,25 +210,24 @@ def grown(
     rows: int = 0,
 ) -> Growth:
     """Check the parameters and grow the tree, with a log of `rows` edges."""
-    asked = both_ways(problem, planner)
-    eta = positive(world_size(asked) / 20.0 if step is None else step, "step")
+    problem = as_two_way_problem(problem, planner)
+    eta = as_step_size(problem, step, "step")
     most = whole(max_nodes, "max_nodes", least=1)
-    limit = (
-        10 * most if max_iterations is None else whole(max_iterations, "max_iterations", least=0)
-    )
-    widest = enough(asked) if gamma is None else positive(gamma, "gamma")
+    limit = iteration_limit(max_iterations, most)
+    widest = sufficient_gamma(problem) if gamma is None else positive(gamma, "gamma")
     n = np.arange(most + 2, dtype=np.float64)
     radii = np.full(most + 2, eta)
-    radii[2:] = np.minimum(widest * (np.log(n[2:]) / n[2:]) ** (1.0 / len(asked.start)), eta)
-    costs = empty_costs(new_tree(asked, most + 1), rows)
-    before = asked.asked[MOTIONS]
-    at_goal, iterations = grow_shortest(asked, costs, sampler, eta, radii, limit, as_generator(rng))
-    return Growth(
-        asked, costs, radii, int(at_goal), int(iterations), int(asked.asked[MOTIONS] - before)
+    radii[2:] = np.minimum(widest * (np.log(n[2:]) / n[2:]) ** (1.0 / len(problem.start)), eta)
+    costs = empty_costs(new_tree(problem, most + 1), rows)
+    before = count_checks(problem)
+    at_goal, iterations = grow_shortest(
+        problem, costs, sampler, eta, radii, limit, as_generator(rng)
     )
+    checks = count_checks(problem) - before
+    return Growth(problem, costs, radii, int(at_goal), int(iterations), checks)
 
 
-def plan_of(planner: str, growth: Growth) -> Plan:
+def plan_from_growth(planner: str, growth: Growth) -> Plan:
     """The plan along a tree that has grown."""
     tree, iterations = growth.costs.tree, growth.iterations
     reason = (
@@ -248,7 +245,7 @@ def plan_of(planner: str, growth: Growth) -> Plan:
     )
 
 
-def enough(problem: Any) -> float:
+def sufficient_gamma(problem: Any) -> float:
     """2 (1 + 1/d)^(1/d) (volume / ball)^(1/d): a gamma that is large enough for convergence.
 
     The volume is that of the whole space, which is at least that of the free space; the ball has

@@ -17,13 +17,13 @@ import numpy as np
 
 from ...errors import InvalidParameter
 from ...geometry.checks import Array, as_array, as_generator
-from ...problems import MOTIONS, Plan
+from ...problems import Plan
 from ...spaces.buckets import GrowingTree, add
 from ...support.text import shortened
 from ..answers import plan_from_tree
-from ..problem_input import askable, new_tree, world_size
-from ..tuning import positive, share, whole
-from .rrt import join_goal
+from ..problem_input import as_problem, as_step_size, count_checks, new_tree, world_size
+from ..tuning import fraction, iteration_limit, positive, whole
+from .goal import join_goal
 
 Expansion = Callable[[Any, GrowingTree, np.random.Generator], tuple[int, Array]]
 
@@ -75,38 +75,30 @@ def tree_roadmap(
     >>> tree_roadmap(problem, wander, rng=0).path is not None
     True
     """
-    asked = askable(problem)
-    near_goal = positive(world_size(asked) / 20.0 if reach is None else reach, "reach")
+    problem = as_problem(problem)
+    near_goal = as_step_size(problem, reach, "reach")
     most = whole(max_nodes, "max_nodes", least=1)
-    limit = (
-        10 * most if max_iterations is None else whole(max_iterations, "max_iterations", least=0)
-    )
+    limit = iteration_limit(max_iterations, most)
     expansion = rrt_expansion() if expand is None else expand
     if not callable(expansion):
         raise InvalidParameter(
             "expand must be a function of a problem, a tree and a generator, got "
             f"{shortened(expand)}"
         )
-    tree, generator, before, iteration = (
-        new_tree(asked, most + 1),
-        as_generator(rng),
-        asked.asked[MOTIONS],
-        0,
-    )
-    at_goal = join_goal(asked, tree, add(tree, asked.start, -1), near_goal)
+    tree, generator = new_tree(problem, most + 1), as_generator(rng)
+    before, iteration = count_checks(problem), 0
+    at_goal = join_goal(problem, tree, add(tree, problem.start, -1), near_goal)
     while at_goal < 0 and iteration < limit and tree.size[0] < most:
         iteration += 1
-        node, q_nearby = as_expansion(expansion(asked, tree, generator), tree)
-        if asked.is_free_path(tree.nodes[node], q_nearby):
-            at_goal = join_goal(asked, tree, add(tree, q_nearby, node), near_goal)
+        node, q_nearby = as_expansion(expansion(problem, tree, generator), tree)
+        if problem.is_free_path(tree.nodes[node], q_nearby):
+            at_goal = join_goal(problem, tree, add(tree, q_nearby, node), near_goal)
     reason = (
         f"after {iteration:,} iterations none of {tree.size[0]:,} nodes reaches the goal; allow "
         "more nodes, or expand otherwise"
     )
-    checks = int(asked.asked[MOTIONS] - before)
-    return plan_from_tree(
-        "tree roadmap", asked, tree, at_goal, reason, iterations=iteration, checks=checks
-    )
+    stats = {"iterations": iteration, "checks": count_checks(problem) - before}
+    return plan_from_tree("tree roadmap", problem, tree, at_goal, reason, **stats)
 
 
 def rrt_expansion(step: float | None = None, goal_bias: float = 0.05) -> Expansion:
@@ -117,14 +109,13 @@ def rrt_expansion(step: float | None = None, goal_bias: float = 0.05) -> Expansi
     InvalidParameter
         Where `step` is not positive or `goal_bias` is not from 0 to 1.
     """
-    bias, delta = share(goal_bias, "goal_bias"), None if step is None else positive(step, "step")
+    bias, delta = fraction(goal_bias, "goal_bias"), None if step is None else positive(step, "step")
 
     def expand(problem: Any, tree: GrowingTree, rng: np.random.Generator) -> tuple[int, Array]:
         q_rand = problem.goal if rng.random() < bias else problem.sample(rng)
         node = problem.nearest(tree, q_rand)
-        return node, problem.steer(
-            tree.nodes[node], q_rand, world_size(problem) / 20.0 if delta is None else delta
-        )
+        longest = world_size(problem) / 20.0 if delta is None else delta
+        return node, problem.steer(tree.nodes[node], q_rand, longest)
 
     return expand
 
