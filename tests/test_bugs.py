@@ -90,7 +90,6 @@ def corners(plan):
 
 
 # ---- the worlds with known answers
-# -------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
@@ -152,7 +151,6 @@ def test_bug_base_stops_at_the_first_wall():
 
 
 # ---- laws
-# --------------------------------------------------------------------------------------------------------------------
 
 
 @st.composite
@@ -373,7 +371,6 @@ def test_size_does_not_matter(world, name, turn, power):
 
 
 # ---- what an algorithm may ask
-# -----------------------------------------------------------------------------------------------
 
 ASKED = {"place", "travelled", "move_to_goal", "can_move_to_goal", "follow_wall", "turn_round"}
 
@@ -438,7 +435,6 @@ def test_obstacles_never_touched_change_nothing(name):
 
 
 # ---- circles and closed rooms
-# ------------------------------------------------------------------------------------------------
 
 
 def test_bug0_walks_in_a_circle_and_says_so():
@@ -521,7 +517,6 @@ def test_both_ways_back(turn):
 
 
 # ---- degenerate worlds
-# -------------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("name", sorted(BUGS))
@@ -623,7 +618,6 @@ def test_a_corner_cut_off_by_less_than_rounding(name):
 
 
 # ---- clearance
-# ---------------------------------------------------------------------------------------------------------------
 
 
 @LAW
@@ -662,7 +656,6 @@ def test_clearance_round_a_box():
 
 
 # ---- what is refused
-# ---------------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("name", [*sorted(BUGS), "bug_base"])
@@ -711,7 +704,6 @@ def test_contact_knows_rooms():
 
 
 # ---- figures
-# -----------------------------------------------------------------------------------------------------------------
 
 
 def texts(ax):

@@ -153,8 +153,8 @@ class Graph:
             self._places.append(as_node_place(q, self._places.rows, self.space))
         elif q is not None:
             raise InvalidGraph(
-                f"a node of a graph in no space has no place, got {shortened(q)}; give Graph its "
-                "nodes or space"
+                f"a node of this graph has no position, got {shortened(q)}; give Graph its nodes or "
+                "space"
             )
         self._there.append(True)
         self.node_data.append(data)
@@ -347,8 +347,7 @@ class Graph:
     def _embedding(self) -> Rows:
         if self._places is None:
             raise InvalidGraph(
-                "this graph is in no space, so it knows no places or distances; give Graph its "
-                "nodes"
+                "this graph has no positions, and so no distances; give Graph its nodes"
             )
         return self._places
 

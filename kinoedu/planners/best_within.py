@@ -54,9 +54,9 @@ def best_within(
     best, plans, longest = planner(generator), 1, 0.0
     longest = time.monotonic() - began
     while time.monotonic() - began + longest < limit:
-        turn = time.monotonic()
+        plan_began = time.monotonic()
         plan = planner(generator)
-        longest, plans = max(longest, time.monotonic() - turn), plans + 1
+        longest, plans = max(longest, time.monotonic() - plan_began), plans + 1
         if plan.cost < best.cost or best.path is None:
             best = plan
     return replace(best, stats=best.stats | {"plans": plans})

@@ -28,8 +28,7 @@ class OwnProblem:
         if missing:
             given = type(problem).__name__
             raise InvalidParameter(
-                f"a problem must answer {', '.join(self.NEEDED)}; this {given} lacks "
-                f"{', '.join(missing)}"
+                f"a problem needs {', '.join(self.NEEDED)}; this {given} lacks {', '.join(missing)}"
             )
         self.problem = problem
         self.start = np.atleast_1d(as_array(problem.start, "start"))

@@ -96,8 +96,8 @@ def shortcut(plan: Plan, *, tries: int = 200, rng: int | np.random.Generator) ->
         raise InvalidParameter(f"expected the Plan of a planner, got {shortened(plan)}")
     if plan.trajectory is not None:
         raise InvalidParameter(
-            "a trajectory's drives cannot be cut short; give shortcut a plan of curves, such as "
-            "rrt's"
+            "the drives of a trajectory cannot be shortened; give shortcut a plan of curves, such "
+            "as rrt's"
         )
     attempts, generator = whole(tries, "tries", least=0), as_generator(rng)
     if plan.path is None or len(plan.path) < 3:

@@ -22,18 +22,14 @@ def bug0_walk(robot: BugRobot) -> str:
     hits = set()
     while not robot.move_to_goal():
         hit = robot.place
-        if hit in hits:  # what follows depends on the hit point alone
-            return (
-                "Bug 0 walks in a circle for ever: it came upon the same wall at the same point "
-                "again"
-            )
+        if hit in hits:  # the rest of the walk depends on the hit point alone
+            return "Bug 0 walks in a circle for ever: it hit the same wall at the same point again"
         hits.add(hit)
         while not robot.can_move_to_goal():
             robot.follow_wall()
             if robot.place == hit:
                 return (
-                    "Bug 0 went round the obstacle, and nowhere did the wall let it move towards "
-                    "the goal"
+                    "Bug 0 walked round the obstacle and could not move towards the goal anywhere"
                 )
     return ""
 

@@ -27,7 +27,7 @@ def bug1_walk(robot: BugRobot, way_back: str) -> str:
         hit = nearest = robot.place
         begin = at_nearest = robot.travelled
         robot.follow_wall()
-        while robot.place != hit:  # all the way round, remembering where the goal was nearest
+        while robot.place != hit:  # line 4
             if robot.place.is_nearer_than(nearest):
                 nearest, at_nearest = robot.place, robot.travelled
             robot.follow_wall()
@@ -36,10 +36,7 @@ def bug1_walk(robot: BugRobot, way_back: str) -> str:
         while robot.place != nearest:
             robot.follow_wall()
         if not robot.can_move_to_goal():
-            return (
-                "no path reaches the goal: even where the wall comes nearest to it, the wall is "
-                "in the way"
-            )
+            return "no path reaches the goal: the wall blocks it even at its nearest point"
     return ""
 
 

@@ -30,8 +30,8 @@ def bug2_walk(robot: BugRobot) -> str:
         ):
             if robot.place == hit:
                 return (
-                    "no path reaches the goal: round the obstacle the start-goal line was not met "
-                    "closer to the goal"
+                    "no path reaches the goal: nowhere round the obstacle can the robot leave it "
+                    "on the start-goal line closer to the goal"
                 )
             robot.follow_wall()
     return ""

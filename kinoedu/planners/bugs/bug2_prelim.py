@@ -18,18 +18,18 @@ def bug2_prelim_walk(robot: BugRobot) -> str:
     hits = set()
     while not robot.move_to_goal():
         hit = robot.place
-        if hit in hits:  # what follows depends on the hit point alone
+        if hit in hits:  # the rest of the walk depends on the hit point alone
             return (
-                "Bug 2.prelim walks in a circle for ever: it came upon the same wall at the same "
-                "point again"
+                "Bug 2.prelim walks in a circle for ever: it hit the same wall at the same point "
+                "again"
             )
         hits.add(hit)
         robot.follow_wall()
         while not (robot.place.on_line and robot.can_move_to_goal()):
             if robot.place == hit:
                 return (
-                    "Bug 2.prelim went round the obstacle, and nowhere could it leave along the "
-                    "start-goal line"
+                    "Bug 2.prelim walked round the obstacle and could not leave along the "
+                    "start-goal line anywhere"
                 )
             robot.follow_wall()
     return ""

@@ -16,7 +16,7 @@ from ...geometry.exact import facing, height, length, turn
 from ...geometry.segments import between, closest_on_segment, proper_crossing
 
 BLOCKED, OPEN, ALONG_BEFORE, ALONG_AFTER = 0, 1, 2, 3  # where a direction leads from a corner
-REACHED, AT_CORNER, ON_EDGE = 0, 1, 2  # how a straight motion ends
+REACHED, AT_CORNER, ON_EDGE = 0, 1, 2  # where a straight motion ends
 
 
 class WallReadings(NamedTuple):
@@ -64,10 +64,10 @@ def classify_direction(
         return ALONG_BEFORE
     if w_side == 0 and sense * facing(vx, vy, dx, dy, wx, wy) > 0:
         return ALONG_AFTER
-    bend = turn(ux, uy, vx, vy, wx, wy)
-    if bend > 0:
+    corner = turn(ux, uy, vx, vy, wx, wy)
+    if corner > 0:
         return BLOCKED if w_side < 0 and u_side > 0 else OPEN
-    if bend < 0:
+    if corner < 0:
         return OPEN if u_side < 0 and w_side > 0 else BLOCKED
     return OPEN if w_side > 0 else BLOCKED
 
@@ -79,12 +79,8 @@ def sense_walls(
     """What the contact sensor measures along the walls from start to goal. O(n)."""
     n = len(points)
     opens, faces, on_line = np.empty(n, np.int64), np.empty(n, np.bool_), np.empty(n, np.bool_)
-    foot, crossing, foot_at, crossing_at = (
-        np.full(n, np.nan),
-        np.full(n, np.nan),
-        np.empty((n, 2)),
-        np.empty((n, 2)),
-    )
+    foot, crossing = np.full(n, np.nan), np.full(n, np.nan)
+    foot_at, crossing_at = np.empty((n, 2)), np.empty((n, 2))
     (sx, sy), (gx, gy) = start, goal
     for i in range(n):
         (ux, uy), (ax, ay), (bx, by) = points[before[i]], points[i], points[after[i]]
@@ -95,11 +91,8 @@ def sense_walls(
         on_line[i] = a_side == 0 and between(sx, sy, gx, gy, ax, ay)
         x, y, region = closest_on_segment(gx, gy, ax, ay, bx, by)
         if region == 0:
-            foot[i], foot_at[i, 0], foot_at[i, 1] = (
-                clamp_inside(length(x - ax, y - ay) / length(bx - ax, by - ay)),
-                x,
-                y,
-            )
+            foot[i] = clamp_inside(length(x - ax, y - ay) / length(bx - ax, by - ay))
+            foot_at[i, 0], foot_at[i, 1] = x, y
         if a_side * b_side < 0 and to_goal * to_start < 0:
             crossing[i] = crossing_fraction(ax, ay, bx, by, sx, sy, gx, gy)
             crossing_at[i] = proper_crossing(points[i], points[after[i]], start, goal)
@@ -201,13 +194,11 @@ def crossed_before(
     entirely on one side of the line through the other.
     """
     a, b = points[other], points[after[other]]
-    a_side, b_side = (
-        side_of(points, after, edge, a[0], a[1]),
-        side_of(points, after, edge, b[0], b[1]),
-    )
+    a_side = side_of(points, after, edge, a[0], a[1])
+    b_side = side_of(points, after, edge, b[0], b[1])
     if a_side * b_side >= 0 and a_side + b_side != 0:
         return a_side + b_side > 0
     c, d = points[edge], points[after[edge]]
-    return (
-        side_of(points, after, other, c[0], c[1]) + side_of(points, after, other, d[0], d[1])
-    ) * behind > 0
+    c_side = side_of(points, after, other, c[0], c[1])
+    d_side = side_of(points, after, other, d[0], d[1])
+    return (c_side + d_side) * behind > 0

@@ -56,5 +56,5 @@ def exact_squared_distance(place: Place) -> Fraction:
         return goal_height**2 / (ux**2 + uy**2)
     ((ox, oy),) = origin
     origin_height = ux * (oy - ay) - uy * (ox - ax)
-    share_left = goal_height / (goal_height - origin_height)
-    return share_left**2 * ((gx - ox) ** 2 + (gy - oy) ** 2)
+    fraction_left = goal_height / (goal_height - origin_height)
+    return fraction_left**2 * ((gx - ox) ** 2 + (gy - oy) ** 2)

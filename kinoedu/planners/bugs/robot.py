@@ -48,14 +48,13 @@ class BugRobot:
         """Move straight towards the goal; returns False where a wall was hit before it."""
         walls, place = self._walls, self.place
         here = np.array([place.x, place.y])
-        origin = (
-            self._start if place.on_line and place.along > 0.0 else here
-        )  # back on the start-goal line: keep to it, unrounded
+        # on the start-goal line inside an edge, the line is that from the start, without rounding
+        origin = self._start if place.on_line and place.along > 0.0 else here
         if place.wall >= 0:
             self.trail.leave()
             if self.trail.times_left(place) > 2:
                 raise InvalidWorld(
-                    "the walls lie closer together than numbers of their size can tell apart; "
+                    "the walls lie closer together than floats of their size can represent; "
                     "move them apart"
                 )
         edge_left = place.wall if place.along > 0.0 else -1
@@ -87,16 +86,12 @@ class BugRobot:
         wall, along, walls = self.place.wall, self.place.along, self._walls
         if self._heading > 0:
             ahead = [place for place in self._places_on(wall) if place.along > along]
-            self._go(
-                ahead[0] if ahead else self._places_on(int(walls.after[wall]))[0], following=True
-            )
+            place = ahead[0] if ahead else self._places_on(int(walls.after[wall]))[0]
         elif along > 0.0:
-            self._go(
-                [place for place in self._places_on(wall) if place.along < along][-1],
-                following=True,
-            )
+            place = [place for place in self._places_on(wall) if place.along < along][-1]
         else:
-            self._go(self._places_on(int(walls.before[wall]))[-1], following=True)
+            place = self._places_on(int(walls.before[wall]))[-1]
+        self._go(place, following=True)
 
     def turn_round(self) -> None:
         """Follow the wall in the other direction from now on, until the robot leaves it."""
@@ -133,13 +128,8 @@ class BugRobot:
             readings, (a, b) = self._readings, self._ends(wall)
             inner = {}
             if readings.foot[wall] > 0.0:
-                foot = self._at(
-                    *readings.foot_at[wall],
-                    on_line=False,
-                    wall=wall,
-                    along=readings.foot[wall],
-                    made_of=(a, b),
-                )
+                at, along = readings.foot_at[wall], readings.foot[wall]
+                foot = self._at(*at, on_line=False, wall=wall, along=along, made_of=(a, b))
                 inner[foot.along] = foot
             if readings.crossing[wall] > 0.0:
                 at, along = readings.crossing_at[wall], readings.crossing[wall]
@@ -155,15 +145,15 @@ class BugRobot:
 
     def _crossing(self, wall: int, origin: Array) -> Place:
         """The place where the line from origin to goal meets an edge, now of interest."""
-        (a, b), known = self._ends(wall), self._places_on(wall)
+        (a, b), places = self._ends(wall), self._places_on(wall)
         along = crossing_fraction(*a, *b, *origin, *self._goal)
-        for place in known:
+        for place in places:
             if place.along == along:
                 return place
         at = proper_crossing(a, b, origin, self._goal)
         hit = self._at(*at, on_line=False, wall=wall, along=along, made_of=(a, b, origin))
-        known.append(hit)
-        known.sort(key=lambda place: place.along)
+        places.append(hit)
+        places.sort(key=lambda place: place.along)
         return hit
 
     def _ends(self, wall: int) -> tuple[Array, Array]:

@@ -16,7 +16,7 @@ from ..tuning import none_or_more, one_of, positive
 from .robot import BugRobot, Trail
 from .walls import as_rings, contact, make_walls
 
-MOST_POINTS = 10_000_000  # what memory holds
+MOST_POINTS = 10_000_000  # that memory can hold
 
 
 class BugProblem(NamedTuple):
@@ -73,10 +73,9 @@ def walk_of(trail: Trail, goal: Array, step: float) -> Walk:
     moves = np.diff(corners, axis=0)
     size = np.abs(moves).max(axis=1, initial=0.0)
     unit = np.where(size > 0.0, size, 1.0)
-    lengths = size * np.sqrt(
-        (moves[:, 0] / unit) ** 2 + (moves[:, 1] / unit) ** 2
-    )  # squares of huge and tiny numbers are neither
-    with np.errstate(over="ignore"):  # so many are refused below
+    # scaled, because squares of huge and tiny numbers overflow and underflow
+    lengths = size * np.sqrt((moves[:, 0] / unit) ** 2 + (moves[:, 1] / unit) ** 2)
+    with np.errstate(over="ignore"):  # refused below
         pieces = np.maximum(np.ceil(lengths / step * (1.0 - 1e-15)), 1.0)
     if not pieces.sum() < MOST_POINTS:
         needed = f"{pieces.sum():g} points for a walk of length {lengths.sum():g}"
@@ -85,14 +84,14 @@ def walk_of(trail: Trail, goal: Array, step: float) -> Walk:
         )
     count = pieces.astype(np.int64)
     move = np.repeat(np.arange(len(moves)), count)
-    share = (np.arange(len(move)) - np.repeat(np.cumsum(count) - count, count) + 1.0) / count[move]
+    part = (np.arange(len(move)) - np.repeat(np.cumsum(count) - count, count) + 1.0) / count[move]
     points = np.where(
-        (share < 1.0)[:, None], corners[move] + share[:, None] * moves[move], corners[move + 1]
+        (part < 1.0)[:, None], corners[move] + part[:, None] * moves[move], corners[move + 1]
     )
     begun = np.concatenate([[0.0], np.cumsum(lengths)])
-    travelled = np.where(share < 1.0, begun[move] + share * lengths[move], begun[move + 1])
+    travelled = np.where(part < 1.0, begun[move] + part * lengths[move], begun[move + 1])
     points = np.concatenate([corners[:1], points])
-    number = np.concatenate([[0], np.cumsum(count)])  # which point each corner became
+    number = np.concatenate([[0], np.cumsum(count)])  # of the point that each corner became
     return Walk(
         points,
         np.concatenate([[False], np.array(trail.following, dtype=bool)[move + 1]]),

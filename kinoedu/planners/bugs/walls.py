@@ -20,14 +20,12 @@ from ...geometry.rings import as_ring, ring_turn
 from ...geometry.segments import segments_meet
 from ...support.text import shortened
 
-CORNER = math.radians(
-    5.0
-    # the most that a grown corner turns at once: it stands off by 1 / cos(CORNER / 2) < 1.001 at
-    # most
-)
+# The largest turn at a corner of a grown ring: such a corner stands off by at most
+# 1 / cos(CORNER / 2) < 1.001 times the clearance.
+CORNER = math.radians(5.0)
 
-# Where obstacles meet, their union is put on a grid so fine, of the world's size, so that rounding
-# leaves no cracks between them.
+# The union of obstacles is rounded to a grid of this fraction of the world's size, so that rounding
+# leaves no gaps between obstacles that meet.
 GRID = 2.0**-44
 
 
@@ -82,9 +80,8 @@ def contact(walls: Walls, q: Array) -> int:
         where = place(q[0], q[1], ring)
         if where == 0:
             return 0
-        inside = (
-            -inside if where > 0 else inside
-        )  # inside an obstacle; out again in a hole of it; and so on
+        if where > 0:  # inside an obstacle, or in a hole of it, and so on
+            inside = -inside
     return inside
 
 
@@ -92,17 +89,16 @@ def contact(walls: Walls, q: Array) -> int:
 def grow_ring(ring: Array, clearance: float) -> Array:
     """A convex ring grown by `clearance`; the edges are exact, the corners are short tangents."""
     n, size = len(ring), 0
-    outline = np.empty(
-        (n + int(2.0 * math.pi / CORNER) + 1, 2)
-    )  # a piece more a corner than fills all the way round
+    most = n + int(2.0 * math.pi / CORNER) + 1  # one piece for each corner, and a full turn
+    outline = np.empty((most, 2))
     for i in range(n):
         (ux, uy), (vx, vy), (wx, wy) = ring[i - 1], ring[i], ring[(i + 1) % n]
         arrives = math.atan2(vy - uy, vx - ux)
-        bend = (math.atan2(wy - vy, wx - vx) - arrives) % (2.0 * math.pi)
-        if bend > math.pi:  # a straight corner, rounded to the wrong side
+        turning = (math.atan2(wy - vy, wx - vx) - arrives) % (2.0 * math.pi)
+        if turning > math.pi:  # a straight corner, rounded to the wrong side
             continue
-        pieces = max(1, math.ceil(bend / CORNER))
-        half = 0.5 * bend / pieces
+        pieces = max(1, math.ceil(turning / CORNER))
+        half = 0.5 * turning / pieces
         reach = clearance / math.cos(half)
         for k in range(pieces):
             outward = arrives - 0.5 * math.pi + half * (2.0 * k + 1.0)
@@ -143,9 +139,8 @@ def unite_rings(rings: list[Array]) -> list[Array]:
     import shapely
 
     _, power = math.frexp(max(float(np.abs(ring).max()) for ring in rings))
-    scaled = [
-        shapely.Polygon(np.ldexp(ring, -power)) for ring in rings
-    ]  # to sizes near 1, which overflow nowhere
+    # scaled to sizes near 1, so that nothing overflows
+    scaled = [shapely.Polygon(np.ldexp(ring, -power)) for ring in rings]
     union = shapely.set_precision(shapely.union_all(scaled), GRID)
     outlines = []
     for part in shapely.get_parts(union):
@@ -178,10 +173,8 @@ def join_at_touching_corners(
     for shared in at.values():
         leading = [int(after[i]) for i in shared]
         for i in shared if len(shared) > 1 else ():
-            after[i] = min(
-                leading,
-                key=cmp_to_key(partial(compare_by_turn, points, points[i], points[before[i]])),
-            )
+            order = partial(compare_by_turn, points, points[i], points[before[i]])
+            after[i] = min(leading, key=cmp_to_key(order))
     before[after] = np.arange(len(points))
 
 

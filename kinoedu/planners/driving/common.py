@@ -74,13 +74,8 @@ def next_target(problem: Any, bias: Bias, turn: int, rng: np.random.Generator) -
     if bias.region_every > 0 and turn % bias.region_every == 0:
         off, towards = bias.region * rng.random(), 2.0 * math.pi * rng.random()
         heading = wrapped(problem.goal[2] + bias.region_turn * (2.0 * rng.random() - 1.0))
-        return np.array(
-            [
-                problem.goal[0] + off * math.cos(towards),
-                problem.goal[1] + off * math.sin(towards),
-                heading,
-            ]
-        )
+        x, y = problem.goal[0] + off * math.cos(towards), problem.goal[1] + off * math.sin(towards)
+        return np.array([x, y, heading])
     if bias.goal_every > 0 and turn % bias.goal_every == 0:
         return problem.goal.copy()
     return problem.sample(rng)
@@ -126,8 +121,8 @@ def closest_step(
     held, the distance changes by at most a constant in each step, so steps that cannot be the
     closest are skipped.
     """
-    bend = problem.space.weight[2] * problem.curvature(phi)
-    pace = abs(v) * math.sqrt(1.0 + bend * bend) * drives.step
+    turning = problem.space.weight[2] * problem.curvature(phi)
+    pace = abs(v) * math.sqrt(1.0 + turning * turning) * drives.step
     best, k = 0, 1
     while k <= drives.steps:
         problem.drive(q, v, phi, k * drives.step, there)
@@ -175,11 +170,9 @@ def driven(problem: Any, planner: str, turn_weight: float | None, wheelbases: fl
         raise InvalidParameter(
             f"{planner} needs a Problem(Car(...), world, start, goal), got {shortened(problem)}"
         )
-    weight = (
-        wheelbases * inner.robot.wheelbase
-        if turn_weight is None
-        else positive(turn_weight, "turn_weight")
-    )
+    weight = wheelbases * inner.robot.wheelbase
+    if turn_weight is not None:
+        weight = positive(turn_weight, "turn_weight")
     in_se2 = inner._replace(space=SE2(inner.world.lo, inner.world.hi, turn_weight=weight))
     if not isinstance(problem, Recorder):
         return in_se2
@@ -205,11 +198,9 @@ def drives_of(
     By default a drive at top speed covers 0.75 wheelbases, in 150 steps.
     """
     fastest = float(np.abs(problem.robot.speeds).max())
-    whole_time = (
-        0.75 * problem.robot.wheelbase / fastest
-        if duration is None
-        else positive(duration, "duration")
-    )
+    whole_time = 0.75 * problem.robot.wheelbase / fastest
+    if duration is not None:
+        whole_time = positive(duration, "duration")
     each = whole_time / 150.0 if step is None else positive(step, "step")
     if each > whole_time:
         raise InvalidParameter(
@@ -221,11 +212,9 @@ def drives_of(
 
 def near_of(problem: Any, tolerance: float | None, turn_tolerance: float) -> Near:
     """Check what counts as the goal; by default the tolerance is a quarter of the wheelbase."""
-    off = (
-        0.25 * problem.robot.wheelbase
-        if tolerance is None
-        else none_or_more(tolerance, "tolerance")
-    )
+    off = 0.25 * problem.robot.wheelbase
+    if tolerance is not None:
+        off = none_or_more(tolerance, "tolerance")
     return Near(off, none_or_more(turn_tolerance, "turn_tolerance"))
 
 
@@ -268,7 +257,6 @@ def plan_from_trajectory(
     off, askew = math.dist((x, y), problem.goal[:2]), abs(wrapped(theta - problem.goal[2]))
     reason = (
         f"no pose is near enough to the goal; the trajectory leads to the nearest one, {off:.3g} "
-        "away and "
-        f"{math.degrees(askew):.3g} degrees askew: allow more iterations, or a larger tolerance"
+        f"away and {math.degrees(askew):.3g} degrees askew: allow more iterations, or a larger tolerance"
     )
     return Plan(None, math.inf, trajectory=trajectory, reason=reason, problem=problem, **built)

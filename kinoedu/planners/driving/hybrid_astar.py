@@ -56,10 +56,8 @@ class Lattice(NamedTuple):
 @compiled
 def cell_of(lattice: Lattice, q: Array) -> int:
     """The number of the cell that a free pose lies in."""
-    i, j = (
-        math.floor((q[0] - lattice.x) / lattice.side),
-        math.floor((q[1] - lattice.y) / lattice.side),
-    )
+    i = math.floor((q[0] - lattice.x) / lattice.side)
+    j = math.floor((q[1] - lattice.y) / lattice.side)
     heading = math.floor((q[2] + math.pi) / (2.0 * math.pi) * lattice.headings) % lattice.headings
     return int((j * lattice.columns + i) * lattice.headings + heading)
 
@@ -73,16 +71,14 @@ def drive_by_cells(problem: Any, growth: DrivenGrowth, lattice: Lattice) -> tupl
     The node where that curve begins, or -1, and how many nodes were expanded.
     """
     tree, there, expanded = growth.tree, np.empty(3), 0
-    cost, reached = (
-        np.zeros(len(tree.nodes)),
-        {cell_of(lattice, problem.start): 0.0},
-    )  # by node; the least by cell
+    cost = np.zeros(len(tree.nodes))
+    reached = {cell_of(lattice, problem.start): 0.0}  # the least cost in each cell
     left = problem.distance(problem.start, problem.goal)
     frontier = [(left, left, 0)]
     while len(frontier) > 0 and tree.size[0] + len(lattice.moves) <= len(tree.nodes):
         _, _, node = heappop(frontier)
         q = tree.nodes[node]
-        if cost[node] > reached[cell_of(lattice, q)]:  # a cheaper pose has come to the cell
+        if cost[node] > reached[cell_of(lattice, q)]:  # the cell holds a cheaper pose
             continue
         expanded += 1
         if problem.is_free_path(q, problem.goal):
@@ -150,12 +146,8 @@ def hybrid_astar(
             f"hybrid_astar needs a Problem(Car(...), world, start, goal), got {shortened(problem)}"
         )
     side = 0.25 * inner.robot.wheelbase if spacing is None else positive(spacing, "spacing")
-    lattice = lattice_for(
-        inner,
-        side,
-        1.5 * side if step is None else positive(step, "step"),
-        whole(angles, "angles", least=2),
-    )
+    length = 1.5 * side if step is None else positive(step, "step")
+    lattice = lattice_for(inner, side, length, whole(angles, "angles", least=2))
     growth = new_growth(inner, whole(max_nodes, "max_nodes", least=1) + len(lattice.moves))
     before = count_checks(inner)
     last, expanded = drive_by_cells(problem, growth, lattice)
@@ -193,26 +185,14 @@ def lattice_for(problem: ProblemRecord, side: float, step: float, angles: int) -
     """
     car, (lo, hi) = problem.robot, (problem.space.lo, problem.space.hi)
     gears = {float(car.speeds.max()), float(car.speeds.min())}
-    moves = [
-        (v, phi)
-        for v in sorted(gears, reverse=True)
-        for phi in np.linspace(-car.max_steering, car.max_steering, angles)
-    ]
-    headings, (columns, rows) = (
-        max(1.0, 2.0 * math.pi * car.radius / step),
-        (hi - lo)[:2] / side + 1.0,
-    )
+    steering = np.linspace(-car.max_steering, car.max_steering, angles)
+    moves = [(v, phi) for v in sorted(gears, reverse=True) for phi in steering]
+    headings = max(1.0, 2.0 * math.pi * car.radius / step)
+    columns, rows = (hi - lo)[:2] / side + 1.0
     if columns * rows * headings > 1e18:
         raise InvalidParameter(
             f"a spacing of {side:g} and a step of {step:g} make too many cells to be counted; "
             "choose larger ones"
         )
-    return Lattice(
-        float(lo[0]),
-        float(lo[1]),
-        side,
-        math.ceil(columns),
-        math.ceil(headings),
-        np.array(moves),
-        step,
-    )
+    x, y = float(lo[0]), float(lo[1])
+    return Lattice(x, y, side, math.ceil(columns), math.ceil(headings), np.array(moves), step)

@@ -120,10 +120,8 @@ def kinodynamic_prm(
     """
     car_problem, nearest = driven(problem, "kinodynamic_prm", turn_weight), whole(k, "k", least=1)
     bias = bias_of(car_problem, goal_every, region_every, region, region_turn)
-    drives, near = (
-        drives_of(car_problem, trials, duration, step, batches),
-        near_of(car_problem, tolerance, turn_tolerance),
-    )
+    drives = drives_of(car_problem, trials, duration, step, batches)
+    near = near_of(car_problem, tolerance, turn_tolerance)
     turns = whole(iterations, "iterations", least=0)
     growth, before = new_growth(car_problem, turns * nearest + 1), count_checks(car_problem)
     drive_from_nearest(car_problem, growth, nearest, bias, drives, turns, as_generator(rng))
@@ -144,7 +142,7 @@ def searched(problem: Any, tree: DrivenTree, near: Near, stats: dict[str, int]) 
     apart = distances_to(problem, tree.nodes, problem.goal)
     ends = goals if len(goals) else np.array([apart.argmin()])
     lengths = np.abs(roadmap.controls[:, 0] * roadmap.durations)
-    at_goal = len(tree.nodes)  # one more node, to which every end leads at no cost
+    at_goal = len(tree.nodes)  # one more node, to which each end has an edge of weight zero
     graph = flat_graph(
         at_goal + 1,
         np.concatenate([edges, np.stack([ends, np.full(len(ends), at_goal)], axis=1)]),
@@ -152,9 +150,9 @@ def searched(problem: Any, tree: DrivenTree, near: Near, stats: dict[str, int]) 
         directed=True,
     )
     left = np.hypot(*(tree.nodes[:, :2] - problem.goal[:2]).T)
-    estimate = np.append(np.maximum(left - left[ends].max(), 0.0), 0.0)
-    numbers, _ = astar(graph, 0, at_goal, estimate)
-    assert numbers is not None  # every node hangs on the start
+    heuristic = np.append(np.maximum(left - left[ends].max(), 0.0), 0.0)
+    numbers, _ = astar(graph, 0, at_goal, heuristic)
+    assert numbers is not None  # every node can be reached from the start
     trajectory = trajectory_to(problem, tree, numbers[:-1])
     return plan_from_trajectory(
         problem,

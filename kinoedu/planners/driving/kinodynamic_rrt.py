@@ -135,10 +135,8 @@ def kinodynamic_rrt(
     """
     car_problem = driven(problem, "kinodynamic_rrt", turn_weight)
     bias = bias_of(car_problem, goal_every, region_every, region, region_turn)
-    drives, near = (
-        drives_of(car_problem, trials, duration, step, batches),
-        near_of(car_problem, tolerance, turn_tolerance),
-    )
+    drives = drives_of(car_problem, trials, duration, step, batches)
+    near = near_of(car_problem, tolerance, turn_tolerance)
     limit = whole(max_iterations, "max_iterations", least=0)
     growth, before = new_growth(car_problem, limit + 1), count_checks(car_problem)
     at_goal, iterations = grow_by_driving(

@@ -75,12 +75,11 @@ def grow_sparsely(
         problem.drive(tree.nodes[q_near], v, phi, t, there)
         c_new = cost[q_near] + abs(v) * t
         witness = nearest_witness(problem, sparse, there)
-        beaten = witness >= 0 and c_new >= cost[sparse.cheapest[witness]]
-        if (
-            beaten
-            or (at_goal >= 0 and c_new >= cost[at_goal])
-            or not problem.is_free_drive(tree.nodes[q_near], v, phi, t)
-        ):
+        if witness >= 0 and c_new >= cost[sparse.cheapest[witness]]:
+            continue
+        if at_goal >= 0 and c_new >= cost[at_goal]:
+            continue
+        if not problem.is_free_drive(tree.nodes[q_near], v, phi, t):
             continue
         q_new = add_drive(problem, growth, q_near, v, phi, t)
         cost[q_new] = c_new
@@ -180,22 +179,18 @@ def sst(
     True
     """
     car_problem = driven(problem, "sst", turn_weight, 0.5)
-    bias, near = (
-        bias_of(car_problem, goal_every, region_every, region, region_turn),
-        near_of(car_problem, tolerance, turn_tolerance),
-    )
+    bias = bias_of(car_problem, goal_every, region_every, region, region_turn)
+    near = near_of(car_problem, tolerance, turn_tolerance)
     base, fastest = car_problem.robot.wheelbase, float(np.abs(car_problem.robot.speeds).max())
     longest = 3.0 * base / fastest if duration is None else positive(duration, "duration")
     limit = whole(max_iterations, "max_iterations", least=0)
     sparse = Sparse(
-        *(
-            np.empty((limit + 1, 3)),
-            np.empty(limit + 1, np.int64),
-            np.zeros(1, np.int64),
-            np.zeros(limit + 1),
-        ),
-        0.4 * base if radius is None else positive(radius, "radius"),
-        0.8 * base if reach is None else positive(reach, "reach"),
+        witnesses=np.empty((limit + 1, 3)),
+        cheapest=np.empty(limit + 1, np.int64),
+        size=np.zeros(1, np.int64),
+        cost=np.zeros(limit + 1),
+        radius=0.4 * base if radius is None else positive(radius, "radius"),
+        reach=0.8 * base if reach is None else positive(reach, "reach"),
     )
     growth, before = new_growth(car_problem, limit + 1), count_checks(car_problem)
     at_goal = grow_sparsely(

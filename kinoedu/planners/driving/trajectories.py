@@ -44,12 +44,8 @@ def trajectory_along(plan: Plan) -> TrajectoryRecord:
     car = inner.robot
     pieces = [controls_along(car, a, b) for a, b in zip(plan.path, plan.path[1:])]
     controls = np.concatenate([np.empty((0, 2)), *(controls for controls, _ in pieces)])
-    return Trajectory(
-        car,
-        plan.path[0],
-        controls,
-        np.concatenate([np.empty(0), *(durations for _, durations in pieces)]),
-    )
+    durations = np.concatenate([np.empty(0), *(durations for _, durations in pieces)])
+    return Trajectory(car, plan.path[0], controls, durations)
 
 
 def controls_along(car: CarRobot, a: Array, b: Array) -> tuple[Array, Array]:

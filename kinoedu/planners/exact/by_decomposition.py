@@ -60,9 +60,8 @@ def plan_by_decomposition(problem: Any) -> Plan:
     before = count_checks(problem)
     free, lengths = check_edges(problem, *roadmap)
     graph = Graph(len(roadmap.nodes), roadmap.edges[free], lengths[free])
-    numbers, _ = astar(
-        graph, start, goal, np.sqrt(((roadmap.nodes - problem.goal) ** 2).sum(axis=1))
-    )
+    heuristic = np.sqrt(((roadmap.nodes - problem.goal) ** 2).sum(axis=1))
+    numbers, _ = astar(graph, start, goal, heuristic)
     reason = explain_no_path(roadmap, free, n) if numbers is None else ""
     stats = {
         "cells": n,
@@ -111,13 +110,11 @@ def explain_no_path(roadmap: Roadmap, free: NDArray[np.bool_], n: int) -> str:
     from_start, from_goal = (np.isfinite(dijkstra(whole, q).cost) for q in (start, goal))
     for alone, name in ((from_start, "start"), (from_goal, "goal")):
         if alone[:n].sum() == 0:
-            return (
-                f"the {name} is closer to an obstacle than rounding can tell; move it into the open"
-            )
+            return f"the {name} is within rounding of an obstacle; move it away from it"
     if from_start[goal]:
         return (
-            f"{(~free).sum():,} passages are narrower than floats can tell, and no way round them "
-            "was found; widen them"
+            f"{(~free).sum():,} passages are narrower than floats can represent, and no path "
+            "avoids them; widen them"
         )
     return (
         f"there is no path: the start lies in a part of {from_start[:n].sum():,} cells that does "

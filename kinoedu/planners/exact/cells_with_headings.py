@@ -69,19 +69,18 @@ def cells_with_headings(
     (10, 0)
     """
     robot, world = turning_polygon(problem)
-    share = (np.arange(whole(headings, "headings", least=1)) + 0.5) / headings
+    fractions = (np.arange(whole(headings, "headings", least=1)) + 0.5) / headings
     places = decomposition_roadmap(trapezoidation(world)).nodes
     found = [free_headings(robot, world, place) for place in places]
     poses = [
         (*place, wrapped(float(theta)))
         for place, rows in zip(places, found)
         for low, high in rows
-        for theta in low + share * (high - low)
+        for theta in low + fractions * (high - low)
     ]
     nodes = np.vstack([problem.start, problem.goal, *poses])
-    edges, _ = joined(
-        KClosest(max(len(nodes) - 1, 1)) if neighbours is None else neighbours, problem, nodes
-    )
+    rule = KClosest(max(len(nodes) - 1, 1)) if neighbours is None else neighbours
+    edges, _ = joined(rule, problem, nodes)
     return CellsWithHeadings(nodes, edges, places[[len(rows) == 0 for rows in found]])
 
 

@@ -158,12 +158,10 @@ def is_nearer(points: Array, after: Numbers, sides: Numbers, edge: int, other: i
     first = side(points, edge, after, other) * sides[edge]
     second = side(points, edge, after, after[other]) * sides[edge]
     if first * second >= 0:
-        return first + second < 0  # the other lies behind this edge's line
-    return (
-        side(points, other, after, edge) * sides[other]
-        + side(points, other, after, after[edge]) * sides[other]
-        > 0
-    )
+        return first + second < 0  # the other edge lies behind the line of this one
+    first = side(points, other, after, edge) * sides[other]
+    second = side(points, other, after, after[edge]) * sides[other]
+    return first + second > 0
 
 
 @compiled

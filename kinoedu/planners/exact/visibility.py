@@ -115,16 +115,13 @@ def plan_by_visibility(problem: Any) -> Plan:
     number = {node: i for i, node in enumerate(corners.nodes.tolist())}
     a, b = roadmap.nodes[roadmap.edges[:, 0]], roadmap.nodes[roadmap.edges[:, 1]]
     graph = flat_graph(len(roadmap.nodes), roadmap.edges, lengths_between(a, b))
-    numbers, _ = astar(
-        graph, number[start], number[goal], lengths_between(roadmap.nodes, problem.goal)
-    )
+    heuristic = lengths_between(roadmap.nodes, problem.goal)
+    numbers, _ = astar(graph, number[start], number[goal], heuristic)
     if numbers is not None and start == goal:
         numbers = np.append(numbers, numbers)
-    reason = (
-        "there is no path, not even one in contact: obstacles part the start from the goal"
-        if numbers is None
-        else ""
-    )
+    reason = ""
+    if numbers is None:
+        reason = "there is no path, not even one in contact: obstacles part the start from the goal"
     stats = {"nodes": len(roadmap.nodes), "edges": len(roadmap.edges)}
     return plan_along(
         problem, roadmap.nodes, numbers, reason, planner="visibility", roadmap=roadmap, stats=stats

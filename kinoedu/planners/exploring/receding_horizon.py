@@ -30,7 +30,7 @@ from ..shortcut import shortcut
 from ..trees.rrt_connect import rrt_connect
 from ..tuning import positive, whole
 
-JOINED = 6.0  # times how far apart the hits of two rays are on a wall that faces them
+JOINED = 6.0  # times the distance of two rays' hits on a wall that faces them
 THICKNESS = 0.1  # of a wall's length
 
 Local = Callable[[ProblemRecord, np.random.Generator], Plan]
@@ -53,11 +53,8 @@ class SeenMap(NamedTuple):
         """
         first, second = seen.points, np.roll(seen.points, -1, axis=0)
         apart = np.sqrt(((second - first) ** 2).sum(axis=1))
-        wide = (
-            JOINED
-            * np.maximum(seen.distances, np.roll(seen.distances, -1))
-            * (2.0 * np.pi / len(seen.angles))
-        )
+        farther = np.maximum(seen.distances, np.roll(seen.distances, -1))
+        wide = JOINED * farther * (2.0 * np.pi / len(seen.angles))
         joined = seen.hit & np.roll(seen.hit, -1) & (apart <= wide) & (apart > 0.0)
         first, second, apart = first[joined], second[joined], apart[joined, None]
         middle = 0.5 * (first + second)
@@ -71,7 +68,7 @@ class SeenMap(NamedTuple):
             if square not in self.walls and turn(*wall.ravel().tolist()) > 0:
                 self.walls[square] = wall
 
-    def known(self) -> Array:
+    def triangles(self) -> Array:
         """The walls seen so far, each counter-clockwise, shape (k, 3, 2)."""
         return np.array(list(self.walls.values())).reshape(-1, 3, 2)
 
@@ -192,15 +189,10 @@ def receding_horizon_looks(
         seen.add(around)
         room = 0.5 * (float(around.distances.min()) - inner.robot.radius - inner.clearance)
         plan = plan_in_map(seen, inner, q, min(margin, room), local, generator)
-        before, walls = count_checks(problem), seen.known()
+        before, walls = count_checks(problem), seen.triangles()
         followed = [] if plan.path is None or moves == most else follow(problem, plan.path, ahead)
-        yield Look(
-            around,
-            walls,
-            plan,
-            np.array(followed).reshape(-1, len(q)),
-            count_checks(problem) - before,
-        )
+        points, checks = np.array(followed).reshape(-1, len(q)), count_checks(problem) - before
+        yield Look(around, walls, plan, points, checks)
         if plan.path is None:
             return
         q, moves = followed[-1] if followed else q, moves + 1
@@ -219,10 +211,8 @@ def plan_of_looks(problem: Any, looks: list[Look]) -> Plan:
     places = np.array([look.seen.origin for look in looks] + ([] if reason else [path[-1]]))
     walls = len(looks[-1].walls) if looks else 0
     stats = {"looks": len(places), "walls": walls, "checks": sum(look.checks for look in looks)}
-    tree, numbers = (
-        Tree(places, np.arange(len(places)) - 1),
-        None if reason else np.arange(len(path)),
-    )
+    tree = Tree(places, np.arange(len(places)) - 1)
+    numbers = None if reason else np.arange(len(path))
     return plan_along(
         problem, path, numbers, reason, planner="receding horizon", tree=tree, stats=stats
     )
@@ -245,20 +235,12 @@ def plan_in_map(
 
     Corners between two rays were not seen, so a margin is needed.
     """
-    world = world_of_triangles(problem.world.lo, problem.world.hi, seen.known())
+    world = world_of_triangles(problem.world.lo, problem.world.hi, seen.triangles())
     plan = Plan(None, np.inf, reason="the walls seen leave no room at the start or the goal")
-    for share in (1.0, 0.25, 0.0625, 0.015625):
+    for fraction in (1.0, 0.25, 0.0625, 0.015625):
+        room = problem.clearance + fraction * margin
         try:
-            plan = planner(
-                Problem(
-                    problem.robot,
-                    world,
-                    q,
-                    problem.goal,
-                    clearance=problem.clearance + share * margin,
-                ),
-                rng,
-            )
+            plan = planner(Problem(problem.robot, world, q, problem.goal, clearance=room), rng)
         except (InvalidStart, InvalidGoal):
             continue
         if plan.path is not None:

@@ -89,7 +89,7 @@ def grid_edge(grid: Grid, u: int, k: int) -> tuple[int, float]:
 @generic(1)
 def move_cost(moves: object, grid: Grid, u: int, k: int) -> float:
     """The cost of move k from node u; infinite where the move is refused."""
-    raise TypeError("this grid does not know what a move costs")
+    raise TypeError("the moves of this grid have no costs")
 
 
 @move_cost.register(Cells)
@@ -186,18 +186,12 @@ def plan_on_grid(problem: ProblemRecord, *, spacing: float | None = None) -> Pla
     first, last = (joined_node(problem, grid, q) for q in (problem.start, problem.goal))
     if first < 0 or last < 0:
         name = "start" if first < 0 else "goal"
-        return Plan(
-            None,
-            np.inf,
-            reason=f"no grid node is in free reach of the {name}; try a finer spacing",
-            problem=problem,
-            planner="A*",
-        )
+        reason = f"no free motion joins the {name} to a grid node; try a finer spacing"
+        return Plan(None, np.inf, reason=reason, problem=problem, planner="A*")
     numbers, found = astar(grid, first, last, octile(grid, last))
     tree = Tree(centres(grid, found.expanded), parent_positions(found.expanded, found.parent))
-    looked_at = (
-        8 * len(found.expanded) if isinstance(grid.moves, Cells) else 0
-    )  # moves judged by cells, without asking the problem
+    # moves that were checked by cells, not by the problem
+    looked_at = 8 * len(found.expanded) if isinstance(grid.moves, Cells) else 0
     stats = {
         "expanded": len(found.expanded),
         "checks": count_checks(problem) - before + looked_at,
@@ -210,7 +204,7 @@ def plan_on_grid(problem: ProblemRecord, *, spacing: float | None = None) -> Pla
         return plan_along(problem, tree.nodes, None, reason, planner="A*", tree=tree, stats=stats)
     nodes = centres(grid, numbers)
     if first == last and problem.is_free_path(problem.start, problem.goal):
-        nodes = nodes[:0]  # both in one cell: no way round by its centre
+        nodes = nodes[:0]  # both in one cell, whose centre would be a detour
     path = np.concatenate([[problem.start], nodes, [problem.goal]])
     path = path[np.append(True, (path[1:] != path[:-1]).any(axis=1))]
     return plan_along(
@@ -227,11 +221,8 @@ def grid_for(problem: ProblemRecord, spacing: float | None) -> Grid:
     x, y = problem.space.lo.tolist()
     if on_terrain and spacing in (None, world.resolution):
         rows, columns = world.free.shape
-        if (
-            isinstance(robot, RoundRobot)
-            and robot.radius + problem.clearance == 0.0
-            and not has_costs
-        ):
+        is_point = isinstance(robot, RoundRobot) and robot.radius + problem.clearance == 0.0
+        if is_point and not has_costs:
             moves = Cells(np.pad(world.free, 1).ravel())
         return Grid(moves, x, y, world.resolution, columns + 2, rows + 2)
     side = world_size(problem) / 100.0 if spacing is None else spacing

@@ -49,12 +49,8 @@ def search_intervals(
     parent : the number of that interval.
     at_goal : the interval of the goal, node 1, that was reached first, or -1.
     """
-    arrival, departure, parent = (
-        np.full(len(safe), np.inf),
-        np.zeros(len(safe)),
-        np.full(len(safe), -1),
-    )
-    owner = np.empty(len(safe), np.int64)
+    arrival, departure = np.full(len(safe), np.inf), np.zeros(len(safe))
+    parent, owner = np.full(len(safe), -1), np.empty(len(safe), np.int64)
     times, places = problem.world.times, problem.world.places
     for u in range(len(nodes)):
         owner[first[u] : first[u + 1]] = u
@@ -63,7 +59,7 @@ def search_intervals(
     while len(frontier) > 0:
         when, here = heappop(frontier)
         u = owner[here]
-        if when > arrival[here]:  # it has been reached earlier, and was gone on from then
+        if when > arrival[here]:  # it was reached earlier and has been expanded
             continue
         if u == 1:
             return arrival, departure, parent, here
@@ -212,12 +208,8 @@ def plan_in_time(
     if length(*(still.goal - still.start)) == 0.0:
         return Plan(np.append(task.start, 0.0)[None], 0.0, **built)
     if first[1] == 0 or safe[0, 0] > 0.0:
-        return Plan(
-            None,
-            np.inf,
-            reason="something is about to touch the robot at the start; let it start elsewhere",
-            **built,
-        )
+        reason = "the start is not in a safe interval at time 0; let the robot start elsewhere"
+        return Plan(None, np.inf, reason=reason, **built)
     arrival, departure, parent, at_goal = search_intervals(
         task, graph, nodes, safe, first, hulls, knots
     )
@@ -228,11 +220,8 @@ def plan_in_time(
         )
         return Plan(None, np.inf, reason=reason, **built)
     owner = np.repeat(np.arange(len(nodes)), np.diff(first))
-    return Plan(
-        timed_path(nodes[owner], arrival, departure, parent, at_goal),
-        float(arrival[at_goal]),
-        **built,
-    )
+    path = timed_path(nodes[owner], arrival, departure, parent, at_goal)
+    return Plan(path, float(arrival[at_goal]), **built)
 
 
 def timed_path(

@@ -57,22 +57,22 @@ def grow_both(
     """
     add(from_goal, problem.goal, TRAPPED)
     new = add(from_start, problem.start, TRAPPED)
-    here, there, who = from_start, from_goal, 0
+    here, there, side = from_start, from_goal, 0
     owner[0], owner[1], grown, iteration = 0, 1, 2, 0
     while True:
         if new != TRAPPED:
             met, added = connect(problem, there, here.nodes[new], step, len(owner) - grown)
-            owner[grown : grown + added] = 1 - who
+            owner[grown : grown + added] = 1 - side
             grown += added
             if met != TRAPPED:
-                return (new, met, iteration) if who == 0 else (met, new, iteration)
+                return (new, met, iteration) if side == 0 else (met, new, iteration)
         if iteration == max_iterations or grown == len(owner):
             return TRAPPED, TRAPPED, iteration
-        here, there, who = there, here, 1 - who
+        here, there, side = there, here, 1 - side
         iteration += 1
         new, _ = extend(problem, here, problem.sample(rng), step)
         if new != TRAPPED:
-            owner[grown] = who
+            owner[grown] = side
             grown += 1
 
 
@@ -210,11 +210,11 @@ def merge_trees(
     together, parent = np.empty((len(owner), nodes[0].shape[1])), np.empty(len(owner), np.int64)
     number, size = np.empty((2, len(owner)), np.int64), np.zeros(2, np.int64)
     for i in range(len(owner)):
-        who = owner[i]
-        k = size[who]
-        above = parents[who][k]
-        together[i], parent[i] = nodes[who][k], number[who, above] if above >= 0 else TRAPPED
-        number[who, k], size[who] = i, k + 1
+        side = owner[i]
+        k = size[side]
+        above = parents[side][k]
+        together[i], parent[i] = nodes[side][k], number[side, above] if above >= 0 else TRAPPED
+        number[side, k], size[side] = i, k + 1
     return together, parent, number
 
 
