@@ -1,4 +1,4 @@
-"""The priority queue of the searches, against a heap of (priority, when inserted)."""
+"""The radix heap of the searches, against a binary heap of (priority, time of insertion)."""
 
 import heapq
 from typing import Any
@@ -32,7 +32,7 @@ RETRIEVE = None
 
 
 class Reference:
-    """What the queue promises: the least priority first, among equals the last inserted."""
+    """The least priority comes first; ties go to the most recently inserted node."""
 
     def __init__(self) -> None:
         self.heap: list[tuple[float, int, int]] = []
@@ -47,7 +47,7 @@ class Reference:
 
 
 def retrieved(queue: Any) -> int:
-    """The first node, taken out."""
+    """The first node, which is removed."""
     node = peek(queue)
     if node != NONE:
         remove_first(queue)
@@ -57,9 +57,7 @@ def retrieved(queue: Any) -> int:
 @given(st.lists(st.one_of(PRIORITIES, st.none()), max_size=80))
 @settings(derandomize=True, deadline=None, max_examples=400)
 def test_it_retrieves_what_a_heap_does(actions):
-    """Whatever is inserted and retrieved in turn, rising or not; and what waits is listed in that
-    order at any time.
-    """
+    """For any sequence of insertions and retrievals; the waiting nodes are listed in that order."""
     queue, reference = empty_heap(1), Reference()
     for node, priority in enumerate(actions):
         if priority is RETRIEVE:
@@ -130,9 +128,7 @@ def test_a_search_makes_room_as_it_needs_it():
 
 
 def test_a_search_goes_on_from_where_it_is():
-    """Of equally good nodes A* takes the one seen last: on a square without obstacles it expands
-    the nodes of its path alone.
-    """
+    """A* breaks ties for the newest node: without obstacles it expands only its path."""
     n = 12
     number = np.arange(n * n).reshape(n, n)
     across, up = (

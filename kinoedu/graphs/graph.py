@@ -153,8 +153,8 @@ class Graph:
             self._places.append(as_node_place(q, self._places.rows, self.space))
         elif q is not None:
             raise InvalidGraph(
-                f"a node of this graph has no position, got {shortened(q)}; give Graph its nodes or "
-                "space"
+                f"a node of this graph has no position, got {shortened(q)}; give Graph its nodes "
+                "or space"
             )
         self._there.append(True)
         self.node_data.append(data)

@@ -257,6 +257,7 @@ def plan_from_trajectory(
     off, askew = math.dist((x, y), problem.goal[:2]), abs(wrapped(theta - problem.goal[2]))
     reason = (
         f"no pose is near enough to the goal; the trajectory leads to the nearest one, {off:.3g} "
-        f"away and {math.degrees(askew):.3g} degrees askew: allow more iterations, or a larger tolerance"
+        f"away and {math.degrees(askew):.3g} degrees askew: allow more iterations, or a larger "
+        "tolerance"
     )
     return Plan(None, math.inf, trajectory=trajectory, reason=reason, problem=problem, **built)

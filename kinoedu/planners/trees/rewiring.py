@@ -12,7 +12,7 @@ from ..tuning import fraction, whole
 from .informed import Everywhere
 from .rrt_star import grow_rrt_star, plan_from_growth
 
-EDGES_PER_NODE = 4  # times that a node is attached somewhere, on the way to a large tree
+EDGES_PER_NODE = 4  # usual number of edges that a node has had when a large tree is done
 
 
 class Rewirings(NamedTuple):
@@ -22,7 +22,7 @@ class Rewirings(NamedTuple):
     node, parent : (m,), the ends of each edge.
     came : (m,), the number of the new node with which the edge was made. Where it is not `node`
         itself, the older `node` was rewired to the new one.
-    gone : (m,), the number of the new node with which the edge was find_replacements; n where it never was.
+    gone : (m,), the number of the new node with which the edge was replaced; n where it never was.
     radius : (n,), the radius within which each new node looked for neighbours; 0 for the root and
         the goal, which did not look for any.
     at_goal : the goal's node, or -1.
