@@ -1,6 +1,4 @@
-"""The Bug family: exact walks, found where a path exists, refused in finite time where none does,
-by contact alone.
-"""
+"""The Bug family: exact walks that find a path where there is one, and stop where there is none."""
 
 import json
 import math
@@ -90,7 +88,6 @@ def corners(plan):
 
 
 # ---- the worlds with known answers
-# -------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
@@ -152,7 +149,6 @@ def test_bug_base_stops_at_the_first_wall():
 
 
 # ---- laws
-# --------------------------------------------------------------------------------------------------------------------
 
 
 @st.composite
@@ -206,9 +202,7 @@ bug_names, turns = st.sampled_from(sorted(BUGS)), st.sampled_from(["left", "righ
 
 
 def assert_is_a_walk(plan, start, goal, step, solid):
-    """What holds of every walk, whether or not it found a path; shapely judges that it enters
-    nothing.
-    """
+    """Check what holds of every walk, with or without a path; shapely checks for contact."""
     walk = plan.walk
     moves = np.hypot(*np.diff(walk.points, axis=0).T)
     assert walk.points[0].tolist() == list(start)
@@ -346,7 +340,7 @@ def test_bug2_keeps_its_bound(world, turn):
 @LAW
 @given(scattered(), bug_names)
 def test_a_mirrored_world_and_the_other_turn_give_the_mirrored_walk(world, name):
-    """Left and right are the same thing seen in a mirror."""
+    """Left and right are symmetric."""
     start, goal, polygons = world
     plan = BUGS[name](start, goal, polygons, 0.7, turn="left")
     across = np.array([-1.0, 1.0])
@@ -373,15 +367,12 @@ def test_size_does_not_matter(world, name, turn, power):
 
 
 # ---- what an algorithm may ask
-# -----------------------------------------------------------------------------------------------
 
 ASKED = {"place", "travelled", "move_to_goal", "can_move_to_goal", "follow_wall", "turn_round"}
 
 
 class Witness:
-    """A robot that answers the contact sensor's questions, writes them down, and has nothing
-    else.
-    """
+    """A robot that answers the algorithm's calls, records them, and has no other attributes."""
 
     def __init__(self, robot):
         self.__robot, self.asked = robot, []
@@ -405,9 +396,7 @@ class Witness:
     ids=["bug_base", "bug0", "bug1", "bug2", "bug2_prelim"],
 )
 def test_algorithms_ask_a_contact_sensor_and_nothing_else(algorithm, turn):
-    """Handed a witness in place of the robot they walk the same walk; all they get are places,
-    distances and contact.
-    """
+    """With a Witness instead of the robot the walk is the same."""
     start, goal = np.array(ME145["start"], float), np.array(ME145["goal"], float)
     walls = make_walls(as_rings(ME145["obstacles"]), 0.0)
     robot, watched = BugRobot(walls, start, goal, turn), BugRobot(walls, start, goal, turn)
@@ -429,7 +418,7 @@ def test_algorithms_hold_no_obstacles(walk):
 
 @pytest.mark.parametrize("name", sorted(BUGS))
 def test_obstacles_never_touched_change_nothing(name):
-    """What the robot does not touch it cannot know of."""
+    """The walk does not depend on obstacles that the robot does not touch."""
     plan = BUGS[name]((0, 0), (10, 0), [BOX], 0.3)
     far = BUGS[name](
         (0, 0), (10, 0), [BOX, [(0, 7), (9, 7), (4, 9)], [(4.5, 0), (5, 0.5), (5.5, 0)]], 0.3
@@ -438,7 +427,6 @@ def test_obstacles_never_touched_change_nothing(name):
 
 
 # ---- circles and closed rooms
-# ------------------------------------------------------------------------------------------------
 
 
 def test_bug0_walks_in_a_circle_and_says_so():
@@ -512,7 +500,7 @@ def test_a_goal_inside_an_obstacle_is_found_out_by_walking():
 
 @pytest.mark.parametrize("turn", ["left", "right"])
 def test_both_ways_back(turn):
-    """Bug 1 goes back the shorter way or the same way round; what differs is the way back alone."""
+    """Bug 1 goes back the shorter way or in the same direction; nothing else differs."""
     shorter = ke.bug1((0, 0), (10, 0), [BOX], 0.5, turn=turn)
     same = ke.bug1((0, 0), (10, 0), [BOX], 0.5, turn=turn, way_back="same")
     assert shorter.cost == 22.0
@@ -521,7 +509,6 @@ def test_both_ways_back(turn):
 
 
 # ---- degenerate worlds
-# -------------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("name", sorted(BUGS))
@@ -548,7 +535,7 @@ def test_what_is_only_touched_stops_nobody(name, turn, obstacles, touching):
 
 @pytest.mark.parametrize(("turn", "corner"), [("left", (6, 3)), ("right", (6, -2))])
 def test_a_hit_at_a_corner(turn, corner):
-    """The way leads into a corner: that is the hit point, and the wall is followed from there."""
+    """A corner becomes the hit point, and the wall is followed from there."""
     diamond = [(4, 0), (6, -2), (8, 0), (6, 3)]
     plan = ke.bug2((0, 0), (10, 0), [diamond], 100.0, turn=turn)
     assert corners(plan) == [[0, 0], [4, 0], list(corner), [8, 0], [10, 0]]
@@ -583,7 +570,7 @@ def test_the_way_between_touching_obstacles_is_shut():
 
 
 def test_obstacles_that_share_a_hit_point():
-    """Three that meet in the point where the way leads: one wall."""
+    """Three obstacles that meet at the hit point form one wall."""
     fan = [[(5, 0), (8, -4), (8, -2)], [(5, 0), (8, -1), (8, 1)], [(5, 0), (8, 2), (8, 4)]]
     for name in BUGS:
         plan = BUGS[name]((0, 0), (12, 0), fan, 1.0)
@@ -601,7 +588,7 @@ def test_obstacles_that_share_a_hit_point():
 
 
 def test_start_and_goal_in_one_place_or_in_the_open():
-    """Nothing to do, and no obstacles at all."""
+    """The walk is empty or a straight line."""
     assert ke.bug1((1, 1), (1, 1), [BOX], 0.5).cost == 0.0
     assert ke.bug2((0, 0), (3, 4), [], 10.0).path.tolist() == [[0, 0], [3, 4]]
 
@@ -623,7 +610,6 @@ def test_a_corner_cut_off_by_less_than_rounding(name):
 
 
 # ---- clearance
-# ---------------------------------------------------------------------------------------------------------------
 
 
 @LAW
@@ -662,12 +648,11 @@ def test_clearance_round_a_box():
 
 
 # ---- what is refused
-# ---------------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("name", [*sorted(BUGS), "bug_base"])
 def test_what_is_refused(name):
-    """Each wrong argument by the name of its mistake."""
+    """Each wrong argument raises its own error."""
     bug = {**BUGS, "bug_base": ke.bug_base}[name]
     refused = [
         (InvalidStart, ((5, 0), (10, 0), [BOX], 1.0), {}),
@@ -694,7 +679,7 @@ def test_what_is_refused(name):
 
 
 def test_messages_name_what_is_wrong():
-    """What was expected, what came; which obstacle."""
+    """A message says what was expected, what was given, and for which obstacle."""
     with pytest.raises(InvalidParameter, match="way_back must be 'shorter' or 'same', got 'long'"):
         ke.bug1((0, 0), (10, 0), [BOX], 1.0, way_back="long")
     with pytest.raises(InvalidPolygon, match="obstacle 1"):
@@ -711,7 +696,6 @@ def test_contact_knows_rooms():
 
 
 # ---- figures
-# -----------------------------------------------------------------------------------------------------------------
 
 
 def texts(ax):

@@ -157,7 +157,7 @@ def test_the_python_function_grows_the_very_same_tree() -> None:
         grown = []
         for body in (grow, grow.py_func):
             tree = empty_tree(451, problem.space.lo, problem.space.hi)
-            answer = body(problem, tree, 0.4, 0.05, 0.0, 1500, 1500, as_generator(2))
+            answer = body(problem, tree, 0.4, 0.05, 1500, as_generator(2))
             n = int(tree.size[0])
             grown.append(
                 (tuple(map(int, answer)), tree.nodes[:n].tobytes(), tree.parent[:n].tobytes())

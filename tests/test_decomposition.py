@@ -692,7 +692,7 @@ def test_a_passage_at_the_end_of_precision():
     world = ke.PolygonWorld(SQUARE, [box(3, 0, 5, 4), box(3, gap, 5, 8)])
     assert len(ke.trapezoidation(world).trapezoids) == 3
     plan = ke.plan_by_decomposition(ke.Problem(ke.Point(), world, (1, 1), (7, 7)))
-    assert plan.path is None and "narrower than floats can tell" in plan.reason
+    assert plan.path is None and "narrower than floats can represent" in plan.reason
 
 
 def test_a_recorder_sees_every_motion():

@@ -25,7 +25,7 @@ from kinoedu.graphs import (
     flat_graph,
 )
 from kinoedu.graphs.bfs import search_breadth_first
-from kinoedu.graphs.components import component_labels
+from kinoedu.graphs.components import label_components
 from kinoedu.graphs.dfs import search_depth_first
 from kinoedu.graphs.search import search
 
@@ -85,7 +85,7 @@ def test_dijkstra_reaches_the_end_of_a_tree_of_any_size(n):
 @given(graphs, st.data())
 @settings(derandomize=True, deadline=None, max_examples=200)
 def test_astar_with_any_admissible_estimate_is_optimal(case, data):
-    """Also where the estimate is not consistent, so that nodes are expanded again."""
+    """The path is optimal also where the heuristic is not consistent."""
     n, rows, directed = case
     graph, other = both(n, rows, directed)
     goal = data.draw(st.integers(0, n - 1))
@@ -111,7 +111,7 @@ def test_interpreted_search_is_the_same():
         calls = [
             (search, (graph, 0, -1, np.zeros(60))),
             (search, (graph, 0, 7, rng.random(60))),
-            (component_labels, (graph, 60)),
+            (label_components, (graph, 60)),
         ]
         for goal in (-1, 7):
             calls += [
@@ -160,7 +160,7 @@ def test_bad_graphs_are_refused(arguments):
 
 @pytest.mark.parametrize("node", [-1, 3, True, 1.0, "0", None, 1])
 def test_a_node_that_is_not_there_is_refused(node):
-    """By every search and question, with the name of the argument; node 1 was deleted."""
+    """Every search and method names the argument; node 1 was deleted."""
     graph = Graph(3, [(0, 1)], directed=True)
     graph.delete_node(1)
     for ask in (
@@ -196,7 +196,7 @@ def test_a_node_that_is_not_there_is_refused(node):
 
 
 def test_a_deleted_node_is_refused_as_deleted():
-    """The message says what became of it."""
+    """The message says that the node was deleted."""
     graph = Graph(2)
     graph.delete_node(1)
     with pytest.raises(InvalidGraph, match="got 1, which was deleted"):
@@ -217,20 +217,20 @@ def test_what_is_no_graph_is_refused(search_of, graph):
     "estimate", [[0.0], [0.0, np.nan, 0.0], [0.0, -1.0, 0.0], "abc", [[0.0]] * 3]
 )
 def test_a_bad_estimate_is_refused(estimate):
-    """It must be a number, zero or more, for each node."""
+    """The heuristic must be a number of zero or more for each node."""
     with pytest.raises(InvalidGraph, match="estimate"):
         astar(Graph(3, [(0, 1)]), 0, 1, estimate)
 
 
 def test_parents_in_a_circle_are_refused():
-    """extract_path ends on any input."""
+    """extract_path terminates on any input."""
     with pytest.raises(InvalidGraph):
         extract_path([1, 0], 0)
 
 
 @pytest.mark.parametrize("goal", [-1, 2, True, 0.0])
 def test_a_path_to_no_node_is_refused(goal):
-    """extract_path does not count from the end."""
+    """extract_path does not accept negative indices."""
     with pytest.raises(InvalidGraph):
         extract_path([-1, 0], goal)
 
@@ -268,7 +268,7 @@ def test_breadth_first_distances_equal_networkx(case, data):
 
 
 def recursive_depth_first(graph, v, parent, order):
-    """The textbook's five lines."""
+    """The textbook's recursion."""
     order.append(v)
     for u in graph.neighbours(v).tolist():
         if u not in parent:
@@ -364,7 +364,7 @@ def test_a_frontier_holds_what_was_seen_and_waits(case):
 @given(graphs, st.lists(st.integers(0, 9), min_size=12, max_size=12))
 @settings(derandomize=True, deadline=None, max_examples=100)
 def test_the_first_of_the_frontier_is_next(case, estimate):
-    """Unless the search has just found a better way to another node; whatever the estimate."""
+    """It is expanded next, unless the search has just found a better path to another node."""
     graph, _ = both(*case)
     for moments in (
         bfs_expansions(graph, 0),
@@ -377,7 +377,7 @@ def test_the_first_of_the_frontier_is_next(case, estimate):
 
 
 def test_a_node_that_is_expanded_again_waits_again():
-    """A* with an estimate that is not consistent puts an expanded node back into the frontier."""
+    """With a heuristic that is not consistent A* puts an expanded node back into the frontier."""
     graph = Graph(5, [(0, 1), (0, 2), (2, 1), (1, 3), (2, 4)], [3.0, 1.0, 1.0, 10.0, 0.5])
     moments = list(astar_expansions(graph, 0, 3, [0.0, 0.0, 9.0, 0.0, 0.0]))
     assert [moment.node for moment in moments] == [0, 1, 2, 4, 1, 3]
@@ -386,7 +386,7 @@ def test_a_node_that_is_expanded_again_waits_again():
 
 
 def test_moments_stay_as_they_were():
-    """What an expansion shows is not overwritten by the next."""
+    """The arrays of an expansion are not overwritten by the next one."""
     moments = list(bfs_expansions(Graph(3, [(0, 1), (1, 2)]), 0))
     assert [np.isfinite(moment.cost).sum() for moment in moments] == [1, 2, 3]
 

@@ -1,6 +1,4 @@
-"""Hybrid A*: the drive is replayed from its controls and judged by shapely, and nothing that the
-search left over is shorter.
-"""
+"""Hybrid A*: drives are replayed and checked by shapely, and no other node has a shorter one."""
 
 import math
 from typing import Any
@@ -25,7 +23,7 @@ SOLID = shapely.union_all(
 
 
 def replayed(plan: Any) -> np.ndarray:
-    """The poses (m, 3) of a plan's drive, each control in a hundred steps, without the library."""
+    """The poses (m, 3) of a plan's drive, a hundred for each control, without the library."""
     there = plan.trajectory
     poses = [there.start]
     for (v, phi), t in zip(there.controls, there.durations):
@@ -48,7 +46,7 @@ def replayed(plan: Any) -> np.ndarray:
 
 
 def is_clear(poses: np.ndarray, car: Any, solid: Any) -> bool:
-    """Whether shapely sees no contact at any pose."""
+    """Whether shapely finds no contact at any pose."""
     cos, sin, (x, y) = np.cos(poses[:, 2:]), np.sin(poses[:, 2:]), car.outline.T
     corners = np.stack(
         [poses[:, :1] + cos * x - sin * y, poses[:, 1:2] + sin * x + cos * y], axis=-1
@@ -57,9 +55,7 @@ def is_clear(poses: np.ndarray, car: Any, solid: Any) -> bool:
 
 
 def check(plan: Any, problem: Any, solid: Any = SOLID) -> None:
-    """From the start to the very goal, as long as it says, by moves that the car can make, and
-    free.
-    """
+    """Check that a drive leads from the start to the goal by free moves of the car, at its cost."""
     poses, there = replayed(plan), plan.trajectory
     assert np.array_equal(poses[0], problem.start) and np.array_equal(plan.path, there.poses)
     off = poses[-1] - problem.goal
@@ -148,7 +144,7 @@ def test_out_of_a_tight_place_and_turned_round() -> None:
 
 
 def test_one_who_is_there_stays() -> None:
-    """Start and goal alike: no control at all."""
+    """Where start and goal are equal, there are no controls."""
     plan = ke.hybrid_astar(ke.Problem(CAR, PROBLEM.world, (4, 4, 1), (4, 4, 1)))
     assert (
         plan.cost == 0.0
@@ -175,7 +171,7 @@ def test_no_way_is_an_answer_with_its_reason() -> None:
 
 
 def test_bad_input_is_refused_by_name() -> None:
-    """No car, no size, no cells that could be counted."""
+    """A robot that is no car, sizes that are not positive, and too many cells are refused."""
     point = ke.Problem(ke.Point(), PROBLEM.world, (1, 1), (2, 2))
     for call in (
         lambda: ke.hybrid_astar(point),

@@ -1,6 +1,4 @@
-"""Planners that drive a car: every trajectory is replayed from its controls, reaches what it
-claims, and touches nothing.
-"""
+"""Planners that drive a car: every trajectory is replayed from its controls and checked."""
 
 import itertools
 import math
@@ -35,14 +33,14 @@ SOLID = shapely.union_all(
 
 
 def apart(a: Any, b: Any) -> float:
-    """How far two poses differ, in any coordinate."""
+    """The greatest difference of two poses in any coordinate."""
     return max(math.dist(a[:2], b[:2]), abs(short_way(a[2], b[2])))
 
 
 def by_hand(
     start: Any, controls: Any, durations: Any, wheelbase: float, n: int = 200
 ) -> np.ndarray:
-    """The poses (m, 3) of a drive, by turning round the centre of each arc: n for each control."""
+    """The poses (m, 3) of a drive, n for each control, by turning round the centre of each arc."""
     poses = [np.asarray(start, float)]
     for (v, phi), t in zip(controls, durations):
         x, y, theta = poses[-1]
@@ -132,9 +130,7 @@ def test_what_was_built_is_driven(planner: Any) -> None:
 
 @pytest.mark.parametrize("planner", ["kinodynamic_rrt", "kinodynamic_prm", "sst"])
 def test_interpreted_is_compiled(planner: str) -> None:
-    """A recorder runs the body in Python, and the very same tree grows; every drive that was judged
-    is in its log.
-    """
+    """A Recorder runs the interpreted code: the tree is the same, and the log has every drive."""
     few = {
         "kinodynamic_rrt": {"max_iterations": 8},
         "kinodynamic_prm": {"iterations": 5},
@@ -338,7 +334,7 @@ def test_one_centre_for_all_wheels() -> None:
 
 
 def test_nonsense_is_refused_by_name() -> None:
-    """Arguments that make no sense, and robots that are not driven."""
+    """Arguments out of range, and robots that are not driven, are refused."""
     wrong = [
         {"trials": 0},
         {"duration": 0},

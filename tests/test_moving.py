@@ -1,6 +1,4 @@
-"""Obstacles that move: contact over time, safe intervals, departures and plans, against dense
-sampling in time and brute force.
-"""
+"""Moving obstacles: contact, safe intervals, departures and plans, against sampling in time."""
 
 import numpy as np
 import pytest
@@ -53,7 +51,7 @@ def some_movers(rng, n=3):
 
 
 def body_at(robot, q):
-    """shapely's picture of a robot; a disc as its centre and radius."""
+    """A robot's outline as shapely's polygon; for a disc its centre and radius."""
     radius = getattr(robot, "radius", None)
     if radius is not None:
         return shapely.Point(q), radius
@@ -61,7 +59,7 @@ def body_at(robot, q):
 
 
 def gap_at(robot, world, q, t):
-    """How far the robot is from all that moves at one moment, by shapely."""
+    """The distance from the robot to all moving obstacles at one moment, by shapely."""
     body, reach = body_at(robot, q)
     gaps = [np.inf]
     for outline, radius in movers_at(world, t):
@@ -71,7 +69,7 @@ def gap_at(robot, world, q, t):
 
 
 def least_gap(robot, world, a, b, n=1500):
-    """The least of the gaps at many moments of a motion."""
+    """The least of these distances at many moments of a motion."""
     return min(
         gap_at(robot, world, a[:2] + s * (b[:2] - a[:2]), a[2] + s * (b[2] - a[2]))
         for s in np.linspace(0, 1, n)
@@ -293,7 +291,7 @@ def test_no_way_is_an_answer_and_start_at_the_goal_is_one():
 
 
 def test_compiled_and_interpreted_search_alike():
-    """The same arrivals to the last bit."""
+    """The arrivals are equal to the last bit."""
     problem = corridor(2)
     plan = plan_in_time(problem, n=12, k=4, rng=1)
     nodes, edges = plan.roadmap

@@ -1,6 +1,4 @@
-"""The judge that all planner exercises share: it accepts what the library's planners build, and
-names what is wrong.
-"""
+"""The judge of all planner exercises: it accepts the library's plans, and names what is wrong."""
 
 import json
 
@@ -25,7 +23,7 @@ WAYS = [name for name in TRAPS if name != "sealed"]
 @pytest.mark.parametrize("seed", range(3))
 @pytest.mark.parametrize("name", WAYS)
 def test_what_the_library_builds_is_accepted(name, seed):
-    """Its path, its tree, the nearest node and the path along the tree."""
+    """The path, the tree, the nearest node and the path along the tree are accepted."""
     problem = TRAPS[name]
     plan = rrt(problem.problem, step=1.0, goal_bias=0.1, max_iterations=5000, rng=seed)
     nodes, parent = plan.tree
@@ -36,7 +34,7 @@ def test_what_the_library_builds_is_accepted(name, seed):
 
 
 def test_a_wrong_path_is_named():
-    """Each rule by the least change that breaks it."""
+    """Each rule is broken by the least possible change."""
     problem = TRAPS["wall"]
     path = rrt(problem.problem, step=1.0, rng=0).path
     for rule, wrong in (
@@ -52,7 +50,7 @@ def test_a_wrong_path_is_named():
 
 
 def test_a_wrong_tree_is_named():
-    """Each rule by the least change that breaks it."""
+    """Each rule is broken by the least possible change."""
     problem = TRAPS["sealed"]
     nodes, parent = rrt(problem.problem, step=1.0, max_iterations=200, rng=0).tree
     assert why_not_a_tree(problem, nodes, parent, 0.9).rule == "step"

@@ -1,4 +1,4 @@
-"""Every planner, for every robot in every world: what a plan promises holds."""
+"""Every planner, for every robot in every world: a plan is what its docstring says."""
 
 from itertools import pairwise
 from pathlib import Path
@@ -31,7 +31,7 @@ PLANNERS = {
 
 
 def problem_of(world, robot):
-    """Across each world."""
+    """A problem from one side of a world to the other."""
     return ke.Problem(ROBOTS[robot], WORLDS[world], (1.0, 1.0), (9.0, 1.0))
 
 
@@ -45,9 +45,7 @@ def length(path):
 @pytest.mark.parametrize("planner", PLANNERS)
 @pytest.mark.parametrize("seed", [0, 1])
 def test_a_path_is_free_all_the_way(world, robot, planner, seed):
-    """From start to goal, each motion free when asked in either direction, the cost its length; the
-    same again by the same seed.
-    """
+    """A path joins start and goal by free motions, costs its length, and depends on the seed."""
     problem = problem_of(world, robot)
     plan = PLANNERS[planner](problem, seed)
     assert plan.path is not None, plan.reason
@@ -63,7 +61,7 @@ def test_a_path_is_free_all_the_way(world, robot, planner, seed):
 @pytest.mark.parametrize("world", WORLDS)
 @pytest.mark.parametrize("robot", ROBOTS)
 def test_a_tree_is_a_tree_of_free_steps(world, robot):
-    """Each node but the root hangs on an earlier one by a free motion no longer than the step."""
+    """Each node but the root has an earlier parent, by a free motion no longer than the step."""
     problem = problem_of(world, robot)
     plan = ke.rrt(problem, step=0.8, rng=3)
     assert plan.tree.parent[0] == -1
@@ -75,7 +73,7 @@ def test_a_tree_is_a_tree_of_free_steps(world, robot):
 
 @pytest.mark.parametrize("world", WORLDS)
 def test_a_roadmap_has_free_edges_to_close_nodes(world):
-    """No edge twice, none to itself, each free; every node's k closest were tried."""
+    """Edges are free, distinct and no loops, and the k closest nodes of every node were tried."""
     problem = problem_of(world, "point")
     plan = ke.prm(problem, n=150, k=6, rng=0)
     nodes, edges = plan.roadmap
@@ -103,9 +101,7 @@ def test_grid_plans_have_the_length_of_every_benchmark_query(name):
 
 
 def test_cells_and_motions_allow_the_same_grid_moves():
-    """The grid of cells, which looks at cells alone, finds the lengths that the lattice of judged
-    motions finds.
-    """
+    """A grid checked by cells alone gives the same lengths as a grid whose motions are checked."""
     world = ke.read_world(GRID / "random-32-32-20.map")
     for query in read_scenario(GRID / "random-32-32-20-even-1.scen")[:20]:
         problem = ke.Problem(ke.Point(), world, query.start, query.goal)
@@ -114,7 +110,7 @@ def test_cells_and_motions_allow_the_same_grid_moves():
 
 
 def test_no_path_is_an_answer_with_a_reason():
-    """A goal in a closed room: every planner says that it found nothing, and shows what it did."""
+    """For a goal in a closed room every planner returns no path, a reason, and what it built."""
     closed = ke.PolygonWorld(SQUARE, [ROOM])
     problem = ke.Problem(ke.Point(), closed, (1, 1), (8, 5.5))
     for plan in (
@@ -131,9 +127,7 @@ def test_no_path_is_an_answer_with_a_reason():
 
 
 def test_a_grid_tree_grows_in_order():
-    """Rounding in the estimate expands no cell twice: every node has one row, after its
-    parent's.
-    """
+    """Rounding in the heuristic expands no cell twice: each node has one row, after its parent."""
     for shape, start, goal in [
         ((30, 30), (1.5, 1.5), (28.5, 20.5)),
         ((40, 25), (3.5, 38.5), (22.5, 0.5)),
@@ -188,7 +182,7 @@ def test_wrong_answers_of_a_readers_own_problem_are_refused(answers, recorded):
 
 
 def test_start_at_the_goal():
-    """Nothing to do is done at no cost."""
+    """A path of cost 0 is found."""
     problem = ke.Problem(ke.Point(), WORLDS["polygons"], (1, 1), (1, 1))
     for planner in PLANNERS.values():
         assert planner(problem, 0).cost == 0.0
@@ -208,9 +202,7 @@ def test_recorder_sees_every_question_and_changes_nothing():
 
 
 def test_a_readers_own_problem_is_planned_on():
-    """An object with the same questions, in a space of three dimensions that this package knows
-    nothing of.
-    """
+    """An object with the same methods, in a three-dimensional space not in this package."""
 
     class Ball:
         start, goal = (0.0, 0.0, -2.0), (0.0, 0.0, 2.0)
@@ -267,7 +259,7 @@ def test_an_object_that_cannot_answer_is_refused_by_name():
     ids=str,
 )
 def test_rrt_refuses_tuning_outside_its_range(options):
-    """By InvalidParameter, with the argument's name."""
+    """An InvalidParameter names the argument."""
     name = next(iter(options))
     with pytest.raises(InvalidParameter, match=name):
         ke.rrt(problem_of("polygons", "point"), **{"rng": 0, **options})
@@ -288,13 +280,13 @@ def test_rrt_refuses_tuning_outside_its_range(options):
     ],
 )
 def test_prm_and_grid_refuse_tuning_outside_its_range(ask):
-    """By InvalidParameter."""
+    """An InvalidParameter is raised."""
     with pytest.raises(InvalidParameter):
         ask(problem_of("polygons", "point"))
 
 
 def test_prm_without_samples_joins_start_and_goal():
-    """n = 0 leaves two nodes; where nothing is between them that is enough."""
+    """n = 0 leaves two nodes, which is enough where nothing is between them."""
     open_world = ke.PolygonWorld(SQUARE)
     assert ke.prm(
         ke.Problem(ke.Point(), open_world, (1, 1), (9, 9)), n=0, rng=0
@@ -302,7 +294,7 @@ def test_prm_without_samples_joins_start_and_goal():
 
 
 def test_prm_with_many_samples_at_one_place():
-    """Configurations that coincide do not confuse the neighbours."""
+    """Coinciding configurations do not disturb the search for neighbours."""
     tight = ke.PolygonWorld([(0, 0), (1e-3, 0), (1e-3, 1e-3), (0, 1e-3)])
     plan = ke.prm(ke.Problem(ke.Point(), tight, (5e-4, 5e-4), (5e-4, 5e-4)), n=30, k=5, rng=0)
     assert plan.path is not None

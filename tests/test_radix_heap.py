@@ -1,4 +1,4 @@
-"""The priority queue of the searches, against a heap of (priority, when inserted)."""
+"""The radix heap of the searches, against a binary heap of (priority, time of insertion)."""
 
 import heapq
 from typing import Any
@@ -12,12 +12,12 @@ from kinoedu.compiled import compiled
 from kinoedu.graphs import Graph, astar, astar_expansions, dijkstra
 from kinoedu.graphs.radix_heap import (
     NONE,
-    enlarged,
-    first,
+    empty_heap,
+    enlarge,
     has_room,
-    in_order,
     insert,
-    radix_heap,
+    list_in_order,
+    peek,
     remove_first,
 )
 
@@ -32,7 +32,7 @@ RETRIEVE = None
 
 
 class Reference:
-    """What the queue promises: the least priority first, among equals the last inserted."""
+    """The least priority comes first; ties go to the most recently inserted node."""
 
     def __init__(self) -> None:
         self.heap: list[tuple[float, int, int]] = []
@@ -47,8 +47,8 @@ class Reference:
 
 
 def retrieved(queue: Any) -> int:
-    """The first node, taken out."""
-    node = first(queue)
+    """The first node, which is removed."""
+    node = peek(queue)
     if node != NONE:
         remove_first(queue)
     return int(node)
@@ -57,27 +57,25 @@ def retrieved(queue: Any) -> int:
 @given(st.lists(st.one_of(PRIORITIES, st.none()), max_size=80))
 @settings(derandomize=True, deadline=None, max_examples=400)
 def test_it_retrieves_what_a_heap_does(actions):
-    """Whatever is inserted and retrieved in turn, rising or not; and what waits is listed in that
-    order at any time.
-    """
-    queue, reference = radix_heap(1), Reference()
+    """For any sequence of insertions and retrievals; the waiting nodes are listed in that order."""
+    queue, reference = empty_heap(1), Reference()
     for node, priority in enumerate(actions):
         if priority is RETRIEVE:
             assert retrieved(queue) == reference.retrieve()
             continue
         if not has_room(queue, 1):
-            queue = enlarged(queue, 1)
+            queue = enlarge(queue, 1)
         insert(queue, node, priority)
         reference.insert(node, priority)
-        assert in_order(queue) == [node for *_, node in sorted(reference.heap)]
-    left = in_order(queue)
+        assert list_in_order(queue) == [node for *_, node in sorted(reference.heap)]
+    left = list_in_order(queue)
     assert [retrieved(queue) for _ in left] == [reference.retrieve() for _ in left] == left
     assert retrieved(queue) == reference.retrieve() == NONE
 
 
 def test_entries_are_used_again():
     """A queue that never holds more than three nodes needs no more room than that."""
-    queue = radix_heap(3)
+    queue = empty_heap(3)
     for node in range(1000):
         insert(queue, node, float(node // 3))
         if node % 3 == 2:
@@ -88,13 +86,13 @@ def test_entries_are_used_again():
 @compiled
 def drained(priorities: Any) -> Any:
     """The order of retrieval, compiled."""
-    queue, order = radix_heap(4), np.empty(len(priorities), np.int64)
+    queue, order = empty_heap(4), np.empty(len(priorities), np.int64)
     for node in range(len(priorities)):
         if not has_room(queue, 1):
-            queue = enlarged(queue, 1)
+            queue = enlarge(queue, 1)
         insert(queue, node, priorities[node])
     for i in range(len(order)):
-        order[i] = first(queue)
+        order[i] = peek(queue)
         remove_first(queue)
     return order
 
@@ -130,9 +128,7 @@ def test_a_search_makes_room_as_it_needs_it():
 
 
 def test_a_search_goes_on_from_where_it_is():
-    """Of equally good nodes A* takes the one seen last: on a square without obstacles it expands
-    the nodes of its path alone.
-    """
+    """A* breaks ties for the newest node: without obstacles it expands only its path."""
     n = 12
     number = np.arange(n * n).reshape(n, n)
     across, up = (

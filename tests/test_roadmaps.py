@@ -1,6 +1,4 @@
-"""Roadmaps: connection rules, samplers, many queries, grids, shortcuts, measured properties, and
-planning by a range sensor.
-"""
+"""Connection rules, samplers, queries, grids, shortcuts, properties, and receding horizons."""
 
 from itertools import combinations, pairwise
 
@@ -30,7 +28,7 @@ RULES = {"closest": ke.KClosest(6), "radius": ke.Radius(1.2), "components": ke.C
 
 
 def problem_of(start=(1.0, 1.0), goal=(9.0, 1.0), world=WORLD, robot=None):
-    """Across the wall."""
+    """A problem from one side of the wall to the other."""
     return ke.Problem(robot or ke.Point(), world, start, goal)
 
 
@@ -40,7 +38,7 @@ def distances(nodes):
 
 
 def assert_path_is_free(plan):
-    """Judged by shapely, which knows nothing of this package."""
+    """Check a path by shapely, which shares no code with this package."""
     line = shapely.LineString(plan.path)
     assert not line.intersects(SOLID) and shapely.Polygon(SQUARE).contains_properly(line)
 
@@ -64,7 +62,7 @@ def test_every_rule_compiled_and_recorded(rule):
 
 
 def test_the_radius_rule_joins_all_pairs_within_it():
-    """No more and no fewer than those whose motion is free."""
+    """Exactly the pairs within the radius whose motion is free are joined."""
     problem = problem_of()
     nodes, edges = ke.prm(problem, n=150, neighbours=ke.Radius(1.5), rng=0).roadmap
     near = np.argwhere(np.triu(distances(nodes) <= 1.5, 1)).tolist()
@@ -104,7 +102,7 @@ def test_the_component_rule_tries_k_of_each_component():
 
 
 def test_prm_is_prm_with_its_k_closest():
-    """k says what the rule KClosest(k) says."""
+    """The parameter k means the rule KClosest(k)."""
     by_k, by_rule = (
         ke.prm(problem_of(), n=200, k=6, rng=0),
         ke.prm(problem_of(), n=200, neighbours=ke.KClosest(6), rng=0),
@@ -194,7 +192,7 @@ def test_queries_that_cannot_be_answered():
     ],
 )
 def test_wrong_tuning_is_refused(ask):
-    """By InvalidParameter."""
+    """An InvalidParameter is raised."""
     with pytest.raises(InvalidParameter):
         ask(problem_of())
 
@@ -261,7 +259,7 @@ def test_shortcuts_are_never_longer_and_stay_free(seed):
 
 
 def test_shortcuts_of_what_cannot_be_shortened():
-    """No path, a straight one, and no tries leave the plan as it is."""
+    """Without a path, with a straight path or with no tries, the plan stays as it is."""
     none = ke.rrt(problem_of(goal=(8, 5.5)), max_nodes=50, rng=0)
     assert ke.shortcut(none, rng=0) is none
     straight = ke.plan_by_visibility(problem_of(goal=(1, 9)))
@@ -351,7 +349,7 @@ def test_a_receding_horizon_finds_its_way_through_an_unknown_world(robot):
 
 
 def test_a_receding_horizon_says_why_it_stops():
-    """Out of moves; and start at the goal needs none."""
+    """The reason is that the moves ran out; where the start is the goal, no move is needed."""
     problem = problem_of()
     plan = ke.receding_horizon(problem, max_moves=1, rng=0)
     assert plan.path is None and "moves" in plan.reason and plan.tree is not None

@@ -1,6 +1,4 @@
-"""Trees: RRT-Connect, RRT*, informed RRT*, the tree roadmap with an expansion of one's own; every
-path judged by shapely too.
-"""
+"""RRT-Connect, RRT*, informed RRT* and the tree roadmap; shapely checks every path too."""
 
 from itertools import pairwise
 
@@ -43,14 +41,12 @@ PLANNERS = {
 
 
 def problem_of(world="polygons", robot="point"):
-    """Across each world."""
+    """A problem from one side of a world to the other."""
     return ke.Problem(ROBOTS[robot], WORLDS[world], (1.0, 1.0), (9.0, 1.0))
 
 
 def assert_free_by_shapely(path, radius):
-    """The whole path keeps its radius from what is solid in the world of polygons, and from the
-    boundary.
-    """
+    """The whole path keeps the robot's radius from obstacles and from the boundary."""
     line = shapely.LineString(path)
     assert all(line.distance(solid) > radius - 1e-3 * (solid is SOLIDS[2]) for solid in SOLIDS)
     assert shapely.Polygon(SQUARE).buffer(-radius).contains(line)
@@ -82,9 +78,7 @@ def test_a_path_is_free_all_the_way(world, robot, planner):
 
 @pytest.mark.parametrize("planner", PLANNERS)
 def test_a_tree_is_made_of_free_steps(planner):
-    """Every node hangs on another by a free motion, at most a step long; roots are the start, and
-    for two trees the goal.
-    """
+    """Every node has a parent by a free motion of at most a step; roots are start or goal."""
     problem = problem_of()
     tuning = (
         {"reach": 0.8, "expand": ke.rrt_expansion(0.8)}
@@ -118,7 +112,7 @@ def test_compiled_interpreted_and_recorded_are_one(planner, world):
 
 
 def test_the_tree_roadmap_with_the_expansion_of_rrt_is_rrt():
-    """Node for node."""
+    """The two trees are equal, node for node."""
     problem = problem_of()
     generic, rrt = (
         ke.tree_roadmap(problem, ke.rrt_expansion(), max_nodes=10_000, rng=2),
@@ -170,8 +164,8 @@ def test_costs_of_the_whole_tree_are_those_of_its_ways():
             at = tree.parent[at]
         assert at == 0
         assert costs.cost[node] == pytest.approx(way, rel=1e-12)
-    hung = [node for parent in range(tree.size[0]) for node in chain(costs, parent)]
-    assert sorted(hung) == list(range(1, tree.size[0]))
+    attached = [node for parent in range(tree.size[0]) for node in chain(costs, parent)]
+    assert sorted(attached) == list(range(1, tree.size[0]))
 
 
 def chain(costs, parent):
@@ -223,7 +217,7 @@ class Ball:
 
 @pytest.mark.parametrize("planner", PLANNERS)
 def test_a_readers_own_problem_is_planned_on(planner):
-    """In a space that this package knows nothing of."""
+    """The space is not in this package."""
     tuning = (
         {"reach": 0.7, "expand": ke.rrt_expansion(0.7)}
         if planner == "tree_roadmap"
@@ -236,7 +230,7 @@ def test_a_readers_own_problem_is_planned_on(planner):
 
 @pytest.mark.parametrize("planner", PLANNERS)
 def test_no_path_is_an_answer_with_a_reason(planner):
-    """A goal in a closed room; and start at the goal is done at no cost."""
+    """A goal in a closed room has no path; where the start is the goal, the cost is 0."""
     closed = ke.Problem(ke.Point(), ke.PolygonWorld(SQUARE, [ROOM]), (1, 1), (8, 5.5))
     plan = PLANNERS[planner](closed, max_nodes=150, rng=0)
     assert plan.path is None and plan.cost == np.inf and plan.reason and len(plan.tree.nodes) == 150
@@ -258,14 +252,14 @@ def test_no_path_is_an_answer_with_a_reason(planner):
     ids=str,
 )
 def test_tuning_outside_its_range_is_refused(planner, options):
-    """By InvalidParameter, with the argument's name."""
+    """An InvalidParameter names the argument."""
     with pytest.raises(InvalidParameter, match=next(iter(options))):
         getattr(ke, planner)(problem_of(), **{"rng": 0, **options})
 
 
 @pytest.mark.parametrize("options", [{"gamma": 0}, {"gamma": np.inf}, {"goal_bias": 1.5}], ids=str)
 def test_rrt_star_refuses_tuning_of_its_own(options):
-    """By InvalidParameter, with the argument's name."""
+    """An InvalidParameter names the argument."""
     with pytest.raises(InvalidParameter, match=next(iter(options))):
         ke.rrt_star(problem_of(), rng=0, **options)
 
@@ -284,7 +278,7 @@ def test_rrt_star_refuses_tuning_of_its_own(options):
     ],
 )
 def test_an_expansion_that_answers_wrongly_is_refused(answer):
-    """By a named error; what is no function too."""
+    """A named error is raised, also where the expansion is not a function."""
     with pytest.raises(ke.errors.KinoeduError):
         ke.tree_roadmap(problem_of(), lambda problem, tree, rng: answer, rng=0)
     with pytest.raises(InvalidParameter, match="expand"):

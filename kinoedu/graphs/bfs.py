@@ -1,5 +1,4 @@
-"""Breadth-first search: the nodes in the order of how many edges away they are. Bullo & Smith,
-chapter 2; LaValle, 2.2.
+"""Breadth-first search: visit the nodes in the order of how many edges away they are.
 
     BFS(G, start, goal)
      1  for each node v: parent(v) := none
@@ -13,8 +12,10 @@ chapter 2; LaValle, 2.2.
      9              insert u at the end of Q
     10  return failure
 
-The book looks for the goal when it is first seen, in line 7; here it may wait in the queue. The
-path is the same.
+The book tests for the goal when a node is first seen, in line 7. Here the goal is tested when it
+leaves the queue. The path is the same.
+
+Bullo & Smith, chapter 2; LaValle, section 2.2.
 """
 
 from collections.abc import Iterator
@@ -26,7 +27,7 @@ from numpy.typing import NDArray
 from ..compiled import algorithm, compiled
 from ..geometry.checks import Array
 from .flat import degree, edge
-from .paths import Expansion, Search, Steps, ends, moments, path_found
+from .paths import Expansion, Search, Steps, check_ends, path_or_none, yield_moments
 
 
 @compiled
@@ -38,11 +39,11 @@ def breadth_first(
     parent: NDArray[np.int64],
     queue: NDArray[np.int64],
 ) -> Iterator[int]:
-    """Yield the nodes as they leave the queue; goal = -1 takes out all. Fills cost, parent and
-    queue, shapes (n,).
+    """Yield the nodes as they leave the queue.
 
-    A node was seen when its cost, the number of edges from the start, is finite. The queue is what
-    was ever inserted, in order.
+    Fills `cost`, `parent` and `queue`, each of shape (n,). A node has been seen when its cost, the
+    number of edges from the start, is finite. The array `queue` holds every node that was ever
+    inserted, in order. With goal = -1 the search visits every node that it can reach.
     """
     cost[start] = 0.0
     queue[0] = start
@@ -66,8 +67,13 @@ def breadth_first(
 def search_breadth_first(
     graph: Any, size: int, start: int, goal: int
 ) -> tuple[Array, NDArray[np.int64], NDArray[np.int64], int]:
-    """Run it to its end: cost, parent, the nodes in the order they left the queue, and how many
-    edges were looked at.
+    """Run a whole breadth-first search.
+
+    Returns
+    -------
+    cost, parent : (n,) arrays.
+    expanded : (k,), the nodes in the order in which they left the queue.
+    looked_at : how many edges were examined.
     """
     cost, parent = np.full(size, np.inf), np.full(size, -1, np.int64)
     queue, retrieved, looked_at = np.empty(size, np.int64), 0, 0
@@ -79,30 +85,48 @@ def search_breadth_first(
 
 
 def bfs(graph: Any, start: int, goal: int | None = None) -> Search:
-    """Breadth-first search from `start`, of all it can reach or until `goal`, with its order and
-    its count of steps. O(n + m).
+    """Breadth-first search from `start`, to `goal` or over all reachable nodes. O(n + m).
 
-    Weights are not looked at: cost[u] is the least number of edges from the start. Raises
-    InvalidGraph where a node is not there.
+    Weights are ignored: cost[u] is the least number of edges from the start to u.
 
+    Returns
+    -------
+    Search, with the order of expansion and the number of steps.
+
+    Raises
+    ------
+    InvalidGraph
+        Where `start` or `goal` is not a node of the graph.
+
+    Examples
+    --------
     >>> from kinoedu.graphs import Graph
     >>> found = bfs(Graph(5, [(0, 1), (0, 2), (1, 3), (2, 3)]), 0)
     >>> found.cost, found.steps
     (array([ 0.,  1.,  1.,  2., inf]), Steps(nodes=4, edges=8))
     """
-    flat, first, last = ends(graph, start, goal)
+    flat, first, last = check_ends(graph, start, goal)
     cost, parent, expanded, looked_at = search_breadth_first(flat, flat.size, first, last)
     return Search(cost, parent, expanded, Steps(len(expanded), int(looked_at)))
 
 
 def bfs_tree(graph: Any, start: int) -> NDArray[np.int64]:
-    """The parent of each node in the breadth-first tree, shape (n,): the node from which it was
-    first seen. O(n + m).
+    """The parent of each node in the breadth-first tree. O(n + m).
 
-    It is -1 for the start and for nodes that cannot be reached; only for the latter is `bfs(graph,
-    start).cost` infinite. Among equally short ways the tree takes the one seen first. Raises
-    InvalidGraph.
+    Among equally short paths the tree takes the one that was seen first.
 
+    Returns
+    -------
+    (n,) array: the node from which each node was first seen; -1 for the start and for nodes that
+    cannot be reached. The two differ in `bfs(graph, start).cost`, which is infinite for the latter.
+
+    Raises
+    ------
+    InvalidGraph
+        Where `start` is not a node of the graph.
+
+    Examples
+    --------
     >>> from kinoedu.graphs import Graph
     >>> bfs_tree(Graph(5, [(0, 1), (0, 2), (1, 3), (2, 3)]), 0)
     array([-1,  0,  0,  1, -1])
@@ -111,22 +135,40 @@ def bfs_tree(graph: Any, start: int) -> NDArray[np.int64]:
 
 
 def bfs_path(graph: Any, start: int, goal: int) -> NDArray[np.int64] | None:
-    """A path of the fewest edges between two nodes, as node numbers (k,), or None where there is
-    none. O(n + m). InvalidGraph.
+    """A path with the fewest edges between two nodes. O(n + m).
 
+    Returns
+    -------
+    (k,) array of node numbers, or None where there is no path.
+
+    Raises
+    ------
+    InvalidGraph
+        Where `start` or `goal` is not a node of the graph.
+
+    Examples
+    --------
     >>> from kinoedu.graphs import Graph
     >>> graph = Graph(5, [(0, 1), (0, 2), (1, 3), (2, 3)])
     >>> bfs_path(graph, 0, 3), bfs_path(graph, 0, 4)
     (array([0, 1, 3]), None)
     """
-    _, first, last = ends(graph, start, goal)
-    return path_found(bfs(graph, first, last), last)
+    _, first, last = check_ends(graph, start, goal)
+    return path_or_none(bfs(graph, first, last), last)
 
 
 def bfs_expansions(graph: Any, start: int, goal: int | None = None) -> Iterator[Expansion]:
-    """The same search one expansion after another, each with the queue as it was then. O(n) more
-    for each. InvalidGraph.
+    """Breadth-first search as an iterator over its expansions, with the queue at each of them.
 
+    Each expansion costs O(n) more than in `bfs`, because it copies the arrays.
+
+    Raises
+    ------
+    InvalidGraph
+        Where `start` or `goal` is not a node of the graph.
+
+    Examples
+    --------
     >>> from kinoedu.graphs import Graph
     >>> for moment in bfs_expansions(Graph(4, [(0, 1), (0, 2), (1, 3)]), 0):
     ...     moment.node, moment.frontier
@@ -135,13 +177,10 @@ def bfs_expansions(graph: Any, start: int, goal: int | None = None) -> Iterator[
     (2, array([3]))
     (3, array([], dtype=int64))
     """
-    flat, first, last = ends(graph, start, goal)
-    cost, parent, queue = (
-        np.full(flat.size, np.inf),
-        np.full(flat.size, -1),
-        np.empty(flat.size, np.int64),
-    )
+    flat, first, last = check_ends(graph, start, goal)
+    cost, parent = np.full(flat.size, np.inf), np.full(flat.size, -1)
+    queue = np.empty(flat.size, np.int64)
     steps = breadth_first.py_func(flat, first, last, cost, parent, queue)
-    return moments(
+    return yield_moments(
         steps, cost, parent, lambda v, before: queue[before + 1 : np.isfinite(cost).sum()]
     )

@@ -1,6 +1,4 @@
-"""Where the parts of a graph enter: lists become checked arrays that can grow, or a named error
-says what is wrong with them.
-"""
+"""Checks of what a graph is built from: valid input becomes arrays, other input a named error."""
 
 from typing import Any
 
@@ -15,8 +13,12 @@ from ..support.text import shortened
 
 
 class Rows:
-    """An array that grows by a row at a time, in O(1) on average: room is doubled when it runs out.
+    """An array that grows by one row at a time, in O(1) on average.
 
+    The capacity is doubled when it runs out.
+
+    Examples
+    --------
     >>> numbers = Rows(np.array([1.0]))
     >>> numbers.append(2.0)
     >>> numbers.rows
@@ -28,11 +30,11 @@ class Rows:
 
     @property
     def rows(self) -> NDArray[Any]:
-        """Those that are there."""
+        """The rows that have been added, a view."""
         return self.room[: self.count]
 
     def append(self, row: Any) -> None:
-        """Add one at the end."""
+        """Add one row at the end."""
         if self.count == len(self.room):
             self.room = np.concatenate(
                 [self.room, np.empty((max(4, self.count), *self.room.shape[1:]), self.room.dtype)]
@@ -42,8 +44,12 @@ class Rows:
 
 
 def as_size(size: Any, places: int | None) -> int:
-    """How many nodes there are, from what was said and from the nodes given, which must agree;
-    InvalidGraph otherwise.
+    """The number of nodes, from `size` and from the number of given places.
+
+    Raises
+    ------
+    InvalidGraph
+        Where `size` is not 0, 1, 2, ..., or differs from the number of places.
     """
     if size is None:
         return places or 0
@@ -58,8 +64,14 @@ def as_size(size: Any, places: int | None) -> int:
 
 
 def as_edges(edges: ArrayLike, size: int) -> NDArray[np.int64]:
-    """Edges as whole numbers of shape (m, 2), each a node of the graph; InvalidGraph otherwise."""
-    given = as_regular(edges, "edges must be pairs of nodes, shape (m, 2)")
+    """Edges as an array of node numbers, shape (m, 2).
+
+    Raises
+    ------
+    InvalidGraph
+        Where they are not pairs of whole numbers from 0 to size - 1.
+    """
+    given = as_regular_array(edges, "edges must be pairs of nodes, shape (m, 2)")
     if given.size == 0 and given.ndim <= 2:
         return np.empty((0, 2), np.int64)
     whole = given.dtype.kind in "iu" or (
@@ -77,8 +89,14 @@ def as_edges(edges: ArrayLike, size: int) -> NDArray[np.int64]:
 
 
 def as_weights(weights: ArrayLike, count: int) -> Array:
-    """Weights (m,), one for each edge: finite and zero or more; InvalidGraph otherwise."""
-    given = as_regular(weights, "weights must be numbers, one for each edge")
+    """Weights as an array, shape (m,), one for each edge.
+
+    Raises
+    ------
+    InvalidGraph
+        Where they are not `count` finite numbers of zero or more.
+    """
+    given = as_regular_array(weights, "weights must be numbers, one for each edge")
     if given.size and given.dtype.kind not in "iuf":
         raise InvalidGraph(f"weights must be numbers, one for each edge, got {shortened(weights)}")
     if given.shape != (count,):
@@ -89,8 +107,8 @@ def as_weights(weights: ArrayLike, count: int) -> Array:
     return given.astype(np.float64)
 
 
-def as_regular(value: ArrayLike, expected: str) -> NDArray[Any]:
-    """An array; InvalidGraph where rows differ in length."""
+def as_regular_array(value: ArrayLike, expected: str) -> NDArray[Any]:
+    """Convert to an array; raises InvalidGraph where rows differ in length."""
     try:
         return np.asarray(value)
     except (TypeError, ValueError):
@@ -100,8 +118,14 @@ def as_regular(value: ArrayLike, expected: str) -> NDArray[Any]:
 
 
 def as_node_places(nodes: ArrayLike, space: Any) -> Array:
-    """Where nodes are, shape (n, d), with the d of the space; none at all are in the plane.
-    InvalidPoint otherwise.
+    """The positions of nodes, shape (n, d), with the dimension of the space.
+
+    Where there are no nodes and no dimension is given, d is 2.
+
+    Raises
+    ------
+    InvalidPoint
+        Where they are not points of that dimension.
     """
     places = as_array(nodes, "nodes")
     d = len(space.lo) if hasattr(space, "lo") else None
@@ -113,7 +137,13 @@ def as_node_places(nodes: ArrayLike, space: Any) -> Array:
 
 
 def as_node_place(q: ArrayLike | None, nodes: Array, space: Any) -> Array:
-    """One place (d,) among nodes (n, d); InvalidPoint otherwise."""
+    """The position of one new node, shape (d,), beside nodes (n, d).
+
+    Raises
+    ------
+    InvalidPoint
+        Where it is missing, or is not a point of that dimension.
+    """
     if q is None:
         raise InvalidPoint("a node of an embedded graph needs its place q")
     place = as_array(q, "q")
@@ -125,24 +155,14 @@ def as_node_place(q: ArrayLike | None, nodes: Array, space: Any) -> Array:
     return place
 
 
-def everywhere(d: int) -> RealSpace:
-    """R^d without bounds, for its distance."""
+def unbounded_space(d: int) -> RealSpace:
+    """R^d without bounds, used for its distance only."""
     return RealSpace(np.full(d, -np.inf), np.full(d, np.inf))
 
 
-def distances_from(space: Any, nodes: Array, q: Array) -> Array:
-    """The distance from each node (n, d) to q by the space's metric, shape (n,)."""
-    return ask_distances(space, nodes, q)
-
-
-def edge_lengths(space: Any, nodes: Array, edges: NDArray[np.int64]) -> Array:
-    """The distance between the ends of each edge (m, 2), shape (m,)."""
-    return ask_lengths(space, nodes, edges)
-
-
 @algorithm
-def ask_lengths(space: Any, nodes: Array, edges: NDArray[np.int64]) -> Array:
-    """One after another."""
+def edge_lengths(space: Any, nodes: Array, edges: NDArray[np.int64]) -> Array:
+    """The distance between the ends of each edge (m, 2) by the space's metric, shape (m,)."""
     lengths = np.empty(len(edges))
     for e in range(len(edges)):
         lengths[e] = distance(space, nodes[edges[e, 0]], nodes[edges[e, 1]])
@@ -150,8 +170,8 @@ def ask_lengths(space: Any, nodes: Array, edges: NDArray[np.int64]) -> Array:
 
 
 @algorithm
-def ask_distances(space: Any, nodes: Array, q: Array) -> Array:
-    """One after another."""
+def compute_distances(space: Any, nodes: Array, q: Array) -> Array:
+    """The distance from each node (n, d) to q by the space's metric, shape (n,)."""
     apart = np.empty(len(nodes))
     for i in range(len(nodes)):
         apart[i] = distance(space, nodes[i], q)

@@ -1,5 +1,6 @@
-"""Connected components: one breadth-first search from each node that none before has reached. Bullo
-& Smith, chapter 2.
+"""Connected components of an undirected graph. Bullo & Smith, chapter 2.
+
+One breadth-first search starts at each node that no earlier search has reached.
 """
 
 from typing import Any
@@ -12,18 +13,14 @@ from .bfs import breadth_first
 
 
 @algorithm
-def component_labels(graph: Any, size: int) -> NDArray[np.int64]:
-    """A number for each node, shape (n,), the same for nodes of one component: counted from 0 by
-    least node. O(n + m).
+def label_components(graph: Any, size: int) -> NDArray[np.int64]:
+    """The component of each node, (n,), numbered from 0 in the order of least nodes. O(n + m).
 
-    The edges of the graph must lead both ways.
+    Each edge of the graph must lead both ways.
     """
     labels, count = np.full(size, -1, np.int64), 0
-    cost, parent, queue = (
-        np.full(size, np.inf),
-        np.full(size, -1, np.int64),
-        np.empty(size, np.int64),
-    )
+    cost, parent = np.full(size, np.inf), np.full(size, -1, np.int64)
+    queue = np.empty(size, np.int64)
     for u in range(size):
         if labels[u] < 0:
             for v in breadth_first(graph, u, -1, cost, parent, queue):

@@ -1,5 +1,4 @@
-"""Depth-first search: on from the newest node as long as that leads to new ones, then back.
-LaValle, 2.2.
+"""Depth-first search: go on from the newest node while that finds new nodes, then go back.
 
     DFS(v)
     1  mark v as seen
@@ -8,11 +7,11 @@ LaValle, 2.2.
     4          parent(u) := v
     5          DFS(u)
 
-The calls that wait are a stack. Here it is held in an array, so that a path of a million nodes
-needs no million calls: the order is that of the recursion. The path it finds is a path, and that is
-all: it is in general not a shortest one.
+The pending calls form a stack. Here the stack is an array, so a path of a million nodes needs no
+million nested calls; the order is that of the recursion. The path that is found is in general not
+a shortest one.
 
-R. Tarjan, "Depth-first search and linear graph algorithms" (1972).
+LaValle, section 2.2; R. Tarjan, "Depth-first search and linear graph algorithms" (1972).
 """
 
 from collections.abc import Iterator
@@ -24,7 +23,7 @@ from numpy.typing import NDArray
 from ..compiled import algorithm, compiled
 from ..geometry.checks import Array
 from .flat import degree, edge
-from .paths import Expansion, Search, Steps, ends, moments, path_found
+from .paths import Expansion, Search, Steps, check_ends, path_or_none, yield_moments
 
 
 @compiled
@@ -37,11 +36,12 @@ def depth_first(
     stack: NDArray[np.int64],
     looked_at: NDArray[np.int64],
 ) -> Iterator[int]:
-    """Yield the nodes as they are entered; goal = -1 enters all. Fills cost, parent, stack, and
-    looked_at, which starts at zero; shapes (n,).
+    """Yield the nodes as they are entered.
 
-    A node was seen when its cost, the number of edges of its path, is finite. The stack is the path
-    from the start to the node that is being looked at; looked_at[v] of its edges have been tried.
+    Fills `cost`, `parent`, `stack`, and `looked_at`, which must be zero at first; shapes (n,). A
+    node has been seen when its cost, the number of edges on its path, is finite. The stack is the
+    path from the start to the current node v; looked_at[v] of the edges of v have been examined.
+    With goal = -1 the search enters every node that it can reach.
     """
     cost[start] = 0.0
     stack[0] = start
@@ -68,8 +68,13 @@ def depth_first(
 def search_depth_first(
     graph: Any, size: int, start: int, goal: int
 ) -> tuple[Array, NDArray[np.int64], NDArray[np.int64], int]:
-    """Run it to its end: cost, parent, the nodes in the order they were entered, and how many edges
-    were looked at.
+    """Run a whole depth-first search.
+
+    Returns
+    -------
+    cost, parent : (n,) arrays.
+    expanded : (k,), the nodes in the order in which they were entered.
+    looked_at : how many edges were examined.
     """
     cost, parent = np.full(size, np.inf), np.full(size, -1, np.int64)
     stack, looked_at = np.empty(size, np.int64), np.zeros(size, np.int64)
@@ -83,42 +88,69 @@ def search_depth_first(
 
 
 def dfs(graph: Any, start: int, goal: int | None = None) -> Search:
-    """Depth-first search from `start`, of all it can reach or until `goal`, with its order and its
-    count of steps. O(n + m).
+    """Depth-first search from `start`, to `goal` or over all reachable nodes. O(n + m).
 
-    cost[u] is the number of edges on the path found, in general not the least. Raises InvalidGraph
-    where a node is not there.
+    cost[u] is the number of edges on the path that was found, in general not the least number.
 
+    Returns
+    -------
+    Search, with the order of expansion and the number of steps.
+
+    Raises
+    ------
+    InvalidGraph
+        Where `start` or `goal` is not a node of the graph.
+
+    Examples
+    --------
     >>> from kinoedu.graphs import Graph
     >>> found = dfs(Graph(4, [(0, 1), (1, 2), (2, 3), (3, 0)]), 0)
     >>> found.expanded, found.cost, found.steps
     (array([0, 1, 2, 3]), array([0., 1., 2., 3.]), Steps(nodes=4, edges=8))
     """
-    flat, first, last = ends(graph, start, goal)
+    flat, first, last = check_ends(graph, start, goal)
     cost, parent, expanded, looked_at = search_depth_first(flat, flat.size, first, last)
     return Search(cost, parent, expanded, Steps(len(expanded), int(looked_at)))
 
 
 def dfs_path(graph: Any, start: int, goal: int) -> NDArray[np.int64] | None:
-    """Some path between two nodes, as node numbers (k,), or None where there is none. O(n + m).
-    InvalidGraph.
+    """A path between two nodes, in general not a shortest one. O(n + m).
 
-    Not a shortest one: here it goes round, though an edge leads from 0 to 3.
+    In the example the path goes all the way round, although an edge leads from 0 to 3.
 
+    Returns
+    -------
+    (k,) array of node numbers, or None where there is no path.
+
+    Raises
+    ------
+    InvalidGraph
+        Where `start` or `goal` is not a node of the graph.
+
+    Examples
+    --------
     >>> from kinoedu.graphs import Graph
     >>> dfs_path(Graph(4, [(0, 1), (1, 2), (2, 3), (3, 0)]), 0, 3)
     array([0, 1, 2, 3])
     """
-    _, first, last = ends(graph, start, goal)
-    return path_found(dfs(graph, first, last), last)
+    _, first, last = check_ends(graph, start, goal)
+    return path_or_none(dfs(graph, first, last), last)
 
 
 def dfs_expansions(graph: Any, start: int, goal: int | None = None) -> Iterator[Expansion]:
-    """The same search one expansion after another; O(n) more for each. InvalidGraph.
+    """Depth-first search as an iterator over its expansions, with the stack at each of them.
 
-    The frontier is the stack below the node, its parent first: nodes entered before, to whose other
-    edges the search comes back.
+    The frontier is the stack below the current node, its parent first: nodes that were entered
+    before and to whose other edges the search returns. Each expansion costs O(n) more than in
+    `dfs`.
 
+    Raises
+    ------
+    InvalidGraph
+        Where `start` or `goal` is not a node of the graph.
+
+    Examples
+    --------
     >>> from kinoedu.graphs import Graph
     >>> for moment in dfs_expansions(Graph(4, [(0, 1), (0, 2), (1, 3)]), 0):
     ...     moment.node, moment.frontier
@@ -127,8 +159,8 @@ def dfs_expansions(graph: Any, start: int, goal: int | None = None) -> Iterator[
     (3, array([1, 0]))
     (2, array([0]))
     """
-    flat, first, last = ends(graph, start, goal)
+    flat, first, last = check_ends(graph, start, goal)
     cost, parent = np.full(flat.size, np.inf), np.full(flat.size, -1)
     stack, looked_at = np.empty(flat.size, np.int64), np.zeros(flat.size, np.int64)
     steps = depth_first.py_func(flat, first, last, cost, parent, stack, looked_at)
-    return moments(steps, cost, parent, lambda v, before: stack[: int(cost[v])][::-1])
+    return yield_moments(steps, cost, parent, lambda v, before: stack[: int(cost[v])][::-1])

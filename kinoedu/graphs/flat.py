@@ -1,9 +1,9 @@
-"""What a search asks of a graph, and the flat arrays that answer at the speed of memory.
+"""The interface between a search and a graph, and a graph in flat arrays.
 
-A search asks two things: how many edges leave a node, and where each leads at what weight. A grid
-answers without holding edges; a `Graph` answers by its `GraphRecord`, compressed sparse rows as in
-Y. Saad, "Iterative Methods for Sparse Linear Systems", section
-3.4.
+A search needs two operations: `degree`, the number of edges that leave a node, and `edge`, where
+the k-th of them leads and its weight. A grid computes both without storing edges. A `Graph`
+converts itself to a `GraphRecord`, which stores compressed sparse rows as in Y. Saad, "Iterative
+Methods for Sparse Linear Systems", section 3.4.
 """
 
 from functools import singledispatch
@@ -20,24 +20,25 @@ from ..support.text import shortened
 
 @generic(1)
 def degree(graph: object, u: int) -> int:
-    """How many edges leave node u: they are numbered 0 to degree - 1. A grid counts moves that it
-    may refuse.
+    """The number of edges that leave node u; they are numbered 0 to degree - 1.
+
+    A grid counts moves that it may refuse.
     """
     raise TypeError("this kind of graph cannot be searched")
 
 
 @generic(1)
 def edge(graph: object, u: int, k: int) -> tuple[int, float]:
-    """Where the k-th edge that leaves u leads, and its weight; -1 where that move is refused."""
+    """The end of the k-th edge from u, or -1 where a grid refuses the move; and its weight."""
     raise TypeError("this kind of graph cannot be searched")
 
 
 @record
 class GraphRecord(NamedTuple):
-    """A graph held flat: the edges that leave u lead to to[first[u]:first[u + 1]], with the weights
-    beside them.
+    """A graph in flat arrays.
 
-    edges (m, 2) and weights (m,) are as given: the order in which a planner found them.
+    The edges that leave u lead to to[first[u]:first[u + 1]]; `weight` holds their weights in the
+    same order. edges (m, 2) and weights (m,) keep the order in which the edges were given.
     """
 
     size: int
@@ -48,7 +49,7 @@ class GraphRecord(NamedTuple):
     weight: Array
 
     def degree(self, u: int) -> int:
-        """How many edges leave node u."""
+        """The number of edges that leave node u."""
         return len(self.neighbours(u))
 
     def neighbours(self, u: int) -> NDArray[np.int64]:
@@ -59,30 +60,30 @@ class GraphRecord(NamedTuple):
 def flat_graph(
     size: int, edges: NDArray[np.int64], weights: Array, *, directed: bool = False
 ) -> GraphRecord:
-    """The record of a graph from edges (m, 2) and weights (m,) that are known to be right. O(n +
-    m).
+    """Build the record of a graph from edges (m, 2) and weights (m,) without checks. O(n + m).
 
-    For planners, whose edges need no checks; a reader's own go through `Graph`. Edges that leave a
-    node stand in the order of the nodes they lead to, parallel ones in the order they were given.
+    For planners, whose edges are known to be valid; a reader's own edges go through `Graph`. Edges
+    that leave a node are sorted by the node they lead to; parallel edges keep their order.
 
+    Examples
+    --------
     >>> graph = flat_graph(3, np.array([(0, 2), (0, 1)]), np.array([5.0, 1.0]))
     >>> graph.neighbours(0), degree(graph, 2), edge(graph, 0, 1)
     (array([1, 2]), np.int64(1), (np.int64(2), np.float64(5.0)))
     """
     return GraphRecord(
-        size, edges, weights, *compressed_rows(size, edges, weights, 1 if directed else 2)
+        size, edges, weights, *compress_rows(size, edges, weights, 1 if directed else 2)
     )
 
 
 @algorithm
-def compressed_rows(
+def compress_rows(
     size: int, edges: NDArray[np.int64], weights: Array, ways: int
 ) -> tuple[NDArray[np.int64], NDArray[np.int64], Array]:
-    """Where the edges that leave each node begin, where they lead and their weights; each edge goes
-    there, or there and back.
+    """The compressed sparse rows of a graph: where each node's edges begin, their ends and weights.
 
-    Two counting sorts, by the node led to and then by the node left: the second keeps what the
-    first has put in order.
+    Each edge is stored once (ways = 1), or once in each direction (ways = 2). Two counting sorts,
+    by target and then by source: the second is stable and keeps the order that the first has made.
     """
     m = len(edges)
     by_target, by_source = np.zeros(size + 2, np.int64), np.zeros(size + 2, np.int64)
@@ -112,8 +113,11 @@ def compressed_rows(
 def counting_sort(
     keys: NDArray[np.int64], order: NDArray[np.int64], size: int
 ) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """Where each key from 0 to size begins, (size + 1,), and `order` with its keys in increasing
-    order, stable. O(n + size).
+    """Sort `order` by keys from 0 to size, stably. O(n + size).
+
+    Returns
+    -------
+    (size + 1,) array: where each key begins; and the sorted order.
     """
     at = np.zeros(size + 2, np.int64)
     for key in keys:
@@ -129,21 +133,25 @@ def counting_sort(
 
 @degree.register(GraphRecord)
 def graph_degree(graph: GraphRecord, u: int) -> int:
-    """From the flat arrays."""
+    """Read from the flat arrays."""
     return graph.first[u + 1] - graph.first[u]
 
 
 @edge.register(GraphRecord)
 def graph_edge(graph: GraphRecord, u: int, k: int) -> tuple[int, float]:
-    """From the flat arrays."""
+    """Read from the flat arrays."""
     at = graph.first[u] + k
     return graph.to[at], graph.weight[at]
 
 
 @singledispatch
-def searchable(graph: Any) -> Any:
-    """What a compiled search runs on: a record that answers `degree` and `edge`; InvalidGraph for
-    what is none.
+def as_searchable(graph: Any) -> Any:
+    """Convert a graph to the record on which compiled searches run.
+
+    Raises
+    ------
+    InvalidGraph
+        Where it is neither a Graph nor a record with answers for `degree` and `edge`.
     """
     if not isinstance(graph, tuple) or not hasattr(graph, "size"):
         raise InvalidGraph(
@@ -154,7 +162,13 @@ def searchable(graph: Any) -> Any:
 
 @singledispatch
 def check_node(graph: Any, u: Any, name: str) -> int:
-    """The node u as a plain number; InvalidGraph unless it is one of the graph's."""
+    """The node u as a plain number.
+
+    Raises
+    ------
+    InvalidGraph
+        Where u is not a node of the graph.
+    """
     if isinstance(u, bool) or not isinstance(u, int | np.integer) or not 0 <= u < graph.size:
         have = (
             f"a node from 0 to {graph.size - 1}"

@@ -1,9 +1,8 @@
-"""Graphs that can be built in one go or grown: nodes with numbers, in a space or in none; edges
-with weights, both ways or one.
+"""Graphs that can be built at once or grown: numbered nodes, with or without positions.
 
-A number once given stays its node's for ever: after `delete_node` the others keep theirs, and the
-one that is gone is refused by name instead of meaning another node. So what a reader keeps beside a
-graph (parents, costs, a picture) stays right.
+The number of a node never changes. After `delete_node` the other nodes keep their numbers, and the
+number of the deleted node is refused with an error. So arrays that a reader keeps beside a graph
+(parents, costs, a picture) stay valid.
 """
 
 from collections.abc import Iterator
@@ -22,12 +21,12 @@ from .checks import (
     as_node_places,
     as_size,
     as_weights,
-    distances_from,
+    compute_distances,
     edge_lengths,
-    everywhere,
+    unbounded_space,
 )
-from .components import component_labels
-from .flat import GraphRecord, check_node, flat_graph, searchable
+from .components import label_components
+from .flat import GraphRecord, as_searchable, check_node, flat_graph
 from .matrices import adjacency_matrix, incidence_matrix, laplacian_matrix
 from .search import dijkstra
 
@@ -35,23 +34,30 @@ from .search import dijkstra
 class Graph:
     """A graph of nodes numbered from 0.
 
+    `len(graph)` counts the nodes; `for u in graph` and `u in graph` use their numbers. `size`
+    counts all numbers ever given, and is the length of every array with an entry for each node.
+    `node_data` is a list of that length, for the reader's own data.
+
     Parameters
     ----------
     size : how many nodes; may be left out where `nodes` are given.
     edges : (m, 2) pairs of nodes; each leads both ways unless `directed`. Loops and parallel edges
-    are allowed.
-    weights : (m,) numbers, zero or more. Left out they are 1, or in an embedded graph the distance
-    between the edge's ends.
-    nodes : (n, d) where the nodes are: the graph is embedded.
-    space : any space of `kinoedu.spaces`, whose distance is meant; Euclidean by default.
+        are allowed.
+    weights : (m,) numbers, zero or more. By default they are 1, or in an embedded graph the
+        distances between the ends of the edges.
+    nodes : (n, d) positions of the nodes; they make the graph embedded.
+    space : a space of `kinoedu.spaces`, for its distance; Euclidean by default.
 
-    Raises InvalidGraph where an edge names a node that is not there, or a weight is negative,
-    infinite or not a number; InvalidPoint for nodes that are no points.
+    Raises
+    ------
+    InvalidGraph
+        Where an edge names a node that does not exist, or a weight is negative, infinite or not a
+        number.
+    InvalidPoint
+        Where `nodes` are not points of the space.
 
-    `len(graph)` counts the nodes, `for u in graph` and `u in graph` go by their numbers. `size`
-    counts the numbers ever given, and the length of every array that has an entry for each node.
-    `node_data` is a list of that length, to read and write.
-
+    Examples
+    --------
     >>> graph = Graph(4, [(0, 1), (1, 2), (0, 3)])
     >>> graph.neighbours(0), graph.degree(1)
     (array([1, 3]), 2)
@@ -71,22 +77,21 @@ class Graph:
         space: Any = None,
         directed: bool = False,
     ) -> None:
-        places = (
-            None
-            if nodes is None and space is None
-            else as_node_places(() if nodes is None else nodes, space)
-        )
+        places = None
+        if nodes is not None or space is not None:
+            places = as_node_places(() if nodes is None else nodes, space)
         count = as_size(size, None if places is None else len(places))
         pairs = as_edges(edges, count)
         self.directed = bool(directed)
-        self.space = everywhere(places.shape[1]) if places is not None and space is None else space
+        self.space = (
+            unbounded_space(places.shape[1]) if places is not None and space is None else space
+        )
         self.node_data: list[Any] = [None] * count
         self._there = [True] * count
         self._places = None if places is None else Rows(places)
         self._edges = Rows(pairs)
-        self._weights = Rows(
-            self._metric(pairs) if weights is None else as_weights(weights, len(pairs))
-        )
+        given = self._metric(pairs) if weights is None else as_weights(weights, len(pairs))
+        self._weights = Rows(given)
         self._edge_data: list[Any] = [None] * len(pairs)
         self._flat: GraphRecord | None = None
 
@@ -111,31 +116,45 @@ class Graph:
 
     @property
     def nodes(self) -> Array:
-        """Where the nodes are, (size, d), a deleted one where it was; a copy. InvalidGraph where
-        the graph is not embedded.
+        """The positions of the nodes, (size, d), also of deleted ones; a copy.
+
+        Raises
+        ------
+        InvalidGraph
+            Where the graph is not embedded.
         """
         return self._embedding().rows.copy()
 
     @property
     def edges(self) -> NDArray[np.int64]:
-        """The edges that are there, (m, 2), in the order they were added; a copy."""
+        """The edges, (m, 2), in the order in which they were added; a copy."""
         return self._edges.rows.copy()
 
     @property
     def weights(self) -> Array:
-        """Their weights, (m,); a copy."""
+        """The weights of the edges, (m,); a copy."""
         return self._weights.rows.copy()
 
     def add_node(self, q: ArrayLike | None = None, data: Any = None) -> int:
-        """Add a node, at q (d,) if the graph is embedded; returns its number. O(1) on average.
-        InvalidGraph, InvalidPoint.
+        """Add a node, at position q (d,) in an embedded graph. O(1) on average.
+
+        Returns
+        -------
+        The number of the new node.
+
+        Raises
+        ------
+        InvalidGraph
+            Where q is given, but the graph is not embedded.
+        InvalidPoint
+            Where the graph is embedded, and q is missing or not a point of its space.
         """
         if self._places is not None:
             self._places.append(as_node_place(q, self._places.rows, self.space))
         elif q is not None:
             raise InvalidGraph(
-                f"a node of a graph in no space has no place, got {shortened(q)}; give Graph its "
-                "nodes or space"
+                f"a node of this graph has no position, got {shortened(q)}; give Graph its nodes "
+                "or space"
             )
         self._there.append(True)
         self.node_data.append(data)
@@ -143,10 +162,15 @@ class Graph:
         return self.size - 1
 
     def add_edge(self, u: int, v: int, weight: float | None = None, data: Any = None) -> None:
-        """Add an edge from u to v, both ways unless directed. O(1) on average. Raises InvalidGraph.
+        """Add an edge from u to v, in both directions unless directed. O(1) on average.
 
-        Its weight is by default 1, or the distance in an embedded graph. An edge that is there
-        already gets a parallel one.
+        By default its weight is 1, or the distance between its ends in an embedded graph. Where
+        there is an edge from u to v already, the new one is parallel to it.
+
+        Raises
+        ------
+        InvalidGraph
+            Where u or v is not a node, or the weight is negative, infinite or not a number.
         """
         pair = np.array([[check_node(self, u, "u"), check_node(self, v, "v")]])
         cost = self._metric(pair) if weight is None else as_weights([weight], 1)
@@ -156,75 +180,121 @@ class Graph:
         self._flat = None
 
     def delete_edge(self, u: int, v: int) -> None:
-        """Delete the edge from u to v with its parallels; undirected, the other way too. O(m).
-        InvalidGraph where there is none.
+        """Delete the edge from u to v and its parallels; undirected, also those from v to u. O(m).
+
+        Raises
+        ------
+        InvalidGraph
+            Where there is no such edge.
         """
         between = self._between(u, v)
         self._keep_edges(np.setdiff1d(np.arange(self._edges.count), between))
 
     def delete_node(self, u: int) -> None:
-        """Delete a node and its edges; its number is not given again. O(n + m). Raises
-        InvalidGraph.
+        """Delete a node and its edges; its number is never given again. O(n + m).
+
+        Raises
+        ------
+        InvalidGraph
+            Where u is not a node.
         """
         self._there[check_node(self, u, "u")] = False
         self.node_data[u] = None
         self._keep_edges(np.flatnonzero((self._edges.rows != u).all(axis=1)))
 
     def neighbours(self, u: int) -> NDArray[np.int64]:
-        """The nodes that an edge from u leads to, each once, in increasing order."""
+        """The nodes that edges from u lead to, each once, in increasing order.
+
+        Raises
+        ------
+        InvalidGraph
+            Where u is not a node.
+        """
         return np.unique(self.flat().neighbours(check_node(self, u, "u")))
 
     def degree(self, u: int) -> int:
-        """How many edges leave u. Undirected, a loop counts twice, as it has two ends there. Raises
-        InvalidGraph.
+        """The number of edges that leave u; in an undirected graph a loop counts twice.
+
+        Raises
+        ------
+        InvalidGraph
+            Where u is not a node.
         """
         return len(self.flat().neighbours(check_node(self, u, "u")))
 
     def is_edge(self, u: int, v: int) -> bool:
-        """Whether an edge leads from u to v. Raises InvalidGraph where either is no node."""
+        """Whether an edge leads from u to v.
+
+        Raises
+        ------
+        InvalidGraph
+            Where u or v is not a node.
+        """
         return bool(
             (self.flat().neighbours(check_node(self, u, "u")) == check_node(self, v, "v")).any()
         )
 
     def weight(self, u: int, v: int) -> float:
-        """The weight of the edge from u to v, of parallel ones the least. O(m). InvalidGraph where
-        there is none.
+        """The weight of the edge from u to v, the least one of parallel edges. O(m).
+
+        Raises
+        ------
+        InvalidGraph
+            Where there is no such edge.
         """
         return float(self._weights.rows[self._between(u, v)].min())
 
     def edge_data(self, u: int, v: int) -> Any:
-        """What was given with the edge from u to v, of parallel ones with the least in weight.
-        InvalidGraph where none is.
+        """The data of the edge from u to v, of parallel edges that of the least weight.
+
+        Raises
+        ------
+        InvalidGraph
+            Where there is no such edge.
         """
         between = self._between(u, v)
         return self._edge_data[between[self._weights.rows[between].argmin()]]
 
     def components(self) -> list[NDArray[np.int64]]:
-        """The connected components, each in increasing order, that of the least node first. O(n +
-        m).
+        """The connected components, each sorted, in the order of their least nodes. O(n + m).
 
-        Of a directed graph the weakly connected ones: as if its edges led both ways.
+        For a directed graph the weakly connected components, as if its edges led both ways.
         """
         both_ways = flat_graph(self.size, self._edges.rows, self._weights.rows)
-        labels = np.where(self._there, component_labels(both_ways, self.size), -1)
+        labels = np.where(self._there, label_components(both_ways, self.size), -1)
         order = np.argsort(labels, kind="stable")
         starts = np.searchsorted(labels[order], np.unique(labels[labels >= 0]))
         return np.split(order, starts)[1:]
 
     def distances(self, q: ArrayLike) -> Array:
-        """From each node to q by the space's metric, (size,); infinite for deleted nodes.
-        InvalidGraph, InvalidPoint.
+        """The distance from each node to q by the metric of the space; infinite for deleted nodes.
+
+        Returns
+        -------
+        (size,) array.
+
+        Raises
+        ------
+        InvalidGraph
+            Where the graph is not embedded.
+        InvalidPoint
+            Where q is not a point of its space.
         """
         nodes = self._embedding().rows
-        return np.where(
-            self._there,
-            distances_from(self.space, nodes, as_node_place(q, nodes, self.space)),
-            np.inf,
-        )
+        apart = compute_distances(self.space, nodes, as_node_place(q, nodes, self.space))
+        return np.where(self._there, apart, np.inf)
 
     def closest(self, q: ArrayLike) -> tuple[int, float]:
-        """The node closest to q, the first among equals, and its distance: on a board, the vertex
-        that is picked.
+        """The node closest to q and its distance; ties go to the least number.
+
+        On a board this is the vertex that is picked.
+
+        Raises
+        ------
+        InvalidGraph
+            Where the graph has no nodes, or is not embedded.
+        InvalidPoint
+            Where q is not a point of its space.
         """
         if not len(self):
             raise InvalidGraph("a graph without nodes has none that is closest; add one first")
@@ -232,8 +302,16 @@ class Graph:
         return int(apart.argmin()), float(apart.min())
 
     def cost_to_go(self, goal: int) -> Array:
-        """The least cost from each node to the goal, (size,), infinite where no path leads:
-        Dijkstra backwards. InvalidGraph.
+        """The least cost from each node to the goal, by Dijkstra's algorithm on the reversed edges.
+
+        Returns
+        -------
+        (size,) array, infinite where no path leads to the goal.
+
+        Raises
+        ------
+        InvalidGraph
+            Where the goal is not a node.
         """
         backwards = flat_graph(
             self.size, self._edges.rows[:, ::-1].copy(), self._weights.rows, directed=self.directed
@@ -241,8 +319,7 @@ class Graph:
         return dijkstra(backwards, check_node(self, goal, "goal")).cost
 
     def adjacency(self, *, weighted: bool = True) -> Any:
-        """A (size, size), scipy sparse: A[u, v] is the weight of the edge from u to v; see
-        `matrices.adjacency_matrix`.
+        """The adjacency matrix A (size, size), scipy sparse; see `matrices.adjacency_matrix`.
 
         The rows and columns of deleted nodes are zero; `A[list(graph)][:, list(graph)]` leaves them
         out.
@@ -252,19 +329,15 @@ class Graph:
         )
 
     def incidence(self) -> Any:
-        """B (size, m), scipy sparse: +1 where edge e leaves, -1 where it arrives; see
-        `matrices.incidence_matrix`.
-        """
+        """The incidence matrix B (size, m), scipy sparse; see `matrices.incidence_matrix`."""
         return incidence_matrix(self.size, self._edges.rows)
 
     def laplacian(self, *, weighted: bool = True) -> Any:
-        """L = D - A (size, size), scipy sparse, with D the weights that leave each node; see
-        `matrices.laplacian_matrix`.
-        """
+        """The Laplacian L = D - A (size, size), scipy sparse; see `matrices.laplacian_matrix`."""
         return laplacian_matrix(self.adjacency(weighted=weighted))
 
     def flat(self) -> GraphRecord:
-        """What searches run on; made when asked for, and kept until the graph changes. O(n + m)."""
+        """The record on which searches run; it is kept until the graph changes. O(n + m)."""
         if self._flat is None:
             self._flat = flat_graph(
                 self.size, self._edges.rows, self._weights.rows, directed=self.directed
@@ -274,13 +347,12 @@ class Graph:
     def _embedding(self) -> Rows:
         if self._places is None:
             raise InvalidGraph(
-                "this graph is in no space, so it knows no places or distances; give Graph its "
-                "nodes"
+                "this graph has no positions, and so no distances; give Graph its nodes"
             )
         return self._places
 
     def _metric(self, pairs: NDArray[np.int64]) -> Array:
-        """The weights (m,) that edges have where none are given."""
+        """The default weights of edges, (m,)."""
         if self._places is None:
             return np.ones(len(pairs))
         return as_weights(edge_lengths(self.space, self._places.rows, pairs), len(pairs))
@@ -289,7 +361,7 @@ class Graph:
         return self._weights.rows if weighted else np.ones(self._edges.count)
 
     def _between(self, u: int, v: int) -> NDArray[np.int64]:
-        """The numbers of the edges from u to v; InvalidGraph where there are none."""
+        """The numbers of the edges from u to v; raises InvalidGraph where there are none."""
         pair, edges = [check_node(self, u, "u"), check_node(self, v, "v")], self._edges.rows
         same = (edges == pair).all(axis=1)
         if not self.directed:
@@ -304,7 +376,7 @@ class Graph:
         self._flat = None
 
 
-@searchable.register
+@as_searchable.register
 def _(graph: Graph) -> GraphRecord:
     return graph.flat()
 

@@ -1,8 +1,9 @@
-"""The matrices of a graph, as scipy sparse arrays. F. Bullo, "Lectures on Network Systems",
-chapters 4, 6 and 9.
+"""The matrices of a graph, as scipy sparse arrays.
 
-n nodes, m edges numbered as they were added. The row of a node without edges, and of one that was
-deleted, is zero.
+The graph has n nodes, and m edges numbered as they were added. The row of a node without edges is
+zero, as is that of a deleted node.
+
+F. Bullo, "Lectures on Network Systems", chapters 4, 6 and 9.
 """
 
 from typing import Any
@@ -14,11 +15,13 @@ from ..geometry.checks import Array
 
 
 def adjacency_matrix(size: int, edges: NDArray[np.int64], weights: Array, *, directed: bool) -> Any:
-    """A (n, n): A[u, v] is the weight of the edge from u to v, of parallel ones the sum. Symmetric
-    unless directed.
+    """The adjacency matrix A (n, n): A[u, v] is the weight of the edge from u to v.
 
-    A loop stands on the diagonal once. An edge of weight zero is stored as a zero.
+    Weights of parallel edges are added. A is symmetric unless the graph is directed. A loop is
+    stored on the diagonal once, and an edge of weight zero as a zero.
 
+    Examples
+    --------
     >>> adjacency_matrix(2, np.array([(0, 1)]), np.array([5.0]), directed=True).toarray()
     array([[0., 5.],
            [0., 0.]])
@@ -32,12 +35,13 @@ def adjacency_matrix(size: int, edges: NDArray[np.int64], weights: Array, *, dir
 
 
 def incidence_matrix(size: int, edges: NDArray[np.int64]) -> Any:
-    """B (n, m): B[u, e] is +1 where edge e leaves u and -1 where it arrives. The column of a loop
-    is zero.
+    """The incidence matrix B (n, m): B[u, e] is +1 where edge e leaves u and -1 where it arrives.
 
-    Undirected edges are taken to lead from the first node given to the second; either way L = B
-    diag(weights) B^T.
+    The column of a loop is zero. An undirected edge is taken to lead from the first node given to
+    the second; either way L = B diag(weights) B^T.
 
+    Examples
+    --------
     >>> incidence_matrix(3, np.array([(0, 1), (2, 1)])).toarray()
     array([[ 1.,  0.],
            [-1., -1.],
@@ -53,13 +57,16 @@ def incidence_matrix(size: int, edges: NDArray[np.int64]) -> Any:
 
 
 def laplacian_matrix(adjacency: Any) -> Any:
-    """L = D - A (n, n), with D the diagonal of A's row sums: for a directed graph what leaves a
-    node. Its rows sum to zero.
+    """The Laplacian matrix L = D - A (n, n), where D is the diagonal matrix of the row sums of A.
 
-    Undirected it is symmetric, and its kernel has as many dimensions as the graph has components. A
-    loop leaves it unchanged.
+    For a directed graph D holds the weights that leave each node. Each row of L sums to zero. For
+    an undirected graph L is symmetric, and its kernel has as many dimensions as the graph has
+    components. A loop does not change L.
 
-    >>> laplacian_matrix(adjacency_matrix(2, np.array([(0, 1)]), np.array([5.0]), directed=False)).toarray()
+    Examples
+    --------
+    >>> edge = adjacency_matrix(2, np.array([(0, 1)]), np.array([5.0]), directed=False)
+    >>> laplacian_matrix(edge).toarray()
     array([[ 5., -5.],
            [-5.,  5.]])
     """

@@ -1,6 +1,4 @@
-"""What every search leaves behind: costs, parents, the order of expansion; and the path that they
-hold.
-"""
+"""The result of a graph search, and the path that its parents describe."""
 
 from collections.abc import Iterator
 from typing import Any, NamedTuple
@@ -11,13 +9,11 @@ from numpy.typing import ArrayLike, NDArray
 from ..errors import InvalidGraph
 from ..geometry.checks import Array
 from ..support.text import shortened
-from .flat import check_node, searchable
+from .flat import as_searchable, check_node
 
 
 class Steps(NamedTuple):
-    """The work of a search, in steps instead of seconds: nodes taken out of the frontier, and edges
-    looked at.
-    """
+    """The work of a search, counted in steps: nodes that left the frontier, and edges examined."""
 
     nodes: int
     edges: int
@@ -26,13 +22,14 @@ class Steps(NamedTuple):
 class Search(NamedTuple):
     """The result of a search.
 
-    cost (n,) : of the path found from the start, infinite for nodes not reached. Dijkstra's
-    algorithm and A* add up weights, final
-        for expanded nodes and else the least so far; breadth- and depth-first search count edges.
-    parent (n,) : the node before on that path; -1 for the start and for nodes not reached, which
-    the cost tells apart. expanded (k,) : the nodes in the order in which they were expanded, under
-    A* some again where an estimate is not consistent.
-    steps : how much work that was; None where it was not counted.
+    cost : (n,), of the path found from the start, infinite for nodes that were not reached.
+        Dijkstra's algorithm and A* add weights; the cost is final for expanded nodes and otherwise
+        the least so far. Breadth- and depth-first search count edges.
+    parent : (n,), the node before on that path; -1 for the start and for nodes that were not
+        reached.
+    expanded : (k,), the nodes in the order of expansion. A* may expand a node again where its
+        heuristic is not consistent.
+    steps : the work; None where it was not counted.
     """
 
     cost: Array
@@ -42,13 +39,16 @@ class Search(NamedTuple):
 
 
 class Expansion(NamedTuple):
-    """One moment of a search: `node` has just been taken out, and its edges are looked at next.
+    """One moment of a search: `node` has just left the frontier, and its edges are examined next.
 
-    node : the node. expanded (i,) : the nodes taken out before it, in order. frontier (k,) : the
-        nodes seen and waiting, in the order in which they will be taken out if nothing comes
-        between: the queue of a breadth-first search, the stack of a depth-first one from its top,
-        the priority queue of A* and Dijkstra. cost, parent (n,) : what is known so far, as in
-        `Search`. Copies: they stay as they were at this moment.
+    node : the node.
+    expanded : (i,), the nodes expanded before it, in order.
+    frontier : (k,), the nodes that were seen and wait, in the order in which they would be expanded
+        if no other node were inserted: the queue of a breadth-first search, the stack of a
+        depth-first search from its top, the priority queue of Dijkstra's algorithm and A*.
+    cost, parent : (n,), as in `Search`, at this moment.
+
+    The arrays are copies.
     """
 
     node: int
@@ -58,9 +58,15 @@ class Expansion(NamedTuple):
     parent: NDArray[np.int64]
 
 
-def ends(graph: Any, start: int, goal: int | None) -> tuple[Any, int, int]:
-    """The graph as a record, the start, and the goal or -1; InvalidGraph unless both are nodes."""
-    flat = searchable(graph)
+def check_ends(graph: Any, start: int, goal: int | None) -> tuple[Any, int, int]:
+    """The graph as a record, the start, and the goal or -1.
+
+    Raises
+    ------
+    InvalidGraph
+        Where `start` or `goal` is not a node of the graph.
+    """
+    flat = as_searchable(graph)
     return (
         flat,
         check_node(graph, start, "start"),
@@ -68,25 +74,35 @@ def ends(graph: Any, start: int, goal: int | None) -> tuple[Any, int, int]:
     )
 
 
-def path_found(found: Search, goal: int) -> NDArray[np.int64] | None:
+def path_or_none(found: Search, goal: int) -> NDArray[np.int64] | None:
     """The path to the goal, or None where the search did not reach it."""
     return extract_path(found.parent, goal) if np.isfinite(found.cost[goal]) else None
 
 
 def extract_path(parent: ArrayLike, goal: int) -> NDArray[np.int64]:
-    """The nodes from the root to `goal` by following parents (n,), where the root's is -1; shape
-    (k,). Bullo & Smith, chapter 2.
+    """The path from the root to `goal`, by an array of parents. Bullo & Smith, chapter 2.
 
         P := [goal]
-        while the first node of P has a parent: put that parent before it
+        while the first node of P has a parent: insert that parent before it
         return P
 
-    A node that a search did not reach has no parent either: its path is itself alone, and does not
-    begin at the start.
+    A node that a search did not reach has no parent either: its path is that node alone.
 
-    Raises InvalidGraph where the parents lead round in a circle or out of the graph, and where goal
-    is not a node.
+    Parameters
+    ----------
+    parent : (n,), the parent of each node, -1 for the root.
 
+    Returns
+    -------
+    (k,) array of node numbers, the root first.
+
+    Raises
+    ------
+    InvalidGraph
+        Where `goal` is not a node, or the parents form a cycle or leave the graph.
+
+    Examples
+    --------
     >>> extract_path([-1, 0, 1, 1], 3)
     array([0, 1, 3])
     """
@@ -109,14 +125,13 @@ def extract_path(parent: ArrayLike, goal: int) -> NDArray[np.int64]:
     return np.array(path[::-1], np.int64)
 
 
-def moments(
+def yield_moments(
     expansions: Iterator[int], cost: Array, parent: NDArray[np.int64], frontier_at: Any
 ) -> Iterator[Expansion]:
-    """Each expansion with copies of what is known then; frontier_at(node, how many before) tells
-    which nodes wait.
+    """Yield an Expansion, with copies of the arrays, for each node of an interpreted search.
 
-    The expansions are the interpreted ones: the same lines and numbers, and a lesson need not wait
-    for a compiler.
+    frontier_at(node, number of earlier expansions) gives the nodes that wait. The search is
+    interpreted, so a lesson does not wait for a compiler; the results are the same.
     """
     expanded: list[int] = []
     for node in expansions:

@@ -1,29 +1,28 @@
-"""A priority queue for searches, whose priorities mostly rise: it sorts by bits, and compares next
-to nothing.
+"""A radix heap: a priority queue for searches, in which priorities mostly increase.
 
-The bits of a float of zero or more, read as a whole number, come in the order of the floats. Let
-`least` be the bits of the priority last retrieved. What first differs from it at bit b, counted
-from 1 for the lowest, waits in bucket b; what equals it, in bucket 0. So all of a bucket comes
-before all of any higher one:
+The bits of a float of zero or more, read as an integer, are ordered as the floats are. Let `least`
+be the bits of the priority that was retrieved last. An entry whose highest bit different from
+`least` is bit b, counted from 1 for the lowest bit, is kept in bucket b; an entry equal to `least`
+is kept in bucket 0. So every entry of a bucket comes before every entry of a higher bucket:
 
     retrieve the first
      1  if bucket 0 is empty:
-     2      b := the lowest bucket that is not
+     2      b := the lowest bucket that is not empty
      3      least := the least priority in b
-     4      move each entry of b to the bucket where it belongs now
+     4      move each entry of b to the bucket where it now belongs
      5  take the first entry of bucket 0
 
-In line 4 every entry goes down, since nothing has changed from bit b upwards: it moves at most once
-for each bit, on a grid four times. A binary heap compares at each of its levels instead, and a
-processor guesses every other comparison wrong.
+In line 4 every entry moves to a lower bucket, because nothing has changed from bit b upwards. So it
+moves at most once for each bit; on a grid it moves four times. A binary heap compares priorities at
+each of its levels instead, and a processor mispredicts half of those branches.
 
-A bucket is a list in which the last to come is the first: of equal priorities the node inserted
-last is retrieved first. So A* goes on from where it is.
+A bucket is a list with the newest entry first. Ties go to the most recently inserted node, so A*
+continues from where it is.
 
-Where an estimate is not consistent, a priority may come that is below `least`. It becomes the least
-then, and first differs from the old one at bit b, which it does not have. What was in buckets 0 to
-b - 1 has that bit: it all goes to bucket b, which was empty, as what is there would have to be
-above the old least and lack the bit.
+Where a heuristic is not consistent, a priority may arrive that is below `least`. It then becomes
+`least`. Let b be the highest bit in which it differs from the old one: the old value has that bit,
+the new one does not. All entries of buckets 0 to b - 1 have it, so they move to bucket b. Bucket b
+was empty, because its entries would be above the old `least` and lack that bit.
 
 R. K. Ahuja, K. Mehlhorn, J. B. Orlin, R. E. Tarjan, "Faster algorithms for the shortest path
 problem" (1990).
@@ -37,17 +36,19 @@ from numpy.typing import NDArray
 
 from ..compiled import callable_from_compiled
 
-PRIORITY, NODE, NEXT = 0, 1, 2  # of an entry
+PRIORITY, NODE, NEXT = 0, 1, 2  # the columns of an entry
 BUCKETS = 64
-# behind the buckets: the list of entries to use again, how many were ever used, the bits of the
-# least
+# heads[FREE] is the list of entries to reuse, heads[USED] the number of entries ever used, and
+# heads[LEAST] the bits of the least priority
 FREE, USED, LEAST = 64, 65, 66
 NONE = -1
 
 
 class RadixHeap(NamedTuple):
-    """entries (capacity, 3): the bits of a priority, its node, the next entry in the list. heads
-    (67,): each list's first entry.
+    """A queue in flat arrays.
+
+    entries : (capacity, 3), the bits of a priority, its node, the next entry in the list.
+    heads : (67,), the first entry of each list, and three more values: see the constants above.
     """
 
     entries: NDArray[np.int64]
@@ -55,8 +56,8 @@ class RadixHeap(NamedTuple):
 
 
 @callable_from_compiled
-def radix_heap(capacity: int) -> RadixHeap:
-    """An empty queue with room for so many nodes."""
+def empty_heap(capacity: int) -> RadixHeap:
+    """An empty queue with room for `capacity` entries."""
     heads = np.full(67, NONE)
     heads[USED] = heads[LEAST] = 0
     return RadixHeap(np.empty((capacity, 3), np.int64), heads)
@@ -64,14 +65,15 @@ def radix_heap(capacity: int) -> RadixHeap:
 
 @callable_from_compiled
 def has_room(queue: RadixHeap, count: int) -> bool:
-    """Whether there is room for `count` nodes more, whatever was retrieved."""
+    """Whether there is room for `count` more entries, however many were retrieved."""
     return queue.heads[USED] + count <= len(queue.entries)
 
 
 @callable_from_compiled
-def enlarged(queue: RadixHeap, count: int) -> RadixHeap:
-    """The same queue with twice the room and that for `count` nodes more. The one given must not be
-    used again.
+def enlarge(queue: RadixHeap, count: int) -> RadixHeap:
+    """A queue with the same entries and twice the room, and room for `count` more.
+
+    The queue that was given must not be used again.
     """
     entries = np.empty((2 * len(queue.entries) + count, 3), np.int64)
     entries[: len(queue.entries)] = queue.entries
@@ -80,7 +82,7 @@ def enlarged(queue: RadixHeap, count: int) -> RadixHeap:
 
 @callable_from_compiled
 def insert(queue: RadixHeap, node: int, priority: float) -> None:
-    """Insert a node; there must be room."""
+    """Insert a node; the queue must have room."""
     entry = queue.heads[FREE]
     if entry == NONE:
         entry = queue.heads[USED]
@@ -91,13 +93,15 @@ def insert(queue: RadixHeap, node: int, priority: float) -> None:
     if bits < queue.heads[LEAST]:
         lower_least(queue, bits)
     queue.entries[entry, PRIORITY], queue.entries[entry, NODE] = bits, node
-    put_first(queue, bucket_of(queue, entry), entry)
+    push_front(queue, bucket_of(queue, entry), entry)
 
 
 @callable_from_compiled
 def lower_least(queue: RadixHeap, bits: np.int64) -> None:
-    """Make `bits` the least, and move what is in the buckets below the bit in which it differs from
-    the old one.
+    """Make `bits` the least priority.
+
+    Buckets below the highest bit in which it differs from the old least are moved to that bit's
+    bucket.
     """
     bucket = bit_length(bits ^ queue.heads[LEAST])
     for lower in range(bucket):
@@ -111,9 +115,10 @@ def lower_least(queue: RadixHeap, bits: np.int64) -> None:
 
 
 @callable_from_compiled
-def first(queue: RadixHeap) -> int:
-    """The node of the least priority, of several the one inserted last; -1 where the queue is
-    empty.
+def peek(queue: RadixHeap) -> int:
+    """The node of least priority, or -1 where the queue is empty.
+
+    Ties go to the most recently inserted node.
     """
     if queue.heads[0] == NONE and not fill_first_bucket(queue):
         return NONE
@@ -122,30 +127,28 @@ def first(queue: RadixHeap) -> int:
 
 @callable_from_compiled
 def remove_first(queue: RadixHeap) -> None:
-    """Take out what `first` has just told."""
+    """Remove the entry whose node `peek` has just returned."""
     entry = queue.heads[0]
     queue.heads[0] = queue.entries[entry, NEXT]
-    put_first(queue, FREE, entry)
+    push_front(queue, FREE, entry)
 
 
-def in_order(queue: RadixHeap) -> list[int]:
-    """All nodes that are in the queue, as often as they are, in the order in which they would be
-    retrieved. O(n log n).
-    """
+def list_in_order(queue: RadixHeap) -> list[int]:
+    """All nodes in the queue, with repetitions, in the order of retrieval. O(n log n)."""
     waiting: list[tuple[int, int]] = []
     for entry in queue.heads[:BUCKETS]:
         while entry != NONE:
             waiting.append((int(queue.entries[entry, PRIORITY]), int(queue.entries[entry, NODE])))
             entry = queue.entries[entry, NEXT]
-    return [
-        node for _, node in sorted(waiting, key=itemgetter(0))
-    ]  # equal ones are in one list and keep its order
+    # equal priorities are in one list, and the sort keeps its order
+    return [node for _, node in sorted(waiting, key=itemgetter(0))]
 
 
 @callable_from_compiled
 def fill_first_bucket(queue: RadixHeap) -> bool:
-    """Lines 2 to 4; false where all buckets are empty. The list is turned round first, so that the
-    last to come stays the first.
+    """Lines 2 to 4; false where all buckets are empty.
+
+    The list is reversed first, so that the newest entry stays the first of its new list.
     """
     bucket = 1
     while bucket < BUCKETS and queue.heads[bucket] == NONE:
@@ -163,28 +166,30 @@ def fill_first_bucket(queue: RadixHeap) -> bool:
     entry = before
     while entry != NONE:
         after = queue.entries[entry, NEXT]
-        put_first(queue, bucket_of(queue, entry), entry)
+        push_front(queue, bucket_of(queue, entry), entry)
         entry = after
     return True
 
 
 @callable_from_compiled
 def bucket_of(queue: RadixHeap, entry: int) -> int:
-    """Where an entry belongs: the highest bit in which its priority differs from the least."""
+    """The bucket of an entry: the highest bit in which its priority differs from the least."""
     return bit_length(queue.entries[entry, PRIORITY] ^ queue.heads[LEAST])
 
 
 @callable_from_compiled
-def put_first(queue: RadixHeap, head: int, entry: int) -> None:
-    """Make an entry the first of a list."""
+def push_front(queue: RadixHeap, head: int, entry: int) -> None:
+    """Insert an entry at the front of a list."""
     queue.entries[entry, NEXT] = queue.heads[head]
     queue.heads[head] = entry
 
 
 @callable_from_compiled
 def bit_length(number: int) -> int:
-    """How many bits a whole number of zero or more has, by halves.
+    """The number of bits of an integer of zero or more, by bisection.
 
+    Examples
+    --------
     >>> [bit_length(number) for number in (0, 1, 2, 3, 4, 2**62)]
     [0, 1, 2, 2, 3, 63]
     """

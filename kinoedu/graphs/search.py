@@ -1,10 +1,10 @@
-"""Dijkstra's algorithm and A*: one search, told apart by its estimate of what remains.
+"""Dijkstra's algorithm and A*: one best-first search, with and without a heuristic.
 
-    A*(G, start, goal, estimate)                                    Dijkstra's algorithm: every estimate is 0
+    A*(G, start, goal, h)                       Dijkstra's algorithm: h(u) = 0 for every node u
      1  for each node v: cost(v) := infinity, parent(v) := none
      2  cost(start) := 0; insert start into an empty priority queue Q
      3  while Q is not empty:
-     4      u := retrieve from Q the node with the least cost(u) + estimate(u)
+     4      u := retrieve from Q the node with the least cost(u) + h(u)
      5      if u = goal: return extract-path
      6      for each node v that an edge leads to from u:
      7          if cost(u) + weight(u, v) < cost(v):
@@ -12,8 +12,8 @@
      9              insert v into Q, or move it forward
     10  return failure
 
-The queue is a radix heap. Nothing is moved in it: v is inserted once more, and what is retrieved
-again at no gain is passed over.
+The queue is a radix heap. Entries are never moved forward: line 9 inserts v once more, and line 4
+skips a node that has been settled since its entry was inserted.
 
 E. W. Dijkstra (1959); P. E. Hart, N. J. Nilsson, B. Raphael, "A formal basis for the heuristic
 determination of minimum cost paths" (1968); Bullo & Smith, chapter 2; LaValle, section 2.2.
@@ -30,25 +30,26 @@ from ..errors import InvalidGraph
 from ..geometry.checks import Array
 from ..support.text import shortened
 from .flat import degree, edge
-from .paths import Expansion, Search, Steps, ends, path_found
+from .paths import Expansion, Search, Steps, check_ends, path_or_none
 from .radix_heap import (
     NONE,
     RadixHeap,
-    enlarged,
-    first,
+    empty_heap,
+    enlarge,
     has_room,
-    in_order,
     insert,
-    radix_heap,
+    list_in_order,
+    peek,
     remove_first,
 )
 
-ROUNDING = 1e-12  # of a cost
+ROUNDING = 1e-12  # relative, of a cost
 
 
-class Known(NamedTuple):
-    """What a search knows of each node: its least cost so far, its parent, and whether it has been
-    expanded at that cost.
+class Labels(NamedTuple):
+    """The labels of each node: its least cost so far, its parent, whether it is settled.
+
+    A settled node has been expanded at its present cost. All arrays have shape (n,).
     """
 
     cost: Array
@@ -60,21 +61,25 @@ class Known(NamedTuple):
 def expand(
     graph: Any,
     goal: int,
-    estimate: Array,
-    known: Known,
+    heuristic: Array,
+    labels: Labels,
     queue: RadixHeap,
     expanded: NDArray[np.int64],
     n: int,
 ) -> tuple[int, bool]:
-    """Lines 3 to 10: expand node after node, least cost so far plus estimate first, of several the
-    one inserted last.
+    """Lines 3 to 10: expand the node of least cost plus heuristic, again and again.
 
-    Returns how many are in `expanded`, and whether that is all: the goal is one of them, or none is
-    left. It stops short where that array is full, or the queue might be. An estimate that never
-    exceeds the true remaining cost makes the first path found a shortest one; where it is not
-    consistent, a node is expanded again whenever that gains more than rounding.
+    Ties go to the most recently inserted node. The first path found is a shortest one where the
+    heuristic never exceeds the true remaining cost. Where the heuristic is not consistent, a node
+    is expanded again whenever its cost decreases by more than rounding.
+
+    Returns
+    -------
+    n : how many nodes are in `expanded` now.
+    done : whether the goal was expanded or the queue is empty. It is false where `expanded` is
+        full, or the queue may lack room for the edges of the next node.
     """
-    cost, parent, settled = known
+    cost, parent, settled = labels
     while True:
         u = first_unsettled(queue, settled)
         if u == NONE:
@@ -94,104 +99,134 @@ def expand(
             cost[v] = cost[u] + weight
             parent[v] = u
             settled[v] = False
-            insert(queue, v, cost[v] + estimate[v])
+            insert(queue, v, cost[v] + heuristic[v])
 
 
 @callable_from_compiled
 def first_unsettled(queue: RadixHeap, settled: NDArray[np.bool_]) -> int:
-    """The first of the queue, left in it, once what has been settled since it was inserted is taken
-    out; or -1.
-    """
-    u = first(queue)
+    """The first unsettled node of the queue, or -1; settled nodes before it are removed."""
+    u = peek(queue)
     while u != NONE and settled[u]:
         remove_first(queue)
-        u = first(queue)
+        u = peek(queue)
     return u
 
 
 @callable_from_compiled
-def begun(size: int, start: int, estimate: Array) -> tuple[Known, RadixHeap]:
+def begin_search(size: int, start: int, heuristic: Array) -> tuple[Labels, RadixHeap]:
     """Lines 1 and 2."""
-    known, queue = (
-        Known(np.full(size, np.inf), np.full(size, -1, np.int64), np.zeros(size, np.bool_)),
-        radix_heap(64),
-    )
-    known.cost[start] = 0.0
-    insert(queue, start, estimate[start])
-    return known, queue
+    cost, parent = np.full(size, np.inf), np.full(size, -1, np.int64)
+    labels, queue = Labels(cost, parent, np.zeros(size, np.bool_)), empty_heap(64)
+    labels.cost[start] = 0.0
+    insert(queue, start, heuristic[start])
+    return labels, queue
 
 
 @algorithm
 def search(
-    graph: Any, start: int, goal: int, estimate: Array
+    graph: Any, start: int, goal: int, heuristic: Array
 ) -> tuple[Array, NDArray[np.int64], NDArray[np.int64], int]:
-    """The whole search: costs, parents, expanded nodes, how many edges were looked at. goal = -1
-    expands all that are reached.
+    """Run a whole search; goal = -1 expands every node that can be reached.
+
+    Returns
+    -------
+    cost, parent : (n,) arrays.
+    expanded : (k,), the nodes in the order of expansion.
+    looked_at : how many edges were examined.
     """
-    known, queue = begun(len(estimate), start, estimate)
-    expanded = np.empty(len(estimate), np.int64)
-    n, done = expand(graph, goal, estimate, known, queue, expanded, 0)
+    labels, queue = begin_search(len(heuristic), start, heuristic)
+    expanded = np.empty(len(heuristic), np.int64)
+    n, done = expand(graph, goal, heuristic, labels, queue, expanded, 0)
     while not done:
         if n == len(expanded):
             expanded = np.append(expanded, expanded)
         else:
-            queue = enlarged(queue, degree(graph, first(queue)))
-        n, done = expand(graph, goal, estimate, known, queue, expanded, n)
+            queue = enlarge(queue, degree(graph, peek(queue)))
+        n, done = expand(graph, goal, heuristic, labels, queue, expanded, n)
     looked_at = 0
     for u in expanded[:n]:
         looked_at += degree(graph, u) if u != goal else 0
-    return known.cost, known.parent, expanded[:n], looked_at
+    return labels.cost, labels.parent, expanded[:n], looked_at
 
 
-def best_first(flat: Any, start: int, goal: int, estimate: Array) -> Search:
-    """The search with its result in one piece."""
-    cost, parent, expanded, looked_at = search(flat, start, goal, estimate)
+def run_search(flat: Any, start: int, goal: int, heuristic: Array) -> Search:
+    """Run `search` and collect its result in a Search."""
+    cost, parent, expanded, looked_at = search(flat, start, goal, heuristic)
     return Search(cost, parent, expanded, Steps(len(expanded), int(looked_at)))
 
 
 def dijkstra(graph: Any, start: int) -> Search:
-    """Shortest paths from one node to all: their costs, and each node's parent on its path.
+    """Shortest paths from one node to all others, by Dijkstra's algorithm.
 
-    O(n + m b) for costs that differ in b bits, of 63. Raises InvalidGraph where `start` is not a
-    node.
+    O(n + m b) for costs that differ in b of their 63 bits.
 
+    Returns
+    -------
+    Search, with the cost of each node and its parent on a shortest path.
+
+    Raises
+    ------
+    InvalidGraph
+        Where `start` is not a node of the graph.
+
+    Examples
+    --------
     >>> from kinoedu.graphs import Graph
     >>> found = dijkstra(Graph(4, [(0, 1), (1, 2), (0, 2)], [1.0, 1.0, 5.0]), 0)
     >>> found.cost, found.steps
     (array([ 0.,  1.,  2., inf]), Steps(nodes=3, edges=6))
     """
-    flat, first, _ = ends(graph, start, None)
-    return best_first(flat, first, -1, np.zeros(flat.size))
+    flat, first, _ = check_ends(graph, start, None)
+    return run_search(flat, first, -1, np.zeros(flat.size))
 
 
 def astar(
     graph: Any, start: int, goal: int, estimate: ArrayLike | None = None
 ) -> tuple[NDArray[np.int64] | None, Search]:
-    """A shortest path between two nodes, as node numbers (k,), or None where there is none; and the
-    search that found it.
+    """A shortest path between two nodes, by A*.
 
-    estimate : (n,) lower bounds on the cost from each node to the goal; without them this is
-        Dijkstra's algorithm stopped at the goal. In a graph whose weights are distances,
-        `graph.distances(goal)` are such bounds. Raises InvalidGraph.
+    Parameters
+    ----------
+    estimate : (n,), the heuristic: lower bounds on the cost from each node to the goal. Without
+        it this is Dijkstra's algorithm, stopped at the goal. Where weights are distances,
+        `graph.distances(goal)` is such a heuristic.
 
+    Returns
+    -------
+    (k,) array of node numbers, or None where there is no path; and the Search that found it.
+
+    Raises
+    ------
+    InvalidGraph
+        Where `start` or `goal` is not a node, or `estimate` is not n numbers of zero or more.
+
+    Examples
+    --------
     >>> from kinoedu.graphs import Graph
     >>> path, found = astar(Graph(4, [(0, 1), (1, 2), (0, 2)], [1.0, 1.0, 5.0]), 0, 2)
     >>> path, found.cost[2]
     (array([0, 1, 2]), np.float64(2.0))
     """
-    flat, first, last = ends(graph, start, goal)
-    found = best_first(flat, first, last, as_estimate(estimate, flat.size))
-    return path_found(found, last), found
+    flat, first, last = check_ends(graph, start, goal)
+    found = run_search(flat, first, last, as_heuristic(estimate, flat.size))
+    return path_or_none(found, last), found
 
 
 def astar_expansions(
     graph: Any, start: int, goal: int, estimate: ArrayLike | None = None
 ) -> Iterator[Expansion]:
-    """The same search one expansion after another, each with the priority queue as it was then; O(n
-    log n) more for each.
+    """A* as an iterator over its expansions, with the priority queue at each of them.
 
-    Raises InvalidGraph.
+    Each expansion costs O(n log n) more than in `astar`, because it copies the arrays and sorts
+    the queue.
 
+    Raises
+    ------
+    InvalidGraph
+        As `astar`.
+
+    Examples
+    --------
     >>> from kinoedu.graphs import Graph
     >>> for moment in astar_expansions(Graph(4, [(0, 1), (1, 2), (0, 2)], [1.0, 1.0, 5.0]), 0, 2):
     ...     moment.node, moment.frontier
@@ -199,45 +234,52 @@ def astar_expansions(
     (1, array([2]))
     (2, array([], dtype=int64))
     """
-    flat, first, last = ends(graph, start, goal)
-    return best_first_moments(flat, first, last, as_estimate(estimate, flat.size))
+    flat, first, last = check_ends(graph, start, goal)
+    return yield_expansions(flat, first, last, as_heuristic(estimate, flat.size))
 
 
 def dijkstra_expansions(graph: Any, start: int) -> Iterator[Expansion]:
-    """Dijkstra's algorithm one expansion after another, as `astar_expansions`. Raises InvalidGraph.
+    """Dijkstra's algorithm as an iterator over its expansions; see `astar_expansions`.
 
+    Raises
+    ------
+    InvalidGraph
+        Where `start` is not a node of the graph.
+
+    Examples
+    --------
     >>> from kinoedu.graphs import Graph
-    >>> [moment.node for moment in dijkstra_expansions(Graph(3, [(0, 1), (1, 2), (0, 2)], [4.0, 1.0, 1.0]), 0)]
+    >>> graph = Graph(3, [(0, 1), (1, 2), (0, 2)], [4.0, 1.0, 1.0])
+    >>> [moment.node for moment in dijkstra_expansions(graph, 0)]
     [0, 2, 1]
     """
-    flat, first, _ = ends(graph, start, None)
-    return best_first_moments(flat, first, -1, np.zeros(flat.size))
+    flat, first, _ = check_ends(graph, start, None)
+    return yield_expansions(flat, first, -1, np.zeros(flat.size))
 
 
-def best_first_moments(flat: Any, start: int, goal: int, estimate: Array) -> Iterator[Expansion]:
-    """Before each expansion, what is known and which nodes wait."""
-    known, queue = begun(flat.size, start, estimate)
+def yield_expansions(flat: Any, start: int, goal: int, heuristic: Array) -> Iterator[Expansion]:
+    """Yield the labels and the waiting nodes before each expansion."""
+    labels, queue = begin_search(flat.size, start, heuristic)
     expanded, n, done = np.empty(flat.size, np.int64), 0, False
-    while not done and (u := first_unsettled(queue, known.settled)) != NONE:
-        waiting = [v for v in dict.fromkeys(in_order(queue)) if v != u and not known.settled[v]]
+    while not done and (u := first_unsettled(queue, labels.settled)) != NONE:
+        queued = dict.fromkeys(list_in_order(queue))
+        waiting = [v for v in queued if v != u and not labels.settled[v]]
         yield Expansion(
             int(u),
             expanded[:n].copy(),
             np.array(waiting, np.int64),
-            known.cost.copy(),
-            known.parent.copy(),
+            labels.cost.copy(),
+            labels.parent.copy(),
         )
         if not has_room(queue, degree(flat, u)):
-            queue = enlarged(queue, degree(flat, u))
+            queue = enlarge(queue, degree(flat, u))
         if n == len(expanded):
             expanded = np.append(expanded, expanded)
-        n, done = expand.py_func(flat, goal, estimate, known, queue, expanded[: n + 1], n)
+        n, done = expand.py_func(flat, goal, heuristic, labels, queue, expanded[: n + 1], n)
 
 
-def as_estimate(estimate: ArrayLike | None, size: int) -> Array:
-    """Lower bounds, one for each node: shape (n,), zero or more; zeros for None. InvalidGraph
-    otherwise.
-    """
+def as_heuristic(estimate: ArrayLike | None, size: int) -> Array:
+    """Lower bounds (n,), zeros for None; raises InvalidGraph unless all are zero or more."""
     if estimate is None:
         return np.zeros(size)
     try:

@@ -1,4 +1,4 @@
-"""Planners: each takes a problem and returns a plan; the Bug family takes what a bug is given."""
+"""Planners: each takes a problem and returns a plan; the Bugs take start, goal and obstacles."""
 
 from ..decomposition import decomposition_roadmap, sweep, trapezoidation, triangulation
 from .answers import path_cost

@@ -1,4 +1,4 @@
-"""From what a planner built to the Plan it returns."""
+"""Build the Plan that a planner returns."""
 
 from typing import Any
 
@@ -11,12 +11,12 @@ from ..geometry.checks import Array, as_array
 from ..graphs import extract_path
 from ..problems import Plan, Tree
 from ..spaces.buckets import GrowingTree
-from .problem_input import askable
+from .problem_input import as_problem
 
 
 @algorithm
 def cost_along(problem: Any, path: Array) -> float:
-    """What a path costs: the sum of what its motions cost."""
+    """The cost of a path: the sum of the costs of its motions."""
     cost = 0.0
     for i in range(1, len(path)):
         cost += problem.motion_cost(path[i - 1], path[i])
@@ -24,28 +24,37 @@ def cost_along(problem: Any, path: Array) -> float:
 
 
 def path_cost(problem: Any, path: ArrayLike) -> float:
-    """What a path costs in a problem: its length, or on a terrain with costs their integral along
-    it. Free or not.
+    """The cost of a path in a problem, whether the path is free or not.
 
-    problem : a Problem, a Recorder, or an object of yours; path : (n, d). Raises InvalidPoint.
+    The cost is the length of the path; on a terrain with costs it is their integral along the path.
 
+    Parameters
+    ----------
+    problem : a Problem, a Recorder, or an object of yours with the same methods.
+    path : (n, d).
+
+    Raises
+    ------
+    InvalidPoint
+        Where the path is not an array of configurations of the problem.
+
+    Examples
+    --------
     >>> from kinoedu import Point, Problem, Terrain
     >>> mud = Terrain([[1, 1, 1]], cost=[[1, 5, 1]])
     >>> path_cost(Problem(Point(), mud, (0.5, 0.5), (2.5, 0.5)), [(0.5, 0.5), (2.5, 0.5)])
     6.0
     """
-    asked, places = askable(problem), as_array(path, "path")
-    if places.ndim != 2 or places.shape[1:] != asked.start.shape:
-        raise InvalidPoint(f"a path must have shape (n, {len(asked.start)}), got {places.shape}")
-    return float(cost_along(asked, places))
+    problem, places = as_problem(problem), as_array(path, "path")
+    if places.ndim != 2 or places.shape[1:] != problem.start.shape:
+        raise InvalidPoint(f"a path must have shape (n, {len(problem.start)}), got {places.shape}")
+    return float(cost_along(problem, places))
 
 
 def plan_along(
     problem: Any, nodes: Array, numbers: NDArray[np.int64] | None, reason: str, **built: Any
 ) -> Plan:
-    """A plan along numbered nodes, shape (k,), or without a path and with the reason why where
-    there are none.
-    """
+    """A plan along numbered nodes, shape (k,), or a plan without a path where `numbers` is None."""
     if numbers is None:
         return Plan(None, np.inf, reason=reason, problem=problem, **built)
     path = nodes[numbers]
@@ -55,7 +64,7 @@ def plan_along(
 def plan_from_tree(
     planner: str, problem: Any, tree: GrowingTree, at_goal: int, reason: str, **stats: int
 ) -> Plan:
-    """A plan that goes from the tree's root to the node at the goal; -1 where there is none."""
+    """A plan from the root of a tree to its node at the goal; without a path where that is -1."""
     n = int(tree.size[0])
     grown = Tree(tree.nodes[:n].copy(), tree.parent[:n].copy())
     numbers = extract_path(grown.parent, at_goal) if at_goal >= 0 else None

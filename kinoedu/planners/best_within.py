@@ -1,6 +1,4 @@
-"""As good a plan as there is time for: planners that draw at random are run again and again, and
-the best plan is kept.
-"""
+"""The best of many plans within a time limit, for planners that use random numbers."""
 
 import time
 from collections.abc import Callable
@@ -18,24 +16,34 @@ def best_within(
     *,
     rng: int | np.random.Generator,
 ) -> Plan:
-    """The cheapest plan that a planner finds in so many seconds; at least one is made, however long
-    it takes.
+    """The cheapest of the plans that a planner finds within a time limit.
+
+    At least one plan is made, however long it takes. How many more there are depends on the
+    computer, so the result cannot be repeated to the last bit. A faster computer makes the same
+    plans and then more.
 
     Parameters
     ----------
-    seconds : when to stop. Another plan is begun only while the longest so far would still end in
-    time.
+    seconds : the time limit. Another plan is begun only if it would end in time, were it to take as
+        long as the longest so far.
     planner : a function of a Generator that plans once, such as `lambda rng: rrt(problem,
-    rng=rng)`.
+        rng=rng)`.
     rng : a seed or a numpy Generator.
 
-    Returns the best of the plans, with their number in `stats["plans"]`; without a path the last
-    one. How many there is time for depends on the computer: unlike all else here this cannot be
-    repeated to the last bit, but a quicker computer makes the same plans, and more of them. Raises
-    InvalidParameter.
+    Returns
+    ------- The best plan, or the last one where none has a path; `stats["plans"]` is the number of
+    plans made.
 
+    Raises
+    ------
+    InvalidParameter
+        Where `seconds` is not a positive number or `rng` is neither a seed nor a Generator.
+
+    Examples
+    --------
     >>> from kinoedu import Point, PolygonWorld, Problem, rrt
-    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
+    >>> wall = [(4, 0), (6, 0), (6, 8), (4, 8)]
+    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [wall])
     >>> problem = Problem(Point(), world, start=(1, 1), goal=(9, 1))
     >>> best = best_within(0.05, lambda rng: rrt(problem, rng=rng), rng=0)
     >>> bool(best.cost <= rrt(problem, rng=np.random.default_rng(0)).cost)
@@ -46,9 +54,9 @@ def best_within(
     best, plans, longest = planner(generator), 1, 0.0
     longest = time.monotonic() - began
     while time.monotonic() - began + longest < limit:
-        turn = time.monotonic()
+        plan_began = time.monotonic()
         plan = planner(generator)
-        longest, plans = max(longest, time.monotonic() - turn), plans + 1
+        longest, plans = max(longest, time.monotonic() - plan_began), plans + 1
         if plan.cost < best.cost or best.path is None:
             best = plan
     return replace(best, stats=best.stats | {"plans": plans})

@@ -1,6 +1,4 @@
-"""Adapters that let a planner use any problem: one of this package, a recorder of one, or a
-reader's own object.
-"""
+"""Adapters that let a planner use any problem: ours, a recorder, or a reader's own object."""
 
 from typing import Any
 
@@ -13,11 +11,14 @@ from ..robots.round import RoundRobot
 from ..spaces import diameter
 from ..spaces.buckets import GrowingTree, empty_tree
 from ..worlds.polygon_world import PolygonWorldRecord
+from .tuning import positive
 
 
 class OwnProblem:
-    """A reader's own problem object, every answer checked, and with what it leaves out: the nearest
-    node, a count of checks.
+    """A reader's own problem, with checked answers.
+
+    Methods that the reader's object may leave out are added: `motion_cost`, `is_free`, `nearest`,
+    and the count of motions checked.
     """
 
     NEEDED = ("start", "goal", "sample", "distance", "steer", "is_free_path")
@@ -27,8 +28,7 @@ class OwnProblem:
         if missing:
             given = type(problem).__name__
             raise InvalidParameter(
-                f"a problem must answer {', '.join(self.NEEDED)}; this {given} lacks "
-                f"{', '.join(missing)}"
+                f"a problem needs {', '.join(self.NEEDED)}; this {given} lacks {', '.join(missing)}"
             )
         self.problem = problem
         self.start = np.atleast_1d(as_array(problem.start, "start"))
@@ -36,7 +36,7 @@ class OwnProblem:
         self.asked = np.zeros(2, np.int64)
 
     def _configuration(self, value: Any, name: str) -> Array:
-        """A configuration of the start's shape."""
+        """A configuration with the shape of the start; raises InvalidPoint otherwise."""
         q = np.atleast_1d(as_array(value, name))
         if q.shape != self.start.shape or q.ndim != 1:
             raise InvalidPoint(
@@ -45,22 +45,22 @@ class OwnProblem:
         return q
 
     def sample(self, rng: np.random.Generator) -> Array:
-        """The reader's sample."""
+        """The reader's sample, checked."""
         return self._configuration(self.problem.sample(rng), "sample")
 
     def steer(self, a: Array, b: Array, step: float) -> Array:
-        """The reader's step."""
+        """The reader's configuration on the way from a to b, checked."""
         return self._configuration(self.problem.steer(a, b, step), "steer")
 
     def distance(self, a: Array, b: Array) -> float:
-        """The reader's distance."""
+        """The reader's distance, checked."""
         d = as_array(self.problem.distance(a, b), "distance")
         if d.ndim or d < 0.0:
             raise InvalidParameter(f"distance must be one number, zero or more, got {d}")
         return float(d)
 
     def motion_cost(self, a: Array, b: Array) -> float:
-        """The reader's cost, or the distance."""
+        """The reader's cost, checked; by default the distance."""
         own = getattr(self.problem, "motion_cost", None)
         if own is None:
             return self.distance(a, b)
@@ -70,40 +70,60 @@ class OwnProblem:
         return float(c)
 
     def is_free(self, q: Array) -> bool:
-        """The reader's answer, or a motion that stays where it is."""
+        """The reader's answer; by default whether the motion from q to q is free."""
         own = getattr(self.problem, "is_free", None)
         return bool(np.all(self.problem.is_free_path(q, q) if own is None else own(q)))
 
     def is_free_path(self, a: Array, b: Array) -> bool:
-        """The reader's answer, counted."""
+        """The reader's answer; the call is counted."""
         self.asked[MOTIONS] += 1
         return bool(np.all(self.problem.is_free_path(a, b)))
 
     def nearest(self, tree: GrowingTree, q: Array) -> int:
-        """The first of the nodes nearest by the reader's distance."""
+        """The node nearest to q by the reader's distance; ties go to the first node."""
         return int(np.argmin([self.distance(node, q) for node in tree.nodes[: tree.size[0]]]))
 
 
-def askable(problem: Any) -> Any:
-    """The problem itself where it is this package's, or a recorder of one; otherwise a reader's
-    object, checked and made whole.
+def as_problem(problem: Any) -> Any:
+    """The problem itself where it is ours or a recorder of ours; else a reader's object, checked.
+
+    Raises
+    ------
+    InvalidParameter
+        Where a reader's object lacks a method.
+    InvalidPoint
+        Where its start or goal is not a configuration.
     """
     inner = problem.problem if isinstance(problem, Recorder) else problem
     return problem if isinstance(inner, ProblemRecord) else OwnProblem(problem)
 
 
+def count_checks(problem: Any) -> int:
+    """How many motions the problem has checked so far."""
+    return int(problem.asked[MOTIONS])
+
+
 def world_size(problem: Any) -> float:
-    """The diameter of the problem's space; for a reader's object the distance from start to
-    goal.
-    """
+    """The diameter of the space; for a reader's object the distance from start to goal."""
     space = getattr(problem, "space", None)
     if space is None:
         return float(problem.distance(problem.start, problem.goal)) or 1.0
     return float(diameter(space))
 
 
+def as_step_size(problem: Any, value: Any, name: str) -> float:
+    """A length, checked; by default a twentieth of the world's size.
+
+    Raises
+    ------
+    InvalidParameter
+        Where it is neither None nor a positive number.
+    """
+    return positive(world_size(problem) / 20.0 if value is None else value, name)
+
+
 def new_tree(problem: Any, capacity: int) -> GrowingTree:
-    """An empty tree for the problem's configurations."""
+    """An empty tree for configurations of the problem."""
     space = getattr(problem, "space", None)
     if space is None:
         return empty_tree(capacity, problem.start, problem.start)
@@ -111,8 +131,12 @@ def new_tree(problem: Any, capacity: int) -> GrowingTree:
 
 
 def check_exact(problem: Any, planner: str) -> None:
-    """Raise InvalidParameter unless a point is to move among polygons, without a margin: what exact
-    planners are for.
+    """Check that a point is to move among polygons without clearance, as exact planners need it.
+
+    Raises
+    ------
+    InvalidParameter
+        Where the problem is of another kind.
     """
     inner = problem.problem if isinstance(problem, Recorder) else problem
     if not isinstance(inner, ProblemRecord) or not isinstance(inner.world, PolygonWorldRecord):
@@ -126,13 +150,19 @@ def check_exact(problem: Any, planner: str) -> None:
         )
 
 
-def both_ways(problem: Any, planner: str) -> Any:
-    """`askable`, for a planner whose edges are used both ways. Raises InvalidParameter for a robot
-    that only goes forward.
+def as_two_way_problem(problem: Any, planner: str) -> Any:
+    """Convert as `as_problem` does, for a planner that uses its edges in both directions.
+
+    Raises
+    ------
+    InvalidParameter
+        Where the robot only drives forward, or a reader's object lacks a method.
+    InvalidPoint
+        Where the start or goal of a reader's object is not a configuration.
     """
-    asked = askable(problem)
-    if not getattr(getattr(asked, "space", None), "both_ways", True):
+    problem = as_problem(problem)
+    if not getattr(getattr(problem, "space", None), "both_ways", True):
         raise InvalidParameter(
             f"{planner} uses its edges both ways, and this robot only goes forward; plan with rrt"
         )
-    return asked
+    return problem

@@ -1,4 +1,4 @@
-"""Shorter paths from longer ones: cut corners where the straight motion is free.
+"""Shorten paths: replace parts of a path by straight motions where these are free.
 
 R. Geraerts, M. H. Overmars, "Creating high-quality paths for motion planning" (2007).
 """
@@ -11,17 +11,20 @@ import numpy as np
 from ..compiled import algorithm, callable_from_compiled
 from ..errors import InvalidParameter
 from ..geometry.checks import Array, as_generator
-from ..problems import MOTIONS, Plan
+from ..problems import Plan
 from ..support.text import shortened
 from .answers import cost_along
-from .problem_input import askable
+from .problem_input import as_problem, count_checks
 from .tuning import whole
 
 
 @algorithm
 def cut_corners(problem: Any, path: Array, tries: int, rng: np.random.Generator) -> Array:
-    """Try so many times to go straight between two random places of a path (n, d); the path that is
-    left, (m, d).
+    """Try to join two random places of a path (n, d) by a straight motion, `tries` times.
+
+    Returns
+    -------
+    (m, d) array: the path that remains.
     """
     kept, size = np.empty((len(path) + tries, path.shape[1])), len(path)
     kept[:size] = path
@@ -50,7 +53,7 @@ def cut_corners(problem: Any, path: Array, tries: int, rng: np.random.Generator)
 
 @callable_from_compiled
 def cost_between(problem: Any, path: Array, first: int, last: int) -> float:
-    """What a path costs from one of its points to another."""
+    """The cost of a path from point `first` to point `last`."""
     cost = 0.0
     for k in range(first, last):
         cost += problem.motion_cost(path[k], path[k + 1])
@@ -58,21 +61,33 @@ def cost_between(problem: Any, path: Array, first: int, last: int) -> float:
 
 
 def shortcut(plan: Plan, *, tries: int = 200, rng: int | np.random.Generator) -> Plan:
-    """The plan with a cheaper path: again and again two places on it are drawn, and joined where
-    the straight motion is free.
+    """The plan with a cheaper path, found by random shortcuts.
+
+    Two random places on the path are joined by a straight motion where this is free and cheaper;
+    this is tried `tries` times. The path remains free and never costs more; it need not become a
+    shortest one. O(tries) motions.
 
     Parameters
     ----------
-    plan : any planner's; without a path it is returned as it is.
+    plan : the plan of any planner, except one with a trajectory.
     tries : how many pairs of places are drawn.
     rng : a seed or a numpy Generator.
 
-    Never dearer, and free all the way; a shortest path is not promised. What the planner built
-    stays in the plan; its stats gain the motions that were judged. O(tries) motions. Raises
-    InvalidParameter.
+    Returns
+    ------- Plan with the new path. All else that the planner built stays, and the motions that were
+    checked are added to its stats. A plan without a path is returned unchanged.
 
+    Raises
+    ------
+    InvalidParameter
+        Where `plan` is no Plan or has a trajectory, `tries` is negative or not an integer, or `rng`
+        is neither a seed nor a Generator.
+
+    Examples
+    --------
     >>> from kinoedu import Point, PolygonWorld, Problem, rrt
-    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
+    >>> wall = [(4, 0), (6, 0), (6, 8), (4, 8)]
+    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [wall])
     >>> plan = rrt(Problem(Point(), world, start=(1, 1), goal=(9, 1)), rng=0)
     >>> bool(17.2 < shortcut(plan, rng=0).cost < plan.cost)
     True
@@ -81,20 +96,20 @@ def shortcut(plan: Plan, *, tries: int = 200, rng: int | np.random.Generator) ->
         raise InvalidParameter(f"expected the Plan of a planner, got {shortened(plan)}")
     if plan.trajectory is not None:
         raise InvalidParameter(
-            "a trajectory's drives cannot be cut short; give shortcut a plan of curves, such as "
-            "rrt's"
+            "the drives of a trajectory cannot be shortened; give shortcut a plan of curves, such "
+            "as rrt's"
         )
     attempts, generator = whole(tries, "tries", least=0), as_generator(rng)
     if plan.path is None or len(plan.path) < 3:
         return plan
-    asked = askable(plan.problem)
-    before = asked.asked[MOTIONS]
-    path = cut_corners(asked, plan.path, attempts, generator)
-    cost = float(cost_along(asked, path))
+    problem = as_problem(plan.problem)
+    before = count_checks(problem)
+    path = cut_corners(problem, plan.path, attempts, generator)
+    cost = float(cost_along(problem, path))
     if cost >= plan.cost:
         return plan
     stats = {
         **plan.stats,
-        "checks": plan.stats.get("checks", 0) + int(asked.asked[MOTIONS] - before),
+        "checks": plan.stats.get("checks", 0) + count_checks(problem) - before,
     }
     return replace(plan, path=path, cost=cost, stats=stats)

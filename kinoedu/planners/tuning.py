@@ -1,6 +1,4 @@
-"""Tuning arguments, checked: each becomes a plain number, or InvalidParameter says which was wrong
-and what it may be.
-"""
+"""Checks of tuning parameters: each becomes a plain number, or an InvalidParameter is raised."""
 
 from typing import Any
 
@@ -8,12 +6,19 @@ from ..errors import InvalidParameter
 from ..geometry.checks import is_real, none_or_more, positive, whole
 from ..support.text import shortened
 
-__all__ = ["none_or_more", "one_of", "positive", "share", "whole"]
+__all__ = ["fraction", "iteration_limit", "none_or_more", "one_of", "positive", "whole"]
 
 
 def one_of(value: Any, name: str, choices: tuple[str, ...]) -> str:
-    """One of a few words.
+    """One of a few strings.
 
+    Raises
+    ------
+    InvalidParameter
+        Where the value is not one of `choices`.
+
+    Examples
+    --------
     >>> one_of("left", "turn", ("left", "right"))
     'left'
     """
@@ -24,8 +29,27 @@ def one_of(value: Any, name: str, choices: tuple[str, ...]) -> str:
     return value
 
 
-def share(value: Any, name: str) -> float:
-    """A number from 0 to 1."""
+def iteration_limit(max_iterations: Any, max_nodes: int) -> int:
+    """The largest number of iterations; by default ten for each node.
+
+    Raises
+    ------
+    InvalidParameter
+        Where it is neither None nor an integer of zero or more.
+    """
+    if max_iterations is None:
+        return 10 * max_nodes
+    return whole(max_iterations, "max_iterations", least=0)
+
+
+def fraction(value: Any, name: str) -> float:
+    """A number from 0 to 1 as a float.
+
+    Raises
+    ------
+    InvalidParameter
+        Where the value is not such a number.
+    """
     if not is_real(value) or not 0.0 <= value <= 1.0:
         raise InvalidParameter(f"{name} must be a number from 0 to 1, got {value!r}")
     return float(value)

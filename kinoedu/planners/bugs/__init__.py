@@ -1,6 +1,4 @@
-"""What the Bug family stands on: the walls, the contact sensor that alone may feel them, and the
-walk that comes of it.
-"""
+"""The Bug family: the walls, the robot with its contact sensor, and the walk that results."""
 
 from .place import Place
 from .robot import BugRobot

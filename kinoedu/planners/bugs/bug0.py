@@ -1,5 +1,11 @@
-"""Bug 0: follow the wall until the way to the goal is open. Bullo & Smith, chapter 1; it may walk
-in a circle for ever.
+"""Bug 0: follow the wall until a motion towards the goal is free. Bullo & Smith, chapter 1.
+
+     1  while the goal is not reached:
+     2      move towards the goal
+     3      if an obstacle is hit:
+     4          follow its wall until the robot can move towards the goal
+
+Not complete: the robot may walk in a circle for ever.
 """
 
 from collections.abc import Iterable
@@ -12,22 +18,18 @@ from .walk import plan_walk
 
 
 def bug0_walk(robot: BugRobot) -> str:
-    """Bug 0, step by step; says why it failed, or nothing."""
+    """Walk by Bug 0; returns why it failed, or an empty string."""
     hits = set()
     while not robot.move_to_goal():
         hit = robot.place
-        if hit in hits:  # what follows depends on the hit point alone
-            return (
-                "Bug 0 walks in a circle for ever: it came upon the same wall at the same point "
-                "again"
-            )
+        if hit in hits:  # the rest of the walk depends on the hit point alone
+            return "Bug 0 walks in a circle for ever: it hit the same wall at the same point again"
         hits.add(hit)
         while not robot.can_move_to_goal():
             robot.follow_wall()
             if robot.place == hit:
                 return (
-                    "Bug 0 went round the obstacle, and nowhere did the wall let it move towards "
-                    "the goal"
+                    "Bug 0 walked round the obstacle and could not move towards the goal anywhere"
                 )
     return ""
 
@@ -41,25 +43,41 @@ def bug0(
     turn: str = "left",
     clearance: float = 0.0,
 ) -> Plan:
-    """Move towards the goal; where a wall is in the way follow it until it no longer is; and so on.
+    """Plan by Bug 0: follow each wall until a motion towards the goal is free.
 
     Parameters
-    ---------- start, goal : (x, y). The start must be free. A goal that no path reaches is found
-    out by walking.
-    obstacles : simple polygons, (n, 2) each, convex or not, in either sense. Those that meet or
-    overlap are one obstacle.
-    step : the longest distance between two points of the path; it changes nothing else, the walk is
-    exact.
-    turn : "left", at a wall the robot turns left and has it on its right; or "right".
-    clearance : the robot keeps so far off: it follows the obstacles grown by that much. Their edges
-    are moved out by just so much,
-        and their corners are rounded by short edges that stand off at most a thousandth more.
+    ----------
+    start, goal : (x, y). The start must be free. The goal need not be reachable: the walk finds
+        that out.
+    obstacles : simple polygons, (n, 2) each, convex or not, clockwise or counter-clockwise.
+        Obstacles that touch or overlap count as one.
+    step : the longest distance between two points of the path. The walk itself is exact and does
+        not depend on it.
+    turn : "left" to turn left at a wall, which is then on the robot's right; or "right".
+    clearance : the distance kept from obstacles. The robot follows the obstacles grown by it: their
+        edges are moved out by exactly that much, and their corners are rounded by short edges that
+        stand off at most a thousandth more.
 
-    Returns a Plan whose `walk` holds all that the robot did: points, hit and leave points, where it
-    followed walls, how far it had come and how far the goal was. `cost` is the walk's exact length.
-    Without a path `reason` says why; a walk in a circle is shown once round. Raises InvalidStart,
-    InvalidGoal (where it lies on a wall), InvalidPolygon, InvalidPoint, InvalidParameter.
+    Returns
+    ------- Plan whose `walk` records what the robot did: points, hit and leave points, where it
+    followed walls, the distance walked and the distance to the goal. `cost` is the exact length of
+    the walk. Without a path `reason` says why; a walk in a circle is recorded for one round.
 
+    Raises
+    ------
+    InvalidStart
+        Where the start is in contact with an obstacle.
+    InvalidGoal
+        Where the goal lies on a wall.
+    InvalidPolygon
+        Where an obstacle is not a simple polygon.
+    InvalidPoint
+        Where a coordinate is not a finite number.
+    InvalidParameter
+        Where another parameter is out of its range.
+
+    Examples
+    --------
     >>> plan = bug0((0, 0), (4, 0), [[(1, -1), (2, -1), (2, 2), (1, 2)]], step=9)
     >>> plan.path.tolist()
     [[0.0, 0.0], [1.0, 0.0], [1.0, 2.0], [2.0, 2.0], [4.0, 0.0]]

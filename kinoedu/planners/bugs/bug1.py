@@ -1,8 +1,14 @@
-"""Bug 1: go all the way round, then leave from where the goal was nearest. Bullo & Smith, chapter
-1.
+"""Bug 1: walk round each obstacle, then leave it from the point nearest to the goal.
 
-V. J. Lumelsky, A. A. Stepanov, "Path-planning strategies for a point mobile automaton moving amidst
-unknown obstacles of arbitrary shape", Algorithmica 2 (1987).
+     1  while the goal is not reached:
+     2      move towards the goal
+     3      if an obstacle is hit:
+     4          walk once round it, and remember the point nearest to the goal
+     5          follow the wall back to that point
+     6          if the robot cannot move towards the goal there: return failure
+
+Bullo & Smith, chapter 1; V. J. Lumelsky, A. A. Stepanov, "Path-planning strategies for a point
+mobile automaton moving amidst unknown obstacles of arbitrary shape", Algorithmica 2 (1987).
 """
 
 from collections.abc import Iterable
@@ -16,12 +22,12 @@ from .walk import plan_walk
 
 
 def bug1_walk(robot: BugRobot, way_back: str) -> str:
-    """Bug 1, step by step; says why it failed, or nothing."""
+    """Walk by Bug 1; returns why it failed, or an empty string."""
     while not robot.move_to_goal():
         hit = nearest = robot.place
         begin = at_nearest = robot.travelled
         robot.follow_wall()
-        while robot.place != hit:  # all the way round, remembering where the goal was nearest
+        while robot.place != hit:  # line 4
             if robot.place.is_nearer_than(nearest):
                 nearest, at_nearest = robot.place, robot.travelled
             robot.follow_wall()
@@ -30,10 +36,7 @@ def bug1_walk(robot: BugRobot, way_back: str) -> str:
         while robot.place != nearest:
             robot.follow_wall()
         if not robot.can_move_to_goal():
-            return (
-                "no path reaches the goal: even where the wall comes nearest to it, the wall is "
-                "in the way"
-            )
+            return "no path reaches the goal: the wall blocks it even at its nearest point"
     return ""
 
 
@@ -47,20 +50,26 @@ def bug1(
     way_back: str = "shorter",
     clearance: float = 0.0,
 ) -> Plan:
-    """Move towards the goal; go once round each obstacle met, back to where the goal was nearest,
-    and on from there.
-
-    way_back : "shorter", the shorter way along the wall back to the nearest point, the same
-        direction where both are equally long; or "same", the direction in which it went round. The
-        other arguments, the answer and the errors are those of `bug0`.
+    """Plan by Bug 1: walk round each obstacle, and leave it from the point nearest to the goal.
 
     Complete: it reaches the goal, or finds that no path does. The walk is at most D + 3/2 of the
-    perimeters of the obstacles met, where D is the distance from start to goal (with the way back
-    in the same direction, at most twice the perimeters).
+    perimeters of the obstacles that are hit, where D is the distance from start to goal; with
+    way_back="same" at most D + 2 of the perimeters.
 
+    The other parameters, the result and the errors are those of `bug0`.
+
+    Parameters
+    ----------
+    way_back : "shorter" to return to the nearest point along the shorter way, without turning round
+        where both are equally long; or "same" to go on in the same direction.
+
+    Examples
+    --------
     >>> box = [(1, -1), (2, -1), (2, 2), (1, 2)]
-    >>> bug1((0, 0), (4, 0), [box], step=0.1).cost, bug1((0, 0), (4, 0), [box], step=0.1, way_back="same").cost
-    (14.0, 16.0)
+    >>> bug1((0, 0), (4, 0), [box], step=0.1).cost
+    14.0
+    >>> bug1((0, 0), (4, 0), [box], step=0.1, way_back="same").cost
+    16.0
     """
     back = one_of(way_back, "way_back", ("shorter", "same"))
     return plan_walk(

@@ -1,7 +1,14 @@
-"""Bug 2: follow the wall back to the start-goal line, closer to the goal. Bullo & Smith, chapter 1.
+"""Bug 2: follow each wall back to the start-goal line, closer to the goal.
 
-V. J. Lumelsky, A. A. Stepanov, "Path-planning strategies for a point mobile automaton moving amidst
-unknown obstacles of arbitrary shape", Algorithmica 2 (1987).
+     1  while the goal is not reached:
+     2      move towards the goal along the start-goal line
+     3      if an obstacle is hit:
+     4          follow its wall until the robot is on the start-goal line, closer to the goal than
+     5              the hit point, and can move towards the goal
+     6          if it returns to the hit point first: return failure
+
+Bullo & Smith, chapter 1; V. J. Lumelsky, A. A. Stepanov, "Path-planning strategies for a point
+mobile automaton moving amidst unknown obstacles of arbitrary shape", Algorithmica 2 (1987).
 """
 
 from collections.abc import Iterable
@@ -14,7 +21,7 @@ from .walk import plan_walk
 
 
 def bug2_walk(robot: BugRobot) -> str:
-    """Bug 2, step by step; says why it failed, or nothing."""
+    """Walk by Bug 2; returns why it failed, or an empty string."""
     while not robot.move_to_goal():
         hit = robot.place
         robot.follow_wall()
@@ -23,8 +30,8 @@ def bug2_walk(robot: BugRobot) -> str:
         ):
             if robot.place == hit:
                 return (
-                    "no path reaches the goal: round the obstacle the start-goal line was not met "
-                    "closer to the goal"
+                    "no path reaches the goal: nowhere round the obstacle can the robot leave it "
+                    "on the start-goal line closer to the goal"
                 )
             robot.follow_wall()
     return ""
@@ -39,16 +46,17 @@ def bug2(
     turn: str = "left",
     clearance: float = 0.0,
 ) -> Plan:
-    """Move towards the goal; follow each wall met until the start-goal line is met again, closer to
-    the goal; and so on.
+    """Plan by Bug 2: follow each wall until the start-goal line is met closer to the goal.
 
-    Arguments, answer and errors are those of `bug0`. The start-goal line is the segment between the
-    two.
+    The start-goal line is the segment between the two. Complete: it reaches the goal, or finds that
+    no path does. The walk is at most D plus, for each obstacle that is hit, half its perimeter
+    times the number of its crossings with the start-goal line; D is the distance from start to
+    goal.
 
-    Complete: it reaches the goal, or finds that no path does. The walk is at most D plus, for each
-    obstacle met, half its perimeter times the number of its crossings with the start-goal line; D
-    is the distance from start to goal.
+    Parameters, result and errors are those of `bug0`.
 
+    Examples
+    --------
     >>> plan = bug2((0, 0), (4, 0), [[(1, -1), (2, -1), (2, 2), (1, 2)]], step=9)
     >>> plan.path.tolist()
     [[0.0, 0.0], [1.0, 0.0], [1.0, 2.0], [2.0, 2.0], [2.0, 0.0], [4.0, 0.0]]

@@ -1,4 +1,6 @@
-"""Bug 2 without its rule: it leaves wherever the start-goal line is met again, and may circle.
+"""Bug 2.prelim: Bug 2 without the rule that it leaves a wall closer to the goal.
+
+It leaves a wall wherever it meets the start-goal line again, and may walk in a circle for ever.
 Bullo & Smith, chapter 1.
 """
 
@@ -12,22 +14,22 @@ from .walk import plan_walk
 
 
 def bug2_prelim_walk(robot: BugRobot) -> str:
-    """Bug 2.prelim, step by step; says why it failed, or nothing."""
+    """Walk by Bug 2.prelim; returns why it failed, or an empty string."""
     hits = set()
     while not robot.move_to_goal():
         hit = robot.place
-        if hit in hits:  # what follows depends on the hit point alone
+        if hit in hits:  # the rest of the walk depends on the hit point alone
             return (
-                "Bug 2.prelim walks in a circle for ever: it came upon the same wall at the same "
-                "point again"
+                "Bug 2.prelim walks in a circle for ever: it hit the same wall at the same point "
+                "again"
             )
         hits.add(hit)
         robot.follow_wall()
         while not (robot.place.on_line and robot.can_move_to_goal()):
             if robot.place == hit:
                 return (
-                    "Bug 2.prelim went round the obstacle, and nowhere could it leave along the "
-                    "start-goal line"
+                    "Bug 2.prelim walked round the obstacle and could not leave along the "
+                    "start-goal line anywhere"
                 )
             robot.follow_wall()
     return ""
@@ -42,12 +44,14 @@ def bug2_prelim(
     turn: str = "left",
     clearance: float = 0.0,
 ) -> Plan:
-    """Move towards the goal; follow each wall met until the start-goal line is met again, wherever
-    that is; and so on.
+    """Plan by Bug 2.prelim: follow each wall until the start-goal line is met again.
 
-    Arguments, answer and errors are those of `bug0`. Not complete: it may walk in a circle for
-    ever, which is recognised and shown.
+    Not complete: the robot may walk in a circle for ever, which is detected and shown.
 
+    Parameters, result and errors are those of `bug0`.
+
+    Examples
+    --------
     >>> bug2_prelim((0, 0), (4, 0), [[(1, -1), (2, -1), (2, 2), (1, 2)]], step=9).cost
     8.0
     """

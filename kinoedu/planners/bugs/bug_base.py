@@ -1,4 +1,4 @@
-"""BugBase: straight to the goal, or not at all. Bullo & Smith, chapter 1, and its exercises."""
+"""BugBase: move straight to the goal, and fail at the first obstacle. Bullo & Smith, chapter 1."""
 
 from collections.abc import Iterable
 
@@ -10,7 +10,7 @@ from .walk import plan_walk
 
 
 def bug_base_walk(robot: BugRobot) -> str:
-    """Move towards the goal until a wall is in the way; says why it failed, or nothing."""
+    """Walk by BugBase; returns why it failed, or an empty string."""
     if not robot.move_to_goal():
         return "there is an obstacle between the start and the goal"
     return ""
@@ -25,10 +25,12 @@ def bug_base(
     turn: str = "left",
     clearance: float = 0.0,
 ) -> Plan:
-    """Move in a straight line from start to goal, and give up at the first wall.
+    """Plan by BugBase: move straight from start to goal, and stop at the first wall.
 
-    Arguments, answer and errors are those of `bug0`; no wall is followed, so turn changes nothing.
+    Parameters, result and errors are those of `bug0`. No wall is followed, so `turn` has no effect.
 
+    Examples
+    --------
     >>> plan = bug_base((0, 0), (4, 0), [[(1, -1), (2, -1), (2, 2), (1, 2)]], step=0.5)
     >>> plan.reason, plan.walk.hits
     ('there is an obstacle between the start and the goal', array([[1., 0.]]))

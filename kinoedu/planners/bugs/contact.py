@@ -1,9 +1,8 @@
-"""What a contact sensor feels along walls, and where a straight motion is stopped. Every decision
-is exact.
+"""The contact sensor along walls, and where a straight motion is stopped; every decision is exact.
 
-Obstacles are closed, and a bug's motion is semi-free: it may touch a wall, pass a corner and slide
-along an edge. It is stopped where it would enter what is solid, or squeeze through where two
-obstacles touch.
+Obstacles are closed sets and the motion of a bug is semi-free: it may touch a wall, pass a corner
+and slide along an edge. It is stopped where it would enter an obstacle, or pass between two
+obstacles that touch.
 """
 
 from typing import NamedTuple
@@ -17,20 +16,21 @@ from ...geometry.exact import facing, height, length, turn
 from ...geometry.segments import between, closest_on_segment, proper_crossing
 
 BLOCKED, OPEN, ALONG_BEFORE, ALONG_AFTER = 0, 1, 2, 3  # where a direction leads from a corner
-REACHED, AT_CORNER, ON_EDGE = 0, 1, 2  # how a straight motion ends
+REACHED, AT_CORNER, ON_EDGE = 0, 1, 2  # where a straight motion ends
 
 
-class Feeling(NamedTuple):
-    """What is felt along the walls, one row for each of its n points and for the edge that leaves
-    it.
+class WallReadings(NamedTuple):
+    """What the contact sensor measures along the walls, for each of n points and its edge.
 
-    opens : at the point, where the direction to the goal leads: BLOCKED, OPEN, along the edge
-        before or the one after.
+    Edge i leaves point i.
+
+    opens : where the direction to the goal leads from the point: BLOCKED, OPEN, ALONG_BEFORE or
+        ALONG_AFTER, along the edge before the point or after it.
     faces : whether the goal lies on the free side of the edge.
     on_line : whether the point lies on the start-goal line.
-    foot, crossing : how far along the edge, from 0 to 1, are its inner point nearest to the goal
-        and the one on the start-goal line; nan where there is none. foot_at, crossing_at : where
-        that is, shape (n, 2).
+    foot, foot_at : the point inside the edge nearest to the goal, as a fraction of the edge and as
+        (x, y); nan where there is none.
+    crossing, crossing_at : the same for the point inside the edge on the start-goal line.
     """
 
     opens: NDArray[np.int64]
@@ -43,7 +43,7 @@ class Feeling(NamedTuple):
 
 
 @compiled
-def leads(
+def classify_direction(
     ux: float,
     uy: float,
     vx: float,
@@ -54,71 +54,64 @@ def leads(
     dy: float,
     sense: int,
 ) -> int:
-    """Where the direction from v to d (sense 1), or away from d (sense -1), leads at a corner u, v,
-    w, what is solid on its left.
+    """Where a direction leads at the corner u, v, w, with the obstacle on its left.
 
-    What is free there lies counter-clockwise from the direction of u to that of w.
+    The direction is that from v to d (sense 1), or the opposite one (sense -1). The free directions
+    are those counter-clockwise from the direction of u to that of w.
     """
     u_side, w_side = sense * turn(vx, vy, dx, dy, ux, uy), sense * turn(vx, vy, dx, dy, wx, wy)
     if u_side == 0 and sense * facing(vx, vy, dx, dy, ux, uy) > 0:
         return ALONG_BEFORE
     if w_side == 0 and sense * facing(vx, vy, dx, dy, wx, wy) > 0:
         return ALONG_AFTER
-    bend = turn(ux, uy, vx, vy, wx, wy)
-    if bend > 0:
+    corner = turn(ux, uy, vx, vy, wx, wy)
+    if corner > 0:
         return BLOCKED if w_side < 0 and u_side > 0 else OPEN
-    if bend < 0:
+    if corner < 0:
         return OPEN if u_side < 0 and w_side > 0 else BLOCKED
     return OPEN if w_side > 0 else BLOCKED
 
 
 @compiled
-def feel(
+def sense_walls(
     points: Array, before: NDArray[np.int64], after: NDArray[np.int64], start: Array, goal: Array
-) -> Feeling:
-    """What the contact sensor will feel along the walls on the way from start to goal. O(n)."""
+) -> WallReadings:
+    """What the contact sensor measures along the walls from start to goal. O(n)."""
     n = len(points)
     opens, faces, on_line = np.empty(n, np.int64), np.empty(n, np.bool_), np.empty(n, np.bool_)
-    foot, crossing, foot_at, crossing_at = (
-        np.full(n, np.nan),
-        np.full(n, np.nan),
-        np.empty((n, 2)),
-        np.empty((n, 2)),
-    )
+    foot, crossing = np.full(n, np.nan), np.full(n, np.nan)
+    foot_at, crossing_at = np.empty((n, 2)), np.empty((n, 2))
     (sx, sy), (gx, gy) = start, goal
     for i in range(n):
         (ux, uy), (ax, ay), (bx, by) = points[before[i]], points[i], points[after[i]]
-        opens[i] = leads(ux, uy, ax, ay, bx, by, gx, gy, 1)
+        opens[i] = classify_direction(ux, uy, ax, ay, bx, by, gx, gy, 1)
         to_goal, to_start = turn(ax, ay, bx, by, gx, gy), turn(ax, ay, bx, by, sx, sy)
         faces[i] = to_goal < 0
         a_side, b_side = turn(sx, sy, gx, gy, ax, ay), turn(sx, sy, gx, gy, bx, by)
         on_line[i] = a_side == 0 and between(sx, sy, gx, gy, ax, ay)
         x, y, region = closest_on_segment(gx, gy, ax, ay, bx, by)
         if region == 0:
-            foot[i], foot_at[i, 0], foot_at[i, 1] = (
-                inner(length(x - ax, y - ay) / length(bx - ax, by - ay)),
-                x,
-                y,
-            )
+            foot[i] = clamp_inside(length(x - ax, y - ay) / length(bx - ax, by - ay))
+            foot_at[i, 0], foot_at[i, 1] = x, y
         if a_side * b_side < 0 and to_goal * to_start < 0:
-            crossing[i] = divided(ax, ay, bx, by, sx, sy, gx, gy)
+            crossing[i] = crossing_fraction(ax, ay, bx, by, sx, sy, gx, gy)
             crossing_at[i] = proper_crossing(points[i], points[after[i]], start, goal)
-    return Feeling(opens, faces, on_line, foot, foot_at, crossing, crossing_at)
+    return WallReadings(opens, faces, on_line, foot, foot_at, crossing, crossing_at)
 
 
 @compiled
-def inner(along: float) -> float:
-    """A share of an edge, known to be inside it."""
+def clamp_inside(along: float) -> float:
+    """A fraction of an edge, kept strictly between 0 and 1."""
     return min(max(along, 1e-300), 1.0 - 2.0**-53)
 
 
 @compiled
-def divided(
+def crossing_fraction(
     ax: float, ay: float, bx: float, by: float, cx: float, cy: float, dx: float, dy: float
 ) -> float:
-    """How far along a-b, from 0 to 1, the line c-d crosses it."""
+    """The fraction of a-b at which the line c-d crosses it."""
     from_a, from_b = abs(height(cx, cy, dx, dy, ax, ay)), abs(height(cx, cy, dx, dy, bx, by))
-    return inner(from_a / (from_a + from_b))
+    return clamp_inside(from_a / (from_a + from_b))
 
 
 @compiled
@@ -130,12 +123,19 @@ def first_contact(
     goal: Array,
     left: int,
 ) -> tuple[int, int]:
-    """How a motion on the line from origin to goal ends: REACHED, AT_CORNER or ON_EDGE, and at
-    which.
+    """Where a motion on the line from origin to goal ends.
 
-    left : the edge that the robot leaves, which the line crosses from its solid to its free side,
-        or -1: what comes before does not count. Walls do not cross each other, so what comes first
-        is decided by turns alone, never by rounded positions. O(n).
+    No position is rounded in these decisions: walls do not cross each other, so orientations alone
+    decide which comes first. O(n).
+
+    Parameters
+    ----------
+    left : the edge that the robot leaves, or -1. The line crosses it from its solid to its free
+        side, and anything before that crossing is ignored.
+
+    Returns
+    -------
+    REACHED, AT_CORNER or ON_EDGE, and the number of the corner or edge.
     """
     (ox, oy), (gx, gy) = origin, goal
     how, which = REACHED, -1
@@ -146,8 +146,11 @@ def first_contact(
             if left >= 0 and side_of(points, after, left, ax, ay) >= 0:
                 continue
             ux, uy = points[before[i]]
-            came_from_here = leads(ux, uy, ax, ay, bx, by, ox, oy, 1) != BLOCKED
-            if not came_from_here or leads(ux, uy, ax, ay, bx, by, ox, oy, -1) != BLOCKED:
+            came_from_here = classify_direction(ux, uy, ax, ay, bx, by, ox, oy, 1) != BLOCKED
+            if (
+                not came_from_here
+                or classify_direction(ux, uy, ax, ay, bx, by, ox, oy, -1) != BLOCKED
+            ):
                 continue
             if (
                 how == REACHED
@@ -176,9 +179,7 @@ def first_contact(
 
 @compiled
 def side_of(points: Array, after: NDArray[np.int64], edge: int, x: float, y: float) -> int:
-    """The side of an edge that a point is on: 1 its solid one, -1 its free one, 0 in line with
-    it.
-    """
+    """The side of an edge that a point is on: 1 solid, -1 free, 0 in line with it."""
     a, b = points[edge], points[after[edge]]
     return turn(a[0], a[1], b[0], b[1], x, y)
 
@@ -187,19 +188,17 @@ def side_of(points: Array, after: NDArray[np.int64], edge: int, x: float, y: flo
 def crossed_before(
     points: Array, after: NDArray[np.int64], edge: int, other: int, behind: int
 ) -> bool:
-    """Whether a line that enters what is solid at `edge` does so before it crosses `other`, coming
-    from the side `behind` of that.
+    """Whether a line that enters an obstacle at `edge` does so before it crosses `other`.
 
-    Two edges that do not cross: all of one lies on one side of the line through the other.
+    The line crosses `other` from the side `behind`. The two edges do not cross, so one of them lies
+    entirely on one side of the line through the other.
     """
     a, b = points[other], points[after[other]]
-    a_side, b_side = (
-        side_of(points, after, edge, a[0], a[1]),
-        side_of(points, after, edge, b[0], b[1]),
-    )
+    a_side = side_of(points, after, edge, a[0], a[1])
+    b_side = side_of(points, after, edge, b[0], b[1])
     if a_side * b_side >= 0 and a_side + b_side != 0:
         return a_side + b_side > 0
     c, d = points[edge], points[after[edge]]
-    return (
-        side_of(points, after, other, c[0], c[1]) + side_of(points, after, other, d[0], d[1])
-    ) * behind > 0
+    c_side = side_of(points, after, other, c[0], c[1])
+    d_side = side_of(points, after, other, d[0], d[1])
+    return (c_side + d_side) * behind > 0

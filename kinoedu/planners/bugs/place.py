@@ -1,4 +1,4 @@
-"""Where a bug is, and which of two places is nearer to the goal."""
+"""The place of a bug, and which of two places is nearer to the goal."""
 
 from fractions import Fraction
 from typing import NamedTuple
@@ -7,15 +7,16 @@ Position = tuple[float, float]
 
 
 class Place(NamedTuple):
-    """Where the robot is: two places are the same when all of it is.
+    """The place of a robot; two places are the same where all their fields are.
 
-    x, y : the position. distance : from there to the goal. on_line : whether it lies on the
-        start-goal line.
-    is_open : whether the wall that it touches, if any, lets it move towards the goal.
-    wall, along : which stretch of wall it touches, -1 in the open, and how far along it is, from 0
-        to 1; 0 is a corner.
-    made_of : what x and y were rounded from: the goal g alone for a point as given; g, a, b for the
-        point of a-b nearest to g; g, a, b, o for the crossing of a-b with o-g.
+    x, y : the position.
+    distance : from there to the goal.
+    on_line : whether it lies on the start-goal line.
+    is_open : whether the wall that the robot touches, if any, lets it move towards the goal.
+    wall, along : the edge that it touches, -1 for none, and the fraction of the edge, from 0 to 1;
+        0 is a corner.
+    made_of : the points from which x and y were computed: the goal g for a point that was given;
+        g, a, b for the point of a-b nearest to g; g, a, b, o for the crossing of a-b with o-g.
     """
 
     x: float
@@ -28,11 +29,10 @@ class Place(NamedTuple):
     made_of: tuple[Position, ...]
 
     def is_nearer_than(self, other: "Place") -> bool:
-        """Whether the goal is nearer from here than from another place. Exact: decided by fractions
-        where rounding could matter.
+        """Whether this place is nearer to the goal than another; exact, by fractions if needed.
 
-        Of two places in one point, on the two sides of where obstacles touch, the open one counts
-        as nearer.
+        Two places may be at one point, on two sides of where obstacles touch. Then the open one
+        counts as nearer.
         """
         if abs(self.distance - other.distance) > 1e-12 * (self.distance + other.distance):
             return self.distance < other.distance
@@ -56,5 +56,5 @@ def exact_squared_distance(place: Place) -> Fraction:
         return goal_height**2 / (ux**2 + uy**2)
     ((ox, oy),) = origin
     origin_height = ux * (oy - ay) - uy * (ox - ax)
-    share_left = goal_height / (goal_height - origin_height)
-    return share_left**2 * ((gx - ox) ** 2 + (gy - oy) ** 2)
+    fraction_left = goal_height / (goal_height - origin_height)
+    return fraction_left**2 * ((gx - ox) ** 2 + (gy - oy) ** 2)

@@ -1,9 +1,9 @@
-"""The robot of the Bug family. It knows where it is and how far the goal is, and it feels the wall
-it touches: nothing else.
+"""The robot of the Bug family: a point with a contact sensor.
 
-Bullo & Smith, chapter 1: a point with a contact sensor of range zero, which knows the direction and
-the distance to the goal, can move straight towards it, and can follow a wall. Whoever holds one
-cannot see the obstacles.
+It knows its own place, and the direction and distance to the goal. It can move straight towards the
+goal, and follow a wall that it touches. The obstacles are not accessible through this object.
+
+Bullo & Smith, chapter 1.
 """
 
 import numpy as np
@@ -18,9 +18,9 @@ from .contact import (
     AT_CORNER,
     BLOCKED,
     REACHED,
-    divided,
-    feel,
+    crossing_fraction,
     first_contact,
+    sense_walls,
 )
 from .place import Place
 from .walls import Walls
@@ -29,16 +29,15 @@ from .walls import Walls
 class BugRobot:
     """A robot among walls, on its way from start to goal, shape (2,) each.
 
-    turn : +1 to follow walls with the wall on its left (it turned right), -1 with the wall on its
-        right (it turned left).
+    An algorithm may use `place`, `travelled` (the distance walked) and the methods without an
+    underscore. `trail` records the walk.
 
-    `place`, `travelled` (how far it has come) and the methods without an underscore are all that an
-    algorithm may ask; `trail` keeps what happened.
+    turn : +1 to turn right at a wall, which is then on the robot's left; -1 to turn left.
     """
 
     def __init__(self, walls: Walls, start: Array, goal: Array, turn: int) -> None:
         self._walls, self._start, self._goal, self._turn = walls, start, goal, turn
-        self._feeling = feel(walls.points, walls.before, walls.after, start, goal)
+        self._readings = sense_walls(walls.points, walls.before, walls.after, start, goal)
         self._heading = turn
         self._places: dict[int, list[Place]] = {}
         self.place = self._at(*start, on_line=True, wall=-1)
@@ -46,19 +45,16 @@ class BugRobot:
         self.trail = Trail(self.place)
 
     def move_to_goal(self) -> bool:
-        """Move straight towards the goal, until it is reached (True) or a wall is in the way
-        (False).
-        """
+        """Move straight towards the goal; returns False where a wall was hit before it."""
         walls, place = self._walls, self.place
         here = np.array([place.x, place.y])
-        origin = (
-            self._start if place.on_line and place.along > 0.0 else here
-        )  # back on the start-goal line: keep to it, unrounded
+        # on the start-goal line inside an edge, the line is that from the start, without rounding
+        origin = self._start if place.on_line and place.along > 0.0 else here
         if place.wall >= 0:
             self.trail.leave()
             if self.trail.times_left(place) > 2:
                 raise InvalidWorld(
-                    "the walls lie closer together than numbers of their size can tell apart; "
+                    "the walls lie closer together than floats of their size can represent; "
                     "move them apart"
                 )
         edge_left = place.wall if place.along > 0.0 else -1
@@ -75,34 +71,30 @@ class BugRobot:
         return False
 
     def can_move_to_goal(self) -> bool:
-        """Whether the wall that it touches lets it move towards the goal; along the wall, but not
-        back the way it came.
-        """
+        """Whether the robot can move towards the goal, other than back the way it came."""
         place = self.place
         at_corner = place.wall >= 0 and place.along == 0.0
         back = ALONG_BEFORE if self._heading > 0 else ALONG_AFTER
-        return place.is_open and not (at_corner and self._feeling.opens[place.wall] == back)
+        return place.is_open and not (at_corner and self._readings.opens[place.wall] == back)
 
     def follow_wall(self) -> None:
-        """Follow the wall to the next place of note: a corner, a hit, the start-goal line, or where
-        the goal comes no nearer.
+        """Follow the wall to the next place of interest.
+
+        Such places are corners, hit points, points on the start-goal line, and points inside an
+        edge that are nearest to the goal.
         """
         wall, along, walls = self.place.wall, self.place.along, self._walls
         if self._heading > 0:
             ahead = [place for place in self._places_on(wall) if place.along > along]
-            self._go(
-                ahead[0] if ahead else self._places_on(int(walls.after[wall]))[0], following=True
-            )
+            place = ahead[0] if ahead else self._places_on(int(walls.after[wall]))[0]
         elif along > 0.0:
-            self._go(
-                [place for place in self._places_on(wall) if place.along < along][-1],
-                following=True,
-            )
+            place = [place for place in self._places_on(wall) if place.along < along][-1]
         else:
-            self._go(self._places_on(int(walls.before[wall]))[-1], following=True)
+            place = self._places_on(int(walls.before[wall]))[-1]
+        self._go(place, following=True)
 
     def turn_round(self) -> None:
-        """Follow the wall the other way from now on, until it is left."""
+        """Follow the wall in the other direction from now on, until the robot leaves it."""
         self._heading = -self._heading
         self.trail.keep()
 
@@ -119,7 +111,7 @@ class BugRobot:
         points = tuple((float(p[0]), float(p[1])) for p in (self._goal, *made_of))
         distance = float(length(self._goal[0] - x, self._goal[1] - y))
         is_open = wall < 0 or (
-            self._feeling.faces[wall] if along > 0.0 else self._feeling.opens[wall] != BLOCKED
+            self._readings.faces[wall] if along > 0.0 else self._readings.opens[wall] != BLOCKED
         )
         return Place(
             float(x), float(y), distance, bool(on_line), bool(is_open), wall, float(along), points
@@ -131,46 +123,37 @@ class BugRobot:
         self.trail.go(place, following)
 
     def _places_on(self, wall: int) -> list[Place]:
-        """The places of note on a stretch of wall, in its order: the corner where it begins, and
-        those inside.
-        """
+        """The places of interest on an edge, in order, from the corner where it begins."""
         if wall not in self._places:
-            felt, (a, b) = self._feeling, self._ends(wall)
+            readings, (a, b) = self._readings, self._ends(wall)
             inner = {}
-            if felt.foot[wall] > 0.0:
-                foot = self._at(
-                    *felt.foot_at[wall],
-                    on_line=False,
-                    wall=wall,
-                    along=felt.foot[wall],
-                    made_of=(a, b),
-                )
+            if readings.foot[wall] > 0.0:
+                at, along = readings.foot_at[wall], readings.foot[wall]
+                foot = self._at(*at, on_line=False, wall=wall, along=along, made_of=(a, b))
                 inner[foot.along] = foot
-            if felt.crossing[wall] > 0.0:
-                at, along = felt.crossing_at[wall], felt.crossing[wall]
+            if readings.crossing[wall] > 0.0:
+                at, along = readings.crossing_at[wall], readings.crossing[wall]
                 crossing = self._at(
                     *at, on_line=True, wall=wall, along=along, made_of=(a, b, self._start)
                 )
                 inner[crossing.along] = crossing
             self._places[wall] = [
-                self._at(*a, on_line=felt.on_line[wall], wall=wall),
+                self._at(*a, on_line=readings.on_line[wall], wall=wall),
                 *(inner[along] for along in sorted(inner)),
             ]
         return self._places[wall]
 
     def _crossing(self, wall: int, origin: Array) -> Place:
-        """The place where the line from origin to the goal meets a stretch of wall; of note from
-        now on.
-        """
-        (a, b), known = self._ends(wall), self._places_on(wall)
-        along = divided(*a, *b, *origin, *self._goal)
-        for place in known:
+        """The place where the line from origin to goal meets an edge, now of interest."""
+        (a, b), places = self._ends(wall), self._places_on(wall)
+        along = crossing_fraction(*a, *b, *origin, *self._goal)
+        for place in places:
             if place.along == along:
                 return place
         at = proper_crossing(a, b, origin, self._goal)
         hit = self._at(*at, on_line=False, wall=wall, along=along, made_of=(a, b, origin))
-        known.append(hit)
-        known.sort(key=lambda place: place.along)
+        places.append(hit)
+        places.sort(key=lambda place: place.along)
         return hit
 
     def _ends(self, wall: int) -> tuple[Array, Array]:
@@ -178,8 +161,9 @@ class BugRobot:
 
 
 class Trail:
-    """What a robot did, in order: where it was, and whether it followed a wall to get there; hits
-    and leaves number places.
+    """The record of a walk: the places in order, and whether a wall was followed to each of them.
+
+    hits, leaves : the numbers of the places where a wall was hit or left.
     """
 
     def __init__(self, start: Place) -> None:
@@ -188,8 +172,9 @@ class Trail:
         self._kept = True
 
     def go(self, place: Place, following: bool) -> None:
-        """On to a place; the last one is forgotten where nothing happened there and the wall was
-        straight.
+        """Append a place.
+
+        The last place is dropped where nothing happened there and the wall was straight.
         """
         if not self._kept:
             del self.places[-1], self.following[-1]
@@ -202,19 +187,19 @@ class Trail:
         )
 
     def hit(self) -> None:
-        """A wall is in the way."""
+        """Record that a wall was hit at the last place."""
         self.keep()
         self.hits.append(len(self.places) - 1)
 
     def leave(self) -> None:
-        """The wall is left."""
+        """Record that the wall was left at the last place."""
         self.keep()
         self.leaves.append(len(self.places) - 1)
 
     def keep(self) -> None:
-        """Where the robot is now counts, even on a straight wall."""
+        """Keep the last place, even on a straight wall."""
         self._kept = True
 
     def times_left(self, place: Place) -> int:
-        """How often the wall was left at a place."""
+        """How many times the wall was left at a place."""
         return sum(self.places[leave] == place for leave in self.leaves)

@@ -1,4 +1,4 @@
-"""From a robot's walk to the plan that a Bug algorithm returns."""
+"""Build the plan that a Bug algorithm returns from the walk of its robot."""
 
 import math
 from collections.abc import Callable, Iterable
@@ -16,13 +16,11 @@ from ..tuning import none_or_more, one_of, positive
 from .robot import BugRobot, Trail
 from .walls import as_rings, contact, make_walls
 
-MOST_POINTS = 10_000_000  # what memory holds
+MOST_POINTS = 10_000_000  # that memory can hold
 
 
 class BugProblem(NamedTuple):
-    """What a Bug plan answers: a point robot, or a disc of radius `clearance`, from start to goal
-    among obstacles.
-    """
+    """The problem of a Bug plan: a point, or a disk of radius `clearance`, among obstacles."""
 
     robot: Any
     world: OpenWorld
@@ -41,8 +39,10 @@ def plan_walk(
     turn: str,
     clearance: float,
 ) -> Plan:
-    """Check what is asked, let the algorithm lead a robot, and make a plan of its walk. It returns
-    why it failed, or nothing.
+    """Check the arguments, run a Bug algorithm on a robot, and make a plan of its walk.
+
+    The algorithm returns why it failed, or an empty string. The other parameters and the errors are
+    those of `bug0`.
     """
     q_start, q_goal = as_point(start, "start"), as_point(goal, "goal")
     longest, margin = positive(step, "step"), none_or_more(clearance, "clearance")
@@ -68,15 +68,14 @@ def plan_walk(
 
 
 def walk_of(trail: Trail, goal: Array, step: float) -> Walk:
-    """A trail with points filled in, so that none are more than a step apart."""
+    """The walk along a trail, with points inserted so that no two are more than `step` apart."""
     corners = np.array([(place.x, place.y) for place in trail.places])
     moves = np.diff(corners, axis=0)
     size = np.abs(moves).max(axis=1, initial=0.0)
     unit = np.where(size > 0.0, size, 1.0)
-    lengths = size * np.sqrt(
-        (moves[:, 0] / unit) ** 2 + (moves[:, 1] / unit) ** 2
-    )  # squares of huge and tiny numbers are neither
-    with np.errstate(over="ignore"):  # so many are refused below
+    # scaled, because squares of huge and tiny numbers overflow and underflow
+    lengths = size * np.sqrt((moves[:, 0] / unit) ** 2 + (moves[:, 1] / unit) ** 2)
+    with np.errstate(over="ignore"):  # refused below
         pieces = np.maximum(np.ceil(lengths / step * (1.0 - 1e-15)), 1.0)
     if not pieces.sum() < MOST_POINTS:
         needed = f"{pieces.sum():g} points for a walk of length {lengths.sum():g}"
@@ -85,14 +84,14 @@ def walk_of(trail: Trail, goal: Array, step: float) -> Walk:
         )
     count = pieces.astype(np.int64)
     move = np.repeat(np.arange(len(moves)), count)
-    share = (np.arange(len(move)) - np.repeat(np.cumsum(count) - count, count) + 1.0) / count[move]
+    part = (np.arange(len(move)) - np.repeat(np.cumsum(count) - count, count) + 1.0) / count[move]
     points = np.where(
-        (share < 1.0)[:, None], corners[move] + share[:, None] * moves[move], corners[move + 1]
+        (part < 1.0)[:, None], corners[move] + part[:, None] * moves[move], corners[move + 1]
     )
     begun = np.concatenate([[0.0], np.cumsum(lengths)])
-    travelled = np.where(share < 1.0, begun[move] + share * lengths[move], begun[move + 1])
+    travelled = np.where(part < 1.0, begun[move] + part * lengths[move], begun[move + 1])
     points = np.concatenate([corners[:1], points])
-    number = np.concatenate([[0], np.cumsum(count)])  # which point each corner became
+    number = np.concatenate([[0], np.cumsum(count)])  # of the point that each corner became
     return Walk(
         points,
         np.concatenate([[False], np.array(trail.following, dtype=bool)[move + 1]]),
@@ -106,7 +105,7 @@ def walk_of(trail: Trail, goal: Array, step: float) -> Walk:
 def open_world(
     rings: list[Array], walls: list[Array], points: Array, goal: Array, clearance: float
 ) -> OpenWorld:
-    """The obstacles with a frame round them and the walk."""
+    """The obstacles in a frame that also holds the walk."""
     shown = np.concatenate([*walls, points, goal[None]])
     lo, hi = shown.min(axis=0), shown.max(axis=0)
     margin = 0.05 * float((hi - lo).max()) + clearance or 1.0

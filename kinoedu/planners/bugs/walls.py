@@ -1,6 +1,4 @@
-"""From obstacles to the walls that a robot follows: closed loops of edges, what is solid on their
-left.
-"""
+"""Walls: closed loops of edges round the obstacles, with the obstacle on their left."""
 
 import math
 from collections import defaultdict
@@ -22,24 +20,21 @@ from ...geometry.rings import as_ring, ring_turn
 from ...geometry.segments import segments_meet
 from ...support.text import shortened
 
-CORNER = math.radians(
-    5.0
-    # the most that a grown corner turns at once: it stands off by 1 / cos(CORNER / 2) < 1.001 at
-    # most
-)
+# The largest turn at a corner of a grown ring: such a corner stands off by at most
+# 1 / cos(CORNER / 2) < 1.001 times the clearance.
+CORNER = math.radians(5.0)
 
-# Where obstacles meet, their union is put on a grid so fine, of the world's size, so that rounding
-# leaves no cracks between them.
+# The union of obstacles is rounded to a grid of this fraction of the world's size, so that rounding
+# leaves no gaps between obstacles that meet.
 GRID = 2.0**-44
 
 
 class Walls(NamedTuple):
-    """Edge i leads from points[i] to points[after[i]], what is solid on its left, what is free on
-    its right; before undoes after.
+    """Edges that a robot can follow, with the obstacle on their left and free space on their right.
 
-    Where two loops touch at a corner, each has a point of its own there, and follows what is free:
-    the way between them is shut. `rings` are the same loops as obstacles and holes, for asking what
-    is inside.
+    Edge i leads from points[i] to points[after[i]]; `before` is the inverse of `after`. Where two
+    loops touch at a corner, each has a point of its own there, and the passage between them is
+    closed. `rings` are the same loops as obstacles and holes, for point location.
     """
 
     points: Array
@@ -49,8 +44,16 @@ class Walls(NamedTuple):
 
 
 def as_rings(obstacles: Iterable[ArrayLike]) -> list[Array]:
-    """Obstacles as checked rings, counter-clockwise. Raises InvalidPolygon, InvalidPoint,
-    InvalidParameter.
+    """Obstacles as checked rings, counter-clockwise.
+
+    Raises
+    ------
+    InvalidPolygon
+        Where an obstacle is not a simple polygon.
+    InvalidPoint
+        Where a coordinate is not a finite number.
+    InvalidParameter
+        Where `obstacles` is not a list.
     """
     if isinstance(obstacles, str) or not isinstance(obstacles, Iterable):
         raise InvalidParameter(
@@ -61,44 +64,41 @@ def as_rings(obstacles: Iterable[ArrayLike]) -> list[Array]:
 
 
 def make_walls(rings: list[Array], clearance: float) -> Walls:
-    """The walls round checked rings, grown by `clearance`; those that meet, overlap or hold one
-    another are united first.
+    """The walls round checked rings that are grown by `clearance`.
+
+    Obstacles that touch, overlap or contain one another are united first.
     """
     if clearance > 0.0:
-        rings = [grown(part, clearance) for ring in rings for part in convex_parts(ring)]
-    return linked(united(rings) if any_meet(rings) else rings)
+        rings = [grow_ring(part, clearance) for ring in rings for part in convex_parts(ring)]
+    return link_rings(unite_rings(rings) if any_meet(rings) else rings)
 
 
 def contact(walls: Walls, q: Array) -> int:
-    """Where a point is: 1 inside what is solid, 0 on a wall, -1 in the open. Exact."""
+    """Where a point is: 1 inside an obstacle, 0 on a wall, -1 in free space; exact."""
     inside = -1
     for ring in walls.rings:
         where = place(q[0], q[1], ring)
         if where == 0:
             return 0
-        inside = (
-            -inside if where > 0 else inside
-        )  # inside an obstacle; out again in a hole of it; and so on
+        if where > 0:  # inside an obstacle, or in a hole of it, and so on
+            inside = -inside
     return inside
 
 
 @compiled
-def grown(ring: Array, clearance: float) -> Array:
-    """A convex ring's outline at a distance: edges exactly `clearance` away, each corner round it
-    by tangents to its circle.
-    """
+def grow_ring(ring: Array, clearance: float) -> Array:
+    """A convex ring grown by `clearance`; the edges are exact, the corners are short tangents."""
     n, size = len(ring), 0
-    outline = np.empty(
-        (n + int(2.0 * math.pi / CORNER) + 1, 2)
-    )  # a piece more a corner than fills all the way round
+    most = n + int(2.0 * math.pi / CORNER) + 1  # one piece for each corner, and a full turn
+    outline = np.empty((most, 2))
     for i in range(n):
         (ux, uy), (vx, vy), (wx, wy) = ring[i - 1], ring[i], ring[(i + 1) % n]
         arrives = math.atan2(vy - uy, vx - ux)
-        bend = (math.atan2(wy - vy, wx - vx) - arrives) % (2.0 * math.pi)
-        if bend > math.pi:  # a straight corner, rounded to the wrong side
+        turning = (math.atan2(wy - vy, wx - vx) - arrives) % (2.0 * math.pi)
+        if turning > math.pi:  # a straight corner, rounded to the wrong side
             continue
-        pieces = max(1, math.ceil(bend / CORNER))
-        half = 0.5 * bend / pieces
+        pieces = max(1, math.ceil(turning / CORNER))
+        half = 0.5 * turning / pieces
         reach = clearance / math.cos(half)
         for k in range(pieces):
             outward = arrives - 0.5 * math.pi + half * (2.0 * k + 1.0)
@@ -112,7 +112,7 @@ def grown(ring: Array, clearance: float) -> Array:
 
 
 def any_meet(rings: list[Array]) -> bool:
-    """Whether any two rings, taken as solid, share a point. Exact."""
+    """Whether any two rings, taken as solid, share a point; exact."""
     boxes = [(ring.min(axis=0).tolist(), ring.max(axis=0).tolist()) for ring in rings]
     for (ring_a, (a_lo, a_hi)), (ring_b, (b_lo, b_hi)) in combinations(zip(rings, boxes), 2):
         apart = a_lo[0] > b_hi[0] or b_lo[0] > a_hi[0] or a_lo[1] > b_hi[1] or b_lo[1] > a_hi[1]
@@ -134,14 +134,13 @@ def rings_meet(P: Array, Q: Array) -> bool:
     return False
 
 
-def united(rings: list[Array]) -> list[Array]:
+def unite_rings(rings: list[Array]) -> list[Array]:
     """The outlines of the union: obstacles counter-clockwise, holes clockwise."""
     import shapely
 
     _, power = math.frexp(max(float(np.abs(ring).max()) for ring in rings))
-    scaled = [
-        shapely.Polygon(np.ldexp(ring, -power)) for ring in rings
-    ]  # to sizes near 1, which overflow nowhere
+    # scaled to sizes near 1, so that nothing overflows
+    scaled = [shapely.Polygon(np.ldexp(ring, -power)) for ring in rings]
     union = shapely.set_precision(shapely.union_all(scaled), GRID)
     outlines = []
     for part in shapely.get_parts(union):
@@ -151,10 +150,8 @@ def united(rings: list[Array]) -> list[Array]:
     return outlines
 
 
-def linked(rings: list[Array]) -> Walls:
-    """Rings as walls; where several touch at a corner, they are joined so that each loop borders
-    one free region.
-    """
+def link_rings(rings: list[Array]) -> Walls:
+    """The walls of rings; where several touch at a corner, each loop borders one free region."""
     sizes = [len(ring) for ring in rings]
     first = np.repeat(np.cumsum([0, *sizes])[:-1], sizes)
     size = np.repeat(sizes, sizes).astype(np.int64)
@@ -169,24 +166,22 @@ def linked(rings: list[Array]) -> Walls:
 def join_at_touching_corners(
     points: Array, before: NDArray[np.int64], after: NDArray[np.int64]
 ) -> None:
-    """From each edge that arrives at a shared corner go on along the first one met when turning
-    through what is free.
-    """
+    """Link each edge that arrives at a shared corner to the first edge met across free space."""
     at: defaultdict[Any, list[int]] = defaultdict(list)
     for i, point in enumerate(points.tolist()):
         at[tuple(point)].append(i)
     for shared in at.values():
         leading = [int(after[i]) for i in shared]
         for i in shared if len(shared) > 1 else ():
-            after[i] = min(
-                leading, key=cmp_to_key(partial(met_first, points, points[i], points[before[i]]))
-            )
+            order = partial(compare_by_turn, points, points[i], points[before[i]])
+            after[i] = min(leading, key=cmp_to_key(order))
     before[after] = np.arange(len(points))
 
 
-def met_first(points: Array, v: Array, u: Array, i: int, j: int) -> int:
-    """-1 where, turning counter-clockwise round v from u, point i is met before point j; 1 where j
-    is. Exact.
+def compare_by_turn(points: Array, v: Array, u: Array, i: int, j: int) -> int:
+    """-1 where a ray that turns counter-clockwise round v from u meets i before j, 1 if after.
+
+    The comparison is exact.
     """
     a, b = points[i], points[j]
     a_late, b_late = turn(*v, *u, *a) < 0, turn(*v, *u, *b) < 0  # in the second half of the turn

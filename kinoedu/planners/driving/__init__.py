@@ -1,1 +1,1 @@
-"""Planners for a car: trees and roadmaps of drives, and A* over cells of poses."""
+"""Planners for a car: trees and roadmaps of random drives, and A* over cells of poses."""

@@ -1,5 +1,4 @@
-"""What the planners that drive a car have in common: where to go next, the best of some random
-drives, and a tree of them.
+"""Common parts of the planners that drive a car: targets, random drives, and trees of drives.
 
 S. M. LaValle, J. J. Kuffner, "Randomized kinodynamic planning" (2001).
 """
@@ -25,9 +24,12 @@ from ..tuning import none_or_more, positive, whole
 
 
 class Bias(NamedTuple):
-    """By turn: every `region_every`th place to go is drawn from a disc of radius `region` round the
-    goal, the denser the nearer, its heading within `region_turn` of the goal's; every
-    `goal_every`th is the goal itself; 0 for never."""
+    """How often targets are drawn near the goal.
+
+    Every `region_every`-th target is drawn from a disc of radius `region` round the goal, with a
+    density that grows towards the goal and a heading within `region_turn` of the goal's. Every
+    `goal_every`-th target is the goal itself. 0 means never.
+    """
 
     goal_every: int
     region_every: int
@@ -36,8 +38,10 @@ class Bias(NamedTuple):
 
 
 class Drives(NamedTuple):
-    """How drives are tried: M `trials` at a time, each simulated for so many `steps` of a time
-    `step`; in so many `batches`.
+    """How drives are tried.
+
+    In each of `batches` batches, `trials` random controls are simulated for up to `steps` steps of
+    time `step`.
     """
 
     trials: int
@@ -47,8 +51,9 @@ class Drives(NamedTuple):
 
 
 class Near(NamedTuple):
-    """What counts as the goal: a place within `tolerance`, a heading within `turn_tolerance`
-    radians.
+    """What counts as the goal.
+
+    A position within `tolerance` of it, and a heading within `turn_tolerance` radians.
     """
 
     tolerance: float
@@ -56,9 +61,7 @@ class Near(NamedTuple):
 
 
 class DrivenGrowth(NamedTuple):
-    """A tree under construction, with the control (v, phi) that leads to each node from its parent,
-    and for how long.
-    """
+    """A growing tree with the control (v, phi) that leads to each node, and its duration."""
 
     tree: GrowingTree
     controls: Array
@@ -66,18 +69,13 @@ class DrivenGrowth(NamedTuple):
 
 
 @callable_from_compiled
-def next_place(problem: Any, bias: Bias, turn: int, rng: np.random.Generator) -> Array:
-    """Where to go at this turn, counted from 1."""
+def next_target(problem: Any, bias: Bias, turn: int, rng: np.random.Generator) -> Array:
+    """The target of iteration `turn`, counted from 1."""
     if bias.region_every > 0 and turn % bias.region_every == 0:
         off, towards = bias.region * rng.random(), 2.0 * math.pi * rng.random()
         heading = wrapped(problem.goal[2] + bias.region_turn * (2.0 * rng.random() - 1.0))
-        return np.array(
-            [
-                problem.goal[0] + off * math.cos(towards),
-                problem.goal[1] + off * math.sin(towards),
-                heading,
-            ]
-        )
+        x, y = problem.goal[0] + off * math.cos(towards), problem.goal[1] + off * math.sin(towards)
+        return np.array([x, y, heading])
     if bias.goal_every > 0 and turn % bias.goal_every == 0:
         return problem.goal.copy()
     return problem.sample(rng)
@@ -87,10 +85,11 @@ def next_place(problem: Any, bias: Bias, turn: int, rng: np.random.Generator) ->
 def free_drive(
     problem: Any, q: Array, q_rand: Array, drives: Drives, rng: np.random.Generator
 ) -> tuple[float, float, float]:
-    """A control (v, phi) and a time: of M random controls the one that brings q closest to q_rand,
-    cut where it is closest.
+    """A free drive from q towards q_rand: a control (v, phi) and its duration.
 
-    Where that drive is not free, M others are drawn; after the last batch the time is 0.
+    Of M random controls it is the one that comes closest to q_rand, ended where it is closest.
+    Where that drive is not free, another M controls are drawn; after the last batch the duration is
+    0.
     """
     there = np.empty(3)
     for _ in range(drives.batches):
@@ -116,14 +115,14 @@ def closest_step(
     least: float,
     there: Array,
 ) -> tuple[int, float]:
-    """The step of a drive from q that comes closest to q_rand, closer than `least`, and how close;
-    step 0 where none does.
+    """The step of a drive from q that comes closest to q_rand, and its distance.
 
-    While a control is held the distance changes at most at one pace: steps that therefore cannot be
-    the closest are passed over.
+    Only steps closer than `least` count; where there is none, the step is 0. While a control is
+    held, the distance changes by at most a constant in each step, so steps that cannot be the
+    closest are skipped.
     """
-    bend = problem.space.weight[2] * problem.curvature(phi)
-    pace = abs(v) * math.sqrt(1.0 + bend * bend) * drives.step
+    turning = problem.space.weight[2] * problem.curvature(phi)
+    pace = abs(v) * math.sqrt(1.0 + turning * turning) * drives.step
     best, k = 0, 1
     while k <= drives.steps:
         problem.drive(q, v, phi, k * drives.step, there)
@@ -138,7 +137,7 @@ def closest_step(
 def add_drive(
     problem: Any, growth: DrivenGrowth, parent: int, v: float, phi: float, t: float
 ) -> int:
-    """Append the node that a control leads to from its parent; returns its number."""
+    """Append the node that a control leads to from its parent; returns the node's number."""
     there = np.empty(3)
     problem.drive(growth.tree.nodes[parent], v, phi, t, there)
     node = add(growth.tree, there, parent)
@@ -157,22 +156,27 @@ def is_near(q: Array, goal: Array, near: Near) -> bool:
 
 
 def driven(problem: Any, planner: str, turn_weight: float | None, wheelbases: float = 0.25) -> Any:
-    """The problem of a car, its poses as far apart as in SE(2), a radian counting `turn_weight` or,
-    without one, so many wheelbases. Raises InvalidParameter."""
+    """The problem of a car with the distance of SE(2), for planners that drive.
+
+    A radian counts as `turn_weight` units of length; by default as `wheelbases` wheelbases.
+
+    Raises
+    ------
+    InvalidParameter
+        Where the robot is not a car, or `turn_weight` is not positive.
+    """
     inner = problem.problem if isinstance(problem, Recorder) else problem
     if not isinstance(inner, ProblemRecord) or not isinstance(inner.robot, CarRobot):
         raise InvalidParameter(
             f"{planner} needs a Problem(Car(...), world, start, goal), got {shortened(problem)}"
         )
-    weight = (
-        wheelbases * inner.robot.wheelbase
-        if turn_weight is None
-        else positive(turn_weight, "turn_weight")
-    )
-    asked = inner._replace(space=SE2(inner.world.lo, inner.world.hi, turn_weight=weight))
+    weight = wheelbases * inner.robot.wheelbase
+    if turn_weight is not None:
+        weight = positive(turn_weight, "turn_weight")
+    in_se2 = inner._replace(space=SE2(inner.world.lo, inner.world.hi, turn_weight=weight))
     if not isinstance(problem, Recorder):
-        return asked
-    recorder = Recorder(asked)
+        return in_se2
+    recorder = Recorder(in_se2)
     recorder.log = problem.log
     return recorder
 
@@ -180,7 +184,7 @@ def driven(problem: Any, planner: str, turn_weight: float | None, wheelbases: fl
 def bias_of(
     problem: Any, goal_every: int, region_every: int, region: float | None, region_turn: float
 ) -> Bias:
-    """The turns, checked."""
+    """Check the parameters of a Bias; by default the region's radius is 2.5 wheelbases."""
     radius = 2.5 * problem.robot.wheelbase if region is None else none_or_more(region, "region")
     turns = whole(goal_every, "goal_every", least=0), whole(region_every, "region_every", least=0)
     return Bias(*turns, radius, none_or_more(region_turn, "region_turn"))
@@ -189,15 +193,14 @@ def bias_of(
 def drives_of(
     problem: Any, trials: int, duration: float | None, step: float | None, batches: int
 ) -> Drives:
-    """How drives are tried, checked; by default the fastest lasts for three quarters of a
-    wheelbase, in 150 steps.
+    """Check the parameters of Drives.
+
+    By default a drive at top speed covers 0.75 wheelbases, in 150 steps.
     """
     fastest = float(np.abs(problem.robot.speeds).max())
-    whole_time = (
-        0.75 * problem.robot.wheelbase / fastest
-        if duration is None
-        else positive(duration, "duration")
-    )
+    whole_time = 0.75 * problem.robot.wheelbase / fastest
+    if duration is not None:
+        whole_time = positive(duration, "duration")
     each = whole_time / 150.0 if step is None else positive(step, "step")
     if each > whole_time:
         raise InvalidParameter(
@@ -208,24 +211,22 @@ def drives_of(
 
 
 def near_of(problem: Any, tolerance: float | None, turn_tolerance: float) -> Near:
-    """What counts as the goal, checked."""
-    off = (
-        0.25 * problem.robot.wheelbase
-        if tolerance is None
-        else none_or_more(tolerance, "tolerance")
-    )
+    """Check what counts as the goal; by default the tolerance is a quarter of the wheelbase."""
+    off = 0.25 * problem.robot.wheelbase
+    if tolerance is not None:
+        off = none_or_more(tolerance, "tolerance")
     return Near(off, none_or_more(turn_tolerance, "turn_tolerance"))
 
 
 def new_growth(problem: Any, capacity: int) -> DrivenGrowth:
-    """The start alone, with room for more."""
+    """A tree that holds the start alone, with room for `capacity` nodes."""
     growth = DrivenGrowth(new_tree(problem, capacity), np.zeros((capacity, 2)), np.zeros(capacity))
     add.py_func(growth.tree, problem.start, -1)
     return growth
 
 
-def grown_tree(growth: DrivenGrowth) -> DrivenTree:
-    """What has grown, in its own arrays."""
+def copy_tree(growth: DrivenGrowth) -> DrivenTree:
+    """A copy of the tree that has grown, without unused room."""
     n = int(growth.tree.size[0])
     tree = growth.tree
     return DrivenTree(
@@ -244,10 +245,10 @@ def trajectory_to(problem: Any, tree: DrivenTree, numbers: NDArray[np.int64]) ->
     )
 
 
-def plan_driven(problem: Any, trajectory: TrajectoryRecord, arrived: bool, **built: Any) -> Plan:
-    """The plan along a trajectory; where that only comes near the goal, a plan without a path, and
-    why.
-    """
+def plan_from_trajectory(
+    problem: Any, trajectory: TrajectoryRecord, arrived: bool, **built: Any
+) -> Plan:
+    """The plan along a trajectory; where it only comes near the goal, a plan without a path."""
     if arrived:
         return Plan(
             trajectory.poses, trajectory.length, trajectory=trajectory, problem=problem, **built
@@ -256,7 +257,7 @@ def plan_driven(problem: Any, trajectory: TrajectoryRecord, arrived: bool, **bui
     off, askew = math.dist((x, y), problem.goal[:2]), abs(wrapped(theta - problem.goal[2]))
     reason = (
         f"no pose is near enough to the goal; the trajectory leads to the nearest one, {off:.3g} "
-        "away and "
-        f"{math.degrees(askew):.3g} degrees askew: allow more iterations, or a larger tolerance"
+        f"away and {math.degrees(askew):.3g} degrees askew: allow more iterations, or a larger "
+        "tolerance"
     )
     return Plan(None, math.inf, trajectory=trajectory, reason=reason, problem=problem, **built)

@@ -1,6 +1,4 @@
-"""A* over a lattice of cells of poses, each of which keeps a pose that the car can really drive to.
-D. Dolgov, S. Thrun, M. Montemerlo, J. Diebel, "Path planning for autonomous vehicles in unknown
-semi-structured environments" (2010).
+"""Hybrid A*: a search over cells of poses, each of which keeps a pose that the car can drive to.
 
     hybrid-A*(start, goal)
      1  cost(start) := 0; insert start into an empty priority queue Q
@@ -11,8 +9,11 @@ semi-structured environments" (2010).
      6          if no pose in the cell of q' costs as little, and the move is free:
      7              insert q' into Q, at cost(q) + the move's length
 
-The estimate of what remains is the length of the very curve that ends the search. So the first
-curve that is free ends a drive than which nothing still in the queue can be shorter.
+The heuristic is the length of the shortest curve to the goal. When such a curve is free, the drive
+that it completes is as short as any that the queue can still lead to.
+
+D. Dolgov, S. Thrun, M. Montemerlo, J. Diebel, "Path planning for autonomous vehicles in unknown
+semi-structured environments" (2010).
 """
 
 import math
@@ -25,19 +26,23 @@ from ...compiled import algorithm, compiled
 from ...errors import InvalidParameter
 from ...geometry.checks import Array
 from ...graphs import extract_path
-from ...problems import MOTIONS, Plan, ProblemRecord, Recorder
+from ...problems import Plan, ProblemRecord, Recorder
 from ...robots.car import CarRobot
 from ...robots.trajectory import TrajectoryRecord
 from ...support.text import shortened
+from ..problem_input import count_checks
 from ..tuning import positive, whole
-from .common import DrivenGrowth, add_drive, grown_tree, new_growth
-from .trajectories import told_along
+from .common import DrivenGrowth, add_drive, copy_tree, new_growth
+from .trajectories import controls_along
 
 
 class Lattice(NamedTuple):
-    """Cells of poses: squares of a `side` from (x, y), so many `columns` of them, each for so many
-    `headings`. From each pose the car makes `moves` (m, 2), controls (v, phi), each for as long as
-    it takes to drive `step`."""
+    """The cells of poses and the moves between them.
+
+    Cells are squares of side `side` from (x, y), `columns` of them in a row, each divided into
+    `headings` headings. moves (m, 2) are controls (v, phi); each is held for a drive of length
+    `step`.
+    """
 
     x: float
     y: float
@@ -51,30 +56,29 @@ class Lattice(NamedTuple):
 @compiled
 def cell_of(lattice: Lattice, q: Array) -> int:
     """The number of the cell that a free pose lies in."""
-    i, j = (
-        math.floor((q[0] - lattice.x) / lattice.side),
-        math.floor((q[1] - lattice.y) / lattice.side),
-    )
+    i = math.floor((q[0] - lattice.x) / lattice.side)
+    j = math.floor((q[1] - lattice.y) / lattice.side)
     heading = math.floor((q[2] + math.pi) / (2.0 * math.pi) * lattice.headings) % lattice.headings
     return int((j * lattice.columns + i) * lattice.headings + heading)
 
 
 @algorithm
 def drive_by_cells(problem: Any, growth: DrivenGrowth, lattice: Lattice) -> tuple[int, int]:
-    """Drive from pose to pose until a curve to the goal is free, no pose is left, or the tree is
-    full: the node where that curve begins, or -1, and how many were driven on from.
+    """Lines 1 to 7, until a curve to the goal is free, no pose is left, or the tree is full.
+
+    Returns
+    -------
+    The node where that curve begins, or -1, and how many nodes were expanded.
     """
     tree, there, expanded = growth.tree, np.empty(3), 0
-    cost, reached = (
-        np.zeros(len(tree.nodes)),
-        {cell_of(lattice, problem.start): 0.0},
-    )  # by node; the least by cell
+    cost = np.zeros(len(tree.nodes))
+    reached = {cell_of(lattice, problem.start): 0.0}  # the least cost in each cell
     left = problem.distance(problem.start, problem.goal)
     frontier = [(left, left, 0)]
     while len(frontier) > 0 and tree.size[0] + len(lattice.moves) <= len(tree.nodes):
         _, _, node = heappop(frontier)
         q = tree.nodes[node]
-        if cost[node] > reached[cell_of(lattice, q)]:  # a cheaper pose has come to the cell
+        if cost[node] > reached[cell_of(lattice, q)]:  # the cell holds a cheaper pose
             continue
         expanded += 1
         if problem.is_free_path(q, problem.goal):
@@ -100,28 +104,38 @@ def hybrid_astar(
     angles: int = 3,
     max_nodes: int = 200_000,
 ) -> Plan:
-    """Drive a car from cell to cell of its poses, and on to the very goal along a shortest curve:
-    the shortest such drive.
+    """Plan by hybrid A*: the shortest drive over cells of poses that ends in a curve to the goal.
+
+    No random numbers are used. Complete for its lattice only: where nothing is found, a finer
+    spacing may help, or more nodes where they ran out. To park in a tight place, plan out of it,
+    with a spacing much finer than the step, and reverse the trajectory by its `reversed`. O(n log
+    n) for n nodes.
 
     Parameters
     ----------
     problem : a Problem of a Car, or a Recorder of one.
-    spacing : the side of a cell, by default a quarter of the wheelbase.
-    step : how long each move is; by default one and a half times the spacing, so that it leaves the
-    cell. There are as many
-        headings as such moves at full steering in a full turn.
+    spacing : the side of a cell; by default a quarter of the wheelbase.
+    step : the length of each move; by default 1.5 times the spacing, so that a move leaves its
+        cell. There are as many headings as moves at full steering in a full turn.
     angles : how many steering angles are tried, from full right to full left, forward and, if the
-    car can, back.
-    max_nodes : where to give up.
+        car can reverse, backward.
+    max_nodes : stop at this many nodes.
 
-    Returns a Plan with its `tree` and its `trajectory`, whose end is the goal to rounding. No
-    randomness. Complete for its lattice only: where nothing is found a finer spacing may find a
-    way, or more nodes where they ran out. To park where there is hardly room, plan out of the
-    place, with a spacing much finer than the step, and turn the trajectory round by its `reversed`.
-    O(n log n) for n nodes. Raises InvalidParameter.
+    Returns
+    -------
+    Plan with its `tree` and its `trajectory`, which ends at the goal up to rounding. Without a path
+    `plan.reason` says why.
 
+    Raises
+    ------
+    InvalidParameter
+        Where the robot is not a car, or a parameter is out of its range.
+
+    Examples
+    --------
     >>> from kinoedu import Car, PolygonWorld, Problem
-    >>> world = PolygonWorld([(0, 0), (20, 0), (20, 20), (0, 20)], [[(9, 0), (11, 0), (11, 10), (9, 10)]])
+    >>> wall = [(9, 0), (11, 0), (11, 10), (9, 10)]
+    >>> world = PolygonWorld([(0, 0), (20, 0), (20, 20), (0, 20)], [wall])
     >>> plan = hybrid_astar(Problem(Car(3, 1, 2), world, (4, 4, 0), (16, 4, 0)))
     >>> plan.path[-1].round(9), bool(20 < plan.cost < 30)
     (array([16.,  4.,  0.]), True)
@@ -132,21 +146,17 @@ def hybrid_astar(
             f"hybrid_astar needs a Problem(Car(...), world, start, goal), got {shortened(problem)}"
         )
     side = 0.25 * inner.robot.wheelbase if spacing is None else positive(spacing, "spacing")
-    lattice = lattice_for(
-        inner,
-        side,
-        1.5 * side if step is None else positive(step, "step"),
-        whole(angles, "angles", least=2),
-    )
+    length = 1.5 * side if step is None else positive(step, "step")
+    lattice = lattice_for(inner, side, length, whole(angles, "angles", least=2))
     growth = new_growth(inner, whole(max_nodes, "max_nodes", least=1) + len(lattice.moves))
-    before = int(inner.asked[MOTIONS])
+    before = count_checks(inner)
     last, expanded = drive_by_cells(problem, growth, lattice)
-    tree = grown_tree(growth)
+    tree = copy_tree(growth)
     built = {"tree": tree, "problem": problem, "planner": "hybrid A*"}
     stats = {
         "nodes": len(tree.nodes),
         "expanded": int(expanded),
-        "checks": int(inner.asked[MOTIONS]) - before,
+        "checks": count_checks(inner) - before,
     }
     if last < 0:
         reason = (
@@ -155,7 +165,7 @@ def hybrid_astar(
         )
         return Plan(None, math.inf, reason=reason, stats=stats, **built)
     numbers = extract_path(tree.parent, last)[1:]
-    controls, durations = told_along(inner.robot, tree.nodes[last], inner.goal)
+    controls, durations = controls_along(inner.robot, tree.nodes[last], inner.goal)
     trajectory = TrajectoryRecord(
         inner.start.copy(),
         np.concatenate([tree.controls[numbers], controls]),
@@ -166,31 +176,23 @@ def hybrid_astar(
 
 
 def lattice_for(problem: ProblemRecord, side: float, step: float, angles: int) -> Lattice:
-    """The cells that cover a world, and the car's moves. Raises InvalidParameter where the cells
-    could not be counted.
+    """The cells that cover a world, and the car's moves.
+
+    Raises
+    ------
+    InvalidParameter
+        Where there are too many cells to number them.
     """
     car, (lo, hi) = problem.robot, (problem.space.lo, problem.space.hi)
     gears = {float(car.speeds.max()), float(car.speeds.min())}
-    moves = [
-        (v, phi)
-        for v in sorted(gears, reverse=True)
-        for phi in np.linspace(-car.max_steering, car.max_steering, angles)
-    ]
-    headings, (columns, rows) = (
-        max(1.0, 2.0 * math.pi * car.radius / step),
-        (hi - lo)[:2] / side + 1.0,
-    )
+    steering = np.linspace(-car.max_steering, car.max_steering, angles)
+    moves = [(v, phi) for v in sorted(gears, reverse=True) for phi in steering]
+    headings = max(1.0, 2.0 * math.pi * car.radius / step)
+    columns, rows = (hi - lo)[:2] / side + 1.0
     if columns * rows * headings > 1e18:
         raise InvalidParameter(
             f"a spacing of {side:g} and a step of {step:g} make too many cells to be counted; "
             "choose larger ones"
         )
-    return Lattice(
-        float(lo[0]),
-        float(lo[1]),
-        side,
-        math.ceil(columns),
-        math.ceil(headings),
-        np.array(moves),
-        step,
-    )
+    x, y = float(lo[0]), float(lo[1])
+    return Lattice(x, y, side, math.ceil(columns), math.ceil(headings), np.array(moves), step)

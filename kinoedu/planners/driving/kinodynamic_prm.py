@@ -1,10 +1,11 @@
-"""A roadmap whose motions a car can drive: each place to go is driven to from its K nearest nodes,
-and A* searches what grew.
+"""A roadmap that a car can drive: drives from the K nodes nearest to each target, and A*.
+
+The edges are directed, because a control that leads one way does not lead back. Each edge ends in a
+new node, because random controls never meet an old one. So the route to each pose is unique, and
+alternative routes end at other poses near the goal.
 
 After S. M. LaValle, J. J. Kuffner, "Randomized kinodynamic planning" (2001) and L. E. Kavraki et
-al. (1996). What was driven one way cannot be driven the other way by the same control: the edges
-are directed. Each ends in a new node, since random controls never meet an old one; so routes to one
-pose are unique, and alternatives end at other poses near the goal.
+al. (1996).
 """
 
 import math
@@ -16,8 +17,9 @@ import numpy as np
 from ...compiled import algorithm
 from ...geometry.checks import as_generator
 from ...graphs import astar, flat_graph
-from ...problems import MOTIONS, Plan
+from ...problems import Plan
 from ...robots.trajectory import DrivenRoadmap, DrivenTree
+from ..problem_input import count_checks
 from ..roadmaps.prm import distances_to
 from ..tuning import whole
 from .common import (
@@ -27,15 +29,15 @@ from .common import (
     Near,
     add_drive,
     bias_of,
+    copy_tree,
     driven,
     drives_of,
     free_drive,
-    grown_tree,
     is_near,
     near_of,
     new_growth,
-    next_place,
-    plan_driven,
+    next_target,
+    plan_from_trajectory,
     trajectory_to,
 )
 
@@ -50,12 +52,13 @@ def drive_from_nearest(
     iterations: int,
     rng: np.random.Generator,
 ) -> None:
-    """Grow the roadmap: each iteration drives from the k nodes nearest to a place, as they were
-    when it was drawn.
+    """Grow the roadmap by drives from the k nodes nearest to each target.
+
+    The k nodes are chosen when the target is drawn, so nodes made for it do not count.
     """
     tree = growth.tree
     for turn in range(1, iterations + 1):
-        q_rand = next_place(problem, bias, turn, rng)
+        q_rand = next_target(problem, bias, turn, rng)
         apart = np.empty(tree.size[0])
         for node in range(len(apart)):
             apart[node] = problem.distance(tree.nodes[node], q_rand)
@@ -83,54 +86,63 @@ def kinodynamic_prm(
     iterations: int = 350,
     rng: int | np.random.Generator,
 ) -> Plan:
-    """Drive towards many places, each from its K nearest nodes; then take the shortest drive to a
-    node near the goal.
+    """Plan by drives towards random targets, each from its K nearest nodes, and A*.
+
+    O(n^2) distances for n nodes.
 
     Parameters
     ----------
-    k : K, from how many nodes each place is driven to.
-    iterations : how many places are drawn; there is no stopping at the first that reaches the goal.
+    k : K, from how many nodes each target is driven to.
+    iterations : how many targets are drawn; the planner does not stop at the first path.
 
-    The others are those of `kinodynamic_rrt`. Returns a Plan with its `roadmap`, whose edges are
-    directed, and its `trajectory`; see `alternative_routes` for others. Without a path the
-    trajectory leads to the node nearest to the goal. O(n^2) distances for n nodes. Raises
-    InvalidParameter.
+    The other parameters are those of `kinodynamic_rrt`.
 
+    Returns
+    -------
+    Plan with its `roadmap`, whose edges are directed, and its `trajectory`, the shortest drive to a
+    node near the goal. Without a path the trajectory leads to the node nearest to the goal. See
+    `alternative_routes` for other drives.
+
+    Raises
+    ------
+    InvalidParameter
+        Where the robot is not a car, or a parameter is out of its range.
+
+    Examples
+    --------
     >>> from kinoedu import Car, PolygonWorld, Problem
-    >>> world = PolygonWorld([(0, 0), (20, 0), (20, 20), (0, 20)], [[(9, 0), (11, 0), (11, 10), (9, 10)]])
-    >>> plan = kinodynamic_prm(Problem(Car(3, 1, 2), world, (4, 4, 0), (16, 4, 0)), iterations=3000, rng=0)
+    >>> wall = [(9, 0), (11, 0), (11, 10), (9, 10)]
+    >>> world = PolygonWorld([(0, 0), (20, 0), (20, 20), (0, 20)], [wall])
+    >>> problem = Problem(Car(3, 1, 2), world, (4, 4, 0), (16, 4, 0))
+    >>> plan = kinodynamic_prm(problem, iterations=3000, rng=0)
     >>> bool(plan.cost > 20), plan.roadmap.edges.shape == (len(plan.roadmap.nodes) - 1, 2)
     (True, True)
     """
-    asked, nearest = driven(problem, "kinodynamic_prm", turn_weight), whole(k, "k", least=1)
-    bias = bias_of(asked, goal_every, region_every, region, region_turn)
-    drives, near = (
-        drives_of(asked, trials, duration, step, batches),
-        near_of(asked, tolerance, turn_tolerance),
-    )
+    car_problem, nearest = driven(problem, "kinodynamic_prm", turn_weight), whole(k, "k", least=1)
+    bias = bias_of(car_problem, goal_every, region_every, region, region_turn)
+    drives = drives_of(car_problem, trials, duration, step, batches)
+    near = near_of(car_problem, tolerance, turn_tolerance)
     turns = whole(iterations, "iterations", least=0)
-    growth, before = new_growth(asked, turns * nearest + 1), int(asked.asked[MOTIONS])
-    drive_from_nearest(asked, growth, nearest, bias, drives, turns, as_generator(rng))
-    tree = grown_tree(growth)
+    growth, before = new_growth(car_problem, turns * nearest + 1), count_checks(car_problem)
+    drive_from_nearest(car_problem, growth, nearest, bias, drives, turns, as_generator(rng))
+    tree = copy_tree(growth)
     stats = {
         "nodes": len(tree.nodes),
         "iterations": turns,
-        "checks": int(asked.asked[MOTIONS]) - before,
+        "checks": count_checks(car_problem) - before,
     }
-    return replace(searched(asked, tree, near, stats), problem=problem)
+    return replace(searched(car_problem, tree, near, stats), problem=problem)
 
 
 def searched(problem: Any, tree: DrivenTree, near: Near, stats: dict[str, int]) -> Plan:
-    """The plan along the shortest drive to a node near the goal; where there is none, to the node
-    nearest to it.
-    """
+    """The plan along the shortest drive to a node near the goal, or else to the nearest node."""
     edges = np.stack([tree.parent, np.arange(len(tree.nodes))], axis=1)[1:]
     goals = np.flatnonzero([is_near(q, problem.goal, near) for q in tree.nodes])
     roadmap = DrivenRoadmap(tree.nodes, edges, tree.controls[1:], tree.durations[1:], goals)
     apart = distances_to(problem, tree.nodes, problem.goal)
     ends = goals if len(goals) else np.array([apart.argmin()])
     lengths = np.abs(roadmap.controls[:, 0] * roadmap.durations)
-    at_goal = len(tree.nodes)  # one more node, to which every end leads at no cost
+    at_goal = len(tree.nodes)  # one more node, to which each end has an edge of weight zero
     graph = flat_graph(
         at_goal + 1,
         np.concatenate([edges, np.stack([ends, np.full(len(ends), at_goal)], axis=1)]),
@@ -138,11 +150,11 @@ def searched(problem: Any, tree: DrivenTree, near: Near, stats: dict[str, int]) 
         directed=True,
     )
     left = np.hypot(*(tree.nodes[:, :2] - problem.goal[:2]).T)
-    estimate = np.append(np.maximum(left - left[ends].max(), 0.0), 0.0)
-    numbers, _ = astar(graph, 0, at_goal, estimate)
-    assert numbers is not None  # every node hangs on the start
+    heuristic = np.append(np.maximum(left - left[ends].max(), 0.0), 0.0)
+    numbers, _ = astar(graph, 0, at_goal, heuristic)
+    assert numbers is not None  # every node can be reached from the start
     trajectory = trajectory_to(problem, tree, numbers[:-1])
-    return plan_driven(
+    return plan_from_trajectory(
         problem,
         trajectory,
         bool(len(goals)),

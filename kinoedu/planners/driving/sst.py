@@ -1,6 +1,7 @@
-"""Stable sparse trees: drives that become ever cheaper, without a curve that joins two poses. Y.
-Li, Z. Littlefield, K. E. Bekris, "Asymptotically optimal sampling-based kinodynamic planning"
-(2016), algorithm 6.
+"""Stable sparse trees (SST): trees of random drives that become ever shorter.
+
+No curve that joins two poses is needed. Y. Li, Z. Littlefield, K. E. Bekris, "Asymptotically
+optimal sampling-based kinodynamic planning" (2016), algorithm 6.
 """
 
 import math
@@ -12,7 +13,8 @@ from numpy.typing import NDArray
 from ...compiled import algorithm, callable_from_compiled
 from ...geometry.checks import Array, as_generator
 from ...graphs import extract_path
-from ...problems import MOTIONS, Plan
+from ...problems import Plan
+from ..problem_input import count_checks
 from ..tuning import positive, whole
 from .common import (
     Bias,
@@ -20,23 +22,30 @@ from .common import (
     Near,
     add_drive,
     bias_of,
+    copy_tree,
     driven,
-    grown_tree,
     is_near,
     near_of,
     new_growth,
-    next_place,
-    plan_driven,
+    next_target,
+    plan_from_trajectory,
     trajectory_to,
 )
 
 
 class Sparse(NamedTuple):
-    """What makes a tree sparse: within `radius` of each of its `spots` (m, 3) only the cheapest
-    node, `cheapest` (m,), is driven on from. `size[0]` spots are there. `cost` (n,) is how far each
-    node is driven from the root; `reach`, how far round a place the cheapest node is looked for."""
+    """The witnesses that keep a tree sparse.
 
-    spots: Array
+    Within `radius` of each witness only the cheapest node is driven on from.
+
+    witnesses : (m, 3), of which the first size[0] exist.
+    cheapest : (m,), the cheapest node of each witness.
+    cost : (n,), the length of the drive from the root to each node.
+    radius : delta_s.
+    reach : delta_BN, the radius round a target within which the cheapest node is chosen.
+    """
+
+    witnesses: Array
     cheapest: NDArray[np.int64]
     size: NDArray[np.int64]
     cost: Array
@@ -55,52 +64,49 @@ def grow_sparsely(
     max_iterations: int,
     rng: np.random.Generator,
 ) -> int:
-    """Grow the tree for so many iterations; returns the cheapest node near the goal, or -1."""
+    """Grow the tree; returns the cheapest node near the goal, or -1."""
     tree, there, cost = growth.tree, np.empty(3), sparse.cost
-    add_spot(sparse, problem.start, 0)
+    add_witness(sparse, problem.start, 0)
     at_goal = 0 if is_near(problem.start, problem.goal, near) else -1
     for turn in range(1, max_iterations + 1):
-        q_rand = next_place(problem, bias, turn, rng)
+        q_rand = next_target(problem, bias, turn, rng)
         q_near = cheapest_near(problem, growth, sparse, q_rand)
         (v, phi), t = problem.control(rng), duration * rng.random()
         problem.drive(tree.nodes[q_near], v, phi, t, there)
         c_new = cost[q_near] + abs(v) * t
-        spot = spot_round(problem, sparse, there)
-        beaten = spot >= 0 and c_new >= cost[sparse.cheapest[spot]]
-        if (
-            beaten
-            or (at_goal >= 0 and c_new >= cost[at_goal])
-            or not problem.is_free_drive(tree.nodes[q_near], v, phi, t)
-        ):
+        witness = nearest_witness(problem, sparse, there)
+        if witness >= 0 and c_new >= cost[sparse.cheapest[witness]]:
+            continue
+        if at_goal >= 0 and c_new >= cost[at_goal]:
+            continue
+        if not problem.is_free_drive(tree.nodes[q_near], v, phi, t):
             continue
         q_new = add_drive(problem, growth, q_near, v, phi, t)
         cost[q_new] = c_new
-        if spot < 0:
-            add_spot(sparse, there, q_new)
+        if witness < 0:
+            add_witness(sparse, there, q_new)
         else:
-            sparse.cheapest[spot] = q_new
+            sparse.cheapest[witness] = q_new
         if is_near(there, problem.goal, near):
             at_goal = q_new
     return at_goal
 
 
 @callable_from_compiled
-def add_spot(sparse: Sparse, q: Array, node: int) -> None:
-    """A spot at q, and the node that is there."""
-    spot = sparse.size[0]
-    sparse.spots[spot] = q
-    sparse.cheapest[spot] = node
-    sparse.size[0] = spot + 1
+def add_witness(sparse: Sparse, q: Array, node: int) -> None:
+    """Add a witness at q, with its cheapest node."""
+    witness = sparse.size[0]
+    sparse.witnesses[witness] = q
+    sparse.cheapest[witness] = node
+    sparse.size[0] = witness + 1
 
 
 @callable_from_compiled
 def cheapest_near(problem: Any, growth: DrivenGrowth, sparse: Sparse, q: Array) -> int:
-    """Of the nodes that stand for a spot the cheapest within reach of q; where there is none, the
-    nearest.
-    """
+    """The cheapest node within reach of q among those of the witnesses, or else the nearest."""
     nearest, cheapest, least_apart, least_cost = 0, -1, np.inf, np.inf
-    for spot in range(sparse.size[0]):
-        node = sparse.cheapest[spot]
+    for witness in range(sparse.size[0]):
+        node = sparse.cheapest[witness]
         apart = problem.distance(growth.tree.nodes[node], q)
         if apart < least_apart:
             nearest, least_apart = node, apart
@@ -110,13 +116,13 @@ def cheapest_near(problem: Any, growth: DrivenGrowth, sparse: Sparse, q: Array) 
 
 
 @callable_from_compiled
-def spot_round(problem: Any, sparse: Sparse, q: Array) -> int:
-    """The nearest spot within whose radius q lies, or -1."""
+def nearest_witness(problem: Any, sparse: Sparse, q: Array) -> int:
+    """The nearest witness within whose radius q lies, or -1."""
     best, least = -1, sparse.radius
-    for spot in range(sparse.size[0]):
-        apart = problem.distance(sparse.spots[spot], q)
+    for witness in range(sparse.size[0]):
+        apart = problem.distance(sparse.witnesses[witness], q)
         if apart <= least:
-            best, least = spot, apart
+            best, least = witness, apart
     return best
 
 
@@ -136,54 +142,65 @@ def sst(
     max_iterations: int = 20_000,
     rng: int | np.random.Generator,
 ) -> Plan:
-    """Grow a tree of random drives in which only the cheapest node of each spot is driven on from:
-    its drives become near-shortest.
+    """Plan by stable sparse trees: grow a tree in which each witness keeps its cheapest node.
+
+    The drives become near-shortest. O(n m) distances for n iterations and m witnesses.
 
     Parameters
     ----------
-    duration : the longest drive; each lasts for a random part of it. By default the fastest drives
-    3 wheelbases.
-    radius : delta_s, within which a spot keeps one node; by default 0.4 wheelbases. The smaller,
-    the shorter the drives in the end.
-    reach : delta_BN, how far round a place the cheapest node is looked for; by default 0.8
-    wheelbases.
-    turn_weight : by default half a wheelbase, so that a spot holds headings at most some 45 degrees
-    from its own.
-    max_iterations : how many drives are tried; it does not stop at the first that reaches the goal.
+    duration : the longest drive; each drive lasts for a random fraction of it. By default a drive
+        at top speed covers 3 wheelbases.
+    radius : delta_s, within which a witness keeps one node; by default 0.4 wheelbases. The smaller
+        it is, the shorter the drives become in the end.
+    reach : delta_BN, the radius round a target within which the cheapest node is chosen; by default
+        0.8 wheelbases.
+    turn_weight : by default half a wheelbase, so that headings differ by at most about 45 degrees
+        from that of their witness.
+    max_iterations : how many drives are tried; the planner does not stop at the first path.
 
-    The others are those of `kinodynamic_rrt`. Returns a Plan with its `tree` (nodes that lost their
-    spot are kept in it) and its `trajectory`; without a path that leads to the node nearest to the
-    goal. O(n m) distances for n iterations and m spots. Raises InvalidParameter.
+    The other parameters are those of `kinodynamic_rrt`.
 
+    Returns
+    ------- Plan with its `tree` (nodes that lost their witness stay in it) and its `trajectory`.
+    Without a path the trajectory leads to the node nearest to the goal.
+
+    Raises
+    ------
+    InvalidParameter
+        Where the robot is not a car, or a parameter is out of its range.
+
+    Examples
+    --------
     >>> from kinoedu import Car, PolygonWorld, Problem
-    >>> world = PolygonWorld([(0, 0), (20, 0), (20, 20), (0, 20)], [[(9, 0), (11, 0), (11, 10), (9, 10)]])
+    >>> wall = [(9, 0), (11, 0), (11, 10), (9, 10)]
+    >>> world = PolygonWorld([(0, 0), (20, 0), (20, 20), (0, 20)], [wall])
     >>> plan = sst(Problem(Car(3, 1, 2), world, (4, 4, 0), (16, 4, 0)), rng=1)
     >>> bool(20 < plan.cost < 40)
     True
     """
-    asked = driven(problem, "sst", turn_weight, 0.5)
-    bias, near = (
-        bias_of(asked, goal_every, region_every, region, region_turn),
-        near_of(asked, tolerance, turn_tolerance),
-    )
-    base, fastest = asked.robot.wheelbase, float(np.abs(asked.robot.speeds).max())
+    car_problem = driven(problem, "sst", turn_weight, 0.5)
+    bias = bias_of(car_problem, goal_every, region_every, region, region_turn)
+    near = near_of(car_problem, tolerance, turn_tolerance)
+    base, fastest = car_problem.robot.wheelbase, float(np.abs(car_problem.robot.speeds).max())
     longest = 3.0 * base / fastest if duration is None else positive(duration, "duration")
     limit = whole(max_iterations, "max_iterations", least=0)
     sparse = Sparse(
-        *(
-            np.empty((limit + 1, 3)),
-            np.empty(limit + 1, np.int64),
-            np.zeros(1, np.int64),
-            np.zeros(limit + 1),
-        ),
-        0.4 * base if radius is None else positive(radius, "radius"),
-        0.8 * base if reach is None else positive(reach, "reach"),
+        witnesses=np.empty((limit + 1, 3)),
+        cheapest=np.empty(limit + 1, np.int64),
+        size=np.zeros(1, np.int64),
+        cost=np.zeros(limit + 1),
+        radius=0.4 * base if radius is None else positive(radius, "radius"),
+        reach=0.8 * base if reach is None else positive(reach, "reach"),
     )
-    growth, before = new_growth(asked, limit + 1), int(asked.asked[MOTIONS])
-    at_goal = grow_sparsely(asked, growth, sparse, bias, longest, near, limit, as_generator(rng))
-    tree = grown_tree(growth)
-    last = at_goal if at_goal >= 0 else int(asked.nearest(growth.tree, asked.goal))
+    growth, before = new_growth(car_problem, limit + 1), count_checks(car_problem)
+    at_goal = grow_sparsely(
+        car_problem, growth, sparse, bias, longest, near, limit, as_generator(rng)
+    )
+    tree = copy_tree(growth)
+    last = at_goal if at_goal >= 0 else int(car_problem.nearest(growth.tree, car_problem.goal))
     stats = {"nodes": len(tree.nodes), "spots": int(sparse.size[0]), "iterations": limit}
-    stats["checks"] = int(asked.asked[MOTIONS]) - before
-    trajectory = trajectory_to(asked, tree, extract_path(tree.parent, last))
-    return plan_driven(problem, trajectory, at_goal >= 0, planner="SST", tree=tree, stats=stats)
+    stats["checks"] = count_checks(car_problem) - before
+    trajectory = trajectory_to(car_problem, tree, extract_path(tree.parent, last))
+    return plan_from_trajectory(
+        problem, trajectory, at_goal >= 0, planner="SST", tree=tree, stats=stats
+    )

@@ -1,1 +1,1 @@
-"""Planners that find a path whenever there is one: by cells, and by sight."""
+"""Complete planners, which find a path whenever there is one: by cells, and by visibility."""

@@ -1,9 +1,7 @@
-"""Planning by decomposition and search: cut the free space into cells, and walk from cell to cell.
+"""Planning by decomposition and search: cut the free space into cells, and go from cell to cell.
 
-Bullo & Smith, chapter 2.
-
-The planner is exact and complete: it finds a path whenever there is one, and says after finite time
-that there is none.
+The planner is exact and complete: it finds a path whenever there is one, and reports after finite
+time that there is none. Bullo & Smith, chapter 2.
 """
 
 from typing import Any
@@ -15,25 +13,39 @@ from ...compiled import algorithm
 from ...decomposition import decomposition_roadmap, trapezoidation
 from ...geometry.checks import Array
 from ...graphs import Graph, astar, dijkstra
-from ...problems import MOTIONS, Plan, Roadmap
+from ...problems import Plan, Roadmap
 from ..answers import plan_along
-from ..problem_input import check_exact
+from ..problem_input import check_exact, count_checks
 
 
 def plan_by_decomposition(problem: Any) -> Plan:
-    """Find the cells of start and goal, and go from cell to cell through the middles of the walls
-    between them.
+    """Plan through the cells of a decomposition and the midpoints of the walls between them.
 
+    The nodes of the roadmap are the centres of the cells, the midpoints of the walls between cells,
+    and last the start and the goal. These two are joined to the centres of their cells, and to each
+    other where they share a cell. A* finds the shortest path in the roadmap, which is not the
+    shortest of all. The problem checks every motion too, because rounding may close a passage
+    narrower than floats can represent; `plan.reason` distinguishes this from a world without a
+    path. O(n log n) for n vertices.
+
+    Parameters
+    ----------
     problem : a Problem(Point(), PolygonWorld(...), start, goal) without clearance, or a Recorder of
         one.
 
-    The roadmap has the centres of the cells, the middles of the walls, and last the start and the
-    goal, each joined to the centre of its cell, and to each other where they share one. A* finds
-    the shortest path in it, which is not the shortest of all. Every motion is judged by the problem
-    too, because a passage narrower than floats can tell may be lost to rounding; `plan.reason`
-    tells such a case from one without a path. O(n log n) for n vertices. Raises InvalidParameter,
-    InvalidWorld.
+    Returns
+    -------
+    Plan with its `roadmap`.
 
+    Raises
+    ------
+    InvalidParameter
+        Where the robot is not a point, or the world is not of polygons.
+    InvalidWorld
+        Where the world has round obstacles.
+
+    Examples
+    --------
     >>> from kinoedu import Point, PolygonWorld, Problem
     >>> world = PolygonWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [[(3, 0), (6, 0), (6, 4), (3, 4)]])
     >>> plan = plan_by_decomposition(Problem(Point(), world, start=(1, 1), goal=(8, 1)))
@@ -43,20 +55,19 @@ def plan_by_decomposition(problem: Any) -> Plan:
     check_exact(problem, "planning by decomposition")
     cut = trapezoidation(problem.world)
     at_start, at_goal = cut.cells_at(problem.start), cut.cells_at(problem.goal)
-    roadmap = with_ends(decomposition_roadmap(cut), problem, at_start, at_goal)
+    roadmap = add_ends(decomposition_roadmap(cut), problem, at_start, at_goal)
     n, start, goal = len(cut.trapezoids), len(roadmap.nodes) - 2, len(roadmap.nodes) - 1
-    before = problem.asked[MOTIONS]
-    free, lengths = judge(problem, *roadmap)
+    before = count_checks(problem)
+    free, lengths = check_edges(problem, *roadmap)
     graph = Graph(len(roadmap.nodes), roadmap.edges[free], lengths[free])
-    numbers, _ = astar(
-        graph, start, goal, np.sqrt(((roadmap.nodes - problem.goal) ** 2).sum(axis=1))
-    )
-    reason = why_apart(roadmap, free, n) if numbers is None else ""
+    heuristic = np.sqrt(((roadmap.nodes - problem.goal) ** 2).sum(axis=1))
+    numbers, _ = astar(graph, start, goal, heuristic)
+    reason = explain_no_path(roadmap, free, n) if numbers is None else ""
     stats = {
         "cells": n,
         "nodes": len(roadmap.nodes),
         "edges": len(roadmap.edges),
-        "checks": int(problem.asked[MOTIONS] - before),
+        "checks": count_checks(problem) - before,
     }
     shown = Roadmap(roadmap.nodes, roadmap.edges[free])
     return plan_along(
@@ -64,11 +75,12 @@ def plan_by_decomposition(problem: Any) -> Plan:
     )
 
 
-def with_ends(
+def add_ends(
     roadmap: Roadmap, problem: Any, at_start: NDArray[np.int64], at_goal: NDArray[np.int64]
 ) -> Roadmap:
-    """The roadmap with start and goal as its last nodes, joined to the cells that hold them, and to
-    each other in a common one.
+    """The roadmap with start and goal as its last nodes.
+
+    They are joined to the cells that hold them, and to each other where they share a cell.
     """
     start, goal = len(roadmap.nodes), len(roadmap.nodes) + 1
     joined = [(start, cell) for cell in at_start] + [(cell, goal) for cell in at_goal]
@@ -79,8 +91,10 @@ def with_ends(
 
 
 @algorithm
-def judge(problem: Any, nodes: Array, edges: NDArray[np.int64]) -> tuple[NDArray[np.bool_], Array]:
-    """Whether each edge (m, 2) is free, and its length, (m,)."""
+def check_edges(
+    problem: Any, nodes: Array, edges: NDArray[np.int64]
+) -> tuple[NDArray[np.bool_], Array]:
+    """Whether each edge (m, 2) is free, and its length, both (m,)."""
     free, lengths = np.empty(len(edges), np.bool_), np.empty(len(edges))
     for k in range(len(edges)):
         a, b = nodes[edges[k, 0]], nodes[edges[k, 1]]
@@ -89,20 +103,18 @@ def judge(problem: Any, nodes: Array, edges: NDArray[np.int64]) -> tuple[NDArray
     return free, lengths
 
 
-def why_apart(roadmap: Roadmap, free: NDArray[np.bool_], n: int) -> str:
-    """Why start and goal, the last two nodes, are not joined; the first n nodes are the cells."""
+def explain_no_path(roadmap: Roadmap, free: NDArray[np.bool_], n: int) -> str:
+    """Why start and goal, the last two nodes, are not connected; the first n nodes are cells."""
     start, goal = len(roadmap.nodes) - 2, len(roadmap.nodes) - 1
     whole = Graph(len(roadmap.nodes), roadmap.edges)
     from_start, from_goal = (np.isfinite(dijkstra(whole, q).cost) for q in (start, goal))
     for alone, name in ((from_start, "start"), (from_goal, "goal")):
         if alone[:n].sum() == 0:
-            return (
-                f"the {name} is closer to an obstacle than rounding can tell; move it into the open"
-            )
+            return f"the {name} is within rounding of an obstacle; move it away from it"
     if from_start[goal]:
         return (
-            f"{(~free).sum():,} passages are narrower than floats can tell, and no way round them "
-            "was found; widen them"
+            f"{(~free).sum():,} passages are narrower than floats can represent, and no path "
+            "avoids them; widen them"
         )
     return (
         f"there is no path: the start lies in a part of {from_start[:n].sum():,} cells that does "

@@ -1,9 +1,7 @@
-"""Vertical cells for a robot that turns: the cells say where to stand, a free heading is found
-there, and motions are tried.
+"""Vertical cells for a robot that turns: free headings at places given by cells of the workspace.
 
-Bullo & Smith, chapter 2, for the cells. They are cells of the workspace, made for a point. So
-nothing is promised to a body: a motion inside one cell may hit what bounds it, and is judged as any
-other.
+The cells are those of a point (Bullo & Smith, chapter 2), so nothing is guaranteed for a polygon: a
+motion inside one cell may hit what bounds it. Every motion is therefore checked.
 """
 
 from typing import Any, NamedTuple
@@ -15,21 +13,23 @@ from ...collision import free_headings
 from ...decomposition import decomposition_roadmap, trapezoidation
 from ...errors import InvalidParameter
 from ...geometry.checks import Array
-from ...problems import MOTIONS, Plan, ProblemRecord, Recorder
+from ...problems import Plan, ProblemRecord, Recorder
 from ...robots.polygon import RigidPolygonRobot
 from ...spaces.angles import wrapped
 from ...worlds.polygon_world import PolygonWorldRecord
+from ..problem_input import count_checks
 from ..roadmaps.connecting import KClosest, joined
 from ..roadmaps.search import Search, dijkstra_path, plan_on_roadmap
 from ..tuning import whole
 
 
 class CellsWithHeadings(NamedTuple):
-    """A roadmap over cells, in the order it grew.
+    """A roadmap over cells, in the order in which it grew.
 
-    nodes : (n, 3), start, goal, and configurations at the middles of cells and of the walls between
-        them. edges : (m, 2), pairs of nodes whose motion is free. empty : (k, 2), the middles at
-        which no heading is free.
+    nodes : (n, 3), start, goal, and configurations at the centres of cells and at the midpoints of
+        the walls between them.
+    edges : (m, 2), pairs of nodes whose motion is free.
+    empty : (k, 2), the places at which no heading is free.
     """
 
     nodes: Array
@@ -40,22 +40,27 @@ class CellsWithHeadings(NamedTuple):
 def cells_with_headings(
     problem: Any, *, headings: int = 1, neighbours: Any = None
 ) -> CellsWithHeadings:
-    """A roadmap of configurations at the middles of vertical cells and of the walls between them,
-    joined where motions are free.
+    """A roadmap of configurations at the centres of vertical cells and midpoints of their walls.
+
+    Not complete: where the free motions need other places or headings, no path is found.
 
     Parameters
     ----------
     problem : a Problem(RigidPolygon(...), PolygonWorld(...), start, goal) without clearance, or a
-    Recorder of one.
-    headings : how many of each free interval of headings are nodes, evenly spread: of one the
-    middle. Within an interval the robot
-        can turn on the spot from one to another, between two intervals it cannot.
-    neighbours : which are tried with which, a rule such as KClosest(10) or Radius(5); by default
-    all with all.
+        Recorder of one.
+    headings : how many headings of each free interval become nodes, evenly spaced; one is its
+        middle. The robot can turn on the spot within an interval, but not from one interval to
+        another.
+    neighbours : a rule for the pairs that are tried, such as KClosest(10) or Radius(5); by default
+        all pairs.
 
-    Not complete: where the free motions lead through other places or headings, none is found.
-    Raises InvalidParameter.
+    Raises
+    ------
+    InvalidParameter
+        Where the robot is not a rigid polygon among polygons, or a parameter is out of its range.
 
+    Examples
+    --------
     >>> from kinoedu import PolygonWorld, Problem, RigidPolygon
     >>> world = PolygonWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [[(3, 0), (6, 0), (6, 4), (3, 4)]])
     >>> bar = RigidPolygon([(-1, -0.2), (1, -0.2), (1, 0.2), (-1, 0.2)])
@@ -64,54 +69,65 @@ def cells_with_headings(
     (10, 0)
     """
     robot, world = turning_polygon(problem)
-    share = (np.arange(whole(headings, "headings", least=1)) + 0.5) / headings
+    fractions = (np.arange(whole(headings, "headings", least=1)) + 0.5) / headings
     places = decomposition_roadmap(trapezoidation(world)).nodes
     found = [free_headings(robot, world, place) for place in places]
     poses = [
         (*place, wrapped(float(theta)))
         for place, rows in zip(places, found)
         for low, high in rows
-        for theta in low + share * (high - low)
+        for theta in low + fractions * (high - low)
     ]
     nodes = np.vstack([problem.start, problem.goal, *poses])
-    edges, _ = joined(
-        KClosest(max(len(nodes) - 1, 1)) if neighbours is None else neighbours, problem, nodes
-    )
+    rule = KClosest(max(len(nodes) - 1, 1)) if neighbours is None else neighbours
+    edges, _ = joined(rule, problem, nodes)
     return CellsWithHeadings(nodes, edges, places[[len(rows) == 0 for rows in found]])
 
 
 def plan_by_cells_with_headings(
     problem: Any, *, headings: int = 1, neighbours: Any = None, search: Search = dijkstra_path
 ) -> Plan:
-    """A path along the roadmap of `cells_with_headings`, whose arguments these are, found by any
-    graph search.
+    """The path that a graph search finds in the roadmap of `cells_with_headings`.
 
-    search : as in `plan_on_roadmap`; `dfs_path` finds a path, `bfs_path` one of the fewest motions,
-        `dijkstra_path` the shortest that the roadmap has. No path means that the roadmap has none,
-        not that there is none. Raises InvalidParameter.
+    Where the roadmap has no path, the problem may still have one. The other parameters and the
+    errors are those of `cells_with_headings`.
 
+    Parameters
+    ----------
+    search : as in `plan_on_roadmap`: `dfs_path` finds some path, `bfs_path` one with the fewest
+        motions, `dijkstra_path` the shortest.
+
+    Examples
+    --------
     >>> from kinoedu import PolygonWorld, Problem, RigidPolygon, dfs_path
     >>> world = PolygonWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [[(3, 0), (6, 0), (6, 4), (3, 4)]])
     >>> bar = RigidPolygon([(-1, -0.2), (1, -0.2), (1, 0.2), (-1, 0.2)])
     >>> problem = Problem(bar, world, start=(1.5, 1.5, 0), goal=(7.5, 1.5, 0))
-    >>> plan_by_cells_with_headings(problem).path is None  # horizontal at every middle, the bar cannot turn the corners
+
+    With one heading, horizontal everywhere, the bar cannot turn the corners.
+
+    >>> plan_by_cells_with_headings(problem).path is None
     True
-    >>> plans = [plan_by_cells_with_headings(problem, headings=4, search=search) for search in (dijkstra_path, dfs_path)]
-    >>> bool(plans[0].cost < plans[1].cost)
+    >>> shortest = plan_by_cells_with_headings(problem, headings=4)
+    >>> bool(shortest.cost < plan_by_cells_with_headings(problem, headings=4, search=dfs_path).cost)
     True
     """
     turning_polygon(problem)
-    before = problem.asked[MOTIONS]
+    before = count_checks(problem)
     roadmap = cells_with_headings(problem, headings=headings, neighbours=neighbours)
-    checks = int(problem.asked[MOTIONS] - before)
+    checks = count_checks(problem) - before
     plan = plan_on_roadmap(problem, roadmap, search)
     plan.stats.update(checks=checks, empty=len(roadmap.empty))
     return plan
 
 
 def turning_polygon(problem: Any) -> tuple[RigidPolygonRobot, PolygonWorldRecord]:
-    """The robot and the world of a problem in which a polygon turns among polygons. Raises
-    InvalidParameter.
+    """The robot and the world of a problem in which a polygon turns among polygons.
+
+    Raises
+    ------
+    InvalidParameter
+        Where the robot or the world is another.
     """
     inner = problem.problem if isinstance(problem, Recorder) else problem
     if (

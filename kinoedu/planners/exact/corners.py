@@ -1,10 +1,9 @@
-"""The corners of a polygonal world, tied into chains on which solids turn: what a rotating sweep
-needs to know.
+"""The corners of a polygonal world, linked into chains, for a rotating sweep.
 
-Obstacles may touch and overlap. Every edge is cut at the corners that lie on it, so that rings meet
-in corners or cross; and rings that meet or cross are put into different *families*. Within a family
-nothing meets but neighbouring edges, so its edges have an order along every ray, which a sweep can
-keep (rotating_sweep.py). Everything is decided exactly, and no new point is made.
+Obstacles may touch and overlap. Every edge is cut at the corners that lie on it, so rings meet at
+corners or cross. Rings that meet or cross are put into different *families*. Within a family only
+neighbouring edges meet, so its edges have an order along every ray, which a sweep can maintain
+(rotating_sweep.py). Every decision is exact, and no new point is computed.
 """
 
 from typing import Any, NamedTuple
@@ -22,11 +21,12 @@ from ...worlds.polygon_world import rings_of
 
 
 class Corners(NamedTuple):
-    """points (n, 2), each corner once, and after them the places that were asked for; nodes (m,),
-    those round which paths turn.
+    """The corners of a world.
 
-    before and after (k, n): the neighbours of a point on the ring of family k that passes through
-    it, what is solid to the left of before-point-after; -1 where none does.
+    points : (n, 2), each corner once, then further places.
+    nodes : (m,), the points round which shortest paths may turn.
+    before, after : (k, n), the neighbours of each point on the ring of family k through it, with
+        the obstacle to the left of before-point-after; -1 where there is no such ring.
     """
 
     points: Array
@@ -35,9 +35,15 @@ class Corners(NamedTuple):
     after: NDArray[np.int64]
 
 
-def corners_of(world: Any, *places_asked: Array) -> tuple[Corners, list[int]]:
-    """The corners of a PolygonWorld, with the numbers of the places asked for, which are nodes too.
-    InvalidWorld for round obstacles. O(n^2) for n corners.
+def corners_of(world: Any, *further_places: Array) -> tuple[Corners, list[int]]:
+    """The corners of a PolygonWorld, and the numbers of further places, which become nodes too.
+
+    O(n^2) for n corners.
+
+    Raises
+    ------
+    InvalidWorld
+        Where the world has round obstacles.
     """
     solids = rings_of(as_polygons(world))
     numbers: dict[tuple[float, float], int] = {}
@@ -47,21 +53,20 @@ def corners_of(world: Any, *places_asked: Array) -> tuple[Corners, list[int]]:
         for ring in solid
     ]
     corners = len(numbers)
-    asked = [numbers.setdefault(tuple(place.tolist()), len(numbers)) for place in places_asked]
+    further = [numbers.setdefault(tuple(place.tolist()), len(numbers)) for place in further_places]
     points = np.array(list(numbers))
     rings = cut_at_corners(rings, points[:corners])
-    before, after = tied(rings, families_of(rings, points), len(points))
-    nodes = turning_points(points[:corners], before, after) & ~swallowed(points[:corners], solids)
-    return Corners(
-        points, np.append(np.flatnonzero(nodes), sorted(set(asked))).astype(np.int64), before, after
-    ), asked
+    before, after = link_rings(rings, assign_families(rings, points), len(points))
+    nodes = turning_points(points[:corners], before, after) & ~find_swallowed(
+        points[:corners], solids
+    )
+    numbered = np.append(np.flatnonzero(nodes), sorted(set(further))).astype(np.int64)
+    return Corners(points, numbered, before, after), further
 
 
 def cut_at_corners(rings: list[list[int]], points: Array) -> list[list[int]]:
-    """The rings with every corner that lies on one of their edges among theirs."""
-    ends = np.array(
-        [(p, q) for ring in rings for p, q in zip(ring, ring[1:] + ring[:1], strict=True)]
-    )
+    """The rings, cut at every corner that lies on one of their edges."""
+    ends = np.array([edge for ring in rings for edge in edges_of(ring)])
     on_edge: dict[int, list[int]] = {}
     for edge, point in points_on_edges(points, ends).reshape(-1, 2).tolist():
         on_edge.setdefault(edge, []).append(point)
@@ -78,9 +83,14 @@ def cut_at_corners(rings: list[list[int]], points: Array) -> list[list[int]]:
     return cut
 
 
+def edges_of(ring: list[int]) -> list[tuple[int, int]]:
+    """The edges of a ring, as pairs of points."""
+    return list(zip(ring, ring[1:] + ring[:1], strict=True))
+
+
 @compiled
 def points_on_edges(points: Array, ends: NDArray[np.int64]) -> NDArray[np.int64]:
-    """Pairs of an edge and a point strictly inside it, one after another."""
+    """Pairs of an edge and a point strictly inside it, as one flat array."""
     found = [0 for _ in range(0)]
     for edge in range(len(ends)):
         a, b = points[ends[edge, 0]], points[ends[edge, 1]]
@@ -97,17 +107,9 @@ def points_on_edges(points: Array, ends: NDArray[np.int64]) -> NDArray[np.int64]
     return np.array(found, dtype=np.int64)
 
 
-def families_of(rings: list[list[int]], points: Array) -> list[int]:
-    """A family for each ring, as few as come from taking always the first one in which it meets
-    nothing.
-    """
-    ends = np.array(
-        [
-            (p, q, i)
-            for i, ring in enumerate(rings)
-            for p, q in zip(ring, ring[1:] + ring[:1], strict=True)
-        ]
-    )
+def assign_families(rings: list[list[int]], points: Array) -> list[int]:
+    """A family for each ring, chosen greedily: the first family in which it meets no other ring."""
+    ends = np.array([(p, q, i) for i, ring in enumerate(rings) for p, q in edges_of(ring)])
     meeting = rings_that_meet(points, ends, len(rings))
     families: list[int] = []
     for i in range(len(rings)):
@@ -118,8 +120,9 @@ def families_of(rings: list[list[int]], points: Array) -> list[int]:
 
 @compiled
 def rings_that_meet(points: Array, ends: NDArray[np.int64], rings: int) -> NDArray[np.bool_]:
-    """Whether ring i and ring j share a point, (rings, rings); rows of ends are an edge's two
-    points and its ring.
+    """Whether ring i and ring j share a point, (rings, rings).
+
+    The rows of `ends` are an edge's two points and its ring.
     """
     meet = np.zeros((rings, rings), np.bool_)
     for i in range(len(ends)):
@@ -133,10 +136,10 @@ def rings_that_meet(points: Array, ends: NDArray[np.int64], rings: int) -> NDArr
     return meet
 
 
-def tied(
+def link_rings(
     rings: list[list[int]], families: list[int], size: int
 ) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """What comes before and after each point on the rings of each family, both (k, n)."""
+    """The points before and after each point on the rings of each family, both (k, n)."""
     before, after = (np.full((max(families) + 1, size), -1) for _ in range(2))
     for ring, family in zip(rings, families, strict=True):
         after[family, ring] = np.roll(ring, -1)
@@ -144,13 +147,12 @@ def tied(
     return before, after
 
 
-def swallowed(points: Array, solids: list[list[Array]]) -> NDArray[np.bool_]:
-    """Whether each point (n, 2) lies strictly inside some solid."""
+def find_swallowed(points: Array, solids: list[list[Array]]) -> NDArray[np.bool_]:
+    """Whether each point (n, 2) lies strictly inside some obstacle."""
     inside = np.zeros(len(points), np.bool_)
     for number, (outer, *rooms) in enumerate(solids):
-        within = places(points, outer) == (
-            1 if number > 0 else -1
-        )  # the first ring is the boundary, with the solid outside
+        solid_side = 1 if number > 0 else -1  # the first ring is the boundary, solid outside
+        within = places(points, outer) == solid_side
         for room in rooms:
             within &= places(points, room) < 0
         inside |= within
@@ -161,8 +163,10 @@ def swallowed(points: Array, solids: list[list[Array]]) -> NDArray[np.bool_]:
 def turning_points(
     points: Array, before: NDArray[np.int64], after: NDArray[np.int64]
 ) -> NDArray[np.bool_]:
-    """Whether what is free round each corner takes more than half a turn, or is in pieces that meet
-    only there, (n,).
+    """Whether a shortest path may turn at each corner, (n,).
+
+    It may where the free space round the corner takes more than half a turn, or consists of pieces
+    that meet only there.
     """
     turning = np.zeros(len(points), np.bool_)
     for v in range(len(points)):
@@ -179,8 +183,9 @@ def turning_points(
 def begins_gap(
     points: Array, before: NDArray[np.int64], after: NDArray[np.int64], v: int, i: int
 ) -> bool:
-    """Whether it is free where family i's solid ends, counter-clockwise round v; counted once where
-    several end there.
+    """Whether free space begins where family i's obstacle ends, counter-clockwise round v.
+
+    Where several obstacles end in one direction, it is counted once.
     """
     end = before[i, v]
     for j in range(len(before)):
@@ -197,7 +202,7 @@ def begins_gap(
 
 @compiled
 def opens_wide(points: Array, end: int, after: NDArray[np.int64], v: int) -> bool:
-    """Whether no solid begins at v within half a turn counter-clockwise of where one has ended."""
+    """Whether no obstacle begins within half a turn counter-clockwise of where one ended at v."""
     x, y, ex, ey = points[v, 0], points[v, 1], points[end, 0], points[end, 1]
     for begin in after[:, v]:
         if begin >= 0 and turn(x, y, ex, ey, points[begin, 0], points[begin, 1]) >= 0:
@@ -208,14 +213,8 @@ def opens_wide(points: Array, end: int, after: NDArray[np.int64], v: int) -> boo
 @compiled
 def same_way(points: Array, v: int, a: int, b: int) -> bool:
     """Whether a and b lie in the same direction from v."""
-    x, y, ax, ay, bx, by = (
-        points[v, 0],
-        points[v, 1],
-        points[a, 0],
-        points[a, 1],
-        points[b, 0],
-        points[b, 1],
-    )
+    x, y = points[v, 0], points[v, 1]
+    ax, ay, bx, by = points[a, 0], points[a, 1], points[b, 0], points[b, 1]
     return (
         turn(x, y, ax, ay, bx, by) == 0
         and (ax > x) == (bx > x)
@@ -226,9 +225,7 @@ def same_way(points: Array, v: int, a: int, b: int) -> bool:
 
 @compiled
 def enters(points: Array, before: int, v: int, after: int, ahead: int) -> bool:
-    """Whether a motion that leaves v towards a point ahead runs into what is solid to the left of
-    before-v-after.
-    """
+    """Whether a motion from v towards a point ahead enters the obstacle left of before-v-after."""
     b, x, a, q = points[before], points[v], points[after], points[ahead]
     left_of_first = turn(b[0], b[1], x[0], x[1], q[0], q[1]) > 0
     left_of_second = turn(x[0], x[1], a[0], a[1], q[0], q[1]) > 0

@@ -1,19 +1,20 @@
-"""A ray turns round a point: what it meets first hides what is behind. D. T. Lee, "Proximity and
-reachability in the plane" (1978); M. de Berg, O. Cheong, M. van Kreveld, M. Overmars, Computational
-Geometry, section 15.2.
+"""A rotating sweep: the points that are visible from a point.
 
     VISIBLE-VERTICES(v, S)
      1  sort the corners of S by direction from v, those in one direction by distance
      2  insert into an empty tree T the edges that the first ray crosses, ordered from v outwards
      3  for each direction in turn:
      4      delete from T the edges that end on the ray
-     5      walk the corners on the ray from v outwards: each is visible unless
-     6          the motion has entered a solid at the corner before, or the first edge of T lies between
+     5      for each corner on the ray, from v outwards: it is visible unless the motion has
+     6          entered an obstacle at the corner before, or the first edge of T lies between
      7      insert into T the edges that begin on the ray
 
-One sweep serves all families of edges in turn (corners.py); a point is visible when none hides it.
-All comparisons are exact turns, so corners on one line, edges along the ray and corners that touch
-need no treatment.
+One sweep is made for each family of edges (corners.py); a point is visible where no family hides
+it. All comparisons are exact orientations, so collinear corners, edges along the ray and corners
+that touch need no special treatment.
+
+D. T. Lee, "Proximity and reachability in the plane" (1978); M. de Berg, O. Cheong, M. van Kreveld,
+M. Overmars, Computational Geometry, section 15.2.
 """
 
 import math
@@ -33,9 +34,7 @@ Numbers = NDArray[np.int64]
 
 @inlined
 def visible_from(corners: Any, v: int, status: Numbers) -> NDArray[np.bool_]:
-    """Whether the motion from point v to each point of `corners` is semi-free, (n,). O(n log n) for
-    each family.
-    """
+    """Whether the motion from point v to each point is semi-free, (n,). O(n log n) a family."""
     points = corners.points
     order, group = round_about(points, v)
     visible = np.ones(len(points), np.bool_)
@@ -58,8 +57,9 @@ def hide(
     status: Numbers,
     visible: NDArray[np.bool_],
 ) -> None:
-    """Strike out what one family of edges hides from v. Edge i leads from point i to after[i]; its
-    row in the status is i + 1.
+    """Mark as hidden the points that one family of edges hides from v.
+
+    Edge i leads from point i to after[i]; its row in the status is i + 1.
     """
     sides = sides_of(points, after, v)
     status[:] = NOBODY
@@ -102,8 +102,9 @@ def hide_along_seams(
     group: Numbers,
     visible: NDArray[np.bool_],
 ) -> None:
-    """Strike out where a motion would lead along a seam, the stretch between two neighbouring
-    corners on which two solids touch.
+    """Mark as hidden the points that a motion reaches only along a seam.
+
+    A seam is the stretch between two neighbouring corners along which two obstacles touch.
     """
     at, hidden = v, False
     for i in range(len(order)):
@@ -117,9 +118,7 @@ def hide_along_seams(
 
 @compiled
 def sides_of(points: Array, after: Numbers, v: int) -> Numbers:
-    """Which way each edge turns round v: 1 counter-clockwise, -1 clockwise, 0 where it lies on a
-    line with v or is none.
-    """
+    """How each edge turns round v: 1 counter-clockwise, -1 clockwise, 0 in line or no edge."""
     sides = np.zeros(len(points), np.int64)
     for i in range(len(points)):
         if after[i] >= 0:
@@ -129,7 +128,7 @@ def sides_of(points: Array, after: Numbers, v: int) -> Numbers:
 
 @compiled
 def side(points: Array, edge: int, after: Numbers, p: int) -> int:
-    """1 where a point is to the left of an edge, -1 to its right, 0 on its line. Exact."""
+    """1 where a point is to the left of an edge, -1 to its right, 0 on its line; exact."""
     end = after[edge]
     return turn(
         points[edge, 0], points[edge, 1], points[end, 0], points[end, 1], points[p, 0], points[p, 1]
@@ -140,7 +139,7 @@ def side(points: Array, edge: int, after: Numbers, p: int) -> int:
 def insert(
     points: Array, after: Numbers, sides: Numbers, v: int, edge: int, status: Numbers
 ) -> None:
-    """Put an edge among those that the ray crosses, from v outwards."""
+    """Insert an edge among those that the ray crosses, ordered from v outwards."""
     below, here = NOBODY, status[NOBODY, HIGH]
     while here != NOBODY:
         if is_nearer(points, after, sides, here - 1, edge):
@@ -152,26 +151,29 @@ def insert(
 
 @compiled
 def is_nearer(points: Array, after: Numbers, sides: Numbers, edge: int, other: int) -> bool:
-    """Whether a ray from v that crosses both edges crosses `edge` first; they may share an end, but
-    do not cross.
+    """Whether a ray from v that crosses both edges crosses `edge` first.
+
+    The edges may share an end, but do not cross.
     """
     first = side(points, edge, after, other) * sides[edge]
     second = side(points, edge, after, after[other]) * sides[edge]
     if first * second >= 0:
-        return first + second < 0  # the other lies behind this edge's line
-    return (
-        side(points, other, after, edge) * sides[other]
-        + side(points, other, after, after[edge]) * sides[other]
-        > 0
-    )
+        return first + second < 0  # the other edge lies behind the line of this one
+    first = side(points, other, after, edge) * sides[other]
+    second = side(points, other, after, after[edge]) * sides[other]
+    return first + second > 0
 
 
 @compiled
 def round_about(points: Array, v: int) -> tuple[Numbers, Numbers]:
-    """The other points counter-clockwise round v from the left, near before far; and a number for
-    each one's direction, (n,).
+    """Sort the other points counter-clockwise round v from the left, near before far.
 
-    Sorted by rounded angles, which leaves little to put right by exact comparisons.
+    They are sorted by rounded angles first, and then by exact comparisons, which have little to
+    mend.
+
+    Returns
+    -------
+    The sorted points, and the number of each point's direction, (n,).
     """
     angles = np.empty(len(points))
     for i in range(len(points)):
@@ -194,7 +196,7 @@ def round_about(points: Array, v: int) -> tuple[Numbers, Numbers]:
 
 @compiled
 def comes_before(points: Array, v: int, p: int, q: int) -> bool:
-    """Whether the ray meets p before q: in an earlier direction, or nearer in the same."""
+    """Whether the ray meets p before q: in an earlier direction, or nearer in the same one."""
     earlier = direction_order(points, v, p, q)
     if earlier != 0:
         return earlier < 0
@@ -205,9 +207,7 @@ def comes_before(points: Array, v: int, p: int, q: int) -> bool:
 
 @compiled
 def direction_order(points: Array, v: int, p: int, q: int) -> int:
-    """-1 where p's direction from v comes before q's, counting from just past the left, 1 after, 0
-    the same.
-    """
+    """-1 where p's direction from v comes before q's, 1 after, 0 the same; from the left on."""
     half, other = half_turn(points, v, p), half_turn(points, v, q)
     if half != other:
         return -1 if half < other else 1
@@ -216,7 +216,7 @@ def direction_order(points: Array, v: int, p: int, q: int) -> int:
 
 @compiled
 def half_turn(points: Array, v: int, p: int) -> int:
-    """0 below v, 1 level with it on the right or above, 2 on the left."""
+    """0 below v, 1 level with it on the right or above, 2 level with it on the left."""
     if points[p, 1] == points[v, 1]:
         return 1 if points[p, 0] > points[v, 0] else 2
     return 0 if points[p, 1] < points[v, 1] else 1

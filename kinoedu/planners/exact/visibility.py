@@ -1,9 +1,10 @@
-"""Visibility roadmaps, and the shortest paths of a point among polygons. Bullo & Smith, chapter 5;
-LaValle, section 6.2.4.
+"""Visibility roadmaps, and the shortest paths of a point among polygons.
 
 A shortest path is a string pulled tight: it turns only at corners where the free space is reflex,
-and goes straight between them. So the roadmap joins those corners that see each other, along
-obstacles too: its motions are semi-free, contact is allowed.
+and is straight between them. So the roadmap joins the corners that see each other, also along
+obstacles. Its motions are semi-free: contact is allowed.
+
+Bullo & Smith, chapter 5; LaValle, section 6.2.4.
 """
 
 from typing import Any
@@ -24,9 +25,7 @@ from .rotating_sweep import visible_from
 
 @algorithm
 def pairs_in_sight(corners: Any) -> NDArray[np.int64]:
-    """The pairs of nodes, (m, 2) numbers of points, that see each other: a sweep round each node.
-    O(n^2 log n).
-    """
+    """The pairs of nodes (m, 2) that see each other, by a sweep round each node. O(n^2 log n)."""
     status = np.zeros((len(corners.points) + 1, 6), np.int64)
     pairs, size = np.empty((16, 2), np.int64), 0
     for i in range(len(corners.nodes)):
@@ -42,21 +41,32 @@ def pairs_in_sight(corners: Any) -> NDArray[np.int64]:
 
 
 def visibility_roadmap(world: Any) -> Roadmap:
-    """The corners round which shortest paths turn, and an edge between each two whose straight
-    motion is semi-free.
+    """The corners round which shortest paths turn, and the semi-free straight motions between them.
 
+    Nodes are the corners where more than half a turn is free: convex ones of obstacles, reflex ones
+    of the boundary and of rooms. Corners where obstacles touch are nodes too, because a semi-free
+    motion passes between two obstacles that meet in a single point. Edges may run along obstacles
+    and pass through corners, but not between two obstacles that touch along a stretch. Every
+    decision is exact. O(n^2 log n) for n corners, times the largest number of obstacles that lie
+    over each other.
+
+    Parameters
+    ----------
     world : a PolygonWorld, or a Problem(Point(), PolygonWorld(...), start, goal), whose start and
-        goal are then the last nodes.
+        goal then are the last nodes.
 
-    Nodes are the corners where more than half a turn is free, convex ones of obstacles and reflex
-    ones of boundary and rooms, and those where obstacles touch, since a semi-free motion passes
-    between two that meet in a single point. Edges may run along obstacles and pass through corners,
-    but not between two obstacles that touch along a stretch. All of it is exact. O(n^2 log n) for n
-    corners, times the most obstacles that lie over each other. Raises InvalidParameter;
-    InvalidWorld for round obstacles.
+    Raises
+    ------
+    InvalidParameter
+        Where the robot is not a point, or the world is not of polygons.
+    InvalidWorld
+        Where the world has round obstacles.
 
+    Examples
+    --------
     >>> from kinoedu import PolygonWorld
-    >>> roadmap = visibility_roadmap(PolygonWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [[(3, 0), (6, 0), (6, 4), (3, 4)]]))
+    >>> world = PolygonWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [[(3, 0), (6, 0), (6, 4), (3, 4)]])
+    >>> roadmap = visibility_roadmap(world)
     >>> roadmap.nodes.tolist(), roadmap.edges.tolist()
     ([[6.0, 4.0], [3.0, 4.0]], [[0, 1]])
     """
@@ -69,17 +79,30 @@ def visibility_roadmap(world: Any) -> Roadmap:
 
 
 def plan_by_visibility(problem: Any) -> Plan:
-    """The shortest semi-free path of a point among polygons: A* on the visibility roadmap of the
-    world, the start and the goal.
+    """The shortest semi-free path of a point among polygons, by A* on the visibility roadmap.
 
+    The path touches the corners at which it turns. No path that keeps off them is as short, but
+    some come as close as you like, except where it passes between obstacles that touch in a single
+    point. Complete: where no path is found there is none. O(n^2 log n) for n corners.
+
+    Parameters
+    ----------
     problem : a Problem(Point(), PolygonWorld(...), start, goal) without clearance, or a Recorder of
         one.
 
-    The path touches the corners that it turns round: no path that keeps off them is as short, and
-    some come as close as you like, except where it passes between obstacles that touch in a single
-    point. Complete: where no path is found there is none, and `plan.reason` says so. O(n^2 log n)
-    for n corners. Raises InvalidParameter; InvalidWorld for round obstacles.
+    Returns
+    -------
+    Plan with its `roadmap`.
 
+    Raises
+    ------
+    InvalidParameter
+        Where the robot is not a point, or the world is not of polygons.
+    InvalidWorld
+        Where the world has round obstacles.
+
+    Examples
+    --------
     >>> from kinoedu import Point, PolygonWorld, Problem
     >>> world = PolygonWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [[(3, 0), (6, 0), (6, 4), (3, 4)]])
     >>> plan = plan_by_visibility(Problem(Point(), world, start=(0.5, 4), goal=(8.5, 4)))
@@ -92,16 +115,13 @@ def plan_by_visibility(problem: Any) -> Plan:
     number = {node: i for i, node in enumerate(corners.nodes.tolist())}
     a, b = roadmap.nodes[roadmap.edges[:, 0]], roadmap.nodes[roadmap.edges[:, 1]]
     graph = flat_graph(len(roadmap.nodes), roadmap.edges, lengths_between(a, b))
-    numbers, _ = astar(
-        graph, number[start], number[goal], lengths_between(roadmap.nodes, problem.goal)
-    )
+    heuristic = lengths_between(roadmap.nodes, problem.goal)
+    numbers, _ = astar(graph, number[start], number[goal], heuristic)
     if numbers is not None and start == goal:
         numbers = np.append(numbers, numbers)
-    reason = (
-        "there is no path, not even one in contact: obstacles part the start from the goal"
-        if numbers is None
-        else ""
-    )
+    reason = ""
+    if numbers is None:
+        reason = "there is no path, not even one in contact: obstacles part the start from the goal"
     stats = {"nodes": len(roadmap.nodes), "edges": len(roadmap.edges)}
     return plan_along(
         problem, roadmap.nodes, numbers, reason, planner="visibility", roadmap=roadmap, stats=stats
@@ -109,7 +129,7 @@ def plan_by_visibility(problem: Any) -> Plan:
 
 
 def roadmap_of(corners: Corners, pairs: NDArray[np.int64]) -> Roadmap:
-    """The roadmap with the nodes alone, numbered anew in their order."""
+    """The roadmap of the nodes alone, numbered in their order."""
     return Roadmap(corners.points[corners.nodes], np.searchsorted(corners.nodes, pairs))
 
 

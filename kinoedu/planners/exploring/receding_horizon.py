@@ -1,5 +1,4 @@
-"""Sensor-based planning with a receding horizon: look, plan in what is known, go a little way, and
-look again.
+"""Sensor-based planning with a receding horizon: sense, plan in the map, follow, and repeat.
 
     RECEDING-HORIZON(start, goal)
      1  q := start; the map is empty
@@ -21,42 +20,41 @@ import numpy as np
 from ...errors import InvalidGoal, InvalidParameter, InvalidStart
 from ...geometry.checks import Array, as_generator
 from ...geometry.exact import turn
-from ...problems import MOTIONS, Plan, Problem, ProblemRecord, Recorder, Tree
+from ...problems import Plan, Problem, ProblemRecord, Recorder, Tree
 from ...robots.round import RoundRobot
 from ...worlds.polygon_world import PolygonWorldRecord, world_of_triangles
 from ...worlds.range_sensor import Scan, scan
 from ..answers import plan_along
-from ..problem_input import world_size
+from ..problem_input import count_checks, world_size
 from ..shortcut import shortcut
 from ..trees.rrt_connect import rrt_connect
 from ..tuning import positive, whole
 
-JOINED = 6.0  # times how far apart the hits of two rays are on a wall that faces them
+JOINED = 6.0  # times the distance of two rays' hits on a wall that faces them
 THICKNESS = 0.1  # of a wall's length
 
 Local = Callable[[ProblemRecord, np.random.Generator], Plan]
 
 
 class SeenMap(NamedTuple):
-    """The walls seen so far: thin triangles between the hits of neighbouring rays, which lie behind
-    the wall as the sensor sees it.
+    """The walls seen so far, as thin triangles between the hits of neighbouring rays.
 
-    One is kept for each size (by powers of two) and each little square of that size.
+    The triangles lie behind the wall as the sensor sees it. One is kept for each size (a power of
+    two) and each square of that size.
     """
 
     walls: dict[tuple[int, ...], Array]
 
     def add(self, seen: Scan) -> None:
-        """Take in what a scan hit. Hits that are far apart for their rays are not joined: there may
-        be a way between.
+        """Add the hits of a scan.
+
+        Neighbouring hits that are far apart for their rays are not joined: there may be a passage
+        between them.
         """
         first, second = seen.points, np.roll(seen.points, -1, axis=0)
         apart = np.sqrt(((second - first) ** 2).sum(axis=1))
-        wide = (
-            JOINED
-            * np.maximum(seen.distances, np.roll(seen.distances, -1))
-            * (2.0 * np.pi / len(seen.angles))
-        )
+        farther = np.maximum(seen.distances, np.roll(seen.distances, -1))
+        wide = JOINED * farther * (2.0 * np.pi / len(seen.angles))
         joined = seen.hit & np.roll(seen.hit, -1) & (apart <= wide) & (apart > 0.0)
         first, second, apart = first[joined], second[joined], apart[joined, None]
         middle = 0.5 * (first + second)
@@ -70,15 +68,20 @@ class SeenMap(NamedTuple):
             if square not in self.walls and turn(*wall.ravel().tolist()) > 0:
                 self.walls[square] = wall
 
-    def known(self) -> Array:
+    def triangles(self) -> Array:
         """The walls seen so far, each counter-clockwise, shape (k, 3, 2)."""
         return np.array(list(self.walls.values())).reshape(-1, 3, 2)
 
 
 class Look(NamedTuple):
-    """One turn of the loop: what the sensor sees, the walls known with it (k, 3, 2), the plan in
-    that map, the points of it that are followed (j, d), none where there is no plan or the moves
-    have run out, and how many motions were judged.
+    """One iteration of the loop.
+
+    seen : what the sensor sees.
+    walls : (k, 3, 2), the walls of the map, with this scan.
+    plan : the plan in that map.
+    followed : (j, d), the points of the plan that are followed; none where there is no plan or no
+        move is left.
+    checks : how many motions were checked.
     """
 
     seen: Scan
@@ -98,26 +101,37 @@ def receding_horizon(
     max_moves: int = 200,
     rng: int | np.random.Generator,
 ) -> Plan:
-    """Go to the goal through a world that is only seen by a range sensor.
+    """Plan through a world that only a range sensor sees.
+
+    Not complete: the path that is followed may miss a passage.
 
     Parameters
     ----------
-    problem : a Problem of a Point or Disk in a PolygonWorld, or a Recorder of one. Only its
-    bounding box is known beforehand.
-    reach : the sensor's range; by default a quarter of the world's diagonal.
+    problem : a Problem of a Point or Disk in a PolygonWorld, or a Recorder of one. Only the world's
+        bounding box is known in advance.
+    reach : the range of the sensor; by default a quarter of the world's diagonal.
     horizon : how far a plan is followed before the robot looks again; by default half the reach.
-    rays : how many directions the sensor looks in.
-    planner : a function of a problem and a generator that plans in the map; by default rrt_connect
-    and shortcut.
-    max_moves : where to give up.
+    rays : in how many directions the sensor looks.
+    planner : a function of a problem and a generator that plans in the map; by default rrt_connect,
+        then shortcut.
+    max_moves : stop after this many moves.
     rng : a seed or a numpy Generator.
 
-    Returns a Plan: its path is what was followed, its `tree` the places where the robot looked, one
-    after another. Not complete: `plan.reason` says whether the map shows no way, or the moves ran
-    out. Raises InvalidParameter.
+    Returns
+    -------
+    Plan whose path was followed, and whose `tree` is the chain of places where the robot looked.
+    Without a path `plan.reason` says whether the map shows no path or the moves ran out.
 
+    Raises
+    ------
+    InvalidParameter
+        Where the robot or the world is another, or a parameter is out of its range.
+
+    Examples
+    --------
     >>> from kinoedu import Point, PolygonWorld, Problem
-    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
+    >>> wall = [(4, 0), (6, 0), (6, 8), (4, 8)]
+    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [wall])
     >>> plan = receding_horizon(Problem(Point(), world, start=(1, 1), goal=(9, 1)), rng=0)
     >>> bool(17.2 < plan.cost < 40)
     True
@@ -143,11 +157,15 @@ def receding_horizon_looks(
     max_moves: int = 200,
     rng: int | np.random.Generator,
 ) -> Iterator[Look]:
-    """`receding_horizon`, whose arguments these are, look by look.
+    """The iterations of `receding_horizon`, which has the same parameters.
 
+    Examples
+    --------
     >>> from kinoedu import Point, PolygonWorld, Problem
-    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
-    >>> looks = list(receding_horizon_looks(Problem(Point(), world, start=(1, 1), goal=(9, 1)), rng=0))
+    >>> wall = [(4, 0), (6, 0), (6, 8), (4, 8)]
+    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [wall])
+    >>> problem = Problem(Point(), world, start=(1, 1), goal=(9, 1))
+    >>> looks = list(receding_horizon_looks(problem, rng=0))
     >>> looks[0].seen.origin, looks[-1].followed[-1]
     (array([1., 1.]), array([9., 1.]))
     """
@@ -171,24 +189,17 @@ def receding_horizon_looks(
         seen.add(around)
         room = 0.5 * (float(around.distances.min()) - inner.robot.radius - inner.clearance)
         plan = plan_in_map(seen, inner, q, min(margin, room), local, generator)
-        before, walls = problem.asked[MOTIONS], seen.known()
-        gone = [] if plan.path is None or moves == most else follow(problem, plan.path, ahead)
-        yield Look(
-            around,
-            walls,
-            plan,
-            np.array(gone).reshape(-1, len(q)),
-            int(problem.asked[MOTIONS] - before),
-        )
+        before, walls = count_checks(problem), seen.triangles()
+        followed = [] if plan.path is None or moves == most else follow(problem, plan.path, ahead)
+        points, checks = np.array(followed).reshape(-1, len(q)), count_checks(problem) - before
+        yield Look(around, walls, plan, points, checks)
         if plan.path is None:
             return
-        q, moves = gone[-1] if gone else q, moves + 1
+        q, moves = followed[-1] if followed else q, moves + 1
 
 
 def plan_of_looks(problem: Any, looks: list[Look]) -> Plan:
-    """What became of looking and following: the way that was gone, or why it does not end at the
-    goal.
-    """
+    """The plan that results from all looks: the path followed, or why it ends elsewhere."""
     path = np.concatenate([[problem.start], *(look.followed for look in looks)])
     reason = ""
     if looks and looks[-1].plan.path is None:
@@ -200,41 +211,36 @@ def plan_of_looks(problem: Any, looks: list[Look]) -> Plan:
     places = np.array([look.seen.origin for look in looks] + ([] if reason else [path[-1]]))
     walls = len(looks[-1].walls) if looks else 0
     stats = {"looks": len(places), "walls": walls, "checks": sum(look.checks for look in looks)}
-    tree, numbers = (
-        Tree(places, np.arange(len(places)) - 1),
-        None if reason else np.arange(len(path)),
-    )
+    tree = Tree(places, np.arange(len(places)) - 1)
+    numbers = None if reason else np.arange(len(path))
     return plan_along(
         problem, path, numbers, reason, planner="receding horizon", tree=tree, stats=stats
     )
 
 
 def connect_and_shorten(problem: ProblemRecord, rng: np.random.Generator) -> Plan:
-    """RRT-Connect, and its path made shorter."""
+    """RRT-Connect, then shortcuts."""
     return shortcut(rrt_connect(problem, max_nodes=4000, max_iterations=8000, rng=rng), rng=rng)
 
 
 def plan_in_map(
     seen: SeenMap,
-    asked: ProblemRecord,
+    problem: ProblemRecord,
     q: Array,
     margin: float,
     planner: Local,
     rng: np.random.Generator,
 ) -> Plan:
-    """A plan from q in what was seen, with a margin to the walls while there is one: corners
-    between two rays were not seen.
+    """A plan from q in the map, with a margin to the walls where this leaves a path.
+
+    Corners between two rays were not seen, so a margin is needed.
     """
-    world = world_of_triangles(asked.world.lo, asked.world.hi, seen.known())
+    world = world_of_triangles(problem.world.lo, problem.world.hi, seen.triangles())
     plan = Plan(None, np.inf, reason="the walls seen leave no room at the start or the goal")
-    for share in (1.0, 0.25, 0.0625, 0.015625):
+    for fraction in (1.0, 0.25, 0.0625, 0.015625):
+        room = problem.clearance + fraction * margin
         try:
-            plan = planner(
-                Problem(
-                    asked.robot, world, q, asked.goal, clearance=asked.clearance + share * margin
-                ),
-                rng,
-            )
+            plan = planner(Problem(problem.robot, world, q, problem.goal, clearance=room), rng)
         except (InvalidStart, InvalidGoal):
             continue
         if plan.path is not None:
@@ -243,19 +249,20 @@ def plan_in_map(
 
 
 def follow(problem: Any, path: Array, ahead: float) -> list[Array]:
-    """The points of a path as far as the horizon, or up to the first motion that is not free; that
-    one halved, to come nearer.
+    """The points of a path up to the horizon, or to the first motion that is not free.
+
+    That motion is halved up to four times, to come nearer.
     """
-    gone, left = [], ahead
+    followed, left = [], ahead
     for a, b in zip(path[:-1], path[1:], strict=True):
         apart = problem.distance(a, b)
         q = b if apart <= left else problem.steer(a, b, left)
         for _ in range(5):
             if problem.is_free_path(a, q):
-                gone.append(q)
+                followed.append(q)
                 break
             q = problem.steer(a, q, 0.5 * problem.distance(a, q))
-        if not gone or not np.array_equal(gone[-1], b):
+        if not followed or not np.array_equal(followed[-1], b):
             break
         left -= apart
-    return gone
+    return followed

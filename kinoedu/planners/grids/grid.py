@@ -1,9 +1,8 @@
-"""Shortest paths on a grid laid over the plane, by A*: from each node to its eight neighbours,
-where the motion is free.
+"""Shortest paths on a grid in the plane, by A*, with moves from each node to its eight neighbours.
 
 LaValle, section 5.4.2. On a terrain's own cells these are the moves of N. R. Sturtevant,
-"Benchmarks for grid-based pathfinding" (2012): diagonally only past two free cells, since touching
-is contact.
+"Benchmarks for grid-based pathfinding" (2012): a diagonal move needs two free cells beside it,
+because touching is contact.
 """
 
 from itertools import product
@@ -17,22 +16,22 @@ from ...errors import InvalidParameter
 from ...geometry.checks import Array
 from ...graphs import astar
 from ...graphs.flat import degree, edge
-from ...problems import MOTIONS, Plan, ProblemRecord, Tree
+from ...problems import Plan, ProblemRecord, Tree
 from ...robots.round import RoundRobot
 from ...spaces import RealSpace
 from ...worlds.terrain import TerrainRecord
 from ..answers import plan_along
-from ..problem_input import world_size
+from ..problem_input import count_checks, world_size
 from ..tuning import positive
 
 SQRT2 = float(np.sqrt(2.0))
 
 
 class Grid(NamedTuple):
-    """Configurations row by row: node j * columns + i is (x, y) + (i - 1/2, j - 1/2) * side.
+    """A grid of configurations, row by row, with a border that no move enters.
 
-    moves tells what each of the eight moves costs. The outermost rows and columns are a border that
-    no move enters.
+    Node j * columns + i is at (x, y) + (i - 1/2, j - 1/2) * side. `moves` gives the cost of each of
+    the eight moves. The border is the outermost rows and columns.
     """
 
     moves: Any
@@ -49,22 +48,21 @@ class Grid(NamedTuple):
 
 
 class Motions(NamedTuple):
-    """Any problem in the plane: a move costs its length where the problem says that its motion is
-    free.
-    """
+    """Moves of any problem in the plane: a free motion costs its length."""
 
     problem: Any
 
 
 class CostedMotions(NamedTuple):
-    """The same on a terrain with costs: a move costs what its motion does."""
+    """Moves on a terrain with costs: a free motion costs its integral."""
 
     problem: Any
 
 
 class Cells(NamedTuple):
-    """A point on a terrain, node by cell: a move costs its length where the cells that it touches
-    are free, (nodes,).
+    """Moves of a point on a terrain: a move costs its length where the cells it touches are free.
+
+    free : (nodes,), whether the cell of each node is free.
     """
 
     free: NDArray[np.bool_]
@@ -83,21 +81,22 @@ def grid_degree(grid: Grid, u: int) -> int:
 
 @edge.register(Grid)
 def grid_edge(grid: Grid, u: int, k: int) -> tuple[int, float]:
-    """Move k, where it is not refused."""
+    """The end of move k and its cost; -1 where the move is refused."""
     cost = move_cost(grid.moves, grid, u, k)
     return u + ROW_STEP[k] * grid.columns + COLUMN_STEP[k] if cost < REFUSED else -1, cost
 
 
 @generic(1)
 def move_cost(moves: object, grid: Grid, u: int, k: int) -> float:
-    """What move k from node u costs; infinite where it is refused."""
-    raise TypeError("this grid does not know what a move costs")
+    """The cost of move k from node u; infinite where the move is refused."""
+    raise TypeError("the moves of this grid have no costs")
 
 
 @move_cost.register(Cells)
 def cost_by_cells(moves: Cells, grid: Grid, u: int, k: int) -> float:
-    """By the cell that it leads to and, for a diagonal move, the two beside it. Cells of the border
-    are not free.
+    """By the cell that it leads to and, for a diagonal move, the two cells beside it.
+
+    Cells of the border are not free.
     """
     across, up = COLUMN_STEP[k], ROW_STEP[k] * grid.columns
     if not moves.free[u + across + up]:
@@ -109,7 +108,7 @@ def cost_by_cells(moves: Cells, grid: Grid, u: int, k: int) -> float:
 
 @move_cost.register(Motions)
 def cost_by_motions(moves: Motions, grid: Grid, u: int, k: int) -> float:
-    """By the problem."""
+    """The length of the move where the problem says that it is free."""
     if not is_free_move(moves.problem, grid, u, k):
         return REFUSED
     return grid.side if k < STRAIGHT else SQRT2 * grid.side
@@ -117,7 +116,7 @@ def cost_by_motions(moves: Motions, grid: Grid, u: int, k: int) -> float:
 
 @move_cost.register(CostedMotions)
 def cost_by_costed_motions(moves: CostedMotions, grid: Grid, u: int, k: int) -> float:
-    """By the problem and its costs."""
+    """The problem's cost of the move where it says that it is free."""
     if not is_free_move(moves.problem, grid, u, k):
         return REFUSED
     return moves.problem.motion_cost(*ends_of_move(grid, u, k))
@@ -145,23 +144,33 @@ def centre(grid: Grid, i: int, j: int) -> Array:
 
 
 def plan_on_grid(problem: ProblemRecord, *, spacing: float | None = None) -> Plan:
-    """The cheapest path of grid moves between the nodes that start and goal are joined to; A* with
-    the octile distance.
+    """Plan by A* on a grid, with the octile distance as heuristic.
+
+    The path goes from the start to the nearest grid node that it reaches by a free motion, from
+    node to node, and to the goal. Complete for the grid only: where nothing is found, a finer grid
+    may have a path.
 
     Parameters
     ----------
     problem : a Problem in the plane.
     spacing : the side of the grid's cells. By default a terrain's own cells, or a hundredth of a
-    polygon world's diagonal.
+        polygon world's diagonal.
 
-    The path goes from the start to the nearest grid node that it reaches freely, from node to node,
-    and on to the goal. Returns a Plan; its `tree` has the nodes in the order A* settled them.
-    Complete for the grid only: where nothing is found, a finer grid may have a path. Raises
-    InvalidParameter.
+    Returns
+    -------
+    Plan whose `tree` has the nodes in the order in which A* settled them.
 
+    Raises
+    ------
+    InvalidParameter
+        Where configurations are not points of the plane, or `spacing` is not positive, too large or
+        too small.
+
+    Examples
+    --------
     >>> from kinoedu import Point, Problem, Terrain
-    >>> plan = plan_on_grid(Problem(Point(), Terrain([[1, 1, 1], [1, 0, 1], [1, 1, 1]]), start=(0.5, 0.5), goal=(2.5, 2.5)))
-    >>> plan.cost
+    >>> ring = Terrain([[1, 1, 1], [1, 0, 1], [1, 1, 1]])
+    >>> plan_on_grid(Problem(Point(), ring, start=(0.5, 0.5), goal=(2.5, 2.5))).cost
     4.0
     """
     if (
@@ -172,26 +181,20 @@ def plan_on_grid(problem: ProblemRecord, *, spacing: float | None = None) -> Pla
         raise InvalidParameter(
             "a grid needs a Problem whose configurations are points of the plane"
         )
-    before = problem.asked[MOTIONS]
+    before = count_checks(problem)
     grid = grid_for(problem, None if spacing is None else positive(spacing, "spacing"))
     first, last = (joined_node(problem, grid, q) for q in (problem.start, problem.goal))
     if first < 0 or last < 0:
         name = "start" if first < 0 else "goal"
-        return Plan(
-            None,
-            np.inf,
-            reason=f"no grid node is in free reach of the {name}; try a finer spacing",
-            problem=problem,
-            planner="A*",
-        )
+        reason = f"no free motion joins the {name} to a grid node; try a finer spacing"
+        return Plan(None, np.inf, reason=reason, problem=problem, planner="A*")
     numbers, found = astar(grid, first, last, octile(grid, last))
-    tree = Tree(centres(grid, found.expanded), found_from(found.expanded, found.parent))
-    looked_at = (
-        8 * len(found.expanded) if isinstance(grid.moves, Cells) else 0
-    )  # moves judged by cells, without asking the problem
+    tree = Tree(centres(grid, found.expanded), parent_positions(found.expanded, found.parent))
+    # moves that were checked by cells, not by the problem
+    looked_at = 8 * len(found.expanded) if isinstance(grid.moves, Cells) else 0
     stats = {
         "expanded": len(found.expanded),
-        "checks": int(problem.asked[MOTIONS] - before) + looked_at,
+        "checks": count_checks(problem) - before + looked_at,
     }
     reason = (
         f"the goal cannot be reached on a grid of spacing {grid.side:g}; a finer one may have a "
@@ -201,7 +204,7 @@ def plan_on_grid(problem: ProblemRecord, *, spacing: float | None = None) -> Pla
         return plan_along(problem, tree.nodes, None, reason, planner="A*", tree=tree, stats=stats)
     nodes = centres(grid, numbers)
     if first == last and problem.is_free_path(problem.start, problem.goal):
-        nodes = nodes[:0]  # both in one cell: no way round by its centre
+        nodes = nodes[:0]  # both in one cell, whose centre would be a detour
     path = np.concatenate([[problem.start], nodes, [problem.goal]])
     path = path[np.append(True, (path[1:] != path[:-1]).any(axis=1))]
     return plan_along(
@@ -210,9 +213,7 @@ def plan_on_grid(problem: ProblemRecord, *, spacing: float | None = None) -> Pla
 
 
 def grid_for(problem: ProblemRecord, spacing: float | None) -> Grid:
-    """The grid that serves a problem: a point on a terrain's own cells is judged by the cells
-    alone.
-    """
+    """The grid for a problem; where a point moves on a terrain's own cells, by the cells alone."""
     robot, world = problem.robot, problem.world
     on_terrain = isinstance(world, TerrainRecord)
     has_costs = on_terrain and world.cost.size > 0
@@ -220,11 +221,8 @@ def grid_for(problem: ProblemRecord, spacing: float | None) -> Grid:
     x, y = problem.space.lo.tolist()
     if on_terrain and spacing in (None, world.resolution):
         rows, columns = world.free.shape
-        if (
-            isinstance(robot, RoundRobot)
-            and robot.radius + problem.clearance == 0.0
-            and not has_costs
-        ):
+        is_point = isinstance(robot, RoundRobot) and robot.radius + problem.clearance == 0.0
+        if is_point and not has_costs:
             moves = Cells(np.pad(world.free, 1).ravel())
         return Grid(moves, x, y, world.resolution, columns + 2, rows + 2)
     side = world_size(problem) / 100.0 if spacing is None else spacing
@@ -240,13 +238,13 @@ def grid_for(problem: ProblemRecord, spacing: float | None) -> Grid:
 
 
 def centres(grid: Grid, nodes: NDArray[np.int64]) -> Array:
-    """Where grid nodes (k,) are in the world, shape (k, 2)."""
+    """The positions of grid nodes (k,), shape (k, 2)."""
     return centres_of(grid.x, grid.y, grid.side, grid.columns, nodes)
 
 
 @algorithm
 def centres_of(x: float, y: float, side: float, columns: int, nodes: NDArray[np.int64]) -> Array:
-    """The same from plain numbers: one piece of code serves all kinds of grid."""
+    """The same from plain numbers, so that one compiled function serves all kinds of grid."""
     places = np.empty((len(nodes), 2))
     for n in range(len(nodes)):
         row = nodes[n] // columns
@@ -256,10 +254,8 @@ def centres_of(x: float, y: float, side: float, columns: int, nodes: NDArray[np.
 
 
 @algorithm
-def found_from(expanded: NDArray[np.int64], parent: NDArray[np.int64]) -> NDArray[np.int64]:
-    """For each expanded node, (k,), where in that order its parent (n,) stands; -1 for the
-    start.
-    """
+def parent_positions(expanded: NDArray[np.int64], parent: NDArray[np.int64]) -> NDArray[np.int64]:
+    """For each expanded node, (k,), the place of its parent in that order; -1 for the start."""
     order = np.full(len(parent), -1)
     for i in range(len(expanded)):
         order[expanded[i]] = i
@@ -286,9 +282,7 @@ def joined_node(problem: ProblemRecord, grid: Grid, q: Array) -> int:
 
 
 def octile(grid: Grid, goal: int) -> Array:
-    """The length of grid moves from each node to the goal if nothing were in the way, shape
-    (n,).
-    """
+    """The octile distance from each node to the goal, (n,): the length without obstacles."""
     across = np.abs(np.arange(grid.columns) - goal % grid.columns).astype(np.float64)
     up = np.abs(np.arange(grid.rows) - goal // grid.columns).astype(np.float64)[:, None]
     return (grid.side * (np.maximum(across, up) + (SQRT2 - 1.0) * np.minimum(across, up))).ravel()

@@ -1,1 +1,1 @@
-"""Planners among obstacles that move."""
+"""Planners for worlds with moving obstacles."""

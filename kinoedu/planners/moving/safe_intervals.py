@@ -1,4 +1,4 @@
-"""Planning among obstacles that move: the earliest arrival on a roadmap, by safe intervals.
+"""Safe-interval path planning (SIPP): the earliest arrival on a roadmap among moving obstacles.
 
 M. Phillips, M. Likhachev, "SIPP: Safe interval path planning for dynamic environments" (2011);
 LaValle, section 7.1.
@@ -40,16 +40,17 @@ def search_intervals(
     hulls: Parts,
     knots: NDArray[np.int64],
 ) -> tuple[Array, Array, NDArray[np.int64], int]:
-    """Dijkstra's search over the safe intervals of all nodes, from the first of node 0. For each
-    when the robot is there at the earliest, when it left the interval before, and which that was;
-    and the interval of the goal, node 1, reached first, or -1.
+    """Dijkstra's algorithm over the safe intervals of all nodes, from the first interval of node 0.
+
+    Returns
+    -------
+    arrival : for each interval the earliest time at which the robot can be there.
+    departure : when it left the interval before.
+    parent : the number of that interval.
+    at_goal : the interval of the goal, node 1, that was reached first, or -1.
     """
-    arrival, departure, parent = (
-        np.full(len(safe), np.inf),
-        np.zeros(len(safe)),
-        np.full(len(safe), -1),
-    )
-    owner = np.empty(len(safe), np.int64)
+    arrival, departure = np.full(len(safe), np.inf), np.zeros(len(safe))
+    parent, owner = np.full(len(safe), -1), np.empty(len(safe), np.int64)
     times, places = problem.world.times, problem.world.places
     for u in range(len(nodes)):
         owner[first[u] : first[u + 1]] = u
@@ -58,7 +59,7 @@ def search_intervals(
     while len(frontier) > 0:
         when, here = heappop(frontier)
         u = owner[here]
-        if when > arrival[here]:  # it has been reached earlier, and was gone on from then
+        if when > arrival[here]:  # it was reached earlier and has been expanded
             continue
         if u == 1:
             return arrival, departure, parent, here
@@ -86,8 +87,9 @@ def search_intervals(
 
 @inlined
 def may_gain(arrival: Array, safe: Array, here: int, begin: int, end: int, duration: float) -> bool:
-    """Whether some interval of those from begin to end might be reached earlier from here, if
-    nothing moved on the way.
+    """Whether an earlier arrival at one of the intervals from `begin` to `end` is possible at all.
+
+    Nothing that moves on the way is considered here.
     """
     for there in range(begin, end):
         t = max(arrival[here], safe[there, 0] - duration)
@@ -100,7 +102,7 @@ def may_gain(arrival: Array, safe: Array, here: int, begin: int, end: int, durat
 def is_free_ride(
     problem: Any, a: Array, b: Array, arrived: float, left: float, arrives: float
 ) -> bool:
-    """Whether waiting at a, and then going to b, touches nothing."""
+    """Whether the robot can wait at a, and then go to b, without contact."""
     came, leaves = np.array([a[0], a[1], arrived]), np.array([a[0], a[1], left])
     return problem.is_free_path(came, leaves) and problem.is_free_path(
         leaves, np.array([b[0], b[1], arrives])
@@ -108,18 +110,31 @@ def is_free_ride(
 
 
 def safe_intervals(problem: TimedProblemRecord, q: ArrayLike) -> Array:
-    """When the robot may stand at a place: intervals (begin, end) of [0, horizon] in which nothing
-    touches it, in order, (k, 2).
+    """The intervals of [0, horizon] in which the robot may stand at a place without contact.
 
-    What is round counts half a percent larger than it is. Where something that stands still is in
-    the way, there is none. Raises InvalidPoint, InvalidParameter.
+    Round shapes count as half a percent larger than they are. Where a static obstacle is in the
+    way, there is no interval.
 
+    Returns
+    -------
+    (k, 2) array of intervals (begin, end), in order.
+
+    Raises
+    ------
+    InvalidPoint
+        Where q is not a point.
+    InvalidParameter
+        Where `problem` is not a TimedProblem.
+
+    Examples
+    --------
     >>> from kinoedu import Point, PolygonWorld
     >>> from kinoedu.problems.in_time import TimedProblem
     >>> from kinoedu.worlds import Moving, MovingWorld
     >>> hall = PolygonWorld([(0, 0), (10, 0), (10, 6), (0, 6)])
     >>> box = Moving([(-1, -1), (1, -1), (1, 1), (-1, 1)], [0, 10], [(9, 3), (-1, 3)])
-    >>> problem = TimedProblem(Point(), MovingWorld(hall, [box]), start=(1, 1), goal=(9, 3), horizon=20)
+    >>> world = MovingWorld(hall, [box])
+    >>> problem = TimedProblem(Point(), world, start=(1, 1), goal=(9, 3), horizon=20)
     >>> safe_intervals(problem, (5, 3)).round(3)
     array([[ 0.,  3.],
            [ 5., 20.]])
@@ -137,8 +152,13 @@ def safe_intervals(problem: TimedProblemRecord, q: ArrayLike) -> Array:
 def plan_in_time(
     problem: TimedProblemRecord, *, n: int = 300, k: int = 10, rng: int | np.random.Generator
 ) -> Plan:
-    """The earliest arrival at the goal on a roadmap of what stands still, waiting at its nodes
-    where that helps.
+    """The earliest arrival at the goal on a roadmap of the static world, with waits at its nodes.
+
+    The robot goes along edges at its greatest speed. The earliest arrival in a safe interval of a
+    node is as good as any other, because the robot may wait there. So each interval is reached
+    once, and the result is the earliest arrival on this roadmap; without a path, another roadmap
+    may have one. Every motion and every wait is checked along its whole length. The goal must be
+    free at the moment of arrival only.
 
     Parameters
     ----------
@@ -146,13 +166,18 @@ def plan_in_time(
     n, k : how many nodes are sampled, and with how many closest ones each is joined, as in `prm`.
     rng : a seed or a numpy Generator.
 
-    The robot goes along edges at its greatest speed. Of all ways to be at a node in one of its safe
-    intervals the earliest is as good as any, for it may wait there: so each interval is reached
-    once, and the answer is the earliest on this roadmap. Returns a Plan whose path (m, 3) has rows
-    (x, y, t), and whose cost is the time of arrival. Every motion and every wait is free, judged
-    whole. Only the moment of arrival is asked of the goal. Without a path the reason says so;
-    another roadmap may have one. Raises InvalidParameter.
+    Returns
+    -------
+    Plan whose path (m, 3) has rows (x, y, t), and whose cost is the time of arrival. Without a path
+    `plan.reason` says why.
 
+    Raises
+    ------
+    InvalidParameter
+        Where `problem` is not a TimedProblem, or a parameter is out of its range.
+
+    Examples
+    --------
     >>> from kinoedu import Disk, PolygonWorld
     >>> from kinoedu.problems.in_time import TimedProblem
     >>> from kinoedu.worlds import Moving, MovingWorld
@@ -183,12 +208,8 @@ def plan_in_time(
     if length(*(still.goal - still.start)) == 0.0:
         return Plan(np.append(task.start, 0.0)[None], 0.0, **built)
     if first[1] == 0 or safe[0, 0] > 0.0:
-        return Plan(
-            None,
-            np.inf,
-            reason="something is about to touch the robot at the start; let it start elsewhere",
-            **built,
-        )
+        reason = "the start is not in a safe interval at time 0; let the robot start elsewhere"
+        return Plan(None, np.inf, reason=reason, **built)
     arrival, departure, parent, at_goal = search_intervals(
         task, graph, nodes, safe, first, hulls, knots
     )
@@ -199,19 +220,14 @@ def plan_in_time(
         )
         return Plan(None, np.inf, reason=reason, **built)
     owner = np.repeat(np.arange(len(nodes)), np.diff(first))
-    return Plan(
-        timed_path(nodes[owner], arrival, departure, parent, at_goal),
-        float(arrival[at_goal]),
-        **built,
-    )
+    path = timed_path(nodes[owner], arrival, departure, parent, at_goal)
+    return Plan(path, float(arrival[at_goal]), **built)
 
 
 def timed_path(
     places: Array, arrival: Array, departure: Array, parent: NDArray[np.int64], last: int
 ) -> Array:
-    """The rows (x, y, t) of the way to an interval: each arrival, and where the robot waits the
-    departure as well.
-    """
+    """The rows (x, y, t) of the path to an interval: arrivals, and departures after waits."""
     rows = [(*places[last], arrival[last])]
     while parent[last] >= 0:
         before = parent[last]
@@ -223,7 +239,7 @@ def timed_path(
 
 
 def as_timed(problem: Any) -> TimedProblemRecord:
-    """A timed problem, or InvalidParameter."""
+    """A timed problem; raises InvalidParameter for any other."""
     if not isinstance(problem, TimedProblemRecord):
         raise InvalidParameter(
             "expected a TimedProblem(robot, MovingWorld(...), start, goal), got "

@@ -1,3 +1,1 @@
-"""Planners that build a roadmap once and search it: PRM and its kin, and what a roadmap is
-worth.
-"""
+"""Planners that build a roadmap and search it, such as PRM, and measures of a roadmap's quality."""

@@ -1,5 +1,4 @@
-"""Other ways to the goal than the shortest: what else a roadmap offers when something stands in the
-way.
+"""Alternative routes: further paths in a roadmap, for use when the shortest one is blocked.
 
 R. Bader, J. Dees, R. Geisberger, P. Sanders, "Alternative route graphs in road networks" (2011),
 section 4.2: the penalty method.
@@ -17,31 +16,45 @@ from ...problems import Plan, Roadmap
 from ...robots.trajectory import DrivenRoadmap, TrajectoryRecord
 from ...support.text import shortened
 from ..answers import plan_along
-from ..problem_input import askable
+from ..problem_input import as_problem
 from ..tuning import positive, whole
-from .multi_query import costs_of
+from .multi_query import motion_costs
 
 
 def alternative_routes(plan: Plan, k: int = 3, *, penalty: float = 1.0) -> list[Plan]:
-    """Up to k routes through a plan's roadmap, the shortest first: each avoids what those before it
-    used, as far as it can.
+    """Up to k routes through the roadmap of a plan, in the order of their costs.
+
+    Each edge that a route uses becomes longer for the routes after it, so they avoid it where they
+    can. O(k m log n).
 
     Parameters
     ----------
-    plan : one of `prm`, `prm_star`, `kinodynamic_prm` and their like, with its roadmap.
+    plan : a plan with a roadmap, of `prm`, `prm_star`, `kinodynamic_prm` or a similar planner.
     k : how many routes.
-    penalty : by what share of its length an edge becomes longer each time a route uses it: the
-    larger, the less routes share.
+    penalty : the fraction of its length by which an edge becomes longer each time a route uses it.
+        The larger it is, the less the routes share.
 
-    Returns plans that differ in their path. Fewer than k where penalties lead to no other; none
-    where the plan has no path. Raises InvalidParameter. O(k m log n).
+    Returns
+    -------
+    Plans with different paths. They are fewer than k where the penalties lead to no other path, and
+    none where the plan has no path.
 
+    Raises
+    ------
+    InvalidParameter
+        Where the plan has no roadmap, `k` is not a positive integer, or `penalty` is not positive.
+
+    Examples
+    --------
     >>> from kinoedu import Point, PolygonWorld, Problem, prm
-    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 2), (6, 2), (6, 8), (4, 8)]])
+    >>> wall = [(4, 2), (6, 2), (6, 8), (4, 8)]
+    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [wall])
     >>> plan = prm(Problem(Point(), world, start=(1, 5), goal=(9, 5)), n=200, rng=0)
     >>> below, above = alternative_routes(plan, 2, penalty=10)
-    >>> bool(below.cost <= above.cost), bool((below.path[:, 1].mean() < 5) != (above.path[:, 1].mean() < 5))
-    (True, True)
+    >>> bool(below.cost <= above.cost)
+    True
+    >>> bool((below.path[:, 1].mean() < 5) != (above.path[:, 1].mean() < 5))
+    True
     """
     if not isinstance(plan, Plan) or not isinstance(plan.roadmap, Roadmap | DrivenRoadmap):
         raise InvalidParameter(
@@ -51,26 +64,27 @@ def alternative_routes(plan: Plan, k: int = 3, *, penalty: float = 1.0) -> list[
     if plan.path is None:
         return []
     roadmap, driven = plan.roadmap, isinstance(plan.roadmap, DrivenRoadmap)
-    lengths, goals = lengths_and_goals(plan)
+    lengths, goals = find_lengths_and_goals(plan)
     found: list[NDArray[np.int64]] = []
     weights = lengths.copy()
-    for _ in range(3 * wanted):  # a route may come again before its penalties tell
-        numbers = route(len(roadmap.nodes), roadmap.edges, weights, goals, driven)
+    for _ in range(3 * wanted):  # a route may repeat until its penalties suffice
+        numbers = find_route(len(roadmap.nodes), roadmap.edges, weights, goals, driven)
         if not any(np.array_equal(numbers, other) for other in found):
             found.append(numbers)
         if len(found) == wanted:
             break
         used = edges_along(roadmap.edges, numbers, driven)
         weights[used] += more * lengths[used]
-    routes = [along(plan, numbers) for numbers in found]
+    routes = [plan_along_route(plan, numbers) for numbers in found]
     return sorted(routes, key=lambda one: one.cost)
 
 
-def route(
+def find_route(
     n: int, edges: NDArray[np.int64], weights: Array, goals: NDArray[np.int64], directed: bool
 ) -> NDArray[np.int64]:
-    """The nodes of the lightest way from node 0 to one of the goals, all of which lead to one more
-    node at no cost.
+    """The nodes of the lightest path from node 0 to any of the goals.
+
+    One more node is added, to which every goal has an edge of weight zero.
     """
     last = np.stack([goals, np.full(len(goals), n)], axis=1)
     graph = flat_graph(
@@ -90,27 +104,27 @@ def route(
 def edges_along(
     edges: NDArray[np.int64], numbers: NDArray[np.int64], directed: bool
 ) -> NDArray[np.int64]:
-    """The numbers of the edges that a way through nodes uses."""
+    """The numbers of the edges that a path through nodes uses."""
     steps = set(zip(numbers.tolist(), numbers[1:].tolist()))
     if not directed:
         steps |= {(v, u) for u, v in steps}
     return np.array([e for e, (u, v) in enumerate(edges.tolist()) if (u, v) in steps], np.int64)
 
 
-def lengths_and_goals(plan: Plan) -> tuple[Array, NDArray[np.int64]]:
+def find_lengths_and_goals(plan: Plan) -> tuple[Array, NDArray[np.int64]]:
     """The length of each edge (m,), and the nodes that count as the goal (k,)."""
     roadmap = plan.roadmap
     if isinstance(roadmap, DrivenRoadmap):
         return np.abs(roadmap.controls[:, 0] * roadmap.durations), roadmap.goals
-    asked = askable(plan.problem)
-    return costs_of(asked, roadmap.nodes, roadmap.edges), np.array([1])
+    problem = as_problem(plan.problem)
+    return motion_costs(problem, roadmap.nodes, roadmap.edges), np.array([1])
 
 
-def along(plan: Plan, numbers: NDArray[np.int64]) -> Plan:
+def plan_along_route(plan: Plan, numbers: NDArray[np.int64]) -> Plan:
     """The plan with the path through these nodes."""
     if not isinstance(plan.roadmap, DrivenRoadmap):
         kept = {"planner": plan.planner, "roadmap": plan.roadmap, "stats": plan.stats}
-        return plan_along(askable(plan.problem), plan.roadmap.nodes, numbers, "", **kept)
+        return plan_along(as_problem(plan.problem), plan.roadmap.nodes, numbers, "", **kept)
     used = edges_along(plan.roadmap.edges, numbers, directed=True)
     used = used[np.argsort(np.searchsorted(numbers, plan.roadmap.edges[used, 1]))]
     assert plan.trajectory is not None  # a driven roadmap comes with one

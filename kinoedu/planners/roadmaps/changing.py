@@ -1,8 +1,8 @@
-"""A roadmap in a world that changes between queries: only the motions near a change are judged
-anew.
+"""A roadmap for a world that changes between queries: only motions near a change are checked again.
 
-Every motion that was tried is kept, free or not, so that a way that was shut can open again. After
-P. Leven, S. Hutchinson, "A framework for real-time path planning in changing environments" (2002).
+Every motion that was ever checked is kept, free or not, so that a blocked passage can open again.
+After P. Leven, S. Hutchinson, "A framework for real-time path planning in changing environments"
+(2002).
 """
 
 from typing import Any, NamedTuple
@@ -22,8 +22,12 @@ from .neighbours import k_closest
 
 
 class ChangingRoadmap(NamedTuple):
-    """Nodes (n, 2), free or not; pairs of them (m, 2); for each pair whether its motion is free,
-    (m,); and how many motions were judged for the last change.
+    """A roadmap with its blocked edges.
+
+    nodes : (n, 2), free or not.
+    pairs : (m, 2), the pairs of nodes whose motion was checked.
+    is_open : (m,), whether the motion of each pair is free.
+    judged : how many motions were checked for the last change.
     """
 
     nodes: Array
@@ -32,7 +36,7 @@ class ChangingRoadmap(NamedTuple):
     judged: int
 
     def roadmap(self) -> Roadmap:
-        """What is open now, for `query`."""
+        """The roadmap of the motions that are free now, for `query`."""
         return Roadmap(self.nodes, self.pairs[self.is_open])
 
 
@@ -48,11 +52,23 @@ def free_pairs(problem: Any, nodes: Array, pairs: NDArray[np.int64]) -> NDArray[
 def changing_roadmap(
     problem: Any, *, n: int = 500, k: int = 10, rng: int | np.random.Generator
 ) -> ChangingRoadmap:
-    """A probabilistic roadmap whose world may change: n configurations, free or not, each paired
-    with its k closest.
+    """A probabilistic roadmap for a changing world: n configurations, each with its k closest.
 
-    problem : a Problem for Point() or Disk(r). Raises InvalidParameter.
+    The configurations may be free or not.
 
+    Parameters
+    ----------
+    problem : a Problem for Point() or Disk(r).
+    n, k : how many configurations are sampled, and how many closest ones each is paired with.
+    rng : a seed or a numpy Generator.
+
+    Raises
+    ------
+    InvalidParameter
+        Where the robot is another, or a parameter is out of its range.
+
+    Examples
+    --------
     >>> import kinoedu as ke
     >>> free = np.ones((9, 9), bool)
     >>> problem = ke.Problem(ke.Point(), ke.Terrain(free), (1, 1), (8, 8))
@@ -60,8 +76,10 @@ def changing_roadmap(
     >>> free[3, 4] = False  # a rock rolls into the way
     >>> after = ke.Problem(ke.Point(), ke.Terrain(free), (1, 1), (8, 8))
     >>> roadmap_after = after_change(after, roadmap, *changed_box(problem.world, after.world))
-    >>> roadmap_after.judged < roadmap.judged, bool(ke.query(after, roadmap_after.roadmap()).cost >= 9.8)
-    (True, True)
+    >>> roadmap_after.judged < roadmap.judged
+    True
+    >>> bool(ke.query(after, roadmap_after.roadmap()).cost >= 9.8)
+    True
     """
     check_round(problem)
     chance, many = as_generator(rng), whole(n, "n", least=2)
@@ -77,11 +95,23 @@ def changing_roadmap(
 def after_change(
     problem: Any, roadmap: ChangingRoadmap, lo: ArrayLike, hi: ArrayLike
 ) -> ChangingRoadmap:
-    """The roadmap after the world has changed inside the box from lo to hi, and nowhere else.
+    """The roadmap after the world has changed inside the box from lo to hi and nowhere else.
 
-    problem : the Problem as it is now, with the same robot. Only pairs whose own box, as wide as
-        the robot and its clearance reach, meets that of the change are judged; the others keep what
-        is known of them. Raises InvalidParameter, InvalidPoint.
+    A pair is checked again where the bounding box of its motion, grown by the robot and its
+    clearance, meets the box of the change. The answers for other pairs are kept.
+
+    Parameters
+    ----------
+    problem : the Problem as it is now, with the same robot.
+    roadmap : the roadmap before the change.
+    lo, hi : (x, y), the corners of the box.
+
+    Raises
+    ------
+    InvalidParameter
+        Where the robot is not round, or `roadmap` was not made by `changing_roadmap`.
+    InvalidPoint
+        Where lo or hi is not a point.
     """
     if not isinstance(roadmap, ChangingRoadmap):
         raise InvalidParameter(
@@ -97,10 +127,14 @@ def after_change(
 
 
 def changed_box(before: TerrainRecord, after: TerrainRecord) -> tuple[Array, Array]:
-    """The corners of the least box that holds every cell in which two terrains differ; an empty box
-    at the origin where none does.
+    """The corners of the least box that holds every cell in which two terrains differ.
 
-    Raises InvalidParameter where they are not laid over the same place.
+    Where they do not differ it is an empty box at the origin.
+
+    Raises
+    ------
+    InvalidParameter
+        Where one is not a terrain, or their cells do not coincide.
     """
     for terrain in (before, after):
         if not isinstance(terrain, TerrainRecord):
@@ -117,8 +151,12 @@ def changed_box(before: TerrainRecord, after: TerrainRecord) -> tuple[Array, Arr
 
 
 def check_round(problem: Any) -> float:
-    """How far a round robot with its clearance reaches from its centre. Raises InvalidParameter for
-    another.
+    """The radius of a round robot and its clearance together.
+
+    Raises
+    ------
+    InvalidParameter
+        Where the robot is not round.
     """
     if not isinstance(problem, ProblemRecord) or not isinstance(problem.robot, RoundRobot):
         raise InvalidParameter("a changing roadmap needs a Problem for Point() or Disk(r)")

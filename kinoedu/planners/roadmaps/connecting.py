@@ -1,7 +1,7 @@
-"""Which nodes of a roadmap are tried with which: the connection rules. Bullo & Smith, chapter 5.
+"""Connection rules: which pairs of nodes a roadmap tries to join. Bullo & Smith, chapter 5.
 
-A rule is a record; `joined(rule, problem, nodes)` gives the edges that it leads to. A rule of your
-own is a record with an answer registered for its type.
+A rule is a record; `joined(rule, problem, nodes)` finds its edges. For a rule of your own, register
+a function for its type.
 """
 
 from functools import singledispatch
@@ -22,36 +22,48 @@ from ..tuning import positive, whole
 from .neighbours import k_closest
 
 Numbers = NDArray[np.int64]
-MOST_PAIRS = 100_000_000  # what memory holds
+MOST_PAIRS = 100_000_000  # that memory can hold
 
 
 class ClosestRule(NamedTuple):
-    """What `KClosest` makes."""
+    """The rule that `KClosest` makes."""
 
     k: int
 
 
 class RadiusRule(NamedTuple):
-    """What `Radius` makes."""
+    """The rule that `Radius` makes."""
 
     r: float
 
 
 class ComponentRule(NamedTuple):
-    """What `ComponentKClosest` makes."""
+    """The rule that `ComponentKClosest` makes."""
 
     k: int
 
 
 def KClosest(k: int) -> ClosestRule:
-    """Each node is tried with its K closest ones. Raises InvalidParameter."""
+    """Try to join each node to its k closest nodes.
+
+    Raises
+    ------
+    InvalidParameter
+        Where `k` is not a positive integer.
+    """
     return ClosestRule(whole(k, "k", least=1))
 
 
 def Radius(r: float) -> RadiusRule:
-    """Each node is tried with all within a radius, in the unit of the problem's distance. Raises
-    InvalidParameter.
+    """Try to join each node to all nodes within a radius, in the unit of the problem's distance.
 
+    Raises
+    ------
+    InvalidParameter
+        Where `r` is not a positive number.
+
+    Examples
+    --------
     >>> Radius(2).r
     2.0
     """
@@ -59,19 +71,31 @@ def Radius(r: float) -> RadiusRule:
 
 
 def ComponentKClosest(k: int = 1) -> ComponentRule:
-    """Each node in turn is tried with up to K closest ones of every component that the nodes before
-    it make, until one joins it.
+    """Try to join each node to up to k closest nodes of each earlier component, until one joins it.
 
-    No edge closes a circle: the roadmap is a forest, with the fewest edges that connect what they
-    can. Raises InvalidParameter.
+    No edge closes a cycle, so the roadmap is a forest: it has the fewest edges that connect its
+    components.
+
+    Raises
+    ------
+    InvalidParameter
+        Where `k` is not a positive integer.
     """
     return ComponentRule(whole(k, "k", least=1))
 
 
 @singledispatch
 def joined(rule: Any, problem: Any, nodes: Array) -> tuple[Numbers, Array]:
-    """The edges (m, 2) that a rule leads to among nodes (n, d), in the order they were found, and
-    their costs (m,).
+    """Find the edges of a roadmap among nodes (n, d) by a rule.
+
+    Returns
+    -------
+    The edges (m, 2) in the order in which they were found, and their costs (m,).
+
+    Raises
+    ------
+    InvalidParameter
+        Where `rule` is not a rule, or there are more pairs than memory can hold.
     """
     raise InvalidParameter(
         "expected a rule such as KClosest(10), Radius(1.5) or ComponentKClosest(1), got "
@@ -89,20 +113,20 @@ def _(rule: ClosestRule, problem: Any, nodes: Array) -> tuple[Numbers, Array]:
         )
     if k == 0:
         return np.empty((0, 2), np.int64), np.empty(0)
-    return join(problem, nodes, k * np.arange(n + 1), k_closest(problem, nodes, k).ravel())
+    return join_pairs(problem, nodes, k * np.arange(n + 1), k_closest(problem, nodes, k).ravel())
 
 
 @joined.register
 def _(rule: RadiusRule, problem: Any, nodes: Array) -> tuple[Numbers, Array]:
     tree = new_tree(problem, max(len(nodes), 1))
     fill(tree, nodes)
-    first, to = within(problem, tree, rule.r, MOST_PAIRS)
+    first, to = find_within(problem, tree, rule.r, MOST_PAIRS)
     if len(to) > MOST_PAIRS:
         raise InvalidParameter(
             f"more than 100,000,000 pairs lie within {rule.r:g}; sample fewer nodes, or choose a "
             "smaller radius"
         )
-    return join(problem, nodes, first, to)
+    return join_pairs(problem, nodes, first, to)
 
 
 @joined.register
@@ -111,15 +135,16 @@ def _(rule: ComponentRule, problem: Any, nodes: Array) -> tuple[Numbers, Array]:
 
 
 @algorithm
-def join(problem: Any, nodes: Array, first: Numbers, to: Numbers) -> tuple[Numbers, Array]:
-    """The edges (m, 2) from each node i to its neighbours to[first[i]:first[i + 1]] whose motion is
-    free, each pair asked once, and what they cost (m,).
+def join_pairs(problem: Any, nodes: Array, first: Numbers, to: Numbers) -> tuple[Numbers, Array]:
+    """Join each node i to those of to[first[i]:first[i + 1]] that a free motion leads to.
+
+    Each pair is checked once. Returns the edges (m, 2) and their costs (m,).
     """
     edges, costs, size = np.empty((len(to), 2), np.int64), np.empty(len(to)), 0
     for i in range(len(nodes)):
         for j in to[first[i] : first[i + 1]]:
-            asked_before = j < i and np.any(to[first[j] : first[j + 1]] == i)
-            if not asked_before and problem.is_free_path(nodes[i], nodes[j]):
+            tried_before = j < i and np.any(to[first[j] : first[j + 1]] == i)
+            if not tried_before and problem.is_free_path(nodes[i], nodes[j]):
                 edges[size, 0], edges[size, 1] = i, j
                 costs[size] = problem.motion_cost(nodes[i], nodes[j])
                 size += 1
@@ -127,9 +152,10 @@ def join(problem: Any, nodes: Array, first: Numbers, to: Numbers) -> tuple[Numbe
 
 
 @algorithm
-def within(problem: Any, tree: Any, radius: float, most: int) -> tuple[Numbers, Numbers]:
-    """For each node of a tree those within a radius, itself left out, in the order of their
-    numbers; given up past `most`.
+def find_within(problem: Any, tree: Any, radius: float, most: int) -> tuple[Numbers, Numbers]:
+    """For each node of a tree the other nodes within a radius, in increasing order, as flat rows.
+
+    The search stops after `most` pairs.
     """
     first, to, size = np.zeros(tree.size[0] + 1, np.int64), np.empty(16, np.int64), 0
     for i in range(tree.size[0]):
@@ -145,18 +171,18 @@ def within(problem: Any, tree: Any, radius: float, most: int) -> tuple[Numbers, 
 
 @algorithm
 def join_components(problem: Any, nodes: Array, k: int) -> tuple[Numbers, Array]:
-    """The edges (m, 2) that join each node to the components of those before it, and their costs
-    (m,). O(n^2) where few tries are in vain, O(n^2 log n) at most.
+    """Join each node to the components of the nodes before it, with up to k tries for each.
+
+    O(n^2) where few tries fail, O(n^2 log n) at most. Returns the edges (m, 2) and their costs
+    (m,).
     """
     n = len(nodes)
     root, edges, costs, size = np.arange(n), np.empty((n, 2), np.int64), np.empty(n), 0
     for i in range(1, n):
-        closest, tries = (
-            [(problem.distance(nodes[i], nodes[j]), j) for j in range(i)],
-            np.zeros(n, np.int64),
-        )
+        closest = [(problem.distance(nodes[i], nodes[j]), j) for j in range(i)]
+        tries = np.zeros(n, np.int64)
         heapify(closest)
-        components = i - size  # that may still be joined: each edge so far made one of two
+        components = i - size  # that may still be joined: each edge has made two into one
         while components > 0 and len(closest) > 0:
             j = heappop(closest)[1]
             component = root_of(root, j)
@@ -166,11 +192,8 @@ def join_components(problem: Any, nodes: Array, k: int) -> tuple[Numbers, Array]
             joins = problem.is_free_path(nodes[i], nodes[j])
             if joins:
                 root[component] = root_of(root, i)
-                edges[size, 0], edges[size, 1], costs[size] = (
-                    i,
-                    j,
-                    problem.motion_cost(nodes[i], nodes[j]),
-                )
+                edges[size, 0], edges[size, 1] = i, j
+                costs[size] = problem.motion_cost(nodes[i], nodes[j])
                 size += 1
             if joins or tries[component] == k:
                 components -= 1
@@ -179,9 +202,7 @@ def join_components(problem: Any, nodes: Array, k: int) -> tuple[Numbers, Array]
 
 @compiled
 def components_as_joined(n: int, edges: Numbers) -> Numbers:
-    """How many components n nodes make with the first k of some edges (m, 2), for k from 0 to m, (m
-    + 1,).
-    """
+    """The number of components of n nodes with the first k of m edges, for k = 0, ..., m."""
     root, count = np.arange(n), np.full(len(edges) + 1, n)
     for k in range(len(edges)):
         one, other = root_of(root, edges[k, 0]), root_of(root, edges[k, 1])
@@ -192,8 +213,9 @@ def components_as_joined(n: int, edges: Numbers) -> Numbers:
 
 @compiled
 def root_of(root: Numbers, node: int) -> int:
-    """The node that stands for a component; the way there is halved (R. E. Tarjan, J. van Leeuwen,
-    1984).
+    """The node that represents a component.
+
+    Paths are halved on the way (R. E. Tarjan, J. van Leeuwen, 1984).
     """
     while root[node] != node:
         root[node] = root[root[node]]

@@ -1,4 +1,4 @@
-"""Fixed-resolution roadmaps: a lattice of configurations, each joined to its neighbours.
+"""Fixed-resolution roadmaps: a grid of configurations, each joined to its neighbours.
 
 Bullo & Smith, chapter 5; LaValle, section 5.4.2.
 """
@@ -12,41 +12,51 @@ from numpy.typing import NDArray
 from ...errors import InvalidParameter
 from ...geometry.checks import Array
 from ...problems import ProblemRecord, Recorder, Roadmap
-from ..exact.by_decomposition import judge
-from ..problem_input import both_ways
+from ..exact.by_decomposition import check_edges
+from ..problem_input import as_two_way_problem
 from ..tuning import positive, whole
 from .prm import free_among
 
-MOST = 5_000_000  # neighbours that are held at once
+MOST = 5_000_000  # pairs of neighbours at once
 
 
 def grid_roadmap(
     problem: Any, *, spacing: float | None = None, neighbours: int | None = None
 ) -> Roadmap:
-    """The free nodes of a grid laid over the space, and an edge where the motion between two
-    neighbours is free.
+    """A roadmap on a grid: its free nodes, and an edge for each free motion between neighbours.
+
+    It is complete for its resolution only: where it has no path, a finer grid may have one.
 
     Parameters
     ----------
-    problem : a Problem, or a Recorder of one; in any space. Coordinates that are angles wrap: the
-    grid closes on itself.
-    spacing : the side of the grid's cells, whose centres are the nodes; made a little smaller or
-    larger so that whole cells fill
-        the space. By default a thirtieth of its largest extent.
-    neighbours : 2 d for the straight ones only, 4 in the plane, which is the default; or 3^d - 1
-    with the diagonal ones, there 8.
+    problem : a Problem in any space, or a Recorder of one. Where coordinates are angles, the grid
+        wraps around.
+    spacing : the side of the grid's cells, whose centres are the nodes. It is adjusted so that
+        whole cells fill the space. By default a thirtieth of the largest extent of the space.
+    neighbours : 2 d for straight moves only, in the plane 4, which is the default; or 3^d - 1 with
+        diagonal moves, in the plane 8.
 
-    For `query`. No answer below the resolution: where the roadmap has no path, a finer one may
-    have. Raises InvalidParameter.
+    Returns
+    -------
+    Roadmap, for `query`.
 
+    Raises
+    ------
+    InvalidParameter
+        Where `problem` is not a Problem, the robot only drives forward, a parameter is out of its
+        range or there are too many nodes.
+
+    Examples
+    --------
     >>> from kinoedu import Point, PolygonWorld, Problem
-    >>> world = PolygonWorld([(0, 0), (4, 0), (4, 4), (0, 4)], [[(1.2, 1.2), (1.8, 1.2), (1.8, 1.8), (1.2, 1.8)]])
+    >>> box = [(1.2, 1.2), (1.8, 1.2), (1.8, 1.8), (1.2, 1.8)]
+    >>> world = PolygonWorld([(0, 0), (4, 0), (4, 4), (0, 4)], [box])
     >>> roadmap = grid_roadmap(Problem(Point(), world, start=(1, 1), goal=(3, 3)), spacing=1)
     >>> len(roadmap.nodes), len(roadmap.edges)
     (15, 20)
     """
-    asked = both_ways(problem, "a grid")
-    inner = asked.problem if isinstance(asked, Recorder) else asked
+    problem = as_two_way_problem(problem, "a grid")
+    inner = problem.problem if isinstance(problem, Recorder) else problem
     if not isinstance(inner, ProblemRecord):
         raise InvalidParameter("a grid needs a Problem, whose space it covers")
     lo, extent = inner.space.lo, inner.space.hi - inner.space.lo
@@ -61,18 +71,15 @@ def grid_roadmap(
     cells = np.indices(counts).reshape(len(lo), -1).T
     nodes = lo + (cells + 0.5) * (extent / counts)
     free = free_among(problem, nodes)
-    pairs = neighbouring(
-        cells, counts, steps, getattr(inner.space, "wraps", np.zeros(len(lo), np.bool_))
-    )
+    wraps = getattr(inner.space, "wraps", np.zeros(len(lo), np.bool_))
+    pairs = neighbouring(cells, counts, steps, wraps)
     pairs = (np.cumsum(free) - 1)[pairs[free[pairs].all(axis=1)]]
-    is_open, _ = judge(problem, nodes[free], pairs)
+    is_open, _ = check_edges(problem, nodes[free], pairs)
     return Roadmap(nodes[free], pairs[is_open])
 
 
 def moves(d: int, neighbours: int | None) -> Array:
-    """Half of the steps to a cell's neighbours, (m, d): of two opposite ones the one whose first
-    step is upwards.
-    """
+    """Half of the steps from a cell to its neighbours, (m, d): one of each two opposite steps."""
     wanted = 2 * d if neighbours is None else whole(neighbours, "neighbours", least=1)
     if wanted not in (2 * d, 3**d - 1):
         raise InvalidParameter(
@@ -85,9 +92,7 @@ def moves(d: int, neighbours: int | None) -> Array:
 def neighbouring(
     cells: Array, counts: NDArray[np.int64], steps: Array, wraps: NDArray[np.bool_]
 ) -> NDArray[np.int64]:
-    """The pairs (m, 2) of a cell and the one a step away, each once; across the seam where
-    coordinates wrap.
-    """
+    """The pairs (m, 2) of cells one step apart, each once, also across a wrapped border."""
     pairs = []
     for step in steps:
         there = cells + step

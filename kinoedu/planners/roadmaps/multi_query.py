@@ -1,5 +1,4 @@
-"""One roadmap for many queries: a roadmap is built once, and each pair of start and goal is only
-joined to it.
+"""One roadmap for many queries: it is built once, and each start and goal is joined to it.
 
 Bullo & Smith, chapter 5: the preprocessing phase and the query phase.
 """
@@ -12,18 +11,19 @@ from numpy.typing import ArrayLike, NDArray
 from ...compiled import algorithm
 from ...errors import InvalidGoal, InvalidParameter, InvalidStart
 from ...geometry.checks import Array, as_array
-from ...problems import MOTIONS, Plan, Problem, ProblemRecord, Recorder, Roadmap
+from ...problems import Plan, Problem, ProblemRecord, Recorder, Roadmap
 from ...support.text import shortened
-from ..problem_input import both_ways
+from ..problem_input import as_two_way_problem, count_checks
 from ..tuning import whole
 from .connecting import KClosest, joined
-from .prm import Sampler, free_configurations, searched
+from .prm import Sampler, free_configurations, plan_by_astar
 
 
 @algorithm
 def join_ends(problem: Any, nodes: Array, k: int) -> tuple[NDArray[np.int64], Array]:
-    """Edges from nodes 0 and 1 to the k closest others that a free motion leads to, (m, 2), and
-    their costs (m,).
+    """Join nodes 0 and 1 to the k closest other nodes that a free motion leads to.
+
+    Returns the edges (m, 2) and their costs (m,).
     """
     edges, costs, size = np.empty((2 * k, 2), np.int64), np.empty(2 * k), 0
     for end in range(2):
@@ -31,25 +31,19 @@ def join_ends(problem: Any, nodes: Array, k: int) -> tuple[NDArray[np.int64], Ar
         for j in range(len(nodes)):
             apart[j] = problem.distance(nodes[end], nodes[j])
         for j in np.argsort(apart, kind="mergesort"):
-            asked_before = end == 1 and j == 0
-            if (
-                joined_to < k
-                and j != end
-                and not asked_before
-                and problem.is_free_path(nodes[end], nodes[j])
-            ):
-                edges[size, 0], edges[size, 1], costs[size] = (
-                    end,
-                    j,
-                    problem.motion_cost(nodes[end], nodes[j]),
-                )
+            tried_before = end == 1 and j == 0
+            if joined_to == k or j == end or tried_before:
+                continue
+            if problem.is_free_path(nodes[end], nodes[j]):
+                edges[size, 0], edges[size, 1] = end, j
+                costs[size] = problem.motion_cost(nodes[end], nodes[j])
                 size, joined_to = size + 1, joined_to + 1
     return edges[:size].copy(), costs[:size].copy()
 
 
 @algorithm
-def costs_of(problem: Any, nodes: Array, edges: NDArray[np.int64]) -> Array:
-    """What each edge (m, 2) costs, shape (m,)."""
+def motion_costs(problem: Any, nodes: Array, edges: NDArray[np.int64]) -> Array:
+    """The cost of each edge (m, 2), shape (m,)."""
     costs = np.empty(len(edges))
     for i in range(len(edges)):
         costs[i] = problem.motion_cost(nodes[edges[i, 0]], nodes[edges[i, 1]])
@@ -65,19 +59,30 @@ def build_roadmap(
     sampler: Sampler | None = None,
     rng: int | np.random.Generator | None = None,
 ) -> Roadmap:
-    """A probabilistic roadmap without start and goal, for `query`. The arguments are those of
-    `prm`. Raises InvalidParameter.
+    """A probabilistic roadmap without start and goal, for `query`; the preprocessing phase.
 
+    The parameters are those of `prm`.
+
+    Raises
+    ------
+    InvalidParameter
+        Where a parameter is out of its range, or the robot only drives forward.
+
+    Examples
+    --------
     >>> from kinoedu import Point, PolygonWorld, Problem
-    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
+    >>> wall = [(4, 0), (6, 0), (6, 8), (4, 8)]
+    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [wall])
     >>> problem = Problem(Point(), world, start=(1, 1), goal=(9, 1))
     >>> roadmap = build_roadmap(problem, n=200, rng=0)
-    >>> [query(problem, roadmap, (1, 1), goal).path is not None for goal in ((9, 1), (5, 9), (1, 9))]
+    >>> goals = (9, 1), (5, 9), (1, 9)
+    >>> [query(problem, roadmap, (1, 1), goal).path is not None for goal in goals]
     [True, True, True]
     """
-    asked, rule = both_ways(problem, "a roadmap"), KClosest(k) if neighbours is None else neighbours
-    nodes = free_configurations(asked, n, sampler, rng)
-    edges, _ = joined(rule, asked, nodes)
+    problem = as_two_way_problem(problem, "a roadmap")
+    rule = KClosest(k) if neighbours is None else neighbours
+    nodes = free_configurations(problem, n, sampler, rng)
+    edges, _ = joined(rule, problem, nodes)
     return Roadmap(nodes, edges)
 
 
@@ -89,39 +94,62 @@ def query(
     *,
     k: int = 10,
 ) -> Plan:
-    """The cheapest way along a roadmap: start and goal are joined to the k closest nodes in free
-    reach, and A* searches.
+    """The cheapest path along a roadmap between a start and a goal; the query phase.
 
-    problem : whose roadmap it is; start, goal : shape (d,), by default the problem's own; both must
-        be free.
+    Start and goal are joined to the k closest nodes that a free motion leads to, and A* finds the
+    path.
 
-    Returns a Plan whose roadmap has start and goal as nodes 0 and 1 before all others. Raises
-    InvalidStart, InvalidGoal, InvalidPoint, InvalidParameter.
+    Parameters
+    ----------
+    problem : the problem for which the roadmap was built.
+    roadmap : of `build_roadmap` or `grid_roadmap`.
+    start, goal : (d,), by default those of the problem; both must be free.
+    k : how many nodes each of them is joined to.
+
+    Returns
+    -------
+    Plan whose roadmap has start and goal as nodes 0 and 1, before all others. Without a path
+    `plan.reason` says why there is none.
+
+    Raises
+    ------
+    InvalidStart, InvalidGoal
+        Where the start or the goal is not a free configuration.
+    InvalidPoint
+        Where it is not an array of finite numbers.
+    InvalidParameter
+        Where `roadmap` is not a roadmap, or `k` is not a positive integer.
     """
     if not isinstance(roadmap, Roadmap):
         raise InvalidParameter(
             "expected the roadmap that build_roadmap or grid_roadmap made, got "
             f"{shortened(roadmap)}"
         )
-    asked, closest = both_ways(problem, "a roadmap"), whole(k, "k", least=1)
-    if isinstance(asked, ProblemRecord) and (start is not None or goal is not None):
-        ends = [
-            own if given is None else given
-            for own, given in ((asked.start, start), (asked.goal, goal))
-        ]
-        asked = Problem(asked.robot, asked.world, *ends, clearance=asked.clearance)
-    q_start, q_goal = as_free(asked, start, "start"), as_free(asked, goal, "goal")
-    before = asked.asked[MOTIONS]
+    problem, closest = as_two_way_problem(problem, "a roadmap"), whole(k, "k", least=1)
+    if isinstance(problem, ProblemRecord) and (start is not None or goal is not None):
+        own_start = problem.start if start is None else start
+        own_goal = problem.goal if goal is None else goal
+        problem = Problem(
+            problem.robot, problem.world, own_start, own_goal, clearance=problem.clearance
+        )
+    q_start, q_goal = as_free(problem, start, "start"), as_free(problem, goal, "goal")
+    before = count_checks(problem)
     nodes = np.concatenate([[q_start, q_goal], roadmap.nodes.reshape(-1, len(q_start))])
-    to_ends, ways = join_ends(asked, nodes, min(closest, len(nodes)))
-    costs = costs_of(asked, roadmap.nodes, roadmap.edges)
+    to_ends, ways = join_ends(problem, nodes, min(closest, len(nodes)))
+    costs = motion_costs(problem, roadmap.nodes, roadmap.edges)
     edges = np.concatenate([to_ends, roadmap.edges + 2])
-    return searched("roadmap query", asked, nodes, edges, np.concatenate([ways, costs]), before)
+    return plan_by_astar(
+        "roadmap query", problem, nodes, edges, np.concatenate([ways, costs]), before
+    )
 
 
 def as_free(problem: Any, value: ArrayLike | None, name: str) -> Array:
-    """A free configuration, shape (d,), the problem's own where none is given. InvalidStart or
-    InvalidGoal.
+    """A free configuration, shape (d,), by default that of the problem.
+
+    Raises
+    ------
+    InvalidStart, InvalidGoal
+        Where it is not a free configuration.
     """
     q = getattr(problem, name) if value is None else np.atleast_1d(as_array(value, name))
     error = InvalidStart if name == "start" else InvalidGoal

@@ -1,4 +1,4 @@
-"""The nodes near each node of a roadmap, by one question."""
+"""The nodes closest to each node of a roadmap."""
 
 from typing import Any
 
@@ -12,12 +12,15 @@ from ...spaces.closest import fill, k_closest_in_buckets
 
 
 def k_closest(problem: Any, nodes: Array, k: int) -> NDArray[np.int64]:
-    """The k nodes closest to each of the nodes (n, d), nearest first, itself left out; shape (n,
-    min(k, n - 1)).
+    """The k nodes closest to each of the nodes (n, d), nearest first, without the node itself.
 
-    On the line, in the plane and where angles wrap by buckets, O(n) in the plane for nodes spread
-    evenly; in R^n of more dimensions by a k-d tree, O(n log n); in a space that only knows
-    distances by asking for all of them, O(n^2).
+    On the line, in the plane and where angles wrap, the nodes are kept in buckets: O(n) in the
+    plane for nodes spread evenly. In R^n of more dimensions a k-d tree is used, O(n log n). In a
+    space with nothing but a distance all distances are computed, O(n^2).
+
+    Returns
+    -------
+    (n, min(k, n - 1)) array of node numbers.
     """
     k = min(k, len(nodes) - 1)
     space = getattr(problem, "space", None)
@@ -34,7 +37,6 @@ def k_closest(problem: Any, nodes: Array, k: int) -> NDArray[np.int64]:
     _, found = cKDTree(nodes).query(nodes, k=k + 1)
     found = np.asarray(found, np.int64).reshape(len(nodes), k + 1)
     others = found != np.arange(len(nodes))[:, None]
-    others[others.all(axis=1), -1] = (
-        False  # among many nodes at one place a node may not find itself
-    )
+    # among many nodes at one place a node may not be among its own neighbours
+    others[others.all(axis=1), -1] = False
     return found[others].reshape(len(nodes), k)

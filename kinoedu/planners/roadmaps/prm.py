@@ -1,6 +1,16 @@
-"""Probabilistic roadmaps. L. E. Kavraki, P. Svestka, J.-C. Latombe, M. H. Overmars, "Probabilistic
-roadmaps for path planning in high-dimensional configuration spaces" (1996); Bullo & Smith, chapter
-5; LaValle, section 5.6.
+"""Probabilistic roadmaps.
+
+    PRM(Q_free, n, rule)
+     1  V := n free configurations
+     2  E := the empty set
+     3  for each pair (v, w) of V that the rule tries to join:
+     4      if the motion from v to w is free: add (v, w) to E
+     5  return the roadmap (V, E)
+
+Start and goal are the first two nodes of V, and A* finds the path between them.
+
+L. E. Kavraki, P. Svestka, J.-C. Latombe, M. H. Overmars, "Probabilistic roadmaps for path planning
+in high-dimensional configuration spaces" (1996); Bullo & Smith, chapter 5; LaValle, section 5.6.
 """
 
 import math
@@ -14,10 +24,10 @@ from ...compiled import algorithm
 from ...errors import InvalidParameter
 from ...geometry.checks import Array, as_array, as_generator
 from ...graphs import GraphRecord, astar, flat_graph
-from ...problems import MOTIONS, Plan, Roadmap
+from ...problems import Plan, Roadmap
 from ...support.text import shortened
 from ..answers import plan_along
-from ..problem_input import askable, both_ways
+from ..problem_input import as_problem, as_two_way_problem, count_checks
 from ..tuning import whole
 from .connecting import KClosest, joined
 
@@ -26,7 +36,7 @@ Sampler = Callable[[int, int], ArrayLike]
 
 @algorithm
 def sample_free(problem: Any, n: int, tries: int, rng: np.random.Generator) -> Array:
-    """Up to n free configurations found in so many tries; shape (m, d)."""
+    """Up to n free configurations, (m, d), found in at most `tries` samples."""
     nodes, size = np.empty((n, len(problem.start))), 0
     for _ in range(tries):
         if size == n:
@@ -49,7 +59,7 @@ def free_among(problem: Any, places: Array) -> NDArray[np.bool_]:
 
 @algorithm
 def distances_to(problem: Any, nodes: Array, q: Array) -> Array:
-    """The distance from each node to q, shape (n,): what is left to go at the least."""
+    """The distance from each node to q, (n,): the heuristic of A*."""
     left = np.empty(len(nodes))
     for i in range(len(nodes)):
         left[i] = problem.distance(nodes[i], q)
@@ -65,39 +75,47 @@ def prm(
     sampler: Sampler | None = None,
     rng: int | np.random.Generator | None = None,
 ) -> Plan:
-    """Sample free configurations, join each to its neighbours by free motions, and search the
-    roadmap with A*.
+    """Plan by a probabilistic roadmap: sample free configurations, join neighbours, search with A*.
+
+    Probabilistically complete where k grows with n like log n (`prm_star`). With a small constant k
+    the roadmap may stay in several components, however many nodes it has.
 
     Parameters
     ----------
-    problem : a Problem, a Recorder, or an object of yours that answers the same questions and
-    `is_free`.
+    problem : a Problem, a Recorder, or an object of yours with the same methods and `is_free`.
     n : how many free configurations are sampled.
-    k : K, how many closest neighbours each is tried with, where no other rule is given.
-    neighbours : a rule, which takes the place of k: KClosest(k), Radius(r) or ComponentKClosest(k).
-    sampler : a function of n and d that gives n points of the unit cube, shape (n, d), such as
-    `lambda n, d: halton(n)`; those that
-        are free in the problem's space are the nodes. Without it they are drawn at random until
-        there are n.
+    k : K, how many closest neighbours each of them is tried with, where no other rule is given.
+    neighbours : a rule instead of k: KClosest(k), Radius(r) or ComponentKClosest(k).
+    sampler : a function of n and d that returns n points of the unit cube, shape (n, d), such as
+        `lambda n, d: halton(n)`; the points that are free in the problem's space become nodes.
+        Without a sampler, configurations are drawn at random until n of them are free.
     rng : a seed or a numpy Generator; not needed with a sampler.
 
-    Returns a Plan with its `roadmap`: start and goal are its nodes 0 and 1. Without a path
-    `plan.reason` tells which of the two is cut off. Probabilistically complete where k grows with n
-    like log n (`prm_star`); a fixed small k may leave the roadmap in pieces however many nodes it
-    has. Raises InvalidParameter.
+    Returns
+    ------- Plan with its `roadmap`, whose nodes 0 and 1 are start and goal. Without a path
+    `plan.reason` says why there is none.
 
+    Raises
+    ------
+    InvalidParameter
+        Where a parameter is out of its range, or the robot only drives forward.
+
+    Examples
+    --------
     >>> from kinoedu import Point, PolygonWorld, Problem
-    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
+    >>> wall = [(4, 0), (6, 0), (6, 8), (4, 8)]
+    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [wall])
     >>> plan = prm(Problem(Point(), world, start=(1, 1), goal=(9, 1)), n=200, rng=0)
     >>> bool(15.2 < plan.cost < 20)
     True
     """
-    asked, rule = both_ways(problem, "PRM"), KClosest(k) if neighbours is None else neighbours
-    before = asked.asked[MOTIONS]
-    sampled = free_configurations(asked, n, sampler, rng)
-    nodes = np.concatenate([[asked.start, asked.goal], sampled])
-    edges, costs = joined(rule, asked, nodes)
-    return searched("PRM", asked, nodes, edges, costs, before)
+    problem = as_two_way_problem(problem, "PRM")
+    rule = KClosest(k) if neighbours is None else neighbours
+    before = count_checks(problem)
+    sampled = free_configurations(problem, n, sampler, rng)
+    nodes = np.concatenate([[problem.start, problem.goal], sampled])
+    edges, costs = joined(rule, problem, nodes)
+    return plan_by_astar("PRM", problem, nodes, edges, costs, before)
 
 
 def prm_star(
@@ -107,18 +125,23 @@ def prm_star(
     sampler: Sampler | None = None,
     rng: int | np.random.Generator | None = None,
 ) -> Plan:
-    """A PRM whose K grows with n as e (1 + 1/d) log n: its paths converge to the shortest. See
-    `prm`, whose arguments these are.
+    """Plan by PRM*: a PRM with K = e (1 + 1/d) log n, whose paths converge to the shortest.
+
+    The other parameters, the result and the errors are those of `prm`.
 
     S. Karaman, E. Frazzoli, "Sampling-based algorithms for optimal motion planning" (2011), section
-    3.3. Raises InvalidParameter.
+    3.3.
 
+    Examples
+    --------
     >>> from kinoedu import Point, PolygonWorld, Problem
-    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
-    >>> bool(17.2 < prm_star(Problem(Point(), world, start=(1, 1), goal=(9, 1)), n=1000, rng=0).cost < 18)
+    >>> wall = [(4, 0), (6, 0), (6, 8), (4, 8)]
+    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [wall])
+    >>> plan = prm_star(Problem(Point(), world, start=(1, 1), goal=(9, 1)), n=1000, rng=0)
+    >>> bool(17.2 < plan.cost < 18)
     True
     """
-    samples, d = whole(n, "n", least=0), len(askable(problem).start)
+    samples, d = whole(n, "n", least=0), len(as_problem(problem).start)
     k = math.ceil(math.e * (1.0 + 1.0 / d) * math.log(samples + 2))
     return prm(problem, n=samples, neighbours=KClosest(k), sampler=sampler, rng=rng)
 
@@ -126,8 +149,13 @@ def prm_star(
 def free_configurations(
     problem: Any, n: int, sampler: Sampler | None, rng: int | np.random.Generator | None
 ) -> Array:
-    """What is free of n points that a sampler lays over the space, or n free configurations at
-    random; (m, d). InvalidParameter.
+    """Free configurations, (m, d): the free ones of n points of a sampler, or n at random.
+
+    Raises
+    ------
+    InvalidParameter
+        Where the sampler is not a function that returns n points of the unit cube, or the problem
+        has no space to cover.
     """
     samples = whole(n, "n", least=0)
     if sampler is None:
@@ -139,8 +167,8 @@ def free_configurations(
     space, d = getattr(problem, "space", None), len(problem.start)
     if space is None:
         raise InvalidParameter(
-            "a sampler needs a Problem, whose space it covers; for an object of yours its own "
-            "`sample` is asked"
+            "a sampler needs a Problem, whose space it covers; an object of yours has its own "
+            "`sample`"
         )
     points = as_array(sampler(samples, d), "the sampler's points")
     if points.ndim != 2 or points.shape[1] != d or not ((points >= 0.0) & (points <= 1.0)).all():
@@ -152,32 +180,33 @@ def free_configurations(
     return places[free_among(problem, places)]
 
 
-def searched(
+def plan_by_astar(
     planner: str, problem: Any, nodes: Array, edges: NDArray[np.int64], costs: Array, before: int
 ) -> Plan:
-    """The plan along a roadmap whose nodes 0 and 1 are start and goal; `before`, how many motions
-    had been judged when it began.
+    """The plan along the shortest path in a roadmap whose nodes 0 and 1 are start and goal.
+
+    `before` is how many motions the problem had checked when the planner began.
     """
     graph = flat_graph(len(nodes), edges, costs)
     numbers, _ = astar(graph, 0, 1, distances_to(problem, nodes, nodes[1]))
     stats = {
         "nodes": len(nodes),
         "edges": len(edges),
-        "checks": int(problem.asked[MOTIONS] - before),
+        "checks": count_checks(problem) - before,
     }
     return plan_along(
         problem,
         nodes,
         numbers,
-        why_apart(graph),
+        explain_no_path(graph),
         planner=planner,
         roadmap=Roadmap(nodes, edges),
         stats=stats,
     )
 
 
-def why_apart(graph: GraphRecord) -> str:
-    """Why a roadmap does not join nodes 0 and 1."""
+def explain_no_path(graph: GraphRecord) -> str:
+    """Why a roadmap has no path from node 0 to node 1."""
     for node, name in ((0, "start"), (1, "goal")):
         if graph.degree(node) == 0:
             return f"no node of {graph.size:,} can be reached from the {name}; sample more nodes"

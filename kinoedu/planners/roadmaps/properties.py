@@ -1,5 +1,6 @@
-"""Four properties of a roadmap, measured: accessible, departable, connected, efficient. Bullo &
-Smith, chapter 5.
+"""Four properties of a roadmap, measured: accessible, departable, connected, efficient.
+
+Bullo & Smith, chapter 5.
 """
 
 from collections.abc import Callable
@@ -12,27 +13,26 @@ from ...compiled import algorithm
 from ...errors import InvalidParameter
 from ...geometry.checks import Array, as_generator
 from ...graphs import GraphRecord, Search, dijkstra, extract_path, flat_graph
-from ...graphs.components import component_labels
+from ...graphs.components import label_components
 from ...problems import ProblemRecord, Recorder, Roadmap
 from ...robots.round import RoundRobot
 from ...support.text import shortened
-from ..problem_input import askable
+from ..problem_input import as_problem
 from ..tuning import whole
-from .multi_query import costs_of
+from .multi_query import motion_costs
 from .prm import sample_free
 
 Length = Callable[[Array, Array], float]
 
 
 class RoadmapProperties(NamedTuple):
-    """What `roadmap_properties` measured.
+    """The four properties of a roadmap, as measured by `roadmap_properties`.
 
-    accessible, departable : the share of free configurations from which a motion leads to some
-        node, and to which one leads.
-    connected : whether a path along the roadmap leads from every node to every other.
+    accessible : the fraction of free configurations from which a free motion leads to some node.
+    departable : the fraction to which a free motion leads from some node.
+    connected : whether a path along the roadmap joins every two nodes.
     efficiency : delta, the greatest ratio of a path along the roadmap to the shortest path, over
-        the pairs drawn; infinite where one pair is not joined, and not a number where there was no
-        pair.
+        the pairs drawn; infinite where one pair is not joined, nan where there was no pair.
     """
 
     accessible: float
@@ -42,14 +42,16 @@ class RoadmapProperties(NamedTuple):
 
 
 class RoadmapSurvey(NamedTuple):
-    """What `survey_roadmap` saw.
+    """The data from which the properties of a roadmap are computed.
 
-    places, reached : the free configurations drawn (n, d), and whether a motion leads from each to
-        some node and from some node to it, (n, 2).
-    component : (m,), for each node the number of its component, the largest first.
-    worst, way : of the pairs of nodes drawn the one served worst, and the nodes along the roadmap
-        between them; none where there was no pair, or no way. efficiency : how many times as long
-        that way is as the shortest.
+    places : (n, d), the free configurations that were drawn.
+    reached : (n, 2), whether a motion leads from each of them to some node, and from some node to
+        it.
+    component : (m,), the component of each node, numbered from the largest to the smallest.
+    worst : the pair of nodes, of those drawn, with the greatest ratio; empty where there was no
+        pair.
+    way : the nodes of the path along the roadmap between them; empty where there is no path.
+    efficiency : the ratio of that path's length to the shortest length.
     """
 
     places: Array
@@ -61,7 +63,7 @@ class RoadmapSurvey(NamedTuple):
 
     @property
     def properties(self) -> RoadmapProperties:
-        """The four properties, as far as the draws tell."""
+        """The four properties."""
         accessible, departable = (
             self.reached.mean(axis=0).tolist() if len(self.places) else (np.nan, np.nan)
         )
@@ -70,10 +72,8 @@ class RoadmapSurvey(NamedTuple):
 
 
 @algorithm
-def in_reach(problem: Any, nodes: Array, places: Array) -> NDArray[np.bool_]:
-    """For each place (n, d) whether a free motion leads from it to some node, and from some node to
-    it, (n, 2).
-    """
+def find_reached(problem: Any, nodes: Array, places: Array) -> NDArray[np.bool_]:
+    """Whether each place (n, d) can reach some node by a free motion, and some node it, (n, 2)."""
     reached = np.zeros((len(places), 2), np.bool_)
     for i in range(len(places)):
         for j in range(len(nodes)):
@@ -83,8 +83,8 @@ def in_reach(problem: Any, nodes: Array, places: Array) -> NDArray[np.bool_]:
 
 
 @algorithm
-def in_sliding_reach(problem: Any, nodes: Array, places: Array) -> NDArray[np.bool_]:
-    """The same by semi-free motions: the nodes of a visibility roadmap are in contact."""
+def find_reached_sliding(problem: Any, nodes: Array, places: Array) -> NDArray[np.bool_]:
+    """As `find_reached`, by semi-free motions: the nodes of a visibility roadmap are in contact."""
     reached = np.zeros((len(places), 2), np.bool_)
     for i in range(len(places)):
         for j in range(len(nodes)):
@@ -101,21 +101,28 @@ def roadmap_properties(
     shortest: Length | None = None,
     rng: int | np.random.Generator,
 ) -> RoadmapProperties:
-    """Measure how well a roadmap serves its free space.
+    """Measure four properties of a roadmap on random configurations and pairs of nodes.
+
+    That all configurations were reached proves nothing about others; that one was missed disproves
+    the property. Points and disks may slide along obstacles. O(n m) motions for m nodes.
 
     Parameters
     ----------
-    problem : whose roadmap it is.
-    roadmap : what build_roadmap, grid_roadmap or visibility_roadmap made; the roadmap of a plan.
+    problem : the problem for which the roadmap was built.
+    roadmap : of build_roadmap, grid_roadmap, visibility_roadmap, or of a plan.
     n : how many free configurations are drawn, and how many pairs of nodes.
-    shortest : a function of two nodes' configurations that gives the length of the shortest path
-    between them. Without it their
-        distance is taken, which no path undercuts: then the efficiency is at most what is measured.
+    shortest : a function of the configurations of two nodes that returns the length of the shortest
+        path between them. By default it is their distance, which is a lower bound: then the true
+        efficiency is at most the measured one.
     rng : a seed or a numpy Generator.
 
-    Shares are those of the draws: all of them reached proves nothing, one missed disproves. Points
-    and disks may slide along obstacles. O(n m) motions for m nodes. Raises InvalidParameter.
+    Raises
+    ------
+    InvalidParameter
+        Where `roadmap` is not a roadmap, or a parameter is out of its range.
 
+    Examples
+    --------
     >>> from kinoedu import Point, PolygonWorld, Problem, visibility_roadmap
     >>> world = PolygonWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [[(3, 2), (6, 2), (6, 4), (3, 4)]])
     >>> problem = Problem(Point(), world, start=(1, 1), goal=(8, 1))
@@ -133,13 +140,15 @@ def survey_roadmap(
     shortest: Length | None = None,
     rng: int | np.random.Generator,
 ) -> RoadmapSurvey:
-    """What `roadmap_properties`, whose arguments these are, is reckoned from: the places, pieces
-    and pairs themselves.
+    """The data of `roadmap_properties`, which has the same parameters.
 
+    Examples
+    --------
     >>> from kinoedu import Point, PolygonWorld, Problem
     >>> world = PolygonWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [[(3, 0), (6, 0), (6, 6), (3, 6)]])
+    >>> problem = Problem(Point(), world, start=(1, 1), goal=(8, 1))
     >>> roadmap = Roadmap(np.array([(1.0, 1.0), (2.0, 5.0), (8.0, 1.0)]), np.array([(0, 1)]))
-    >>> survey = survey_roadmap(Problem(Point(), world, start=(1, 1), goal=(8, 1)), roadmap, n=9, rng=0)
+    >>> survey = survey_roadmap(problem, roadmap, n=9, rng=0)
     >>> survey.component, survey.reached.all(), survey.efficiency
     (array([0, 0, 1]), np.True_, inf)
     """
@@ -147,23 +156,21 @@ def survey_roadmap(
         raise InvalidParameter(
             f"expected a roadmap, such as build_roadmap makes, got {shortened(roadmap)}"
         )
-    asked, draws, generator = askable(problem), whole(n, "n", least=1), as_generator(rng)
+    problem, draws, generator = as_problem(problem), whole(n, "n", least=1), as_generator(rng)
     inner = problem.problem if isinstance(problem, Recorder) else problem
     slides = isinstance(inner, ProblemRecord) and isinstance(inner.robot, RoundRobot)
-    places = sample_free(asked, draws, 100 * draws, generator)
-    reached = (in_sliding_reach if slides else in_reach)(asked, roadmap.nodes, places)
-    graph = flat_graph(len(roadmap.nodes), roadmap.edges, costs_of(asked, *roadmap))
+    places = sample_free(problem, draws, 100 * draws, generator)
+    reached = (find_reached_sliding if slides else find_reached)(problem, roadmap.nodes, places)
+    graph = flat_graph(len(roadmap.nodes), roadmap.edges, motion_costs(problem, *roadmap))
     worst, way, delta = worst_pair(
-        roadmap.nodes, graph, asked.distance, shortest or asked.distance, draws, generator
+        roadmap.nodes, graph, problem.distance, shortest or problem.distance, draws, generator
     )
-    return RoadmapSurvey(places, reached, components_of(graph), worst, way, delta)
+    return RoadmapSurvey(places, reached, number_components(graph), worst, way, delta)
 
 
-def components_of(graph: GraphRecord) -> NDArray[np.int64]:
-    """The number of each node's component, (m,): 0 the largest, the first among equals, and so
-    on.
-    """
-    labels = component_labels(graph, graph.size)
+def number_components(graph: GraphRecord) -> NDArray[np.int64]:
+    """The component of each node, (m,), numbered from the largest; ties go to the first."""
+    labels = label_components(graph, graph.size)
     order = np.argsort(-np.bincount(labels), kind="stable")
     return np.argsort(order)[labels]
 
@@ -176,19 +183,23 @@ def worst_pair(
     pairs: int,
     rng: np.random.Generator,
 ) -> tuple[tuple[int, ...], NDArray[np.int64], float]:
-    """Of random pairs of nodes at different places the one whose way along the graph is the longest
-    beside the shortest one, that way, and the ratio. No pair can be worse than by its distance:
-    from the worst of those down until none can be worse.
+    """The pair of nodes with the greatest ratio of its path along the graph to its shortest path.
+
+    Random pairs of nodes at different places are compared. The ratio to the distance bounds the
+    ratio to the shortest path from above, so pairs are tried in that order until no other can be
+    worse.
+
+    Returns
+    -------
+    The pair, the path between them, and the ratio.
     """
     worst: tuple[int, ...] = ()
     way, delta = np.empty(0, np.int64), np.nan
     searches: dict[int, Search] = {}
     candidates = []
     for u in rng.integers(len(nodes), size=pairs).tolist() if len(nodes) else []:
-        v, search = (
-            int(rng.integers(len(nodes))),
-            searches.get(u) or searches.setdefault(u, dijkstra(graph, u)),
-        )
+        v = int(rng.integers(len(nodes)))
+        search = searches.get(u) or searches.setdefault(u, dijkstra(graph, u))
         apart = float(distance(nodes[u], nodes[v])) if u != v else 0.0
         if apart > 0.0:
             candidates.append((search.cost[v] / apart, u, v))

@@ -1,6 +1,4 @@
-"""Any graph search on any roadmap: what a search finds depends on the search, not on who built the
-roadmap.
-"""
+"""Search any roadmap with any graph search."""
 
 from collections.abc import Callable
 from typing import Any
@@ -9,19 +7,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...graphs import Graph, astar
-from ...problems import MOTIONS, Plan
+from ...problems import Plan
 from ..answers import plan_along
-from ..problem_input import askable
-from .multi_query import costs_of
-from .prm import why_apart
+from ..problem_input import as_problem, count_checks
+from .multi_query import motion_costs
+from .prm import explain_no_path
 
 Search = Callable[[Graph, int, int], NDArray[np.int64] | None]
 
 
 def dijkstra_path(graph: Graph, start: int, goal: int) -> NDArray[np.int64] | None:
-    """A path of the least weight in all, as node numbers (k,), or None: A* without an estimate,
-    which is Dijkstra's algorithm.
+    """A path of least total weight, as node numbers (k,), or None, by Dijkstra's algorithm.
 
+    Examples
+    --------
     >>> dijkstra_path(Graph(3, [(0, 1), (0, 2), (2, 1)], [5, 1, 1]), 0, 1)
     array([0, 2, 1])
     """
@@ -29,42 +28,47 @@ def dijkstra_path(graph: Graph, start: int, goal: int) -> NDArray[np.int64] | No
 
 
 def plan_on_roadmap(problem: Any, roadmap: Any, search: Search = dijkstra_path) -> Plan:
-    """The path that a graph search finds in a roadmap whose nodes 0 and 1 are start and goal, such
-    as the roadmap of a `prm` plan.
+    """The path that a graph search finds in a roadmap whose nodes 0 and 1 are start and goal.
+
+    No motion is checked again: a path of free motions is free, whichever search found it. O(n + m)
+    besides the search.
 
     Parameters
     ----------
-    problem : whose roadmap it is. roadmap : nodes (n, d) and edges (m, 2), all of whose motions are
-    free.
-    search : a function of a graph, weighted by the problem's distances, and the numbers of start
-    and goal, that gives the nodes of
-        a path, or None: `bfs_path`, `dfs_path`, or `dijkstra_path`.
+    problem : the problem for which the roadmap was built.
+    roadmap : a record with nodes (n, d) and edges (m, 2), all of whose motions are free, such as
+        the roadmap of a `prm` plan.
+    search : a function of a graph, whose weights are the costs of its motions, and of the numbers
+        of start and goal; it returns the nodes of a path or None. For example `bfs_path`,
+        `dfs_path` or `dijkstra_path`.
 
-    Nothing is judged again: a path of free motions is free, whichever search found it. O(n + m)
-    besides the search.
-
+    Examples
+    --------
     >>> from kinoedu import Point, PolygonWorld, Problem, bfs_path, prm
-    >>> problem = Problem(Point(), PolygonWorld([(0, 0), (9, 0), (9, 9), (0, 9)]), start=(1, 1), goal=(8, 8))
+    >>> world = PolygonWorld([(0, 0), (9, 0), (9, 9), (0, 9)])
+    >>> problem = Problem(Point(), world, start=(1, 1), goal=(8, 8))
     >>> roadmap = prm(problem, n=50, k=5, rng=0).roadmap
-    >>> fewest, shortest = plan_on_roadmap(problem, roadmap, bfs_path), plan_on_roadmap(problem, roadmap)
+    >>> fewest = plan_on_roadmap(problem, roadmap, bfs_path)
+    >>> shortest = plan_on_roadmap(problem, roadmap)
     >>> len(fewest.path) <= len(shortest.path), shortest.cost <= fewest.cost
     (True, True)
     """
-    asked = askable(problem)
-    before = asked.asked[MOTIONS]
-    graph = Graph(len(roadmap.nodes), roadmap.edges, costs_of(asked, roadmap.nodes, roadmap.edges))
+    problem = as_problem(problem)
+    before = count_checks(problem)
+    costs = motion_costs(problem, roadmap.nodes, roadmap.edges)
+    graph = Graph(len(roadmap.nodes), roadmap.edges, costs)
     numbers = search(graph, 0, 1)
     stats = {
         "nodes": len(roadmap.nodes),
         "edges": len(roadmap.edges),
-        "checks": int(asked.asked[MOTIONS] - before),
+        "checks": count_checks(problem) - before,
     }
     name = getattr(search, "__name__", "search").replace("_", " ")
     return plan_along(
-        asked,
+        problem,
         roadmap.nodes,
         numbers,
-        why_apart(graph.flat()),
+        explain_no_path(graph.flat()),
         planner=name,
         roadmap=roadmap,
         stats=stats,

@@ -1,6 +1,4 @@
-"""A growing tree that can be rewired: what each node costs is kept up to date, and who was hung
-below whom can be written down.
-"""
+"""A growing tree that can be rewired, with the cost of each node and a log of its edges."""
 
 from typing import NamedTuple
 
@@ -13,12 +11,14 @@ from ...spaces.buckets import GrowingTree, add
 
 
 class CostTree(NamedTuple):
-    """A growing tree that knows what each node costs: `cost` from the root, `length` of the motion
-    from its parent (what it costs where the terrain has costs).
+    """A growing tree with the cost of each node.
 
-    The children of a node are a chain: child[node], then sibling[child], until -1. `log` has room
-    for the first rows (node, parent) of who was hung below whom, in the order in which it happened;
-    hung[0] counts them all.
+    cost : (n,), from the root.
+    length : (n,), the cost of the motion from the parent.
+    child, sibling : (n,), a linked list: the children of a node are child[node], then
+        sibling[child], until -1.
+    log : (rows, 2), the edges (node, parent) in the order in which they were made, as many as fit.
+    attached : (1,), how many edges were made in all.
     """
 
     tree: GrowingTree
@@ -27,11 +27,11 @@ class CostTree(NamedTuple):
     child: NDArray[np.int64]
     sibling: NDArray[np.int64]
     log: NDArray[np.int64]
-    hung: NDArray[np.int64]
+    attached: NDArray[np.int64]
 
 
 def empty_costs(tree: GrowingTree, rows: int = 0) -> CostTree:
-    """Room for the costs of an empty tree, and a log of so many rows."""
+    """Room for the costs of an empty tree, and for a log of `rows` edges."""
     room = len(tree.nodes)
     cost, length = np.empty((2, room))
     child, sibling = np.empty((2, room), np.int64)
@@ -42,28 +42,28 @@ def empty_costs(tree: GrowingTree, rows: int = 0) -> CostTree:
 
 @inlined
 def join(costs: CostTree, q: Array, parent: int, length: float) -> int:
-    """Append a node below its parent; returns its number."""
+    """Append a node below its parent; returns the node's number."""
     node = add(costs.tree, q, parent)
     costs.child[node], costs.sibling[node], costs.cost[node] = -1, -1, length
     if parent >= 0:
-        hang(costs, node, parent, length)
+        attach(costs, node, parent, length)
         costs.cost[node] = costs.cost[parent] + length
     return node
 
 
 @inlined
-def hang(costs: CostTree, node: int, parent: int, length: float) -> None:
-    """Make a node the first child of a parent, and write it down where there is room."""
+def attach(costs: CostTree, node: int, parent: int, length: float) -> None:
+    """Make a node the first child of a parent, and log the edge where there is room."""
     costs.tree.parent[node], costs.length[node] = parent, length
     costs.sibling[node], costs.child[parent] = costs.child[parent], node
-    if costs.hung[0] < len(costs.log):
-        costs.log[costs.hung[0], 0], costs.log[costs.hung[0], 1] = node, parent
-    costs.hung[0] += 1
+    if costs.attached[0] < len(costs.log):
+        costs.log[costs.attached[0], 0], costs.log[costs.attached[0], 1] = node, parent
+    costs.attached[0] += 1
 
 
 @inlined
 def rewire(costs: CostTree, node: int, parent: int, length: float) -> None:
-    """Hang a node, with all that hangs on it, below another parent."""
+    """Move a node, with its subtree, below another parent."""
     above = costs.tree.parent[node]
     if costs.child[above] == node:
         costs.child[above] = costs.sibling[node]
@@ -72,15 +72,13 @@ def rewire(costs: CostTree, node: int, parent: int, length: float) -> None:
         while costs.sibling[before] != node:
             before = costs.sibling[before]
         costs.sibling[before] = costs.sibling[node]
-    hang(costs, node, parent, length)
-    pass_on(costs, node)
+    attach(costs, node, parent, length)
+    update_costs(costs, node)
 
 
 @inlined
-def pass_on(costs: CostTree, root: int) -> None:
-    """Reckon anew the cost of a node and of all below it, parents before children, by walking round
-    that part of the tree.
-    """
+def update_costs(costs: CostTree, root: int) -> None:
+    """Update the costs of a subtree, parents before children, in a walk without a stack."""
     node = root
     while True:
         costs.cost[node] = costs.cost[costs.tree.parent[node]] + costs.length[node]

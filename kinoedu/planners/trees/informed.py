@@ -1,5 +1,4 @@
-"""Where a tree that improves its path draws its samples: everywhere, or only where a shorter path
-can pass.
+"""Sampling for trees that improve their path: everywhere, or where a shorter path may pass.
 
 J. D. Gammell, S. S. Srinivasa, T. D. Barfoot, "Informed RRT*: optimal sampling-based path planning
 focused via direct sampling of an admissible ellipsoidal heuristic" (2014).
@@ -16,24 +15,20 @@ TRIES = 1000  # draws until one falls where it may help; the last is taken as it
 
 
 class Everywhere(NamedTuple):
-    """The whole space; until there is a path, the goal itself with probability goal_bias."""
+    """Sample the whole space; until there is a path, the goal with probability `goal_bias`."""
 
     goal_bias: float
 
 
 class Informed(NamedTuple):
-    """The same, and with a path only those configurations through which a shorter one could
-    pass.
-    """
+    """As Everywhere, but once there is a path only where a shorter one may pass."""
 
     goal_bias: float
 
 
 @generic(1)
 def draw(sampler: Any, problem: Any, shortest: float, rng: np.random.Generator) -> Array:
-    """A configuration to grow towards, when the shortest path so far has that length, infinite
-    without one.
-    """
+    """A sample, given the length of the shortest path so far, which is infinite without one."""
     raise TypeError("this is no way to draw samples")
 
 
@@ -41,7 +36,7 @@ def draw(sampler: Any, problem: Any, shortest: float, rng: np.random.Generator) 
 def draw_everywhere(
     sampler: Everywhere, problem: Any, shortest: float, rng: np.random.Generator
 ) -> Array:
-    """Uniform."""
+    """A uniform sample of the space."""
     if shortest == np.inf and rng.random() < sampler.goal_bias:
         return problem.goal
     return problem.sample(rng)
@@ -51,8 +46,9 @@ def draw_everywhere(
 def draw_informed(
     sampler: Informed, problem: Any, shortest: float, rng: np.random.Generator
 ) -> Array:
-    """Uniform among those q with |start - q| + |q - goal| < shortest: in the plane an ellipse. By
-    rejection, for any distance.
+    """A uniform sample of the q with |start - q| + |q - goal| < shortest, in the plane an ellipse.
+
+    Samples are rejected until one fits, which works for any distance.
     """
     if shortest == np.inf and rng.random() < sampler.goal_bias:
         return problem.goal

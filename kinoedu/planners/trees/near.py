@@ -1,6 +1,4 @@
-"""The nodes of a growing tree near a configuration, by one question: any problem that knows
-distances can answer it.
-"""
+"""The nodes of a growing tree near a configuration, for any problem with a distance."""
 
 from typing import Any
 
@@ -16,9 +14,7 @@ from ...spaces.buckets import GrowingTree
 
 @generic(1)
 def near_nodes(problem: Any, tree: GrowingTree, q: Array, radius: float) -> NDArray[np.int64]:
-    """The numbers of the tree's nodes within a radius of q, shape (k,): by a reader's own
-    distances, O(n).
-    """
+    """The nodes within a radius of q, shape (k,); by a reader's own distance, in O(n)."""
     return np.flatnonzero(
         np.array([problem.distance(node, q) for node in tree.nodes[: tree.size[0]]]) <= radius
     )
@@ -28,7 +24,7 @@ def near_nodes(problem: Any, tree: GrowingTree, q: Array, radius: float) -> NDAr
 def near_in_space(
     problem: ProblemRecord, tree: GrowingTree, q: Array, radius: float
 ) -> NDArray[np.int64]:
-    """By the space, which may have buckets."""
+    """By the space, which may use buckets."""
     return near(problem.space, tree, q, radius)
 
 
@@ -36,5 +32,5 @@ def near_in_space(
 def near_as_recorded(
     problem: Recorder, tree: GrowingTree, q: Array, radius: float
 ) -> NDArray[np.int64]:
-    """As the recorder's own problem answers, in the same order; nothing is written down."""
+    """By the recorded problem, in the same order; nothing is recorded."""
     return near_nodes(problem.problem, tree, q, radius)

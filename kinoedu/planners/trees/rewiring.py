@@ -1,4 +1,4 @@
-"""How an RRT* was rewired while it grew: who hung below whom, and when."""
+"""The history of an RRT*: every edge that its tree ever had, and when."""
 
 from copy import deepcopy
 from typing import Any, NamedTuple
@@ -8,22 +8,23 @@ from numpy.typing import NDArray
 
 from ...geometry.checks import Array, as_generator
 from ...problems import Plan
-from ..tuning import share, whole
+from ..tuning import fraction, whole
 from .informed import Everywhere
-from .rrt_star import grown, plan_of
+from .rrt_star import grow_rrt_star, plan_from_growth
 
-USUAL = 4  # times that a node is hung somewhere, on the way to a large tree
+EDGES_PER_NODE = 4  # usual number of edges that a node has had when a large tree is done
 
 
 class Rewirings(NamedTuple):
-    """Every edge that a tree ever had, in the order in which they came: m of them, for n nodes.
+    """Every edge that a tree ever had, in the order of creation: m edges for n nodes.
 
-    nodes : (n, d), in the order they came. node, parent : (m,), the ends of each edge.
-    came, gone : (m,), the number of the new node with which it came, and of that with which it was
-        replaced, n where it never was. An edge whose node is not the new one, but older, was
-        rewired to it.
-    radius : (n,), how far each node looked for neighbours when it was new, 0 for the root and the
-        goal, which did not look.
+    nodes : (n, d), in the order of creation.
+    node, parent : (m,), the ends of each edge.
+    came : (m,), the number of the new node with which the edge was made. Where it is not `node`
+        itself, the older `node` was rewired to the new one.
+    gone : (m,), the number of the new node with which the edge was replaced; n where it never was.
+    radius : (n,), the radius within which each new node looked for neighbours; 0 for the root and
+        the goal, which did not look for any.
     at_goal : the goal's node, or -1.
     """
 
@@ -46,11 +47,13 @@ def rrt_star_rewirings(
     max_iterations: int | None = None,
     rng: int | np.random.Generator,
 ) -> tuple[Plan, Rewirings]:
-    """The plan of `rrt_star`, whose arguments these are, and every edge that its tree had on the
-    way.
+    """The plan of `rrt_star`, which has the same arguments, and every edge that its tree ever had.
 
+    Examples
+    --------
     >>> from kinoedu import Point, PolygonWorld, Problem, rrt_star
-    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
+    >>> wall = [(4, 0), (6, 0), (6, 8), (4, 8)]
+    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [wall])
     >>> problem = Problem(Point(), world, start=(1, 1), goal=(9, 1))
     >>> plan, edges = rrt_star_rewirings(problem, max_nodes=500, rng=0)
     >>> plan.cost == rrt_star(problem, max_nodes=500, rng=0).cost
@@ -59,31 +62,31 @@ def rrt_star_rewirings(
     >>> bool((plan.tree.parent[edges.node[last]] == edges.parent[last]).all())
     True
     """
-    generator, rows = as_generator(rng), USUAL * whole(max_nodes, "max_nodes", least=1)
-    sampler, unused = Everywhere(share(goal_bias, "goal_bias")), deepcopy(generator)
-    growth = grown(
+    generator, rows = as_generator(rng), EDGES_PER_NODE * whole(max_nodes, "max_nodes", least=1)
+    sampler, unused = Everywhere(fraction(goal_bias, "goal_bias")), deepcopy(generator)
+    growth = grow_rrt_star(
         "RRT*", problem, sampler, step, gamma, max_nodes, max_iterations, generator, rows
     )
-    hung = int(growth.costs.hung[0])
-    if hung > rows:  # once more, now that it is known how much room the log needs
-        growth = grown(
-            "RRT*", problem, sampler, step, gamma, max_nodes, max_iterations, unused, hung
+    attached = int(growth.costs.attached[0])
+    if attached > rows:  # once more, now that it is known how much room the log needs
+        growth = grow_rrt_star(
+            "RRT*", problem, sampler, step, gamma, max_nodes, max_iterations, unused, attached
         )
     n = int(growth.costs.tree.size[0])
-    node, parent = growth.costs.log[:hung].T.copy()
+    node, parent = growth.costs.log[:attached].T.copy()
     radius = growth.radii[:n].copy()
     radius[[0, growth.at_goal] if growth.at_goal >= 0 else [0]] = 0.0
-    came, plan = np.maximum.accumulate(node), plan_of("RRT*", growth)
+    came, plan = np.maximum.accumulate(node), plan_from_growth("RRT*", growth)
     nodes = growth.costs.tree.nodes[:n].copy()
     return plan, Rewirings(
-        nodes, node, parent, came, replaced(node, came, n), radius, growth.at_goal
+        nodes, node, parent, came, find_replacements(node, came, n), radius, growth.at_goal
     )
 
 
-def replaced(node: NDArray[np.int64], came: NDArray[np.int64], n: int) -> NDArray[np.int64]:
-    """For each edge of a log when the next one of the same node came, n where there is none,
-    (m,).
-    """
+def find_replacements(
+    node: NDArray[np.int64], came: NDArray[np.int64], n: int
+) -> NDArray[np.int64]:
+    """For each edge when the next edge of its node was made, (m,); n where there is none."""
     order = np.argsort(node, kind="stable")
     gone = np.full(len(node), n)
     again = node[order][1:] == node[order][:-1]

@@ -1,5 +1,21 @@
-"""Two trees that grow towards each other. J. J. Kuffner, S. M. LaValle, "RRT-Connect: an efficient
-approach to single-query path planning" (2000); LaValle, section 5.5.3.
+"""RRT-Connect: two trees that grow towards each other.
+
+    RRT-CONNECT(q_start, q_goal)
+     1  T_a := a tree with the root q_start; T_b := a tree with the root q_goal
+     2  repeat:
+     3      q_rand := a random configuration
+     4      q_new := EXTEND(T_a, q_rand)
+     5      if that was not trapped and CONNECT(T_b, q_new) reaches q_new:
+     6          return the path through q_new
+     7      swap T_a and T_b
+
+    EXTEND(T, q): one step from the node of T nearest to q towards q, where that is free
+    CONNECT(T, q): EXTEND(T, q) again and again, until q is reached or a step is trapped
+
+Here the loop starts at line 5 with q_new = q_start: the goal's tree first tries to reach the start.
+
+J. J. Kuffner, S. M. LaValle, "RRT-Connect: an efficient approach to single-query path planning"
+(2000); LaValle, section 5.5.3.
 """
 
 from typing import Any
@@ -10,15 +26,15 @@ from numpy.typing import NDArray
 from ...compiled import algorithm, callable_from_compiled, compiled
 from ...geometry.checks import Array, as_generator
 from ...graphs import extract_path
-from ...problems import MOTIONS, Plan, Tree
+from ...problems import Plan, Tree
 from ...spaces.buckets import GrowingTree, add
 from ..answers import plan_along
-from ..problem_input import both_ways, new_tree, world_size
-from ..tuning import positive, whole
+from ..problem_input import as_step_size, as_two_way_problem, count_checks, new_tree
+from ..tuning import iteration_limit, whole
 
 Numbers = NDArray[np.int64]
 TRAPPED = -1
-USUAL = 500  # nodes of a tree when it meets the other
+TYPICAL_NODES = 500  # nodes of a tree when it meets the other
 
 
 @algorithm
@@ -33,34 +49,40 @@ def grow_both(
 ) -> tuple[int, int, int]:
     """Grow two trees until they meet, are full, or have had their iterations.
 
-    Returns the nodes of both at which they meet, or TRAPPED, and how many iterations; owner[i]
-    tells whose the i-th new node was.
+    owner[i] becomes 0 where the i-th new node is in the start's tree, and 1 in the goal's tree.
+
+    Returns
+    -------
+    The nodes of both trees at which they meet, or TRAPPED twice, and the number of iterations.
     """
     add(from_goal, problem.goal, TRAPPED)
     new = add(from_start, problem.start, TRAPPED)
-    here, there, who = from_start, from_goal, 0
+    here, there, side = from_start, from_goal, 0
     owner[0], owner[1], grown, iteration = 0, 1, 2, 0
     while True:
         if new != TRAPPED:
             met, added = connect(problem, there, here.nodes[new], step, len(owner) - grown)
-            owner[grown : grown + added] = 1 - who
+            owner[grown : grown + added] = 1 - side
             grown += added
             if met != TRAPPED:
-                return (new, met, iteration) if who == 0 else (met, new, iteration)
+                return (new, met, iteration) if side == 0 else (met, new, iteration)
         if iteration == max_iterations or grown == len(owner):
             return TRAPPED, TRAPPED, iteration
-        here, there, who = there, here, 1 - who
+        here, there, side = there, here, 1 - side
         iteration += 1
         new, _ = extend(problem, here, problem.sample(rng), step)
         if new != TRAPPED:
-            owner[grown] = who
+            owner[grown] = side
             grown += 1
 
 
 @callable_from_compiled
 def extend(problem: Any, tree: GrowingTree, q: Array, step: float) -> tuple[int, bool]:
-    """Take one step from the nearest node towards q: the new node, or TRAPPED, and whether it is at
-    q.
+    """Take one step from the nearest node towards q.
+
+    Returns
+    -------
+    The new node, or TRAPPED, and whether it is at q.
     """
     near = problem.nearest(tree, q)
     reached = problem.distance(tree.nodes[near], q) <= step
@@ -72,8 +94,11 @@ def extend(problem: Any, tree: GrowingTree, q: Array, step: float) -> tuple[int,
 
 @callable_from_compiled
 def connect(problem: Any, tree: GrowingTree, q: Array, step: float, room: int) -> tuple[int, int]:
-    """Extend the tree towards q until it is there or trapped: the node at q, or TRAPPED, and how
-    many nodes that took.
+    """Extend the tree towards q until it reaches q, is trapped, or has added `room` nodes.
+
+    Returns
+    -------
+    The node at q, or TRAPPED, and how many nodes were added.
     """
     added, reached, node = 0, False, TRAPPED
     while not reached and added < room:
@@ -92,49 +117,56 @@ def rrt_connect(
     max_iterations: int | None = None,
     rng: int | np.random.Generator,
 ) -> Plan:
-    """Grow one tree from the start and one from the goal: in turns one takes a step at random, and
-    the other runs to meet it.
+    """Plan with two trees, from the start and from the goal.
+
+    In turns one tree takes a step towards a random configuration, and the other extends itself
+    towards the new node. Probabilistically complete.
+
+    Motions are checked in the direction towards the older node, so they must be free in both
+    directions.
 
     Parameters
     ----------
-    problem : a Problem, a Recorder, or an object of yours that answers the same questions.
+    problem : a Problem, a Recorder, or an object of yours with the same methods.
     step : epsilon, the longest edge; by default a twentieth of the world's diagonal.
-    max_nodes : of both trees together.
-    max_iterations : where to give up; by default ten iterations for each node.
+    max_nodes : stop at this many nodes, of both trees together.
+    max_iterations : stop after this many iterations; by default ten for each node.
     rng : a seed or a numpy Generator.
 
-    Returns a Plan; its `tree` holds both trees in the order their nodes came, start and goal, which
-    have no parents, first. Without a path `plan.reason` says what ran out. Motions are judged
-    towards the tree that they leave behind, so they must be free both ways. Probabilistically
-    complete. Raises InvalidParameter.
+    Returns
+    ------- Plan with its `tree`: both trees, in the order in which their nodes were made; start and
+    goal, which have no parents, come first. Without a path `plan.reason` says what ran out.
 
+    Raises
+    ------
+    InvalidParameter
+        Where a parameter is out of its range, or the robot only drives forward.
+
+    Examples
+    --------
     >>> from kinoedu import Point, PolygonWorld, Problem
-    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
+    >>> wall = [(4, 0), (6, 0), (6, 8), (4, 8)]
+    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [wall])
     >>> plan = rrt_connect(Problem(Point(), world, start=(1, 1), goal=(9, 1)), rng=0)
     >>> plan.path[0], plan.path[-1]
     (array([1., 1.]), array([9., 1.]))
     """
-    asked = both_ways(problem, "RRT-Connect")
-    epsilon = positive(world_size(asked) / 20.0 if step is None else step, "step")
+    problem = as_two_way_problem(problem, "RRT-Connect")
+    epsilon = as_step_size(problem, step, "step")
     most = whole(max_nodes, "max_nodes", least=2)
-    limit = (
-        10 * most if max_iterations is None else whole(max_iterations, "max_iterations", least=0)
-    )
-    trees, owner = (roomy_tree(asked, most), roomy_tree(asked, most)), np.empty(most, np.int64)
-    before = asked.asked[MOTIONS]
+    limit = iteration_limit(max_iterations, most)
+    trees, owner = (roomy_tree(problem, most), roomy_tree(problem, most)), np.empty(most, np.int64)
+    before = count_checks(problem)
     at_start, at_goal, iterations = grow_both(
-        asked, *trees, owner, epsilon, limit, as_generator(rng)
+        problem, *trees, owner, epsilon, limit, as_generator(rng)
     )
     grown = int(trees[0].size[0] + trees[1].size[0])
-    nodes, parent, number = as_one(
+    nodes, parent, number = merge_trees(
         (trees[0].nodes, trees[1].nodes), (trees[0].parent, trees[1].parent), owner[:grown]
     )
-    tree = Tree(nodes, parent)
-    path = (
-        None
-        if at_start == TRAPPED
-        else meeting(tree.parent, number[0, at_start], number[1, at_goal])
-    )
+    tree, path = Tree(nodes, parent), None
+    if at_start != TRAPPED:
+        path = join_paths(parent, number[0, at_start], number[1, at_goal])
     reason = (
         f"after {iterations:,} iterations the trees, {len(tree.nodes):,} nodes, have not met; "
         "allow more, or another step"
@@ -142,18 +174,22 @@ def rrt_connect(
     stats = {
         "nodes": len(tree.nodes),
         "iterations": int(iterations),
-        "checks": int(asked.asked[MOTIONS] - before),
+        "checks": count_checks(problem) - before,
     }
     return plan_along(
-        asked, tree.nodes, path, reason, planner="RRT-Connect", tree=tree, stats=stats
+        problem, tree.nodes, path, reason, planner="RRT-Connect", tree=tree, stats=stats
     )
 
 
 def roomy_tree(problem: Any, capacity: int) -> GrowingTree:
-    """An empty tree with buckets for fewer nodes than it has room for: trees that meet early would
-    leave most of them empty, and a search among empty buckets is slow.
+    """An empty tree whose buckets are made for fewer nodes than it has room for.
+
+    Trees that meet early would leave most buckets empty, and a search among empty buckets is slow.
     """
-    tree, d = new_tree(problem, min(capacity, max(USUAL, capacity // 20))), len(problem.start)
+    tree, d = (
+        new_tree(problem, min(capacity, max(TYPICAL_NODES, capacity // 20))),
+        len(problem.start),
+    )
     return tree._replace(
         nodes=np.empty((capacity, d)),
         parent=np.empty(capacity, np.int64),
@@ -162,23 +198,26 @@ def roomy_tree(problem: Any, capacity: int) -> GrowingTree:
 
 
 @compiled
-def as_one(
+def merge_trees(
     nodes: tuple[Array, Array], parents: tuple[Numbers, Numbers], owner: Numbers
 ) -> tuple[Array, Numbers, Numbers]:
-    """Two trees in one, in the order in which they grew: its nodes, their parents, and the number
-    in it of each node of either.
+    """Merge two trees in the order in which their nodes were made.
+
+    Returns
+    -------
+    The nodes, their parents, and the number of each node of either tree in the merged one.
     """
     together, parent = np.empty((len(owner), nodes[0].shape[1])), np.empty(len(owner), np.int64)
     number, size = np.empty((2, len(owner)), np.int64), np.zeros(2, np.int64)
     for i in range(len(owner)):
-        who = owner[i]
-        k = size[who]
-        above = parents[who][k]
-        together[i], parent[i] = nodes[who][k], number[who, above] if above >= 0 else TRAPPED
-        number[who, k], size[who] = i, k + 1
+        side = owner[i]
+        k = size[side]
+        above = parents[side][k]
+        together[i], parent[i] = nodes[side][k], number[side, above] if above >= 0 else TRAPPED
+        number[side, k], size[side] = i, k + 1
     return together, parent, number
 
 
-def meeting(parent: Numbers, at_start: int, at_goal: int) -> Numbers:
-    """From the start's root to where its tree meets the other, and on to the goal's root."""
+def join_paths(parent: Numbers, at_start: int, at_goal: int) -> Numbers:
+    """The path from the start's root to where the trees meet, and on to the goal's root."""
     return np.concatenate([extract_path(parent, at_start), extract_path(parent, at_goal)[-2::-1]])

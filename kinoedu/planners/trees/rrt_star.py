@@ -1,5 +1,21 @@
-"""Trees whose paths become shortest. S. Karaman, E. Frazzoli, "Sampling-based algorithms for
-optimal motion planning" (2011), algorithm 6.
+"""RRT*: trees whose paths converge to shortest paths.
+
+    RRT*(Q_free, q_start, q_goal, eta)
+     1  T := a tree with the root q_start
+     2  repeat:
+     3      q_rand := a random configuration
+     4      q_nearest := the node of T nearest to q_rand
+     5      q_new := the configuration at most eta from q_nearest on the way to q_rand
+     6      if the motion from q_nearest to q_new is free:
+     7          Q_near := the nodes of T within r(T) of q_new
+     8          q_min := the node of Q_near or q_nearest through which q_new costs least
+     9          add q_new to T, with the parent q_min
+    10          for each q_near in Q_near:
+    11              if q_near costs less through q_new and the motion to it is free:
+    12                  make q_new the parent of q_near
+
+S. Karaman, E. Frazzoli, "Sampling-based algorithms for optimal motion planning" (2011), algorithm
+6.
 """
 
 import math
@@ -10,18 +26,21 @@ from numpy.typing import NDArray
 
 from ...compiled import algorithm, callable_from_compiled
 from ...geometry.checks import Array, as_generator
-from ...problems import MOTIONS, Plan
+from ...problems import Plan
 from ..answers import plan_from_tree
-from ..problem_input import both_ways, new_tree, world_size
-from ..tuning import positive, share, whole
+from ..problem_input import as_step_size, as_two_way_problem, count_checks, new_tree
+from ..tuning import fraction, iteration_limit, positive, whole
 from .cost_tree import CostTree, empty_costs, join, rewire
 from .informed import Everywhere, Informed, draw
 from .near import near_nodes
 
 
 class Growth(NamedTuple):
-    """A tree that has grown: of what problem, how far a tree of each size looked, the goal's node
-    or -1, iterations and checks.
+    """A tree that has grown, with its problem and the work that it took.
+
+    radii : (n,), radii[i] is how far a tree of i nodes looks for neighbours.
+    at_goal : the goal's node, or -1.
+    checks : how many motions were checked.
     """
 
     problem: Any
@@ -42,18 +61,19 @@ def grow_shortest(
     max_iterations: int,
     rng: np.random.Generator,
 ) -> tuple[int, int]:
-    """Grow the tree until it is full or has had its iterations, rewiring it on the way; radii[n] is
-    how far a tree of n nodes looks for neighbours. Returns the goal's node, or -1, and how many
-    iterations.
+    """Grow the tree by lines 2 to 12 until it is full, out of iterations, or cannot be improved.
+
+    radii[n] is how far a tree of n nodes looks for neighbours.
+
+    Returns
+    -------
+    The goal's node, or -1, and the number of iterations.
     """
     tree = costs.tree
     join(costs, problem.start, -1, 0.0)
     at_goal = reach_goal(problem, costs, 0, step)
-    least, iteration, room = (
-        problem.distance(problem.start, problem.goal),
-        0,
-        len(tree.nodes) - 1,
-    )  # one more is kept for the goal
+    least, iteration = problem.distance(problem.start, problem.goal), 0
+    room = len(tree.nodes) - 1  # the last place is reserved for the goal
     while iteration < max_iterations and tree.size[0] < room + int(at_goal >= 0):
         shortest = np.inf if at_goal < 0 else costs.cost[at_goal]
         if shortest <= least:
@@ -68,10 +88,10 @@ def grow_shortest(
         parent, length = cheapest_parent(problem, costs, near, nearest, q_new)
         new = join(costs, q_new, parent, length)
         for node in near:
-            length = problem.motion_cost(q_new, tree.nodes[node])
-            if costs.cost[new] + length < costs.cost[node] and problem.is_free_path(
-                q_new, tree.nodes[node]
-            ):
+            q_near = tree.nodes[node]
+            length = problem.motion_cost(q_new, q_near)
+            cheaper = costs.cost[new] + length < costs.cost[node]
+            if cheaper and problem.is_free_path(q_new, q_near):
                 rewire(costs, node, new, length)
         if at_goal < 0:
             at_goal = reach_goal(problem, costs, new, step)
@@ -82,8 +102,9 @@ def grow_shortest(
 def cheapest_parent(
     problem: Any, costs: CostTree, near: NDArray[np.int64], nearest: int, q: Array
 ) -> tuple[int, float]:
-    """The node through which q costs least, of the nearest one, from which it is free, and those
-    near; and the motion's cost.
+    """Line 8: the node through which q costs least, and the cost of the motion from it.
+
+    The motion from `nearest` to q is known to be free.
     """
     parent, length = nearest, problem.motion_cost(costs.tree.nodes[nearest], q)
     for node in near:
@@ -96,7 +117,7 @@ def cheapest_parent(
 
 @callable_from_compiled
 def reach_goal(problem: Any, costs: CostTree, node: int, step: float) -> int:
-    """Append the goal to a node within one free step of it; returns the goal's node, or -1."""
+    """Append the goal below a node within one free step of it; returns the goal's node, or -1."""
     q = costs.tree.nodes[node]
     if problem.distance(q, problem.goal) > step or not problem.is_free_path(q, problem.goal):
         return -1
@@ -113,36 +134,45 @@ def rrt_star(
     max_iterations: int | None = None,
     rng: int | np.random.Generator,
 ) -> Plan:
-    """Grow a tree as RRT does, hang each new node where it costs least, and its neighbours below it
-    where that costs less.
+    """Plan by RRT*: grow a tree as RRT does, and rewire it wherever that makes a path cheaper.
+
+    Asymptotically optimal: the cost tends to the least possible one as max_nodes grows. For that, a
+    path must cost at least its length and at most a fixed multiple of it, as on a terrain with
+    costs. O(n log n) motions for n nodes.
 
     Parameters
     ----------
-    problem : a Problem, a Recorder, or an object of yours that answers the same questions.
+    problem : a Problem, a Recorder, or an object of yours with the same methods.
     step : eta, the longest motion towards a sample; by default a twentieth of the world's diagonal.
-    goal_bias : the share of samples that are the goal itself, until it is reached.
-    gamma : a tree of n nodes looks for neighbours within gamma (log n / n)^(1/d), at most a step.
-    By default what makes paths
-        converge to the shortest in the problem's space; for an object of yours a step throughout.
-    max_nodes, max_iterations : where to stop; it does not stop at the first path. By default ten
-    iterations for each node.
+    goal_bias : the probability that a sample is the goal, until the goal is reached.
+    gamma : a tree of n nodes looks for neighbours within gamma (log n / n)^(1/d), at most `step`.
+        By default large enough that paths converge to the shortest in the problem's space; for an
+        object of yours the radius is always `step`.
+    max_nodes : stop at this many nodes; the planner does not stop at the first path.
+    max_iterations : stop after this many iterations; by default ten for each node.
     rng : a seed or a numpy Generator.
 
-    Returns a Plan with its `tree`: nodes in the order they came, with the parents they have in the
-    end. Asymptotically optimal: the cost tends to the least there is as max_nodes grows. For that a
-    path must cost no less than it is long, and no more than a multiple of it, as on a terrain with
-    costs. O(n log n) motions for n nodes. Raises InvalidParameter.
+    Returns
+    ------- Plan with its `tree`: the nodes in the order of creation, with their final parents.
+    Without a path `plan.reason` says what ran out.
 
+    Raises
+    ------
+    InvalidParameter
+        Where a parameter is out of its range, or the robot only drives forward.
+
+    Examples
+    --------
     >>> from kinoedu import Point, PolygonWorld, Problem
-    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 0), (6, 0), (6, 8), (4, 8)]])
+    >>> wall = [(4, 0), (6, 0), (6, 8), (4, 8)]
+    >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [wall])
     >>> plan = rrt_star(Problem(Point(), world, start=(1, 1), goal=(9, 1)), max_nodes=2000, rng=0)
     >>> bool(17.2 < plan.cost < 17.7)
     True
     """
-    sampler = Everywhere(share(goal_bias, "goal_bias"))
-    return plan_of(
-        "RRT*", grown("RRT*", problem, sampler, step, gamma, max_nodes, max_iterations, rng)
-    )
+    sampler = Everywhere(fraction(goal_bias, "goal_bias"))
+    growth = grow_rrt_star("RRT*", problem, sampler, step, gamma, max_nodes, max_iterations, rng)
+    return plan_from_growth("RRT*", growth)
 
 
 def informed_rrt_star(
@@ -155,17 +185,20 @@ def informed_rrt_star(
     max_iterations: int | None = None,
     rng: int | np.random.Generator,
 ) -> Plan:
-    """RRT* that, once it has a path, samples only where a shorter one could pass: see `rrt_star`,
-    whose arguments these are.
+    """Plan by RRT* that, once it has a path, samples only where a shorter one may pass.
+
+    Parameters, result and errors are those of `rrt_star`.
     """
-    sampler = Informed(share(goal_bias, "goal_bias"))
-    return plan_of(
+    sampler = Informed(fraction(goal_bias, "goal_bias"))
+    return plan_from_growth(
         "informed RRT*",
-        grown("informed RRT*", problem, sampler, step, gamma, max_nodes, max_iterations, rng),
+        grow_rrt_star(
+            "informed RRT*", problem, sampler, step, gamma, max_nodes, max_iterations, rng
+        ),
     )
 
 
-def grown(
+def grow_rrt_star(
     planner: str,
     problem: Any,
     sampler: Everywhere | Informed,
@@ -176,26 +209,25 @@ def grown(
     rng: int | np.random.Generator,
     rows: int = 0,
 ) -> Growth:
-    """Check the arguments and grow the tree, with a log of so many rows."""
-    asked = both_ways(problem, planner)
-    eta = positive(world_size(asked) / 20.0 if step is None else step, "step")
+    """Check the parameters and grow the tree, with a log of `rows` edges."""
+    problem = as_two_way_problem(problem, planner)
+    eta = as_step_size(problem, step, "step")
     most = whole(max_nodes, "max_nodes", least=1)
-    limit = (
-        10 * most if max_iterations is None else whole(max_iterations, "max_iterations", least=0)
-    )
-    widest = enough(asked) if gamma is None else positive(gamma, "gamma")
+    limit = iteration_limit(max_iterations, most)
+    widest = sufficient_gamma(problem) if gamma is None else positive(gamma, "gamma")
     n = np.arange(most + 2, dtype=np.float64)
     radii = np.full(most + 2, eta)
-    radii[2:] = np.minimum(widest * (np.log(n[2:]) / n[2:]) ** (1.0 / len(asked.start)), eta)
-    costs = empty_costs(new_tree(asked, most + 1), rows)
-    before = asked.asked[MOTIONS]
-    at_goal, iterations = grow_shortest(asked, costs, sampler, eta, radii, limit, as_generator(rng))
-    return Growth(
-        asked, costs, radii, int(at_goal), int(iterations), int(asked.asked[MOTIONS] - before)
+    radii[2:] = np.minimum(widest * (np.log(n[2:]) / n[2:]) ** (1.0 / len(problem.start)), eta)
+    costs = empty_costs(new_tree(problem, most + 1), rows)
+    before = count_checks(problem)
+    at_goal, iterations = grow_shortest(
+        problem, costs, sampler, eta, radii, limit, as_generator(rng)
     )
+    checks = count_checks(problem) - before
+    return Growth(problem, costs, radii, int(at_goal), int(iterations), checks)
 
 
-def plan_of(planner: str, growth: Growth) -> Plan:
+def plan_from_growth(planner: str, growth: Growth) -> Plan:
     """The plan along a tree that has grown."""
     tree, iterations = growth.costs.tree, growth.iterations
     reason = (
@@ -213,9 +245,11 @@ def plan_of(planner: str, growth: Growth) -> Plan:
     )
 
 
-def enough(problem: Any) -> float:
-    """2 (1 + 1/d)^(1/d) (volume / ball)^(1/d), a gamma that is large enough, by the whole space's
-    volume for the free one's.
+def sufficient_gamma(problem: Any) -> float:
+    """2 (1 + 1/d)^(1/d) (volume / ball)^(1/d): a gamma that is large enough for convergence.
+
+    The volume is that of the whole space, which is at least that of the free space; the ball has
+    radius 1.
     """
     space, d = getattr(problem, "space", None), len(problem.start)
     if space is None:

@@ -1,4 +1,4 @@
-"""The incremental tree roadmap, whose expansion is yours to choose. Bullo & Smith, chapter 5.
+"""The incremental tree roadmap, with an expansion of the reader's choice. Bullo & Smith, chapter 5.
 
      1  T := the start, without edges
      2  while T has fewer than N nodes:
@@ -7,7 +7,7 @@
      5          add q_nearby and the motion to T
      6  return T
 
-Here it also stops when it has reached the goal.
+Here the tree also stops when it has reached the goal.
 """
 
 from collections.abc import Callable
@@ -17,13 +17,13 @@ import numpy as np
 
 from ...errors import InvalidParameter
 from ...geometry.checks import Array, as_array, as_generator
-from ...problems import MOTIONS, Plan
+from ...problems import Plan
 from ...spaces.buckets import GrowingTree, add
 from ...support.text import shortened
 from ..answers import plan_from_tree
-from ..problem_input import askable, new_tree, world_size
-from ..tuning import positive, share, whole
-from .rrt import join_goal
+from ..problem_input import as_problem, as_step_size, count_checks, new_tree, world_size
+from ..tuning import fraction, iteration_limit, positive, whole
+from .goal import join_goal
 
 Expansion = Callable[[Any, GrowingTree, np.random.Generator], tuple[int, Array]]
 
@@ -37,84 +37,97 @@ def tree_roadmap(
     max_iterations: int | None = None,
     rng: int | np.random.Generator,
 ) -> Plan:
-    """Grow a tree from the start by an expansion of your own until it reaches the goal.
+    """Plan with a tree that grows from the start by an expansion of your own.
+
+    The planner runs interpreted, as the expansion does.
 
     Parameters
     ----------
-    problem : a Problem, a Recorder, or an object of yours that answers the same questions.
-    expand : a function `expand(problem, tree, rng)` that returns the number of the node to expand
-    and the configuration near it,
-        shape (d,). `tree.nodes[: tree.size[0]]` are the nodes so far, and `problem.nearest(tree,
-        q)` is the one nearest to q. By default `rrt_expansion()`, which makes this an RRT.
-    reach : the goal is joined to a new node within so much of it; by default a twentieth of the
-    world's diagonal. max_nodes, max_iterations : where to give up; by default ten iterations for
-    each node.
+    problem : a Problem, a Recorder, or an object of yours with the same methods.
+    expand : a function `expand(problem, tree, rng)` that returns the number of a node and a
+        configuration near it, shape (d,). `tree.nodes[: tree.size[0]]` are the nodes so far, and
+        `problem.nearest(tree, q)` is the node nearest to q. By default `rrt_expansion()`, which
+        makes this an RRT.
+    reach : a new node within this distance of the goal is joined to it; by default a twentieth of
+        the world's diagonal.
+    max_nodes : stop at this many nodes.
+    max_iterations : stop after this many iterations; by default ten for each node.
     rng : a seed or a numpy Generator.
 
-    Returns a Plan with its `tree`; without a path `plan.reason` says what ran out. Runs
-    interpreted, as the expansion does. Raises InvalidParameter where the expansion's answer is no
-    node with a configuration.
+    Returns
+    -------
+    Plan with its `tree`. Without a path `plan.reason` says what ran out.
 
+    Raises
+    ------
+    InvalidParameter
+        Where a parameter is out of its range, or the expansion does not return a node and a
+        configuration.
+
+    Examples
+    --------
     >>> from kinoedu import Point, PolygonWorld, Problem
     >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)])
     >>> def wander(problem, tree, rng):
     ...     node = int(rng.integers(tree.size[0]))
     ...     return node, tree.nodes[node] + rng.uniform(-1, 1, 2)
-    >>> tree_roadmap(Problem(Point(), world, start=(4, 4), goal=(6, 6)), wander, rng=0).path is not None
+    >>> problem = Problem(Point(), world, start=(4, 4), goal=(6, 6))
+    >>> tree_roadmap(problem, wander, rng=0).path is not None
     True
     """
-    asked = askable(problem)
-    near_goal = positive(world_size(asked) / 20.0 if reach is None else reach, "reach")
+    problem = as_problem(problem)
+    near_goal = as_step_size(problem, reach, "reach")
     most = whole(max_nodes, "max_nodes", least=1)
-    limit = (
-        10 * most if max_iterations is None else whole(max_iterations, "max_iterations", least=0)
-    )
+    limit = iteration_limit(max_iterations, most)
     expansion = rrt_expansion() if expand is None else expand
     if not callable(expansion):
         raise InvalidParameter(
             "expand must be a function of a problem, a tree and a generator, got "
             f"{shortened(expand)}"
         )
-    tree, generator, before, iteration = (
-        new_tree(asked, most + 1),
-        as_generator(rng),
-        asked.asked[MOTIONS],
-        0,
-    )
-    at_goal = join_goal(asked, tree, add(tree, asked.start, -1), near_goal)
+    tree, generator = new_tree(problem, most + 1), as_generator(rng)
+    before, iteration = count_checks(problem), 0
+    at_goal = join_goal(problem, tree, add(tree, problem.start, -1), near_goal)
     while at_goal < 0 and iteration < limit and tree.size[0] < most:
         iteration += 1
-        node, q_nearby = as_expansion(expansion(asked, tree, generator), tree)
-        if asked.is_free_path(tree.nodes[node], q_nearby):
-            at_goal = join_goal(asked, tree, add(tree, q_nearby, node), near_goal)
+        node, q_nearby = as_expansion(expansion(problem, tree, generator), tree)
+        if problem.is_free_path(tree.nodes[node], q_nearby):
+            at_goal = join_goal(problem, tree, add(tree, q_nearby, node), near_goal)
     reason = (
         f"after {iteration:,} iterations none of {tree.size[0]:,} nodes reaches the goal; allow "
         "more nodes, or expand otherwise"
     )
-    checks = int(asked.asked[MOTIONS] - before)
-    return plan_from_tree(
-        "tree roadmap", asked, tree, at_goal, reason, iterations=iteration, checks=checks
-    )
+    stats = {"iterations": iteration, "checks": count_checks(problem) - before}
+    return plan_from_tree("tree roadmap", problem, tree, at_goal, reason, **stats)
 
 
 def rrt_expansion(step: float | None = None, goal_bias: float = 0.05) -> Expansion:
-    """The expansion that makes an RRT: the node nearest to a sample, and one step from it towards
-    the sample. InvalidParameter.
+    """The expansion of an RRT: the node nearest to a sample, and one step from it to the sample.
+
+    Raises
+    ------
+    InvalidParameter
+        Where `step` is not positive or `goal_bias` is not from 0 to 1.
     """
-    bias, delta = share(goal_bias, "goal_bias"), None if step is None else positive(step, "step")
+    bias, delta = fraction(goal_bias, "goal_bias"), None if step is None else positive(step, "step")
 
     def expand(problem: Any, tree: GrowingTree, rng: np.random.Generator) -> tuple[int, Array]:
         q_rand = problem.goal if rng.random() < bias else problem.sample(rng)
         node = problem.nearest(tree, q_rand)
-        return node, problem.steer(
-            tree.nodes[node], q_rand, world_size(problem) / 20.0 if delta is None else delta
-        )
+        longest = world_size(problem) / 20.0 if delta is None else delta
+        return node, problem.steer(tree.nodes[node], q_rand, longest)
 
     return expand
 
 
 def as_expansion(answer: Any, tree: GrowingTree) -> tuple[int, Array]:
-    """An expansion's answer as a node's number and a configuration, or InvalidParameter."""
+    """The answer of an expansion as a node's number and a configuration.
+
+    Raises
+    ------
+    InvalidParameter
+        Where it is not a node of the tree and a configuration.
+    """
     if not isinstance(answer, tuple | list) or len(answer) != 2:
         raise InvalidParameter(
             "an expansion must return a node's number and a configuration near it, got "

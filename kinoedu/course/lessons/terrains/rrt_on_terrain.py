@@ -9,7 +9,7 @@ import numpy as np
 
 from ....geometry.checks import Array
 from ....graphs import extract_path
-from ....planners.trees.rrt import grow
+from ....planners.trees.spaced import grow_spaced
 from ....problems import Problem, Tree
 from ....robots import Point
 from ....worlds import Terrain
@@ -127,7 +127,7 @@ class RrtOnTerrain(TerrainPlanner):
     result = Together((NODES, WholeNumbers(("n",)), Maybe(PATH)))
     answer = three_times(result)
     source = staticmethod(own_rrt)
-    shown = staticmethod(grow)
+    shown = staticmethod(grow_spaced)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """As for both planners; then empty ground, where every sample is the goal."""

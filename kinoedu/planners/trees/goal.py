@@ -1,0 +1,16 @@
+"""The last edge of a tree: from a node near the goal to the goal."""
+
+from typing import Any
+
+from ...compiled import callable_from_compiled
+from ...spaces.buckets import GrowingTree, add
+
+
+@callable_from_compiled
+def join_goal(problem: Any, tree: GrowingTree, node: int, step: float) -> int:
+    """Append the goal below a node within one free step of it; returns the goal's node, or -1."""
+    if problem.distance(tree.nodes[node], problem.goal) > step:
+        return -1
+    if not problem.is_free_path(tree.nodes[node], problem.goal):
+        return -1
+    return add(tree, problem.goal, node)
