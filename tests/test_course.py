@@ -18,8 +18,8 @@ import pytest
 
 from kinoedu import words
 from kinoedu.course import EXERCISES, ValueExercise, check
-from kinoedu.course.advice import COMPLAINTS
-from kinoedu.course.feedback import folded
+from kinoedu.course.advice import COMMON_ERRORS
+from kinoedu.course.feedback import fold_line
 from kinoedu.course.judging import attempt, report_on
 from kinoedu.course.outcomes import (
     Answer,
@@ -647,8 +647,8 @@ def test_what_a_program_says_is_escaped():
 def test_a_long_line_opens_on_a_click():
     """Its beginning is shown, and all of it can be copied; a short one stands as it is."""
     line = "problem = '" + "<" * 500 + "'"
-    assert folded(line).startswith("<details") and folded(line).count("&lt;") > 500
-    assert folded("n = '<'") == escape("n = '<'")
+    assert fold_line(line).startswith("<details") and fold_line(line).count("&lt;") > 500
+    assert fold_line("n = '<'") == escape("n = '<'")
 
 
 def test_every_word_is_there_and_used():
@@ -670,7 +670,7 @@ def test_every_word_is_there_and_used():
         assert set(mine.get("slips", {})) == {slip.key for slip in exercise.slips}
         rules, hints = set(mine.get("rules", {})), set(mine.get("hints", {}))
         assert rules <= hints <= rules.union(*(other["rules"] for other in lent))
-        assert all(words.has_words(f"advice.{key}") for key, _, _ in COMPLAINTS)
+        assert all(words.has_words(f"advice.{key}") for key, _, _ in COMMON_ERRORS)
         assert any("section" in one for one in (mine, *lent))
         assert mine["wonder"]
     files = [*(HOUSE / "kinoedu").rglob("*.[pj][ys]"), *(HOUSE / "docs").glob("*.py")]

@@ -14,7 +14,7 @@ LINKS = ("link 1", "link 2")
 JOINTS = "joints"
 Scene = dict[str, list[Array]]
 CORNERS = 64  # of a circle
-# figures are imported inside the functions: matplotlib is not needed until something is wrong
+# figures are imported inside the functions: matplotlib is only needed for failing cases
 
 
 def circle(centre: Array, radius: float) -> Array:

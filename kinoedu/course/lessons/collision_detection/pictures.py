@@ -10,7 +10,7 @@ from ....geometry.checks import Array
 from ....words import say
 from ...exercise import Case, ValueExercise
 
-# figures are imported inside the functions: matplotlib is not needed until something is wrong
+# figures are imported inside the functions: matplotlib is only needed for failing cases
 
 
 def draw_membership(exercise: ValueExercise, case: Case, value: Any, ax: Any) -> None:

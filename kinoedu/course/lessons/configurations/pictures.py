@@ -12,7 +12,7 @@ from ....spaces.angles import short_way, wrapped
 from ....words import say
 from ...exercise import Case, ValueExercise
 
-# figures are imported inside the functions: matplotlib is not needed until something is wrong
+# figures are imported inside the functions: matplotlib is only needed for failing cases
 
 FLAG = np.array([(0, 0), (2, 0), (2, 0.6), (0.6, 0.6), (0.6, 1.2), (0, 1.2)])
 APART = 3.4  # between the middles of two circles

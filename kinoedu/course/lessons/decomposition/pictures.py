@@ -13,7 +13,7 @@ from ....geometry.checks import Array
 from ....words import say
 from ...exercise import Case, Exercise
 
-# figures are imported inside the functions: matplotlib is not needed until something is wrong
+# figures are imported inside the functions: matplotlib is only needed for failing cases
 
 
 def draw_crossed(

@@ -1,6 +1,4 @@
-"""Pictures of failing cases of lesson 12. What is true is solid and green, what the student's
-program says dashed and orange.
-"""
+"""Pictures of failing cases of lesson 12: truth solid green, student's answer dashed orange."""
 
 import math
 from typing import Any
@@ -13,7 +11,7 @@ from ....geometry.checks import Array
 from ....words import say
 from ...exercise import Case, ValueExercise
 
-# figures are imported inside the functions: matplotlib is not needed until something is wrong
+# figures are imported inside the functions: matplotlib is only needed for failing cases
 
 
 def arc(pose: Array, distance: float, curvature: float) -> Array:
@@ -27,8 +25,11 @@ def arc(pose: Array, distance: float, curvature: float) -> Array:
 def frame_both(
     truth: Array, value: Array | None, words: str, ax: Any
 ) -> tuple[float, Array | None]:
-    """Axes round the true poses, and the student's where they are in reach; how long an arrow is,
-    and those that are shown.
+    """Set the axes around the true poses, and around the student's where they are near enough.
+
+    Returns
+    -------
+    The length of an arrow, and the student's poses to draw or None.
     """
     from ....figures import palette, plane
 
@@ -47,7 +48,7 @@ def frame_both(
 
 
 def draw_moves(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
-    """The arc that is driven, the poses at its ends, and the student's."""
+    """Draw the driven arc, the poses at its ends, and the student's pose."""
     from ....figures import cars, palette
 
     pose, v, phi, t, wheelbase = case.given.values()
@@ -65,7 +66,7 @@ def draw_moves(exercise: ValueExercise, case: Case, value: Array | None, ax: Any
 
 
 def draw_drives(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
-    """The way by all controls, the poses between them, and the student's poses."""
+    """Draw the trajectory of all controls, the poses between them, and the student's poses."""
     from ....figures import cars, palette
 
     start, controls, durations, wheelbase = case.given.values()
@@ -81,7 +82,7 @@ def draw_drives(exercise: ValueExercise, case: Case, value: Array | None, ax: An
 
 
 def draw_steps(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
-    """The arc, Euler's steps, and the student's."""
+    """Draw the arc, Euler's steps, and the student's steps."""
     from ....figures import cars, palette
 
     pose, v, phi, t, wheelbase, _ = case.given.values()
@@ -119,9 +120,7 @@ def draw_steps(exercise: ValueExercise, case: Case, value: Array | None, ax: Any
 
 
 def draw_orders(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
-    """The errors against the step on scales of powers; at each slope what it is, and what the
-    student says.
-    """
+    """Draw the errors against the step on logarithmic scales, with both orders at each slope."""
     from ....figures import palette, plane
 
     h, errors = case.given.values()
@@ -147,7 +146,7 @@ def draw_orders(exercise: ValueExercise, case: Case, value: Array | None, ax: An
 
 
 def draw_tangents(exercise: ValueExercise, case: Case, value: float | None, ax: Any) -> None:
-    """The shortest of the four curves, the circles that it runs on, and both lengths."""
+    """Draw the shortest of the four curves, its circles, and both lengths."""
     from ....figures import cars, palette, plane
 
     a, b, r = case.given.values()
@@ -177,7 +176,7 @@ def draw_tangents(exercise: ValueExercise, case: Case, value: float | None, ax: 
 
 
 def draw_lost(value: tuple[float, float] | None, wheelbase: float, ax: Any) -> None:
-    """The way that the car drives, and that by phi for tan(phi)."""
+    """Draw the car's path, and the path of a program that uses phi for tan(phi)."""
     from ....figures import cars, palette, plane
 
     if value is None:
