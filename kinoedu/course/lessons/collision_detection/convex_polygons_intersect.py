@@ -41,9 +41,7 @@ class ConvexPolygonsIntersect(ValueExercise):
     reference = staticmethod(convex_polygons_intersect)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """The book's three pairs first; then larger polygons on squared paper, that stand to each
-        other in every way.
-        """
+        """The book's three pairs first, then larger polygons on squared paper of every kind."""
         unit = np.array([(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)])
         for kind, P1, P2 in (
             ("corner", 2 * unit, 2 * unit + 1),
@@ -68,17 +66,17 @@ class ConvexPolygonsIntersect(ValueExercise):
                 yield Case(kind, {"P1": P1, "P2": P2})
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """Both polygons, with a line between them where there is one."""
+        """Draw both polygons, with a separating line where there is one."""
         draw_pair(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 
 
 def moved(ring: Array, x: float, y: float) -> Array:
-    """A polygon elsewhere."""
+    """Translate a polygon."""
     return ring + np.array([x, y])
 
 
 def pair_of(rng: np.random.Generator, n: int, size: float, kind: str) -> tuple[Array, Array]:
-    """Two random polygons on squared paper that stand to each other in a given way."""
+    """Random pair of polygons of a kind, on squared paper."""
     while True:
         P, Q = convex_polygon(rng, n, size), convex_polygon(rng, n + 1, size)
         if kind == "inside":
@@ -98,7 +96,7 @@ def pair_of(rng: np.random.Generator, n: int, size: float, kind: str) -> tuple[A
 
 
 def moved_to_touch(rng: np.random.Generator, P: Array, Q: Array) -> Array:
-    """Q, moved so that it touches the middle or the end of an edge of P from outside."""
+    """Q, moved to touch the middle or the end of an edge of P from outside."""
     i = int(rng.integers(len(P)))
     along = P[i] - P[i - 1]
     nearest = Q[int((Q @ np.array([along[1], -along[0]])).argmin())]
@@ -106,7 +104,7 @@ def moved_to_touch(rng: np.random.Generator, P: Array, Q: Array) -> Array:
 
 
 def way_of(P: Array, Q: Array) -> str:
-    """How two convex polygons stand to each other: one of the exercise's kinds."""
+    """Kind of a pair of convex polygons."""
     if not convex_polygons_intersect(P, Q):
         return "boxes" if boxes_meet(P, Q) else "apart"
     if divides(P, Q) or divides(Q, P):
@@ -117,12 +115,12 @@ def way_of(P: Array, Q: Array) -> str:
 
 
 def divides(P: Array, Q: Array) -> bool:
-    """Whether all of Q lies on the line of one edge of P or to the right of it."""
+    """Whether an edge of P has all of Q on its line or to its right."""
     return bool(np.any(np.all([heights(q, P) <= 0 for q in Q], axis=0)))
 
 
 def boxes_meet(P: Array, Q: Array) -> bool:
-    """Whether the smallest boxes round two polygons share a point."""
+    """Whether the bounding boxes of two polygons share a point."""
     return bool((P.min(axis=0) <= Q.max(axis=0)).all() and (Q.min(axis=0) <= P.max(axis=0)).all())
 
 

@@ -1,4 +1,4 @@
-"""The exercise on an arm among discs: which link touches one? Bullo & Smith, chapters 3 and 4."""
+"""The exercise on an arm among discs: which link is in contact? Bullo & Smith, chapters 3 and 4."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -20,14 +20,14 @@ CLEAR = 1e-4
 
 
 def ends_of_links(q: Array, lengths: Array) -> Array:
-    """Base, elbow and tip of an arm whose base is the origin, (3, 2)."""
+    """Base, elbow and tip of an arm with its base at the origin, (3, 2)."""
     heading = np.cumsum(q)
     steps = np.column_stack([lengths * np.cos(heading), lengths * np.sin(heading)])
     return np.vstack([np.zeros(2), np.cumsum(steps, axis=0)])
 
 
 def gaps(q: Array, lengths: Array, width: float, discs: Array) -> Array:
-    """The distance between each link and each disc, negative where they overlap; (2, m)."""
+    """Distance between each link and each disc, negative where they overlap; (2, m)."""
     ends = ends_of_links(q, lengths)
     rows = [
         [point_segment_distance(disc[:2], a, b) - disc[2] - width / 2 for disc in discs]
@@ -37,7 +37,7 @@ def gaps(q: Array, lengths: Array, width: float, discs: Array) -> Array:
 
 
 def touched_link(q: Array, lengths: Array, width: float, discs: Array) -> int:
-    """The first link that touches a disc, 1 or 2; 0 where none does."""
+    """First link that touches a disc, 1 or 2; 0 where none does."""
     first, second = touches(q, lengths, width, discs)
     return 1 if first else 2 if second else 0
 
@@ -105,9 +105,7 @@ class LinkInContact(ValueExercise):
     reference = staticmethod(touched_link)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """An arm that lies on the x-axis first, so that all can be done on squared paper; then
-        any.
-        """
+        """Arms along the x-axis first, on squared paper; then any arms."""
         for kind, q, *discs in (
             ("free", (0, 0), (1, 2, 0.5)),
             ("link_2", (0, 0), (3, 1, 1)),
@@ -129,7 +127,7 @@ class LinkInContact(ValueExercise):
                 yield random_case(rng, kind, 1 + number // 3)
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The discs and the arm, its links numbered."""
+        """Draw the discs and the arm with numbered links."""
         ends, value = (
             ends_of_links(case.given["q"], case.given["lengths"]),
             outcome.value if isinstance(outcome, Answer) else None,
@@ -138,7 +136,7 @@ class LinkInContact(ValueExercise):
 
 
 def case_of(kind: str, q: Any, lengths: Any, width: float, discs: Any) -> Case:
-    """A case of an arm and discs, rows x, y, r."""
+    """Case of an arm and discs with rows x, y, r."""
     rows = np.array(discs, float).reshape(-1, 3)
     return Case(
         kind,
@@ -152,7 +150,7 @@ def case_of(kind: str, q: Any, lengths: Any, width: float, discs: Any) -> Case:
 
 
 def random_case(rng: np.random.Generator, kind: str, n: int) -> Case:
-    """A random arm among n discs that is a case of a kind."""
+    """Random case of a kind: an arm among n discs."""
     while True:
         lengths, width = (
             np.round(rng.uniform(0.5, 3.0, 2), 2),
@@ -178,8 +176,9 @@ def random_case(rng: np.random.Generator, kind: str, n: int) -> Case:
 
 
 def touching_case(rng: np.random.Generator, n: int) -> Case:
-    """An arm along the x-axis that touches the last of n discs, exactly, at any eighth: eighths are
-    not rounded.
+    """Case of an arm along the x-axis that exactly touches the last of n discs.
+
+    All numbers are multiples of an eighth, which floats represent exactly.
     """
     lengths, half = rng.integers(4, 17, 2) / 4.0, int(rng.integers(1, 5)) / 8.0
     radius, along = int(rng.integers(2, 9)) / 8.0, int(rng.integers(1, 8 * lengths[0])) / 8.0
@@ -190,7 +189,7 @@ def touching_case(rng: np.random.Generator, n: int) -> Case:
 
 
 def kind_of(q: Array, lengths: Array, width: float, discs: Array) -> str:
-    """The kind of a case that does not touch exactly."""
+    """Kind of a case without exact contact."""
     first, second = touches(q, lengths, width, discs)
     if first:
         return "both" if second else "link_1"
@@ -200,7 +199,7 @@ def kind_of(q: Array, lengths: Array, width: float, discs: Array) -> str:
 
 
 def by_distances(q: Array, lengths: Array, width: float, discs: Array, distance: Any) -> int:
-    """The answer by another distance from a point to a segment."""
+    """The answer with another distance from a point to a segment."""
     ends = ends_of_links(q, lengths)
     for link, (a, b) in enumerate(zip(ends, ends[1:]), 1):
         if any(distance(disc[:2], a, b) <= width / 2 + disc[2] for disc in discs):
@@ -209,13 +208,13 @@ def by_distances(q: Array, lengths: Array, width: float, discs: Array, distance:
 
 
 def beside(p: Array, a: Array, b: Array) -> float:
-    """The distance from a point to a segment, infinite beyond its ends."""
+    """Distance from a point to a segment, infinite beyond its ends."""
     share = np.dot(p - a, b - a) / np.dot(b - a, b - a)
     return point_line_distance(p, a, b) if 0.0 <= share <= 1.0 else np.inf
 
 
 def nearer_end(p: Array, a: Array, b: Array) -> float:
-    """The distance from a point to the nearer end of a segment."""
+    """Distance from a point to the nearer end of a segment."""
     return float(min(np.linalg.norm(p - a), np.linalg.norm(p - b)))
 
 
@@ -226,6 +225,6 @@ def second_first(q: Array, lengths: Array, width: float, discs: Array) -> int:
 
 
 def disc_first(q: Array, lengths: Array, width: float, discs: Array) -> int:
-    """The link that touches the first disc that is touched."""
+    """The link that touches the first touched disc."""
     answers = [touched_link(q, lengths, width, disc[None]) for disc in discs]
     return next((link for link in answers if link), 0)

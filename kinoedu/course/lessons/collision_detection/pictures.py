@@ -1,6 +1,4 @@
-"""Pictures of failing cases of lesson 7. What is true is solid and green, what the student's
-program says dashed and orange.
-"""
+"""Pictures of failing cases of lesson 7: truth solid green, student's answer dashed orange."""
 
 from typing import Any
 
@@ -14,7 +12,7 @@ from ...exercise import Case, ValueExercise
 
 
 def draw_membership(exercise: ValueExercise, case: Case, value: Any, ax: Any) -> None:
-    """The polygon, q, and dashed the lines of the edges that have q on their right."""
+    """Draw the polygon, q, and dashed lines through the edges that have q on their right."""
     from ....figures import palette, plane
 
     q, P = case.given["q"], case.given["P"]
@@ -30,7 +28,7 @@ def draw_membership(exercise: ValueExercise, case: Case, value: Any, ax: Any) ->
 
 
 def draw_segments(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
-    """Both segments; the points they share, and the student's."""
+    """Draw both segments, their common points, and the student's points."""
     from ....figures import palette, plane
 
     p1, p2, p3, p4 = case.given.values()
@@ -56,15 +54,13 @@ def draw_segments(exercise: ValueExercise, case: Case, value: Array | None, ax: 
 
 
 def draw_pair(exercise: ValueExercise, case: Case, value: Any, ax: Any) -> None:
-    """Both polygons; an edge that has the other polygon on its right, with its line, where there is
-    one.
-    """
+    """Draw both polygons, and a separating edge with its line where there is one."""
     pair(case.given["P1"], case.given["P2"], ax)
     finish(exercise, case, value, ax)
 
 
 def pair(P: Array, Q: Array, ax: Any) -> None:
-    """Two polygons, and a line between them where there is one."""
+    """Draw two polygons, and a separating line where there is one."""
     from ....figures import palette, plane
 
     plane.frame(np.vstack([P, Q]), ax, margin=0.2)
@@ -81,7 +77,7 @@ def pair(P: Array, Q: Array, ax: Any) -> None:
 
 
 def draw_grown_obstacle(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
-    """The obstacle, the robot at its reference point, the C-obstacle, and the student's."""
+    """Draw the obstacle, the robot at its reference point, and both C-obstacles."""
     from ....figures import palette, plane
 
     robot, obstacle, truth = case.given["robot"], case.given["obstacle"], exercise.truth(case)
@@ -111,7 +107,7 @@ def draw_grown_obstacle(exercise: ValueExercise, case: Case, value: Array | None
 
 
 def draw_gap(exercise: Any, value: tuple[Array, Array] | None, ax: Any) -> None:
-    """Two polygons that a student gave."""
+    """Draw the two polygons that a student returned."""
     from ....figures import palette, plane
 
     if value is None:
@@ -123,7 +119,7 @@ def draw_gap(exercise: Any, value: tuple[Array, Array] | None, ax: Any) -> None:
 
 
 def finish(exercise: ValueExercise, case: Case, value: Any, ax: Any) -> None:
-    """What was answered, and what to see."""
+    """Write the student's answer into the corner, and the title."""
     from ....figures import palette, plane
 
     plane.corner_note(

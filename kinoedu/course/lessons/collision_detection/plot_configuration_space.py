@@ -1,6 +1,4 @@
-"""The exercise that asks for a drawing of samples of an arm's configuration space. Bullo & Smith,
-chapter 4.
-"""
+"""The exercise on drawing samples of an arm's configuration space. Bullo & Smith, chapter 4."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -22,8 +20,9 @@ OTHER = 9  # stands for a colour that is none of the three
 
 
 class PlotConfigurationSpace(DrawnExercise):
-    """Samples of the configuration space as dots: black where link 1 touches a disc, red where link
-    2 does, blue where free.
+    """Samples of the configuration space as dots: black and red for contacts, blue for free.
+
+    Black is contact of link 1, red is contact of link 2.
     """
 
     name = "plot_configuration_space"
@@ -54,21 +53,17 @@ class PlotConfigurationSpace(DrawnExercise):
         return rightly(*given)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Few samples first, each sampler in turn; no sample is so near to a change that rounding
-        would count.
-        """
+        """Few samples first, with each sampler; every sample is clearly in contact or free."""
         for number in range(10):
             for kind in self.kinds:
                 yield Case(kind, sampled_arm(rng, kind, 2 + number))
 
     def same(self, value: Any, truth: Any) -> bool:
-        """The same dots of the same shades, in any order, angles modulo 2 pi."""
+        """Compare dots with their colours, up to order and whole turns."""
         return same_dots(dots_of(value), truth, modulo=True)
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """First the number of dots, then where they are, then their colours: one of the three, and
-        the right one.
-        """
+        """Check the number of dots, their places, that colours are known, then the colours."""
         truth, found = self.truth(case), dots_of(value)
         if same_dots(found, truth, modulo=True):
             return RIGHT
@@ -82,15 +77,15 @@ class PlotConfigurationSpace(DrawnExercise):
         )
 
     def answer_words(self, case: Case, value: Any) -> str:
-        """How many dots of each colour."""
+        """Number of dots of each colour."""
         return counted(dots_of(value))
 
     def wanted(self, case: Case) -> str:
-        """How many dots of each colour."""
+        """Number of dots of each colour."""
         return counted(self.truth(case))
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The right dots as rings, the student's in them."""
+        """Draw the right dots as rings, and the student's dots inside them."""
         draw_samples(
             self,
             case,
@@ -101,15 +96,13 @@ class PlotConfigurationSpace(DrawnExercise):
 
 
 def dots_of(plot: Any) -> Array:
-    """The dots of a plot as rows of both angles and the link that their colour stands for, or
-    OTHER.
-    """
+    """Dots of a plot as rows of both angles and the link of their colour, or OTHER."""
     rows = [(*point, shade(one["colour"])) for one in plot["dots"] for point in one["points"]]
     return np.array(rows, float).reshape(-1, 3)
 
 
 def shade(colour: str) -> int:
-    """0 for any blue, 1 for any black, 2 for any red, OTHER for another colour."""
+    """0 for any blue, 1 for any black, 2 for any red, OTHER for other colours."""
     if colour == "none":
         return OTHER
     red, green, blue = (int(colour[i : i + 2], 16) for i in (1, 3, 5))
@@ -121,22 +114,25 @@ def shade(colour: str) -> int:
 
 
 def recoloured(dots: Array, links: tuple[int, int, int]) -> Array:
-    """Dots in the colours of other links."""
+    """Dots with the colours of other links."""
     return np.column_stack([dots[:, :2], np.array(links)[dots[:, 2].astype(int)]])
 
 
 def coloured(places: Array, samples: Array, lengths: Array, width: float, discs: Array) -> Array:
-    """Dots at places in the colours of samples, rows of two angles and a link."""
+    """Dots at given places, with the colours of other samples.
+
+    Samples are rows of two angles and a link.
+    """
     return np.column_stack([places, [touched_link(q, lengths, width, discs) for q in samples]])
 
 
 def rightly(samples: Array, *arm: Any) -> Array:
-    """Dots as they should be, for samples in the unit square."""
+    """The right dots for samples of the unit square."""
     return coloured(FULL * samples, FULL * samples, *arm)
 
 
 def counted(dots: Array) -> str:
-    """How many dots there are of each colour."""
+    """Number of dots of each colour."""
     blue, black, red = (int((dots[:, 2] == link).sum()) for link in range(3))
     counts = {"all": len(dots), "blue": blue, "black": black, "red": red}
     others = len(dots) - blue - black - red
@@ -146,7 +142,7 @@ def counted(dots: Array) -> str:
 
 
 def sampled_arm(rng: np.random.Generator, kind: str, k: int) -> dict[str, Any]:
-    """An arm, discs and k * k samples of a kind, of all three colours if there are many."""
+    """Random arm and discs with k * k samples; where there are many, of all three colours."""
     while True:
         arm = random_case(rng, "both", 1 + k // 5).given
         given = {
@@ -161,9 +157,7 @@ def sampled_arm(rng: np.random.Generator, kind: str, k: int) -> dict[str, Any]:
 
 
 def unit_samples(rng: np.random.Generator, kind: str, k: int) -> Array:
-    """k * k samples of the unit square: cell centres of a grid, random ones, or Halton's from a
-    random start.
-    """
+    """k * k samples of the unit square: cell centres, random, or Halton's from a random start."""
     if kind == "grid":
         return sukharev_grid(k * k)
     return (

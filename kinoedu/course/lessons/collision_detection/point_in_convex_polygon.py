@@ -62,13 +62,14 @@ class PointInConvexPolygon(ValueExercise):
                 yield Case(kind, point_and_polygon(rng, 4 + number // 2, size, kind))
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The polygon, and q; dashed the edges that q is on the wrong side of."""
+        """Draw the polygon, q, and dashed lines through the edges that have q on their right."""
         draw_membership(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 
 
 def point_and_polygon(rng: np.random.Generator, n: int, size: float, kind: str) -> dict[str, Array]:
-    """A random point of a kind, and its polygon. On an edge or its line all numbers are whole or
-    halves: nothing is rounded.
+    """Random polygon, and a point of a kind.
+
+    On an edge or its line all numbers are integers or halves, which floats represent exactly.
     """
     while True:
         P = convex_polygon(rng, n, size)

@@ -1,6 +1,4 @@
-"""Pictures of failing cases of lesson 5. What is true is solid and green, what the student's
-program says dashed and orange.
-"""
+"""Pictures of failing cases of lesson 5: truth solid green, student's answer dashed orange."""
 
 from typing import Any
 
@@ -19,7 +17,7 @@ APART = 3.4  # between the middles of two circles
 
 
 def note_both(truth: Any, value: Any, ax: Any) -> None:
-    """Both numbers, in the lower left corner."""
+    """Write both numbers into the lower left corner."""
     from ....figures import palette, plane
 
     yours = say("configuration_picture.none") if value is None else f"{value:.4g}"
@@ -31,9 +29,7 @@ def note_both(truth: Any, value: Any, ax: Any) -> None:
 
 
 def draw_short_ways(exercise: ValueExercise, case: Case, value: float | None, ax: Any) -> None:
-    """A circle for each angle, from a the short way to b; where there is one, how far the student's
-    program goes.
-    """
+    """Draw a circle for each angle, the shorter arc from a to b, and the student's distance."""
     from ....figures import configurations, palette, plane
 
     a, b = np.atleast_1d(case.given["a"]), np.atleast_1d(case.given["b"])
@@ -64,7 +60,7 @@ def draw_short_ways(exercise: ValueExercise, case: Case, value: float | None, ax
 
 
 def draw_moved(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
-    """A flag before, after, and as the student's matrix moves it."""
+    """Draw a flag before, after, and as the student's matrix moves it."""
     from ....figures import palette, plane
 
     truth = exercise.truth(case)
@@ -92,19 +88,19 @@ def draw_moved(exercise: ValueExercise, case: Case, value: Array | None, ax: Any
 
 
 def outline(ring: Any, words: str, ax: Any, *, colour: str, style: str) -> None:
-    """A closed outline, in the legend under its words."""
+    """Draw a closed outline with an entry in the legend."""
     points = np.vstack([ring, ring[:1]])
     ax.plot(*points.T, style, color=colour, linewidth=2.6, label=words, zorder=4)
 
 
 def taken(matrix: Array, points: Array) -> Array:
-    """Where a matrix (2, 2) or (3, 3) takes points (n, 2)."""
+    """Images of points (n, 2) under a matrix (2, 2) or (3, 3)."""
     moved = points @ matrix[:2, :2].T
     return moved + matrix[:2, 2] if len(matrix) == 3 else moved
 
 
 def draw_joints(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
-    """The arm, and the student's: base, elbow, tip."""
+    """Draw base, elbow and tip of the arm and of the student's arm."""
     from ....figures import configurations, palette, plane
 
     l1, l2 = case.given["l1"], case.given["l2"]
@@ -129,7 +125,7 @@ def draw_joints(exercise: ValueExercise, case: Case, value: Array | None, ax: An
 
 
 def draw_solutions(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
-    """What the tip reaches, the target, every arm that leads there, and the student's."""
+    """Draw the arm's reach, the target, the right arms and the student's arms."""
     from ....figures import configurations, palette, plane
 
     l1, l2, p = case.given.values()
@@ -150,7 +146,7 @@ def draw_solutions(exercise: ValueExercise, case: Case, value: Array | None, ax:
 
 
 def draw_missed(value: tuple[float, float, Array] | None, answers: Any, ax: Any) -> None:
-    """An arm's reach, the target, and where the program's angles lead."""
+    """Draw the arm's reach, the target, and the arms at the program's angles."""
     from ....figures import palette, plane
 
     if value is None:
@@ -165,7 +161,7 @@ def draw_missed(value: tuple[float, float, Array] | None, answers: Any, ax: Any)
 
 
 def draw_students(l1: float, l2: float, answers: Any, ax: Any) -> None:
-    """Arms at the configurations of an answer."""
+    """Draw arms at the configurations of an answer."""
     from ....figures import configurations, palette
 
     for q in answers:
@@ -173,7 +169,7 @@ def draw_students(l1: float, l2: float, answers: Any, ax: Any) -> None:
 
 
 def reach_of(l1: float, l2: float, p: Array, ax: Any) -> None:
-    """The ring that an arm's tip reaches, in axes that show the target too."""
+    """Draw the ring that an arm's tip reaches, in axes that also show the target."""
     from ....figures import configurations
 
     frame_arm(max(l1 + l2, 1.05 * float(np.hypot(*p))), ax)
@@ -181,7 +177,7 @@ def reach_of(l1: float, l2: float, p: Array, ax: Any) -> None:
 
 
 def frame_arm(reach: float, ax: Any) -> None:
-    """Axes that show all that an arm at the origin reaches."""
+    """Set the axes to show the whole reach of an arm at the origin."""
     from ....figures import plane
 
     plane.frame([(-reach, -reach), (reach, reach)], ax, margin=0.12)
@@ -193,9 +189,7 @@ def places(l1: float, l2: float, q: Array) -> Array:
 
 
 def draw_mechanism(exercise: ValueExercise, case: Case, value: float | None, ax: Any) -> None:
-    """Bodies in a ring, each pin joined to the bodies that it holds, the ground a square; and both
-    numbers.
-    """
+    """Draw bodies in a ring, pins joined to their bodies, the ground as a square; both numbers."""
     from ....figures import palette, plane
 
     bodies, joints = case.given["bodies"], case.given["joints"]

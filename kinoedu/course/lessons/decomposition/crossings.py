@@ -48,7 +48,7 @@ class Crossings(ValueExercise):
     reference = staticmethod(crossed_edges)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Edges that can be drawn on squared paper first; then those of whole worlds, shuffled."""
+        """Edges on squared paper first, then the edges of whole worlds in random order."""
         pair = np.array([(0, 0, 4, 0), (4, 3, 0, 1)], float)
         yield Case("two", {"x": 2.0, "edges": pair})
         yield Case("two", {"x": 2.0, "edges": pair[::-1]})
@@ -76,7 +76,7 @@ class Crossings(ValueExercise):
             )
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The line and the edges, those crossed with their places in both orders."""
+        """Draw the line and the edges; the crossed ones with their places in both orders."""
         draw_crossed(
             case, self.truth(case), outcome.value if isinstance(outcome, Answer) else None, ax
         )
@@ -84,15 +84,13 @@ class Crossings(ValueExercise):
 
 
 def by(key: Array, chosen: NDArray[np.bool_]) -> NDArray[np.int64]:
-    """The numbers of the chosen edges by a key."""
+    """Indices of the chosen edges, sorted by a key."""
     hit = np.flatnonzero(chosen)
     return hit[np.argsort(key[hit], kind="stable")]
 
 
 def through(rng: np.random.Generator, x: float, size: float) -> Array:
-    """Steep edges of many lengths that do not cross each other, one above the other at x, in no
-    order.
-    """
+    """Random steep edges that do not cross, one above the other at x, in random order."""
     rows = []
     for level in range(3):
         slope = rng.choice([-3.0, -2.0, 2.0, 3.0]) if level else 2.5

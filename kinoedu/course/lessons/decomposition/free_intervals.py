@@ -27,13 +27,13 @@ BAY = np.array([(0, 0), (10, -4), (6, 1), (9, 6)], float)
 
 
 def free_stretches(x: float, boundary: Array, obstacles: list[Array]) -> Array:
-    """The free stretches of a vertical line, from bottom to top, (k, 2)."""
+    """Free intervals of a vertical line, from bottom to top, (k, 2)."""
     edges = edges_round(boundary, obstacles)
     return heights(x, edges[crossed_edges(x, edges)]).reshape(-1, 2)
 
 
 class FreeIntervals(ValueExercise):
-    """The free stretches of a vertical line between two events."""
+    """The free intervals of a vertical line between two events."""
 
     name = "free_intervals"
     lesson = "03_decomposition"
@@ -66,7 +66,7 @@ class FreeIntervals(ValueExercise):
     reference = staticmethod(free_stretches)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Squared paper first; then a bay, an obstacle, several."""
+        """Squared paper first; then bays, an obstacle, and several obstacles."""
         for kind, x, boundary, obstacles in (
             ("convex", 4.0, [(0, 0), (6, 0), (8, 4), (1, 4)], []),
             ("convex", 6.0, KITE, []),
@@ -84,7 +84,7 @@ class FreeIntervals(ValueExercise):
                 yield Case(kind, {"x": between_vertices(rng, edges_round(**world)), **world})
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The world, the line, its free stretches and the student's beside them."""
+        """Draw the world, the line, its free intervals, and the student's beside them."""
         draw_intervals(
             case, self.truth(case), outcome.value if isinstance(outcome, Answer) else None, ax
         )
@@ -92,6 +92,6 @@ class FreeIntervals(ValueExercise):
 
 
 def consecutive(x: float, boundary: Array, obstacles: list[Array]) -> Array:
-    """Every stretch between two neighbouring crossings, free or not."""
+    """All intervals between neighbouring crossings, free or not."""
     levels = free_stretches(x, boundary, obstacles).reshape(-1)
     return np.column_stack([levels[:-1], levels[1:]])

@@ -1,6 +1,4 @@
-"""Pictures of failing cases of lesson 3. What is true is solid, what the student's program says
-dashed and orange.
-"""
+"""Pictures of failing cases of lesson 3: truth solid, student's answer dashed orange."""
 
 from collections.abc import Callable
 from typing import Any
@@ -19,9 +17,7 @@ from ...exercise import Case, Exercise
 def draw_crossed(
     case: Case, truth: NDArray[np.int64], value: NDArray[np.int64] | None, ax: Any
 ) -> None:
-    """The edges with their numbers; where the line crosses one, its place in the order, and the
-    student's.
-    """
+    """Draw the numbered edges; each crossed one with its place in both orders."""
     from ....figures import palette, plane
 
     x, edges = case.given["x"], case.given["edges"]
@@ -53,7 +49,7 @@ def draw_crossed(
 
 
 def draw_intervals(case: Case, truth: Array, value: Array | None, ax: Any) -> None:
-    """The world and the line; its free stretches on it, the student's beside it."""
+    """Draw the world, the line with its free intervals, and the student's beside it."""
     from ....figures import palette, plane
 
     x = case.given["x"]
@@ -84,9 +80,7 @@ def draw_intervals(case: Case, truth: Array, value: Array | None, ax: Any) -> No
 
 
 def draw_cells(world: dict[str, Any], truth: Array, value: Array | None, ax: Any) -> None:
-    """The world, the true cells pale, the student's dashed; full orange those of the student's that
-    are none.
-    """
+    """Draw the world, the true cells pale, the student's dashed, and wrong ones filled orange."""
     from ....figures import palette, plane
 
     draw_ground(world, ax)
@@ -136,9 +130,7 @@ def draw_cells(world: dict[str, Any], truth: Array, value: Array | None, ax: Any
 def draw_pairs(
     cells: Array, truth: NDArray[np.int64], value: NDArray[np.int64] | None, ax: Any
 ) -> None:
-    """The cells with their numbers, true pairs joined by a solid line, the student's by a dashed
-    one.
-    """
+    """Draw the numbered cells, true pairs joined by solid lines, the student's by dashed ones."""
     from ....figures import palette, plane
 
     centres = number_cells(cells, ax)
@@ -161,9 +153,7 @@ def draw_cell_path(
     ax: Any,
     is_free: Callable[..., bool],
 ) -> None:
-    """The cells, a right path, the student's dashed, and over it its first motion that is not
-    free.
-    """
+    """Draw the cells, a right path, the student's path, and its first motion that is not free."""
     from ....figures import palette, plane
 
     number_cells(given["trapezoids"], ax)
@@ -201,9 +191,7 @@ def draw_cell_path(
 def draw_middles(
     cells: Array, pairs: Any, shared: Callable[..., Any], found: Callable[..., Array], ax: Any
 ) -> None:
-    """The cells, solid the walls that neighbours share, and the middles found for them: crosses
-    where they lie off.
-    """
+    """Draw the cells, their common walls, and crosses for middles that are not on them."""
     from ....figures import palette, plane
 
     number_cells(cells, ax)
@@ -221,7 +209,7 @@ def draw_middles(
 
 
 def draw_outline(boundary: Array, ax: Any) -> None:
-    """What is no world: its vertices in their order, as far as there are some."""
+    """Draw the vertices of an invalid world in their order, as far as there are any."""
     from ....figures import palette, plane
 
     shown = boundary[np.isfinite(boundary).all(axis=1)]
@@ -232,14 +220,14 @@ def draw_outline(boundary: Array, ax: Any) -> None:
 
 
 def titled(exercise: Exercise, case: Case, ax: Any) -> None:
-    """What to see in the picture of this kind of input."""
+    """Set the title for this kind of input."""
     from ....figures import plane
 
     plane.title(exercise.words(f"pictures.{case.kind}"), ax)
 
 
 def draw_ground(world: dict[str, Any], ax: Any) -> None:
-    """The outside grey, the inside white, obstacles solid."""
+    """Draw the outside grey, the inside white and obstacles solid."""
     from ....figures import palette, plane
 
     plane.frame(world["boundary"], ax, margin=0.2)
@@ -256,7 +244,7 @@ def draw_ground(world: dict[str, Any], ax: Any) -> None:
 
 
 def number_cells(cells: Array, ax: Any) -> Array:
-    """Draw cells with their numbers on solid ground; returns their centres, (n, 2)."""
+    """Draw numbered cells on solid ground, and return their centres, (n, 2)."""
     from ....figures import palette, plane
 
     outlines = corners_of(cells)
@@ -271,7 +259,7 @@ def number_cells(cells: Array, ax: Any) -> Array:
 
 
 def upright(x: float, ax: Any) -> None:
-    """The sweep line."""
+    """Draw the sweep line."""
     from ....figures import palette
 
     ax.axvline(x, color=palette.INK, linewidth=1.8, zorder=3)

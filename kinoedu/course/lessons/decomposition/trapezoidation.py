@@ -63,7 +63,7 @@ class TrapezoidsOfWorld(ValueExercise):
     reference = staticmethod(cells_of)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Squared paper first; every world also mirrored, so that each type of vertex comes."""
+        """Squared paper first; every world also mirrored, so that each type of vertex occurs."""
         bay = {"boundary": BAY, "obstacles": []}
         for kind, world in (
             ("convex", {"boundary": np.array([(0, 0), (4, -2), (8, 4)], float), "obstacles": []}),
@@ -84,16 +84,14 @@ class TrapezoidsOfWorld(ValueExercise):
                 yield Case(kind, general_world(rng, number, size, convex=kind == "convex"))
 
     def same(self, value: Any, truth: Any) -> bool:
-        """Whether two arrays have the same rows, in any order, but for rounding."""
+        """Compare rows up to order and rounding."""
         found, wanted = (np.asarray(array, float).reshape(-1, 6) for array in (value, truth))
         return len(found) == len(wanted) and bool(
             (matches(found, wanted, self.tolerance).sum(axis=0) == 1).all()
         )
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """The same rows; where not, whether walls are upside down or a row is no trapezoid at
-        all.
-        """
+        """Compare the rows; otherwise find whether a row is not a trapezoid at all."""
         if self.same(value, self.truth(case)):
             return RIGHT
         if len(value) and not (
@@ -103,7 +101,7 @@ class TrapezoidsOfWorld(ValueExercise):
         return Verdict(0.0, case.kind, self.wanted(case))
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The true cells pale, the student's dashed."""
+        """Draw the true cells pale, the student's dashed."""
         draw_cells(
             case.given, self.truth(case), outcome.value if isinstance(outcome, Answer) else None, ax
         )
@@ -118,14 +116,14 @@ def is_upright(cells: Array) -> bool:
 
 
 def matches(found: Array, wanted: Array, tolerance: float) -> NDArray[np.bool_]:
-    """Which rows equal which but for rounding, (found, wanted)."""
+    """Which rows equal which up to rounding, (found, wanted)."""
     apart = np.abs(found[:, None] - wanted[None])
     near: NDArray[np.bool_] = apart <= tolerance * (1.0 + np.abs(wanted))[None]
     return np.all(near, axis=2)
 
 
 def mirrored(world: dict[str, Any]) -> dict[str, Any]:
-    """A world with left and right exchanged, counter-clockwise again."""
+    """Reflect a world left to right, and keep it counter-clockwise."""
     boundary, *obstacles = [
         (ring * [-1, 1])[::-1] + 0.0 for ring in (world["boundary"], *world["obstacles"])
     ]

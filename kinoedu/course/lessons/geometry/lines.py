@@ -1,4 +1,4 @@
-"""Shared by the exercises on lines. Bullo & Smith, chapter 1."""
+"""Shared parts of the exercises on lines. Bullo & Smith, chapter 1."""
 
 import numpy as np
 

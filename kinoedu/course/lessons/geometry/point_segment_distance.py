@@ -1,4 +1,4 @@
-"""Exercises on segments. Bullo & Smith, chapter 1."""
+"""The exercise `point_segment_distance`. Bullo & Smith, chapter 1."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -40,9 +40,7 @@ class PointSegmentDistance(ValueExercise):
     reference = staticmethod(point_segment_distance)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Small whole numbers first; q beside the segment, beyond either end, on it; then a segment
-        that is a point.
-        """
+        """Small integers first: q beside the segment, beyond each end, on it, and p1 = p2."""
         for kind, q, p1, p2 in (
             ("beside", (1, 2), (0, 0), (4, 0)),
             ("beside", (2, 4), (1, 2), (5, 2)),
@@ -74,14 +72,12 @@ class PointSegmentDistance(ValueExercise):
             yield Case("point", arguments(p2, p1, p1))
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The segment, the point, and a circle round it as large as each of the two distances."""
+        """Draw the segment, the point, and a circle around it for each of the two distances."""
         draw_distance(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 
 
 def reach(q: Array, p1: Array, p2: Array, least: float, most: float, power: int = 2) -> float:
-    """The distance to the point of the line at a share of the way from p1 to p2 that is kept
-    between two bounds.
-    """
+    """Distance to the point p1 + t (p2 - p1), with t limited to an interval."""
     way = p2 - p1
     share = np.clip(np.dot(q - p1, way) / np.linalg.norm(way) ** power, least, most)
     return float(np.linalg.norm(q - p1 - share * way))

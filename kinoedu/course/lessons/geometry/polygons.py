@@ -1,4 +1,4 @@
-"""Shared by the exercises on polygons. Bullo & Smith, chapter 1."""
+"""Shared parts of the exercises on polygons. Bullo & Smith, chapter 1."""
 
 import numpy as np
 
@@ -22,8 +22,9 @@ TRIES = 1000
 
 
 def kind_of(q: Array, polygon: Array) -> str:
-    """Where q is: inside, on the boundary, or outside and nearest to an edge, the last edge, or a
-    vertex.
+    """Kind of a point: inside, on the boundary, or outside and nearest to an edge or a vertex.
+
+    The edge from the last vertex to the first is a kind of its own.
     """
     where = place(q[0], q[1], polygon)
     if where >= 0:
@@ -37,8 +38,9 @@ def kind_of(q: Array, polygon: Array) -> str:
 def star_and_queries(
     rng: np.random.Generator, n: int, size: float, kinds: tuple[str, ...]
 ) -> tuple[Array, list[Array]]:
-    """A random star of n vertices and a point of every kind; where a star leaves no room for one of
-    them, another star.
+    """Random star-shaped polygon of n vertices, and a point of every kind.
+
+    Another polygon is drawn where there is no room for one of the kinds.
     """
     while True:
         polygon = star_polygon(rng, n, size)
@@ -49,9 +51,7 @@ def star_and_queries(
 
 
 def query(rng: np.random.Generator, polygon: Array, kind: str) -> Array | None:
-    """A random point of a kind, with one nearest boundary point that is clearly the nearest; None
-    where none was found.
-    """
+    """Random point of a kind whose nearest boundary point is clearly unique, or None."""
     lo, hi = polygon.min(axis=0), polygon.max(axis=0)
     for _ in range(TRIES):
         if kind == "boundary":
@@ -74,7 +74,7 @@ def query(rng: np.random.Generator, polygon: Array, kind: str) -> Array | None:
 
 
 def is_tied(q: Array, polygon: Array) -> bool:
-    """Whether two places of the boundary are nearly equally near to q, or q lies nearly on it."""
+    """Whether two boundary points are nearly equally near to q, or q is nearly on the boundary."""
     feet = nearest_on_edges(q, polygon)
     far = np.sqrt(((feet - q) * (feet - q)).sum(axis=1))
     near = far.argmin()
@@ -83,6 +83,6 @@ def is_tied(q: Array, polygon: Array) -> bool:
 
 
 def nearest_on_edges(q: Array, polygon: Array) -> Array:
-    """The point of each edge nearest to q, shape (n, 2)."""
+    """Point of each edge that is nearest to q, shape (n, 2)."""
     ends = zip(polygon, np.roll(polygon, -1, axis=0))
     return np.array([closest_on_segment(q[0], q[1], a[0], a[1], b[0], b[1])[:2] for a, b in ends])
