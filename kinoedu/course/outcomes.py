@@ -116,10 +116,7 @@ SHAPES: dict[type, Record] = {
 
 
 def outcome_of(
-    call: Callable[[], Any],
-    shape: Shape,
-    seconds: float,
-    bounded: Bounded = within_processor_time,
+    call: Callable[[], Any], shape: Shape, seconds: float, bounded: Bounded = within_processor_time
 ) -> Outcome:
     """Run a call within a time limit, and copy its result into plain data of its shape.
 

@@ -11,7 +11,7 @@ from ...exercise import Case, Exercise
 LINKS = ("link 1", "link 2")
 JOINTS = "joints"
 Scene = dict[str, list[Array]]
-CORNERS = 64  # of a circle
+CORNERS = 64  # vertices of a circle
 # figures are imported inside the functions: matplotlib is only needed for failing cases
 
 
@@ -77,23 +77,12 @@ def draw_scene(exercise: Exercise, case: Case, truth: Scene, value: Scene | None
         ("disc", palette.OBSTACLE),
     ):
         for ring in truth[label]:
-            ax.fill(
-                *ring.T,
-                facecolor=colour,
-                edgecolor=palette.START,
-                alpha=0.4,
-                linewidth=2.0,
-                zorder=2,
-            )
+            edge = {"edgecolor": palette.START, "linewidth": 2.0}
+            ax.fill(*ring.T, facecolor=colour, alpha=0.4, zorder=2, **edge)
         for ring in [] if value is None else value[label]:
             if len(ring) > 1:
-                ax.plot(
-                    *np.vstack([ring, ring[:1]]).T,
-                    "--",
-                    color=palette.GOAL,
-                    linewidth=2.5,
-                    zorder=4,
-                )
+                closed = np.vstack([ring, ring[:1]])
+                ax.plot(*closed.T, "--", color=palette.GOAL, linewidth=2.5, zorder=4)
         if label in LINKS:
             plane.label(truth[label][0].mean(axis=0), label, ax)
     for place in truth[JOINTS]:

@@ -101,9 +101,8 @@ def is_convex(ring: Array) -> bool:
     if len(points) < 3 or not np.isfinite(points).all():
         return False
     extent = float(np.ptp(points, axis=0).max())
-    points = points[
-        np.abs(points - np.roll(points, 1, axis=0)).max(axis=1) > 1e-9 * extent
-    ]  # a vertex listed twice is one
+    # repeated vertices count once
+    points = points[np.abs(points - np.roll(points, 1, axis=0)).max(axis=1) > 1e-9 * extent]
     if len(points) < 3:
         return False
     before, after = points - np.roll(points, 1, axis=0), np.roll(points, -1, axis=0) - points

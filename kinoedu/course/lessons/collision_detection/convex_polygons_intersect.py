@@ -50,11 +50,8 @@ class ConvexPolygonsIntersect(ValueExercise):
             ("inside", 4 * unit, unit + 1),
             ("inside", unit + 1, 4 * unit),
             ("crossing", unit * (5, 1) + (0, 2), unit * (1, 5) + (2, 0)),
-            (
-                "crossing",
-                unit * (3000, 1) + (-1234, 0),
-                unit * (1, 3000) + (0, -778),
-            ),  # a few points of each edge all miss
+            # long bars, whose crossing a few sampled points of each edge would miss
+            ("crossing", unit * (3000, 1) + (-1234, 0), unit * (1, 3000) + (0, -778)),
             ("boxes", TRIANGLE, [(4, 4), (1, 4), (4, 1)]),
             ("touching", unit, moved(unit, 1, 1)),
             ("touching", unit, moved(unit, 1, 0)),

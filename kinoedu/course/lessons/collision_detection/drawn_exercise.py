@@ -9,7 +9,7 @@ from ...drawn import Drawn
 from ...exercise import ValueExercise
 
 FULL = 2.0 * np.pi
-NEAR = 1e-5  # dots nearer than that are one
+NEAR = 1e-5  # dots closer than this are equal
 
 
 class DrawnExercise(ValueExercise):

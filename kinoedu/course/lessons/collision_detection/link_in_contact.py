@@ -15,7 +15,7 @@ from ..geometry.lines import POINT
 from .arm_pictures import draw_contact
 
 DISCS = Numbers(("m", 3))
-# of a unit: how far every case is from a change of its answer, but for those that touch exactly
+# distance of every case from a change of its answer, except for exact contact
 CLEAR = 1e-4
 
 
@@ -57,50 +57,19 @@ class LinkInContact(ValueExercise):
     answer = Whole()
     source = staticmethod(touched_link)
     slips = (
-        Slip(
-            "from_x",
-            lambda q, lengths, width, discs: touched_link(q - (0, q[0]), lengths, width, discs),
-        ),
-        Slip(
-            "degrees",
-            lambda q, lengths, width, discs: touched_link(np.radians(q), lengths, width, discs),
-        ),
-        Slip("thin", lambda q, lengths, width, discs: touched_link(q, lengths, 0.0, discs)),
-        Slip(
-            "whole_width",
-            lambda q, lengths, width, discs: touched_link(q, lengths, 2 * width, discs),
-        ),
-        Slip(
-            "centres",
-            lambda q, lengths, width, discs: touched_link(q, lengths, width, discs * (1, 1, 0)),
-        ),
-        Slip(
-            "endless",
-            lambda q, lengths, width, discs: by_distances(
-                q, lengths, width, discs, point_line_distance
-            ),
-        ),
-        Slip(
-            "square",
-            lambda q, lengths, width, discs: by_distances(q, lengths, width, discs, beside),
-        ),
-        Slip(
-            "ends_only",
-            lambda q, lengths, width, discs: by_distances(q, lengths, width, discs, nearer_end),
-        ),
-        Slip(
-            "one_disc", lambda q, lengths, width, discs: touched_link(q, lengths, width, discs[:1])
-        ),
-        Slip(
-            "one_disc", lambda q, lengths, width, discs: touched_link(q, lengths, width, discs[-1:])
-        ),
-        Slip(
-            "second_first", lambda q, lengths, width, discs: second_first(q, lengths, width, discs)
-        ),
-        Slip("disc_first", lambda q, lengths, width, discs: disc_first(q, lengths, width, discs)),
-        Slip(
-            "open", lambda q, lengths, width, discs: touched_link(q, lengths, width - 1e-9, discs)
-        ),
+        Slip("from_x", lambda q, *others: touched_link(q - (0, q[0]), *others)),
+        Slip("degrees", lambda q, *others: touched_link(np.radians(q), *others)),
+        Slip("thin", lambda q, lengths, w, discs: touched_link(q, lengths, 0.0, discs)),
+        Slip("whole_width", lambda q, lengths, w, discs: touched_link(q, lengths, 2 * w, discs)),
+        Slip("centres", lambda *arm: touched_link(*arm[:3], arm[3] * (1, 1, 0))),
+        Slip("endless", lambda *arm: by_distances(*arm, point_line_distance)),
+        Slip("square", lambda *arm: by_distances(*arm, beside)),
+        Slip("ends_only", lambda *arm: by_distances(*arm, nearer_end)),
+        Slip("one_disc", lambda *arm: touched_link(*arm[:3], arm[3][:1])),
+        Slip("one_disc", lambda *arm: touched_link(*arm[:3], arm[3][-1:])),
+        Slip("second_first", lambda *arm: second_first(*arm)),
+        Slip("disc_first", lambda *arm: disc_first(*arm)),
+        Slip("open", lambda q, lengths, w, discs: touched_link(q, lengths, w - 1e-9, discs)),
     )
     reference = staticmethod(touched_link)
 
@@ -138,15 +107,8 @@ class LinkInContact(ValueExercise):
 def case_of(kind: str, q: Any, lengths: Any, width: float, discs: Any) -> Case:
     """Case of an arm and discs with rows x, y, r."""
     rows = np.array(discs, float).reshape(-1, 3)
-    return Case(
-        kind,
-        {
-            "q": np.array(q, float),
-            "lengths": np.array(lengths, float),
-            "width": float(width),
-            "discs": rows,
-        },
-    )
+    arm = {"q": np.array(q, float), "lengths": np.array(lengths, float), "width": float(width)}
+    return Case(kind, {**arm, "discs": rows})
 
 
 def random_case(rng: np.random.Generator, kind: str, n: int) -> Case:
@@ -163,7 +125,7 @@ def random_case(rng: np.random.Generator, kind: str, n: int) -> Case:
         discs = np.column_stack(
             [rng.uniform(-reach, reach, (n, 2)), rng.uniform(0.05, 0.3 if n > 1 else 0.8, n)]
         )
-        if kind == "end":  # just beyond the tip, in the rounded end
+        if kind == "end":  # just beyond the tip, at the rounded end
             out = (ends[2] - ends[1]) / lengths[1]
             discs[-1, :2] = ends[2] + out * (discs[-1, 2] + width * rng.uniform(0.3, 0.45))
         discs = np.round(discs, 3)

@@ -31,7 +31,7 @@ class OverlookedGap(Exercise):
         return (Case(kind, {}) for kind in self.kinds)
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """Two convex polygons; on which the program is wrong; triangles."""
+        """Check that both polygons are convex, the program is wrong, and both are triangles."""
         rule = polygon_fault(*value)
         if not rule and case.kind != "valid":
             P1, P2 = (as_convex_ring(ring) for ring in value)

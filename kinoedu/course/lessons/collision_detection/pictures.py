@@ -92,15 +92,8 @@ def draw_grown_obstacle(exercise: ValueExercise, case: Case, value: Array | None
     ax.fill(*truth.T, facecolor="none", edgecolor=palette.START, linewidth=2.5, zorder=4)
     plane.dot((0, 0), say("collision_picture.reference"), ax)
     if len(shown):
-        ax.plot(
-            *np.vstack([shown, shown[:1]]).T,
-            "--o",
-            color=palette.GOAL,
-            linewidth=2.2,
-            zorder=5,
-            scalex=False,
-            scaley=False,
-        )
+        closed, dashed = np.vstack([shown, shown[:1]]), {"color": palette.GOAL, "linewidth": 2.2}
+        ax.plot(*closed.T, "--o", zorder=5, scalex=False, scaley=False, **dashed)
     if value is None:
         plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
     plane.title(exercise.words(f"pictures.{case.kind}"), ax)

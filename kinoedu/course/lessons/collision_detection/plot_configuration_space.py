@@ -16,7 +16,7 @@ from .arm_pictures import draw_samples
 from .drawn_exercise import FULL, DrawnExercise, same_dots
 from .link_in_contact import DISCS, gaps, random_case, touched_link
 
-OTHER = 9  # stands for a colour that is none of the three
+OTHER = 9  # a colour that is none of the three
 
 
 class PlotConfigurationSpace(DrawnExercise):
@@ -86,13 +86,8 @@ class PlotConfigurationSpace(DrawnExercise):
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """Draw the right dots as rings, and the student's dots inside them."""
-        draw_samples(
-            self,
-            case,
-            self.truth(case),
-            dots_of(outcome.value) if isinstance(outcome, Answer) else None,
-            ax,
-        )
+        dots = dots_of(outcome.value) if isinstance(outcome, Answer) else None
+        draw_samples(self, case, self.truth(case), dots, ax)
 
 
 def dots_of(plot: Any) -> Array:

@@ -24,26 +24,12 @@ class PlotEnvironment(DrawnExercise):
     kinds = ("straight", "bent", "several")
     given = Record(q=POINT, lengths=POINT, width=Number(), discs=DISCS)
     slips = (
-        Slip(
-            "square",
-            lambda q, lengths, width, discs: scene_of(q, lengths, width, discs, rounded=False),
-        ),
-        Slip(
-            "from_x",
-            lambda q, lengths, width, discs: scene_of(q - (0, q[0]), lengths, width, discs),
-        ),
-        Slip(
-            "degrees",
-            lambda q, lengths, width, discs: scene_of(np.radians(q), lengths, width, discs),
-        ),
-        Slip(
-            "whole_width", lambda q, lengths, width, discs: scene_of(q, lengths, 2 * width, discs)
-        ),
-        Slip(
-            "half_discs",
-            lambda q, lengths, width, discs: scene_of(q, lengths, width, discs * (1, 1, 0.5)),
-        ),
-        Slip("one_disc", lambda q, lengths, width, discs: scene_of(q, lengths, width, discs[:1])),
+        Slip("square", lambda *arm: scene_of(*arm, rounded=False)),
+        Slip("from_x", lambda q, *others: scene_of(q - (0, q[0]), *others)),
+        Slip("degrees", lambda q, *others: scene_of(np.radians(q), *others)),
+        Slip("whole_width", lambda q, lengths, w, discs: scene_of(q, lengths, 2 * w, discs)),
+        Slip("half_discs", lambda *arm: scene_of(*arm[:3], arm[3] * (1, 1, 0.5))),
+        Slip("one_disc", lambda *arm: scene_of(*arm[:3], arm[3][:1])),
     )
 
     @staticmethod
@@ -107,13 +93,8 @@ class PlotEnvironment(DrawnExercise):
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """Draw the right drawing pale, and the student's dashed."""
-        draw_scene(
-            self,
-            case,
-            self.truth(case),
-            drawn_scene(outcome.value) if isinstance(outcome, Answer) else None,
-            ax,
-        )
+        drawn = drawn_scene(outcome.value) if isinstance(outcome, Answer) else None
+        draw_scene(self, case, self.truth(case), drawn, ax)
 
 
 def scene_of(

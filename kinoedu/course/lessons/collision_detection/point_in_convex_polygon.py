@@ -41,9 +41,7 @@ class PointInConvexPolygon(ValueExercise):
     reference = staticmethod(point_in_convex_polygon)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """The book's square first; then larger polygons on squared paper, with a point of every
-        kind.
-        """
+        """The book's square first, then larger polygons on squared paper, with every kind of q."""
         for kind, q, P in (
             ("inside", (2, 2), SQUARE),
             ("outside", (2, 4), SQUARE),

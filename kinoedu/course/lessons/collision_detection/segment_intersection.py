@@ -71,12 +71,8 @@ class SegmentIntersection(ValueExercise):
             yield case_of(kind, ends)
         for size in sizes(4):
             for kind in self.kinds:
-                yield case_of(
-                    kind,
-                    on_one_line(rng, size, kind)
-                    if kind in ("overlap", "end_to_end")
-                    else ends_of(rng, size, kind),
-                )
+                random_ends = on_one_line if kind in ("overlap", "end_to_end") else ends_of
+                yield case_of(kind, random_ends(rng, size, kind))
 
     def same(self, value: Any, truth: Any) -> bool:
         """Compare points in either order."""

@@ -14,7 +14,7 @@ from ...outcomes import Answer, Outcome
 from ...shapes import Number, Numbers, Record, Together
 from .pictures import draw_missed
 
-NEARLY = 1.1  # so much longer may link 2 be for the last point
+NEARLY = 1.1  # the largest l2 / l1 for the last case
 
 
 class ExposeReach(Exercise):

@@ -69,12 +69,8 @@ class ForwardKinematics(ValueExercise):
                 yield arm_case("stretched", l1, l2, q=(first, 0.0))
                 yield arm_case("bent", l1, l2, q=(first, second))
                 yield arm_case("folded", l1, l2, q=(first, rng.choice([-pi, pi])))
-                yield arm_case(
-                    "turns",
-                    l1,
-                    l2,
-                    q=np.round(rng.uniform(4.0, 30.0, 2) * rng.choice([-1, 1], 2), 2),
-                )
+                q = np.round(rng.uniform(4.0, 30.0, 2) * rng.choice([-1, 1], 2), 2)
+                yield arm_case("turns", l1, l2, q=q)
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """Draw the arm and the student's arm."""

@@ -17,9 +17,8 @@ from .arm_cases import PAIR, arm_case
 from .exposing_reach import inverse_by_sines
 from .pictures import draw_solutions
 
-WHOLE_CORNERS = np.array(
-    [(3, 4), (5, 12), (8, 15), (7, 24), (20, 21), (5, 0)]
-)  # as far from the origin as a whole number
+# points whose distance from the origin is an integer
+WHOLE_CORNERS = np.array([(3, 4), (5, 12), (8, 15), (7, 24), (20, 21), (5, 0)])
 
 
 def arm_solutions(l1: float, l2: float, p: Array) -> Array:

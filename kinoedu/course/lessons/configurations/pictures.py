@@ -111,13 +111,8 @@ def draw_joints(exercise: ValueExercise, case: Case, value: Array | None, ax: An
         configurations.draw_links(
             np.vstack([(0.0, 0.0), value]), "", ax, colour=palette.GOAL, style="--"
         )
-        plane.label(
-            value[1],
-            say("configuration_picture.your_tip"),
-            ax,
-            colour=palette.GOAL,
-            offset=(9, -18),
-        )
+        name = say("configuration_picture.your_tip")
+        plane.label(value[1], name, ax, colour=palette.GOAL, offset=(9, -18))
     else:
         plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
     plane.label(truth[2], say("configuration_picture.tip"), ax, colour=palette.START)
@@ -201,26 +196,12 @@ def draw_mechanism(exercise: ValueExercise, case: Case, value: float | None, ax:
         pin = 0.82 * at[held].mean(axis=0) + 0.02 * number
         for body in held:
             plane.stretch(pin, at[body], "", ax, colour=palette.OBSTACLE, width=3.0)
-        ax.plot(
-            *pin,
-            "o",
-            color="white",
-            markeredgecolor=palette.INK,
-            markersize=13,
-            markeredgewidth=2.0,
-            zorder=7,
-        )
+        white = {"color": "white", "markeredgecolor": palette.INK, "markeredgewidth": 2.0}
+        ax.plot(*pin, "o", markersize=13, zorder=7, **white)
     for body, place in enumerate(at):
         marker, colour = ("s", palette.INK) if body == 0 else ("o", palette.TREE)
         ax.plot(*place, marker, color=colour, markersize=26, zorder=7)
-        ax.text(
-            *place,
-            str(body),
-            color="white",
-            fontsize=palette.TEXT_SIZE,
-            ha="center",
-            va="center",
-            zorder=8,
-        )
+        centred = {"ha": "center", "va": "center", "fontsize": palette.TEXT_SIZE}
+        ax.text(*place, str(body), color="white", zorder=8, **centred)
     note_both(exercise.truth(case), value, ax)
     plane.title(exercise.words(f"pictures.{case.kind}"), ax)

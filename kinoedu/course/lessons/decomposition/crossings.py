@@ -29,19 +29,9 @@ class Crossings(ValueExercise):
     slips = (
         Slip("unsorted", lambda x, edges: np.sort(crossed_edges(x, edges))),
         Slip("top_down", lambda x, edges: crossed_edges(x, edges)[::-1]),
-        Slip(
-            "rightward",
-            lambda x, edges: by(heights(x, edges), (edges[:, 0] < x) & (x < edges[:, 2])),
-        ),
-        Slip(
-            "middles",
-            lambda x, edges: by(
-                (edges[:, 1] + edges[:, 3]) / 2, (edges[:, 0] < x) != (edges[:, 2] < x)
-            ),
-        ),
-        Slip(
-            "first_ends", lambda x, edges: by(edges[:, 1], (edges[:, 0] < x) != (edges[:, 2] < x))
-        ),
+        Slip("rightward", lambda x, e: by(heights(x, e), (e[:, 0] < x) & (x < e[:, 2]))),
+        Slip("middles", lambda x, e: by((e[:, 1] + e[:, 3]) / 2, (e[:, 0] < x) != (e[:, 2] < x))),
+        Slip("first_ends", lambda x, e: by(e[:, 1], (e[:, 0] < x) != (e[:, 2] < x))),
         Slip("lines", lambda x, edges: np.argsort(heights(x, edges))),
         Slip("renumbered", lambda x, edges: np.argsort(np.argsort(crossed_edges(x, edges)))),
     )

@@ -42,26 +42,13 @@ class FreeIntervals(ValueExercise):
     answer = Numbers(("k", 2))
     source = staticmethod(free_stretches)
     slips = (
-        Slip("hollow", lambda x, boundary, obstacles: consecutive(x, boundary, obstacles)),
-        Slip("solid", lambda x, boundary, obstacles: consecutive(x, boundary, obstacles)[1::2]),
+        Slip("hollow", lambda *given: consecutive(*given)),
+        Slip("solid", lambda *given: consecutive(*given)[1::2]),
         Slip("no_obstacles", lambda x, boundary, obstacles: free_stretches(x, boundary, [])),
-        Slip(
-            "outer",
-            lambda x, boundary, obstacles: free_stretches(x, boundary, obstacles).reshape(-1)[
-                [0, -1]
-            ][None],
-        ),
-        Slip(
-            "top_down", lambda x, boundary, obstacles: free_stretches(x, boundary, obstacles)[::-1]
-        ),
-        Slip(
-            "upside_down",
-            lambda x, boundary, obstacles: free_stretches(x, boundary, obstacles)[:, ::-1],
-        ),
-        Slip(
-            "upside_down",
-            lambda x, boundary, obstacles: free_stretches(x, boundary, obstacles)[::-1, ::-1],
-        ),
+        Slip("outer", lambda *given: free_stretches(*given).reshape(-1)[[0, -1]][None]),
+        Slip("top_down", lambda *given: free_stretches(*given)[::-1]),
+        Slip("upside_down", lambda *given: free_stretches(*given)[:, ::-1]),
+        Slip("upside_down", lambda *given: free_stretches(*given)[::-1, ::-1]),
     )
     reference = staticmethod(free_stretches)
 

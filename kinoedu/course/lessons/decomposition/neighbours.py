@@ -16,16 +16,9 @@ from ..shared.random_shapes import sizes
 from ..shared.random_worlds import has_room
 from .cells import CELLS, cells_of
 from .pictures import draw_pairs, titled
-from .slips import (
-    left_first,
-    nearly,
-    nested_walls,
-    only_later,
-    touching,
-    whole_walls,
-)
+from .slips import left_first, nearly, nested_walls, only_later, touching, whole_walls
 
-THIN_PLATE = np.array(  # it hangs from the ceiling
+THIN_PLATE = np.array(  # attached to the ceiling
     [(0, 1000, 0, 900, 0, 900), (1000, 1000.005, 0, 300, 0, 300), (1000.005, 2000, 0, 900, 0, 900)]
 )
 
@@ -81,14 +74,8 @@ class Neighbours(ValueExercise):
         yield Case("side", {"trapezoids": np.array([next_to, one], float)})
         yield Case("side", {"trapezoids": np.array([one, [2, 5, 3, 7, 3, 7]], float)})
         yield Case("apart", {"trapezoids": np.array([one, [2, 5, 6, 8, 6, 7]], float)})
-        yield Case(
-            "apart",
-            {
-                "trapezoids": np.array(
-                    [[0, 2, 0, 4, 0, 2], [2, 5, 3, 6, 3, 6], [2, 4, 0, 2, 1, 2]], float
-                )
-            },
-        )
+        three = [[0, 2, 0, 4, 0, 2], [2, 5, 3, 6, 3, 6], [2, 4, 0, 2, 1, 2]]
+        yield Case("apart", {"trapezoids": np.array(three, float)})
         yield Case("point", {"trapezoids": np.array([one, [2, 5, 4, 7, 3, 7]], float)})
         yield Case("point", {"trapezoids": np.array([one, [2, 5, 4, 7, 3, 7], next_to], float)})
         yield Case("world", {"trapezoids": THIN_PLATE})
@@ -128,12 +115,8 @@ class Neighbours(ValueExercise):
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """Draw the numbered trapezoids, the common walls, and the student's pairs."""
-        draw_pairs(
-            case.given["trapezoids"],
-            self.truth(case),
-            outcome.value if isinstance(outcome, Answer) else None,
-            ax,
-        )
+        value = outcome.value if isinstance(outcome, Answer) else None
+        draw_pairs(case.given["trapezoids"], self.truth(case), value, ax)
         titled(self, case, ax)
 
 

@@ -25,25 +25,16 @@ def draw_crossed(
     for number, (ax_, ay, bx, by) in enumerate(edges):
         plane.stretch((ax_, ay), (bx, by), "", ax, colour=palette.OBSTACLE)
         if len(edges) <= 12:
-            plane.label(
-                ((ax_ + bx) / 2, (ay + by) / 2),
-                f"edge {number}",
-                ax,
-                colour=palette.OBSTACLE,
-                offset=(6, -16),
-            )
+            middle = ((ax_ + bx) / 2, (ay + by) / 2)
+            plane.label(middle, f"edge {number}", ax, colour=palette.OBSTACLE, offset=(6, -16))
     upright(x, ax)
     said = [] if value is None else value.tolist()
     for place, edge in enumerate(truth.tolist()):
         ax_, ay, bx, by = edges[edge]
         yours = ", ".join(str(k) for k, other in enumerate(said) if other == edge) or "-"
         height = ay + (x - ax_) / (bx - ax_) * (by - ay)
-        plane.dot(
-            (x, height),
-            say("picture.place", true=place, yours=yours) if len(truth) <= 8 else "",
-            ax,
-            colour=palette.GOAL,
-        )
+        name = say("picture.place", true=place, yours=yours) if len(truth) <= 8 else ""
+        plane.dot((x, height), name, ax, colour=palette.GOAL)
     if value is None:
         plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
 
@@ -62,15 +53,8 @@ def draw_intervals(case: Case, truth: Array, value: Array | None, ax: Any) -> No
         plane.stretch(
             (aside, low), (aside, high), "", ax, colour=palette.GOAL, style="--", width=4.0
         )
-        ax.plot(
-            [aside, aside],
-            [low, high],
-            "_",
-            color=palette.GOAL,
-            markersize=12,
-            markeredgewidth=3,
-            zorder=5,
-        )
+        ticks = {"color": palette.GOAL, "markersize": 12, "markeredgewidth": 3}
+        ax.plot([aside, aside], [low, high], "_", zorder=5, **ticks)
     note = (
         say("picture.no_answer")
         if value is None
@@ -100,15 +84,8 @@ def draw_cells(world: dict[str, Any], truth: Array, value: Array | None, ax: Any
     for outline, good in zip(corners_of(shown), right):
         if good:
             closed = np.vstack([outline, outline[:1]])
-            ax.plot(
-                *closed.T,
-                "--",
-                color=palette.GOAL,
-                linewidth=2.0,
-                zorder=4,
-                scalex=False,
-                scaley=False,
-            )
+            dashed = {"color": palette.GOAL, "linewidth": 2.0, "zorder": 4}
+            ax.plot(*closed.T, "--", scalex=False, scaley=False, **dashed)
         else:
             face = (*bytes.fromhex(palette.GOAL[1:]), 40)
             ax.fill(
@@ -172,14 +149,8 @@ def draw_cell_path(
             scalex=False,
             scaley=False,
         )
-        hit = next(
-            (
-                i
-                for i in range(len(value) - 1)
-                if not is_free(value[i], value[i + 1], given["trapezoids"])
-            ),
-            None,
-        )
+        cells, motions = given["trapezoids"], range(len(value) - 1)
+        hit = next((i for i in motions if not is_free(value[i], value[i + 1], cells)), None)
         if hit is not None:
             plane.stretch(
                 value[hit], value[hit + 1], say("picture.contact"), ax, colour=palette.CONTACT
@@ -199,13 +170,8 @@ def draw_middles(
         x, low, high = shared(cells[i], cells[j])
         y = found(cells[i], cells[j])[1]
         plane.stretch((x, low), (x, high), "", ax, colour=palette.START, width=6.0)
-        plane.dot(
-            (x, y),
-            "",
-            ax,
-            colour=palette.INK if low < y < high else palette.GOAL,
-            marker="o" if low < y < high else "X",
-        )
+        colour, marker = (palette.INK, "o") if low < y < high else (palette.GOAL, "X")
+        plane.dot((x, y), "", ax, colour=colour, marker=marker)
 
 
 def draw_outline(boundary: Array, ax: Any) -> None:
@@ -232,13 +198,8 @@ def draw_ground(world: dict[str, Any], ax: Any) -> None:
 
     plane.frame(world["boundary"], ax, margin=0.2)
     ax.set_facecolor("#E5E7EB")
-    ax.fill(
-        *np.asarray(world["boundary"]).T,
-        facecolor=palette.FREE,
-        edgecolor=palette.OBSTACLE,
-        linewidth=2,
-        zorder=1,
-    )
+    look = {"facecolor": palette.FREE, "edgecolor": palette.OBSTACLE, "linewidth": 2}
+    ax.fill(*np.asarray(world["boundary"]).T, zorder=1, **look)
     for obstacle in world["obstacles"]:
         plane.polygon(obstacle, ax, numbers=False)
 

@@ -22,13 +22,11 @@ from .cells import CELLS
 from .pictures import draw_cell_path, titled
 
 HALL = np.array([(0, 0), (16, 0), (16, 10), (0, 10)], float)
-BAR = np.array(
-    [(0, 4), (14, 4), (14, 6), (0, 6)], float
-)  # from the left wall: the only way is round its right end
+# a bar from the left wall: the only way is round its right end
+BAR = np.array([(0, 4), (14, 4), (14, 6), (0, 6)], float)
 FENCE = np.array([(7, 0), (9, 0), (9, 10), (7, 10)], float)  # from floor to ceiling
-STEP = np.array(
-    [(0, 2), (5, 0), (5, 3), (9, 5), (5, 9), (5, 4)], float
-)  # neither wall at x = 5 holds the other
+# neither wall at x = 5 contains the other
+STEP = np.array([(0, 2), (5, 0), (5, 3), (9, 5), (5, 9), (5, 4)], float)
 
 
 def through_cells(

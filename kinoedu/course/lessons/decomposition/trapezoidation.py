@@ -16,12 +16,7 @@ from ..shared.random_worlds import general_world
 from .cells import CELLS, cells_of
 from .free_intervals import BAY, KITE, RING, WEDGE
 from .pictures import draw_cells, titled
-from .slips import (
-    merged,
-    slabs,
-    without_last,
-    without_triangles,
-)
+from .slips import merged, slabs, without_last, without_triangles
 
 
 class TrapezoidsOfWorld(ValueExercise):
@@ -36,29 +31,14 @@ class TrapezoidsOfWorld(ValueExercise):
     shown = staticmethod(settle)
     slips = (
         Slip("slabs", slabs),
-        Slip("hollow", lambda boundary, obstacles: merged(boundary, obstacles, hollow=True)),
-        Slip("last", lambda boundary, obstacles: without_last(cells_of(boundary, obstacles))),
-        Slip(
-            "columns",
-            lambda boundary, obstacles: cells_of(boundary, obstacles)[:, [0, 1, 2, 4, 3, 5]],
-        ),
-        Slip(
-            "columns",
-            lambda boundary, obstacles: cells_of(boundary, obstacles)[:, [0, 1, 3, 2, 5, 4]],
-        ),
-        Slip(
-            "columns",
-            lambda boundary, obstacles: cells_of(boundary, obstacles)[:, [0, 2, 3, 1, 4, 5]],
-        ),
+        Slip("hollow", lambda *world: merged(*world, hollow=True)),
+        Slip("last", lambda *world: without_last(cells_of(*world))),
+        Slip("columns", lambda *world: cells_of(*world)[:, [0, 1, 2, 4, 3, 5]]),
+        Slip("columns", lambda *world: cells_of(*world)[:, [0, 1, 3, 2, 5, 4]]),
+        Slip("columns", lambda *world: cells_of(*world)[:, [0, 2, 3, 1, 4, 5]]),
         Slip("no_obstacles", lambda boundary, obstacles: cells_of(boundary, [])),
-        Slip(
-            "rectangles",
-            lambda boundary, obstacles: cells_of(boundary, obstacles)[:, [0, 1, 2, 3, 2, 3]],
-        ),
-        Slip(
-            "no_triangles",
-            lambda boundary, obstacles: without_triangles(cells_of(boundary, obstacles)),
-        ),
+        Slip("rectangles", lambda *world: cells_of(*world)[:, [0, 1, 2, 3, 2, 3]]),
+        Slip("no_triangles", lambda *world: without_triangles(cells_of(*world))),
     )
     reference = staticmethod(cells_of)
 

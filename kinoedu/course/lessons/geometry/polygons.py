@@ -57,7 +57,7 @@ def query(rng: np.random.Generator, polygon: Array, kind: str) -> Array | None:
         if kind == "boundary":
             i, share = rng.integers(len(polygon)), rng.choice([0.0, 0.25, 0.5])
             q = polygon[i - 1] + share * (polygon[i] - polygon[i - 1])
-            if kind_of(q, polygon) == kind:  # else it was rounded off the edge
+            if kind_of(q, polygon) == kind:  # otherwise rounding moved it off the edge
                 return q
             continue
         side = polygon[-1] - polygon[0]
@@ -65,9 +65,8 @@ def query(rng: np.random.Generator, polygon: Array, kind: str) -> Array | None:
         anywhere = (lo + hi) / 2 + rng.uniform(-1.0, 1.0, 2) * (hi - lo)
         q = np.round(beside if kind == "closing" else anywhere, 2) + 0.0
         if kind in ("inside", "vertex") and rng.random() < 0.5:
-            q[1] = polygon[
-                rng.integers(len(polygon)), 1
-            ]  # exactly as high as a vertex: where a ray to the right goes through it
+            # exactly as high as a vertex, so that a ray to the right passes through it
+            q[1] = polygon[rng.integers(len(polygon)), 1]
         if kind_of(q, polygon) == kind and not is_tied(q, polygon):
             return q
     return None

@@ -17,9 +17,8 @@ from ...exercise import Case, ValueExercise
 def arc(pose: Array, distance: float, curvature: float) -> Array:
     """Poses along an arc, shape (k, 3)."""
     k = 2 + int(min(40.0 * abs(distance * curvature), 2000.0))
-    return np.array(
-        [driven(*pose, share * distance, curvature) for share in np.linspace(0.0, 1.0, k)]
-    )
+    fractions = np.linspace(0.0, 1.0, k)
+    return np.array([driven(*pose, part * distance, curvature) for part in fractions])
 
 
 def frame_both(
@@ -88,33 +87,13 @@ def draw_steps(exercise: ValueExercise, case: Case, value: Array | None, ax: Any
     pose, v, phi, t, wheelbase, _ = case.given.values()
     truth = exercise.truth(case)
     size, shown = frame_both(truth, value, exercise.words(f"pictures.{case.kind}"), ax)
-    ax.plot(
-        *arc(pose, v * t, math.tan(phi) / wheelbase)[:, :2].T,
-        ":",
-        color=palette.INK,
-        linewidth=2.0,
-        zorder=2,
-    )
-    ax.plot(
-        *truth[:, :2].T,
-        "-o",
-        color=palette.START,
-        linewidth=2.6,
-        markersize=6,
-        zorder=4,
-        label=say("picture.true"),
-    )
+    exact = arc(pose, v * t, math.tan(phi) / wheelbase)
+    ax.plot(*exact[:, :2].T, ":", color=palette.INK, linewidth=2.0, zorder=2)
+    solid = {"color": palette.START, "linewidth": 2.6, "markersize": 6, "zorder": 4}
+    ax.plot(*truth[:, :2].T, "-o", label=say("picture.true"), **solid)
     if shown is not None:
-        words = say("picture.yours_short")
-        ax.plot(
-            *shown[:, :2].T,
-            "--s",
-            color=palette.GOAL,
-            linewidth=2.2,
-            markersize=6,
-            zorder=5,
-            label=words,
-        )
+        dashed = {"color": palette.GOAL, "linewidth": 2.2, "markersize": 6, "zorder": 5}
+        ax.plot(*shown[:, :2].T, "--s", label=say("picture.yours_short"), **dashed)
     cars.draw_pose(pose, size, "", ax, colour=palette.INK)
     ax.legend(fontsize=palette.TEXT_SIZE, loc="best")
 
@@ -131,13 +110,8 @@ def draw_orders(exercise: ValueExercise, case: Case, value: Array | None, ax: An
             f"{value[k]:.3g}" if value is not None and k < len(value) else say("car_picture.none")
         )
         at = math.sqrt(h[k] * h[k + 1]), math.sqrt(errors[k] * errors[k + 1])
-        plane.label(
-            at,
-            say("car_picture.order", true=f"{order:.3g}", yours=yours),
-            ax,
-            colour=palette.GOAL,
-            offset=(9, -16),
-        )
+        name = say("car_picture.order", true=f"{order:.3g}", yours=yours)
+        plane.label(at, name, ax, colour=palette.GOAL, offset=(9, -16))
     ax.margins(x=0.35, y=0.2)
     ax.set_xlabel(say("car_picture.step"), fontsize=palette.TEXT_SIZE)
     ax.set_ylabel(say("car_picture.error"), fontsize=palette.TEXT_SIZE)
@@ -192,12 +166,6 @@ def draw_lost(value: tuple[float, float] | None, wheelbase: float, ax: Any) -> N
         (believed, palette.GOAL, "--", "program"),
     ):
         ax.plot(*way[:, :2].T, style, color=colour, linewidth=2.4, zorder=3)
-        cars.draw_pose(
-            way[-1],
-            size,
-            say(f"car_picture.{words}"),
-            ax,
-            colour=colour,
-            below=colour == palette.GOAL,
-        )
+        name, below = say(f"car_picture.{words}"), colour == palette.GOAL
+        cars.draw_pose(way[-1], size, name, ax, colour=colour, below=below)
     plane.title(say("exposing_drive.picture"), ax)

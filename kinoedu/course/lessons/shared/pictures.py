@@ -47,11 +47,9 @@ def draw_distance(exercise: ValueExercise, case: Case, value: float | None, ax: 
     from ....figures import palette, plane
 
     q, truth = case.given["q"], exercise.truth(case)
-    target = (
-        case.given["polygon"]
-        if "polygon" in case.given
-        else np.array([case.given["p1"], case.given["p2"]])
-    )
+    target = case.given.get("polygon")
+    if target is None:
+        target = np.array([case.given["p1"], case.given["p2"]])
     nearest = None if isinstance(truth, ValueError) else nearest_point(exercise, case)
     plane.frame(np.vstack([q, target] + ([] if nearest is None else [nearest])), ax, margin=0.35)
     draw_target(exercise, target, ax)
@@ -61,20 +59,12 @@ def draw_distance(exercise: ValueExercise, case: Case, value: float | None, ax: 
         if truth > 0:
             plane.stretch(q, nearest, words, ax, colour=palette.START)
     if value is not None and np.isfinite(value) and value > 0:
-        plane.ring(
-            q,
-            value,
-            say("picture.yours", value=f"{value:.4g}"),
-            ax,
-            colour=palette.GOAL,
-            style="--",
-        )
+        name = say("picture.yours", value=f"{value:.4g}")
+        plane.ring(q, value, name, ax, colour=palette.GOAL, style="--")
     else:
-        words = (
-            say("picture.no_answer")
-            if value is None
-            else say("picture.yours", value=f"{value:.4g}")
-        )
+        words = say("picture.no_answer")
+        if value is not None:
+            words = say("picture.yours", value=f"{value:.4g}")
         plane.corner_note(words, ax, colour=palette.GOAL)
     plane.dot(q, "q", ax)
     plane.title(exercise.words(f"pictures.{case.kind}"), ax)
@@ -116,12 +106,11 @@ def draw_tangent(exercise: ValueExercise, case: Case, value: Array | None, ax: A
     reach = 0.25 * float(np.ptp(np.vstack([polygon, q]), axis=0).max())
     truth = exercise.truth(case)
     size = 0.0 if value is None else float(np.linalg.norm(value))
-    seen = (
-        value if value is None or size <= 4.0 else 4.0 * value / size
-    )  # a longer arrow is drawn as long as fits
-    ends = [q + reach * truth] + (
-        [q + reach * seen] if seen is not None and np.isfinite(seen).all() else []
-    )
+    # a longer arrow is shortened to fit
+    seen = value if value is None or size <= 4.0 else 4.0 * value / size
+    ends = [q + reach * truth]
+    if seen is not None and np.isfinite(seen).all():
+        ends.append(q + reach * seen)
     plane.frame(np.vstack([q, polygon, *ends]), ax, margin=0.15)
     plane.polygon(polygon, ax)
     plane.stretch(q, (x, y), "", ax, style=":")
@@ -131,11 +120,9 @@ def draw_tangent(exercise: ValueExercise, case: Case, value: Array | None, ax: A
         )
     plane.arrow(q, reach * truth, say("picture.true"), ax, colour=palette.START)
     if seen is not None and np.isfinite(seen).all() and seen.any():
-        words = (
-            say("picture.yours_short")
-            if abs(size - 1.0) < 1e-6
-            else say("picture.yours_long", length=f"{size:.3g}")
-        )
+        words = say("picture.yours_short")
+        if abs(size - 1.0) >= 1e-6:
+            words = say("picture.yours_long", length=f"{size:.3g}")
         plane.arrow(q, reach * seen, words, ax, colour=palette.GOAL, style="--")
     plane.dot(q, "q", ax)
     plane.title(title_words(exercise, case, value), ax)

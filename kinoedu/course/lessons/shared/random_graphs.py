@@ -58,7 +58,7 @@ def random_rows(kind: str, n: int, rng: np.random.Generator) -> list[tuple[int, 
     Parameters
     ----------
     kind : "tree", a spanning tree; "cycle", a tree with additional edges; "directed", a directed
-    ring with additional edges; "parts", two separate graphs of kind "cycle".
+        ring with additional edges; "parts", two separate graphs of kind "cycle".
     """
     name = rng.permutation(n)
     parts = [range(n)] if kind != "parts" else [range(n // 2), range(n // 2, n)]
