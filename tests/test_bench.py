@@ -255,7 +255,7 @@ def test_ratios_are_read_as_they_were_written(tmp_path):
     assert read_ratios(tmp_path / "ratios.csv") == ratios
     assert read_ratios(tmp_path / "none.csv") == []
     (tmp_path / "other.csv").write_text("a,b\n1,2\n")
-    with pytest.raises(UnreadableScene, match="no table of ratios"):
+    with pytest.raises(UnreadableScene, match="not a table of ratios"):
         read_ratios(tmp_path / "other.csv")
 
 

@@ -138,7 +138,7 @@ def test_a_dask_cluster_gives_the_same_rows(table):
         assert but_for_seconds(run(SMALL, where=cluster.scheduler_address)) == but_for_seconds(
             table
         )
-        with pytest.raises(InvalidParameter, match="workers are counted"):
+        with pytest.raises(InvalidParameter, match="workers can be given"):
             run(SMALL, where=cluster.scheduler_address, workers=2)
     with pytest.raises(InvalidParameter, match="no Dask scheduler answers at 'carrier pigeon'"):
         run(SMALL, where="carrier pigeon")
@@ -324,7 +324,7 @@ def test_a_folder_that_cannot_be_written_is_refused_before_anything_runs(tmp_pat
 PROBLEMS = '[problems.a]\nworld = "narrow passage"\n'
 PLANNERS = '[planners.a]\nplanner = "rrt"\n'
 NONSENSE = {
-    "seeds = = 3": "no TOML",
+    "seeds = = 3": "not valid TOML",
     "": "experiment lacks 'problems'",
     PROBLEMS: "experiment lacks 'planners'",
     "problems = 3\n" + PLANNERS: "experiment.problems must be at least one table",
@@ -335,7 +335,7 @@ NONSENSE = {
     "seeds = 2.5\n" + PROBLEMS + PLANNERS: "seeds must be a whole number",
     "seeds = []\n" + PROBLEMS + PLANNERS: "seeds must be at least one",
     "seeds = [1, 1]\n" + PROBLEMS + PLANNERS: "each once",
-    'seeds = "three"\n' + PROBLEMS + PLANNERS: "seeds must be how many",
+    'seeds = "three"\n' + PROBLEMS + PLANNERS: "seeds must be a number of seeds",
     "seeds = [-1]\n" + PROBLEMS + PLANNERS: "each of the seeds must be a whole number from 0",
     "repeat = 0\n" + PROBLEMS + PLANNERS: "repeat must be a whole number from 1",
     "time_limit = -1\n" + PROBLEMS + PLANNERS: "time_limit must be a positive number",
@@ -403,7 +403,7 @@ def test_a_nonsense_file_is_met_by_name(text, tmp_path, capsys):
         (lambda: run(SMALL, workers=0), "workers must be a whole number"),
         (
             lambda: run(Experiment({"a": PROBLEM}, {"mine": lambda problem: None})),
-            "'mine' is known to this process alone",
+            "'mine' exists only in this process",
         ),
         (
             lambda: run(Experiment({"a": PROBLEM}, {"a": partial(ke.prm, sampler=object())})),

@@ -49,20 +49,21 @@ class Drawn(NamedTuple):
             hasattr(value, name) for name in ("lines", "collections", "patches", "get_title")
         ):
             raise wrong_shape(self.words, value)
-        artists = value.collections
         solid = [line for line in value.lines if line.get_linestyle() not in ("None", "")]
         dotted = [line for line in value.lines if line not in solid]
+        lines = [curve_data(line.get_xydata(), line, line.get_color()) for line in solid]
+        dots = [curve_data(line.get_xydata(), line, line.get_markerfacecolor()) for line in dotted]
+        for group in value.collections:
+            lines += line_segments(group)
+            dots += scatter_dots(group)
+        polygons = [
+            curve_data(patch_vertices(patch), patch, patch.get_facecolor())
+            for patch in value.patches
+        ]
         plot = {
-            "lines": [curve_data(line.get_xydata(), line, line.get_color()) for line in solid]
-            + [c for group in artists for c in line_segments(group)],
-            "dots": [
-                curve_data(line.get_xydata(), line, line.get_markerfacecolor()) for line in dotted
-            ]
-            + [c for group in artists for c in scatter_dots(group)],
-            "polygons": [
-                curve_data(patch_vertices(patch), patch, patch.get_facecolor())
-                for patch in value.patches
-            ],
+            "lines": lines,
+            "dots": dots,
+            "polygons": polygons,
             "title": value.get_title(),
             "x_label": value.get_xlabel(),
             "y_label": value.get_ylabel(),

@@ -59,17 +59,20 @@ class LinkInContact(ValueExercise):
     slips = (
         Slip("from_x", lambda q, *others: touched_link(q - (0, q[0]), *others)),
         Slip("degrees", lambda q, *others: touched_link(np.radians(q), *others)),
-        Slip("thin", lambda q, lengths, w, discs: touched_link(q, lengths, 0.0, discs)),
-        Slip("whole_width", lambda q, lengths, w, discs: touched_link(q, lengths, 2 * w, discs)),
-        Slip("centres", lambda *arm: touched_link(*arm[:3], arm[3] * (1, 1, 0))),
-        Slip("endless", lambda *arm: by_distances(*arm, point_line_distance)),
-        Slip("square", lambda *arm: by_distances(*arm, beside)),
-        Slip("ends_only", lambda *arm: by_distances(*arm, nearer_end)),
-        Slip("one_disc", lambda *arm: touched_link(*arm[:3], arm[3][:1])),
-        Slip("one_disc", lambda *arm: touched_link(*arm[:3], arm[3][-1:])),
+        Slip("thin", lambda q, links, w, discs: touched_link(q, links, 0.0, discs)),
+        Slip("whole_width", lambda q, links, w, discs: touched_link(q, links, 2 * w, discs)),
+        Slip("centres", lambda q, links, w, discs: touched_link(q, links, w, discs * (1, 1, 0))),
+        Slip(
+            "endless",
+            lambda q, links, w, discs: by_distances(q, links, w, discs, point_line_distance),
+        ),
+        Slip("square", lambda q, links, w, discs: by_distances(q, links, w, discs, beside)),
+        Slip("ends_only", lambda q, links, w, discs: by_distances(q, links, w, discs, nearer_end)),
+        Slip("one_disc", lambda q, links, w, discs: touched_link(q, links, w, discs[:1])),
+        Slip("one_disc", lambda q, links, w, discs: touched_link(q, links, w, discs[-1:])),
         Slip("second_first", lambda *arm: second_first(*arm)),
         Slip("disc_first", lambda *arm: disc_first(*arm)),
-        Slip("open", lambda q, lengths, w, discs: touched_link(q, lengths, w - 1e-9, discs)),
+        Slip("open", lambda q, links, w, discs: touched_link(q, links, w - 1e-9, discs)),
     )
     reference = staticmethod(touched_link)
 

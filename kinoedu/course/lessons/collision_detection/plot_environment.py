@@ -24,12 +24,12 @@ class PlotEnvironment(DrawnExercise):
     kinds = ("straight", "bent", "several")
     given = Record(q=POINT, lengths=POINT, width=Number(), discs=DISCS)
     slips = (
-        Slip("square", lambda *arm: scene_of(*arm, rounded=False)),
+        Slip("square", lambda q, links, w, discs: scene_of(q, links, w, discs, rounded=False)),
         Slip("from_x", lambda q, *others: scene_of(q - (0, q[0]), *others)),
         Slip("degrees", lambda q, *others: scene_of(np.radians(q), *others)),
-        Slip("whole_width", lambda q, lengths, w, discs: scene_of(q, lengths, 2 * w, discs)),
-        Slip("half_discs", lambda *arm: scene_of(*arm[:3], arm[3] * (1, 1, 0.5))),
-        Slip("one_disc", lambda *arm: scene_of(*arm[:3], arm[3][:1])),
+        Slip("whole_width", lambda q, links, w, discs: scene_of(q, links, 2 * w, discs)),
+        Slip("half_discs", lambda q, links, w, discs: scene_of(q, links, w, discs * (1, 1, 0.5))),
+        Slip("one_disc", lambda q, links, w, discs: scene_of(q, links, w, discs[:1])),
     )
 
     @staticmethod
