@@ -52,9 +52,9 @@ def show(function: Callable[..., Any] | str) -> Source:
 
     Examples
     --------
-    >>> from kinoedu.course.lessons.geometry.polygons import turned
-    >>> print(show(turned).text.splitlines()[0])
-    def turned(v: Array) -> Array:
+    >>> from kinoedu.course.lessons.geometry.polygons import turn_left
+    >>> print(show(turn_left).text.splitlines()[0])
+    def turn_left(v: Array) -> Array:
     """
     name = function if isinstance(function, str) else getattr(function, "__name__", "")
     exercise = EXERCISES.get(name)

@@ -45,7 +45,7 @@ class ExposeMendedBug(Exercise):
             arrives = mended_bug0(start, goal, obstacles, FAR).path is not None
             if arrives:
                 rule = "exposes"
-            elif case.kind == "smallest" and vertices(obstacles) > FEWEST:
+            elif case.kind == "smallest" and count_vertices(obstacles) > FEWEST:
                 rule = "smallest"
         return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
 
@@ -74,14 +74,14 @@ class ExposeMendedBug(Exercise):
         plane.title(self.words("picture"), ax)
 
 
-def vertices(obstacles: list[Any]) -> int:
+def count_vertices(obstacles: list[Any]) -> int:
     """Number of vertices of all obstacles."""
     return sum(map(len, obstacles))
 
 
 def world_fault(start: Any, goal: Any, obstacles: list[Any]) -> str:
     """Key of the rule that makes the world invalid, or ""."""
-    if vertices(obstacles) > MOST:
+    if count_vertices(obstacles) > MOST:
         return "range"
     numbers = np.vstack([start, goal, *obstacles])
     if not (np.abs(numbers) <= FAR).all():

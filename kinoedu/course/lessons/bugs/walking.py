@@ -111,19 +111,20 @@ def is_clear(given: dict[str, Any], plan: Plan) -> bool:
     ends = [*walk.hit, len(walk.points) - 1]
     for begin, end in zip(begins, ends):
         a, b = walk.points[begin], walk.points[end]
-        far = np.linalg.norm(b - a)
-        if far < 2.0 * room:
+        length = np.linalg.norm(b - a)
+        if length < 2.0 * room:
             return False
         for obstacle in given["obstacles"]:
             near = [float(point_polygon_distance(q, obstacle)) for q in (a, b)]
             shares = np.linspace(0.0, 1.0, 200)
             # an obstacle touched at one end of the move is near there
-            begun, ended = (3.0 * room / far if gap < 1e-6 else 0.0 for gap in near)
+            begun, ended = (3.0 * room / length if gap < 1e-6 else 0.0 for gap in near)
             shares = shares[(shares >= begun) & (shares <= 1.0 - ended)]
             gaps = point_polygon_distance(a + shares[:, None] * (b - a), obstacle)
             if np.min(gaps, initial=np.inf) < room:
                 return False
-            if near[1] < 1e-6 and not is_met_squarely(b, given["step"] * (b - a) / far, obstacle):
+            stride = given["step"] * (b - a) / length
+            if near[1] < 1e-6 and not is_met_squarely(b, stride, obstacle):
                 return False
     return True
 

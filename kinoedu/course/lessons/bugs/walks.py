@@ -124,14 +124,14 @@ class WalkExercise(Exercise):
         values = {
             "points": len(value),
             "length": f"{length_of(value):.4g}",
-            "first": rounded(value[0]),
-            "last": rounded(value[-1]),
+            "first": round_point(value[0]),
+            "last": round_point(value[-1]),
         }
         if violation is None:
             return say("walk.yours", **values)
         at = violation.at
         travelled = f"{length_of(value[: at + 1]):.4g}"
-        return say("walk.yours_departs", **values, at=rounded(value[at]), travelled=travelled)
+        return say("walk.yours_departs", **values, at=round_point(value[at]), travelled=travelled)
 
 
 def length_of(path: Array) -> float:
@@ -139,7 +139,7 @@ def length_of(path: Array) -> float:
     return float(np.linalg.norm(np.diff(path, axis=0), axis=1).sum())
 
 
-def rounded(point: Array) -> str:
+def round_point(point: Array) -> str:
     """A point, rounded to what can be seen in a picture."""
     return spoken(np.round(point, 3))
 

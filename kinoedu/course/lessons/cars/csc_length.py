@@ -106,7 +106,7 @@ class CscLength(ValueExercise):
         wanted = dict.fromkeys(("outer", "inner", "crossing"), 12)
         while any(wanted.values()):
             a, r = a_pose(rng), np.round(rng.uniform(0.5, 10), 1)
-            place = a[:2] + rng.uniform(0.5, 9) * r * direction(rng)
+            place = a[:2] + rng.uniform(0.5, 9) * r * random_direction(rng)
             b = np.round([*place, rng.uniform(-3.1, 3.1)], 2)
             kind = kind_of(a, b, r)
             if kind and wanted[kind]:
@@ -158,7 +158,7 @@ def kind_of(a: Array, b: Array, r: float) -> str:
     return "outer" if min(lengths, key=lengths.__getitem__) in ("LSL", "RSR") else "inner"
 
 
-def direction(rng: np.random.Generator) -> Array:
+def random_direction(rng: np.random.Generator) -> Array:
     """Random direction in the plane."""
     angle = rng.uniform(-math.pi, math.pi)
     return np.array([math.cos(angle), math.sin(angle)])

@@ -12,7 +12,7 @@ from ...exercise import RIGHT, Case, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Record
 from ..shared.random_shapes import convex_polygon, sizes
-from .convex import RING, heights
+from .convex import RING, edge_areas
 from .pictures import draw_grown_obstacle
 
 BOX = np.array([(0.0, 0.0), (2.0, 0.0), (2.0, 1.0), (0.0, 1.0)])
@@ -47,7 +47,7 @@ class CObstacle(ValueExercise):
         ),
         Slip(
             "box",
-            lambda robot, obstacle: minkowski_difference(box_round(obstacle), box_round(robot)),
+            lambda robot, other: minkowski_difference(bounding_box(other), bounding_box(robot)),
         ),
         Slip("all", lambda robot, obstacle: (obstacle[:, None] - robot).reshape(-1, 2)),
     )
@@ -83,8 +83,8 @@ class CObstacle(ValueExercise):
             return super().same(value, truth)
         slack = self.tolerance * (1.0 + float(np.abs(truth).max()))
         return all(
-            outside(points, ring) <= slack
-            for points, ring in ((answer, truth), (truth, forwards(answer)))
+            distance_outside(points, ring) <= slack
+            for points, ring in ((answer, truth), (truth, counter_clockwise_corners(answer)))
         )
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
@@ -115,18 +115,18 @@ def is_convex(ring: Array) -> bool:
     )
 
 
-def forwards(ring: Array) -> Array:
+def counter_clockwise_corners(ring: Array) -> Array:
     """Vertices of a convex polygon, counter-clockwise, without those inside edges."""
     return convex_hull(ring)
 
 
-def outside(points: Array, ring: Array) -> float:
+def distance_outside(points: Array, ring: Array) -> float:
     """Upper bound for how far a point lies outside a convex polygon; 0 where all are inside."""
     sides = np.linalg.norm(np.roll(ring, -1, axis=0) - ring, axis=1)
-    return float(max((-(heights(q, ring) / sides).min() for q in points), default=0.0))
+    return float(max((-(edge_areas(q, ring) / sides).min() for q in points), default=0.0))
 
 
-def box_round(ring: Array) -> Array:
+def bounding_box(ring: Array) -> Array:
     """Bounding box of a polygon."""
     (x0, y0), (x1, y1) = ring.min(axis=0), ring.max(axis=0)
     return np.array([(x0, y0), (x1, y0), (x1, y1), (x0, y1)])
@@ -140,7 +140,7 @@ def shapes_of(rng: np.random.Generator, n: int, size: float, kind: str) -> tuple
     """
     robot, obstacle = convex_polygon(rng, n, size), convex_polygon(rng, n + 1, size)
     if kind == "boxes":
-        robot, obstacle = box_round(robot), box_round(obstacle)
+        robot, obstacle = bounding_box(robot), bounding_box(obstacle)
     if kind == "parallel":
         obstacle = convex_hull(np.vstack([robot, robot + rng.integers(1, 2 + int(size), 2)]))
     shift = 3.0 * size if kind == "off" else 0.0

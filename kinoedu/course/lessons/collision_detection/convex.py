@@ -6,12 +6,10 @@ from ....geometry.checks import Array
 from ...shapes import Numbers
 
 RING = Numbers(("n", 2))
-
-
 TRIANGLE = np.array([(0.0, 0.0), (4.0, 0.0), (0.0, 4.0)])
 
 
-def heights(q: Array, P: Array) -> Array:
+def edge_areas(q: Array, P: Array) -> Array:
     """Twice the signed area of the triangle of each edge and q, positive on the left; (n,).
 
     The closing edge comes last.

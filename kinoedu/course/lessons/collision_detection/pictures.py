@@ -24,7 +24,7 @@ def draw_membership(exercise: ValueExercise, case: Case, value: Any, ax: Any) ->
             plane.endless((-y, x, y * a[0] - x * a[1]), "", ax, colour=palette.START, style=":")
             plane.stretch(a, b, "", ax, colour=palette.START, width=4.0)
     plane.dot(q, "q", ax)
-    finish(exercise, case, value, ax)
+    write_answer_and_title(exercise, case, value, ax)
 
 
 def draw_segments(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
@@ -55,11 +55,11 @@ def draw_segments(exercise: ValueExercise, case: Case, value: Array | None, ax: 
 
 def draw_pair(exercise: ValueExercise, case: Case, value: Any, ax: Any) -> None:
     """Draw both polygons, and a separating edge with its line where there is one."""
-    pair(case.given["P1"], case.given["P2"], ax)
-    finish(exercise, case, value, ax)
+    draw_polygons(case.given["P1"], case.given["P2"], ax)
+    write_answer_and_title(exercise, case, value, ax)
 
 
-def pair(P: Array, Q: Array, ax: Any) -> None:
+def draw_polygons(P: Array, Q: Array, ax: Any) -> None:
     """Draw two polygons, and a separating line where there is one."""
     from ....figures import palette, plane
 
@@ -107,11 +107,11 @@ def draw_gap(exercise: Any, value: tuple[Array, Array] | None, ax: Any) -> None:
         plane.frame([(0, 0), (1, 1)], ax)
         plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
     else:
-        pair(value[0], value[1], ax)
+        draw_polygons(value[0], value[1], ax)
     plane.title(exercise.words("picture"), ax)
 
 
-def finish(exercise: ValueExercise, case: Case, value: Any, ax: Any) -> None:
+def write_answer_and_title(exercise: ValueExercise, case: Case, value: Any, ax: Any) -> None:
     """Write the student's answer into the corner, and the title."""
     from ....figures import palette, plane
 

@@ -30,27 +30,27 @@ class PlotConfigurationSpace(DrawnExercise):
     kinds = ("grid", "random", "halton")
     given = Record(samples=Numbers(("n", 2)), lengths=POINT, width=Number(), discs=DISCS)
     slips = (
-        Slip("unscaled", lambda samples, *arm: coloured(samples, samples, *arm)),
-        Slip("unscaled_dots", lambda samples, *arm: coloured(samples, FULL * samples, *arm)),
-        Slip("unscaled_links", lambda samples, *arm: coloured(FULL * samples, samples, *arm)),
-        Slip("root", lambda samples, *arm: rightly(samples[: int(np.sqrt(len(samples)))], *arm)),
-        Slip("degrees", lambda samples, *arm: coloured(360 * samples, FULL * samples, *arm)),
+        Slip("unscaled", lambda samples, *arm: colour_dots(samples, samples, *arm)),
+        Slip("unscaled_dots", lambda samples, *arm: colour_dots(samples, FULL * samples, *arm)),
+        Slip("unscaled_links", lambda samples, *arm: colour_dots(FULL * samples, samples, *arm)),
+        Slip("root", lambda samples, *arm: right_dots(samples[: int(np.sqrt(len(samples)))], *arm)),
+        Slip("degrees", lambda samples, *arm: colour_dots(360 * samples, FULL * samples, *arm)),
         Slip(
             "transposed",
-            lambda samples, *arm: coloured(FULL * samples[:, ::-1], FULL * samples, *arm),
+            lambda samples, *arm: colour_dots(FULL * samples[:, ::-1], FULL * samples, *arm),
         ),
         Slip(
             "only_free",
-            lambda samples, *arm: np.array([dot for dot in rightly(samples, *arm) if dot[2] == 0]),
+            lambda *given: np.array([dot for dot in right_dots(*given) if dot[2] == 0]),
         ),
-        Slip("one_red", lambda samples, *arm: recoloured(rightly(samples, *arm), (0, 2, 2))),
-        Slip("swapped", lambda samples, *arm: recoloured(rightly(samples, *arm), (0, 2, 1))),
+        Slip("one_red", lambda *given: replace_colours(right_dots(*given), (0, 2, 2))),
+        Slip("swapped", lambda *given: replace_colours(right_dots(*given), (0, 2, 1))),
     )
 
     @staticmethod
     def reference(*given: Any) -> Any:
         """Rows of both angles and the link."""
-        return rightly(*given)
+        return right_dots(*given)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Few samples first, with each sampler; every sample is clearly in contact or free."""
@@ -78,11 +78,11 @@ class PlotConfigurationSpace(DrawnExercise):
 
     def answer_words(self, case: Case, value: Any) -> str:
         """Number of dots of each colour."""
-        return counted(dots_of(value))
+        return describe_counts(dots_of(value))
 
     def wanted(self, case: Case) -> str:
         """Number of dots of each colour."""
-        return counted(self.truth(case))
+        return describe_counts(self.truth(case))
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """Draw the right dots as rings, and the student's dots inside them."""
@@ -108,12 +108,12 @@ def shade(colour: str) -> int:
     return 0 if blue > 100 and blue > 1.2 * max(red, green) else OTHER
 
 
-def recoloured(dots: Array, links: tuple[int, int, int]) -> Array:
+def replace_colours(dots: Array, links: tuple[int, int, int]) -> Array:
     """Dots with the colours of other links."""
     return np.column_stack([dots[:, :2], np.array(links)[dots[:, 2].astype(int)]])
 
 
-def coloured(places: Array, samples: Array, lengths: Array, width: float, discs: Array) -> Array:
+def colour_dots(places: Array, samples: Array, lengths: Array, width: float, discs: Array) -> Array:
     """Dots at given places, with the colours of other samples.
 
     Samples are rows of two angles and a link.
@@ -121,12 +121,12 @@ def coloured(places: Array, samples: Array, lengths: Array, width: float, discs:
     return np.column_stack([places, [touched_link(q, lengths, width, discs) for q in samples]])
 
 
-def rightly(samples: Array, *arm: Any) -> Array:
+def right_dots(samples: Array, *arm: Any) -> Array:
     """The right dots for samples of the unit square."""
-    return coloured(FULL * samples, FULL * samples, *arm)
+    return colour_dots(FULL * samples, FULL * samples, *arm)
 
 
-def counted(dots: Array) -> str:
+def describe_counts(dots: Array) -> str:
     """Number of dots of each colour."""
     blue, black, red = (int((dots[:, 2] == link).sum()) for link in range(3))
     counts = {"all": len(dots), "blue": blue, "black": black, "red": red}
@@ -147,7 +147,10 @@ def sampled_arm(rng: np.random.Generator, kind: str, k: int) -> dict[str, Any]:
         margin = min(
             np.abs(gaps(FULL * q, *list(given.values())[1:])).min() for q in given["samples"]
         )
-        if margin > 1e-6 and len(np.unique(rightly(*given.values())[:, 2])) >= (3 if k > 4 else 2):
+        if margin <= 1e-6:
+            continue
+        colours = np.unique(right_dots(*given.values())[:, 2])
+        if len(colours) >= (3 if k > 4 else 2):
             return given
 
 

@@ -49,7 +49,7 @@ class SegmentIntersection(ValueExercise):
                 else NOTHING
             ),
         ),
-        Slip("twice", lambda *ends: twice(segment_intersection(*ends), ends)),
+        Slip("twice", lambda *ends: list_point_twice(segment_intersection(*ends), ends)),
     )
     reference = staticmethod(segment_intersection)
 
@@ -122,7 +122,7 @@ def kind_of(ends: Array) -> str:
         return "parallel" if len(segment_intersection(*ends)) == 0 else ""
     if abs(cross(u, v)) < 0.05 * np.linalg.norm(u) * np.linalg.norm(v):
         return ""
-    t, s = shares(ends)
+    t, s = line_parameters(ends)
     if min(abs(t), abs(t - 1), abs(s), abs(s - 1)) < 1e-12:
         return "touching" if 0 <= t <= 1 and 0 <= s <= 1 else ""
     if min(abs(t), abs(t - 1), abs(s), abs(s - 1)) < 0.02:
@@ -152,7 +152,7 @@ def on_one_line(rng: np.random.Generator, size: float, kind: str) -> Array:
     return start + rng.permutation(pairs).ravel()[:, None] * step
 
 
-def shares(ends: Any) -> tuple[float, float]:
+def line_parameters(ends: Any) -> tuple[float, float]:
     """Parameters t and s of the intersection of the two lines."""
     p1, p2, p3, p4 = ends
     whole = cross(p2 - p1, p4 - p3)
@@ -163,7 +163,7 @@ def by_shares(ends: Any, accepts: Any) -> Array:
     """Intersection of the lines where `accepts(t, s)`; nothing where they are parallel."""
     if cross(ends[1] - ends[0], ends[3] - ends[2]) == 0.0:
         return NOTHING
-    t, s = shares(ends)
+    t, s = line_parameters(ends)
     return (ends[0] + t * (ends[1] - ends[0]))[None] if accepts(t, s) else NOTHING
 
 
@@ -172,7 +172,7 @@ def middle_of(found: Array) -> Array:
     return found.mean(axis=0)[None] if len(found) else found
 
 
-def twice(found: Array, ends: Any) -> Array:
+def list_point_twice(found: Array, ends: Any) -> Array:
     """The right answer, but a single common point of parallel segments is listed twice."""
     is_parallel = cross(ends[1] - ends[0], ends[3] - ends[2]) == 0.0
     return np.vstack([found, found]) if is_parallel and len(found) == 1 else found

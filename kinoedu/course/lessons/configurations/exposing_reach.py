@@ -53,13 +53,13 @@ class ExposeReach(Exercise):
 
 def arm_fault(l1: float, l2: float, p: Array) -> str:
     """Key of the rule that makes the input invalid, or ""."""
-    far = hypot(*p)
+    distance = hypot(*p)
     if not (0.1 <= l1 <= 100.0 and 0.1 <= l2 <= 100.0):
         return "lengths"
-    if not 0.01 <= far <= 200.0:
+    if not 0.01 <= distance <= 200.0:
         return "valid"
     margin = 1e-3 * (l1 + l2)
-    return "" if abs(l1 - l2) + margin <= far <= l1 + l2 - margin else "valid"
+    return "" if abs(l1 - l2) + margin <= distance <= l1 + l2 - margin else "valid"
 
 
 def missed_by(l1: float, l2: float, p: Array) -> float:
@@ -75,7 +75,7 @@ def inverse_by_sines(l1: float, l2: float, p: Array) -> list[tuple[float, float]
 
     It is wrong somewhere. Where?
     """
-    far, heading = hypot(p[0], p[1]), atan2(p[1], p[0])
-    bend = acos((far * far - l1 * l1 - l2 * l2) / (2 * l1 * l2))
-    lead = asin(min(1.0, l2 * sin(bend) / far))
+    distance, heading = hypot(p[0], p[1]), atan2(p[1], p[0])
+    bend = acos((distance * distance - l1 * l1 - l2 * l2) / (2 * l1 * l2))
+    lead = asin(min(1.0, l2 * sin(bend) / distance))
     return [(heading - lead, bend), (heading + lead, -bend)]

@@ -159,19 +159,19 @@ def random_targets(rng: np.random.Generator, size: float) -> Iterator[Case]:
         p=np.round(rng.uniform(0.1, 0.7) * l1 * direction, 3),
     )
     corner = rng.choice(WHOLE_CORNERS) * rng.choice([-1, 1], 2)
-    far = int(hypot(*corner))
-    first, swap = int(rng.integers(1, far)), rng.permutation([0, 1])
-    yield arm_case("outer_rim", first, far - first, p=corner[swap])
+    distance = int(hypot(*corner))
+    first, swap = int(rng.integers(1, distance)), rng.permutation([0, 1])
+    yield arm_case("outer_rim", first, distance - first, p=corner[swap])
     yield arm_case(
-        "inner_rim", *np.array([first, far + first])[rng.permutation([0, 1])], p=corner[swap]
+        "inner_rim", *np.array([first, distance + first])[rng.permutation([0, 1])], p=corner[swap]
     )
     yield arm_case("endless", l1, l1, p=(0.0, 0.0))
 
 
 def by_inner_angle(l1: float, l2: float, p: Array) -> list[tuple[float, float]]:
     """Both solutions, with the inner angle of the triangle in place of the second angle."""
-    far, heading = hypot(*p), atan2(p[1], p[0])
-    bend = acos((l1 * l1 + l2 * l2 - far * far) / (2.0 * l1 * l2))
+    distance, heading = hypot(*p), atan2(p[1], p[0])
+    bend = acos((l1 * l1 + l2 * l2 - distance * distance) / (2.0 * l1 * l2))
     lead = atan2(l2 * sin(bend), l1 + l2 * cos(bend))
     return [(heading - lead, bend), (heading + lead, -bend)]
 
@@ -183,8 +183,8 @@ def by_cosines(
 
     `exchanged` exchanges the sides of the triangle at the base.
     """
-    far = hypot(*p)
-    bend = acos((far * far - l1 * l1 - l2 * l2) / (2.0 * l1 * l2))
+    distance = hypot(*p)
+    bend = acos((distance * distance - l1 * l1 - l2 * l2) / (2.0 * l1 * l2))
     a, b = (l2, l1) if exchanged else (l1, l2)
-    lead = acos((a * a + far * far - b * b) / (2.0 * a * far))
+    lead = acos((a * a + distance * distance - b * b) / (2.0 * a * distance))
     return [(heading - lead, bend), (heading + lead, -bend)]

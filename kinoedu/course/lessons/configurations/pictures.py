@@ -16,7 +16,7 @@ FLAG = np.array([(0, 0), (2, 0), (2, 0.6), (0.6, 0.6), (0.6, 1.2), (0, 1.2)])
 APART = 3.4  # between the middles of two circles
 
 
-def note_both(truth: Any, value: Any, ax: Any) -> None:
+def write_both(truth: Any, value: Any, ax: Any) -> None:
     """Write both numbers into the lower left corner."""
     from ....figures import palette, plane
 
@@ -55,7 +55,7 @@ def draw_short_ways(exercise: ValueExercise, case: Case, value: float | None, ax
             u, v = np.cos(angle), np.sin(angle)
             plane.dot((x + u, v), "", ax)
             plane.label((x + u, v), name, ax, offset=(far * u, far * v - 5), ha="center")
-    note_both(exercise.truth(case), value, ax)
+    write_both(exercise.truth(case), value, ax)
     plane.title(exercise.words(f"pictures.{case.kind}"), ax)
 
 
@@ -66,15 +66,15 @@ def draw_moved(exercise: ValueExercise, case: Case, value: Array | None, ax: Any
     truth = exercise.truth(case)
     size = max(1.0, 0.3 * float(np.abs(truth).max())) if len(truth) == 3 else 1.0
     flag = size * FLAG
-    right = taken(truth, flag)
-    yours = None if value is None or not np.isfinite(value).all() else taken(value, flag)
+    right = transform_points(truth, flag)
+    yours = None if value is None or not np.isfinite(value).all() else transform_points(value, flag)
     reach = 3.0 * size + float(np.abs(right).max())
     seen = yours if yours is not None and np.abs(yours).max() <= 2.0 * reach else None
     plane.frame(np.vstack([flag, right, right if seen is None else seen]), ax, margin=0.15)
-    outline(flag, say("configuration_picture.before"), ax, colour=palette.OUTSIDE, style="-")
-    outline(right, say("picture.true"), ax, colour=palette.START, style="-")
+    draw_outline(flag, say("configuration_picture.before"), ax, colour=palette.OUTSIDE, style="-")
+    draw_outline(right, say("picture.true"), ax, colour=palette.START, style="-")
     if seen is not None:
-        outline(seen, say("picture.yours_short"), ax, colour=palette.GOAL, style="--")
+        draw_outline(seen, say("picture.yours_short"), ax, colour=palette.GOAL, style="--")
     else:
         words = (
             say("picture.no_answer")
@@ -87,13 +87,13 @@ def draw_moved(exercise: ValueExercise, case: Case, value: Array | None, ax: Any
     plane.title(exercise.words(f"pictures.{case.kind}"), ax)
 
 
-def outline(ring: Any, words: str, ax: Any, *, colour: str, style: str) -> None:
+def draw_outline(ring: Any, words: str, ax: Any, *, colour: str, style: str) -> None:
     """Draw a closed outline with an entry in the legend."""
     points = np.vstack([ring, ring[:1]])
     ax.plot(*points.T, style, color=colour, linewidth=2.6, label=words, zorder=4)
 
 
-def taken(matrix: Array, points: Array) -> Array:
+def transform_points(matrix: Array, points: Array) -> Array:
     """Images of points (n, 2) under a matrix (2, 2) or (3, 3)."""
     moved = points @ matrix[:2, :2].T
     return moved + matrix[:2, 2] if len(matrix) == 3 else moved
@@ -125,9 +125,9 @@ def draw_solutions(exercise: ValueExercise, case: Case, value: Array | None, ax:
 
     l1, l2, p = case.given.values()
     truth = exercise.truth(case)
-    reach_of(l1, l2, p, ax)
+    draw_reach(l1, l2, p, ax)
     for q in [] if isinstance(truth, ValueError) else truth:
-        configurations.draw_links(places(l1, l2, q), "", ax, colour=palette.START)
+        configurations.draw_links(arm_points(l1, l2, q), "", ax, colour=palette.START)
     draw_students(
         l1, l2, [] if value is None else [q for q in value[:6] if np.isfinite(q).all()], ax
     )
@@ -149,7 +149,7 @@ def draw_missed(value: tuple[float, float, Array] | None, answers: Any, ax: Any)
         plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
         return
     l1, l2, p = value
-    reach_of(l1, l2, p, ax)
+    draw_reach(l1, l2, p, ax)
     draw_students(l1, l2, answers, ax)
     plane.dot(p, "p", ax, marker="*")
     plane.title(say("exposing_reach.picture"), ax)
@@ -160,10 +160,10 @@ def draw_students(l1: float, l2: float, answers: Any, ax: Any) -> None:
     from ....figures import configurations, palette
 
     for q in answers:
-        configurations.draw_links(places(l1, l2, q), "", ax, colour=palette.GOAL, style="--")
+        configurations.draw_links(arm_points(l1, l2, q), "", ax, colour=palette.GOAL, style="--")
 
 
-def reach_of(l1: float, l2: float, p: Array, ax: Any) -> None:
+def draw_reach(l1: float, l2: float, p: Array, ax: Any) -> None:
     """Draw the ring that an arm's tip reaches, in axes that also show the target."""
     from ....figures import configurations
 
@@ -178,7 +178,7 @@ def frame_arm(reach: float, ax: Any) -> None:
     plane.frame([(-reach, -reach), (reach, reach)], ax, margin=0.12)
 
 
-def places(l1: float, l2: float, q: Array) -> Array:
+def arm_points(l1: float, l2: float, q: Array) -> Array:
     """Base, elbow and tip, shape (3, 2)."""
     return np.vstack([(0.0, 0.0), *TwoLinkArm(l1, l2, 0.0).joints(q)])
 
@@ -203,5 +203,5 @@ def draw_mechanism(exercise: ValueExercise, case: Case, value: float | None, ax:
         ax.plot(*place, marker, color=colour, markersize=26, zorder=7)
         centred = {"ha": "center", "va": "center", "fontsize": palette.TEXT_SIZE}
         ax.text(*place, str(body), color="white", zorder=8, **centred)
-    note_both(exercise.truth(case), value, ax)
+    write_both(exercise.truth(case), value, ax)
     plane.title(exercise.words(f"pictures.{case.kind}"), ax)

@@ -11,18 +11,12 @@ from ...outcomes import Answer, Outcome
 from ...shapes import Listed, Number, Numbers, Record
 from ..shared.random_shapes import sizes
 from ..shared.random_worlds import between_vertices, edges_round, general_world
-from .pictures import draw_intervals, titled
+from .pictures import draw_intervals, set_title
 from .sweep_line import crossed_edges, heights
 
 RING = Numbers(("n", 2))
-
-
 KITE = np.array([(0, 0), (8, -4), (12, 8), (4, 12)], float)
-
-
 WEDGE = np.array([(3, 2), (7, 1), (6, 5)], float)
-
-
 BAY = np.array([(0, 0), (10, -4), (6, 1), (9, 6)], float)
 
 
@@ -42,8 +36,8 @@ class FreeIntervals(ValueExercise):
     answer = Numbers(("k", 2))
     source = staticmethod(free_stretches)
     slips = (
-        Slip("hollow", lambda *given: consecutive(*given)),
-        Slip("solid", lambda *given: consecutive(*given)[1::2]),
+        Slip("hollow", lambda *given: all_intervals(*given)),
+        Slip("solid", lambda *given: all_intervals(*given)[1::2]),
         Slip("no_obstacles", lambda x, boundary, obstacles: free_stretches(x, boundary, [])),
         Slip("outer", lambda *given: free_stretches(*given).reshape(-1)[[0, -1]][None]),
         Slip("top_down", lambda *given: free_stretches(*given)[::-1]),
@@ -75,10 +69,10 @@ class FreeIntervals(ValueExercise):
         draw_intervals(
             case, self.truth(case), outcome.value if isinstance(outcome, Answer) else None, ax
         )
-        titled(self, case, ax)
+        set_title(self, case, ax)
 
 
-def consecutive(x: float, boundary: Array, obstacles: list[Array]) -> Array:
+def all_intervals(x: float, boundary: Array, obstacles: list[Array]) -> Array:
     """All intervals between neighbouring crossings, free or not."""
     levels = free_stretches(x, boundary, obstacles).reshape(-1)
     return np.column_stack([levels[:-1], levels[1:]])

@@ -15,7 +15,7 @@ from ...whole_shapes import WholeNumbers
 from ..shared.random_shapes import sizes
 from ..shared.random_worlds import has_room
 from .cells import CELLS, cells_of
-from .pictures import draw_pairs, titled
+from .pictures import draw_pairs, set_title
 from .slips import left_first, nearly, nested_walls, only_later, touching, whole_walls
 
 THIN_PLATE = np.array(  # attached to the ceiling
@@ -117,7 +117,7 @@ class Neighbours(ValueExercise):
         """Draw the numbered trapezoids, the common walls, and the student's pairs."""
         value = outcome.value if isinstance(outcome, Answer) else None
         draw_pairs(case.given["trapezoids"], self.truth(case), value, ax)
-        titled(self, case, ax)
+        set_title(self, case, ax)
 
 
 def box_world(rng: np.random.Generator, size: float) -> Array:

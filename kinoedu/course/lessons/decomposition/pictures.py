@@ -27,11 +27,11 @@ def draw_crossed(
         if len(edges) <= 12:
             middle = ((ax_ + bx) / 2, (ay + by) / 2)
             plane.label(middle, f"edge {number}", ax, colour=palette.OBSTACLE, offset=(6, -16))
-    upright(x, ax)
-    said = [] if value is None else value.tolist()
+    draw_sweep_line(x, ax)
+    answered = [] if value is None else value.tolist()
     for place, edge in enumerate(truth.tolist()):
         ax_, ay, bx, by = edges[edge]
-        yours = ", ".join(str(k) for k, other in enumerate(said) if other == edge) or "-"
+        yours = ", ".join(str(k) for k, other in enumerate(answered) if other == edge) or "-"
         height = ay + (x - ax_) / (bx - ax_) * (by - ay)
         name = say("picture.place", true=place, yours=yours) if len(truth) <= 8 else ""
         plane.dot((x, height), name, ax, colour=palette.GOAL)
@@ -45,7 +45,7 @@ def draw_intervals(case: Case, truth: Array, value: Array | None, ax: Any) -> No
 
     x = case.given["x"]
     draw_ground(case.given, ax)
-    upright(x, ax)
+    draw_sweep_line(x, ax)
     for low, high in truth:
         plane.stretch((x, low), (x, high), "", ax, colour=palette.START, width=6.0)
     aside = x + 0.03 * float(np.ptp(ax.get_xlim()))
@@ -185,7 +185,7 @@ def draw_outline(boundary: Array, ax: Any) -> None:
         plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
 
 
-def titled(exercise: Exercise, case: Case, ax: Any) -> None:
+def set_title(exercise: Exercise, case: Case, ax: Any) -> None:
     """Set the title for this kind of input."""
     from ....figures import plane
 
@@ -219,7 +219,7 @@ def number_cells(cells: Array, ax: Any) -> Array:
     return centres
 
 
-def upright(x: float, ax: Any) -> None:
+def draw_sweep_line(x: float, ax: Any) -> None:
     """Draw the sweep line."""
     from ....figures import palette
 

@@ -19,7 +19,7 @@ from ..geometry.lines import POINT
 from ..shared.random_shapes import sizes
 from ..shared.random_worlds import general_world, round_polygon
 from .cells import CELLS
-from .pictures import draw_cell_path, titled
+from .pictures import draw_cell_path, set_title
 
 HALL = np.array([(0, 0), (16, 0), (16, 10), (0, 10)], float)
 # a bar from the left wall: the only way is round its right end
@@ -35,8 +35,8 @@ def through_cells(
     """Path through the centres of cells and the middles of their walls, (k, 2), or None."""
     cells = bfs_path(
         Graph(len(trapezoids), pairs),
-        int(holders(start, trapezoids)[0]),
-        int(holders(goal, trapezoids)[0]),
+        int(cells_containing(start, trapezoids)[0]),
+        int(cells_containing(goal, trapezoids)[0]),
     )
     if cells is None:
         return None
@@ -63,15 +63,15 @@ def shared_wall(a: Array, b: Array) -> tuple[float, float, float]:
     return left[1], max(left[4], right[2]), min(left[5], right[3])
 
 
-def levels(cells: Array, x: float) -> Array:
+def floors_and_ceilings(cells: Array, x: float) -> Array:
     """Heights of the floor and the ceiling of each cell at x, (2, n)."""
     share = (x - cells[:, 0]) / (cells[:, 1] - cells[:, 0])
     return cells[:, 2:4].T + share * (cells[:, 4:6] - cells[:, 2:4]).T
 
 
-def holders(q: Array, cells: Array) -> NDArray[np.int64]:
+def cells_containing(q: Array, cells: Array) -> NDArray[np.int64]:
     """Cells, walls included, with q above their floor and below their ceiling."""
-    low, high = levels(cells, q[0])
+    low, high = floors_and_ceilings(cells, q[0])
     return np.flatnonzero(
         (cells[:, 0] <= q[0]) & (q[0] <= cells[:, 1]) & (low < q[1]) & (q[1] < high)
     )
@@ -94,7 +94,7 @@ def is_free(a: Array, b: Array, cells: Array) -> bool:
         b,
     ]
     for q, r in [*((q, q) for q in stops), *zip(stops, stops[1:])]:
-        shared = np.intersect1d(holders(q, cells), holders(r, cells))
+        shared = np.intersect1d(cells_containing(q, cells), cells_containing(r, cells))
         if q[0] == r[0] and not (
             (cells[shared, 0] < q[0]).any() and (cells[shared, 1] > q[0]).any()
         ):
@@ -127,11 +127,11 @@ class PlanByDecomposition(Exercise):
             (HALL, [FENCE], (3, 5), (13, 5)),
             (HALL, [mirror(BAR)], (13, 8), (13, 2)),
         ):
-            cells, pairs = cut(rng, boundary, obstacles, shuffle=False)
+            cells, pairs = shuffled_cells(rng, boundary, obstacles, shuffle=False)
             yield case(np.array(start, float), np.array(goal, float), cells, pairs)
         for size in sizes(4):
             world = general_world(rng, int(rng.integers(2, 6)), size)
-            cells, pairs = cut(rng, **world)
+            cells, pairs = shuffled_cells(rng, **world)
             reached = bfs(Graph(len(cells), pairs), 0).cost
             yield case(inside(rng, cells[0]), inside(rng, cells[0]), cells, pairs)
             i, j = pairs[rng.integers(len(pairs))]
@@ -139,13 +139,13 @@ class PlanByDecomposition(Exercise):
             far = int(np.argmax(reached))
             yield case(inside(rng, cells[0]), inside(rng, cells[far]), cells, pairs)
             scale, kind = size / 16, rng.random() < 0.5
-            tip, two = cut(rng, scale * HALL, [scale * (mirror(BAR) if kind else BAR)])
+            tip, two = shuffled_cells(rng, scale * HALL, [scale * (mirror(BAR) if kind else BAR)])
             order = np.argsort(tip[:, 1] - tip[:, 0])  # the short cell lies at the tip
             yield case(inside(rng, tip[order[-1]]), inside(rng, tip[order[-2]]), tip, two)
-            apart, joined = cut(rng, scale * HALL, [scale * FENCE])
+            apart, joined = shuffled_cells(rng, scale * HALL, [scale * FENCE])
             yield case(inside(rng, apart[0]), inside(rng, apart[1]), apart, joined)
             ring = round_polygon(rng, int(rng.integers(4, 7)), 0.3 * size)
-            cells, pairs = cut(rng, round_polygon(rng, 7, size), [(ring, [0.6 * ring])])
+            cells, pairs = shuffled_cells(rng, round_polygon(rng, 7, size), [(ring, [0.6 * ring])])
             ends = apart_cells(cells, pairs)
             yield case(inside(rng, cells[ends[0]]), inside(rng, cells[ends[1]]), cells, pairs)
 
@@ -179,26 +179,28 @@ class PlanByDecomposition(Exercise):
         """Draw the cells, a right path, and the student's path with its motion that is not free."""
         value = outcome.value if isinstance(outcome, Answer) else None
         draw_cell_path(case.given, through_cells(*case.given.values()), value, ax, is_free)
-        titled(self, case, ax)
+        set_title(self, case, ax)
 
 
 def case(start: Array, goal: Array, cells: Array, pairs: NDArray[np.int64]) -> Case:
     """Case of a problem, with its kind."""
-    i, j = int(holders(start, cells)[0]), int(holders(goal, cells)[0])
+    i, j = int(cells_containing(start, cells)[0]), int(cells_containing(goal, cells)[0])
     way = bfs_path(Graph(len(cells), pairs), i, j)
     kind = "none"
     if way is not None:
-        back = any(turns(cells[a], cells[b], cells[c]) for a, b, c in zip(way, way[1:], way[2:]))
+        back = any(
+            doubles_back(cells[a], cells[b], cells[c]) for a, b, c in zip(way, way[1:], way[2:])
+        )
         kind = {1: "same", 2: "next"}.get(len(way), "turn" if back else "far")
     return Case(kind, {"start": start, "goal": goal, "trapezoids": cells, "pairs": pairs})
 
 
-def turns(a: Array, b: Array, c: Array) -> bool:
+def doubles_back(a: Array, b: Array, c: Array) -> bool:
     """Whether the path from a through b to c leaves b on the side from which it came."""
     return bool((a[1] == b[0]) == (c[1] == b[0]))
 
 
-def cut(
+def shuffled_cells(
     rng: np.random.Generator, boundary: Array, obstacles: list[Any], *, shuffle: bool = True
 ) -> tuple[Array, NDArray[np.int64]]:
     """Cells of a world and their neighbours, in random order."""
@@ -210,11 +212,11 @@ def cut(
 def inside(rng: np.random.Generator, cell: Array) -> Array:
     """Random point well inside a cell, with few digits where the cell is large enough."""
     x = cell[0] + rng.uniform(0.25, 0.75) * (cell[1] - cell[0])
-    low, high = levels(cell[None], x)[:, 0]
+    low, high = floors_and_ceilings(cell[None], x)[:, 0]
     q = np.array([x, low + rng.uniform(0.25, 0.75) * (high - low)])
     return (
         np.round(q, 3)
-        if len(holders(np.round(q, 3), cell[None])) and cell[1] - cell[0] > 0.1
+        if len(cells_containing(np.round(q, 3), cell[None])) and cell[1] - cell[0] > 0.1
         else q
     )
 

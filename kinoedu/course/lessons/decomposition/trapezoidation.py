@@ -15,7 +15,7 @@ from ..shared.random_shapes import sizes
 from ..shared.random_worlds import general_world
 from .cells import CELLS, cells_of
 from .free_intervals import BAY, KITE, RING, WEDGE
-from .pictures import draw_cells, titled
+from .pictures import draw_cells, set_title
 from .slips import merged, slabs, without_last, without_triangles
 
 
@@ -85,7 +85,7 @@ class TrapezoidsOfWorld(ValueExercise):
         draw_cells(
             case.given, self.truth(case), outcome.value if isinstance(outcome, Answer) else None, ax
         )
-        titled(self, case, ax)
+        set_title(self, case, ax)
 
 
 def is_upright(cells: Array) -> bool:

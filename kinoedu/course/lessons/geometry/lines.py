@@ -5,6 +5,4 @@ import numpy as np
 from ...shapes import Numbers
 
 POINT = Numbers((2,))
-
-
 LEVEL, UPRIGHT = np.eye(2)

@@ -69,10 +69,12 @@ class PointLineDistance(ValueExercise):
             along = float(np.dot(q - p1, p2 - p1) / np.dot(p2 - p1, p2 - p1))
             yield Case("beside" if 0 <= along <= 1 else "beyond", arguments(q, p1, p2))
             yield Case(
-                "beside", arguments((p1 + p2) / 2 + rng.uniform(0.2, 2) * turned(p2 - p1), p1, p2)
+                "beside",
+                arguments((p1 + p2) / 2 + rng.uniform(0.2, 2) * turn_left(p2 - p1), p1, p2),
             )
             yield Case(
-                "beyond", arguments(p2 + rng.integers(1, 4) * (p2 - p1) + turned(p2 - p1), p1, p2)
+                "beyond",
+                arguments(p2 + rng.integers(1, 4) * (p2 - p1) + turn_left(p2 - p1), p1, p2),
             )
             yield Case("on", arguments(np.round(p1 + rng.integers(-3, 4) * (p2 - p1), 2), p1, p2))
             yield Case("upright", arguments(q, p1, p1 + UPRIGHT * (1 + rng.integers(9))))
@@ -88,7 +90,7 @@ def arguments(q: Any, p1: Any, p2: Any) -> dict[str, Array]:
     return {"q": np.array(q, float), "p1": np.array(p1, float), "p2": np.array(p2, float)}
 
 
-def turned(v: Array) -> Array:
+def turn_left(v: Array) -> Array:
     """Turn a vector by a quarter turn to the left."""
     return np.array([-v[1], v[0]])
 

@@ -17,8 +17,6 @@ from .lines import POINT
 from .polygons import CORNER, POLYGON, SQUARE, kind_of, nearest_on_edges, star_and_queries
 
 ROUND_SQUARE = ((2, -1), (7, 8), (-3, 2), (1, 1), (4, 2), (9000, 3), (-1, 4), (-2, 0))
-
-
 ROUND_CORNER = ((4, 3), (8, -2), (-1, 5), (1, 5), (5, 1), (2, 2), (1, 2), (4, 2.0005), (2, 3))
 
 

@@ -14,7 +14,7 @@ from ...shapes import Numbers, Record
 from ..shared.pictures import draw_tangent
 from ..shared.random_shapes import sizes
 from .lines import POINT
-from .point_line_distance import turned
+from .point_line_distance import turn_left
 from .polygons import CORNER, POLYGON, SQUARE, kind_of, nearest_on_edges, star_and_queries
 
 
@@ -29,8 +29,8 @@ class PolygonTangent(ValueExercise):
     source = staticmethod(polygon_tangent)
     slips = (
         Slip("clockwise", lambda q, polygon: -polygon_tangent(q, polygon)),
-        Slip("towards", lambda q, polygon: turned(polygon_tangent(q, polygon))),
-        Slip("away", lambda q, polygon: -turned(polygon_tangent(q, polygon))),
+        Slip("towards", lambda q, polygon: turn_left(polygon_tangent(q, polygon))),
+        Slip("away", lambda q, polygon: -turn_left(polygon_tangent(q, polygon))),
         Slip("unscaled", lambda q, polygon: unscaled_tangent(q, polygon)),
         Slip("edge_at_vertex", lambda q, polygon: edge_direction(q, polygon, 0)),
         Slip("edge_at_vertex", lambda q, polygon: edge_direction(q, polygon, -1)),
@@ -92,5 +92,5 @@ def open_tangent(q: Array, polygon: Array) -> Array:
         np.abs(feet[near] - polygon[near]).max() < 1e-12
         or np.abs(feet[near] - polygon[near + 1]).max() < 1e-12
     )
-    vector = turned(q - feet[near]) if at_end else side
+    vector = turn_left(q - feet[near]) if at_end else side
     return vector / np.linalg.norm(vector)

@@ -7,17 +7,11 @@ from ....geometry.polygons import nearest_on_ring, place
 from ....geometry.segments import closest_on_segment
 from ...shapes import Numbers
 from ..shared.random_shapes import star_polygon
-from .point_line_distance import turned
+from .point_line_distance import turn_left
 
 POLYGON = Numbers(("n", 2))
-
-
 SQUARE = np.array([(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)])
-
-
 CORNER = np.array([(0.0, 0.0), (6.0, 0.0), (6.0, 2.0), (2.0, 2.0), (2.0, 6.0), (0.0, 6.0)])
-
-
 TRIES = 1000
 
 
@@ -44,13 +38,13 @@ def star_and_queries(
     """
     while True:
         polygon = star_polygon(rng, n, size)
-        queries = [query(rng, polygon, kind) for kind in kinds]
+        queries = [random_query(rng, polygon, kind) for kind in kinds]
         found = [q for q in queries if q is not None]
         if len(found) == len(queries):
             return polygon, found
 
 
-def query(rng: np.random.Generator, polygon: Array, kind: str) -> Array | None:
+def random_query(rng: np.random.Generator, polygon: Array, kind: str) -> Array | None:
     """Random point of a kind whose nearest boundary point is clearly unique, or None."""
     lo, hi = polygon.min(axis=0), polygon.max(axis=0)
     for _ in range(TRIES):
@@ -61,7 +55,9 @@ def query(rng: np.random.Generator, polygon: Array, kind: str) -> Array | None:
                 return q
             continue
         side = polygon[-1] - polygon[0]
-        beside = polygon[0] + rng.uniform(0.1, 0.9) * side + rng.uniform(0.05, 1.0) * turned(side)
+        beside = (
+            polygon[0] + rng.uniform(0.1, 0.9) * side + rng.uniform(0.05, 1.0) * turn_left(side)
+        )
         anywhere = (lo + hi) / 2 + rng.uniform(-1.0, 1.0, 2) * (hi - lo)
         q = np.round(beside if kind == "closing" else anywhere, 2) + 0.0
         if kind in ("inside", "vertex") and rng.random() < 0.5:
@@ -75,10 +71,12 @@ def query(rng: np.random.Generator, polygon: Array, kind: str) -> Array | None:
 def is_tied(q: Array, polygon: Array) -> bool:
     """Whether two boundary points are nearly equally near to q, or q is nearly on the boundary."""
     feet = nearest_on_edges(q, polygon)
-    far = np.sqrt(((feet - q) * (feet - q)).sum(axis=1))
-    near = far.argmin()
-    apart = np.abs(feet - feet[near]).max(axis=1)
-    return bool(far[near] < 0.01 or ((far < 1.01 * far[near]) & (apart > 1e-9)).any())
+    distances = np.sqrt(((feet - q) * (feet - q)).sum(axis=1))
+    near = distances.argmin()
+    gaps = np.abs(feet - feet[near]).max(axis=1)
+    return bool(
+        distances[near] < 0.01 or ((distances < 1.01 * distances[near]) & (gaps > 1e-9)).any()
+    )
 
 
 def nearest_on_edges(q: Array, polygon: Array) -> Array:

@@ -13,8 +13,6 @@ from ...exercise import ValueExercise
 from ...shapes import Numbers
 
 POSE = Numbers((3,))
-
-
 Mover = Callable[[Array, float, float, float, float], Any]
 
 
