@@ -93,7 +93,7 @@ def folder(tmp_path, monkeypatch):
     return place
 
 
-def test_the_table_and_the_picture_tell_of_all_rows(folder, capsys):
+def test_the_table_and_the_picture_contain_all_rows(folder, capsys):
     """A failing row is listed with its reason and its measurements; the others run; status 1."""
     assert main(["bench", "fails", "lacks", "holds", "holds", "--repeats", "5"]) == 1
     out, err = capsys.readouterr()
@@ -175,7 +175,7 @@ def test_rows_are_listed_and_none_is_run(folder, capsys):
         (["holds", "--pythonrobotics", "no/such/folder"], "no folder"),
     ],
 )
-def test_wrong_input_is_told_before_anything_runs(folder, capsys, arguments, words):
+def test_wrong_input_is_reported_before_anything_runs(folder, capsys, arguments, words):
     """One line says what was expected; status 2."""
     assert main(["bench", *arguments]) == 2
     err = capsys.readouterr().err
@@ -307,7 +307,7 @@ def test_a_peer_that_is_there_is_left_alone(tmp_path, monkeypatch):
     )
 
 
-def test_a_row_that_dies_is_told_by_its_signal_or_status(tmp_path):
+def test_a_row_that_dies_is_reported_with_its_signal_or_status(tmp_path):
     """Its resource use is known too, where the system reports it."""
     (tmp_path / "dies.py").write_text('"""Dies."""\nimport os\nSECONDS = 1\nos._exit(7)\n')
     outcome = run_row(read_rows(tmp_path)[0], tmp_path, {"repeats": 3})

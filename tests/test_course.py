@@ -386,7 +386,7 @@ def test_an_error_shows_the_students_line_and_nothing_of_ours():
     assert "within" not in said.split("in your lines")[1].split("Hint")[0]
 
 
-def test_unanswered_is_said_and_not_counted_as_wrong():
+def test_an_unwritten_answer_is_not_reported_as_wrong():
     """NotImplementedError means that the function is not written yet: no picture, no rule."""
 
     def polygon_tangent(q, polygon):
@@ -461,7 +461,7 @@ def test_feedback_can_be_staged(monkeypatch):
     assert "Hint" in repr(tell(5.0))
 
 
-def test_a_program_that_changes_its_input_is_told_so():
+def test_a_program_that_changes_its_input_is_reported():
     """Each call gets its own copy of the arguments, and a change of them is reported."""
 
     def point_polygon_distance(q, polygon):
@@ -485,7 +485,7 @@ def test_what_a_program_prints_is_shown_for_the_smallest_case_only(capsys):
     assert capsys.readouterr().out == ""
 
 
-def test_a_function_that_calls_an_unwritten_one_is_told_which():
+def test_feedback_names_the_unwritten_function_that_is_called():
     """Feedback names the function that is not written yet."""
 
     def point_segment_distance(q, p1, p2):

@@ -217,7 +217,7 @@ n = [20, 40]
 
 @pytest.mark.skipif(sys.platform == "win32", reason="the signals of POSIX")
 @pytest.mark.parametrize("how", [signal.SIGINT, signal.SIGKILL])
-def test_what_was_stopped_goes_on(how, tmp_path):
+def test_a_stopped_experiment_resumes(how, tmp_path):
     """An experiment that was killed and started again makes only the missing runs; same table."""
     file, out = tmp_path / "small.toml", tmp_path / "out"
     file.write_text(FILE)
@@ -371,7 +371,7 @@ NONSENSE = {
 
 
 @pytest.mark.parametrize("text", NONSENSE)
-def test_a_nonsense_file_is_met_by_name(text, tmp_path, capsys):
+def test_a_nonsense_file_raises_a_named_error(text, tmp_path, capsys):
     """One line names the file, the key and what was expected; nothing is run or written."""
     file = tmp_path / "wrong.toml"
     file.write_text(text)
@@ -411,7 +411,7 @@ def test_a_nonsense_file_is_met_by_name(text, tmp_path, capsys):
         ),
     ],
 )
-def test_wrong_arguments_are_met_by_name(wrong, words):
+def test_wrong_arguments_raise_named_errors(wrong, words):
     """Wrong arguments raise an error before anything is run."""
     with pytest.raises(InvalidParameter, match=words):
         wrong()

@@ -144,7 +144,7 @@ def test_a_second_exercise_goes_to_the_end_of_its_lesson(house):
         ("halfway", "../14_walls", "14_walls"),
     ],
 )
-def test_what_cannot_be_is_refused(name, lesson, words, capsys):
+def test_impossible_names_are_refused(name, lesson, words, capsys):
     """The error names the problem, and nothing is written."""
     before = sorted((HOUSE / "kinoedu" / "course").rglob("*.py"))
     assert main(["new-exercise", name, "--lesson", lesson]) == 2
