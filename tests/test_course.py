@@ -649,7 +649,7 @@ def test_every_word_is_there_and_used():
     files = [*words.HERE.glob("en/*.toml"), *words.LESSONS.glob("*/*.toml")]
     tables = [tomllib.loads(file.read_text(encoding="utf-8")) for file in files]
     table = {name: rows for one in tables for name, rows in one.items()}
-    assert sum(map(len, tables)) == len(table)  # no table stands in two files
+    assert sum(map(len, tables)) == len(table)  # no table is in two files
     assert set(table["exercise"]["rules"]) == set(table["exercise"]["hints"])
     for exercise in EXERCISES.values():
         mine = table[exercise.name]
@@ -667,11 +667,7 @@ def test_every_word_is_there_and_used():
     files = [*(HOUSE / "kinoedu").rglob("*.[pj][ys]"), *(HOUSE / "docs").glob("*.py")]
     sources = "".join(file.read_text(encoding="utf-8") for file in files)
     for name, rows in table.items():
-        elsewhere = name in (
-            "exercise",
-            "advice",
-            "board",
-        )  # asked for by keys that are put together
+        elsewhere = name in ("exercise", "advice", "board")  # their keys are composed
         computed = f'f"{name}.{{' in sources or elsewhere
         if name not in EXERCISES and not computed:
             for key, text in rows.items():

@@ -16,7 +16,7 @@ from kinoedu.errors import InvalidParameter
 HOUSE = Path(__file__).resolve().parent.parent
 NAME, LESSON = "halfway_there", "77_midpoints"
 ROOM = "kinoedu/course/lessons/midpoints"
-# without its file's fixture, which compiles everything
+# called without the fixture of its file, which compiles everything
 WORDS = "import test_course as t; t.test_every_word_is_there_and_used()"
 MARKS = (
     "from kinoedu.grading.questions import assignment as a; print([one.points for one in "
@@ -50,11 +50,8 @@ def house(tmp_path_factory):
 
 def run(house: Path, *command: str) -> subprocess.CompletedProcess:
     """Run Python in a copy of the project, with that copy's kinoedu."""
-    environment = {
-        **os.environ,
-        "PYTHONPATH": str(house),
-        "NUMBA_DISABLE_JIT": "1",
-    }  # machine code would be made for this place
+    # without numba, which would compile everything anew for this copy
+    environment = {**os.environ, "PYTHONPATH": str(house), "NUMBA_DISABLE_JIT": "1"}
     return subprocess.run(
         [sys.executable, "-P", *command],
         cwd=house,

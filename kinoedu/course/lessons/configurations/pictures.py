@@ -13,7 +13,7 @@ from ...exercise import Case, ValueExercise
 # figures are imported inside the functions: matplotlib is only needed for failing cases
 
 FLAG = np.array([(0, 0), (2, 0), (2, 0.6), (0.6, 0.6), (0.6, 1.2), (0, 1.2)])
-APART = 3.4  # between the middles of two circles
+APART = 3.4  # distance between the centres of two circles
 
 
 def write_both(truth: Any, value: Any, ax: Any) -> None:
@@ -48,13 +48,10 @@ def draw_short_ways(exercise: ValueExercise, case: Case, value: float | None, ax
             configurations.draw_turn(
                 (x, 0), p, sense * value, 0.8, "", ax, colour=palette.GOAL, style="--"
             )
-        for angle, name, far in (
-            (p, "a", 16),
-            (q, "b", 30),
-        ):  # b a little farther out, for it may be where a is
+        for angle, name, gap in ((p, "a", 16), (q, "b", 30)):  # the labels must not overlap
             u, v = np.cos(angle), np.sin(angle)
             plane.dot((x + u, v), "", ax)
-            plane.label((x + u, v), name, ax, offset=(far * u, far * v - 5), ha="center")
+            plane.label((x + u, v), name, ax, offset=(gap * u, gap * v - 5), ha="center")
     write_both(exercise.truth(case), value, ax)
     plane.title(exercise.words(f"pictures.{case.kind}"), ax)
 

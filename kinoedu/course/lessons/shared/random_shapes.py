@@ -33,7 +33,7 @@ def star_polygon(rng: np.random.Generator, n: int, size: float) -> Array:
             ring = as_ring(drawn)
         except InvalidPolygon:
             continue
-        if np.array_equal(ring, drawn):  # else it was clockwise
+        if np.array_equal(ring, drawn):  # otherwise it was clockwise
             return ring
 
 
