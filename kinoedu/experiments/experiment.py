@@ -77,7 +77,8 @@ def Experiment(
     --------
     >>> import kinoedu as ke
     >>> problem = ke.Problem(ke.Point(), ke.Terrain([[1] * 9] * 9), (1, 1), (8, 8))
-    >>> experiment = Experiment({"empty": problem}, {"RRT": ke.rrt, "A*": ke.plan_on_grid}, seeds=50)
+    >>> planners = {"RRT": ke.rrt, "A*": ke.plan_on_grid}
+    >>> experiment = Experiment({"empty": problem}, planners, seeds=50)
     >>> len(cells_of(experiment))
     51
     """
