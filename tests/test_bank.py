@@ -1,6 +1,4 @@
-"""The bank of wrong answers: each is rejected, for its own reason, as a grader hears of it: cases
-and outcomes travel as JSON.
-"""
+"""The bank of wrong answers: each is rejected for its own reason, with cases sent as JSON."""
 
 import json
 from functools import lru_cache
@@ -29,13 +27,13 @@ FIRST_OF_ITS_SLIP = [
 
 @lru_cache(maxsize=1)
 def cases_of(exercise):
-    """An exercise's cases, and what each gives as JSON."""
+    """Cases of an exercise, and their arguments as JSON."""
     cases = list(exercise.cases(np.random.default_rng(0)))
     return cases, [json.dumps(exercise.given.encode(case.given), allow_nan=False) for case in cases]
 
 
 def travelled(exercise, function, sent):
-    """The outcome of a call, when case and outcome were sent as JSON."""
+    """Outcome of a call, with case and outcome encoded as JSON."""
     outcome = attempted(exercise, function, json.loads(sent), within_processor_time)
     return decode_outcome(
         json.loads(json.dumps(encode_outcome(outcome, exercise.answer), allow_nan=False)),
@@ -45,9 +43,7 @@ def travelled(exercise, function, sent):
 
 @pytest.mark.parametrize("item", BANK, ids=lambda item: f"{item.exercise}-{item.function.__name__}")
 def test_a_wrong_answer_is_rejected_with_its_reason(item, monkeypatch):
-    """Every program of the bank fails, and the misconception is recognised where it has a name; the
-    case of the first with each misconception is drawn.
-    """
+    """Every program fails and a named misconception is recognised; the first case of each is drawn."""
     exercise = EXERCISES[item.exercise]
     cases, given = cases_of(exercise)
     monkeypatch.setattr(type(exercise), "seconds", 4.0)
@@ -66,7 +62,7 @@ def test_a_wrong_answer_is_rejected_with_its_reason(item, monkeypatch):
 
 @pytest.mark.parametrize("exercise", EXERCISES.values(), ids=list(EXERCISES))
 def test_every_exercise_has_a_bank(exercise):
-    """At least six wrong answers, and a wrong answer for every slip that is named."""
+    """At least six wrong answers, and one for every named misconception."""
     mine = [item for item in BANK if item.exercise == exercise.name]
     assert len(mine) >= 6
     assert {slip.key for slip in exercise.slips} <= {item.slip for item in mine}

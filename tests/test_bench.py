@@ -1,6 +1,4 @@
-"""The speed table: rows run one by one, one that fails does not stop the others, and all is told in
-a table and a picture.
-"""
+"""The benchmark table: rows run one by one, failures do not stop others, all are reported."""
 
 import csv
 import gc
@@ -39,7 +37,8 @@ SECONDS = 2
 def main(repeats: int = 3) -> None:
     ours, theirs = [0.001] * repeats, [0.004] * repeats
     report("apples | pears", {"kinoedu": ours, "a peer": theirs}, {"a peer": Goal(at_least=3)})
-    report("plums", {"kinoedu": ours, "C ruler": [0.0005] * repeats, "other": theirs}, {"C ruler": Goal(at_most=1.2)})
+    times = {"kinoedu": ours, "C ruler": [0.0005] * repeats, "other": theirs}
+    report("plums", times, {"C ruler": Goal(at_most=1.2)})
 if __name__ == "__main__":
     run(main)
 '''
@@ -78,7 +77,7 @@ finally:
 
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
-    """Made-up benchmarks in place of ours: four rows, and scripts that are none."""
+    """Artificial benchmarks: four rows, and scripts that are not rows."""
     place = tmp_path / "benchmarks of mine"
     place.mkdir()
     for name, text in {
@@ -94,10 +93,8 @@ def folder(tmp_path, monkeypatch):
     return place
 
 
-def test_the_table_and_the_picture_tell_of_all_rows(folder, capsys):
-    """A row that fails is named with its reason, what it measured before stands in the table, and
-    the rest go on: status 1.
-    """
+def test_the_table_and_the_picture_contain_all_rows(folder, capsys):
+    """A failing row is listed with its reason and its measurements; the others run; status 1."""
     assert main(["bench", "fails", "lacks", "holds", "holds", "--repeats", "5"]) == 1
     out, err = capsys.readouterr()
     results = folder / "results"
@@ -145,7 +142,7 @@ def test_the_table_and_the_picture_tell_of_all_rows(folder, capsys):
 
 
 def test_what_was_in_the_folder_is_replaced(folder, tmp_path):
-    """A table tells of one run; rows that held or missed are no failure."""
+    """A table reports one run only; missed goals are not failures."""
     out = tmp_path / "new" / "out"
     assert main(["bench", "holds", "--out", str(out)]) == 0
     before = read_ratios(out / "ratios.csv")
@@ -156,7 +153,7 @@ def test_what_was_in_the_folder_is_replaced(folder, tmp_path):
 
 
 def test_rows_are_listed_and_none_is_run(folder, capsys):
-    """Names, how long each takes and what it is, a line each; nothing is written."""
+    """A line for each row with its name, duration and description; nothing is written."""
     assert main(["bench", "--list"]) == 0
     out = capsys.readouterr().out.splitlines()
     assert [line.split()[0] for line in out[:-1]] == ["fails", "holds", "lacks", "waits"]
@@ -178,8 +175,8 @@ def test_rows_are_listed_and_none_is_run(folder, capsys):
         (["holds", "--pythonrobotics", "no/such/folder"], "no folder"),
     ],
 )
-def test_wrong_input_is_told_before_anything_runs(folder, capsys, arguments, words):
-    """In a line, with what is there; status 2."""
+def test_wrong_input_is_reported_before_anything_runs(folder, capsys, arguments, words):
+    """One line says what was expected; status 2."""
     assert main(["bench", *arguments]) == 2
     err = capsys.readouterr().err
     assert words in err and err.count("\n") == 1
@@ -187,7 +184,7 @@ def test_wrong_input_is_told_before_anything_runs(folder, capsys, arguments, wor
 
 
 def test_a_course_without_benchmarks_says_so(tmp_path):
-    """Students get none."""
+    """A student's copy of the course has no benchmarks."""
     with pytest.raises(InvalidParameter, match="there are no benchmarks in"):
         read_rows(tmp_path / "benchmarks")
     (tmp_path / "broken.py").write_text("SECONDS = = 3")
@@ -196,8 +193,9 @@ def test_a_course_without_benchmarks_says_so(tmp_path):
 
 
 def test_our_rows_say_what_they_are():
-    """Each has a sentence and a time; the rounds of those beside peers can be chosen, and
-    PythonRobotics is rrt's.
+    """Each row has a description and a duration, and those with peers have an option for rounds.
+
+    PythonRobotics is a peer of rrt only.
     """
     rows = {row.name: row for row in read_rows(BENCHMARKS)}
     assert {
@@ -221,9 +219,7 @@ def test_our_rows_say_what_they_are():
 
 @pytest.mark.skipif(sys.platform == "win32", reason="the signals of POSIX")
 def test_a_row_is_ended_with_the_command(folder):
-    """Interrupted alone, the command interrupts its row, which clears up; what there is by then is
-    kept.
-    """
+    """When the command is interrupted, it interrupts its row, which cleans up; results are kept."""
     code = f"""
 from pathlib import Path
 import kinoedu.cli.bench as bench
@@ -247,7 +243,7 @@ raise SystemExit(main(["bench", "holds", "waits"]))"""
 
 
 def test_ratios_are_read_as_they_were_written(tmp_path):
-    """Six digits of each; a file that is something else is refused."""
+    """Six digits of each number are kept; another kind of file is rejected."""
     ratios = [
         Ratio(
             "rrt", 'a "title", with a comma', "C", 1.23456, 1.5, 1.25, 1e6, "<= 1.2", "missed", 5
@@ -259,15 +255,13 @@ def test_ratios_are_read_as_they_were_written(tmp_path):
     assert read_ratios(tmp_path / "ratios.csv") == ratios
     assert read_ratios(tmp_path / "none.csv") == []
     (tmp_path / "other.csv").write_text("a,b\n1,2\n")
-    with pytest.raises(UnreadableScene, match="no table of ratios"):
+    with pytest.raises(UnreadableScene, match="not a table of ratios"):
         read_ratios(tmp_path / "other.csv")
 
 
 @pytest.mark.parametrize("has_uv", [True, False])
 def test_a_peer_is_installed_beside_what_the_course_pins(tmp_path, monkeypatch, has_uv):
-    """By uv or by pip, constrained to the pins, from wheels alone; one that cannot be had is told
-    by the installer's last words.
-    """
+    """uv or pip installs it from wheels, constrained to the pins; a failure shows the output."""
     (tmp_path / "benchmarks").mkdir()
     file = tmp_path / "benchmarks" / "environment.txt"
     file.write_text("# peers\nnumpy==0.0.1\n\nno-such-peer==1.0  # why\n")
@@ -304,7 +298,7 @@ def test_a_peer_is_installed_beside_what_the_course_pins(tmp_path, monkeypatch, 
 
 
 def test_a_peer_that_is_there_is_left_alone(tmp_path, monkeypatch):
-    """Nothing is run for it."""
+    """No installer is run for an installed peer."""
     monkeypatch.setattr(
         "kinoedu.bench.peers.subprocess.run", lambda *_, **__: pytest.fail("an installer was run")
     )
@@ -313,8 +307,8 @@ def test_a_peer_that_is_there_is_left_alone(tmp_path, monkeypatch):
     )
 
 
-def test_a_row_that_dies_is_told_by_its_signal_or_status(tmp_path):
-    """And what it used is known where the system tells."""
+def test_a_row_that_dies_is_reported_with_its_signal_or_status(tmp_path):
+    """Its resource use is known too, where the system reports it."""
     (tmp_path / "dies.py").write_text('"""Dies."""\nimport os\nSECONDS = 1\nos._exit(7)\n')
     outcome = run_row(read_rows(tmp_path)[0], tmp_path, {"repeats": 3})
     assert (outcome.ended, outcome.reason) == ("failed", "ended with status 7")
@@ -326,7 +320,7 @@ def test_a_row_that_dies_is_told_by_its_signal_or_status(tmp_path):
 
 
 def test_the_exponent_is_the_slope_of_the_last_sizes():
-    """A power is told exactly, whatever came before it, each round by itself."""
+    """A power law is found exactly in each round, whatever the smaller sizes give."""
     n = np.array([1.0, 2.0, 4.0, 8.0, 16.0, 32.0])
     seconds = np.column_stack([3e-6 * n**2, 5e-5 * n**1.25])
     seconds[:2] = 7.0
@@ -335,9 +329,7 @@ def test_the_exponent_is_the_slope_of_the_last_sizes():
 
 @pytest.mark.parametrize("name", [name for name in GROWTHS if name != "grading"])
 def test_a_wrong_answer_is_not_timed(name):
-    """The judge of each takes the right answer, and neither one that lacks something nor that of
-    another size.
-    """
+    """Each judge accepts the right answer, and rejects incomplete ones and ones of another size."""
     growth = GROWTHS[name]
     small, large = growth.ask(growth.first), growth.ask(4 * growth.first)
     answer = small.work()
@@ -349,18 +341,14 @@ def test_a_wrong_answer_is_not_timed(name):
 
 @pytest.fixture
 def small_heap():
-    """What other tests left is not looked through whenever memory is tidied before something is
-    timed.
-    """
+    """Free what other tests left, so that garbage collection before a measurement is fast."""
     gc.freeze()
     yield
     gc.unfreeze()
 
 
 def test_sizes_double_and_every_time_is_written(small_heap, tmp_path, monkeypatch):
-    """By a clock that ticks once for each unit of work: the exponent is 1, the largest n the first
-    to take half the limit.
-    """
+    """With a simulated clock the exponent is 1, and the last n first takes half the limit."""
     ticks, judged = [0.0], []
 
     def ask(n):

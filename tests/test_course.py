@@ -1,6 +1,4 @@
-"""The exercise contract: what check() says of right and of wrong answers, and that cases and
-answers survive the journey.
-"""
+"""The exercises: what check() says about right and wrong answers, and the encoding of both."""
 
 import contextlib
 import gc
@@ -18,8 +16,8 @@ import pytest
 
 from kinoedu import words
 from kinoedu.course import EXERCISES, ValueExercise, check
-from kinoedu.course.advice import COMPLAINTS
-from kinoedu.course.feedback import folded
+from kinoedu.course.advice import COMMON_ERRORS
+from kinoedu.course.feedback import fold_line
 from kinoedu.course.judging import attempt, report_on
 from kinoedu.course.outcomes import (
     Answer,
@@ -37,7 +35,7 @@ HOUSE = Path(__file__).resolve().parent.parent
 
 @pytest.fixture(autouse=True, scope="module")
 def short_time():
-    """Programs that never end are given up soon."""
+    """Stop programs that never end after a short time."""
     with pytest.MonkeyPatch.context() as patch:
         for exercise in EXERCISES.values():
             patch.setattr(type(exercise), "seconds", 2.0)
@@ -45,7 +43,7 @@ def short_time():
 
 
 def judged(exercise, function, seed=0):
-    """The report on a function."""
+    """Report on a function."""
     cases = list(exercise.cases(np.random.default_rng(seed)))
     return report_on(exercise, cases, (attempt(exercise, function, case) for case in cases))
 
@@ -55,9 +53,7 @@ def judged(exercise, function, seed=0):
     "exercise", [e for e in EXERCISES.values() if e.source], ids=lambda e: e.name
 )
 def test_the_reference_is_accepted_and_every_kind_is_asked(exercise, seed):
-    """The library's own function survives, whatever the seed, and every kind of input has many
-    cases.
-    """
+    """The library's own function passes for every seed, and every kind of input has many cases."""
     report = judged(exercise, exercise.right_answer, seed)
     assert report.is_right, report.failure
     assert report.score == 1.0
@@ -261,12 +257,12 @@ ALSO_RIGHT = {
 
 
 def prm_answer(*given):
-    """The course's own roadmap, its nodes and edges as lists."""
+    """The course's own roadmap, with nodes and edges as lists."""
     return EXERCISES["prm_on_terrain"].source(*given)
 
 
 def bounds_by_probes(points, m):
-    """The farthest of m x m probes, and half the diagonal of a cell more."""
+    """The distance of the farthest of m x m probes, and half the diagonal of a cell more."""
     along = (np.arange(m) + 0.5) / m
     probes = np.stack(np.meshgrid(along, along), axis=-1).reshape(-1, 1, 2)
     low = np.sqrt(((probes - points) ** 2).sum(axis=2)).min(axis=1).max()
@@ -274,12 +270,12 @@ def bounds_by_probes(points, m):
 
 
 def with_straight_angles(ring):
-    """A polygon with a vertex in the middle of each edge."""
+    """A polygon with an additional vertex in the middle of each edge."""
     return np.column_stack([ring, (ring + np.roll(ring, -1, axis=0)) / 2]).reshape(-1, 2)
 
 
 def drawn_in_pieces(q, lengths, width, discs, ax):
-    """Each link as a rectangle and two circles, the discs as patches, the joints one by one."""
+    """A drawing with links of a rectangle and two circles, disc patches, and separate joints."""
     from matplotlib.patches import Circle, Rectangle
 
     start, heading = np.zeros(2), 0.0
@@ -298,7 +294,7 @@ def drawn_in_pieces(q, lengths, width, discs, ax):
 
 
 def scattered_dots(samples, lengths, width, discs, ax):
-    """One scatter plot of all dots, from -pi to pi, in other shades."""
+    """One scatter plot of all dots, with angles from -pi to pi, in other shades."""
     q = 2 * np.pi * samples
     links = [EXERCISES["link_in_contact"].source(one, lengths, width, discs) for one in q]
     ax.scatter(
@@ -332,7 +328,7 @@ def tree_of_last_parents(neighbours, start):
 
 
 def relaxed_again_and_again(neighbours, weights, start):
-    """The costs by Bellman's and Ford's algorithm, which is right as well."""
+    """The costs by the Bellman-Ford algorithm, which is right as well."""
     if min((w for row in weights for w in row), default=0.0) < 0:
         raise ValueError("negative")
     cost = [np.inf] * len(neighbours)
@@ -349,12 +345,15 @@ def relaxed_again_and_again(neighbours, weights, start):
     [(name, i) for name, programs in ALSO_RIGHT.items() for i in range(len(programs))],
 )
 def test_other_right_answers_are_accepted(name, number):
-    """A line of either sign, tuples, lists, numpy's numbers, either orientation."""
+    """A line of either sign, tuples, lists, numpy's numbers, and either orientation are right."""
     assert judged(EXERCISES[name], ALSO_RIGHT[name][number]).is_right
 
 
 def test_what_a_student_reads():
-    """The call, both values, the rule, the hint and the section; then what it survived."""
+    """Feedback shows the call, both values, the rule, the hint and the section.
+
+    After a right answer it shows what the function passed.
+    """
 
     def point_segment_distance(q, p1, p2):
         return EXERCISES["point_line_distance"].source(q, p1, p2) if (p1 != p2).any() else 0.0
@@ -372,7 +371,7 @@ def test_what_a_student_reads():
 
 
 def test_an_error_shows_the_students_line_and_nothing_of_ours():
-    """The student's own line, the error and its message; no line of the library."""
+    """Feedback shows the student's own line, the error and its message, but no library line."""
 
     def point_line_distance(q, p1, p2):
         return helper(q)
@@ -387,8 +386,8 @@ def test_an_error_shows_the_students_line_and_nothing_of_ours():
     assert "within" not in said.split("in your lines")[1].split("Hint")[0]
 
 
-def test_unanswered_is_said_and_not_counted_as_wrong():
-    """NotImplementedError means that nobody has written it yet: no picture, no rule."""
+def test_an_unwritten_answer_is_not_reported_as_wrong():
+    """NotImplementedError means that the function is not written yet: no picture, no rule."""
 
     def polygon_tangent(q, polygon):
         raise NotImplementedError
@@ -400,7 +399,7 @@ def test_unanswered_is_said_and_not_counted_as_wrong():
 
 
 def test_a_hang_ends_with_a_message():
-    """An endless loop, also one that catches everything, ends check()."""
+    """check() stops an endless loop, also one that catches every exception."""
 
     def polygon_tangent(q, polygon):
         while True:
@@ -417,9 +416,7 @@ def test_a_hang_ends_with_a_message():
 
 
 def test_a_hang_inside_callbacks_is_not_reported_as_lost():
-    """Where the order to stop strikes inside a callback of the garbage collector, nothing is
-    printed about it.
-    """
+    """Nothing is printed where the time-out occurs inside a callback of the garbage collector."""
 
     def callback(*_):
         sum(range(50))
@@ -440,9 +437,7 @@ def test_a_hang_inside_callbacks_is_not_reported_as_lost():
 
 
 def test_feedback_can_be_staged(monkeypatch):
-    """First the rule, then the case, then the picture, then the hint; the same failure again earns
-    nothing.
-    """
+    """First the rule, then the case, the picture and the hint; a repeated failure adds nothing."""
     from kinoedu.course import feedback
 
     monkeypatch.setattr(feedback, "TRIES", {})
@@ -466,8 +461,8 @@ def test_feedback_can_be_staged(monkeypatch):
     assert "Hint" in repr(tell(5.0))
 
 
-def test_a_program_that_changes_its_input_is_told_so():
-    """Each call gets its own copy, and what happened to it is seen."""
+def test_a_program_that_changes_its_input_is_reported():
+    """Each call gets its own copy of the arguments, and a change of them is reported."""
 
     def point_polygon_distance(q, polygon):
         answer = EXERCISES["point_polygon_distance"].source(q, polygon)
@@ -480,7 +475,7 @@ def test_a_program_that_changes_its_input_is_told_so():
 
 
 def test_what_a_program_prints_is_shown_for_the_smallest_case_only(capsys):
-    """Prints of two hundred calls do not bury the answer."""
+    """The output of two hundred calls does not hide the feedback."""
 
     def point_line_distance(q, p1, p2):
         print("foot at", p1)
@@ -490,8 +485,8 @@ def test_what_a_program_prints_is_shown_for_the_smallest_case_only(capsys):
     assert capsys.readouterr().out == ""
 
 
-def test_a_function_that_calls_an_unwritten_one_is_told_which():
-    """Not answered yet is said of the function that is not."""
+def test_feedback_names_the_unwritten_function_that_is_called():
+    """Feedback names the function that is not written yet."""
 
     def point_segment_distance(q, p1, p2):
         raise NotImplementedError
@@ -505,7 +500,7 @@ def test_a_function_that_calls_an_unwritten_one_is_told_which():
 
 
 def complaint(code):
-    """What is advised to a function of this body."""
+    """Key of the advice for a function with this body."""
     names = {"np": np}
     exec(compile(f"def point_line_distance(q, p1, p2):\n    {code}", "student.py", "exec"), names)
     return repr(check(names["point_line_distance"]))
@@ -526,7 +521,7 @@ def complaint(code):
     ],
 )
 def test_common_complaints_of_python_are_explained(code, advice):
-    """In words for those who meet them first."""
+    """Common errors of Python are explained for beginners."""
     assert advice in complaint(code)
 
 
@@ -542,7 +537,7 @@ def endless_message():
 
 
 def strange_class():
-    """An exception whose class says nothing of itself."""
+    """An exception of a class without a usable name."""
 
     class Meta(type):
         @property
@@ -564,9 +559,7 @@ def strange_class():
     [endless_message, strange_class, KeyboardInterrupt, SystemExit, GeneratorExit, StopIteration],
 )
 def test_whatever_a_program_raises_is_an_outcome(make):
-    """Messages and classes are code too, and run within the time limit; an exit does not end the
-    notebook.
-    """
+    """Messages and classes of exceptions run within the time limit, and an exit is an outcome."""
 
     def point_line_distance(q, p1, p2):
         raise make()
@@ -576,7 +569,7 @@ def test_whatever_a_program_raises_is_an_outcome(make):
 
 @pytest.mark.parametrize("value", [3e6, 1e12, -5.0, float("nan")])
 def test_a_picture_of_any_number_is_drawn_soon(value):
-    """A circle that is far larger than the picture is told in words."""
+    """A circle much larger than the picture is described in words."""
 
     def point_line_distance(q, p1, p2):
         return value
@@ -588,13 +581,13 @@ def test_a_picture_of_any_number_is_drawn_soon(value):
 
 @pytest.mark.parametrize("wrong_use", ["point_line_distance", 3.0, None, lambda q: q, 10**60])
 def test_a_check_of_something_else_says_what_it_takes(wrong_use):
-    """A name in quotes, a result instead of the function, a function of another name."""
+    """A name in quotes, a result, and a function of another name are rejected with a message."""
     with pytest.raises(InvalidParameter):
         check(wrong_use)
 
 
 class AlwaysEqual:
-    """An answer that calls itself right."""
+    """An answer that equals everything."""
 
     def __eq__(self, other):
         return True
@@ -624,7 +617,7 @@ class AlwaysEqual:
     ids=lambda value: type(value).__name__ + str(value)[:8].strip("<"),
 )
 def test_strange_answers_are_wrong_answers(value):
-    """Whatever a program returns, check() says what was expected and goes on."""
+    """Whatever a program returns, check() says what was expected."""
 
     def point_line_distance(q, p1, p2):
         return value
@@ -636,7 +629,7 @@ def test_strange_answers_are_wrong_answers(value):
 
 
 def test_what_a_program_says_is_escaped():
-    """Words of a student's program cannot become markup."""
+    """Text from a student's program cannot become markup."""
 
     def point_line_distance(q, p1, p2):
         raise RuntimeError("<script>alert(1)</script>\ud800")
@@ -645,20 +638,18 @@ def test_what_a_program_says_is_escaped():
 
 
 def test_a_long_line_opens_on_a_click():
-    """Its beginning is shown, and all of it can be copied; a short one stands as it is."""
+    """A long line shows its beginning and expands on a click; a short one is unchanged."""
     line = "problem = '" + "<" * 500 + "'"
-    assert folded(line).startswith("<details") and folded(line).count("&lt;") > 500
-    assert folded("n = '<'") == escape("n = '<'")
+    assert fold_line(line).startswith("<details") and fold_line(line).count("&lt;") > 500
+    assert fold_line("n = '<'") == escape("n = '<'")
 
 
 def test_every_word_is_there_and_used():
-    """Each exercise has words for all its kinds, rules, hints, slips and pictures; the catalogue
-    has no words that nothing says.
-    """
+    """Each exercise has messages for its kinds, rules, hints, slips and pictures, and no others."""
     files = [*words.HERE.glob("en/*.toml"), *words.LESSONS.glob("*/*.toml")]
     tables = [tomllib.loads(file.read_text(encoding="utf-8")) for file in files]
     table = {name: rows for one in tables for name, rows in one.items()}
-    assert sum(map(len, tables)) == len(table)  # no table stands in two files
+    assert sum(map(len, tables)) == len(table)  # no table is in two files
     assert set(table["exercise"]["rules"]) == set(table["exercise"]["hints"])
     for exercise in EXERCISES.values():
         mine = table[exercise.name]
@@ -670,17 +661,13 @@ def test_every_word_is_there_and_used():
         assert set(mine.get("slips", {})) == {slip.key for slip in exercise.slips}
         rules, hints = set(mine.get("rules", {})), set(mine.get("hints", {}))
         assert rules <= hints <= rules.union(*(other["rules"] for other in lent))
-        assert all(words.has_words(f"advice.{key}") for key, _, _ in COMPLAINTS)
+        assert all(words.has_words(f"advice.{key}") for key, _, _ in COMMON_ERRORS)
         assert any("section" in one for one in (mine, *lent))
         assert mine["wonder"]
     files = [*(HOUSE / "kinoedu").rglob("*.[pj][ys]"), *(HOUSE / "docs").glob("*.py")]
     sources = "".join(file.read_text(encoding="utf-8") for file in files)
     for name, rows in table.items():
-        elsewhere = name in (
-            "exercise",
-            "advice",
-            "board",
-        )  # asked for by keys that are put together
+        elsewhere = name in ("exercise", "advice", "board")  # their keys are composed
         computed = f'f"{name}.{{' in sources or elsewhere
         if name not in EXERCISES and not computed:
             for key, text in rows.items():
@@ -694,7 +681,7 @@ def test_every_word_is_there_and_used():
 
 
 def test_a_translation_replaces_words_and_falls_back(monkeypatch, tmp_path):
-    """KINOEDU_LANGUAGE reads another catalogue first."""
+    """KINOEDU_LANGUAGE selects another catalogue, with English where a message is missing."""
     shutil.copytree(HOUSE / "kinoedu" / "words" / "en", tmp_path / "en")
     (tmp_path / "xx").mkdir()
     (tmp_path / "xx" / "some.toml").write_text('[check]\nhint = "Wink"\n')
@@ -713,7 +700,7 @@ NO_SECONDS = (5, True, None, "5", "nan", float("nan"), float("inf"), -1.0, 1e9, 
 
 
 def test_outcomes_that_are_none_are_refused():
-    """Data that no call can have produced is not taken for an outcome."""
+    """Data that no call can have produced are not accepted as an outcome."""
     from kinoedu.course.plain import WrongShape
     from kinoedu.course.shapes import Number, Numbers
 
@@ -758,8 +745,10 @@ def test_outcomes_that_are_none_are_refused():
 
 @pytest.mark.parametrize("name", ["point_polygon_distance", "polygon_tangent"])
 def test_a_star_without_room_for_a_question_is_replaced(name):
-    """For a sharp star no point inside is clearly nearest to one edge: such seeds once drew points
-    for ever.
+    """Where a star-shaped polygon leaves no room for a kind of point, another is drawn.
+
+    In a sharp star no inside point may be clearly nearest to one edge; such seeds once looped
+    forever.
     """
     for seed in (26, 30, 32):
         cases = list(EXERCISES[name].cases(np.random.default_rng(seed)))

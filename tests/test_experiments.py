@@ -1,6 +1,4 @@
-"""Experiments: the same table whoever runs them, whatever stops them; what is wrong with them is
-said before they begin.
-"""
+"""Experiments: the same table on any workers, after any interruption, and checks of the input."""
 
 import csv
 import math
@@ -49,12 +47,12 @@ SMALL = Experiment(
 
 
 def but_for_seconds(table):
-    """What must be the same anywhere."""
+    """Rows without times, which must be the same everywhere."""
     return [row._replace(seconds=0.0) for row in table]
 
 
 def raising(problem):
-    """A planner that fails."""
+    """A planner that raises an error."""
     raise ArithmeticError("never mind\nthat")
 
 
@@ -64,7 +62,7 @@ def endless(problem):
 
 
 def crashing(problem, *, rng):
-    """A planner that takes its process with it, once for all but seed 0, which always does."""
+    """A planner that ends its process, once for each seed, and always for seed 0."""
     marker = Path(os.environ["KINOEDU_TEST_FOLDER"]) / f"{rng}"
     if rng == 0 or not marker.exists():
         marker.touch()
@@ -79,19 +77,20 @@ def talking(problem):
 
 
 def aimless(problem):
-    """A planner that returns no plan."""
+    """A planner that does not return a plan."""
     return [problem.start]
 
 
 @pytest.fixture(scope="module")
 def table():
-    """SMALL as this process runs it."""
+    """Table of SMALL, computed in this process."""
     return run(SMALL, where="here")
 
 
 def test_rows_are_what_the_planners_answer(table):
-    """In the experiment's order, with the plan's own numbers; a planner that draws no lots runs
-    once.
+    """Rows are in the experiment's order with the plan's numbers; some planners run once.
+
+    A deterministic planner runs once, whatever the number of seeds.
     """
     assert [(row.problem, row.label, row.seed) for row in table[:10]] == [
         *(
@@ -121,7 +120,7 @@ def test_rows_are_what_the_planners_answer(table):
 
 @pytest.mark.parametrize("workers", [1, 2])
 def test_workers_change_nothing_but_seconds(workers, table, monkeypatch):
-    """One process or two, and however few runs are handed over at a time."""
+    """The table is the same for one process or two, and for few runs submitted at a time."""
     monkeypatch.setattr(running, "AHEAD", 3)
     told = []
     ran = run(SMALL, workers=workers, progress=lambda *counts: told.append(counts))
@@ -130,9 +129,7 @@ def test_workers_change_nothing_but_seconds(workers, table, monkeypatch):
 
 
 def test_a_dask_cluster_gives_the_same_rows(table):
-    """Worker processes found by their scheduler's address; an address where nobody is, is refused
-    by name.
-    """
+    """A cluster gives the same rows; an address without a scheduler is an error."""
     from dask.distributed import LocalCluster
 
     with LocalCluster(
@@ -141,15 +138,16 @@ def test_a_dask_cluster_gives_the_same_rows(table):
         assert but_for_seconds(run(SMALL, where=cluster.scheduler_address)) == but_for_seconds(
             table
         )
-        with pytest.raises(InvalidParameter, match="workers are counted"):
+        with pytest.raises(InvalidParameter, match="workers can be given"):
             run(SMALL, where=cluster.scheduler_address, workers=2)
     with pytest.raises(InvalidParameter, match="no Dask scheduler answers at 'carrier pigeon'"):
         run(SMALL, where="carrier pigeon")
 
 
 def test_no_planner_harms_another(tmp_path, monkeypatch):
-    """What raises, hangs, crashes, prints or returns nonsense is a row with its reason; a crash may
-    be chance.
+    """A planner that raises, hangs, crashes, prints or returns nonsense gives a row.
+
+    The row says why. A run that crashed is tried once more.
     """
     monkeypatch.setenv("KINOEDU_TEST_FOLDER", str(tmp_path))
     planners = {
@@ -180,14 +178,13 @@ def test_no_planner_harms_another(tmp_path, monkeypatch):
     assert "must return a Plan" in rows["aimless", None].reason
     assert rows["endless", None].seconds == 1.0
     assert rows["talking", None].path == rows["A*", None].path
-    assert (
-        len(list((tmp_path / "out" / "runs").iterdir())) == 4
-    )  # what was not run is tried again another time
+    # cells that were not run are not stored, so that they are tried again
+    assert len(list((tmp_path / "out" / "runs").iterdir())) == 4
     assert "not run" in as_text(summary(ran))
 
 
 def test_here_what_raises_or_hangs_is_a_row_as_well(monkeypatch):
-    """In this process Python code is stopped."""
+    """In this process, too, errors and endless Python code give a row."""
     monkeypatch.setattr("kinoedu.experiments.places.LOADING", 0.0)
     ran = run(
         Experiment({"rubble": PROBLEM}, {"raising": raising, "idle": idle}, time_limit=0.2),
@@ -219,10 +216,8 @@ n = [20, 40]
 
 @pytest.mark.skipif(sys.platform == "win32", reason="the signals of POSIX")
 @pytest.mark.parametrize("how", [signal.SIGINT, signal.SIGKILL])
-def test_what_was_stopped_goes_on(how, tmp_path):
-    """Killed for real in the middle, and started again: only what is missing is run, and the table
-    is the same.
-    """
+def test_a_stopped_experiment_resumes(how, tmp_path):
+    """An experiment that was killed and started again makes only the missing runs; same table."""
     file, out = tmp_path / "small.toml", tmp_path / "out"
     file.write_text(FILE)
     command = [
@@ -259,8 +254,9 @@ def test_what_was_stopped_goes_on(how, tmp_path):
 
 
 def test_only_what_is_the_same_is_taken_from_the_folder(tmp_path):
-    """Damaged outcomes and other arguments are run again; other names are not; nor what ran out of
-    less time.
+    """Damaged outcomes, other arguments and runs that had less time are run again.
+
+    Other names are not.
     """
     small = Experiment({"rubble": PROBLEM}, {"RRT": partial(ke.rrt, max_nodes=60)}, seeds=3)
     ran = run(small, where="here", out=tmp_path)
@@ -307,7 +303,7 @@ def test_only_what_is_the_same_is_taken_from_the_folder(tmp_path):
 
 
 def missing(experiment, out):
-    """How many runs of an experiment a folder does not have."""
+    """Number of an experiment's runs that a folder does not have."""
     told = []
     run(experiment, where="here", out=out, progress=lambda *counts: told.append(counts))
     return told[-1][1] - told[0][0]
@@ -327,7 +323,7 @@ def test_a_folder_that_cannot_be_written_is_refused_before_anything_runs(tmp_pat
 PROBLEMS = '[problems.a]\nworld = "narrow passage"\n'
 PLANNERS = '[planners.a]\nplanner = "rrt"\n'
 NONSENSE = {
-    "seeds = = 3": "no TOML",
+    "seeds = = 3": "not valid TOML",
     "": "experiment lacks 'problems'",
     PROBLEMS: "experiment lacks 'planners'",
     "problems = 3\n" + PLANNERS: "experiment.problems must be at least one table",
@@ -338,7 +334,7 @@ NONSENSE = {
     "seeds = 2.5\n" + PROBLEMS + PLANNERS: "seeds must be a whole number",
     "seeds = []\n" + PROBLEMS + PLANNERS: "seeds must be at least one",
     "seeds = [1, 1]\n" + PROBLEMS + PLANNERS: "each once",
-    'seeds = "three"\n' + PROBLEMS + PLANNERS: "seeds must be how many",
+    'seeds = "three"\n' + PROBLEMS + PLANNERS: "seeds must be a number of seeds",
     "seeds = [-1]\n" + PROBLEMS + PLANNERS: "each of the seeds must be a whole number from 0",
     "repeat = 0\n" + PROBLEMS + PLANNERS: "repeat must be a whole number from 1",
     "time_limit = -1\n" + PROBLEMS + PLANNERS: "time_limit must be a positive number",
@@ -374,8 +370,8 @@ NONSENSE = {
 
 
 @pytest.mark.parametrize("text", NONSENSE)
-def test_a_nonsense_file_is_met_by_name(text, tmp_path, capsys):
-    """One line with the file, the key and what was expected; nothing is run or written."""
+def test_a_nonsense_file_raises_a_named_error(text, tmp_path, capsys):
+    """One line names the file, the key and what was expected; nothing is run or written."""
     file = tmp_path / "wrong.toml"
     file.write_text(text)
     with pytest.raises(KinoeduError, match=NONSENSE[text]) as caught:
@@ -406,7 +402,7 @@ def test_a_nonsense_file_is_met_by_name(text, tmp_path, capsys):
         (lambda: run(SMALL, workers=0), "workers must be a whole number"),
         (
             lambda: run(Experiment({"a": PROBLEM}, {"mine": lambda problem: None})),
-            "'mine' is known to this process alone",
+            "'mine' exists only in this process",
         ),
         (
             lambda: run(Experiment({"a": PROBLEM}, {"a": partial(ke.prm, sampler=object())})),
@@ -414,14 +410,14 @@ def test_a_nonsense_file_is_met_by_name(text, tmp_path, capsys):
         ),
     ],
 )
-def test_wrong_arguments_are_met_by_name(wrong, words):
-    """Before anything is run."""
+def test_wrong_arguments_raise_named_errors(wrong, words):
+    """Wrong arguments raise an error before anything is run."""
     with pytest.raises(InvalidParameter, match=words):
         wrong()
 
 
 def test_a_digest_tells_values_and_functions_apart():
-    """Equal for equal values in every process, different for what only looks alike."""
+    """Digests are equal for equal values in every process, and different for different values."""
     values = [
         1,
         1.0,
@@ -456,14 +452,15 @@ def test_a_digest_tells_values_and_functions_apart():
 
 
 def capturing(value):
-    """A function that holds a value."""
+    """A function that captures a value."""
     return lambda problem: value
 
 
 @pytest.mark.parametrize("n", [0, 1, 2, 7, 40, 100])
 def test_scattered_polygons_never_meet(n):
-    """So every planner, exact ones too, takes the world; start and goal are free; the same by the
-    same seed.
+    """Polygons are disjoint, start and goal are free, and the same seed gives the same world.
+
+    So every planner, the exact ones too, accepts the world.
     """
     import shapely
 
@@ -477,7 +474,7 @@ def test_scattered_polygons_never_meet(n):
 
 
 def test_csv_and_parquet_hold_the_table(table, tmp_path):
-    """Every row and column; other endings are refused."""
+    """Both formats contain every row and column; other endings are rejected."""
     from pyarrow import parquet
 
     table.write(tmp_path / "t.csv")
@@ -495,7 +492,7 @@ def test_csv_and_parquet_hold_the_table(table, tmp_path):
 
 
 def test_a_summary_is_numpys_and_scipys(table):
-    """Quartiles of those found, Wilson's interval, a line for each planner on each problem."""
+    """Quartiles agree with numpy and Wilson's interval with scipy; one line for each planner."""
     from scipy.stats import binomtest
 
     for successes, runs in ((0, 1), (1, 1), (0, 30), (7, 30), (30, 30), (499, 500)):
@@ -520,7 +517,7 @@ def test_a_summary_is_numpys_and_scipys(table):
 
 
 def test_a_curve_of_shares_ends_where_the_rest_never_came():
-    """It jumps by one run at each value; its name stands beside its end; names keep apart."""
+    """The curve rises by one run at each value; its label is at its end; labels do not overlap."""
     from matplotlib import pyplot as plt
 
     values = {"a": [3.0, 1.0, np.inf, np.inf], "b": [2.0], "c": [2.0], "d": [np.inf]}
@@ -538,9 +535,7 @@ def test_a_curve_of_shares_ends_where_the_rest_never_came():
 
 
 def test_bars_and_growth_count_only_what_came():
-    """A bar is a median of the finite; a curve of medians begins where half of the seeds have a
-    path.
-    """
+    """A bar is a median of finite values; a curve begins where half of the seeds have a path."""
     from matplotlib import pyplot as plt
 
     artists = ke.figures.draw_medians({"a": [1.0, 2.0, 6.0, np.inf], "b": [np.inf]}, label="length")
@@ -561,7 +556,7 @@ def test_bars_and_growth_count_only_what_came():
 
 
 def test_the_command_writes_table_summary_and_plots(tmp_path, capsys):
-    """And says the summary; what was not run has status 1 with its reason."""
+    """The command also prints the summary; cells that were not run give status 1 and a reason."""
     file, out = tmp_path / "small.toml", tmp_path / "out"
     file.write_text(
         FILE.replace("40\n", "3\n", 1) + '[planners.bad]\nplanner = "rrt"\nstep = -1.0\n'
@@ -581,7 +576,7 @@ def test_the_command_writes_table_summary_and_plots(tmp_path, capsys):
 
 
 def test_a_table_of_nothing_but_failures_is_drawn(tmp_path):
-    """No empty picture, and no complaint."""
+    """No empty picture is written, and no warning is raised."""
     shut = Experiment(
         {"a/b": narrow_passage(1e-6)},
         {"RRT": [partial(ke.rrt, max_nodes=n) for n in (5, 6)]},
@@ -594,11 +589,10 @@ def test_a_table_of_nothing_but_failures_is_drawn(tmp_path):
 
 
 def test_the_example_is_read_and_names_what_there_is():
-    """The file beside the notebooks, and the planners a file may name."""
+    """The example beside the notebooks can be read; a file may name the planners listed here."""
     example = read_experiment(HOUSE / "notebooks" / "experiments" / "trees.toml")
-    assert [contestant.tuning for contestant in example.contestants if contestant.name == "RRT*"] == [
-        "max_nodes=500", "max_nodes=1000", "max_nodes=2000",
-    ]  # fmt: skip
+    tunings = [one.tuning for one in example.contestants if one.name == "RRT*"]
+    assert tunings == ["max_nodes=500", "max_nodes=1000", "max_nodes=2000"]
     assert len(example.seeds) == 50
     assert {"rrt", "rrt_connect", "prm", "rrt_star", "plan_on_grid", "plan_by_visibility"} <= set(
         planners_by_name()

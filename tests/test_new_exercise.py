@@ -1,6 +1,4 @@
-"""A new exercise is whole from its first minute: made in a copy of the house, it passes the house's
-own tests there.
-"""
+"""A new exercise is complete from the start: in a copy of the project it passes all tests."""
 
 import json
 import os
@@ -18,7 +16,7 @@ from kinoedu.errors import InvalidParameter
 HOUSE = Path(__file__).resolve().parent.parent
 NAME, LESSON = "halfway_there", "77_midpoints"
 ROOM = "kinoedu/course/lessons/midpoints"
-# without its file's fixture, which compiles everything
+# called without the fixture of its file, which compiles everything
 WORDS = "import test_course as t; t.test_every_word_is_there_and_used()"
 MARKS = (
     "from kinoedu.grading.assignments.questions import assignment as a; print([one.points for one in "
@@ -28,7 +26,7 @@ MARKS = (
 
 @pytest.fixture(scope="module")
 def house(tmp_path_factory):
-    """A copy of the house, without what takes long."""
+    """A copy of the project, without what takes long."""
     copy = tmp_path_factory.mktemp("house")
     shutil.copytree(
         HOUSE / "kinoedu", copy / "kinoedu", ignore=shutil.ignore_patterns("__pycache__")
@@ -51,12 +49,9 @@ def house(tmp_path_factory):
 
 
 def run(house: Path, *command: str) -> subprocess.CompletedProcess:
-    """Python in a house, with that house's kinoedu."""
-    environment = {
-        **os.environ,
-        "PYTHONPATH": str(house),
-        "NUMBA_DISABLE_JIT": "1",
-    }  # machine code would be made for this place
+    """Run Python in a copy of the project, with that copy's kinoedu."""
+    # without numba, which would compile everything anew for this copy
+    environment = {**os.environ, "PYTHONPATH": str(house), "NUMBA_DISABLE_JIT": "1"}
     return subprocess.run(
         [sys.executable, "-P", *command],
         cwd=house,
@@ -69,15 +64,16 @@ def run(house: Path, *command: str) -> subprocess.CompletedProcess:
 
 
 def sources(file: Path) -> list[str]:
-    """What the cells of a notebook say."""
+    """Sources of a notebook's cells."""
     return [
         "".join(cell["source"]) for cell in json.loads(file.read_text(encoding="utf-8"))["cells"]
     ]
 
 
 def test_a_new_exercise_passes_the_tests_of_the_house(house):
-    """Its own, those of every exercise, of every bank and of every solution, and the tools; then it
-    is released.
+    """Its own test, those of all exercises, banks and solutions, and the linters pass.
+
+    Then it is released.
     """
     made = run(house, "-m", "kinoedu", "new-exercise", NAME, "--lesson", LESSON)
     assert made.returncode == 0, made.stderr
@@ -119,9 +115,7 @@ def test_a_new_exercise_passes_the_tests_of_the_house(house):
 
 
 def test_a_second_exercise_goes_to_the_end_of_its_lesson(house):
-    """What was there stays as it was, the cells have the marks of nbgrader with a point for each
-    kind, and every word is there.
-    """
+    """Existing files are unchanged, the cells have nbgrader's metadata, every message exists."""
     before = sources(house / "solutions" / f"{LESSON}.ipynb")
     assert (
         run(house, "-m", "kinoedu", "new-exercise", "second_try", "--lesson", LESSON).returncode
@@ -136,19 +130,19 @@ def test_a_second_exercise_goes_to_the_end_of_its_lesson(house):
 @pytest.mark.parametrize(
     ("name", "lesson", "words"),
     [
-        ("Halfway", LESSON, "named like the function"),
-        ("lambda", LESSON, "named like the function"),
-        ("../x", LESSON, "named like the function"),
-        ("halton", LESSON, "already"),
-        ("check", LESSON, "already"),
-        ("pictures", "06_sampling", "already"),
-        ("planner", LESSON, "already"),
+        ("Halfway", LESSON, "name of its function"),
+        ("lambda", LESSON, "name of its function"),
+        ("../x", LESSON, "name of its function"),
+        ("halton", LESSON, "exists already"),
+        ("check", LESSON, "exists already"),
+        ("pictures", "06_sampling", "exists already"),
+        ("planner", LESSON, "exists already"),
         ("halfway", "walls", "14_walls"),
         ("halfway", "../14_walls", "14_walls"),
     ],
 )
-def test_what_cannot_be_is_refused(name, lesson, words, capsys):
-    """By name, and nothing is written."""
+def test_impossible_names_are_refused(name, lesson, words, capsys):
+    """The error names the problem, and nothing is written."""
     before = sorted((HOUSE / "kinoedu" / "course").rglob("*.py"))
     assert main(["new-exercise", name, "--lesson", lesson]) == 2
     assert words in capsys.readouterr().err
@@ -157,9 +151,7 @@ def test_what_cannot_be_is_refused(name, lesson, words, capsys):
 
 @pytest.mark.parametrize("lesson", [LESSON, "09_trees"])
 def test_what_fails_half_way_leaves_nothing(tmp_path, lesson):
-    """A notebook that does not run: the list of a room is as it was, a new room is gone, and no
-    file is there.
-    """
+    """If the notebook does not run, all changes are undone and no file remains."""
     for folder in ("kinoedu/course/lessons/trees", "solutions/bank", "tests/lessons"):
         (tmp_path / folder).mkdir(parents=True)
     shutil.copy(HOUSE / LIST.format(room="trees"), tmp_path / LIST.format(room="trees"))
@@ -192,6 +184,6 @@ def test_what_fails_half_way_leaves_nothing(tmp_path, lesson):
 
 
 def test_students_have_no_solutions_to_add_to(tmp_path):
-    """Said so."""
+    """A student's copy of the course raises an error."""
     with pytest.raises(InvalidParameter, match="for students"):
         new_exercise(NAME, LESSON, tmp_path)

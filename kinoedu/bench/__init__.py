@@ -1,6 +1,4 @@
-"""The speed table: rows that are scripts beside the package, run one after another, and what came
-out as one table.
-"""
+"""The table of speed measurements: benchmark scripts, run one by one, and their results."""
 
 from .pages import as_markdown, as_table, totals
 from .peers import install_peer, named_peers

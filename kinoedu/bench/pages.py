@@ -1,4 +1,4 @@
-"""The table of the whole, for people."""
+"""The table of all results as Markdown."""
 
 from collections.abc import Iterable, Sequence
 from itertools import groupby
@@ -9,28 +9,36 @@ from .running import Outcome
 
 HEADING = "| contestant | median, ms | ratio (middle half) | to hold | |\n|---|---:|---:|---:|---|"
 ROWS = "| row | | clock | processor | most memory | left out |\n|---|---|---:|---:|---:|---|"
-WHAT = """\
-Where something is to hold at most (`<=`) the ratio is kinoedu's time by the other's, the less the better; otherwise the other's by
-kinoedu's, the more the better. The median over the rounds, with the middle half of them in brackets."""
+EXPLANATION = """\
+If the goal is an upper bound (`<=`), the ratio is kinoedu's time divided by the other's, and less
+is better. Otherwise it is the other's time divided by kinoedu's, and more is better. The ratio is
+the median over the rounds, with the middle half of them in brackets."""
 
 
 def as_markdown(ratios: Sequence[Ratio], outcomes: Sequence[Outcome], around: Sequence[str]) -> str:
-    """All ratios, how each row ended and what it took, and `around`: lines that say what the
-    numbers depend on.
+    """All ratios, and how each row ended, as a Markdown page.
+
+    Parameters
+    ----------
+    around : lines that state what the numbers depend on.
+
+    Returns
+    -------
+    str
     """
     blocks = [
         "# Ratios, side by side",
         "\n".join(f"- {line}" for line in around),
-        f"{totals(ratios, outcomes)}\n{WHAT}",
+        f"{totals(ratios, outcomes)}\n{EXPLANATION}",
     ]
     for title, compared in groupby(ratios, key=lambda ratio: ratio.title):
         blocks.append(f"### {title}\n\n{as_table(compared)}")
-    blocks.append("\n".join([ROWS, *map(ending_of, outcomes)]))
+    blocks.append("\n".join([ROWS, *map(outcome_line, outcomes)]))
     return "\n\n".join(blocks) + "\n"
 
 
 def totals(ratios: Sequence[Ratio], outcomes: Sequence[Outcome]) -> str:
-    """In a line: how many goals are held and missed, and which rows did not come to an end.
+    """One line with the numbers of goals held and missed, and the rows that did not finish.
 
     >>> totals([Ratio("rrt", "RRT", "C ruler", 1.0, 1.1, 1.0, 1.2, "<= 1.3", "holds", 5)], [])
     '1 goal held, 0 missed.'
@@ -44,16 +52,17 @@ def totals(ratios: Sequence[Ratio], outcomes: Sequence[Outcome]) -> str:
 
 
 def as_table(compared: Iterable[Ratio]) -> str:
-    """A comparison: a line for each contestant.
+    """Markdown table of a comparison, with a line for each contestant.
 
-    >>> print(as_table([Ratio("rrt", "RRT", "C ruler", 1.0, 1.1, 1.0, 1.2, "<= 1.3", "holds", 5)]).splitlines()[-1])
+    >>> ratio = Ratio("rrt", "RRT", "C ruler", 1.0, 1.1, 1.0, 1.2, "<= 1.3", "holds", 5)
+    >>> print(as_table([ratio]).splitlines()[-1])
     | C ruler | 1 | 1.1 (1 to 1.2) | <= 1.3 | holds |
     """
-    return "\n".join([HEADING, *map(line_of, compared)])
+    return "\n".join([HEADING, *map(ratio_line, compared)])
 
 
-def line_of(ratio: Ratio) -> str:
-    """A line of it."""
+def ratio_line(ratio: Ratio) -> str:
+    """Line of a contestant."""
     middle = (
         "" if ratio.ratio is None else f"{ratio.ratio:.3g} ({ratio.low:.3g} to {ratio.high:.3g})"
     )
@@ -64,8 +73,8 @@ def line_of(ratio: Ratio) -> str:
     )
 
 
-def ending_of(outcome: Outcome) -> str:
-    """A line for a row; what it printed stands in a file beside."""
+def outcome_line(outcome: Outcome) -> str:
+    """Line of a benchmark row; its output is in a file of its own."""
     name = outcome.row.name
     processor = "" if outcome.processor is None else duration(outcome.processor)
     memory = "" if outcome.memory is None else f"{outcome.memory / 1e6:.0f} MB"

@@ -1,5 +1,6 @@
-"""The libraries that kinoedu is timed beside, installed on demand, each by itself: one that cannot
-be had is only missed.
+"""Installs the libraries that kinoedu is compared with, on demand and one by one.
+
+A library that cannot be installed is left out.
 """
 
 import importlib.util
@@ -16,7 +17,7 @@ PINS = ("environment.txt", "solutions/environment.txt", "tests/environment.txt")
 
 
 def named_peers(file: Path) -> list[str]:
-    """What a file of requirements names."""
+    """Requirements in a file, without comments."""
     lines = (
         line.partition("#")[0].strip() for line in file.read_text(encoding="utf-8").splitlines()
     )
@@ -24,11 +25,14 @@ def named_peers(file: Path) -> list[str]:
 
 
 def install_peer(peer: str, file: Path) -> str:
-    """Install one of a file's peers, with uv where that is to be had, otherwise with pip; what went
-    wrong, or "".
+    """Install one of a file's peers, with uv where it is available, otherwise with pip.
 
-    What the course itself pins is kept as it is: a peer that needs another version of it is not
-    installed.
+    The versions that the course pins are kept: a peer that needs another version is not installed.
+
+    Returns
+    -------
+    str
+        What went wrong, or "".
     """
     house = file.resolve().parent.parent
     keep = [
@@ -41,28 +45,17 @@ def install_peer(peer: str, file: Path) -> str:
     if pin and installed(name) == pin:
         return ""
     if uv := shutil.which("uv"):
-        return trouble(
-            [uv, "pip", "install", "--python", sys.executable, *ONLY_WHEELS, *keep, peer]
-        )
+        install = [uv, "pip", "install", "--python", sys.executable]
+        return run_installer([*install, *ONLY_WHEELS, *keep, peer])
     python = [sys.executable, "-I", "-m"]
-    if importlib.util.find_spec("pip") is None and (wrong := trouble([*python, "ensurepip"])):
+    if importlib.util.find_spec("pip") is None and (wrong := run_installer([*python, "ensurepip"])):
         return wrong
-    return trouble(
-        [
-            *python,
-            "pip",
-            "install",
-            "--no-input",
-            "--disable-pip-version-check",
-            *ONLY_WHEELS,
-            *keep,
-            peer,
-        ]
-    )
+    quiet = ["--no-input", "--disable-pip-version-check"]
+    return run_installer([*python, "pip", "install", *quiet, *ONLY_WHEELS, *keep, peer])
 
 
-def trouble(command: list[str]) -> str:
-    """Run an installer; its last words where it failed, in one line."""
+def run_installer(command: list[str]) -> str:
+    """Run an installer, and return the end of its output where it failed, otherwise ""."""
     ran = subprocess.run(
         command,
         stdin=subprocess.DEVNULL,
@@ -72,5 +65,5 @@ def trouble(command: list[str]) -> str:
     )
     if ran.returncode == 0:
         return ""
-    words = re.sub(r"[^\w\s.,:;=<>'\"()/+-]", " ", ran.stdout.decode("utf-8", "replace")).split()
-    return " ".join(words)[-300:] or f"{Path(command[0]).name} ended with status {ran.returncode}"
+    output = re.sub(r"[^\w\s.,:;=<>'\"()/+-]", " ", ran.stdout.decode("utf-8", "replace")).split()
+    return " ".join(output)[-300:] or f"{Path(command[0]).name} ended with status {ran.returncode}"

@@ -1,4 +1,4 @@
-"""The ratios as a picture, those beside libraries above those beside a ruler."""
+"""A picture of the ratios: against libraries above, against a ruler below."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -7,30 +7,33 @@ from typing import Any
 from .ratios import HELD, NO_GOAL, Ratio, read_ratios
 
 PICTURES = ("ratios.png", "ratios.svg")
-TITLE = "How fast kinoedu is, side by side"
-BESIDE = "the other's time by kinoedu's: the more, the better"
-BY_RULER = "kinoedu's time by the other's: the less, the better"
+TITLE = "Speed of kinoedu compared with others"
+BESIDE = "the other's time divided by kinoedu's: more is better"
+BY_RULER = "kinoedu's time divided by the other's: less is better"
 
 
 def draw_folder(folder: Path) -> None:
-    """Draw a folder's ratios.csv into pictures beside it; nothing where it has none. Raises
-    OSError.
+    """Draw the ratios.csv of a folder into pictures beside it; do nothing where there is none.
+
+    Raises
+    ------
+    OSError
     """
     ratios = [ratio for ratio in read_ratios(folder / "ratios.csv") if ratio.ratio is not None]
     panels: dict[str, Sequence[Any]] = {
-        label: [mark_of(ratio) for ratio in ratios if ratio.goal.startswith("<") == by_ruler]
+        label: [as_mark(ratio) for ratio in ratios if ratio.goal.startswith("<") == by_ruler]
         for label, by_ruler in ((BESIDE, False), (BY_RULER, True))
     }
     panels = {label: marks for label, marks in panels.items() if marks}
     if panels:
-        from ..figures.ratios import save_ratios  # matplotlib is for those who want pictures
+        from ..figures.ratios import save_ratios  # only pictures need matplotlib
 
         for name in PICTURES:
             save_ratios(panels, folder / name, title=TITLE)
 
 
-def mark_of(ratio: Ratio) -> Any:
-    """A ratio as figures know it."""
+def as_mark(ratio: Ratio) -> Any:
+    """A ratio as a mark of the figure."""
     from ..figures.ratios import Mark
 
     goal = float(ratio.goal.split()[-1]) if ratio.goal else None

@@ -1,4 +1,4 @@
-"""Ratios of times as a tidy table: a line for each contestant of each comparison."""
+"""Ratios of times as a tidy table, with a row for each contestant of each comparison."""
 
 import csv
 from collections.abc import Iterable
@@ -11,11 +11,14 @@ HELD, MISSED, NO_GOAL = "holds", "missed", ""
 
 
 class Ratio(NamedTuple):
-    """A contestant in a comparison: its median time, and the ratio with the middle half of the
-    rounds; blank for kinoedu itself.
+    """A contestant in a comparison: its median time, and its ratio to kinoedu.
 
-    `goal` is what is to hold, such as "<= 1.2": our time by a ruler's; or ">= 4": a peer's time by
-    ours.
+    Attributes
+    ----------
+    ratio, low, high : the median of the ratio over the rounds, and the middle half; None for
+        kinoedu itself.
+    goal : what must hold, such as "<= 1.2" for kinoedu's time divided by a ruler's, or ">= 4" for a
+        peer's time divided by kinoedu's.
     """
 
     row: str
@@ -31,7 +34,7 @@ class Ratio(NamedTuple):
 
 
 def append_ratios(file: Path, ratios: Iterable[Ratio]) -> None:
-    """Add lines to a table, with its heading where it is new."""
+    """Append rows to a table, with a header where the file is new."""
     is_new = not file.exists()
     with file.open("a", newline="", encoding="utf-8") as table:
         lines = csv.writer(table)
@@ -43,20 +46,30 @@ def append_ratios(file: Path, ratios: Iterable[Ratio]) -> None:
 
 
 def read_ratios(file: Path) -> list[Ratio]:
-    """A table as `append_ratios` wrote it; empty where there is none. Raises UnreadableScene."""
+    """Read a table that `append_ratios` has written; [] where there is no file.
+
+    Returns
+    -------
+    list of Ratio
+
+    Raises
+    ------
+    UnreadableScene
+        Where the header is not that of a table of ratios.
+    """
     if not file.exists():
         return []
     with file.open(newline="", encoding="utf-8") as table:
         heading, *lines = [*csv.reader(table)] or [[]]
     if tuple(heading) != Ratio._fields:
         raise UnreadableScene(
-            f"{file} is no table of ratios: its heading should be {','.join(Ratio._fields)}"
+            f"{file} is not a table of ratios: its header must be {','.join(Ratio._fields)}"
         )
     return [ratio_of(line) for line in lines]
 
 
 def ratio_of(cells: list[str]) -> Ratio:
-    """A line of the table."""
+    """Ratio from a row of the table."""
     row, title, contestant, median, *middle, goal, holds, rounds = cells
     ratio, low, high = (float(cell) if cell else None for cell in middle)
     return Ratio(row, title, contestant, float(median), ratio, low, high, goal, holds, int(rounds))

@@ -1,6 +1,4 @@
-"""The rows of the speed table. A row is a script that says, beside what it measures, how many
-SECONDS that takes.
-"""
+"""The rows of the table: benchmark scripts that declare how many SECONDS they take."""
 
 import ast
 from collections.abc import Sequence
@@ -13,9 +11,7 @@ BENCHMARKS = Path(__file__).resolve().parent.parent.parent / "benchmarks"
 
 
 class Row(NamedTuple):
-    """A script: its name, what it measures, about how long that takes, and which options it
-    knows.
-    """
+    """A script: its name, what it measures, about how long it takes, and its options."""
 
     name: str
     about: str
@@ -25,26 +21,38 @@ class Row(NamedTuple):
 
 
 def read_rows(folder: Path) -> list[Row]:
-    """The rows that are in a folder, by name. Nothing of them is run. Raises InvalidParameter where
-    there are none.
+    """Read the scripts of a folder by name, without running them.
+
+    Returns
+    -------
+    list of Row
+
+    Raises
+    ------
+    InvalidParameter
+        Where there are none.
     """
     rows = [row for file in sorted(folder.glob("*.py")) if (row := read_row(file)) is not None]
     if not rows:
         raise InvalidParameter(
-            f"there are no benchmarks in {folder}; a course for students comes without, the "
-            "repository has them"
+            f"there are no benchmarks in {folder}; a student's copy of the course does not have "
+            "them, the repository does"
         )
     return rows
 
 
 def read_row(file: Path) -> Row | None:
-    """A script as a row; None where it is none. Raises InvalidParameter for one that no Python can
-    read.
+    """Read a script as a row; None where it is not a benchmark.
+
+    Raises
+    ------
+    InvalidParameter
+        Where it is not valid Python.
     """
     try:
         script = ast.parse(file.read_text(encoding="utf-8"))
     except (SyntaxError, ValueError) as error:
-        raise InvalidParameter(f"{file} is no Python that can be read: {error}") from None
+        raise InvalidParameter(f"{file} is not valid Python: {error}") from None
     seconds = [
         node.value.value
         for node in script.body
@@ -63,8 +71,12 @@ def read_row(file: Path) -> Row | None:
 
 
 def chosen(rows: Sequence[Row], names: Sequence[str]) -> list[Row]:
-    """The rows that are named, each once, in that order; all where none is. Raises
-    InvalidParameter.
+    """Rows with the given names, each once, in the given order; all rows where no name is given.
+
+    Raises
+    ------
+    InvalidParameter
+        Where there is no such row.
     """
     by_name = {row.name: row for row in rows}
     for name in names:

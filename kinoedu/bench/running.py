@@ -1,4 +1,4 @@
-"""A row in a process of its own: what it prints is kept, and when it fails the others go on."""
+"""Run a row in its own process, keep its output, and continue with the others if it fails."""
 
 import os
 import signal
@@ -14,19 +14,23 @@ from typing import NamedTuple
 from ..compiled import COMPILED_FIRST
 from .rows import Row
 
-RESULTS = "KINOEDU_RESULTS"  # tells a row the folder that its ratios go to, beside being printed
+RESULTS = "KINOEDU_RESULTS"  # environment variable with the folder for a row's ratios
 PACKAGES = str(Path(__file__).resolve().parent.parent.parent)
-SKIPPED, NOTHING_RUN = (
-    "skipped: ",
-    3,
-)  # before what a row left out, and its status where that is all of it
-PATIENCE = 4.0  # seconds that a row has to clear up after Ctrl-C, twice
+SKIPPED = "skipped: "  # a row prints this before each contestant that it leaves out
+NOTHING_RUN = 3  # exit status of a row that has left out all of them
+PATIENCE = 4.0  # seconds for a row to end by itself, and again after Ctrl-C
 
 
 class Outcome(NamedTuple):
-    """How a row ended, "done", "skipped" or "failed", with the reason; what it took of the clock,
-    the processor and memory, in seconds and bytes, where the system tells; and the contestants that
-    it left out.
+    """How a row ended.
+
+    Attributes
+    ----------
+    ended : "done", "skipped" or "failed"; `reason` says why.
+    seconds, processor : seconds of wall time and of processor time.
+    memory : most memory used at once, in bytes. `processor` and `memory` are None where the system
+        does not report them.
+    left_out : contestants that the row has skipped.
     """
 
     row: Row
@@ -39,8 +43,17 @@ class Outcome(NamedTuple):
 
 
 def run_row(row: Row, folder: Path, given: Mapping[str, object]) -> Outcome:
-    """Run a row. What it prints goes into `folder`/NAME.md, its complaints too where it fails. Of
-    the options that are `given` it gets those that it knows.
+    """Run a row, and write its output to NAME.md in a folder.
+
+    Where it fails, its error output is appended.
+
+    Parameters
+    ----------
+    given : values of options; the row receives those that it has.
+
+    Returns
+    -------
+    Outcome
     """
     options = [
         text
@@ -49,46 +62,38 @@ def run_row(row: Row, folder: Path, given: Mapping[str, object]) -> Outcome:
         for text in (f"--{name}", str(value))
     ]
     path = os.pathsep.join([PACKAGES, *filter(None, [os.environ.get("PYTHONPATH")])])
-    variables = {
-        **os.environ,
-        RESULTS: str(folder.resolve()),
-        "PYTHONPATH": path,
-        "PYTHONUTF8": "1",
-    }
+    variables = {**os.environ, "PYTHONPATH": path, "PYTHONUTF8": "1"}
+    variables[RESULTS] = str(folder.resolve())
     variables["KINOEDU_MACHINE_CODE"] = COMPILED_FIRST  # rows time machine code
     page, began = folder / f"{row.name}.md", time.monotonic()
-    with page.open("wb") as told, tempfile.TemporaryFile() as complaints:
+    with page.open("wb") as output, tempfile.TemporaryFile() as error_file:
         line = [sys.executable, str(row.file), *options]
         child = subprocess.Popen(
-            line, stdin=subprocess.DEVNULL, stdout=told, stderr=complaints, env=variables
+            line, stdin=subprocess.DEVNULL, stdout=output, stderr=error_file, env=variables
         )
         try:
-            status, processor, memory = waited(child)
+            status, processor, memory = wait_for(child)
         finally:
-            end(child)
-        complaints.seek(0)
-        said = complaints.read().decode("utf-8", "replace").strip()
+            end_process(child)
+        error_file.seek(0)
+        errors = error_file.read().decode("utf-8", "replace").strip()
     printed = page.read_text("utf-8", "replace").splitlines()
     skipped = list(
         dict.fromkeys(text.removeprefix(SKIPPED) for text in printed if text.startswith(SKIPPED))
     )
-    ended, reason = how_it_ended(status, said.splitlines()[-1] if said else "", skipped)
+    ended, reason = how_it_ended(status, errors.splitlines()[-1] if errors else "", skipped)
     if ended == "failed":
-        with page.open("a", encoding="utf-8") as told_more:
-            told_more.write(f"\n{reason}\n\n```\n{said}\n```\n")
-    return Outcome(
-        row,
-        ended,
-        reason,
-        time.monotonic() - began,
-        processor,
-        memory,
-        skipped if ended != "skipped" else [],
-    )
+        with page.open("a", encoding="utf-8") as output_end:
+            output_end.write(f"\n{reason}\n\n```\n{errors}\n```\n")
+    seconds = time.monotonic() - began
+    left_out = [] if ended == "skipped" else skipped
+    return Outcome(row, ended, reason, seconds, processor, memory, left_out)
 
 
 def how_it_ended(status: int, last: str, skipped: list[str]) -> tuple[str, str]:
-    """In a word, and the reason where it is needed; `last` is the last line of the complaints.
+    """How a row ended, and the reason.
+
+    `last` is the last line of its error output.
 
     >>> how_it_ended(1, "AssertionError: scipy disagrees", [])
     ('failed', 'AssertionError: scipy disagrees')
@@ -104,9 +109,12 @@ def how_it_ended(status: int, last: str, skipped: list[str]) -> tuple[str, str]:
     )
 
 
-def waited(child: "subprocess.Popen[bytes]") -> tuple[int, float | None, int | None]:
-    """The exit status of a process, the seconds of the processor that it used, and the most memory
-    that it held at once.
+def wait_for(child: "subprocess.Popen[bytes]") -> tuple[int, float | None, int | None]:
+    """Wait for a process.
+
+    Returns
+    -------
+    Its exit status, its seconds of processor time, and the most memory it used at once.
     """
     if not hasattr(os, "wait4"):
         return child.wait(), None, None
@@ -116,17 +124,13 @@ def waited(child: "subprocess.Popen[bytes]") -> tuple[int, float | None, int | N
     return child.returncode, used.ru_utime + used.ru_stime, used.ru_maxrss * unit
 
 
-def end(child: "subprocess.Popen[bytes]") -> None:
-    """End a process that has not ended: Ctrl-C has reached it or is sent to it, and where that is
-    no use it is killed.
-    """
-    ways = (
-        [lambda: None, lambda: child.send_signal(signal.SIGINT)]
-        if os.name != "nt"
-        else [lambda: None]
-    )
-    for way in [*ways, child.kill]:
-        way()
+def end_process(child: "subprocess.Popen[bytes]") -> None:
+    """End a process: wait, then send Ctrl-C, then kill it."""
+    signals = [lambda: None]
+    if os.name != "nt":
+        signals.append(lambda: child.send_signal(signal.SIGINT))
+    for send in [*signals, child.kill]:
+        send()
         with suppress(subprocess.TimeoutExpired):
             child.wait(PATIENCE)
             return

@@ -1,10 +1,10 @@
-"""What times depend on: versions, processor, load."""
+"""What measured times depend on: versions, processor and load."""
 
 import os
 import platform
 from importlib.metadata import PackageNotFoundError, version
 
-WITH = (
+COMPARED = (
     "numpy",
     "numba",
     "scipy",
@@ -18,8 +18,8 @@ WITH = (
 
 
 def surroundings() -> str:
-    """Python, the packages that are timed, the processor and how busy it is, in a line."""
-    versions = [f"{name} {found}" for name in WITH if (found := installed(name))]
+    """One line with the versions of Python and the timed packages, the processor and its load."""
+    versions = [f"{name} {found}" for name in COMPARED if (found := installed(name))]
     return (
         f"Python {platform.python_version()}, {', '.join(versions)}, {platform.machine()}, "
         f"{os.cpu_count()} cores, {load()}"
@@ -27,12 +27,12 @@ def surroundings() -> str:
 
 
 def load() -> str:
-    """How many processes wanted the processor in the last minute, where the system tells."""
+    """Load average of the last minute, where the system reports it."""
     return f"load {os.getloadavg()[0]:.1f}" if hasattr(os, "getloadavg") else "load unknown"
 
 
 def installed(name: str) -> str | None:
-    """A package's version, or None.
+    """Version of an installed package, or None.
 
     >>> installed("numpy") is None, installed("no such package") is None
     (False, True)

@@ -1,4 +1,4 @@
-"""The course: exercises, the judges of their answers, and what a student is told."""
+"""The course: exercises, checks of students' answers, and the feedback that students read."""
 
 from .checking import check
 from .exercise import Case, Exercise, Slip, ValueExercise, Verdict

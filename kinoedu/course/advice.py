@@ -1,11 +1,11 @@
-"""What Python's commonest complaints mean, for those who meet them for the first time."""
+"""Explanations of the most common Python errors, for students who meet them for the first time."""
 
 import re
 
 from .outcomes import Misshapen, Outcome, Raised
 
-# (key of the words, class of the exception, what its message says); the first that fits is told
-COMPLAINTS = (
+# (key of the message, class of the exception, pattern of its text); the first match is used
+COMMON_ERRORS = (
     ("ambiguous", "ValueError", "truth value of an array"),
     ("power", "TypeError", "bitwise_xor|unsupported operand.*\\^"),
     ("parameters", "TypeError", "positional argument|unexpected keyword"),
@@ -18,12 +18,16 @@ COMPLAINTS = (
 )
 
 
-def advice_on(outcome: Outcome) -> str:
-    """The key of the words that explain an outcome, under `advice` in the catalogue; "" where
-    nothing common was recognised.
+def find_advice(outcome: Outcome) -> str:
+    """Key of the message that explains a common error.
+
+    Returns
+    -------
+    str
+        A key of the table `advice` of the catalogue; "" where the error is not a common one.
     """
     if isinstance(outcome, Raised):
-        for key, kind, message in COMPLAINTS:
+        for key, kind, message in COMMON_ERRORS:
             if kind in outcome.kinds and re.search(message, outcome.message):
                 return key
     if isinstance(outcome, Misshapen) and outcome.message.endswith("Error"):

@@ -1,4 +1,4 @@
-"""`check(my_function)`: judge a student's function here and now, in the notebook."""
+"""`check(my_function)`: judge a student's function in the notebook."""
 
 import io
 import warnings
@@ -11,22 +11,21 @@ import numpy as np
 from ..errors import InvalidParameter
 from ..words import say
 from .exercise import Case, Exercise
-from .feedback import ALL, Feedback, stage_of
+from .feedback import ALL, Feedback, advance_stage
 from .judging import attempt, report_on
 from .lessons import find
 from .outcomes import Outcome
-from .plain import described
+from .plain import describe_value
 
-PASSED: set[str] = (
-    set()
-)  # the exercises that were right in this session: their sources are no secret any more
+# exercises that passed in this session; their sources may be shown
+PASSED: set[str] = set()
 
 
-class Printed(io.StringIO):
-    """What a function printed, its first few thousand characters."""
+class OutputBuffer(io.StringIO):
+    """A buffer that keeps the first few thousand characters that a function prints."""
 
     def write(self, text: str) -> int:
-        """Keep what there is room for."""
+        """Keep as much of the text as there is room for."""
         super().write(text[: max(0, 2000 - self.tell())])
         return len(text)
 
@@ -34,41 +33,57 @@ class Printed(io.StringIO):
 def check(
     function: Callable[..., Any], exercise: str = "", *, variant: str = "", staged: bool = False
 ) -> Feedback:
-    """Judge a function; the answer shows itself in a notebook.
+    """Judge a student's function and return the feedback, which a notebook displays.
 
     Parameters
     ----------
-    function : yours. Its name says which exercise it answers; or say it with `exercise`.
-    variant : the name of your own contract, where your notebook gives you one.
-    staged : tell only the rule that was broken at first; with each further try that is wrong in
-    another way also the smallest case,
-        then its picture, then a hint.
+    function : Callable
+        The student's function. Its name says which exercise it answers, unless `exercise` is given.
+    exercise : str
+        The name of the exercise, where the function has another name.
+    variant : str
+        The name of the student's own contract, where the notebook assigns one.
+    staged : bool
+        Show only the broken rule at first. Each new wrong answer also reveals the next of: the
+        smallest failing case, its picture, a hint.
 
+    Returns
+    -------
+    Feedback
+
+    Raises
+    ------
+    InvalidParameter
+        Where `function` is not callable, or the exercise or the variant does not exist.
+
+    Examples
+    --------
     >>> from kinoedu.geometry import point_line_distance
     >>> check(point_line_distance).report.score
     1.0
     """
     if not callable(function):
-        raise InvalidParameter(say("check.no_function", what=described(function)))
+        raise InvalidParameter(say("check.no_function", what=describe_value(function)))
     name = exercise or getattr(function, "__name__", "")
-    asked = find(name if isinstance(name, str) else "", variant)
-    cases = list(asked.cases(np.random.default_rng(0)))
-    printed: list[Printed] = []
-    report = report_on(asked, cases, attempts(asked, function, cases, printed))
+    judged_exercise = find(name if isinstance(name, str) else "", variant)
+    cases = list(judged_exercise.cases(np.random.default_rng(0)))
+    printed: list[OutputBuffer] = []
+    report = report_on(judged_exercise, cases, run_cases(judged_exercise, function, cases, printed))
     if report.is_right:
-        PASSED.add(asked.name)
-    said = printed[report.failure.number].getvalue() if report.failure is not None else ""
-    return Feedback(report, stage_of(report) if staged else ALL, said)
+        PASSED.add(judged_exercise.name)
+    output = printed[report.failure.number].getvalue() if report.failure is not None else ""
+    return Feedback(report, advance_stage(report) if staged else ALL, output)
 
 
-def attempts(
-    exercise: Exercise, function: Callable[..., Any], cases: list[Case], printed: list[Printed]
+def run_cases(
+    exercise: Exercise, function: Callable[..., Any], cases: list[Case], printed: list[OutputBuffer]
 ) -> Iterator[Outcome]:
-    """The outcome of each case, run when it is asked for; what the function prints is kept apart,
-    warnings are not shown.
+    """Call a student's function on each case in turn, lazily, and yield the outcomes.
+
+    What the function prints is appended to `printed`; its warnings are hidden.
     """
     for case in cases:
-        printed.append(Printed())
+        printed.append(OutputBuffer())
         with redirect_stdout(printed[-1]), np.errstate(all="ignore"), warnings.catch_warnings():
             warnings.simplefilter("ignore")
             outcome = attempt(exercise, function, case)

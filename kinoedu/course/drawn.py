@@ -1,13 +1,11 @@
-"""The data of a plot: what was drawn in matplotlib axes, as numbers and words that can be judged in
-another process.
-"""
+"""The contents of matplotlib axes as plain numbers and text, which another process can judge."""
 
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from ..words import say
-from .plain import wrong
+from .plain import wrong_shape
 from .shapes import Listed, Numbers, Record, Shape, Text
 
 CURVE: Shape = Record(points=Numbers(("n", 2)), label=Text(), colour=Text())
@@ -23,20 +21,25 @@ PLOT = Record(
 
 
 class Drawn(NamedTuple):
-    """The artists of matplotlib axes. Decoded, a dict: lines, dots and polygons, each with points
-    (n, 2) in data coordinates and a label and a colour, "#rrggbb" or "none"; title, x_label,
-    y_label and texts. Dots of several colours are as many entries. Round patches are polygons of
-    many vertices.
+    """The shape of an answer that is a drawing in matplotlib axes.
+
+    The decoded value is a dict. `lines`, `dots` and `polygons` are lists; each entry has points (n,
+    2) in data coordinates, a label, and a colour "#rrggbb" or "none". `title`, `x_label`, `y_label`
+    and `texts` are text. Dots of several colours make one entry per colour. Round patches are
+    polygons with many vertices.
     """
 
     @property
     def words(self) -> str:
-        """In words."""
+        """Description of the shape, for messages."""
         return say("shape.drawn")
 
     def encode(self, value: Any) -> dict[str, Any]:
-        """From the axes, or from a figure with one pair of axes; what has been decoded is encoded
-        as it was.
+        """Encode axes, a figure with one pair of axes, or a value that was decoded before.
+
+        Raises
+        ------
+        WrongShape
         """
         if type(value) is dict:
             return PLOT.encode(value)
@@ -45,18 +48,22 @@ class Drawn(NamedTuple):
         if not all(
             hasattr(value, name) for name in ("lines", "collections", "patches", "get_title")
         ):
-            raise wrong(self.words, value)
+            raise wrong_shape(self.words, value)
         solid = [line for line in value.lines if line.get_linestyle() not in ("None", "")]
         dotted = [line for line in value.lines if line not in solid]
-        groups = value.collections
+        lines = [curve_data(line.get_xydata(), line, line.get_color()) for line in solid]
+        dots = [curve_data(line.get_xydata(), line, line.get_markerfacecolor()) for line in dotted]
+        for group in value.collections:
+            lines += line_segments(group)
+            dots += scatter_dots(group)
+        polygons = [
+            curve_data(patch_vertices(patch), patch, patch.get_facecolor())
+            for patch in value.patches
+        ]
         plot = {
-            "lines": [curve(line.get_xydata(), line, line.get_color()) for line in solid]
-            + [c for group in groups for c in segments(group)],
-            "dots": [curve(line.get_xydata(), line, line.get_markerfacecolor()) for line in dotted]
-            + [c for group in groups for c in scattered(group)],
-            "polygons": [
-                curve(corners(patch), patch, patch.get_facecolor()) for patch in value.patches
-            ],
+            "lines": lines,
+            "dots": dots,
+            "polygons": polygons,
             "title": value.get_title(),
             "x_label": value.get_xlabel(),
             "y_label": value.get_ylabel(),
@@ -65,12 +72,12 @@ class Drawn(NamedTuple):
         return PLOT.encode(plot)
 
     def decode(self, data: Any) -> dict[str, Any]:
-        """The numbers and words."""
+        """Decode into a dict of numbers and text. Raises WrongShape."""
         return PLOT.decode(data)
 
 
-def curve(points: Any, artist: Any, colour: Any) -> dict[str, Any]:
-    """An artist's points, its label and its colour."""
+def curve_data(points: Any, artist: Any, colour: Any) -> dict[str, Any]:
+    """Points, label and colour of an artist."""
     from ..figures.palette import hex_of
 
     return {
@@ -80,8 +87,8 @@ def curve(points: Any, artist: Any, colour: Any) -> dict[str, Any]:
     }
 
 
-def corners(patch: Any) -> Any:
-    """A patch's vertices, in data coordinates; along an arc sixteen of them."""
+def patch_vertices(patch: Any) -> Any:
+    """Vertices of a patch in data coordinates, with sixteen points on each arc."""
     path = patch.get_patch_transform().transform_path(patch.get_path())
     if path.codes is None or not np.isin(path.codes, (3, 4)).any():  # no arcs
         return path.vertices
@@ -91,29 +98,25 @@ def corners(patch: Any) -> Any:
     )
 
 
-def segments(group: Any) -> list[dict[str, Any]]:
-    """The lines of a collection of lines."""
-    return (
-        [curve(points, group, "none") for points in group.get_segments()]
-        if hasattr(group, "get_segments")
-        else []
-    )
+def line_segments(group: Any) -> list[dict[str, Any]]:
+    """The line segments of a line collection."""
+    if not hasattr(group, "get_segments"):
+        return []
+    return [curve_data(points, group, "none") for points in group.get_segments()]
 
 
-def scattered(group: Any) -> list[dict[str, Any]]:
-    """The dots of a scatter plot, those of each colour together."""
+def scatter_dots(group: Any) -> list[dict[str, Any]]:
+    """The dots of a scatter plot, one entry for each colour."""
     if hasattr(group, "get_segments") or not len(group.get_offsets()):
         return []
-    points, colours = (
-        np.asarray(group.get_offsets(), float),
-        np.asarray(group.get_facecolor(), float),
-    )
-    if not len(colours):  # dots that are rings
+    points = np.asarray(group.get_offsets(), float)
+    colours = np.asarray(group.get_facecolor(), float)
+    if not len(colours):  # unfilled dots
         colours = np.asarray(group.get_edgecolor(), float)
-    own = (
-        colours[np.arange(len(points)) % len(colours)]
-        if len(colours)
-        else np.zeros((len(points), 4))
-    )
+    if not len(colours):
+        colours = np.zeros((1, 4))
+    own = colours[np.arange(len(points)) % len(colours)]
     kinds, which = np.unique(own, axis=0, return_inverse=True)
-    return [curve(points[which.ravel() == k], group, tuple(kind)) for k, kind in enumerate(kinds)]
+    return [
+        curve_data(points[which.ravel() == k], group, tuple(kind)) for k, kind in enumerate(kinds)
+    ]

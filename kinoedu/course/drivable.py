@@ -1,6 +1,4 @@
-"""The problems that exercises on driving hand out: a car that is asked where controls lead; and how
-such problems travel.
-"""
+"""Problems for the exercises on driving, which add a car's motion to a student's problem."""
 
 import math
 from functools import partial
@@ -18,17 +16,24 @@ from .plain import WrongShape
 from .tasks import Asked, Task, scene_of
 
 TRIALS, STEPS, BATCHES = 20, 30, 4
-REGION = 2.5  # wheelbases round the goal
+REGION = 2.5  # radius of the region around the goal, in wheelbases
 
 
 class Drivable(Asked):
-    """A car's problem as a student's planner meets it. What it answers beyond `start`, `goal` and
-    `sample(rng)` stands here.
+    """A car's problem as a student's planner sees it.
 
-    distance(a, b) : of two poses, a radian counting `radian` units of length, a quarter of the
-    wheelbase.
-    longest : for how long a control is held at most. tolerance, turn_tolerance : how near the goal
-    is near enough.
+    It adds the following to `start`, `goal` and `sample(rng)`.
+
+    Attributes
+    ----------
+    distance : Callable
+        Distance between two poses; a radian of heading counts as `radian` units of length.
+    radian : float
+        A quarter of the wheelbase.
+    longest : float
+        The longest time for which a control is held.
+    tolerance, turn_tolerance : float
+        A pose this near to the goal, in length and in radians, counts as the goal.
     """
 
     def __init__(self, problem: ProblemRecord) -> None:
@@ -43,67 +48,65 @@ class Drivable(Asked):
         return f"drivable({scene_of(self.problem)})"
 
     def move(self, q: Any, v: float, phi: float, t: float) -> Array:
-        """The pose after the control (v, phi) has been held for a time t, from q."""
-        return np.array(
-            driven(
-                float(q[0]),
-                float(q[1]),
-                float(q[2]),
-                v * t,
-                math.tan(phi) / self.problem.robot.wheelbase,
-            )
-        )
+        """Pose after the control (v, phi) was held for a time t, starting at q."""
+        curvature = math.tan(phi) / self.problem.robot.wheelbase
+        return np.array(driven(float(q[0]), float(q[1]), float(q[2]), v * t, curvature))
 
     def is_free_drive(self, q: Any, v: float, phi: float, t: float) -> bool:
-        """Whether the car touches nothing all the way, driven from q by the control (v, phi) for a
-        time t.
-        """
+        """Whether the car stays collision-free while the control (v, phi) is held for a time t."""
         return self.problem.is_free_drive(np.asarray(q, float), float(v), float(phi), float(t))
 
     def near_goal(self, rng: np.random.Generator) -> Array:
-        """A pose by chance from the region round the goal: at most 2.5 wheelbases away, at most 90
-        degrees askew.
-        """
-        off, towards, askew = (
-            REGION * self.problem.robot.wheelbase * rng.random(),
-            *rng.uniform(-1.0, 1.0, 2),
-        )
+        """Random pose at most 2.5 wheelbases from the goal and at most 90 degrees off its angle."""
+        radius = REGION * self.problem.robot.wheelbase * rng.random()
+        direction, turn = rng.uniform(-1.0, 1.0, 2)
+        direction *= math.pi
         x, y, theta = self.problem.goal
-        towards *= math.pi
         return np.array(
             [
-                x + off * math.cos(towards),
-                y + off * math.sin(towards),
-                theta + 0.5 * math.pi * askew,
+                x + radius * math.cos(direction),
+                y + radius * math.sin(direction),
+                theta + 0.5 * math.pi * turn,
             ]
         )
 
     def best_drive(
         self, q: Any, target: Any, rng: np.random.Generator
     ) -> tuple[float, float, float] | None:
-        """The best of twenty random controls, (v, phi, t), cut where it comes closest to the
-        target. Where it is not free twenty others are tried, four times in all; then None."""
+        """Best of twenty random controls, cut off where it comes closest to the target.
+
+        Where the best control is not collision-free, twenty others are drawn, up to four times.
+
+        Returns
+        -------
+        (v, phi, t), or None where no free control was found.
+        """
         for _ in range(BATCHES):
             controls = np.array([self.problem.control(rng) for _ in range(TRIALS)])
             times = self.longest * np.arange(1, STEPS + 1) / STEPS
-            off = apart(
-                self.poses_after(np.asarray(q, float), controls, times),
-                np.asarray(target, float),
-                self.radian,
-            )
-            i, k = np.unravel_index(int(np.argmin(off)), off.shape)
+            poses = self.poses_after(np.asarray(q, float), controls, times)
+            distances = apart(poses, np.asarray(target, float), self.radian)
+            i, k = np.unravel_index(int(np.argmin(distances)), distances.shape)
             v, phi, t = float(controls[i, 0]), float(controls[i, 1]), float(times[k])
             if self.is_free_drive(q, v, phi, t):
                 return v, phi, t
         return None
 
     def poses_after(self, q: Array, controls: Array, times: Array) -> Array:
-        """Where each of some controls (m, 2) has led from q after each of some times (n,): x, y and
-        theta, shape (3, m, n).
+        """Poses that controls reach from q after the given times.
+
+        Parameters
+        ----------
+        controls : (m, 2) array of v and phi.
+        times : (n,) array.
+
+        Returns
+        -------
+        (3, m, n) array of x, y and theta.
         """
-        far = controls[:, :1] * times
-        half = 0.5 * far * np.tan(controls[:, 1:]) / self.problem.robot.wheelbase
-        chord = far * np.sinc(half / np.pi)
+        length = controls[:, :1] * times
+        half = 0.5 * length * np.tan(controls[:, 1:]) / self.problem.robot.wheelbase
+        chord = length * np.sinc(half / np.pi)
         return np.array(
             [
                 q[0] + chord * np.cos(q[2] + half),
@@ -114,19 +117,18 @@ class Drivable(Asked):
 
 
 def apart(a: Any, b: Any, radian: float) -> Any:
-    """How far two poses are apart, their headings the short way; the three numbers may be
-    arrays.
-    """
+    """Distance between poses, with heading differences wrapped; coordinates may be arrays."""
     turn = (b[2] - a[2] + math.pi) % (2.0 * math.pi) - math.pi
     return ((b[0] - a[0]) ** 2 + (b[1] - a[1]) ** 2 + (radian * turn) ** 2) ** 0.5
 
 
 def drivable(scene: dict[str, Any]) -> Drivable:
-    """The problem in a scene, as an exercise on driving hands it out.
+    """Problem of a scene, as an exercise on driving gives it to a student.
 
     >>> square = {"kind": "polygons", "boundary": [[0, 0], [40, 0], [40, 40], [0, 40]]}
     >>> car = {"kind": "car", "length": 3, "width": 1, "wheelbase": 2}
-    >>> problem = drivable({"robot": car, "world": square, "start": [10, 10, 0], "goal": [30, 30, 3]})
+    >>> ends = {"start": [10, 10, 0], "goal": [30, 30, 3]}
+    >>> problem = drivable({"robot": car, "world": square, **ends})
     >>> problem.move(problem.start, 1, 0, 5), problem.is_free_drive(problem.start, -1, 0, 15)
     (array([15., 10.,  0.]), False)
     >>> v, phi, t = problem.best_drive(problem.start, (11, 10, 0), np.random.default_rng(0))
@@ -137,10 +139,10 @@ def drivable(scene: dict[str, Any]) -> Drivable:
 
 
 class DrivenTask(Task):
-    """The shape of a car's problem: it travels as a scene."""
+    """The shape of a car's problem, encoded as a scene."""
 
     def decode(self, data: Any) -> Drivable:
-        """A new problem, of which nothing has been asked."""
+        """Decode into a new problem without recorded calls."""
         try:
             return drivable(data)
         except Exception:

@@ -1,8 +1,8 @@
-"""What an exercise is: cases, a call, a judge.
+"""What an exercise is: cases, a call and a judge.
 
-`cases` and `judge` know the truth and never meet student code. `call` runs student code and knows
-nothing. A check in a notebook, the project's tests and the grader run the same three; only where
-`call` runs differs.
+`cases` and `judge` know the truth and never meet student code. `call` runs student code and does
+not know the truth. A check in a notebook, the project's tests and the grader use the same three
+methods; they differ only in where `call` runs.
 """
 
 from abc import ABC, abstractmethod
@@ -17,17 +17,20 @@ from .shapes import Record, Shape
 
 
 class Case(NamedTuple):
-    """One input: the kind of input it is, and the arguments by name."""
+    """One input: its kind, and the arguments by name."""
 
     kind: str
     given: dict[str, Any]
 
 
 class Verdict(NamedTuple):
-    """What the judge says of one outcome.
+    """The judgement of one outcome.
 
-    score : 1.0 for right, 0.0 for wrong. rule : the key of the rule that was broken, or "". wanted
-        : in words, what was right.
+    Attributes
+    ----------
+    score : 1.0 for right, 0.0 for wrong.
+    rule : key of the broken rule, or "".
+    wanted : description of a right answer.
     """
 
     score: float
@@ -36,36 +39,37 @@ class Verdict(NamedTuple):
 
     @property
     def is_right(self) -> bool:
-        """Whether nothing was wrong."""
+        """Whether the outcome is right."""
         return self.score >= 1.0
 
 
 RIGHT = Verdict(1.0)
-# the rule that is broken where an answer is right but for the student's own contract
+# rule that is broken where an answer is right except for the student's own contract
 CONTRACT = "contract"
 
 
 class Slip(NamedTuple):
-    """A known misconception: its key in the catalogue, and what a program that has it answers to a
-    case's arguments.
-    """
+    """A known misconception: its key in the catalogue, and the answer of a program that has it."""
 
     key: str
     answer: Callable[..., Any]
 
 
 class Exercise(ABC):
-    """One function to write. Subclasses declare what is below, and are listed in
-    `kinoedu.course.lessons`.
+    """One function that students write. Subclasses are listed in `kinoedu.course.lessons`.
 
-    name : what the function is called. lesson : the notebook that asks for it. kinds : the kinds of
-        input, each worth the same.
-    given, answer : the shapes of a case's arguments and of the answer. seconds : the time for one
-        call.
-    slips : known misconceptions. shared : whose words it uses where it has none of its own. source
-        : the library's own function, withheld when graded; None where there is none. shown : the
-        lines of the library that a student may compare with in the end; those of `source` where
-        they are None. variants : names of contracts, of which each student may be given one.
+    Attributes
+    ----------
+    name : name of the function.
+    lesson : name of the notebook that asks for it.
+    kinds : kinds of input; all are worth the same.
+    given, answer : shapes of a case's arguments and of the answer.
+    seconds : time limit of one call.
+    slips : known misconceptions.
+    shared : tables of messages to use where the exercise has no message of its own.
+    source : the library's own function, or None; the grader withholds it from students.
+    shown : library function that students may compare with afterwards. None stands for `source`.
+    variants : names of contracts; each student may be assigned one.
     """
 
     name: ClassVar[str]
@@ -81,25 +85,23 @@ class Exercise(ABC):
     variants: ClassVar[tuple[str, ...]] = ()
 
     def __init__(self, variant: str = "") -> None:
-        self.variant = variant  # "" where whatever the statement allows is right
+        self.variant = variant  # "" allows everything that the statement allows
 
     @property
     def contract(self) -> str:
-        """What a variant demands beside the statement, in words; "" where nothing."""
+        """What the variant demands in addition to the statement; "" without a variant."""
         return self.words(f"contracts.{self.variant}") if self.variant else ""
 
     @abstractmethod
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Cases from small to large, some of every kind; the same for the same rng."""
+        """Yield cases from small to large, some of each kind; the same for the same rng."""
 
     def call(self, function: Callable[..., Any], given: dict[str, Any]) -> Any:
-        """Run the student's function on a case's arguments, in the order in which they are
-        declared.
-        """
+        """Call the student's function with a case's arguments, in the declared order."""
         return function(*given.values())
 
     def right_answer(self, *given: Any) -> Any:
-        """One answer that is right: what the library answers."""
+        """One right answer, computed by the library."""
         assert self.source is not None
         return self.source(*given)
 
@@ -108,76 +110,67 @@ class Exercise(ABC):
         """Judge an answer of the declared shape."""
 
     def judge(self, case: Case, outcome: Outcome) -> Verdict:
-        """Judge what became of a call."""
+        """Judge the outcome of a call."""
         if isinstance(outcome, Answer):
             return self.value_verdict(case, outcome.value)
-        rule = {Misshapen: "shape", Changed: "changed", Raised: "raised", Late: "late"}[
-            type(outcome)
-        ]
-        return Verdict(0.0, rule, self.wanted(case))
+        rules = {Misshapen: "shape", Changed: "changed", Raised: "raised", Late: "late"}
+        return Verdict(0.0, rules[type(outcome)], self.wanted(case))
 
     @abstractmethod
     def wanted(self, case: Case) -> str:
-        """What the answer to a case should be, in words."""
+        """Description of the right answer to a case."""
 
     def answer_words(self, case: Case, value: Any) -> str:
-        """What was answered to a case, in words."""
+        """Description of the answer that was given to a case."""
         return spoken(value)
 
     @abstractmethod
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """Draw a case, what was answered and what is true, into matplotlib axes."""
+        """Draw a case, the given answer and the true one into matplotlib axes."""
 
     def table_with(self, key: str) -> str:
-        """The first table of words that has a key, of this exercise's own and those it shares; ""
-        where none has.
-        """
-        return next(
-            (table for table in (self.name, *self.shared) if has_words(f"{table}.{key}")), ""
-        )
+        """First table of messages that contains a key, this exercise's own table first; or ""."""
+        tables = (self.name, *self.shared)
+        return next((table for table in tables if has_words(f"{table}.{key}")), "")
 
     def words(self, key: str, **values: Any) -> str:
-        """This exercise's words for a key, or those that it shares with others."""
+        """Message for a key, from this exercise's own table or from a shared one."""
         return say(f"{self.table_with(key) or self.shared[-1]}.{key}", **values)
 
 
-TRUTHS: dict[
-    tuple[int, int], tuple[Exercise, Case, Any]
-] = {}  # by what they are the truths of, which is kept with them
-MOST_TRUTHS = 4096
+# keyed by the ids of exercise and case; the entry keeps both alive, so the ids stay valid
+TRUTH_CACHE: dict[tuple[int, int], tuple[Exercise, Case, Any]] = {}
+MAX_CACHED_TRUTHS = 4096
 
 
 class ValueExercise(Exercise):
-    """An exercise whose answers are numbers that equal the reference's up to rounding, or a
-    ValueError that it must raise.
-    """
+    """An exercise whose right answer is a reference value up to rounding, or a ValueError."""
 
     tolerance: ClassVar[float] = 1e-6
 
     @staticmethod
     @abstractmethod
     def reference(*given: Any) -> Any:
-        """The true answer, or a ValueError where there is none."""
+        """True answer. Raises ValueError where there is none."""
 
     def truth(self, case: Case) -> Any:
-        """The true answer, or the ValueError; kept, since a whole class is judged by the same
-        cases.
+        """True answer, or the ValueError itself.
+
+        The result is cached, because a whole class is judged on the same cases.
         """
-        kept = TRUTHS.get((id(self), id(case)))
+        kept = TRUTH_CACHE.get((id(self), id(case)))
         if kept is None or kept[0] is not self or kept[1] is not case:
             try:
                 truth = self.reference(*case.given.values())
             except ValueError as refusal:
                 truth = refusal.with_traceback(None)
-            if len(TRUTHS) >= MOST_TRUTHS:
-                TRUTHS.clear()
-            TRUTHS[id(self), id(case)] = kept = self, case, truth
+            if len(TRUTH_CACHE) >= MAX_CACHED_TRUTHS:
+                TRUTH_CACHE.clear()
+            TRUTH_CACHE[id(self), id(case)] = kept = self, case, truth
         return kept[2]
 
     def judge(self, case: Case, outcome: Outcome) -> Verdict:
-        """Where the reference refuses the input, a ValueError is the right answer and anything else
-        is not.
-        """
+        """Judge an outcome; where the reference raises a ValueError, only a ValueError is right."""
         if not isinstance(self.truth(case), ValueError):
             return super().judge(case, outcome)
         if isinstance(outcome, Raised) and "ValueError" in outcome.kinds:
@@ -186,38 +179,38 @@ class ValueExercise(Exercise):
         return Verdict(0.0, rule, self.wanted(case))
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """Right where the value is the reference's."""
-        return (
-            RIGHT
-            if self.same(value, self.truth(case))
-            else Verdict(0.0, case.kind, self.wanted(case))
-        )
+        """Compare a value with the reference."""
+        if self.same(value, self.truth(case)):
+            return RIGHT
+        return Verdict(0.0, case.kind, self.wanted(case))
 
     def same(self, value: Any, truth: Any) -> bool:
-        """Whether two answers are the same but for rounding; nan is the same as nan."""
+        """Whether two answers agree up to rounding; nan equals nan."""
         found, wanted = np.ravel(value).tolist(), np.ravel(truth).tolist()
         return len(found) == len(wanted) and all(map(self.near, found, wanted))
 
     def near(self, found: float, wanted: float) -> bool:
-        """The same for two numbers; what is infinite is near to nothing else."""
+        """Whether two numbers agree up to rounding; infinity equals only itself."""
         both_nan = found != found and wanted != wanted
         allowed = self.tolerance * (1.0 + abs(wanted)) if abs(wanted) < np.inf else 0.0
         return both_nan or found == wanted or abs(found - wanted) <= allowed
 
     def wanted(self, case: Case) -> str:
-        """The true answer in words."""
+        """Description of the true answer."""
         truth = self.truth(case)
         return say("exercise.wanted_error") if isinstance(truth, ValueError) else spoken(truth)
 
 
-MOST_SHOWN, MOST_NUMBERS = 12, 60  # points of a long array, numbers of a long list
+MAX_POINTS_SHOWN, MAX_NUMBERS_SHOWN = 12, 60  # rows of a long array, entries of a long list
 
 
 def spoken(value: Any) -> str:
-    """A value as a student would write it: at most ten digits, no trailing zeros.
+    """Format a value as a student would write it: at most ten digits, no trailing zeros.
 
-    >>> spoken(np.array([[0.0, 1.5], [2.0, 1 / 3]])), spoken(5.0), spoken(True), spoken((float("nan"), -0.0))
-    ('[(0, 1.5), (2, 0.3333333333)]', '5', 'True', '(nan, 0)')
+    >>> spoken(np.array([[0.0, 1.5], [2.0, 1 / 3]]))
+    '[(0, 1.5), (2, 0.3333333333)]'
+    >>> spoken(5.0), spoken(True), spoken((float("nan"), -0.0))
+    ('5', 'True', '(nan, 0)')
     >>> spoken(([[1, 2], [2], []], 0))
     '([[1, 2], [2], []], 0)'
     """
@@ -228,11 +221,8 @@ def spoken(value: Any) -> str:
     if isinstance(value, tuple):
         return "(" + ", ".join(map(spoken, value)) + ("," if len(value) == 1 else "") + ")"
     if isinstance(value, list):
-        most = (
-            MOST_SHOWN
-            if any(isinstance(row, list | tuple | np.ndarray) for row in value)
-            else MOST_NUMBERS
-        )
+        has_rows = any(isinstance(row, list | tuple | np.ndarray) for row in value)
+        most = MAX_POINTS_SHOWN if has_rows else MAX_NUMBERS_SHOWN
         if len(value) > most:
             return say("exercise.and_more", shown=spoken(value[:most])[:-1], more=len(value) - most)
         return "[" + ", ".join(map(spoken, value)) + "]"

@@ -1,4 +1,4 @@
-"""The rules by which the exercise on tree roadmaps lets trees grow, and how they travel."""
+"""Expansion rules for the exercise on tree roadmaps, and how they are encoded."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -8,22 +8,22 @@ import numpy as np
 
 from ..geometry.checks import Array
 from ..words import say
-from .plain import WrongShape, wrong
+from .plain import WrongShape, wrong_shape
 
 
 def wander(problem: Any, nodes: Array, rng: np.random.Generator) -> tuple[int, Array]:
-    """Any node, and a place not far from it."""
+    """Expand a random node to a random place nearby."""
     node = int(rng.integers(len(nodes)))
     return node, nodes[node] + rng.uniform(-1.5, 1.5, len(nodes[node]))
 
 
 def leap(problem: Any, nodes: Array, rng: np.random.Generator) -> tuple[int, Array]:
-    """Any node, and any place."""
+    """Expand a random node to a random sample of the whole space."""
     return int(rng.integers(len(nodes))), problem.sample(rng)
 
 
 def reach_out(problem: Any, nodes: Array, rng: np.random.Generator) -> tuple[int, Array]:
-    """The node nearest to a sample, and a step from it towards the sample: what makes an RRT."""
+    """Expand the node nearest to a sample by one step towards that sample, as an RRT does."""
     q_rand = problem.sample(rng)
     node = int(np.argmin([problem.distance(q, q_rand) for q in nodes]))
     return node, problem.steer(nodes[node], q_rand, 1.0)
@@ -31,8 +31,11 @@ def reach_out(problem: Any, nodes: Array, rng: np.random.Generator) -> tuple[int
 
 @dataclass(frozen=True)
 class Expansion:
-    """A rule for the next edge: called with the problem, the nodes so far (n, d) and a generator,
-    it gives the number of the node to expand, and a configuration near it."""
+    """A rule that proposes the next edge of a tree.
+
+    It is called with the problem, the nodes (n, d) and a generator, and returns the index of the
+    node to expand and a configuration near it.
+    """
 
     name: str
 
@@ -50,21 +53,21 @@ EXPANSIONS = {name: Expansion(name) for name in RULES}
 
 
 class Rule(NamedTuple):
-    """The shape of an expansion: it travels by its name."""
+    """The shape of an expansion, encoded by its name."""
 
     @property
     def words(self) -> str:
-        """In words."""
+        """Description of the shape, for messages."""
         return say("planner.expansion")
 
     def encode(self, value: Any) -> str:
-        """The name."""
+        """Encode an expansion as its name. Raises WrongShape."""
         if not isinstance(value, Expansion):
-            raise wrong(self.words, value)
+            raise wrong_shape(self.words, value)
         return value.name
 
     def decode(self, data: Any) -> Expansion:
-        """The expansion."""
+        """Decode the name of an expansion. Raises WrongShape."""
         if data not in EXPANSIONS:
             raise WrongShape(self.words)
         return EXPANSIONS[data]

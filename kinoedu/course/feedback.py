@@ -1,4 +1,4 @@
-"""A report in words and with a picture: what a student reads."""
+"""Feedback for students: a report as text and a picture."""
 
 import io
 from html import escape
@@ -7,21 +7,20 @@ from typing import Any
 import numpy as np
 
 from ..words import say
-from .advice import advice_on
+from .advice import find_advice
 from .exercise import Exercise
 from .judging import Judged, Report
 from .outcomes import Answer, Changed, Late, Misshapen, Outcome, Raised
 
-RULE, CASE, PICTURE, ALL = 1, 2, 3, 4  # the stages: each shows what those before it show, and more
-LONG, SHOWN = 400, 60  # letters: of a line that is longer than that so many are shown at first
-TRIES: dict[
-    str, list[int]
-] = {}  # for each exercise the failures so far in this session, different ones
+RULE, CASE, PICTURE, ALL = 1, 2, 3, 4  # stages; each also shows all that the earlier ones show
+LONG_LINE, SHOWN_LETTERS = 400, 60  # a line longer than the first is shortened to the second
+TRIES: dict[str, list[int]] = {}  # hashes of the different failures of each exercise, this session
 
 
 class Feedback:
-    """A report, told up to a stage. Shows itself in a notebook: words, then the picture of the
-    smallest case that failed.
+    """A report up to a stage, displayed in a notebook as text and a picture.
+
+    The picture shows the smallest case that failed.
     """
 
     def __init__(self, report: Report, stage: int = ALL, printed: str = "") -> None:
@@ -30,33 +29,30 @@ class Feedback:
         self.printed = printed
 
     def told(self) -> list[tuple[str, str]]:
-        """What is said, as pairs of a title and a text."""
+        """Text of the feedback, as pairs of a title and a text."""
         return told(self.report, self.stage, self.printed.rstrip())
 
     def __repr__(self) -> str:
         return "\n".join(laid_out(title, text) for title, text in self.told())
 
     def _repr_html_(self) -> str:
-        """The same words, laid out."""
-        sign = (
-            "unanswered" if self.report.unwritten else "right" if self.report.is_right else "wrong"
-        )
-        rows = [row(title, text) for title, text in self.told()]
-        return (
-            f"<div class='kinoedu-check kinoedu-{sign}' style='{STYLE[sign]}'>{''.join(rows)}</div>"
-        )
+        """The same text as HTML."""
+        result = "right" if self.report.is_right else "wrong"
+        if self.report.unwritten:
+            result = "unanswered"
+        entries = "".join(html_entry(title, text) for title, text in self.told())
+        style = f"class='kinoedu-check kinoedu-{result}' style='{STYLE[result]}'"
+        return f"<div {style}>{entries}</div>"
 
     def picture(self) -> bytes | None:
-        """The smallest failing case as a PNG; None where nothing failed or it is not to be shown
-        yet.
-        """
+        """PNG of the smallest failing case; None where nothing failed or the stage hides it."""
         failure = self.report.failure
         if failure is None or self.report.unwritten or self.stage < PICTURE:
             return None
         return picture_of(self.report.exercise, failure)
 
     def _ipython_display_(self) -> None:
-        """Two outputs, so that stored words are compared and pictures are not."""
+        """Display text and picture as two outputs, so that notebook tests compare only the text."""
         from IPython.display import Image, display
 
         display({"text/plain": repr(self), "text/html": self._repr_html_()}, raw=True)
@@ -66,35 +62,19 @@ class Feedback:
 
 
 def told(report: Report, stage: int, printed: str) -> list[tuple[str, str]]:
-    """What is said up to a stage, as pairs of a title and a text; `printed` is what the program
-    wrote in the case that failed.
+    """Text of the feedback up to a stage, as pairs of a title and a text.
+
+    `printed` is the program's own output in the case that failed.
     """
     exercise, failure = report.exercise, report.failure
     if report.unwritten:
-        other = report.unwritten != exercise.name
-        return [
-            (
-                "",
-                say(
-                    "check.unwritten" if other else "check.unanswered",
-                    name=exercise.name,
-                    called=report.unwritten,
-                ),
-            )
-        ]
+        key = "check.unanswered" if report.unwritten == exercise.name else "check.unwritten"
+        return [("", say(key, name=exercise.name, called=report.unwritten))]
     if failure is None:
-        return told_right(report)
-    lines = [
-        (
-            "",
-            say(
-                "check.wrong",
-                name=exercise.name,
-                right=len(exercise.kinds) - len(report.failed),
-                total=len(exercise.kinds),
-            ),
-        )
-    ]
+        return right_answer_lines(report)
+    total = len(exercise.kinds)
+    right = total - len(report.failed)
+    lines = [("", say("check.wrong", name=exercise.name, right=right, total=total))]
     lines.append((say("check.rule"), rule_words(exercise, failure)))
     if stage >= CASE:
         lines += told_case(exercise, failure, printed)
@@ -107,8 +87,8 @@ def told(report: Report, stage: int, printed: str) -> list[tuple[str, str]]:
     return lines
 
 
-def told_right(report: Report) -> list[tuple[str, str]]:
-    """What a right answer survived, and what to wonder about."""
+def right_answer_lines(report: Report) -> list[tuple[str, str]]:
+    """Feedback for a right answer: what it passed, and a further question."""
     exercise = report.exercise
     survived = "; ".join(
         f"{exercise.words(f'kinds.{kind}')} ({report.survived[kind]})" for kind in exercise.kinds
@@ -123,16 +103,12 @@ def told_right(report: Report) -> list[tuple[str, str]]:
 
 
 def told_case(exercise: Exercise, failure: Judged, printed: str) -> list[tuple[str, str]]:
-    """The call that failed, what came of it, and what should have."""
+    """The call that failed, its outcome, and the right answer."""
     given = [f"{name} = {as_code(value)}" for name, value in failure.case.given.items()]
     lines = [(say("check.contract"), exercise.contract)] if exercise.contract else []
-    lines += [
-        (
-            say("check.call"),
-            "\n".join([*given, f"{exercise.name}({', '.join(failure.case.given)})"]),
-        )
-    ]
-    lines.append((say("check.yours"), outcome_words(exercise, failure)))
+    call = f"{exercise.name}({', '.join(failure.case.given)})"
+    lines.append((say("check.call"), "\n".join([*given, call])))
+    lines.append((say("check.yours"), outcome_message(exercise, failure)))
     if printed:
         lines.append((say("check.printed"), printed))
     lines.append((say("check.wanted"), failure.verdict.wanted))
@@ -141,8 +117,8 @@ def told_case(exercise: Exercise, failure: Judged, printed: str) -> list[tuple[s
     return lines
 
 
-def outcome_words(exercise: Exercise, failure: Judged) -> str:
-    """What came of a call, in words."""
+def outcome_message(exercise: Exercise, failure: Judged) -> str:
+    """Description of the outcome of a call."""
     outcome = failure.outcome
     if isinstance(outcome, Answer):
         return exercise.answer_words(failure.case, outcome.value)
@@ -151,22 +127,21 @@ def outcome_words(exercise: Exercise, failure: Judged) -> str:
     if isinstance(outcome, Changed):
         return say("check.changed", names=", ".join(outcome.names))
     if isinstance(outcome, Raised):
-        return say(
-            "check.raised", kind=outcome.kinds[0] if outcome.kinds else "", message=outcome.message
-        )
+        kind = outcome.kinds[0] if outcome.kinds else ""
+        return say("check.raised", kind=kind, message=outcome.message)
     return late_words(outcome)
 
 
 def late_words(late: Late) -> str:
-    """Why a program has no answer: how long it computed, and for how long it was allowed to."""
+    """Message for a program without an answer: the computing time it used and was allowed."""
     key = "late" if late.used > late.allowed else "late_waiting" if late.allowed else "late_unknown"
     seconds = {"used": late.used, "allowed": late.allowed, "passed": late.passed}
-    words = say(f"check.{key}", **{name: f"{value:.1f}" for name, value in seconds.items()})
-    return f"{words} {say('check.still_running' if late.left_running else 'check.stopped')}"
+    message = say(f"check.{key}", **{name: f"{value:.1f}" for name, value in seconds.items()})
+    return f"{message} {say('check.still_running' if late.left_running else 'check.stopped')}"
 
 
 def as_code(value: Any) -> str:
-    """A value as a line of Python that a student can copy.
+    """Write a value as a line of Python that a student can copy.
 
     >>> as_code(np.array([[0.0, 0.5], [2.0, 1.0]])), as_code(2.0)
     ('np.array([(0.0, 0.5), (2.0, 1.0)])', '2.0')
@@ -181,22 +156,20 @@ def as_code(value: Any) -> str:
 
 
 def laid_out(title: str, text: str) -> str:
-    """A title and its text; a text of several lines stands below, indented."""
+    """Format a title and its text; text of several lines is indented below the title."""
     if "\n" in text:
         text = "\n    " + text.replace("\n", "\n    ")
     return f"{title}: {text}" if title else text
 
 
 def rule_words(exercise: Exercise, failure: Judged) -> str:
-    """The rule that was broken."""
+    """Message for the rule that was broken."""
     return exercise.words(f"rules.{failure.verdict.rule}")
 
 
 def hint_words(exercise: Exercise, failure: Judged) -> str:
-    """The hint of the misconception that was recognised, of the error that Python raised, else that
-    of the rule.
-    """
-    advice = advice_on(failure.outcome)
+    """Hint for the misconception that was recognised, for the Python error, or for the rule."""
+    advice = find_advice(failure.outcome)
     if advice:
         return say(f"advice.{advice}")
     key = f"slips.{failure.slip}" if failure.slip else f"hints.{failure.verdict.rule}"
@@ -208,27 +181,28 @@ def hint_words(exercise: Exercise, failure: Judged) -> str:
 
 
 def is_slow(outcome: Outcome) -> bool:
-    """Whether a program was late, and nothing is known of where it spent its time."""
+    """Whether a program was late and the lines where it spent its time are unknown."""
     return isinstance(outcome, Late) and not outcome.lines
 
 
-def stage_of(report: Report) -> int:
-    """How much a student who asked for hints bit by bit has earned: one stage more for each
-    different failure.
+def advance_stage(report: Report) -> int:
+    """Record a failure and return the stage of feedback that the student has reached.
+
+    Each different failure of an exercise adds one stage.
     """
     if report.failure is None:
         return ALL
     tries = TRIES.setdefault(report.exercise.name, [])
     outcome = report.failure.outcome
-    came = "Late" if isinstance(outcome, Late) else repr(outcome)  # its seconds are never the same
-    failure = hash((came, report.failed, repr(report.failure.case)))
+    outcome_key = "Late" if isinstance(outcome, Late) else repr(outcome)  # times vary
+    failure = hash((outcome_key, report.failed, repr(report.failure.case)))
     if failure not in tries:
         tries.append(failure)
     return min(len(tries), ALL)
 
 
 def picture_of(exercise: Exercise, failure: Judged) -> bytes:
-    """The failing case, drawn by the exercise; a PNG."""
+    """Draw the failing case as a PNG."""
     from ..figures.plane import plane_figure
 
     figure, ax = plane_figure()
@@ -238,31 +212,27 @@ def picture_of(exercise: Exercise, failure: Judged) -> bytes:
     return stream.getvalue()
 
 
-def folded(line: str) -> str:
-    """A line as HTML; of one that is very long the beginning, and all of it on a click."""
-    if len(line) <= LONG:
+def fold_line(line: str) -> str:
+    """HTML of a line; a very long line shows its beginning and expands on a click."""
+    if len(line) <= LONG_LINE:
         return escape(line)
     return (
-        f"<details style='display:inline-block'><summary>{escape(line[:SHOWN])} "
+        f"<details style='display:inline-block'><summary>{escape(line[:SHOWN_LETTERS])} "
         f"…</summary>{escape(line)}</details>"
     )
 
 
-def row(title: str, text: str) -> str:
-    """One line of the words as HTML; what a student's program said is escaped."""
-    body = "<br>".join(folded(line) for line in text.splitlines())
+def html_entry(title: str, text: str) -> str:
+    """HTML of one entry of the feedback, with the student's own output escaped."""
+    body = "<br>".join(fold_line(line) for line in text.splitlines())
     if not title:
         return f"<p style='margin:0 0 .4em'><b>{body}</b></p>"
-    kind = (
-        "code"
-        if title
-        in (say("check.call"), say("check.yours"), say("check.where"), say("check.printed"))
-        else "span"
-    )
+    code_titles = [say(f"check.{key}") for key in ("call", "yours", "where", "printed")]
+    tag = "code" if title in code_titles else "span"
     return (
-        "<div style='display:flex;gap:.8em;margin:.15em 0'><span style='flex:0 0 "
-        f"9em;opacity:.75'>{escape(title)}</span>"
-        f"<{kind} style='flex:1;white-space:pre-wrap;overflow-wrap:anywhere'>{body}</{kind}></div>"
+        "<div style='display:flex;gap:.8em;margin:.15em 0'>"
+        f"<span style='flex:0 0 9em;opacity:.75'>{escape(title)}</span>"
+        f"<{tag} style='flex:1;white-space:pre-wrap;overflow-wrap:anywhere'>{body}</{tag}></div>"
     )
 
 

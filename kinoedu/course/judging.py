@@ -1,8 +1,7 @@
-"""From a program's outcomes to one report: what holds, the smallest case that fails, and what was
-probably misunderstood.
+"""Judge a program's outcomes: what is right, the smallest failing case, and the misconception.
 
-The cases are judged where the truth is; the outcomes may come from this process, from a sandbox, or
-from a file.
+Cases are judged in the process that knows the truth. The outcomes may come from that process, from
+a sandbox, or from a file.
 """
 
 from collections.abc import Callable, Iterable
@@ -20,9 +19,7 @@ from .shapes import Shape, Truth
 
 @dataclass(frozen=True)
 class Judged:
-    """One case and its number, what came, what the judge said; and where that is wrong the slip
-    that answers just so, or "".
-    """
+    """One case with its number, outcome, verdict, and the misconception that explains it, or ""."""
 
     case: Case
     outcome: Outcome
@@ -33,10 +30,12 @@ class Judged:
 
 @dataclass(frozen=True)
 class Report:
-    """What a program is worth.
+    """The result of judging a program.
 
-    survived : the cases that were right, for each kind. failed : the kinds with a case that was
-        wrong or that was not reached.
+    Attributes
+    ----------
+    survived : number of right cases of each kind.
+    failed : kinds with a case that was wrong or was not reached.
     failure : the smallest case that failed, or None.
     """
 
@@ -47,8 +46,9 @@ class Report:
 
     @property
     def unwritten(self) -> str:
-        """The function that nobody has written yet: this exercise's, or one that it calls; "" where
-        there is none.
+        """Name of the function that is not written yet, or "".
+
+        It is this exercise's function, or one that it calls.
         """
         if self.failure is None or not is_unwritten(self.failure.outcome):
             return ""
@@ -56,12 +56,12 @@ class Report:
 
     @property
     def is_right(self) -> bool:
-        """Whether every kind of input is answered right."""
+        """Whether the answers to all kinds of input are right."""
         return not self.failed
 
     @property
     def score(self) -> float:
-        """The share of the kinds of input that are answered right, 0 to 1."""
+        """Fraction of the kinds of input with right answers, from 0 to 1."""
         return 1.0 - len(self.failed) / len(self.exercise.kinds)
 
 
@@ -71,15 +71,25 @@ def attempt(
     case: Case,
     bounded: Bounded = within_processor_time,
 ) -> Outcome:
-    """Call a student's function on a copy of a case."""
+    """Call a student's function on a copy of a case.
+
+    Returns
+    -------
+    Outcome
+    """
     return attempted(exercise, function, exercise.given.encode(case.given), bounded)
 
 
 def attempted(
     exercise: Exercise, function: Callable[..., Any], data: dict[str, Any], bounded: Bounded
 ) -> Outcome:
-    """Call a student's function on a case's arguments, which are JSON data here. This is all that
-    ever runs student code.
+    """Call a student's function on a case's arguments, given as JSON data.
+
+    This is the only place that runs student code.
+
+    Returns
+    -------
+    Outcome
     """
     given = exercise.given.decode(data)
     outcome = outcome_of(
@@ -88,13 +98,13 @@ def attempted(
     changed = [
         name
         for name, value in given.items()
-        if not same_data(exercise.given.fields[name], value, data[name])
+        if not is_unchanged(exercise.given.fields[name], value, data[name])
     ]
     return Changed(changed) if isinstance(outcome, Answer) and changed else outcome
 
 
-def same_data(shape: Shape, value: Any, data: Any) -> bool:
-    """Whether a value is still what JSON data say."""
+def is_unchanged(shape: Shape, value: Any, data: Any) -> bool:
+    """Whether a value still encodes to the given JSON data."""
     try:
         return bool(shape.encode(value) == data)
     except WrongShape:
@@ -102,9 +112,14 @@ def same_data(shape: Shape, value: Any, data: Any) -> bool:
 
 
 def report_on(exercise: Exercise, cases: Iterable[Case], outcomes: Iterable[Outcome]) -> Report:
-    """Judge outcomes in the order of their cases. Asks for no more after one that came too late or
-    was not written yet; a kind of which some case was not reached is not right, so that nobody
-    gains by giving up.
+    """Judge outcomes in the order of their cases.
+
+    No further outcome is requested after one that came too late, or one of an unwritten function. A
+    kind with a case that was not reached counts as failed, so that giving up early never helps.
+
+    Returns
+    -------
+    Report
     """
     right, all_cases = dict.fromkeys(exercise.kinds, 0), list(cases)
     seen: list[Judged] = []
@@ -115,24 +130,24 @@ def report_on(exercise: Exercise, cases: Iterable[Case], outcomes: Iterable[Outc
         if isinstance(outcome, Late) or is_unwritten(outcome):
             break
     failures = [one for one in seen if not one.verdict.is_right]
-    broken = {failure.case.kind for failure in failures} | {
-        case.kind for case in all_cases[len(seen) :]
-    }
+    broken = {failure.case.kind for failure in failures}
+    broken |= {case.kind for case in all_cases[len(seen) :]}
     if not any(one.verdict.is_right and isinstance(one.outcome, Answer) for one in seen):
-        broken = set(exercise.kinds)  # to refuse every input is not to refuse the wrong ones
+        broken = set(exercise.kinds)  # raising an error for every input earns nothing
     failed = tuple(kind for kind in exercise.kinds if kind in broken or not right[kind])
     if not failures:
         return Report(exercise, right, failed)
-    first = replace(failures[0], slip=slip_in(exercise, failures, seen))
+    first = replace(failures[0], slip=find_slip(exercise, failures, seen))
     return Report(exercise, right, failed, first)
 
 
-def slip_in(exercise: Exercise, failures: list[Judged], seen: list[Judged]) -> str:
-    """The misconception that explains every failure of the first one's kind and half of all, and
-    the most of what was seen.
+def find_slip(exercise: Exercise, failures: list[Judged], seen: list[Judged]) -> str:
+    """Key of the misconception that explains the failures best, or "".
 
-    A wrong yes or no is explained by many: there it must explain all that was seen. What is right
-    but for the contract needs none.
+    It must explain every failure of the first failure's kind, and at least half of all failures. Of
+    several, the one that explains most of the cases seen is chosen. Many misconceptions explain a
+    wrong yes or no, so for a truth value it must explain every case seen. An answer that breaks
+    only the contract has no misconception.
     """
     if failures[0].verdict.rule == CONTRACT:
         return ""
@@ -142,9 +157,9 @@ def slip_in(exercise: Exercise, failures: list[Judged], seen: list[Judged]) -> s
     }
     likely = [
         slip
-        for slip, told in explained.items()
-        if 2 * sum(told) >= len(failures)
-        and all(yes or one.case.kind != first for yes, one in zip(told, failures))
+        for slip, explained_failures in explained.items()
+        if 2 * sum(explained_failures) >= len(failures)
+        and all(yes or one.case.kind != first for yes, one in zip(explained_failures, failures))
     ]
     if isinstance(exercise.answer, Truth):
         likely = [
@@ -158,12 +173,12 @@ def slip_in(exercise: Exercise, failures: list[Judged], seen: list[Judged]) -> s
 
 
 def is_unwritten(outcome: Outcome) -> bool:
-    """Whether a student has not written the function yet, or one that it calls."""
+    """Whether an outcome shows that a function is not written yet."""
     return isinstance(outcome, Raised) and outcome.is_unwritten
 
 
 def explains(exercise: Exercise, mistaken: Callable[..., Any], failure: Judged) -> bool:
-    """Whether a misconception gives the very answer that a student's program gave."""
+    """Whether a misconception gives the same answer as the student's program."""
     if not isinstance(exercise, ValueExercise) or not isinstance(failure.outcome, Answer):
         return False
     if isinstance(exercise.truth(failure.case), ValueError):

@@ -1,7 +1,7 @@
-"""What became of one call of a student's function, and how that travels as JSON.
+"""The outcome of one call of a student's function, and its encoding as JSON.
 
-An answer of the declared shape; an answer of another shape; an exception; or no answer in time.
-Only this leaves the place where student code runs.
+An outcome is an answer of the declared shape, an answer of another shape, an exception, a change of
+the arguments, or no answer in time. Nothing else leaves the process that runs student code.
 """
 
 import linecache
@@ -13,33 +13,39 @@ from typing import Any, NamedTuple
 
 from ..support.time_limit import Bounded, Seen, TimeUp, within_processor_time
 from ..words import say
-from .plain import WrongShape, class_name, wrong
+from .plain import WrongShape, class_name, wrong_shape
 from .shapes import Listed, Record, Shape, Text, Truth
 
 HERE = str(Path(__file__).resolve().parent.parent)
 
 
 class Answer(NamedTuple):
-    """It returned a value of the declared shape."""
+    """The function returned a value of the declared shape."""
 
     value: Any
 
 
 class Misshapen(NamedTuple):
-    """It returned something else; `message` says what was expected and what came."""
+    """The function returned another shape; `message` says what was expected and what came."""
 
     message: str
 
 
 class Changed(NamedTuple):
-    """It changed arrays that it was given; their names."""
+    """The function changed arguments in place; `names` lists them."""
 
     names: list[str]
 
 
 class Raised(NamedTuple):
-    """It raised an exception: the names of its class and of the classes above, its message, the
-    student's lines on the way, and the name of the student's function that raised it.
+    """The function raised an exception.
+
+    Attributes
+    ----------
+    kinds : names of the exception's class and its base classes.
+    message : its message.
+    lines : the student's lines in the traceback.
+    function : name of the student's function that raised it.
     """
 
     kinds: list[str]
@@ -49,16 +55,19 @@ class Raised(NamedTuple):
 
     @property
     def is_unwritten(self) -> bool:
-        """Whether it says that nobody has written a function yet."""
+        """Whether the exception says that a function is not written yet."""
         return self.kinds[:1] == ["NotImplementedError"]
 
 
 class Late(NamedTuple):
-    """It did not end within its time; `left_running` if it could not even be stopped.
+    """The function did not end within its time limit.
 
-    used, allowed : seconds of computing; how many were allowed on that computer, 0 where it is not
-        known. passed : seconds on the wall. lines : a few lines of the student's, if it was seen in
-        them alone for a long time.
+    Attributes
+    ----------
+    left_running : whether it could not be stopped.
+    used, allowed : seconds of processor time; `allowed` is 0 where it is unknown.
+    passed : seconds of wall time.
+    lines : a few of the student's lines, where the program stayed in them for a long time.
     """
 
     left_running: bool
@@ -69,32 +78,32 @@ class Late(NamedTuple):
 
 
 class Seconds(NamedTuple):
-    """A stretch of time, as a float: neither negative nor longer than two weeks."""
+    """The shape of a duration: a float from 0 to 1,000,000 seconds."""
 
     @property
     def words(self) -> str:
-        """In words."""
+        """Description of the shape, for messages."""
         return say("shape.seconds")
 
     def encode(self, value: Any) -> float:
-        """The float."""
+        """Check the float. Raises WrongShape."""
         return self.decode(value)
 
     def decode(self, data: Any) -> float:
-        """The same."""
+        """Check the float. Raises WrongShape."""
         if type(data) is not float or not 0.0 <= data <= MOST_SECONDS:
-            raise wrong(self.words, data)
+            raise wrong_shape(self.words, data)
         return data
 
 
-MOST = 32  # classes above an exception's
+MAX_NAMES = 32  # base classes of an exception, or changed arguments
 MOST_SECONDS = 1e6
 Outcome = Answer | Misshapen | Changed | Raised | Late
 SHAPES: dict[type, Record] = {
     Misshapen: Record(message=Text()),
-    Changed: Record(names=Listed(Text(), MOST)),
+    Changed: Record(names=Listed(Text(), MAX_NAMES)),
     Raised: Record(
-        kinds=Listed(Text(), MOST), message=Text(), lines=Listed(Text(), 5), function=Text()
+        kinds=Listed(Text(), MAX_NAMES), message=Text(), lines=Listed(Text(), 5), function=Text()
     ),
     Late: Record(
         left_running=Truth(),
@@ -107,12 +116,14 @@ SHAPES: dict[type, Record] = {
 
 
 def outcome_of(
-    call: Callable[[], Any],
-    shape: Shape,
-    seconds: float,
-    bounded: Bounded = within_processor_time,
+    call: Callable[[], Any], shape: Shape, seconds: float, bounded: Bounded = within_processor_time
 ) -> Outcome:
-    """Run it for at most so long, and copy what comes out into plain data of its shape."""
+    """Run a call within a time limit, and copy its result into plain data of its shape.
+
+    Returns
+    -------
+    Outcome
+    """
 
     def answered() -> Outcome:
         try:
@@ -121,18 +132,18 @@ def outcome_of(
             raise
         except WrongShape as misfit:
             return Misshapen(str(misfit))
-        # whatever a program can raise is an outcome; its message may be code of its own
+        # anything that a program raises is an outcome; even its message may run student code
         except BaseException as error:
-            return raised(error)
+            return raised_outcome(error)
 
     try:
         return bounded(seconds, answered)
     except TimeUp as over:
-        return late(over)
+        return late_outcome(over)
 
 
-def late(over: TimeUp) -> Late:
-    """A time-out as plain data."""
+def late_outcome(over: TimeUp) -> Late:
+    """Plain data of a time-out."""
     used, allowed, passed = (
         float(min(seconds, MOST_SECONDS)) for seconds in (over.used, over.allowed, over.passed)
     )
@@ -149,16 +160,16 @@ def seen_lines(seen: Seen) -> list[str]:
     return [f"line {number}: {line}" for number, line in lines if line][:6]
 
 
-def raised(error: BaseException) -> Raised:
-    """An exception as plain data."""
+def raised_outcome(error: BaseException) -> Raised:
+    """Plain data of an exception."""
     above = type.__dict__["__mro__"].__get__(type(error))
-    kinds = [class_name(kind) for kind in above if kind not in (object, BaseException)][:MOST]
+    kinds = [class_name(kind) for kind in above if kind not in (object, BaseException)][:MAX_NAMES]
     own = own_steps(error.__traceback__)
     return Raised(kinds, message_of(error), lines_of(own), own[-1][0].f_code.co_name if own else "")
 
 
 def message_of(error: BaseException) -> str:
-    """An exception's message; one whose own code fails has none."""
+    """Message of an exception; "" where its own code fails."""
     try:
         return str(str(error))[:2000]
     except BaseException:
@@ -166,9 +177,7 @@ def message_of(error: BaseException) -> str:
 
 
 def own_steps(trace: TracebackType | None) -> list[tuple[FrameType, int]]:
-    """The student's own functions that an exception passed, outermost first, each with the number
-    of the line.
-    """
+    """Frames of the student's own functions in a traceback, outermost first, with line numbers."""
     return [
         (frame, number)
         for frame, number in traceback.walk_tb(trace)
@@ -177,9 +186,7 @@ def own_steps(trace: TracebackType | None) -> list[tuple[FrameType, int]]:
 
 
 def lines_of(steps: list[tuple[FrameType, int]]) -> list[str]:
-    """Lines of code as "line 3: return 1 / 0"; a line that calls itself again and again only
-    once.
-    """
+    """Lines of code as "line 3: return 1 / 0"; repeated lines of a recursion appear once."""
     lines = [
         f"line {number}: {linecache.getline(frame.f_code.co_filename, number).strip()}"
         for frame, number in steps
@@ -192,7 +199,7 @@ def lines_of(steps: list[tuple[FrameType, int]]) -> list[str]:
 
 
 def is_students(file: str) -> bool:
-    """Whether a file holds neither kinoedu nor an installed library."""
+    """Whether a file belongs neither to kinoedu nor to an installed library."""
     return (
         not file.startswith((HERE, "<"))
         and "site-packages" not in file
@@ -204,14 +211,20 @@ STANDARD = str(Path(traceback.__file__).resolve().parent)
 
 
 def encode_outcome(outcome: Outcome, shape: Shape) -> dict[str, Any]:
-    """An outcome as JSON data: its kind and what belongs to it."""
+    """Encode an outcome as JSON data: its kind and its fields."""
     if isinstance(outcome, Answer):
         return {"kind": "Answer", "value": shape.encode(outcome.value)}
     return {"kind": type(outcome).__name__, **SHAPES[type(outcome)].encode(outcome._asdict())}
 
 
 def decode_outcome(data: Any, shape: Shape) -> Outcome:
-    """An outcome from JSON data; WrongShape where it is none."""
+    """Decode an outcome from JSON data.
+
+    Raises
+    ------
+    WrongShape
+        Where the data are not an outcome.
+    """
     if isinstance(data, dict) and data.get("kind") == "Answer" and set(data) == {"kind", "value"}:
         return Answer(shape.decode(data["value"]))
     for kind, fields in SHAPES.items():

@@ -1,6 +1,4 @@
-"""Numbers as plain data: what a stranger's program returned, copied before anybody looks at it, or
-refused in words.
-"""
+"""Copies untrusted values into plain numbers, or rejects them with a message."""
 
 import math
 from typing import Any, Protocol
@@ -14,29 +12,33 @@ class WrongShape(Exception):
     """A value is not of the declared shape; the message says what was expected and what came."""
 
 
-class Worded(Protocol):
-    """What can say what it is; it is only asked to where something does not fit."""
+class Describable(Protocol):
+    """An object with a description of itself, used only when a value does not fit."""
 
     @property
     def words(self) -> str: ...
 
 
-def numeric(value: Any, dimensions: tuple[int | str, ...], wanted: Worded) -> np.ndarray:
-    """A float64 array of the wanted dimensions, copied; or WrongShape."""
+def as_array(value: Any, dimensions: tuple[int | str, ...], wanted: Describable) -> np.ndarray:
+    """Copy a value into a float64 array of the wanted dimensions.
+
+    Raises
+    ------
+    WrongShape
+    """
     if type(value) is np.ndarray and value.size and not fits(value.shape, dimensions):
-        raise wrong(wanted.words, value)  # before it is copied: it may be huge
+        raise wrong_shape(wanted.words, value)  # without copying it, since it may be huge
     try:
         array = np.array(value)
     except Exception:
-        raise wrong(wanted.words, value) from None
+        raise wrong_shape(wanted.words, value) from None
     if array.size == 0:
         array = array.astype(float)
-        if (
-            array.shape == (0,) and dimensions and isinstance(dimensions[0], str)
-        ):  # an empty list is an array of no rows
+        # an empty list is an array without rows
+        if array.shape == (0,) and dimensions and isinstance(dimensions[0], str):
             array = np.empty([length if isinstance(length, int) else 0 for length in dimensions])
     if array.dtype.kind not in "iuf" or not fits(array.shape, dimensions):
-        raise wrong(wanted.words, value)
+        raise wrong_shape(wanted.words, value)
     return array.astype(float)
 
 
@@ -51,14 +53,15 @@ def fits(shape: tuple[int, ...], dimensions: tuple[int | str, ...]) -> bool:
     )
 
 
-def wrong(words: str, value: Any) -> WrongShape:
-    """The refusal, in words."""
-    return WrongShape(say("shape.wrong", wanted=words, came=described(value)))
+def wrong_shape(words: str, value: Any) -> WrongShape:
+    """Exception for a value of the wrong shape, with its message."""
+    return WrongShape(say("shape.wrong", wanted=words, came=describe_value(value)))
 
 
-def described(value: Any) -> str:
-    """What a value is, safe and short, for a message: nothing of a stranger's own code is run but
-    its class is named.
+def describe_value(value: Any) -> str:
+    """Short and safe description of a value for a message.
+
+    None of the value's own code is run; only its class is named.
     """
     kind = class_name(type(value))
     if type(value) is int and abs(value) >= 10**50:
@@ -74,37 +77,33 @@ def described(value: Any) -> str:
 
 
 def class_name(kind: type) -> str:
-    """A class's name, by Python's own means and not by what the class may say; at most a hundred
-    characters.
-    """
+    """Name of a class, at most 100 characters, read without running the class's own code."""
     return str(type.__dict__["__name__"].__get__(kind))[:100]
 
 
-def spelled(number: float) -> float | str:
-    """A float as JSON has it; those that JSON has no word for by name."""
+def encode_float(number: float) -> float | str:
+    """Encode a float for JSON; nan and the infinities become strings."""
     return number if math.isfinite(number) else repr(number)
 
 
-def nested(data: Any) -> Any:
-    """Nested lists of floats as JSON has them."""
-    return [nested(item) for item in data] if isinstance(data, list) else spelled(data)
+def encode_floats(data: Any) -> Any:
+    """Encode nested lists of floats for JSON."""
+    return [encode_floats(item) for item in data] if isinstance(data, list) else encode_float(data)
 
 
-def unnested(data: Any, wanted: Worded, depth: int) -> Any:
-    """Nested lists of floats from JSON, so many lists deep; deeper ones are refused before they are
-    looked into.
-    """
+def decode_floats(data: Any, wanted: Describable, depth: int) -> Any:
+    """Decode nested lists of floats of a known depth; deeper lists are rejected unvisited."""
     if depth == 0 or not isinstance(data, list):
-        return read_number(data, wanted)
-    return [unnested(item, wanted, depth - 1) for item in data]
+        return decode_float(data, wanted)
+    return [decode_floats(item, wanted, depth - 1) for item in data]
 
 
-def read_number(data: Any, wanted: Worded) -> float:
-    """A float from JSON."""
+def decode_float(data: Any, wanted: Describable) -> float:
+    """Decode a float from JSON. Raises WrongShape."""
     if (
         type(data) is float
         or (type(data) is int and abs(data) < 2**53)
         or (type(data) is str and data in ("nan", "inf", "-inf"))
     ):
         return float(data)
-    raise wrong(wanted.words, data)
+    raise wrong_shape(wanted.words, data)

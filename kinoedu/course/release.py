@@ -1,8 +1,8 @@
-"""From solutions to exercises: nbgrader takes the answers out, every cell is run, and what a
-student sees is stored.
+"""Make exercise notebooks from solution notebooks.
 
-A solution notebook is the only source of its assignment. Its outputs are cleared first of all,
-since they would tell the answers.
+A solution notebook is the only source of its assignment. nbgrader removes the answers, then every
+cell is run and the outputs are stored. The solution's own outputs are cleared first, because they
+would reveal the answers.
 """
 
 import os
@@ -23,25 +23,27 @@ FOR_STUDENTS = (
     "pyproject.toml",
     "environment.txt",
 )
-ROOMS_FOR_STUDENTS = ("kinoedu", "notebooks", "exercises", "docs")
-LONG_AGO = (
-    2020,
-    1,
-    1,
-    0,
-    0,
-    0,
-)  # the date of every file in a zip, so that the same course makes the same zip
+FOLDERS_FOR_STUDENTS = ("kinoedu", "notebooks", "exercises", "docs")
+ZIP_DATE = (2020, 1, 1, 0, 0, 0)  # of every file, so that the same course makes the same zip
 
 
 def assignments(house: Path = HOUSE) -> list[str]:
-    """The names of all assignments, such as 01_geometry, in order."""
+    """Names of all assignments in order, such as 01_geometry."""
     return sorted(file.stem for file in (house / "solutions").glob("*.ipynb"))
 
 
 def release(name: str, house: Path = HOUSE) -> Path:
-    """Make exercises/NAME.ipynb from solutions/NAME.ipynb, run it, and store it. Raises
-    InvalidParameter.
+    """Make exercises/NAME.ipynb from solutions/NAME.ipynb, run it and store it.
+
+    Returns
+    -------
+    Path
+        The exercise notebook.
+
+    Raises
+    ------
+    InvalidParameter
+        Where there is no such assignment, or the notebook does not run without errors.
     """
     import nbformat
 
@@ -53,7 +55,13 @@ def release(name: str, house: Path = HOUSE) -> Path:
 
 
 def solution(name: str, house: Path = HOUSE) -> Path:
-    """Where an assignment's solution is."""
+    """Path of an assignment's solution.
+
+    Raises
+    ------
+    InvalidParameter
+        Where there is no such assignment.
+    """
     file = house / "solutions" / f"{name}.ipynb"
     if not file.is_file():
         raise InvalidParameter(
@@ -63,7 +71,13 @@ def solution(name: str, house: Path = HOUSE) -> Path:
 
 
 def without_answers(file: Path) -> Any:
-    """A solution notebook as a student gets it, not run yet. Raises InvalidParameter."""
+    """Solution notebook with the answers removed, not run yet.
+
+    Raises
+    ------
+    InvalidParameter
+        Where nbgrader rejects the notebook.
+    """
     import nbformat
     from nbgrader.preprocessors import ClearHiddenTests, ClearOutput, ClearSolutions, LockCells
 
@@ -78,8 +92,9 @@ def without_answers(file: Path) -> Any:
 
 
 def is_model_answer(cell: Any) -> bool:
-    """Whether a code cell is an answer as a whole, for instructors alone: nothing but a solution,
-    and not marked for nbgrader.
+    """Whether a code cell holds only a solution and has no nbgrader metadata.
+
+    Such a cell is for instructors and is removed as a whole.
     """
     lines = cell.source.strip().splitlines() or [""]
     whole = "BEGIN SOLUTION" in lines[0] and "END SOLUTION" in lines[-1]
@@ -87,8 +102,12 @@ def is_model_answer(cell: Any) -> bool:
 
 
 def run(book: Any, folder: Path) -> Any:
-    """Run a notebook as if it lay in a folder; its outputs stay, its timestamps do not. Raises
-    InvalidParameter.
+    """Run a notebook in a folder; outputs are kept, timestamps are not.
+
+    Raises
+    ------
+    InvalidParameter
+        Where a cell raises an error.
     """
     from nbclient import NotebookClient
     from nbclient.exceptions import CellExecutionError
@@ -104,37 +123,34 @@ def run(book: Any, folder: Path) -> Any:
         client.execute()
     except CellExecutionError as error:
         raise InvalidParameter(
-            f"an exercise must run without errors before it is answered: {error}"
+            f"an exercise notebook must run without errors before it is answered: {error}"
         ) from error
     book.metadata = {"kernelspec": book.metadata["kernelspec"]}
     return book
 
 
 def pack(zip_file: str | os.PathLike[str], house: Path = HOUSE) -> int:
-    """Pack what students get into a zip: no solutions, no bank, no tests. Returns the number of
-    files.
+    """Pack the files for students into a zip, without solutions, banks and tests.
+
+    Returns
+    -------
+    int
+        The number of files.
     """
-    rooms = [
-        file
-        for room in ROOMS_FOR_STUDENTS
-        for file in sorted((house / room).rglob("*"))
-        if file.is_file()
-    ]
-    files = [house / name for name in FOR_STUDENTS] + [
-        file for file in rooms if not is_by_product(file)
-    ]
-    write_zip(
-        zip_file,
-        (
-            Packed(f"kinoedu-course/{file.relative_to(house).as_posix()}", file.read_bytes())
-            for file in files
-        ),
+    files = [house / name for name in FOR_STUDENTS]
+    for folder in FOLDERS_FOR_STUDENTS:
+        inside = sorted((house / folder).rglob("*"))
+        files += [file for file in inside if file.is_file() and not is_by_product(file)]
+    packed = (
+        Packed(f"kinoedu-course/{file.relative_to(house).as_posix()}", file.read_bytes())
+        for file in files
     )
+    write_zip(zip_file, packed)
     return len(files)
 
 
 class Packed(NamedTuple):
-    """A file of a zip: its place there, its bytes, who may do what with it."""
+    """A file in a zip: its path, its bytes and its permissions."""
 
     place: str
     data: bytes
@@ -142,20 +158,19 @@ class Packed(NamedTuple):
 
 
 def write_zip(zip_file: str | os.PathLike[str], files: Iterable[Packed]) -> None:
-    """Write a zip, whole or not at all: the same bytes for the same files."""
+    """Write a zip atomically; the same files give the same bytes."""
     with (
         written_whole(zip_file) as part,
         zipfile.ZipFile(part, "w", zipfile.ZIP_DEFLATED) as archive,
     ):
         for file in files:
-            entry = zipfile.ZipInfo(file.place, LONG_AGO)
+            entry = zipfile.ZipInfo(file.place, ZIP_DATE)
             entry.compress_type = zipfile.ZIP_DEFLATED
             entry.external_attr = file.mode << 16
             archive.writestr(entry, file.data)
 
 
 def is_by_product(file: Path) -> bool:
-    """Whether a file is one that running the course left behind."""
-    return any(
-        part in ("__pycache__", ".ipynb_checkpoints") for part in file.parts
-    ) or file.suffix in (".pyc", ".part")
+    """Whether running the course has generated this file."""
+    in_cache = any(part in ("__pycache__", ".ipynb_checkpoints") for part in file.parts)
+    return in_cache or file.suffix in (".pyc", ".part")

@@ -1,12 +1,12 @@
-"""Shapes that cases and answers have, and how they travel as JSON.
+"""Shapes of cases and answers, and their encoding as JSON.
 
-A shape turns a value into plain JSON data (`encode`) and back (`decode`), and refuses what does not
-fit it with WrongShape, whose message a student can read. So a case can go to another process and
-its answer come back, and nothing but numbers, words and truth values ever passes: what a student's
-program returns is copied into such data before anybody looks at it.
+A shape turns a value into plain JSON data (`encode`) and back (`decode`). A value that does not fit
+raises WrongShape, with a message for students. So a case can be sent to another process and its
+answer can be returned. Only numbers, text and truth values ever pass: the result of a student's
+program is copied into such data before anything else uses it.
 
-Numbers that JSON has no word for travel as "nan", "inf" and "-inf"; every float comes back as it
-was, to the last bit.
+Numbers that JSON cannot represent are encoded as "nan", "inf" and "-inf". Every float is decoded to
+the same bits.
 """
 
 from collections.abc import Mapping
@@ -15,11 +15,11 @@ from typing import Any, NamedTuple, Protocol
 import numpy as np
 
 from ..words import say
-from .plain import nested, numeric, read_number, spelled, unnested, wrong
+from .plain import as_array, decode_float, decode_floats, encode_float, encode_floats, wrong_shape
 
 
 class Shape(Protocol):
-    """What `encode` and `decode` promise; `words` says in a student's words what the shape is."""
+    """Interface of all shapes; `words` describes the shape for students."""
 
     @property
     def words(self) -> str: ...
@@ -38,21 +38,22 @@ class Number(NamedTuple):
 
     @property
     def words(self) -> str:
-        """In words."""
+        """Description of the shape, for messages."""
         return say("shape.number")
 
     def encode(self, value: Any) -> float | str:
-        """A float, an int or numpy's, also as an array of no dimensions."""
-        return spelled(float(numeric(value, (), self)))
+        """Encode a Python or numpy number, or an array without dimensions."""
+        return encode_float(float(as_array(value, (), self)))
 
     def decode(self, data: Any) -> float:
-        """The float."""
-        return read_number(data, self)
+        """Decode a float."""
+        return decode_float(data, self)
 
 
 class Numbers(NamedTuple):
-    """An array of numbers. A dimension given by a letter may have any length; the same letter, the
-    same length.
+    """An array of numbers.
+
+    A dimension given by a letter may have any length; the same letter stands for the same length.
 
     >>> Numbers((2,)).decode([1.0, "nan"])
     array([ 1., nan])
@@ -66,17 +67,17 @@ class Numbers(NamedTuple):
 
     @property
     def words(self) -> str:
-        """In words."""
+        """Description of the shape, for messages."""
         return say("shape.numbers", dimensions=str(self.dimensions).replace("'", ""))
 
     def encode(self, value: Any) -> Any:
-        """An array, or lists and tuples that make one."""
-        array = numeric(value, self.dimensions, self)
-        return array.tolist() if np.isfinite(array).all() else nested(array.tolist())
+        """Encode an array, or nested lists and tuples that make one."""
+        array = as_array(value, self.dimensions, self)
+        return array.tolist() if np.isfinite(array).all() else encode_floats(array.tolist())
 
     def decode(self, data: Any) -> np.ndarray:
-        """The array, float64."""
-        return numeric(unnested(data, self, len(self.dimensions)), self.dimensions, self)
+        """Decode a float64 array."""
+        return as_array(decode_floats(data, self, len(self.dimensions)), self.dimensions, self)
 
 
 class Truth(NamedTuple):
@@ -84,43 +85,43 @@ class Truth(NamedTuple):
 
     @property
     def words(self) -> str:
-        """In words."""
+        """Description of the shape, for messages."""
         return say("shape.truth")
 
     def encode(self, value: Any) -> bool:
-        """Python's or numpy's."""
+        """Encode a Python or numpy truth value."""
         if type(value) is not bool and type(value) is not np.bool_:
-            raise wrong(self.words, value)
+            raise wrong_shape(self.words, value)
         return bool(value)
 
     def decode(self, data: Any) -> bool:
-        """The same."""
+        """Decode a truth value."""
         return self.encode(data)
 
 
 class Text(NamedTuple):
-    """Words, no longer than `most` characters."""
+    """Text of at most `most` characters."""
 
     most: int = 10_000
 
     @property
     def words(self) -> str:
-        """In words."""
+        """Description of the shape, for messages."""
         return say("shape.text")
 
     def encode(self, value: Any) -> str:
-        """A str, with what no file can hold replaced."""
+        """Encode a str, with characters that UTF-8 cannot hold replaced."""
         if type(value) is not str or len(value) > self.most:
-            raise wrong(self.words, value)
+            raise wrong_shape(self.words, value)
         return value.encode("utf-8", "replace").decode("utf-8")
 
     def decode(self, data: Any) -> str:
-        """The same."""
+        """Decode a str."""
         return self.encode(data)
 
 
 class Record:
-    """Named values, each of its own shape; a dict on both sides.
+    """Named values, each of its own shape; decoded as a dict.
 
     >>> Record(q=Numbers((2,)), r=Number()).encode({"q": (1, 2), "r": 3})
     {'q': [1.0, 2.0], 'r': 3.0}
@@ -134,49 +135,49 @@ class Record:
 
     @property
     def words(self) -> str:
-        """In words."""
+        """Description of the shape, for messages."""
         return say("shape.record", names=", ".join(self.fields))
 
     def encode(self, value: Any) -> dict[str, Any]:
-        """Each value by its shape."""
+        """Encode each value by its shape."""
         return {name: shape.encode(self._named(value)[name]) for name, shape in self.fields.items()}
 
     def decode(self, data: Any) -> dict[str, Any]:
-        """Each value by its shape."""
+        """Decode each value by its shape."""
         return {name: shape.decode(self._named(data)[name]) for name, shape in self.fields.items()}
 
     def _named(self, value: Any) -> Mapping[str, Any]:
         if not isinstance(value, Mapping) or set(value) != set(self.fields):
-            raise wrong(self.words, value)
+            raise wrong_shape(self.words, value)
         return value
 
 
 class Listed(NamedTuple):
-    """A list of values of one shape, at most so many."""
+    """A list of at most `most` values of one shape."""
 
     row: Shape
     most: int = 100_000
 
     @property
     def words(self) -> str:
-        """In words."""
+        """Description of the shape, for messages."""
         return say("shape.list", row=self.row.words)
 
     def encode(self, value: Any) -> list[Any]:
-        """A list, a tuple or an array."""
+        """Encode a list, a tuple or an array."""
         if not isinstance(value, list | tuple | np.ndarray) or len(value) > self.most:
-            raise wrong(self.words, value)
+            raise wrong_shape(self.words, value)
         return [self.row.encode(item) for item in value]
 
     def decode(self, data: Any) -> list[Any]:
-        """The list."""
+        """Decode a list."""
         if not isinstance(data, list) or len(data) > self.most:
-            raise wrong(self.words, data)
+            raise wrong_shape(self.words, data)
         return [self.row.decode(item) for item in data]
 
 
 class Together(NamedTuple):
-    """A tuple whose every place has a shape of its own, such as a point and a polygon.
+    """A tuple in which each place has its own shape, such as a point and a polygon.
 
     >>> Together((Numbers((2,)), Number())).encode(((1, 2), 3))
     [[1.0, 2.0], 3.0]
@@ -188,22 +189,22 @@ class Together(NamedTuple):
 
     @property
     def words(self) -> str:
-        """In words."""
+        """Description of the shape, for messages."""
         if len(set(self.places)) == 1:
             return say("shape.alike", number=len(self.places), shape=self.places[0].words)
         return say("shape.together", places=", ".join(shape.words for shape in self.places))
 
     def encode(self, value: Any) -> list[Any]:
-        """A tuple or a list of that length, or an array of so many rows."""
+        """Encode a tuple or list of the right length, or an array with that many rows."""
         is_array = type(value) is np.ndarray and value.ndim > 0
         if not (isinstance(value, list | tuple) or is_array) or len(value) != len(self.places):
-            raise wrong(self.words, value)
+            raise wrong_shape(self.words, value)
         return [shape.encode(item) for shape, item in zip(self.places, value, strict=True)]
 
     def decode(self, data: Any) -> tuple[Any, ...]:
-        """The tuple."""
+        """Decode a tuple."""
         if not isinstance(data, list) or len(data) != len(self.places):
-            raise wrong(self.words, data)
+            raise wrong_shape(self.words, data)
         return tuple(shape.decode(item) for shape, item in zip(self.places, data, strict=True))
 
 
@@ -214,13 +215,13 @@ class Maybe(NamedTuple):
 
     @property
     def words(self) -> str:
-        """In words."""
+        """Description of the shape, for messages."""
         return say("shape.maybe", shape=self.shape.words)
 
     def encode(self, value: Any) -> Any:
-        """None stays None."""
+        """Encode a value; None stays None."""
         return None if value is None else self.shape.encode(value)
 
     def decode(self, data: Any) -> Any:
-        """None stays None."""
+        """Decode a value; None stays None."""
         return None if data is None else self.shape.decode(data)

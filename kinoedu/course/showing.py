@@ -1,6 +1,4 @@
-"""Show the library's own lines in a notebook: they are what runs, so nothing is ever pasted into a
-lesson.
-"""
+"""Show the source of the library's functions in a notebook, so that no lesson pastes code."""
 
 import inspect
 from collections.abc import Callable
@@ -15,7 +13,7 @@ from .lessons import EXERCISES
 
 
 class Source:
-    """The source of one function, with where it stands."""
+    """The source of one function, with its file."""
 
     def __init__(self, function: Callable[..., Any]) -> None:
         self.text = dedent(inspect.getsource(function)).rstrip()
@@ -25,26 +23,38 @@ class Source:
         return f"# {self.place}\n{self.text}"
 
     def _repr_html_(self) -> str:
-        """Coloured as in the notebook's cells."""
+        """HTML with the colours of notebook cells."""
         from pygments import highlight
         from pygments.formatters import HtmlFormatter
         from pygments.lexers import PythonLexer
 
-        body = highlight(
-            self.text,
-            PythonLexer(),
-            HtmlFormatter(noclasses=True, nobackground=True, style="friendly"),
-        )
+        formatter = HtmlFormatter(noclasses=True, nobackground=True, style="friendly")
+        body = highlight(self.text, PythonLexer(), formatter)
         return f"<div style='opacity:.75'>{escape(self.place)}</div>{body}"
 
 
 def show(function: Callable[..., Any] | str) -> Source:
-    """The lines of one of kinoedu's functions, as they run; also by the name of an exercise that
-    has passed its check here.
+    """Show the source of one of kinoedu's functions.
 
-    >>> from kinoedu.course.lessons.geometry.polygons import turned
-    >>> print(show(turned).text.splitlines()[0])
-    def turned(v: Array) -> Array:
+    Parameters
+    ----------
+    function : Callable or str
+        A function of kinoedu, or the name of an exercise whose check has passed in this session.
+
+    Returns
+    -------
+    Source
+
+    Raises
+    ------
+    InvalidParameter
+        Where it is not a function of kinoedu, or the exercise has not passed yet.
+
+    Examples
+    --------
+    >>> from kinoedu.course.lessons.geometry.polygons import turn_left
+    >>> print(show(turn_left).text.splitlines()[0])
+    def turn_left(v: Array) -> Array:
     """
     name = function if isinstance(function, str) else getattr(function, "__name__", "")
     exercise = EXERCISES.get(name)

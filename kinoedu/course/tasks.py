@@ -1,4 +1,4 @@
-"""The problems that planner exercises hand out, and how they travel."""
+"""Problems that planner exercises give to students, and their encoding."""
 
 from itertools import groupby
 from pathlib import Path
@@ -9,20 +9,17 @@ from ..files.scenes import problem_from
 from ..problems import ProblemRecord, Recorder
 from ..support.json_fields import Field
 from ..words import say
-from .plain import WrongShape, wrong
+from .plain import WrongShape, wrong_shape
 
 
 class Asked(Recorder):
-    """A problem as a student's planner meets it: it writes down what it is asked, and reads as the
-    line that makes it.
+    """A problem as a student's planner sees it; it records the planner's calls.
+
+    Its repr is the line of code that makes it.
     """
 
-    QUESTIONS = (
-        "sample",
-        "steer",
-        "is_free",
-        "is_free_path",
-    )  # distances are asked too often to be written down
+    # distance is not recorded: it is called too often
+    QUESTIONS = ("sample", "steer", "is_free", "is_free_path")
 
     def __init__(self, problem: ProblemRecord) -> None:
         super().__init__(problem)
@@ -31,21 +28,18 @@ class Asked(Recorder):
     def __repr__(self) -> str:
         scene = scene_of(self.problem)
         rows = scene["world"].get("rows")
-        return (
-            f"problem_of({scene})"
-            if rows is None
-            else f"problem_of({scene})".replace(repr(rows), in_runs(rows))
-        )
+        code = f"problem_of({scene})"
+        return code if rows is None else code.replace(repr(rows), runs_as_code(rows))
 
     def anew(self) -> "Asked":
-        """The same problem, of which nothing has been asked."""
+        """The same problem without recorded calls."""
         return type(self)(problem_of(scene_of(self.problem)).problem)
 
 
-def in_runs(rows: list[str]) -> str:
-    """A list as code, equal neighbours written once.
+def runs_as_code(rows: list[str]) -> str:
+    """Write a list as code, with equal neighbours written once.
 
-    >>> in_runs(["...", "...", ".@."])
+    >>> runs_as_code(["...", "...", ".@."])
     "[*['...'] * 2, '.@.']"
     """
     runs = [(row, len(list(alike))) for row, alike in groupby(rows)]
@@ -53,17 +47,18 @@ def in_runs(rows: list[str]) -> str:
 
 
 def scene_of(problem: ProblemRecord) -> dict[str, Any]:
-    """A problem as a scene has it."""
+    """Scene of a problem."""
     ends = {"start": problem.start.tolist(), "goal": problem.goal.tolist()}
     margin = {"clearance": problem.clearance} if problem.clearance > 0.0 else {}
     return {"robot": described(problem.robot), "world": described(problem.world), **ends, **margin}
 
 
 def problem_of(scene: dict[str, Any]) -> Asked:
-    """The problem in a scene, as a planner exercise hands it out.
+    """Problem of a scene, as a planner exercise gives it to a student.
 
     >>> square = {"kind": "polygons", "boundary": [[0, 0], [4, 0], [4, 4], [0, 4]]}
-    >>> problem = problem_of({"robot": {"kind": "point"}, "world": square, "start": [1, 1], "goal": [3, 2]})
+    >>> ends = {"start": [1, 1], "goal": [3, 2]}
+    >>> problem = problem_of({"robot": {"kind": "point"}, "world": square, **ends})
     >>> problem.is_free_path(problem.start, problem.goal), problem.counts()
     (True, {'is_free_path': 1})
     """
@@ -71,21 +66,21 @@ def problem_of(scene: dict[str, Any]) -> Asked:
 
 
 class Task(NamedTuple):
-    """The shape of a problem: it travels as a scene."""
+    """The shape of a problem, encoded as a scene."""
 
     @property
     def words(self) -> str:
-        """In words."""
+        """Description of the shape, for messages."""
         return say("planner.problem")
 
     def encode(self, value: Any) -> dict[str, Any]:
-        """The scene."""
+        """Encode a problem as its scene. Raises WrongShape."""
         if not isinstance(value, Asked):
-            raise wrong(self.words, value)
+            raise wrong_shape(self.words, value)
         return scene_of(value.problem)
 
     def decode(self, data: Any) -> Asked:
-        """A new problem, of which nothing has been asked."""
+        """Decode into a new problem without recorded calls. Raises WrongShape."""
         try:
             return problem_of(data)
         except Exception:

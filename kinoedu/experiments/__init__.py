@@ -1,5 +1,6 @@
-"""Experiments: planners x problems x seeds, run on all cores or a cluster, resumed where they
-stopped, as one table.
+"""Experiments: planners x problems x seeds, run in parallel or on a cluster, as one table.
+
+An experiment that was stopped resumes where it stopped.
 """
 
 from .experiment import Experiment

@@ -1,4 +1,4 @@
-"""One run of an experiment, a cell of its table: what is to be run, the run, and its outcome."""
+"""One run of an experiment, a cell of its table: the task, the run and the outcome."""
 
 import hashlib
 import math
@@ -18,8 +18,12 @@ FOUND, NO_PATH, OUT_OF_TIME, NOT_RUN = "found", "no path", "out of time", "not r
 
 
 class Cell(NamedTuple):
-    """One planner on one problem with one seed, or None where it draws no lots; `kind` is a digest
-    of all but the seed.
+    """One planner on one problem with one seed.
+
+    Attributes
+    ----------
+    seed : None for a deterministic planner.
+    kind : a digest of everything except the seed.
     """
 
     problem_name: str
@@ -34,13 +38,17 @@ class Cell(NamedTuple):
 
     @property
     def key(self) -> str:
-        """A name for the outcome, the same for the same run."""
+        """Identifier of the outcome, the same for the same run."""
         return f"{self.kind}-{self.seed}"
 
 
 class Outcome(NamedTuple):
-    """What came out: one of found, no path, out of time, not run. Counts that a planner does not
-    have are None.
+    """The result of a run.
+
+    Attributes
+    ----------
+    status : "found", "no path", "out of time" or "not run".
+    motions, places, nodes, iterations : None where the planner does not count them.
     """
 
     status: str
@@ -56,10 +64,12 @@ class Outcome(NamedTuple):
 
 @running(COMPILED_FIRST)
 def run_cell(cell: Cell) -> Outcome:
-    """Plan as often as the cell says; what came out, with the median of the times. An error of the
-    planner is an outcome.
+    """Run the planner as often as the cell says, and return the outcome with the median time.
+
+    An exception of the planner becomes an outcome of status "not run".
     """
-    random, seconds = {} if cell.seed is None else {"rng": cell.seed}, []
+    random = {} if cell.seed is None else {"rng": cell.seed}
+    seconds = []
     try:
         for _ in range(cell.repeat):
             cell.problem.asked[:] = 0
@@ -72,7 +82,13 @@ def run_cell(cell: Cell) -> Outcome:
 
 
 def outcome_of(plan: Any, asked: Any, seconds: float) -> Outcome:
-    """A plan as a row tells it. Raises InvalidParameter for what is no plan."""
+    """Outcome of a plan.
+
+    Raises
+    ------
+    InvalidParameter
+        Where the planner has not returned a Plan.
+    """
     if not isinstance(plan, Plan):
         raise InvalidParameter(f"a planner must return a Plan, got {shortened(plan)}")
     found = plan.path is not None
@@ -90,12 +106,11 @@ def outcome_of(plan: Any, asked: Any, seconds: float) -> Outcome:
 
 
 def digest_of(path: Any) -> str:
-    """16 hexadecimal digits that tell a path from another, to the last bit."""
+    """16 hexadecimal digits that identify a path, to the last bit."""
     return hashlib.sha256(np.ascontiguousarray(path, dtype="<f8").tobytes()).hexdigest()[:16]
 
 
 def out_of_time(cell: Cell) -> Outcome:
-    """The outcome of a run that was stopped."""
-    return Outcome(
-        OUT_OF_TIME, seconds=cell.time_limit, reason=f"stopped after {cell.time_limit:g} s"
-    )
+    """Outcome of a run that was stopped."""
+    reason = f"stopped after {cell.time_limit:g} s"
+    return Outcome(OUT_OF_TIME, seconds=cell.time_limit, reason=reason)

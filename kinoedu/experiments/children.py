@@ -1,9 +1,9 @@
-"""Processes in which runs are made, one after another. Each can be stopped whatever it is doing,
-and may crash: the others go on.
+"""Worker processes that run cells one after another.
 
-A watchdog inside the process ends it when a run takes too long. It is a thread of C that needs no
-lock of Python's, so compiled code cannot keep it from its work, and it works as well where nobody
-is left to watch from outside.
+Each process can be stopped at any time and may crash without affecting the others. A watchdog
+inside the process ends it when a run takes too long. The watchdog is a C thread that does not need
+Python's global interpreter lock. So compiled code cannot block it, and it works even if the parent
+process is gone.
 """
 
 import faulthandler
@@ -26,70 +26,81 @@ START = (
     "import sys; sys.path[:] = {path!r}; from kinoedu.experiments.children import serve; serve()"
 )
 LENGTH = struct.Struct("<Q")
-LOADING, COMPILING = 10.0, 300.0  # seconds that the first run may take longer, and a compiled one
-IDLE = 60.0  # seconds that a process waits for work
-STOPPED = b"Timeout ("  # the watchdog's last word
+LOADING, COMPILING = 10.0, 300.0  # extra seconds for the first run, and for a compilation
+IDLE = 60.0  # seconds for which a process waits for work
+STOPPED = b"Timeout ("  # what the watchdog prints
 
 
-class Ended(Exception):
+class ProcessEnded(Exception):
     """A process ended before its run did."""
 
 
 class Child:
-    """A process that answers one cell after another."""
+    """A process that runs one cell after another."""
 
     def __init__(self) -> None:
-        self.complaints = tempfile.TemporaryFile()  # noqa: SIM115 (closed by end)
+        self.errors = tempfile.TemporaryFile()  # noqa: SIM115 (closed by end)
         self.process = subprocess.Popen(
             [sys.executable, "-c", START.format(path=sys.path)],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
-            stderr=self.complaints,
+            stderr=self.errors,
         )
 
-    def ask(self, cell: Cell) -> Outcome:
-        """The outcome of one run. Raises Ended."""
+    def run(self, cell: Cell) -> Outcome:
+        """Run a cell in the process.
+
+        Raises
+        ------
+        ProcessEnded
+            Where the process ended before the run did.
+        """
         assert self.process.stdin is not None and self.process.stdout is not None
-        question = pickle.dumps((version(), cell))
+        task = pickle.dumps((version(), cell))
         try:
-            send(question, self.process.stdin)
-            return Outcome(*receive(self.process.stdout))
+            send_message(task, self.process.stdin)
+            return Outcome(*receive_message(self.process.stdout))
         except (EOFError, OSError):
             self.process.kill()
             status = self.process.wait()
-            self.complaints.seek(0)
-            if STOPPED in self.complaints.read():
+            self.errors.seek(0)
+            if STOPPED in self.errors.read():
                 return out_of_time(cell)
-            raise Ended(f"the process of the run ended with status {status}") from None
+            raise ProcessEnded(f"the process of the run ended with status {status}") from None
 
     def end(self) -> None:
-        """End it, whatever it is doing."""
+        """End the process immediately."""
         self.process.kill()
         self.process.communicate()
-        self.complaints.close()
+        self.errors.close()
 
 
 class Children:
-    """As many processes as there are callers at a time, kept for the next."""
+    """A pool with one process for each concurrent caller, kept for later runs."""
 
     def __init__(self) -> None:
         self.all: set[Child] = set()
         self.idle: list[Child] = []
         self.open, self.lock = True, threading.Lock()
 
-    def ask(self, cell: Cell) -> Outcome:
-        """The outcome of one run, in a process that is free. Raises Ended."""
+    def run(self, cell: Cell) -> Outcome:
+        """Run a cell in an idle process.
+
+        Raises
+        ------
+        ProcessEnded
+        """
         child = self.take()
         try:
-            return child.ask(cell)
+            return child.run(cell)
         finally:
             self.put(child)
 
     def take(self) -> Child:
-        """A process that waits, or a new one."""
+        """An idle process, or a new one."""
         with self.lock:
             if not self.open:
-                raise Ended("the experiment was stopped")
+                raise ProcessEnded("the experiment was stopped")
             child = self.idle.pop() if self.idle else Child()
             self.all.add(child)
         if child.process.poll() is None:
@@ -98,7 +109,7 @@ class Children:
         return self.take()
 
     def put(self, child: Child) -> None:
-        """Keep a process for the next run, or bury it."""
+        """Keep a process for the next run; remove it where it has ended."""
         with self.lock:
             alive = self.open and child.process.poll() is None
             if alive:
@@ -109,7 +120,7 @@ class Children:
             child.end()
 
     def close(self) -> None:
-        """End them all."""
+        """End all processes."""
         with self.lock:
             self.open = False
             for child in self.all:
@@ -119,30 +130,39 @@ class Children:
             child.end()
 
 
-HERE = Children()  # of this process; where it is a cluster's worker, nobody else could keep them
+OWN_CHILDREN = Children()  # of this process, which may be a cluster's worker
 
 
-def in_child(cell: Cell) -> Outcome:
-    """The outcome of one run in a process beside this one: what an executor's worker calls. Raises
-    Ended.
+def run_in_child(cell: Cell) -> Outcome:
+    """Run a cell in a process beside this one; called by an executor's workers.
+
+    Raises
+    ------
+    ProcessEnded
     """
-    return HERE.ask(cell)
+    return OWN_CHILDREN.run(cell)
 
 
-def send(message: bytes, stream: Any) -> None:
-    """Write a message with its length before it."""
+def send_message(message: bytes, stream: Any) -> None:
+    """Write a message, preceded by its length."""
     stream.write(LENGTH.pack(len(message)) + message)
     stream.flush()
 
 
-def receive(stream: Any) -> Any:
-    """What was sent. Raises EOFError where the other side is gone."""
-    (length,) = LENGTH.unpack(read(stream, LENGTH.size))
-    return pickle.loads(read(stream, length))
+def receive_message(stream: Any) -> Any:
+    """Read a message.
+
+    Raises
+    ------
+    EOFError
+        Where the other side has closed the stream.
+    """
+    (length,) = LENGTH.unpack(read_exactly(stream, LENGTH.size))
+    return pickle.loads(read_exactly(stream, length))
 
 
-def read(stream: Any, length: int) -> bytes:
-    """So many bytes."""
+def read_exactly(stream: Any, length: int) -> bytes:
+    """Read exactly this many bytes. Raises EOFError where there are fewer."""
     message: bytes = stream.read(length)
     if len(message) < length:
         raise EOFError
@@ -150,52 +170,50 @@ def read(stream: Any, length: int) -> bytes:
 
 
 def serve() -> None:
-    """Answer cells from standard input on standard output until it closes: what a child does."""
+    """Main loop of a child: read cells from standard input, write outcomes to standard output."""
     answers = os.fdopen(os.dup(1), "wb")
-    os.dup2(2, 1)  # what a planner prints is no answer
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is the parent's to hear
+    os.dup2(2, 1)  # a planner's own output goes to standard error
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent handles Ctrl-C
     faulthandler.enable()
-    known: set[str] = set()
+    warmed_up: set[str] = set()
     with open(os.devnull, "wb") as nowhere:
         while True:
             faulthandler.dump_traceback_later(IDLE, exit=True, file=nowhere)
             try:
-                outcome = answer(sys.stdin.buffer, known)
+                outcome = run_next_cell(sys.stdin.buffer, warmed_up)
             except EOFError:
                 return
-            send(pickle.dumps(tuple(outcome)), answers)
+            send_message(pickle.dumps(tuple(outcome)), answers)
 
 
-def answer(questions: BinaryIO, known: set[str]) -> Outcome:
-    """The outcome of the next cell; the first of its kind is run once more before, untimed, to load
-    and compile what it needs.
+def run_next_cell(tasks: BinaryIO, warmed_up: set[str]) -> Outcome:
+    """Run the next cell, and return its outcome.
+
+    The first cell of each kind is run once before, untimed, to load and compile what it needs.
     """
-    (length,) = LENGTH.unpack(read(questions, LENGTH.size))
-    message = read(questions, length)
+    (length,) = LENGTH.unpack(read_exactly(tasks, LENGTH.size))
+    message = read_exactly(tasks, length)
     faulthandler.cancel_dump_traceback_later()
     try:
         theirs, cell = pickle.loads(message)
-    except (
-        Exception
-    ) as error:  # a planner of the reader's own in a module that is not there raises anything
-        return Outcome(
-            NOT_RUN,
-            reason=f"the planner cannot be loaded in another process: {type(error).__name__}: {error}",
-        )
+    except Exception as error:  # unpickling a user's planner can raise anything
+        failure = f"{type(error).__name__}: {error}"
+        reason = f"the planner cannot be loaded in another process: {failure}"
+        return Outcome(NOT_RUN, reason=reason)
     if theirs != version():
         return Outcome(NOT_RUN, reason="the worker has another version of kinoedu")
-    if cell.kind not in known:
+    if cell.kind not in warmed_up:
         with Watch(cell.time_limit + LOADING):
             first = run_cell(cell)
         if first.status == NOT_RUN:
             return first
-        known.add(cell.kind)
+        warmed_up.add(cell.kind)
     with Watch(cell.time_limit * cell.repeat):
         return run_cell(cell)
 
 
 class Watch(logging.Handler):
-    """Ends the process when a run takes too long; while something is compiled it has patience."""
+    """Ends the process when a run takes too long; compilation extends the limit."""
 
     def __init__(self, seconds: float) -> None:
         super().__init__(logging.INFO)
@@ -211,7 +229,7 @@ class Watch(logging.Handler):
         self.log.removeHandler(self)
 
     def emit(self, record: logging.LogRecord) -> None:
-        """While something is compiled, the planner's own time does not run."""
+        """Extend the limit while something is compiled; only the planner's own time counts."""
         patience = {BEGUN: COMPILING, DONE: 0.0}.get(record.msg)
         if patience is not None:
             faulthandler.dump_traceback_later(self.seconds + patience, exit=True)

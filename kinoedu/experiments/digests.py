@@ -1,4 +1,4 @@
-"""A digest of all that a run's outcome depends on: what was run before is found again by it."""
+"""Digests of everything that a run's outcome depends on, to find outcomes of earlier runs."""
 
 import hashlib
 import inspect
@@ -18,25 +18,31 @@ PACKAGE = Path(__file__).parent.parent
 
 @cache
 def version() -> str:
-    """This kinoedu, by its sources: a changed planner may plan otherwise."""
+    """Digest of kinoedu's sources, since a changed planner may plan differently."""
     return source_digest(PACKAGE)
 
 
 def digest(value: Any) -> str:
-    """32 hexadecimal digits; equal for equal values, whatever process or computer asks. Raises
-    InvalidParameter.
+    """32 hexadecimal digits, equal for equal values in every process and on every computer.
 
+    Raises
+    ------
+    InvalidParameter
+        Where the value contains an object of another kind.
+
+    Examples
+    --------
     >>> digest({"step": 2.0}) == digest({"step": 2.0}), digest({"step": 2.0}) == digest({"step": 2})
     (True, False)
     """
-    told = hashlib.sha256()
-    for part in spelled(value):
-        told.update(f"{len(part)} ".encode() + part)
-    return told.hexdigest()[:32]
+    hasher = hashlib.sha256()
+    for part in encode_parts(value):
+        hasher.update(f"{len(part)} ".encode() + part)
+    return hasher.hexdigest()[:32]
 
 
-def spelled(value: Any) -> Iterator[bytes]:
-    """A value's parts as bytes, types and lengths among them."""
+def encode_parts(value: Any) -> Iterator[bytes]:
+    """Parts of a value as bytes, with types and lengths."""
     if value is None or isinstance(value, bool | int | float | str | bytes | np.generic):
         yield f"{type(value).__name__} {value!r}".encode("utf-8", "surrogatepass")
     elif isinstance(value, np.ndarray) and not value.dtype.hasobject:
@@ -45,13 +51,15 @@ def spelled(value: Any) -> Iterator[bytes]:
     elif isinstance(value, tuple | list):
         yield f"{type(value).__module__}.{type(value).__qualname__} {len(value)}".encode()
         for item in value:
-            yield from spelled(item)
+            yield from encode_parts(item)
     elif isinstance(value, dict):
-        yield from spelled(("dict", *sorted(value.items(), key=repr)))
+        yield from encode_parts(("dict", *sorted(value.items(), key=repr)))
     elif isinstance(value, partial):
-        yield from spelled(("partial", value.func, value.args, value.keywords))
+        yield from encode_parts(("partial", value.func, value.args, value.keywords))
     elif inspect.isfunction(value):
-        yield from spelled(("function", value.__module__, value.__qualname__, *own_source(value)))
+        yield from encode_parts(
+            ("function", value.__module__, value.__qualname__, *own_source(value))
+        )
     else:
         raise InvalidParameter(
             "an experiment takes functions, records, arrays, numbers and words, got "
@@ -60,8 +68,9 @@ def spelled(value: Any) -> Iterator[bytes]:
 
 
 def own_source(function: Any) -> tuple[Any, ...]:
-    """A reader's function by its lines and what it holds from outside; the package's own are told
-    by its version.
+    """Source of a user's function with its closure and defaults; () for the package's own.
+
+    The package's own functions are covered by `version`.
     """
     if function.__module__.partition(".")[0] == PACKAGE.name:
         return ()

@@ -16,8 +16,13 @@ Planner = Callable[..., Any]
 
 
 class Contestant(NamedTuple):
-    """A planner with its arguments: the name it goes by, in words what tells it from others of that
-    name, and the function.
+    """A planner with its arguments.
+
+    Attributes
+    ----------
+    name : the planner's name.
+    tuning : the arguments that distinguish it from others of the same name.
+    seeded : whether it has an argument `rng`.
     """
 
     name: str
@@ -27,7 +32,7 @@ class Contestant(NamedTuple):
 
 
 class ExperimentRecord(NamedTuple):
-    """What `Experiment` makes."""
+    """The result of `Experiment`."""
 
     name: str
     problems: dict[str, Any]
@@ -46,36 +51,42 @@ def Experiment(
     repeat: int = 1,
     time_limit: float = 60.0,
 ) -> ExperimentRecord:
-    """Planners x problems x seeds, checked.
+    """Define an experiment: planners x problems x seeds.
 
     Parameters
     ----------
-    problems : Problems by the names they go by.
-    planners : functions of a problem by the names they go by, such as `rrt` or
-    `functools.partial(rrt, step=2.0)`; or several in a
-        list, which differ in an argument. Those that draw lots have an argument `rng`, and get the
-        seed; the others run once.
-    seeds : how many, from 0; or which.
-    repeat : each run is made so often, for its median time; its path is the same each time.
+    problems : dict of Problems by name.
+    planners : dict of planners by name. A planner is a function of a problem, such as `rrt` or
+        `functools.partial(rrt, step=2.0)`, or a list of such functions that differ in an argument.
+        Planners with an argument `rng` run once for each seed, the others once.
+    seeds : the number of seeds, counted from 0, or the seeds themselves.
+    name : the name of the experiment.
+    repeat : the number of times each run is repeated for its median time; its path is always the
+        same.
     time_limit : seconds after which a run is stopped.
 
-    Raises InvalidParameter.
+    Returns
+    -------
+    ExperimentRecord
 
+    Raises
+    ------
+    InvalidParameter
+
+    Examples
+    --------
     >>> import kinoedu as ke
     >>> problem = ke.Problem(ke.Point(), ke.Terrain([[1] * 9] * 9), (1, 1), (8, 8))
-    >>> experiment = Experiment({"empty": problem}, {"RRT": ke.rrt, "A*": ke.plan_on_grid}, seeds=50)
+    >>> planners = {"RRT": ke.rrt, "A*": ke.plan_on_grid}
+    >>> experiment = Experiment({"empty": problem}, planners, seeds=50)
     >>> len(cells_of(experiment))
     51
     """
     for kind, things in (("problem", problems), ("planner", planners)):
-        if (
-            not isinstance(things, Mapping)
-            or not things
-            or not all(isinstance(key, str) and key for key in things)
-        ):
+        is_dict = isinstance(things, Mapping) and len(things) > 0
+        if not is_dict or not all(isinstance(key, str) and key for key in things):
             raise InvalidParameter(
-                f"{kind}s must be a dict of at least one {kind} by its name, got "
-                f"{shortened(things)}"
+                f"{kind}s must be a dict of at least one {kind} by name, got {shortened(things)}"
             )
     for label, problem in problems.items():
         if not isinstance(problem, tuple) or not hasattr(problem, "asked"):
@@ -99,23 +110,23 @@ def Experiment(
 
 
 def as_seeds(seeds: Any) -> tuple[int, ...]:
-    """So many seeds from 0, or those given. Raises InvalidParameter."""
+    """The seeds from 0, or the given ones. Raises InvalidParameter."""
     if is_real(seeds):
         return tuple(range(whole(seeds, "seeds", least=1)))
     if not isinstance(seeds, Iterable) or isinstance(seeds, str | Mapping):
         raise InvalidParameter(
-            f"seeds must be how many there are, or a list of them, got {shortened(seeds)}"
+            f"seeds must be a number of seeds, or a list of seeds, got {shortened(seeds)}"
         )
     chosen = tuple(whole(seed, "each of the seeds", least=0) for seed in seeds)
     if not chosen or len(set(chosen)) < len(chosen):
         raise InvalidParameter(
-            f"seeds must be at least one, each once, got {shortened(list(chosen))}"
+            f"seeds must be at least one seed, each once, got {shortened(list(chosen))}"
         )
     return chosen
 
 
 def as_limit(seconds: Any) -> float:
-    """A time limit, at most a week. Raises InvalidParameter."""
+    """Check a time limit of at most a week. Raises InvalidParameter."""
     limit = positive(seconds, "time_limit")
     if limit > 604_800.0:
         raise InvalidParameter(
@@ -125,14 +136,14 @@ def as_limit(seconds: Any) -> float:
 
 
 def contestants_of(name: str, given: Planner | Sequence[Planner]) -> list[Contestant]:
-    """The planner or planners that go by a name. Raises InvalidParameter."""
+    """Planners with one name. Raises InvalidParameter."""
     functions: list[Any] = list(given) if isinstance(given, list | tuple) else [given]
     for function in functions:
         check_planner(name, function)
-    tunings = differences([getattr(function, "keywords", {}) for function in functions])
+    tunings = describe_differences([getattr(function, "keywords", {}) for function in functions])
     if not functions or len(set(tunings)) < len(tunings):
         raise InvalidParameter(
-            f"planners {name!r} must differ in an argument, given by functools.partial, got "
+            f"planners {name!r} must differ in an argument that functools.partial gives, got "
             f"{shortened(given)}"
         )
     return [
@@ -142,36 +153,34 @@ def contestants_of(name: str, given: Planner | Sequence[Planner]) -> list[Contes
 
 
 def check_planner(name: str, planner: Any) -> None:
-    """Raise InvalidParameter unless it is a function, with arguments that it has."""
+    """Raise InvalidParameter unless a planner is a function that has the given arguments."""
     function = getattr(planner, "func", planner)
     if not inspect.isfunction(function):
         raise InvalidParameter(
             f"planner {name!r} must be a function such as rrt, or partial(rrt, step=2.0), got "
             f"{shortened(planner)}"
         )
-    known = inspect.signature(function).parameters
+    parameters = inspect.signature(function).parameters
     for argument in getattr(planner, "keywords", {}):
-        if argument not in known:
-            close = difflib.get_close_matches(argument, known, 1)
-            hint = (
-                f"did you mean {close[0]!r}?"
-                if close
-                else f"it has {', '.join(list(known)[1:]) or 'none'}"
-            )
+        if argument not in parameters:
+            close = difflib.get_close_matches(argument, parameters, 1)
+            hint = f"its arguments are {', '.join(list(parameters)[1:]) or 'none'}"
+            if close:
+                hint = f"did you mean {close[0]!r}?"
             raise InvalidParameter(
                 f"planner {name!r}: {function.__name__} has no argument {argument!r}; {hint}"
             )
 
 
 def is_seeded(planner: Planner) -> bool:
-    """Whether it draws lots."""
+    """Whether a planner uses random numbers."""
     return "rng" in inspect.signature(getattr(planner, "func", planner)).parameters
 
 
-def differences(arguments: list[dict[str, Any]]) -> list[str]:
-    """In words the arguments in which some differ.
+def describe_differences(arguments: list[dict[str, Any]]) -> list[str]:
+    """Descriptions of the arguments in which planners differ.
 
-    >>> differences([{"step": 2, "n": 10}, {"step": 2, "n": 20}])
+    >>> describe_differences([{"step": 2, "n": 10}, {"step": 2, "n": 20}])
     ['n=10', 'n=20']
     """
     names = list(dict.fromkeys(name for given in arguments for name in given))
@@ -183,7 +192,7 @@ def differences(arguments: list[dict[str, Any]]) -> list[str]:
 
 
 def cells_of(experiment: ExperimentRecord) -> list[Cell]:
-    """Its runs: problem by problem, planner by planner, seed by seed."""
+    """Cells of an experiment: problem by problem, planner by planner, seed by seed."""
     cells = []
     for problem_name, problem in experiment.problems.items():
         fresh = problem._replace(asked=problem.asked * 0)
@@ -197,6 +206,6 @@ def cells_of(experiment: ExperimentRecord) -> list[Cell]:
     return cells
 
 
-def tuned(planner: Planner, arguments: dict[str, Any]) -> Planner:
-    """A planner with its arguments."""
+def bind_arguments(planner: Planner, arguments: dict[str, Any]) -> Planner:
+    """A planner with its arguments bound."""
     return partial(planner, **arguments) if arguments else planner

@@ -1,26 +1,28 @@
 """Experiments as TOML files.
 
-    name = "doors"                       # optional, as are seeds (10), repeat (1) and time_limit (60 seconds a run)
-    seeds = 50                           # 0 to 49; or a list
+    name = "doors"            # optional, like the next three
+    seeds = 50                # default 10; 50 stands for 0 to 49; or a list
+    repeat = 3                # default 1
+    time_limit = 30           # seconds for each run, default 60
 
-    [problems.maze]                      # a file that read_problem reads, by its path from this file
+    [problems.maze]           # a file that read_problem reads; the path is relative to this file
     file = "maps/maze.map"
-    query = 3                            # or start and goal; also robot as in a scene, and clearance
+    query = 3                 # or start and goal; also robot as in a scene, and clearance
 
-    [problems.rubble]                    # a world that is made: its arguments; seed stands for rng
+    [problems.rubble]         # a generated world with its arguments; seed stands for rng
     world = "scattered polygons"
     obstacles = 40
     seed = 1
 
-    [planners.RRT]                       # a function of kinoedu.planners, and its arguments
+    [planners.RRT]            # a function of kinoedu.planners with its arguments
     planner = "rrt"
     step = 2.0
 
-    [planners."RRT*"]                    # a list is a planner for each of its values
+    [planners."RRT*"]         # a list stands for one planner for each of its values
     planner = "rrt_star"
     max_nodes = [500, 1000, 2000]
 
-What a reader does not know it refuses, naming the key.
+Unknown keys are rejected by name.
 """
 
 import inspect
@@ -37,38 +39,50 @@ from ..files.scenes import read_problem
 from ..planners.registry import PLANNERS
 from ..support.json_fields import Field
 from ..support.reading import read_text
-from .experiment import Experiment, ExperimentRecord, tuned
-from .worlds import MADE
+from .experiment import Experiment, ExperimentRecord, bind_arguments
+from .worlds import GENERATORS
 
-PLAIN = (bool, int, float, str)  # what a file can say
+PLAIN = (bool, int, float, str)  # types of values in a file
 
 
 def read_experiment(path: str | os.PathLike[str]) -> ExperimentRecord:
-    """The experiment in a TOML file. Raises UnreadableScene or another named error, with the file's
-    name and the key at fault.
+    """Read an experiment from a TOML file.
+
+    Returns
+    -------
+    ExperimentRecord
+
+    Raises
+    ------
+    UnreadableScene
+        Or another error of kinoedu, with the file's name and the key at fault.
     """
     file = Path(path)
     try:
-        return experiment_from(Field("experiment", parsed(read_text(file)), file.parent), file.stem)
+        return experiment_from(
+            Field("experiment", parse_toml(read_text(file)), file.parent), file.stem
+        )
     except KinoeduError as error:
         raise type(error)(
             f"{file}: {error}" if str(file) not in str(error) else str(error)
         ) from error
 
 
-def parsed(text: str) -> Any:
-    """TOML as Python values. Raises UnreadableScene."""
+def parse_toml(text: str) -> Any:
+    """Parse TOML. Raises UnreadableScene."""
     try:
         return tomllib.loads(text)
     except (tomllib.TOMLDecodeError, RecursionError) as error:
-        raise UnreadableScene(f"no TOML: {error}") from error
+        raise UnreadableScene(f"not valid TOML: {error}") from error
 
 
 def experiment_from(whole: Field, name: str) -> ExperimentRecord:
-    """An experiment from the whole file."""
+    """Experiment from the contents of a file."""
     fields = whole.members(("problems", "planners"), ("name", "seeds", "repeat", "time_limit"))
-    problems = {key: problem_from(field) for key, field in named(fields["problems"]).items()}
-    contestants = {key: planners_from(field) for key, field in named(fields["planners"]).items()}
+    problems = {key: problem_from(field) for key, field in named_tables(fields["problems"]).items()}
+    contestants = {
+        key: planners_from(field) for key, field in named_tables(fields["planners"]).items()
+    }
     given = {key: fields[key].value for key in ("repeat", "time_limit") if key in fields}
     seeds = fields["seeds"].value if "seeds" in fields else 10
     return Experiment(
@@ -80,22 +94,22 @@ def experiment_from(whole: Field, name: str) -> ExperimentRecord:
     )
 
 
-def named(table: Field) -> dict[str, Field]:
-    """A table of tables by their names, at least one."""
+def named_tables(table: Field) -> dict[str, Field]:
+    """Table of at least one named table."""
     if not isinstance(table.value, dict) or not table.value:
         raise table.wrong(f"at least one table [{table.name.partition('.')[2]}.NAME]")
     return table.members((), tuple(table.value))
 
 
 def problem_from(field: Field) -> Any:
-    """A problem from a file or from a world that is made."""
+    """Problem from a file, or with a generated world."""
     if isinstance(field.value, dict) and "world" in field.value:
         kind = field.value["world"]
-        if not isinstance(kind, str) or kind not in MADE:
+        if not isinstance(kind, str) or kind not in GENERATORS:
             raise field._replace(name=f"{field.name}.world", value=kind).wrong(
-                f"one of {', '.join(map(repr, MADE))}"
+                f"one of {', '.join(map(repr, GENERATORS))}"
             )
-        makes = MADE[kind]
+        makes = GENERATORS[kind]
         seed = {"seed": "rng"} if "rng" in inspect.signature(makes).parameters else {}
         return makes(**arguments_from(field, makes, ("world",), seed))
     fields = field.members(("file",), ("query", "start", "goal", "robot", "clearance"))
@@ -113,7 +127,7 @@ def problem_from(field: Field) -> Any:
 
 
 def planners_from(field: Field) -> list[Callable[..., Any]]:
-    """The planners that a table describes: one, or one for each value of a list."""
+    """Planners of a table: one, or one for each value of its lists."""
     name = field.value.get("planner") if isinstance(field.value, dict) else None
     known = planners_by_name()
     if not isinstance(name, str) or name not in known:
@@ -129,7 +143,7 @@ def planners_from(field: Field) -> list[Callable[..., Any]]:
     variants = [dict(zip(lists, values)) for values in itertools.product(*lists.values())]
     given = [field._replace(value={**field.value, **variant}) for variant in variants]
     return [
-        tuned(known[name], arguments_from(variant, known[name], ("planner",), {}))
+        bind_arguments(known[name], arguments_from(variant, known[name], ("planner",), {}))
         for variant in given
     ]
 
@@ -140,35 +154,39 @@ def planners_by_name() -> dict[str, Callable[..., Any]]:
 
 
 def arguments_from(
-    field: Field, function: Callable[..., Any], said: tuple[str, ...], renamed: dict[str, str]
+    field: Field,
+    function: Callable[..., Any],
+    already_read: tuple[str, ...],
+    renamed: dict[str, str],
 ) -> dict[str, Any]:
-    """A function's arguments as a table gives them, by its signature: known ones, of the right
-    type; `said` is read already.
+    """Arguments of a function from a table, checked against its signature.
+
+    `said` names the keys that are already read.
     """
     parameters = inspect.signature(function).parameters
-    sayable = {
+    accepted = {
         name: kinds_of(parameter.annotation)
         for name, parameter in parameters.items()
         if name not in ("problem", "rng")
     }
-    sayable = {name: kinds for name, kinds in sayable.items() if kinds}
-    fields = field.members((*said, *renamed), tuple(sayable))
-    for name, kinds in sayable.items():
+    accepted = {name: kinds for name, kinds in accepted.items() if kinds}
+    fields = field.members((*already_read, *renamed), tuple(accepted))
+    for name, kinds in accepted.items():
         if name in fields and not (
             type(fields[name].value) in kinds
             or (type(fields[name].value) is int and float in kinds)
         ):
-            raise fields[name].wrong(" or ".join(WORDS[kind] for kind in kinds))
+            raise fields[name].wrong(" or ".join(TYPE_NAMES[kind] for kind in kinds))
     return {
         renamed.get(name, name): argument.value
         for name, argument in fields.items()
-        if name not in said
+        if name not in already_read
     }
 
 
-WORDS = {bool: "true or false", int: "a whole number", float: "a number", str: "a string"}
+TYPE_NAMES = {bool: "true or false", int: "a whole number", float: "a number", str: "a string"}
 
 
 def kinds_of(annotation: Any) -> list[type]:
-    """The plain types that an argument may have."""
+    """Plain types that an argument may have."""
     return [kind for kind in PLAIN if kind in (get_args(annotation) or (annotation,))]

@@ -1,6 +1,4 @@
-"""Where runs are made: in processes of this computer, in this very process, or by any executor,
-such as a Dask cluster's.
-"""
+"""Where cells are run: in local processes, in this process, or by an executor such as Dask's."""
 
 import os
 import pickle
@@ -14,54 +12,58 @@ from ..geometry.checks import whole
 from ..support.text import shortened
 from ..support.time_limit import TimeUp, within
 from .cells import Cell, Outcome, out_of_time, run_cell
-from .children import Children, in_child
+from .children import Children, run_in_child
 
-LOADING = 300.0  # seconds that the first of two runs may take longer, for compiling
-HandOver = Callable[[Cell], "Future[Outcome]"]
+LOADING = 300.0  # extra seconds for the first of two runs, which compiles
+Submit = Callable[[Cell], "Future[Outcome]"]
 
 
 @contextmanager
-def place(where: Any, workers: int | None) -> Iterator[HandOver]:
-    """What hands over a cell and gives its future outcome; whoever worked is gone when the block
-    ends. Raises InvalidParameter.
+def open_workers(where: Any, workers: int | None) -> Iterator[Submit]:
+    """Context manager that yields a function to submit cells; its workers end with the block.
+
+    Raises
+    ------
+    InvalidParameter
     """
     if not isinstance(where, Executor | str):
         raise InvalidParameter(
-            f'where must be "local", "here", a Dask scheduler\'s address or an Executor, got {shortened(where)}'
+            'where must be "local", "here", the address of a Dask scheduler or an Executor, got '
+            f"{shortened(where)}"
         )
     if workers is not None and where != "local":
         raise InvalidParameter(
-            'workers are counted where="local"; here there is one, and an executor or a cluster has its own'
+            'workers can be given for where="local" only; "here" has one, and an executor or a '
+            "cluster has its own"
         )
     if where == "local":
-        with local(
-            os.cpu_count() or 1 if workers is None else whole(workers, "workers", least=1)
-        ) as hand_over:
-            yield hand_over
+        count = os.cpu_count() or 1 if workers is None else whole(workers, "workers", least=1)
+        with local_workers(count) as submit:
+            yield submit
     elif where == "here":
         with ThreadPoolExecutor(1) as one:
-            yield lambda cell: one.submit(in_this_process, cell)
+            yield lambda cell: one.submit(run_in_this_process, cell)
     elif isinstance(where, str):
-        with cluster(where) as executor:
-            yield lambda cell: executor.submit(in_child, cell)
+        with cluster_executor(where) as executor:
+            yield lambda cell: executor.submit(run_in_child, cell)
     else:
-        yield lambda cell: where.submit(in_child, cell)
+        yield lambda cell: where.submit(run_in_child, cell)
 
 
 @contextmanager
-def local(workers: int) -> Iterator[HandOver]:
-    """So many processes of this computer, each led by a thread."""
+def local_workers(workers: int) -> Iterator[Submit]:
+    """Submit cells to this many processes of this computer, with a thread for each."""
     children, threads = Children(), ThreadPoolExecutor(workers)
     try:
-        yield lambda cell: threads.submit(children.ask, cell)
+        yield lambda cell: threads.submit(children.run, cell)
     finally:
         children.close()
         threads.shutdown(cancel_futures=True)
 
 
 @contextmanager
-def cluster(address: str) -> Iterator[Executor]:
-    """The executor of a Dask cluster, whose workers have this kinoedu. Raises InvalidParameter."""
+def cluster_executor(address: str) -> Iterator[Executor]:
+    """Executor of a Dask cluster whose workers have this kinoedu. Raises InvalidParameter."""
     try:
         from dask.distributed import Client
     except ImportError:
@@ -78,19 +80,17 @@ def cluster(address: str) -> Iterator[Executor]:
         yield client.get_executor(pure=False)
 
 
-def in_this_process(cell: Cell) -> Outcome:
-    """The outcome of one run, made twice: first to load and compile what it needs. Compiled code
-    cannot be stopped here.
+def run_in_this_process(cell: Cell) -> Outcome:
+    """Run a cell in this process, after an untimed run to load and compile what it needs.
+
+    Compiled code cannot be stopped here.
     """
     try:
-        first = within(
-            cell.time_limit * cell.repeat + LOADING, lambda: run_cell(cell._replace(repeat=1))
-        )
-        return (
-            within(cell.time_limit * cell.repeat, lambda: run_cell(cell))
-            if first.path or not first.reason
-            else first
-        )
+        limit = cell.time_limit * cell.repeat
+        first = within(limit + LOADING, lambda: run_cell(cell._replace(repeat=1)))
+        if first.reason and not first.path:
+            return first
+        return within(limit, lambda: run_cell(cell))
     except TimeUp:
         return out_of_time(cell)
 
@@ -101,10 +101,10 @@ def check_portable(cells: list[Cell]) -> None:
         try:
             pickle.dumps(planner)
             portable = getattr(planner, "func", planner).__module__ != "__main__"
-        except Exception:  # pickle raises what it meets
+        except Exception:  # pickling can raise anything
             portable = False
         if not portable:
             raise InvalidParameter(
-                f"planner {planner_name!r} is known to this process alone; "
-                'define it in a module that you import, not in a notebook, or run where="here"'
+                f"planner {planner_name!r} exists only in this process; define it in a module "
+                'that you import, not in a notebook, or run with where="here"'
             )

@@ -1,6 +1,4 @@
-"""The pictures of an experiment: for each problem its medians, its shares of runs, and costs as
-trees grow.
-"""
+"""Plots of an experiment: for each problem medians, fractions of runs, and costs over nodes."""
 
 import os
 import re
@@ -12,13 +10,19 @@ from .table import Table
 
 
 def save_plots(table: Table, folder: str | os.PathLike[str]) -> list[Path]:
-    """Draw a table into PNG files of a folder; returns their names. Raises OSError."""
-    from ..figures import (
-        draw_convergence,
-        draw_ecdf,
-        draw_medians,
-        save_panels,
-    )  # matplotlib is for those who want pictures
+    """Draw a table into PNG files of a folder.
+
+    Returns
+    -------
+    list of Path
+        The files.
+
+    Raises
+    ------
+    OSError
+    """
+    # imported here, since only plots need matplotlib
+    from ..figures import draw_convergence, draw_ecdf, draw_medians, save_panels
 
     saved: list[Path] = []
     for number, problem in enumerate(table.problems(), start=1):

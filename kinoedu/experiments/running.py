@@ -1,4 +1,4 @@
-"""Run an experiment: what is missing of it, wherever there are workers, into one table."""
+"""Run the missing cells of an experiment on any workers, and make one table."""
 
 import os
 from collections.abc import Callable, Iterable, Iterator
@@ -10,12 +10,12 @@ from ..support.completed_futures import Arrivals
 from ..support.text import shortened
 from .cells import FOUND, NOT_RUN, Cell, Outcome
 from .experiment import ExperimentRecord, cells_of
-from .places import HandOver, check_portable, place
+from .places import Submit, check_portable, open_workers
 from .store import Store
 from .table import Row, Table
 
-AHEAD = 256  # runs handed over at a time: a cluster's memory holds their problems
-TRIES = 2  # a worker may be lost by no fault of the run
+AHEAD = 256  # runs submitted at a time, since a cluster holds their problems in memory
+TRIES = 2  # a worker may be lost through no fault of the run
 
 Progress = Callable[[int, int], None]
 
@@ -30,27 +30,37 @@ def run(
 ) -> Table:
     """Run every planner on every problem with every seed.
 
+    Each run has a process of its own while it runs. The first run of each kind is preceded by an
+    untimed one, so that the times contain no compilation. A run that takes too long is stopped. A
+    run whose process crashes is tried once more. If that fails too, its status is "not run", with
+    the reason; the same holds if the planner raises an error.
+
     Parameters
     ----------
-    where : "local", processes of this computer; "here", this process, for a planner defined in a
-    notebook (compiled code cannot be
-        stopped then); the address of a Dask scheduler, such as "tcp://10.0.0.1:8786"; or an
-        Executor of concurrent.futures.
-    out : a folder for what was run and `results.csv`. Stopped at any time, even killed, and called
-    again with the same folder, only
-        what is missing is run; what is there holds for the same planners, arguments, problems,
-        seeds and sources of kinoedu.
-    workers : how many processes, where "local"; by default one for each processor.
-    progress : is called with how many runs are done and how many there are.
+    where : "local" for processes on this computer; "here" for this process, needed for planners
+        defined in a notebook (compiled code cannot be stopped then); the address of a Dask
+        scheduler, such as "tcp://10.0.0.1:8786"; or an Executor of concurrent.futures.
+    out : a folder for the outcomes and `results.csv`. An experiment that was stopped at any time,
+        even killed, continues with the missing runs when it is called again with the same folder.
+        Stored outcomes are used for the same planners, arguments, problems, seeds and sources of
+        kinoedu.
+    workers : the number of processes for "local"; by default one for each processor.
+    progress : called with the number of finished runs and the number of all runs.
 
-    Returns a Table, a row for each run in the experiment's order whoever ran it; but for seconds it
-    is the same for any number of workers. Each run has a process that others do not share at the
-    time, and is made once untimed before the first of its kind, so that seconds hold no compiling.
-    A run that takes too long is stopped; one whose process crashes is tried once more, and then
-    listed as "not run", like one whose planner raises an error, with the reason.
+    Returns
+    -------
+    Table
+        A row for each run, in the experiment's order. Except for times it does not depend on the
+        number of workers.
 
-    Raises InvalidParameter, and OSError where `out` cannot be written.
+    Raises
+    ------
+    InvalidParameter
+    OSError
+        Where `out` cannot be written.
 
+    Examples
+    --------
     >>> import kinoedu as ke
     >>> from kinoedu.experiments import Experiment
     >>> problem = ke.Problem(ke.Point(), ke.Terrain([[1] * 9] * 9), (1, 1), (8, 8))
@@ -67,49 +77,48 @@ def run(
     done = {cell.key: outcome for cell in cells if (outcome := store.read(cell)) is not None}
     missing = {cell.key: cell for cell in cells if cell.key not in done}
     everything = len(done) + len(missing)
-    tell = progress or (lambda done, everything: None)
-    tell(len(done), everything)
-    with place(where, workers) as hand_over:
-        for cell, outcome in outcomes(missing.values(), hand_over):
+    report = progress or (lambda done, everything: None)
+    report(len(done), everything)
+    with open_workers(where, workers) as submit:
+        for cell, outcome in run_cells(missing.values(), submit):
             store.write(cell, outcome)
             done[cell.key] = outcome
-            tell(len(done), everything)
-    table = Table(tuple(row(cell, done[cell.key]) for cell in cells))
+            report(len(done), everything)
+    table = Table(tuple(make_row(cell, done[cell.key]) for cell in cells))
     if out is not None:
         table.write(Path(out) / "results.csv")
     return table
 
 
-def outcomes(cells: Iterable[Cell], hand_over: HandOver) -> Iterator[tuple[Cell, Outcome]]:
-    """Every cell with its outcome, as they come; a run whose worker is lost is handed over
-    again.
+def run_cells(cells: Iterable[Cell], submit: Submit) -> Iterator[tuple[Cell, Outcome]]:
+    """Yield every cell with its outcome, in order of completion.
+
+    A cell whose worker is lost is submitted again.
     """
-    left, arrivals, tries = iter(cells), Arrivals[Cell](), dict[str, int]()
+    remaining, completed, tries = iter(cells), Arrivals[Cell](), dict[str, int]()
 
     def start(cell: Cell) -> None:
         tries[cell.key] = tries.get(cell.key, 0) + 1
-        arrivals.expect(hand_over(cell), cell)
+        completed.expect(submit(cell), cell)
 
-    for _, cell in zip(range(AHEAD), left):  # in this order, or one would be lost
+    for _, cell in zip(range(AHEAD), remaining):  # range first, or zip would drop a cell
         start(cell)
-    for cell, future in arrivals:
+    for cell, future in completed:
         lost = future.exception()
         if lost is not None and tries[cell.key] < TRIES:
             start(cell)
             continue
-        yield (
-            cell,
-            future.result()
-            if lost is None
-            else Outcome(NOT_RUN, reason=f"{type(lost).__name__}: {lost}"),
-        )
-        for following in left:
+        if lost is None:
+            yield cell, future.result()
+        else:
+            yield cell, Outcome(NOT_RUN, reason=f"{type(lost).__name__}: {lost}")
+        for following in remaining:
             start(following)
             break
 
 
-def row(cell: Cell, outcome: Outcome) -> Row:
-    """A run and its outcome."""
+def make_row(cell: Cell, outcome: Outcome) -> Row:
+    """Row of the table for a cell and its outcome."""
     return Row(
         cell.problem_name,
         cell.planner_name,

@@ -1,6 +1,4 @@
-"""Outcomes kept in a folder, a file for each run, each written whole or not at all: what was
-stopped can be gone on with.
-"""
+"""Outcomes in a folder, one file for each run, written atomically, to resume an experiment."""
 
 import json
 import os
@@ -12,8 +10,12 @@ from .cells import NOT_RUN, OUT_OF_TIME, Cell, Outcome
 
 
 class Store:
-    """The outcomes in a folder; without a folder there are none, and none are kept. Raises OSError
-    where it cannot be written.
+    """The outcomes in a folder; without a folder nothing is stored.
+
+    Raises
+    ------
+    OSError
+        Where the folder cannot be written.
     """
 
     def __init__(self, folder: str | os.PathLike[str] | None) -> None:
@@ -23,23 +25,23 @@ class Store:
             tempfile.TemporaryFile(dir=self.folder).close()
 
     def read(self, cell: Cell) -> Outcome | None:
-        """The outcome of a run made before; None where there is none, it is damaged, or the run had
-        less time than it has now.
+        """Outcome of an earlier run, or None.
+
+        None stands for a missing or damaged file, and for a run that was stopped after less time
+        than it has now.
         """
         if self.folder is None:
             return None
         try:
-            outcome = Outcome(
-                **json.loads((self.folder / f"{cell.key}.json").read_text(encoding="utf-8"))
-            )
+            text = (self.folder / f"{cell.key}.json").read_text(encoding="utf-8")
+            outcome = Outcome(**json.loads(text))
         except (OSError, ValueError, TypeError):
             return None
-        return (
-            None if outcome.status == OUT_OF_TIME and outcome.seconds < cell.time_limit else outcome
-        )
+        had_less_time = outcome.status == OUT_OF_TIME and outcome.seconds < cell.time_limit
+        return None if had_less_time else outcome
 
     def write(self, cell: Cell, outcome: Outcome) -> None:
-        """Keep an outcome; a run that was not run is tried again another time. Raises OSError."""
+        """Store an outcome, except of a cell that could not be run. Raises OSError."""
         if self.folder is not None and outcome.status != NOT_RUN:
             with written_whole(self.folder / f"{cell.key}.json") as part:
                 part.write_text(json.dumps(outcome._asdict()), encoding="utf-8")

@@ -1,6 +1,4 @@
-"""Many runs in a line for each planner on each problem: how often a path was found, how long it is,
-what it took.
-"""
+"""Summaries of many runs: one line for each planner on each problem."""
 
 import math
 from typing import NamedTuple
@@ -13,7 +11,7 @@ from .table import Row, Table
 
 
 class Spread(NamedTuple):
-    """A median between the quartiles; NaN where there is nothing to take them of."""
+    """A median between the quartiles; NaN where there are no values."""
 
     low: float
     median: float
@@ -23,9 +21,13 @@ class Spread(NamedTuple):
 class Summary(NamedTuple):
     """The runs of one planner on one problem.
 
-    runs, not_run : how many are judged, and how many could not be run; found : how many have a
-        path; share : found / runs between the ends of its 95 % Wilson interval. cost, seconds : of
-        those found. motions : of all judged.
+    Attributes
+    ----------
+    runs, not_run : number of runs that are judged, and of those that could not be run.
+    found : number of runs that found a path.
+    share : found / runs, between the ends of its 95 % Wilson interval.
+    cost, seconds : spread over the runs that found a path.
+    motions : spread over all judged runs.
     """
 
     problem: str
@@ -41,42 +43,46 @@ class Summary(NamedTuple):
 
 
 def summary(table: Table) -> list[Summary]:
-    """A line for each planner on each problem, in the table's order."""
+    """Summarise a table: one line for each planner on each problem, in the table's order.
+
+    Returns
+    -------
+    list of Summary
+    """
     groups: dict[tuple[str, str, str], list[Row]] = {}
     for row in table:
         groups.setdefault((row.problem, row.planner, row.tuning), []).append(row)
-    return [summed_up(*names, rows) for names, rows in groups.items()]
+    return [summarise_group(*names, rows) for names, rows in groups.items()]
 
 
-def summed_up(problem: str, planner: str, tuning: str, rows: list[Row]) -> Summary:
-    """One line."""
+def summarise_group(problem: str, planner: str, tuning: str, rows: list[Row]) -> Summary:
+    """Summary of one planner on one problem."""
     judged = [row for row in rows if row.status != NOT_RUN]
     found = [row for row in judged if row.found]
     share = share_of(len(found), len(judged))
     motions = [float(row.motions) for row in judged if row.motions is not None]
     spreads = (
         share,
-        spread([row.cost for row in found]),
-        spread([row.seconds for row in found]),
-        spread(motions),
+        quartiles([row.cost for row in found]),
+        quartiles([row.seconds for row in found]),
+        quartiles(motions),
     )
     return Summary(
         problem, planner, tuning, len(judged), len(rows) - len(judged), len(found), *spreads
     )
 
 
-def spread(values: list[float]) -> Spread:
+def quartiles(values: list[float]) -> Spread:
     """Quartiles and median."""
-    return (
-        Spread(*np.quantile(values, (0.25, 0.5, 0.75)).tolist())
-        if values
-        else Spread(math.nan, math.nan, math.nan)
-    )
+    if not values:
+        return Spread(math.nan, math.nan, math.nan)
+    return Spread(*np.quantile(values, (0.25, 0.5, 0.75)).tolist())
 
 
 def share_of(found: int, runs: int) -> Spread:
-    """The share of runs that found a path between the ends of its interval; NaN between 0 and 1
-    without runs.
+    """Fraction of runs that found a path, between the ends of its 95 % Wilson interval.
+
+    Without runs it is NaN between 0 and 1.
 
     >>> [round(end, 3) for end in share_of(9, 10)]
     [0.596, 0.9, 0.982]
@@ -99,8 +105,8 @@ HEAD = (
 
 
 def as_text(summaries: list[Summary]) -> str:
-    """Summaries as a table of plain text; medians, with the quartiles of the lengths."""
-    lines = [HEAD, *map(line, summaries)]
+    """Format summaries as a plain-text table of medians, with the quartiles of the lengths."""
+    lines = [HEAD, *map(format_line, summaries)]
     widths = [max(len(cells[i]) for cells in lines) for i in range(len(HEAD))]
     aligned = [
         "  ".join(
@@ -111,23 +117,23 @@ def as_text(summaries: list[Summary]) -> str:
     return "\n".join(text.rstrip() for text in aligned)
 
 
-def line(of: Summary) -> tuple[str, ...]:
-    """The cells of one summary's line."""
+def format_line(of: Summary) -> tuple[str, ...]:
+    """Cells of a summary's line."""
     return (
         of.problem,
         f"{of.planner}, {of.tuning}" if of.tuning else of.planner,
         f"{of.found}/{of.runs}",
         f"{of.share.low:.0%} to {of.share.high:.0%}",
-        number(of.cost.median),
-        f"{number(of.cost.low)} to {number(of.cost.high)}" if of.found else "-",
-        number(of.motions.median),
-        number(of.seconds.median, ".3g"),
+        format_number(of.cost.median),
+        f"{format_number(of.cost.low)} to {format_number(of.cost.high)}" if of.found else "-",
+        format_number(of.motions.median),
+        format_number(of.seconds.median, ".3g"),
         str(of.not_run or "-"),
     )
 
 
-def number(value: float, form: str = ".5g") -> str:
-    """A number as a table shows it."""
-    return (
-        "-" if math.isnan(value) else f"{value:,.0f}" if abs(value) >= 10_000 else f"{value:{form}}"
-    )
+def format_number(value: float, form: str = ".5g") -> str:
+    """Format a number for the table."""
+    if math.isnan(value):
+        return "-"
+    return f"{value:,.0f}" if abs(value) >= 10_000 else f"{value:{form}}"

@@ -1,6 +1,4 @@
-"""The results of an experiment as one tidy table: a row for each run, a column for each thing that
-was measured.
-"""
+"""The results of an experiment as a tidy table: a row for each run, a column for each quantity."""
 
 import csv
 import os
@@ -21,15 +19,18 @@ from .cells import FOUND, NOT_RUN, OUT_OF_TIME
 class Row(NamedTuple):
     """One run.
 
-    problem, planner, tuning : names; tuning tells planners of one name apart, such as
+    Attributes
+    ----------
+    problem, planner, tuning : names; `tuning` distinguishes planners of the same name, such as
         "max_nodes=500", and is often empty.
-    seed : None for a planner that draws no lots.
+    seed : None for a deterministic planner.
     found, status : whether there is a path; "found", "no path", "out of time" or "not run".
-    cost : the path's length, infinite without a path. seconds : the median of the repeated runs'
-        times.
-    motions, places : how many were judged (`is_free_path`, `is_free`). nodes, iterations : None
-        where the planner has none.
-    reason : why there is no path. path : a digest of the path, equal for equal paths.
+    cost : length of the path, infinite without a path.
+    seconds : median time of the repeated runs.
+    motions, places : number of calls of `is_free_path` and `is_free`.
+    nodes, iterations : None where the planner has none.
+    reason : why there is no path.
+    path : a digest of the path, equal for equal paths.
     """
 
     problem: str
@@ -49,7 +50,7 @@ class Row(NamedTuple):
 
     @property
     def label(self) -> str:
-        """The planner and its tuning."""
+        """Name of the planner with its tuning."""
         return f"{self.planner}, {self.tuning}" if self.tuning else self.planner
 
 
@@ -83,7 +84,7 @@ class Table:
         )
 
     def column(self, name: str) -> list[Any]:
-        """One column. Raises InvalidParameter for a name that is none."""
+        """Values of one column. Raises InvalidParameter where it does not exist."""
         if name not in Row._fields:
             raise InvalidParameter(
                 f"a table has the columns {', '.join(Row._fields)}, got {shortened(name)}"
@@ -91,11 +92,11 @@ class Table:
         return [getattr(row, name) for row in self]
 
     def problems(self) -> list[str]:
-        """The problems' names, in order."""
+        """Names of the problems, in order."""
         return list(dict.fromkeys(row.problem for row in self))
 
     def of(self, problem: str) -> "Table":
-        """The rows of one problem. Raises InvalidParameter where there are none."""
+        """Rows of one problem. Raises InvalidParameter where there are none."""
         if problem not in self.problems():
             raise InvalidParameter(
                 f"problem must be one of {', '.join(map(repr, self.problems()))}, got "
@@ -104,9 +105,11 @@ class Table:
         return Table(tuple(row for row in self if row.problem == problem))
 
     def values(self, column: str) -> dict[str, Array]:
-        """A column of numbers for each planner with its tuning: what the figures compare. What was
-        not run is left out. A run that found no path has cost and seconds inf, since it never came
-        to its end; so has what a planner does not count."""
+        """Values of a numeric column for each planner with its tuning, for figures.
+
+        Cells that were not run are left out. A run without a path has infinite cost and seconds,
+        since it never finished. A quantity that the planner does not count is infinite too.
+        """
         self.column(column)
         groups: dict[str, list[float]] = {}
         for row in self:
@@ -119,9 +122,16 @@ class Table:
         return {label: np.array(values) for label, values in groups.items()}
 
     def growth(self) -> dict[str, tuple[Array, Array]]:
-        """For each planner of several tunings, from few nodes to many: the median of nodes (m,),
-        and costs (m, seeds). One that never found a path with half of the seeds is left out: there
-        is no median to draw."""
+        """Costs over nodes for each planner of several tunings, from few nodes to many.
+
+        A planner is left out where no tuning found a path with at least half of the seeds: then no
+        median can be drawn.
+
+        Returns
+        -------
+        dict
+            For each planner the medians of nodes (m,), and the costs (m, seeds).
+        """
         grown: dict[str, dict[str, list[Row]]] = {}
         for row in self:
             if row.status != NOT_RUN and row.nodes is not None:
@@ -132,8 +142,8 @@ class Table:
                 (float(np.median([row.nodes for row in rows])), [row.cost for row in rows])
                 for rows in tunings.values()
             )
-            whole = len(columns) > 1 and len({len(costs) for _, costs in columns}) == 1
-            if whole and any(2 * np.isfinite(costs).sum() >= len(costs) for _, costs in columns):
+            complete = len(columns) > 1 and len({len(costs) for _, costs in columns}) == 1
+            if complete and any(2 * np.isfinite(costs).sum() >= len(costs) for _, costs in columns):
                 curves[planner] = (
                     np.array([n for n, _ in columns]),
                     np.array([costs for _, costs in columns]),
@@ -141,8 +151,13 @@ class Table:
         return curves
 
     def write(self, path: str | os.PathLike[str]) -> None:
-        """Write it, whole or not at all, as .csv, or as .parquet where pyarrow is installed. Raises
-        UnknownFormat, OSError.
+        """Write the table atomically as .csv, or as .parquet where pyarrow is installed.
+
+        Raises
+        ------
+        UnknownFormat
+            Where the name has another ending.
+        OSError
         """
         file = Path(path)
         writers = {".csv": self._write_csv, ".parquet": self._write_parquet}
@@ -163,8 +178,8 @@ class Table:
             from pyarrow import parquet
         except ImportError:
             raise InvalidParameter(
-                "a .parquet file needs the package pyarrow: pip install pyarrow; or end the name "
-                "in .csv"
+                "a .parquet file needs the package pyarrow: pip install pyarrow; or choose a name "
+                "that ends in .csv"
             ) from None
         types = {
             "str": pyarrow.string(),

@@ -1,6 +1,4 @@
-"""Wrong answers to the exercises of lesson 2. Most walk exactly, in small steps, and do the wrong
-thing at one place.
-"""
+"""Wrong answers to the exercises of lesson 2. Most walk exactly and make one mistake."""
 
 import numpy as np
 
@@ -15,13 +13,13 @@ from kinoedu.planners.bugs import bug0, bug1, bug2, bug2_prelim, bug_base
 
 @wrong("bug_base")
 def blind(start, goal, obstacles, step):
-    """Sees no obstacle."""
+    """Ignores all obstacles."""
     return at_most_apart([start, goal], step)
 
 
 @wrong("bug_base")
 def in_one_leap(start, goal, obstacles, step):
-    """No steps between start and end."""
+    """Goes from start to end in a single step."""
     return bug_base(start, goal, obstacles, step).walk.points[[0, -1]]
 
 
@@ -51,19 +49,19 @@ def sees_the_first_obstacle_only(start, goal, obstacles, step):
 
 @wrong("bug_base")
 def sees_the_last_obstacle_only(start, goal, obstacles, step):
-    """Keeps the distance to the last one that it looked at."""
+    """Keeps only the distance to the last obstacle of its loop."""
     return bug_base(start, goal, obstacles[-1:], step).walk.points
 
 
 @wrong("bug_base")
 def where_it_ends(start, goal, obstacles, step):
-    """One point, not the path."""
+    """Returns the last point, not the path."""
     return bug_base(start, goal, obstacles, step).path[-1] if not obstacles else start
 
 
 @wrong("bug_base")
 def moves_the_start(start, goal, obstacles, step):
-    """q += ... on the array that it was given."""
+    """Uses q += ... on the given array."""
     path = bug_base(start, goal, obstacles, step).walk.points
     start += path[-1] - path[0]
     return path
@@ -71,7 +69,7 @@ def moves_the_start(start, goal, obstacles, step):
 
 @wrong("bug_base")
 def stops_beside_a_wall(start, goal, obstacles, step):
-    """Takes every obstacle for one that is in the way."""
+    """Treats every obstacle as one in the way."""
     path = bug_base(start, goal, obstacles, step).walk.points
     return path[: len(path) // 2] if obstacles else path
 
@@ -84,7 +82,7 @@ def without_the_start(start, goal, obstacles, step):
 
 @wrong("bug_base")
 def never_arrives(start, goal, obstacles, step):
-    """Steps over the goal and back, for ever."""
+    """Steps over the goal and back forever."""
     q = start
     while (q != goal).any():
         q = q + 0.7 * step * (goal - q) / np.linalg.norm(goal - q)
@@ -95,25 +93,25 @@ def never_arrives(start, goal, obstacles, step):
 
 @wrong("bug1")
 def bug_0(start, goal, obstacles, step):
-    """Leaves as soon as the way to the goal is free."""
+    """Leaves the wall as soon as the way to the goal is free."""
     return bug0(start, goal, obstacles, step).walk.points
 
 
 @wrong("bug1")
 def bug_2(start, goal, obstacles, step):
-    """Leaves where the line is met."""
+    """Leaves the wall where the line is met."""
     return bug2(start, goal, obstacles, step).walk.points
 
 
 def pieces(start, goal, obstacles, step):
-    """The exact walk, cut at its hits and leaves; for each wall its round and the way back."""
+    """The exact walk, cut at its hits and leaves: for each wall the round and the way back."""
     walk = bug1(start, goal, obstacles, step, way_back="same").walk
     return walk.points, walk.hit, walk.leave
 
 
 @wrong("bug1")
 def does_not_close_the_circle(start, goal, obstacles, step):
-    """Leaves at the nearest point of the first round, before it knows that it is the nearest."""
+    """Leaves at the point nearest to the goal before it has completed the round."""
     points, hits, leaves = pieces(start, goal, obstacles, step)
     parts, begin = [], 0
     for hit, leave in zip(hits, leaves):
@@ -127,7 +125,7 @@ def does_not_close_the_circle(start, goal, obstacles, step):
 
 @wrong("bug1")
 def jumps_back(start, goal, obstacles, step):
-    """After the round it is at the nearest point without walking there."""
+    """Jumps to the nearest point after the round."""
     points, hits, leaves = pieces(start, goal, obstacles, step)
     parts, begin = [], 0
     for hit, leave in zip(hits, leaves):
@@ -141,27 +139,27 @@ def jumps_back(start, goal, obstacles, step):
 
 @wrong("bug1")
 def leaves_at_the_hit(start, goal, obstacles, step):
-    """After the round it goes on through the wall."""
+    """After the round it goes on through the wall from the hit."""
     points, hits, _ = pieces(start, goal, obstacles, step)
     return at_most_apart([start, *points[hits], goal], step)
 
 
 @wrong("bug1")
 def ignores_the_second_obstacle(start, goal, obstacles, step):
-    """Only the first obstacle is one."""
+    """Sees only the first obstacle."""
     return bug1(start, goal, obstacles[:1], step).walk.points
 
 
 @wrong("bug1")
 def ends_at_the_nearest_point(start, goal, obstacles, step):
-    """Forgets to go on."""
+    """Stops at the nearest point."""
     points, _, leaves = pieces(start, goal, obstacles, step)
     return points[: leaves[0] + 1] if len(leaves) else points
 
 
 @wrong("bug1")
 def goes_round_for_ever(start, goal, obstacles, step):
-    """Waits until it is at the very point of the hit."""
+    """Waits until it is exactly at the hit."""
     path = bug_base(start, goal, obstacles, step).walk.points
     while (path[-1] != goal).any():
         pass
@@ -173,7 +171,7 @@ def goes_round_for_ever(start, goal, obstacles, step):
 
 @wrong("bug2")
 def leaves_anywhere_on_the_line(start, goal, obstacles, step):
-    """Bug2.prelim: leaves where the line is met, also farther from the goal; walks in a circle."""
+    """Bug2.prelim: leaves also where the line is met farther from the goal; walks in a circle."""
     return bug2_prelim(start, goal, obstacles, step, turn="left").walk.points
 
 
@@ -185,8 +183,9 @@ def leaves_anywhere_turning_right(start, goal, obstacles, step):
 
 @wrong("bug2")
 def farther_from_the_start(start, goal, obstacles, step):
-    """Leaves where the line, endless both ways, is met farther from the start than the hit; in
-    steps, turning right.
+    """Leaves where the infinite line is met farther from the start than the hit.
+
+    It walks in steps and turns right.
     """
 
     def side(q):
@@ -232,32 +231,32 @@ def mended_bug_0(start, goal, obstacles, step):
 
 @wrong("bug2")
 def first_bug(start, goal, obstacles, step):
-    """All the way round."""
+    """Goes all the way round."""
     return bug1(start, goal, obstacles, step).walk.points
 
 
 @wrong("bug2")
 def greedy_bug(start, goal, obstacles, step):
-    """Leaves as soon as the way to the goal is free."""
+    """Leaves the wall as soon as the way to the goal is free."""
     return bug0(start, goal, obstacles, step).walk.points
 
 
 @wrong("bug2")
 def through_the_wall(start, goal, obstacles, step):
-    """Keeps to the line, whatever stands on it."""
+    """Keeps to the line through all obstacles."""
     return at_most_apart([start, goal], step)
 
 
 @wrong("bug2")
 def cuts_corners(start, goal, obstacles, step):
-    """Every tenth corner only: the way between goes straight."""
+    """Keeps every tenth point only, and goes straight between them."""
     walk = bug2(start, goal, obstacles, step).walk
     return at_most_apart(walk.points[[0, *walk.hit, *walk.leave[-1:], -1]], step)
 
 
 @wrong("bug2")
 def never_leaves(start, goal, obstacles, step):
-    """Stays where it hit."""
+    """Stops at the hit."""
     return bug_base(start, goal, obstacles, step).walk.points
 
 
@@ -275,19 +274,19 @@ POCKET = [(2, -3), (8, -3), (8, 3), (2, 3), (2, 1.8), (6.8, 1.8), (6.8, -1.8), (
 
 @wrong("exposing_problem")
 def the_pocket_of_the_lesson():
-    """The program gets out of it."""
+    """The program gets out of this pocket."""
     return (4, 0), (10, 0), [POCKET]
 
 
 @wrong("exposing_problem")
 def the_pocket_from_outside():
-    """It exposes, and is not the smallest."""
+    """It exposes the program, but is not the smallest."""
     return (-5, 0), (10, 0), [POCKET]
 
 
 @wrong("exposing_problem")
 def a_box():
-    """The program is right on it."""
+    """The program is right on a box."""
     return (0, 0), (6, 0), [[(2, -1), (4, -1), (4, 2), (2, 2)]]
 
 
@@ -299,25 +298,25 @@ def nothing_there():
 
 @wrong("exposing_problem")
 def no_list():
-    """The obstacle itself, not a list of one."""
+    """One obstacle in place of a list of one."""
     return (-4, 0.5), (10, 0), HOOK
 
 
 @wrong("exposing_problem")
 def goal_inside():
-    """Nobody can arrive."""
+    """The goal is inside an obstacle."""
     return (-4, 0.5), (6.5, 3.5), [HOOK]
 
 
 @wrong("exposing_problem")
 def start_on_the_wall():
-    """It is not free."""
+    """The start is on a wall."""
     return (0, 3), (10, 0), [HOOK]
 
 
 @wrong("exposing_problem")
 def crossing_edges():
-    """It is no simple polygon."""
+    """The polygon is not simple."""
     return (-4, 0.5), (10, 0), [[(0, 0), (4, 4), (4, 0), (0, 4)]]
 
 
@@ -329,5 +328,5 @@ def not_a_number():
 
 @wrong("exposing_problem")
 def beside_the_wrong_arm():
-    """The wall that leads back is the right-hand one, and the program turns left."""
+    """The wall that leads back is the right-hand one, but the program turns left."""
     return (-4, -0.5), (10, 0), [[(x, -y) for x, y in HOOK]]

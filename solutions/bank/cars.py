@@ -1,5 +1,6 @@
-"""Wrong answers to the exercises of lesson 12. Each is one that students give; the slip is what a
-check must recognise in it.
+"""Typical wrong answers of students to the exercises of lesson 12.
+
+A check must recognise the named misconception.
 """
 
 import math
@@ -14,7 +15,7 @@ from kinoedu.curves.arcs import driven
 
 
 def by_radius(pose, v, phi, t, bend):
-    """The closed form, for a curvature."""
+    """The closed form for a given curvature."""
     x, y, theta = pose
     if bend == 0:
         return x + v * t * cos(theta), y + v * t * sin(theta), theta
@@ -28,19 +29,19 @@ def by_radius(pose, v, phi, t, bend):
 
 @wrong("move", slip="small_angle")
 def phi_for_tan(pose, v, phi, t, L):
-    """The seed's own mistake."""
+    """Uses phi in place of tan(phi)."""
     return driven(*pose, v * t, phi / L)
 
 
 @wrong("move")
 def huge_radius(pose, v, phi, t, L):
-    """Right, but for the difference of two huge numbers."""
+    """Right except for the difference of two huge numbers."""
     return by_radius(pose, v, phi, t, tan(phi) / L)
 
 
 @wrong("move")
 def divides_by_zero(pose, v, phi, t, L):
-    """No case for straight on."""
+    """Has no case for straight driving."""
     radius = L / tan(phi)
     x, y, theta = pose
     turn = v * t / radius
@@ -53,25 +54,25 @@ def divides_by_zero(pose, v, phi, t, L):
 
 @wrong("move", slip="no_wheelbase")
 def without_wheelbase(pose, v, phi, t, L):
-    """L forgotten."""
+    """Forgets L."""
     return driven(*pose, v * t, tan(phi))
 
 
 @wrong("move", slip="sine")
 def sine_for_tangent(pose, v, phi, t, L):
-    """The wrong side of the triangle."""
+    """Uses the sine."""
     return driven(*pose, v * t, sin(phi) / L)
 
 
 @wrong("move", slip="degrees")
 def in_degrees(pose, v, phi, t, L):
-    """math.radians once too often."""
+    """Converts to radians once too often."""
     return driven(*pose, v * t, tan(math.radians(phi)) / L)
 
 
 @wrong("move", slip="clockwise")
 def turns_right(pose, v, phi, t, L):
-    """The sign."""
+    """Has the wrong sign."""
     return driven(*pose, v * t, -tan(phi) / L)
 
 
@@ -84,7 +85,7 @@ def one_euler_step(pose, v, phi, t, L):
 
 @wrong("move", slip="new_heading")
 def turns_then_goes(pose, v, phi, t, L):
-    """theta is changed first."""
+    """Changes theta first."""
     x, y, theta = pose
     theta += v * t * tan(phi) / L
     return x + v * t * cos(theta), y + v * t * sin(theta), theta
@@ -92,7 +93,7 @@ def turns_then_goes(pose, v, phi, t, L):
 
 @wrong("move", slip="arc_for_chord")
 def as_long_as_the_arc(pose, v, phi, t, L):
-    """By the mean heading."""
+    """Goes the arc's length along the mean heading."""
     x, y, theta = pose
     turn = v * t * tan(phi) / L
     return x + v * t * cos(theta + turn / 2), y + v * t * sin(theta + turn / 2), theta + turn
@@ -100,26 +101,26 @@ def as_long_as_the_arc(pose, v, phi, t, L):
 
 @wrong("move", slip="no_turn")
 def old_heading(pose, v, phi, t, L):
-    """The heading is forgotten."""
+    """Forgets the heading."""
     return *driven(*pose, v * t, tan(phi) / L)[:2], pose[2]
 
 
 @wrong("move", slip="straight_if_small")
 def straight_below_a_fiftieth(pose, v, phi, t, L):
-    """A threshold that is no rounding."""
+    """Ignores turns that are too large to ignore."""
     return driven(*pose, v * t, tan(phi) / L if abs(phi) >= 0.02 else 0.0)
 
 
 @wrong("move", slip="steered")
 def where_the_wheels_point(pose, v, phi, t, L):
-    """The velocity has the direction of the front wheels."""
+    """Moves in the direction of the front wheels."""
     x, y, theta = driven(pose[0], pose[1], pose[2] + phi, v * t, tan(phi) / L)
     return x, y, theta - phi
 
 
 @wrong("move")
 def a_thousand_steps(pose, v, phi, t, L):
-    """Nearly exact is not exact."""
+    """Is nearly exact, but not exact."""
     for _ in range(1000):
         pose = one_euler_step.function(pose, v, phi, t / 1000, L)
     return pose
@@ -127,20 +128,20 @@ def a_thousand_steps(pose, v, phi, t, L):
 
 @wrong("move", slip="other_side")
 def cosines_the_wrong_way(pose, v, phi, t, L):
-    """The integral of the sine without its minus."""
+    """Integrates the sine without its minus sign."""
     x, y, theta = driven(*pose, v * t, tan(phi) / L)
     return (x, pose[1] - (y - pose[1]), theta) if phi else (x, y, theta)
 
 
 @wrong("move", slip="forward")
 def never_back(pose, v, phi, t, L):
-    """The speed as a size."""
+    """Uses the absolute value of the speed."""
     return driven(*pose, abs(v) * t, tan(phi) / L)
 
 
 @wrong("move")
 def stays_on_the_first_circle(pose, v, phi, t, L):
-    """At most one turn."""
+    """Limits the turn to one circle."""
     distance = math.fmod(v * t, pi * L / tan(phi)) if phi else v * t
     return driven(*pose, distance, tan(phi) / L)
 
@@ -161,19 +162,19 @@ def replay_by(start, controls, durations, L, step=move):
 
 @wrong("replay", slip="no_start")
 def only_what_comes(start, controls, durations, L):
-    """Without the start."""
+    """Leaves out the start."""
     return np.reshape(replay_by(start, controls, durations, L)[1:], (-1, 3))
 
 
 @wrong("replay", slip="no_end")
 def one_too_few(start, controls, durations, L):
-    """Poses before controls, not after."""
+    """Lists the poses before the controls, not after them."""
     return np.reshape(replay_by(start, controls, durations, L)[:-1], (-1, 3))
 
 
 @wrong("replay", slip="one_array")
 def one_array_for_all(start, controls, durations, L):
-    """Changed in place, and appended again and again."""
+    """Appends the same array again and again, and changes it in place."""
     pose = np.array(start, float)
     poses = [pose]
     for (v, phi), t in zip(controls, durations):
@@ -184,49 +185,49 @@ def one_array_for_all(start, controls, durations, L):
 
 @wrong("replay", slip="all_from_start")
 def always_from_the_start(start, controls, durations, L):
-    """A star."""
+    """Begins every control at the start."""
     return [start, *(move(start, v, phi, t, L) for (v, phi), t in zip(controls, durations))]
 
 
 @wrong("replay", slip="clock")
 def times_of_a_clock(start, controls, durations, L):
-    """Differences of durations."""
+    """Uses differences of durations."""
     return replay_by(start, controls, np.diff(durations, prepend=0.0), L)
 
 
 @wrong("replay", slip="since_start")
 def sums_of_durations(start, controls, durations, L):
-    """Cumulated."""
+    """Uses cumulated durations."""
     return replay_by(start, controls, np.cumsum(durations), L)
 
 
 @wrong("replay", slip="swapped")
 def angle_first(start, controls, durations, L):
-    """phi, v."""
+    """Reads a control as phi, v."""
     return replay_by(start, [(v, phi) for phi, v in controls], durations, L)
 
 
 @wrong("replay", slip="small_angle")
 def replays_phi(start, controls, durations, L):
-    """phi for tan(phi)."""
+    """Uses phi in place of tan(phi)."""
     return replay_by(start, controls, durations, L, phi_for_tan.function)
 
 
 @wrong("replay", slip="heading_kept")
 def replays_without_turning(start, controls, durations, L):
-    """The heading is forgotten."""
+    """Forgets the heading."""
     return replay_by(start, controls, durations, L, old_heading.function)
 
 
 @wrong("replay", slip="forward")
 def replays_forward(start, controls, durations, L):
-    """The speed as a size, the turn as well."""
+    """Uses absolute values of the speed and of the turn."""
     return replay_by(start, [(abs(v), phi * np.sign(v)) for v, phi in controls], durations, L)
 
 
 @wrong("replay")
 def straight_between(start, controls, durations, L):
-    """Euler with one step a control."""
+    """Takes one Euler step for each control."""
     return replay_by(start, controls, durations, L, one_euler_step.function)
 
 
@@ -249,55 +250,55 @@ def stepped(pose, v, phi, t, L, n, *, heading=lambda theta, turn: theta, bend=ta
 
 @wrong("euler", slip="new_heading")
 def theta_first(*given):
-    """The order of the lines."""
+    """Updates theta before x and y."""
     return stepped(*given, heading=lambda theta, turn: theta + turn)
 
 
 @wrong("euler", slip="midpoint")
 def half_way(*given):
-    """A better rule."""
+    """Uses the heading half-way, which is a better rule."""
     return stepped(*given, heading=lambda theta, turn: theta + turn / 2)
 
 
 @wrong("euler", slip="small_angle")
 def euler_by_phi(*given):
-    """phi for tan(phi)."""
+    """Uses phi in place of tan(phi)."""
     return stepped(*given, bend=lambda phi: phi)
 
 
 @wrong("euler", slip="first_heading")
 def rates_once(pose, v, phi, t, L, n):
-    """The rates are computed before the loop."""
+    """Computes the rates before the loop."""
     return stepped(pose, v, phi, t, L, n, heading=lambda theta, turn: pose[2])
 
 
 @wrong("euler", slip="exact")
 def exact_poses(pose, v, phi, t, L, n):
-    """The closed form at even times."""
+    """Uses the closed form at equally spaced times."""
     return [move(pose, v, phi, k * t / n, L) for k in range(n + 1)]
 
 
 @wrong("euler", slip="no_start")
 def after_each_step(*given):
-    """Without the start."""
+    """Leaves out the start."""
     return stepped(*given)[1:]
 
 
 @wrong("euler", slip="one_short")
 def range_of_n(*given):
-    """n rows."""
+    """Returns n rows."""
     return stepped(*given)[:-1]
 
 
 @wrong("euler", slip="whole_time")
 def long_steps(pose, v, phi, t, L, n):
-    """t is not divided."""
+    """Does not divide t."""
     return stepped(pose, v, phi, t, L, n, h=t)
 
 
 @wrong("euler", slip="last_only")
 def the_end_alone(*given):
-    """One row."""
+    """Returns one row."""
     return stepped(*given)[-1:]
 
 
@@ -309,7 +310,7 @@ def posts_for_gaps(pose, v, phi, t, L, n):
 
 @wrong("euler")
 def fixed_heading_rate(pose, v, phi, t, L, n):
-    """The heading turns backwards when the car backs."""
+    """Turns the heading backwards when the car backs."""
     return stepped(pose, v, phi, t, L, n, bend=lambda angle: tan(angle) * np.sign(v))
 
 
@@ -318,73 +319,73 @@ def fixed_heading_rate(pose, v, phi, t, L, n):
 
 @wrong("order_of_error", slip="halves")
 def always_halves(h, errors):
-    """log2."""
+    """Assumes halved steps: log2."""
     return np.log2(errors[:-1] / errors[1:])
 
 
 @wrong("order_of_error", slip="ratio")
 def times_smaller(h, errors):
-    """No logarithm."""
+    """Takes no logarithm."""
     return errors[:-1] / errors[1:]
 
 
 @wrong("order_of_error", slip="ratios")
 def quotient_of_ratios(h, errors):
-    """No logarithms."""
+    """Takes no logarithms."""
     return (errors[:-1] / errors[1:]) / (h[:-1] / h[1:])
 
 
 @wrong("order_of_error", slip="upside_down")
 def steps_over_errors(h, errors):
-    """The other way up."""
+    """Divides the other way round."""
     return np.diff(np.log(h)) / np.diff(np.log(errors))
 
 
 @wrong("order_of_error", slip="sign")
 def later_over_earlier(h, errors):
-    """One ratio the other way round."""
+    """Inverts one of the ratios."""
     return np.log(errors[1:] / errors[:-1]) / np.log(h[:-1] / h[1:])
 
 
 @wrong("order_of_error", slip="one_point")
 def log_over_log(h, errors):
-    """As if c were 1."""
+    """Assumes that c is 1."""
     return (np.log(errors) / np.log(h))[1:]
 
 
 @wrong("order_of_error", slip="from_first")
 def against_the_first(h, errors):
-    """One end fixed."""
+    """Compares with the first step only."""
     return np.log(errors[1:] / errors[0]) / np.log(h[1:] / h[0])
 
 
 @wrong("order_of_error", slip="no_log")
 def plain_slope(h, errors):
-    """On ordinary scales."""
+    """Returns the slope on linear scales."""
     return np.diff(errors) / np.diff(h)
 
 
 @wrong("order_of_error", slip="never_negative")
 def at_least_nothing(h, errors):
-    """An order cannot be negative."""
+    """Limits the order to 0 from below."""
     return np.maximum(np.diff(np.log(errors)) / np.diff(np.log(h)), 0)
 
 
 @wrong("order_of_error", slip="rounded")
 def whole_orders(h, errors):
-    """Rounded."""
+    """Rounds its answer."""
     return np.round(np.diff(np.log(errors)) / np.diff(np.log(h)))
 
 
 @wrong("order_of_error", slip="one_slope")
 def one_line_for_all(h, errors):
-    """The slope of the line of least squares, for each two."""
+    """Returns the least-squares slope for each pair."""
     return np.full(len(h) - 1, np.polyfit(np.log(h), np.log(errors), 1)[0])
 
 
 @wrong("order_of_error")
 def one_number(h, errors):
-    """The slope of the line of least squares."""
+    """Returns the least-squares slope."""
     return np.polyfit(np.log(h), np.log(errors), 1)[0]
 
 
@@ -414,37 +415,37 @@ def word_lengths(a, b, r, turn=wrap, words=("LSL", "RSR", "LSR", "RSL"), root=Tr
 
 @wrong("csc_length", slip="lsl_only")
 def only_lsl(a, b, r):
-    """One word."""
+    """Considers one word."""
     return min(word_lengths(a, b, r, words=("LSL",)))
 
 
 @wrong("csc_length", slip="outer_only")
 def outer_tangents(a, b, r):
-    """Two words."""
+    """Considers two words."""
     return min(word_lengths(a, b, r, words=("LSL", "RSR")))
 
 
 @wrong("csc_length", slip="sign")
 def size_of_the_angle(a, b, r):
-    """abs for % (2 pi)."""
+    """Uses abs in place of % (2 pi)."""
     return min(word_lengths(a, b, r, turn=abs))
 
 
 @wrong("csc_length", slip="short_way")
 def turns_the_short_way(a, b, r):
-    """The circle distance."""
+    """Uses the circle distance."""
     return min(word_lengths(a, b, r, turn=lambda angle: abs(wrap(angle + pi) - pi)))
 
 
 @wrong("csc_length", slip="beeline")
 def straight_if_the_headings_are_the_same(a, b, r):
-    """The same heading is not yet straight ahead."""
+    """Treats equal headings as straight ahead."""
     return hypot(b[0] - a[0], b[1] - a[1]) if a[2] == b[2] else min(word_lengths(a, b, r))
 
 
 @wrong("csc_length", slip="right_as_left")
 def every_turn_to_the_left(a, b, r):
-    """(alpha - theta) % (2 pi) for R as well."""
+    """Uses (alpha - theta) % (2 pi) for right turns too."""
     lengths = []
     for word in ("LSL", "RSR", "LSR", "RSL"):
         s0, s1 = (1 if word[0] == "L" else -1), (1 if word[2] == "L" else -1)
@@ -457,43 +458,43 @@ def every_turn_to_the_left(a, b, r):
 
 @wrong("csc_length", slip="radians")
 def angles_for_arcs(a, b, r):
-    """r is forgotten."""
+    """Forgets r."""
     return min(word_lengths(a, b, r, turn=lambda angle: wrap(angle) / r))
 
 
 @wrong("csc_length", slip="no_root")
 def as_far_as_the_centres(a, b, r):
-    """The inner tangent as long as the centres are apart."""
+    """Uses the distance of the centres as the length of the inner tangent."""
     return min(word_lengths(a, b, r, root=False))
 
 
 @wrong("csc_length", slip="crossing")
 def roots_cut_off(a, b, r):
-    """max(..., 0) under the root."""
+    """Uses max(..., 0) under the root."""
     return min(word_lengths(a, b, r, floor=0.0))
 
 
 @wrong("csc_length", slip="beeline")
 def as_the_crow_flies(a, b, r):
-    """The headings are forgotten."""
+    """Ignores the headings."""
     return hypot(b[0] - a[0], b[1] - a[1])
 
 
 @wrong("csc_length", slip="longest")
 def the_longest(a, b, r):
-    """max for min."""
+    """Uses max in place of min."""
     return max(word_lengths(a, b, r))
 
 
 @wrong("csc_length", slip="inner_only")
 def inner_tangents(a, b, r):
-    """Two words."""
+    """Considers two words."""
     return min(word_lengths(a, b, r, words=("LSR", "RSL")), default=math.inf)
 
 
 @wrong("csc_length")
 def root_of_less_than_nothing(a, b, r):
-    """sqrt complains."""
+    """Takes the root of a negative number."""
     if any(math.sqrt(d) < 0 for d in inner_squares(a, b, r)):
         return 0.0
     return min(word_lengths(a, b, r))
@@ -508,7 +509,7 @@ def inner_squares(a, b, r):
 
 @wrong("csc_length")
 def signed_turns(a, b, r):
-    """Negative arcs shorten the way."""
+    """Lets negative arcs shorten the way."""
     return min(word_lengths(a, b, r, turn=lambda angle: angle))
 
 
@@ -517,41 +518,41 @@ def signed_turns(a, b, r):
 
 @wrong("exposing_drive")
 def straight_on():
-    """Right on a line."""
+    """The program is right on a line."""
     return 0.0, 1000.0
 
 
 @wrong("exposing_drive")
 def a_short_way():
-    """Not yet off."""
+    """The program is not off yet."""
     return 0.1, 10.0
 
 
 @wrong("exposing_drive")
 def steep():
-    """Lost, but with the wheels turned far."""
+    """The program is off, but the wheels are turned far."""
     return pi / 4, 30.0
 
 
 @wrong("exposing_drive")
 def in_whole_degrees():
-    """45 is not radians."""
+    """The angle is in degrees."""
     return 45, 30
 
 
 @wrong("exposing_drive")
 def too_long():
-    """Beyond the time."""
+    """The time is too long."""
     return 0.05, 100_000.0
 
 
 @wrong("exposing_drive")
 def hardly_turned():
-    """Too small for the time."""
+    """The angle is too small for the time."""
     return 0.01, 1000.0
 
 
 @wrong("exposing_drive")
 def swapped():
-    """The time first."""
+    """The time comes first."""
     return 600.0, 0.1

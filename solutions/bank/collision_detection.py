@@ -1,5 +1,6 @@
-"""Wrong answers to the exercises of lesson 7. Each is one that students give; the slip is what a
-check must recognise in it.
+"""Typical wrong answers of students to the exercises of lesson 7.
+
+A check must recognise the named misconception.
 """
 
 import math
@@ -37,13 +38,13 @@ def cross(u, v):
 
 @wrong("point_in_convex_polygon", slip="strict")
 def without_the_boundary(q, P):
-    """The boundary does not count."""
+    """Excludes the boundary."""
     return all(cross(b - a, q - a) > 0 for a, b in edges(P))
 
 
 @wrong("point_in_convex_polygon", slip="clockwise")
 def inside_on_the_right(q, P):
-    """Thinks of clockwise vertices."""
+    """Assumes clockwise vertices."""
     return all(cross(b - a, q - a) <= 0 for a, b in edges(P))
 
 
@@ -61,7 +62,7 @@ def one_edge_short(q, P):
 
 @wrong("point_in_convex_polygon", slip="any")
 def one_edge_is_enough(q, P):
-    """any for all."""
+    """Uses any in place of all."""
     return any(cross(b - a, q - a) >= 0 for a, b in edges(P))
 
 
@@ -75,14 +76,14 @@ def returns_in_the_loop(q, P):
 
 @wrong("point_in_convex_polygon", slip="on_line")
 def on_a_line_is_on_the_boundary(q, P):
-    """Takes the line of an edge for the edge."""
+    """Confuses the line of an edge with the edge."""
     sides = [cross(b - a, q - a) for a, b in edges(P)]
     return 0 in sides or min(sides) > 0
 
 
 @wrong("point_in_convex_polygon", slip="box")
 def in_the_box(q, P):
-    """Compares with the least and greatest coordinates."""
+    """Compares with the bounding box."""
     return bool((q >= P.min(axis=0)).all() and (q <= P.max(axis=0)).all())
 
 
@@ -125,7 +126,7 @@ def is_parallel(p1, p2, p3, p4):
 
 @wrong("segment_intersection", slip="lines")
 def where_the_lines_meet(p1, p2, p3, p4):
-    """Lines for segments."""
+    """Uses lines in place of segments."""
     if is_parallel(p1, p2, p3, p4):
         return []
     t, _ = shares(p1, p2, p3, p4)
@@ -134,7 +135,7 @@ def where_the_lines_meet(p1, p2, p3, p4):
 
 @wrong("segment_intersection", slip="one_sided")
 def tests_the_first_only(p1, p2, p3, p4):
-    """Tests one of the two shares."""
+    """Tests only the first parameter."""
     if is_parallel(p1, p2, p3, p4):
         return []
     t, _ = shares(p1, p2, p3, p4)
@@ -143,7 +144,7 @@ def tests_the_first_only(p1, p2, p3, p4):
 
 @wrong("segment_intersection", slip="one_sided")
 def tests_the_second_only(p1, p2, p3, p4):
-    """Tests the other share."""
+    """Tests only the second parameter."""
     if is_parallel(p1, p2, p3, p4):
         return []
     t, s = shares(p1, p2, p3, p4)
@@ -152,7 +153,7 @@ def tests_the_second_only(p1, p2, p3, p4):
 
 @wrong("segment_intersection", slip="parallel")
 def parallel_is_nothing(p1, p2, p3, p4):
-    """Loses overlaps, as the first program of the course did."""
+    """Loses overlaps."""
     if is_parallel(p1, p2, p3, p4):
         return []
     t, s = shares(p1, p2, p3, p4)
@@ -161,7 +162,7 @@ def parallel_is_nothing(p1, p2, p3, p4):
 
 @wrong("segment_intersection", slip="open")
 def without_ends(p1, p2, p3, p4):
-    """Ends do not count."""
+    """Excludes the ends."""
     if is_parallel(p1, p2, p3, p4):
         return []
     t, s = shares(p1, p2, p3, p4)
@@ -176,34 +177,34 @@ def divides_by_x4_minus_x3(p1, p2, p3, p4):
 
 @wrong("segment_intersection", slip="one_point")
 def one_of_the_stretch(p1, p2, p3, p4):
-    """Returns the first point that it finds."""
+    """Returns the first common point that it finds."""
     return segment_intersection(p1, p2, p3, p4)[:1]
 
 
 @wrong("segment_intersection", slip="twice")
 def both_ends_of_nothing(p1, p2, p3, p4):
-    """The two in the middle of four, though they are one."""
+    """Returns the two middle ones of four ends, even if they are equal."""
     found = segment_intersection(p1, p2, p3, p4)
     return np.vstack([found, found]) if len(found) == 1 and is_parallel(p1, p2, p3, p4) else found
 
 
 @wrong("segment_intersection")
 def a_point_without_brackets(p1, p2, p3, p4):
-    """Returns a point where rows are asked for."""
+    """Returns a point where rows are required."""
     found = segment_intersection(p1, p2, p3, p4)
     return found[0] if len(found) == 1 else found
 
 
 @wrong("segment_intersection")
 def none_for_none(p1, p2, p3, p4):
-    """Returns None where there is nothing."""
+    """Returns None where there is no point."""
     found = segment_intersection(p1, p2, p3, p4)
     return found if len(found) else None
 
 
 @wrong("segment_intersection")
 def on_one_line_always_overlaps(p1, p2, p3, p4):
-    """The two in the middle of four on one line, also where these are apart."""
+    """Returns the two middle ends on one line, even if the segments are apart."""
     if not is_parallel(p1, p2, p3, p4):
         return segment_intersection(p1, p2, p3, p4)
     if cross(p2 - p1, p3 - p1) != 0:
@@ -233,7 +234,7 @@ def some_edges_meet(P, Q):
 
 @wrong("convex_polygons_intersect", slip="edges")
 def edges_only(P1, P2):
-    """Forgets that one can lie inside the other, as the first program of the course did."""
+    """Forgets that one polygon can lie inside the other."""
     return some_edges_meet(P1, P2)
 
 
@@ -245,13 +246,13 @@ def vertices_only(P1, P2):
 
 @wrong("convex_polygons_intersect", slip="one_way")
 def first_in_second(P1, P2):
-    """Asks for vertices of P1 in P2 only."""
+    """Tests only the vertices of P1."""
     return some_edges_meet(P1, P2) or some_in(P1, P2)
 
 
 @wrong("convex_polygons_intersect", slip="one_way")
 def second_in_first(P1, P2):
-    """Asks for vertices of P2 in P1 only."""
+    """Tests only the vertices of P2."""
     return some_edges_meet(P1, P2) or some_in(P2, P1)
 
 
@@ -270,7 +271,7 @@ def separates(P, Q, strictly):
 
 @wrong("convex_polygons_intersect", slip="open")
 def touching_is_apart(P1, P2):
-    """A separating edge may touch."""
+    """Lets a separating edge touch."""
     return not (separates(P1, P2, False) or separates(P2, P1, False))
 
 
@@ -282,13 +283,13 @@ def edges_of_the_first(P1, P2):
 
 @wrong("convex_polygons_intersect", slip="opposite")
 def is_apart(P1, P2):
-    """Answers the opposite question."""
+    """Returns the opposite answer."""
     return not convex_polygons_intersect(P1, P2)
 
 
 @wrong("convex_polygons_intersect")
 def middle_in_the_other(P1, P2):
-    """Asks for the middles, and for edges strictly crossing."""
+    """Tests the middles, and edges that cross strictly."""
     return point_in_convex_polygon(P1.mean(axis=0), P2) or point_in_convex_polygon(
         P2.mean(axis=0), P1
     )
@@ -296,7 +297,7 @@ def middle_in_the_other(P1, P2):
 
 @wrong("convex_polygons_intersect")
 def round_bodies(P1, P2):
-    """Compares circles as large as the polygons are on average."""
+    """Compares circles with the polygons' mean radius."""
     c, d = P1.mean(axis=0), P2.mean(axis=0)
     return math.dist(c, d) <= np.mean([math.dist(c, p) for p in P1]) + np.mean(
         [math.dist(d, p) for p in P2]
@@ -305,7 +306,7 @@ def round_bodies(P1, P2):
 
 @wrong("convex_polygons_intersect")
 def without_closing_edges(P1, P2):
-    """Forgets the closing edge of both, in the test for crossing."""
+    """Forgets both closing edges in the test for crossings."""
     pairs = [
         (P1[i], P1[i + 1], P2[j], P2[j + 1]) for i in range(len(P1) - 1) for j in range(len(P2) - 1)
     ]
@@ -314,7 +315,7 @@ def without_closing_edges(P1, P2):
 
 @wrong("convex_polygons_intersect")
 def points_of_the_edges(P1, P2):
-    """Asks for 101 points of every edge: thin bars that cross slip between them."""
+    """Tests 101 points of every edge, which misses thin bars that cross."""
     rows = [
         np.vstack([a + np.linspace(0, 1, 101)[:, None] * (b - a) for a, b in edges(P)])
         for P in (P1, P2)
@@ -327,13 +328,13 @@ def points_of_the_edges(P1, P2):
 
 @wrong("c_obstacle", slip="sum")
 def not_mirrored(robot, obstacle):
-    """Adds where it must subtract."""
+    """Adds instead of subtracting."""
     return minkowski_sum(obstacle, robot)
 
 
 @wrong("c_obstacle", slip="swapped")
 def robot_minus_obstacle(robot, obstacle):
-    """Subtracts the wrong way round."""
+    """Subtracts in the wrong order."""
     return minkowski_difference(robot, obstacle)
 
 
@@ -345,13 +346,13 @@ def the_obstacle_itself(robot, obstacle):
 
 @wrong("c_obstacle", slip="centred")
 def about_the_middle(robot, obstacle):
-    """Takes the middle for the reference point."""
+    """Uses the middle as the reference point."""
     return minkowski_difference(obstacle, robot - robot.mean(axis=0))
 
 
 @wrong("c_obstacle", slip="first_vertex")
 def about_vertex_0(robot, obstacle):
-    """Takes vertex 0 for the reference point."""
+    """Uses vertex 0 as the reference point."""
     return minkowski_difference(obstacle, robot - robot[0])
 
 
@@ -367,7 +368,7 @@ def grows_boxes(robot, obstacle):
 
 @wrong("c_obstacle", slip="all")
 def every_difference_as_rows(robot, obstacle):
-    """Does not take the hull, and returns an array."""
+    """Does not take the convex hull."""
     return (obstacle[:, None] - robot).reshape(-1, 2)
 
 
@@ -412,7 +413,7 @@ def second_angle_from_the_axis(q, lengths, width, discs):
 
 @wrong("link_in_contact", slip="degrees")
 def converts_radians(q, lengths, width, discs):
-    """Turns radians into radians."""
+    """Converts radians to radians."""
     return touched_link(np.radians(q), lengths, width, discs)
 
 
@@ -424,7 +425,7 @@ def links_are_lines(q, lengths, width, discs):
 
 @wrong("link_in_contact", slip="whole_width")
 def width_for_half_width(q, lengths, width, discs):
-    """W to either side."""
+    """Uses W to each side."""
     return touched_link(q, lengths, 2 * width, discs)
 
 
@@ -468,7 +469,7 @@ def first_disc(q, lengths, width, discs):
 
 @wrong("link_in_contact", slip="second_first")
 def asks_link_2_first(q, lengths, width, discs):
-    """Says 2 where both touch."""
+    """Answers 2 where both links touch."""
     ends = ends_of_links(q, lengths)
     for link in (2, 1):
         if any(
@@ -491,7 +492,7 @@ def loops_over_discs_outside(q, lengths, width, discs):
 
 @wrong("link_in_contact", slip="open")
 def touching_is_free(q, lengths, width, discs):
-    """< where <= is meant."""
+    """Uses < in place of <=."""
     ends = ends_of_links(q, lengths)
     for link in (1, 2):
         if any(
@@ -504,7 +505,7 @@ def touching_is_free(q, lengths, width, discs):
 
 @wrong("link_in_contact")
 def says_true(q, lengths, width, discs):
-    """Whether, and not which."""
+    """Answers whether a link touches, not which one."""
     return touched_link(q, lengths, width, discs) > 0
 
 
@@ -546,25 +547,25 @@ def draws_link_2_from_the_axis(q, lengths, width, discs, ax):
 
 @wrong("plot_environment", slip="degrees")
 def draws_with_converted_angles(q, lengths, width, discs, ax):
-    """Turns radians into radians."""
+    """Converts radians to radians."""
     drawn(np.radians(q), lengths, width, discs, ax)
 
 
 @wrong("plot_environment", slip="whole_width")
 def draws_twice_as_wide(q, lengths, width, discs, ax):
-    """W to either side."""
+    """Uses W to each side."""
     drawn(q, lengths, 2 * width, discs, ax)
 
 
 @wrong("plot_environment", slip="half_discs")
 def takes_radii_for_diameters(q, lengths, width, discs, ax):
-    """Half the radius."""
+    """Draws half the radius."""
     drawn(q, lengths, width, discs * (1, 1, 0.5), ax)
 
 
 @wrong("plot_environment", slip="one_disc")
 def draws_one_disc(q, lengths, width, discs, ax):
-    """Only the first."""
+    """Draws only the first disc."""
     drawn(q, lengths, width, discs[:1], ax)
 
 
@@ -578,19 +579,19 @@ def draws_without_labels(q, lengths, width, discs, ax):
 
 @wrong("plot_environment")
 def draws_nothing(q, lengths, width, discs, ax):
-    """Draws somewhere else."""
+    """Draws into other axes."""
 
 
 @wrong("plot_environment")
 def forgets_the_base(q, lengths, width, discs, ax):
-    """Two joints of three."""
+    """Draws two of the three joints."""
     drawn(q, lengths, width, discs, ax)
     ax.lines[0].set_data(*ends_of_links(q, lengths)[1:].T)
 
 
 @wrong("plot_environment")
 def draws_boxes_for_discs(q, lengths, width, discs, ax):
-    """Squares of half-width r."""
+    """Draws squares of half-width r."""
     ends = ends_of_links(q, lengths)
     for link in (1, 2):
         ax.fill(*bar(ends[link - 1], ends[link], width).T, label=f"link {link}")
@@ -601,7 +602,7 @@ def draws_boxes_for_discs(q, lengths, width, discs, ax):
 
 @wrong("plot_environment", slip="one_disc")
 def labels_the_first_disc(q, lengths, width, discs, ax):
-    """One label for a legend."""
+    """Labels only one disc, as for a legend."""
     drawn(q, lengths, width, discs, ax)
     for patch in ax.patches[3:]:
         patch.set_label(None)
@@ -618,44 +619,44 @@ def dotted(places, samples, arm, ax, colours=("blue", "black", "red")):
 
 @wrong("plot_configuration_space", slip="unscaled")
 def takes_samples_for_angles(samples, lengths, width, discs, ax):
-    """Mixes [0, 1] with [0, 2 pi], as the first program of the course did."""
+    """Uses [0, 1] in place of [0, 2 pi]."""
     dotted(samples, samples, (lengths, width, discs), ax)
 
 
 @wrong("plot_configuration_space", slip="unscaled_dots")
 def draws_the_samples(samples, lengths, width, discs, ax):
-    """Scales for the colours only."""
+    """Scales the samples for the colours only."""
     dotted(samples, FULL * samples, (lengths, width, discs), ax)
 
 
 @wrong("plot_configuration_space", slip="unscaled_links")
 def asks_about_the_samples(samples, lengths, width, discs, ax):
-    """Scales for the dots only."""
+    """Scales the samples for the dots only."""
     dotted(FULL * samples, samples, (lengths, width, discs), ax)
 
 
 @wrong("plot_configuration_space", slip="root")
 def draws_the_root_of_n(samples, lengths, width, discs, ax):
-    """Uses sqrt(n) samples, as the first program of the course did."""
+    """Uses sqrt(n) samples."""
     few = FULL * samples[: round(len(samples) ** 0.5)]
     dotted(few, few, (lengths, width, discs), ax)
 
 
 @wrong("plot_configuration_space", slip="degrees")
 def draws_degrees(samples, lengths, width, discs, ax):
-    """Dots in degrees."""
+    """Draws dots in degrees."""
     dotted(360 * samples, FULL * samples, (lengths, width, discs), ax)
 
 
 @wrong("plot_configuration_space", slip="transposed")
 def exchanges_the_axes(samples, lengths, width, discs, ax):
-    """x for the second angle."""
+    """Draws the second angle along x."""
     dotted(FULL * samples[:, ::-1], FULL * samples, (lengths, width, discs), ax)
 
 
 @wrong("plot_configuration_space", slip="only_free")
 def draws_free_ones_only(samples, lengths, width, discs, ax):
-    """No dots in contact."""
+    """Draws no dots in contact."""
     free = FULL * np.array(
         [s for s in samples if touched_link(FULL * s, lengths, width, discs) == 0]
     ).reshape(-1, 2)
@@ -664,7 +665,7 @@ def draws_free_ones_only(samples, lengths, width, discs, ax):
 
 @wrong("plot_configuration_space", slip="one_red")
 def all_contact_is_red(samples, lengths, width, discs, ax):
-    """Two colours."""
+    """Uses two colours only."""
     dotted(FULL * samples, FULL * samples, (lengths, width, discs), ax, ("blue", "red", "red"))
 
 
@@ -676,7 +677,7 @@ def black_for_link_2(samples, lengths, width, discs, ax):
 
 @wrong("plot_configuration_space")
 def green_is_free(samples, lengths, width, discs, ax):
-    """Another colour."""
+    """Uses another colour."""
     dotted(FULL * samples, FULL * samples, (lengths, width, discs), ax, ("green", "black", "red"))
 
 
@@ -688,7 +689,7 @@ def a_line_through_the_dots(samples, lengths, width, discs, ax):
 
 @wrong("plot_configuration_space")
 def pale_colours(samples, lengths, width, discs, ax):
-    """Grey for black, and a pale blue."""
+    """Draws grey for black, and a pale blue."""
     dotted(
         FULL * samples,
         FULL * samples,
@@ -700,7 +701,7 @@ def pale_colours(samples, lengths, width, discs, ax):
 
 @wrong("plot_configuration_space")
 def half_a_turn_off(samples, lengths, width, discs, ax):
-    """Takes the samples from -pi to pi, as the lesson's axes run."""
+    """Shifts the samples by half a turn, to the range from -pi to pi."""
     dotted(FULL * samples - np.pi, FULL * samples - np.pi, (lengths, width, discs), ax)
 
 
@@ -709,7 +710,7 @@ def half_a_turn_off(samples, lengths, width, discs, ax):
 
 @wrong("overlooked_gap")
 def two_that_meet(*_):
-    """The program is right: they meet."""
+    """The program is right: the polygons meet."""
     return [(0, 0), (4, 0), (0, 4)], [(1, 1), (5, 1), (1, 5)]
 
 
@@ -721,29 +722,29 @@ def two_boxes_apart(*_):
 
 @wrong("overlooked_gap")
 def edge_against_a_corner(*_):
-    """The roles exchanged: the first one's edge separates."""
+    """The program is right: an edge of the first polygon separates them."""
     return [(1, -9), (9, 0), (1, 9)], [(0, 0), (-1, 4), (-1, -4)]
 
 
 @wrong("overlooked_gap")
 def a_corner_against_a_box(*_):
-    """Right, but not the smallest."""
+    """It exposes the program, but is not the smallest."""
     return [(0, 0), (-1, 4), (-1, -4)], [(1, -9), (9, -9), (9, 9), (1, 9)]
 
 
 @wrong("overlooked_gap")
 def not_convex(*_):
-    """One of them has a dent."""
+    """One polygon is not convex."""
     return [(0, 0), (-1, 4), (-0.5, 0), (-1, -4)], [(1, -9), (9, 0), (1, 9)]
 
 
 @wrong("overlooked_gap")
 def a_segment(*_):
-    """Two points are no polygon."""
+    """Two points are not a polygon."""
     return [(0, 0), (-1, 4)], [(1, -9), (9, 0), (1, 9)]
 
 
 @wrong("overlooked_gap")
 def far_away(*_):
-    """Beyond what is allowed."""
+    """The coordinates are too large."""
     return [(0, 0), (-1, 4), (-1, -4)], [(1, -90000), (90000, 0), (1, 90000)]

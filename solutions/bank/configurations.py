@@ -1,5 +1,6 @@
-"""Wrong answers to the exercises of lesson 5. Each is one that students give; the slip is what a
-check must recognise in it.
+"""Typical wrong answers of students to the exercises of lesson 5.
+
+A check must recognise the named misconception.
 """
 
 import math
@@ -16,61 +17,61 @@ from kinoedu.spaces import circle_distance, torus_distance
 
 @wrong("degrees_of_freedom", slip="ground")
 def ground_moves(bodies, joints):
-    """The ground is counted as a body, as in the rule of Gruebler that then subtracts 1."""
+    """Counts the ground as a moving body, without subtracting it."""
     return 3 * (bodies + 1) - 2 * sum(len(held) - 1 for held in joints)
 
 
 @wrong("degrees_of_freedom", slip="less_one")
 def ground_among_the_bodies(bodies, joints):
-    """The rule of Gruebler, as if the ground were counted in bodies."""
+    """Subtracts the ground, although `bodies` does not count it."""
     return 3 * (bodies - 1) - 2 * sum(len(held) - 1 for held in joints)
 
 
 @wrong("degrees_of_freedom", slip="shared")
 def two_a_pin(bodies, joints):
-    """A pin through three bodies counts as one through two."""
+    """Counts a pin through three bodies like one through two."""
     return 3 * bodies - 2 * len(joints)
 
 
 @wrong("degrees_of_freedom", slip="three")
 def glued(bodies, joints):
-    """A pin takes everything."""
+    """Lets a pin remove all three degrees of freedom."""
     return 3 * bodies - 3 * sum(len(held) - 1 for held in joints)
 
 
 @wrong("degrees_of_freedom", slip="one")
 def freedom_for_constraint(bodies, joints):
-    """A pin takes what it leaves."""
+    """Lets a pin remove what it leaves."""
     return 3 * bodies - sum(len(held) - 1 for held in joints)
 
 
 @wrong("degrees_of_freedom", slip="points")
 def bodies_are_points(bodies, joints):
-    """A body cannot turn."""
+    """Forgets that a body can turn."""
     return 2 * bodies - 2 * sum(len(held) - 1 for held in joints)
 
 
 @wrong("degrees_of_freedom", slip="every_body")
 def every_body_loses_two(bodies, joints):
-    """The first body of a pin is held as well."""
+    """Counts the first body of a pin too."""
     return 3 * bodies - sum(2 * len(held) for held in joints)
 
 
 @wrong("degrees_of_freedom", slip="every_body")
 def every_moving_body_loses_two(bodies, joints):
-    """Only the ground is not held."""
+    """Excludes only the ground."""
     return 3 * bodies - sum(2 for held in joints for body in held if body != 0)
 
 
 @wrong("degrees_of_freedom", slip="pins")
 def one_for_each_pin(bodies, joints):
-    """Right for arms."""
+    """Counts pins, which is right for arms."""
     return len(joints)
 
 
 @wrong("degrees_of_freedom", slip="no_pins")
 def all_bodies_free(bodies, joints):
-    """The pins are forgotten."""
+    """Forgets the pins."""
     total = 0
     for _ in range(bodies):
         total += 3
@@ -79,26 +80,26 @@ def all_bodies_free(bodies, joints):
 
 @wrong("degrees_of_freedom", slip="never_less")
 def never_below_zero(bodies, joints):
-    """Corrects the count."""
+    """Limits the count to 0 from below."""
     return max(3 * bodies - 2 * sum(len(held) - 1 for held in joints), 0)
 
 
 @wrong("degrees_of_freedom")
 def bodies_that_pins_hold(bodies, joints):
-    """A body without a pin is forgotten."""
+    """Forgets a body without a pin."""
     moving = {body for held in joints for body in held} - {0}
     return 3 * len(moving) - 2 * sum(len(held) - 1 for held in joints)
 
 
 @wrong("degrees_of_freedom")
 def pins_to_the_ground_only(bodies, joints):
-    """Pins between bodies that move are forgotten."""
+    """Forgets pins between moving bodies."""
     return 3 * bodies - 2 * sum(len(held) - 1 for held in joints if 0 in held)
 
 
 @wrong("degrees_of_freedom")
 def in_space(bodies, joints):
-    """Six for each body, five for each hinge."""
+    """Counts six for each body and five for each hinge."""
     return 6 * bodies - 5 * sum(len(held) - 1 for held in joints)
 
 
@@ -107,37 +108,37 @@ def in_space(bodies, joints):
 
 @wrong("rotation", slip="clockwise")
 def to_the_right(theta):
-    """The minus is at the other sine."""
+    """Puts the minus sign at the other sine."""
     return [[cos(theta), sin(theta)], [-sin(theta), cos(theta)]]
 
 
 @wrong("rotation", slip="degrees")
 def radians_of_radians(theta):
-    """Takes theta for degrees."""
+    """Treats theta as degrees."""
     return rotation(math.radians(theta))
 
 
 @wrong("rotation", slip="mirror")
 def mirrored(theta):
-    """A reflection."""
+    """Returns a reflection."""
     return [[cos(theta), sin(theta)], [sin(theta), -cos(theta)]]
 
 
 @wrong("rotation", slip="swapped")
 def sines_on_the_diagonal(theta):
-    """Sine and cosine exchanged."""
+    """Exchanges sine and cosine."""
     return [[sin(theta), -cos(theta)], [cos(theta), sin(theta)]]
 
 
 @wrong("rotation", slip="sign")
 def no_minus(theta):
-    """The minus is forgotten."""
+    """Forgets the minus sign."""
     return [[cos(theta), sin(theta)], [sin(theta), cos(theta)]]
 
 
 @wrong("rotation", slip="root")
 def root_for_a_sine(theta):
-    """The sine by Pythagoras is never negative."""
+    """Computes the sine by Pythagoras, which is never negative."""
     c = cos(theta)
     s = math.sqrt(1 - c * c)
     return [[c, -s], [s, c]]
@@ -151,7 +152,7 @@ def wrapped_by_half_turns(theta):
 
 @wrong("rotation")
 def small_angles(theta):
-    """cos is 1 and sin is theta, for small angles."""
+    """Uses the small-angle approximation."""
     return [[1.0, -theta], [theta, 1.0]]
 
 
@@ -163,7 +164,7 @@ def rounded_matrix(theta):
 
 @wrong("rotation")
 def four_numbers(theta):
-    """Four numbers are not two rows of two."""
+    """Returns four numbers, not two rows of two."""
     return [cos(theta), -sin(theta), sin(theta), cos(theta)]
 
 
@@ -172,27 +173,27 @@ def four_numbers(theta):
 
 @wrong("displacement", slip="move_first")
 def moves_first(x, y, theta):
-    """The shift is turned."""
+    """Turns the shift."""
     return displacement(0, 0, theta) @ displacement(x, y, 0)
 
 
 @wrong("displacement", slip="clockwise")
 def turned_to_the_right(x, y, theta):
-    """The minus is at the other sine."""
+    """Puts the minus sign at the other sine."""
     c, s = cos(theta), sin(theta)
     return [[c, s, x], [-s, c, y], [0, 0, 1]]
 
 
 @wrong("displacement", slip="transposed")
 def shift_in_the_last_row(x, y, theta):
-    """For row vectors."""
+    """Uses the convention of row vectors."""
     c, s = cos(theta), sin(theta)
     return [[c, s, 0], [-s, c, 0], [x, y, 1]]
 
 
 @wrong("displacement", slip="way_back")
 def from_world_to_robot(x, y, theta):
-    """The inverse."""
+    """Returns the inverse."""
     c, s = cos(theta), sin(theta)
     return [[c, s, -c * x - s * y], [-s, c, s * x - c * y], [0, 0, 1]]
 
@@ -207,31 +208,31 @@ def zeros_below(x, y, theta):
 
 @wrong("displacement", slip="degrees")
 def displaced_by_degrees(x, y, theta):
-    """Takes theta for degrees."""
+    """Treats theta as degrees."""
     return displacement(x, y, math.radians(theta))
 
 
 @wrong("displacement", slip="no_turn")
 def only_moves(x, y, theta):
-    """theta is forgotten."""
+    """Forgets theta."""
     return [[1, 0, x], [0, 1, y], [0, 0, 1]]
 
 
 @wrong("displacement")
 def x_and_y_exchanged(x, y, theta):
-    """The shift in another order."""
+    """Exchanges x and y."""
     return displacement(y, x, theta)
 
 
 @wrong("displacement")
 def only_two_rows(x, y, theta):
-    """The last row is left out."""
+    """Leaves out the last row."""
     return displacement(x, y, theta)[:2]
 
 
 @wrong("displacement")
 def a_configuration(x, y, theta):
-    """Returns what it was given."""
+    """Returns its arguments."""
     return x, y, theta
 
 
@@ -245,27 +246,27 @@ def joints(l1, l2, q):
 
 @wrong("forward_kinematics", slip="absolute")
 def angles_from_the_x_axis(l1, l2, q):
-    """The second angle is not added to the first."""
+    """Does not add the first angle to the second."""
     elbow = np.array([l1 * cos(q[0]), l1 * sin(q[0])])
     return elbow, elbow + np.array([l2 * cos(q[1]), l2 * sin(q[1])])
 
 
 @wrong("forward_kinematics", slip="swapped")
 def tip_first(l1, l2, q):
-    """The order is another."""
+    """Returns the tip first."""
     return joints(l1, l2, q)[::-1]
 
 
 @wrong("forward_kinematics", slip="from_elbow")
 def tip_seen_from_the_elbow(l1, l2, q):
-    """The elbow is not added."""
+    """Does not add the elbow."""
     elbow, tip = joints(l1, l2, q)
     return elbow, tip - elbow
 
 
 @wrong("forward_kinematics", slip="same_array")
 def tip_is_the_elbow(l1, l2, q):
-    """+= changes the array that has both names."""
+    """Uses +=, which changes the array that has both names."""
     elbow = np.array([l1 * cos(q[0]), l1 * sin(q[0])])
     tip = elbow
     tip += np.array([l2 * cos(q[0] + q[1]), l2 * sin(q[0] + q[1])])
@@ -274,37 +275,37 @@ def tip_is_the_elbow(l1, l2, q):
 
 @wrong("forward_kinematics", slip="difference")
 def bends_to_the_right(l1, l2, q):
-    """The second angle is subtracted."""
+    """Subtracts the second angle."""
     return joints(l1, l2, (q[0], -q[1]))
 
 
 @wrong("forward_kinematics", slip="axes")
 def sine_for_x(l1, l2, q):
-    """Sine and cosine exchanged."""
+    """Exchanges sine and cosine."""
     return [place[::-1] for place in joints(l1, l2, q)]
 
 
 @wrong("forward_kinematics", slip="one_length")
 def equal_links(l1, l2, q):
-    """A slip of the pen."""
+    """Uses l1 for both links."""
     return joints(l1, l1, q)
 
 
 @wrong("forward_kinematics", slip="columns")
 def points_as_columns(l1, l2, q):
-    """Points side by side."""
+    """Returns the points as columns."""
     return np.column_stack(joints(l1, l2, q))
 
 
 @wrong("forward_kinematics", slip="degrees")
 def arm_in_degrees(l1, l2, q):
-    """Takes the angles for degrees."""
+    """Treats the angles as degrees."""
     return joints(l1, l2, np.radians(q))
 
 
 @wrong("forward_kinematics")
 def only_the_tip(l1, l2, q):
-    """The elbow is forgotten."""
+    """Forgets the elbow."""
     return joints(l1, l2, q)[1]
 
 
@@ -316,7 +317,7 @@ def never_folds(l1, l2, q):
 
 @wrong("forward_kinematics")
 def turns_the_array(l1, l2, q):
-    """q[1] += q[0] works on the caller's array."""
+    """Uses q[1] += q[0] on the caller's array."""
     q[1] += q[0]
     elbow = np.array([l1 * cos(q[0]), l1 * sin(q[0])])
     return elbow, elbow + np.array([l2 * cos(q[1]), l2 * sin(q[1])])
@@ -326,7 +327,7 @@ def turns_the_array(l1, l2, q):
 
 
 def solutions(l1, l2, p):
-    """Right, for those that go wrong elsewhere."""
+    """Right solutions, for programs that go wrong elsewhere."""
     far = hypot(*p)
     if far == 0 and l1 == l2:
         raise ValueError("infinitely many")
@@ -340,19 +341,19 @@ def solutions(l1, l2, p):
 
 @wrong("inverse_kinematics", slip="one")
 def one_elbow(l1, l2, p):
-    """acos gives one angle."""
+    """Returns only the solution of acos."""
     return solutions(l1, l2, p)[:1]
 
 
 @wrong("inverse_kinematics", slip="one")
 def the_other_elbow(l1, l2, p):
-    """So does -acos."""
+    """Returns only the solution of -acos."""
     return solutions(l1, l2, p)[1:]
 
 
 @wrong("inverse_kinematics", slip="half_mirrored")
 def only_the_bend_mirrored(l1, l2, p):
-    """Link 1 stays where it is."""
+    """Keeps the direction of link 1."""
     return [
         (first, sign * second) for first, second in solutions(l1, l2, p)[:1] for sign in (1, -1)
     ]
@@ -360,7 +361,7 @@ def only_the_bend_mirrored(l1, l2, p):
 
 @wrong("inverse_kinematics", slip="half_mirrored")
 def mirrored_in_the_x_axis(l1, l2, p):
-    """Both angles change their signs, wherever p is."""
+    """Changes the signs of both angles, wherever p is."""
     return [
         (sign * first, sign * second)
         for first, second in solutions(l1, l2, p)[:1]
@@ -370,19 +371,19 @@ def mirrored_in_the_x_axis(l1, l2, p):
 
 @wrong("inverse_kinematics", slip="mixed")
 def wrongly_paired(l1, l2, p):
-    """The signs are paired wrongly."""
+    """Pairs the signs wrongly."""
     return [(first, -second) for first, second in solutions(l1, l2, p)]
 
 
 @wrong("inverse_kinematics", slip="absolute")
 def second_from_the_x_axis(l1, l2, p):
-    """The second angle is not counted from link 1."""
+    """Measures the second angle from the x-axis."""
     return [(first, first + second) for first, second in solutions(l1, l2, p)]
 
 
 @wrong("inverse_kinematics", slip="half_plane")
 def slope_of_p(l1, l2, p):
-    """atan(y / x) knows two quadrants."""
+    """Uses atan(y / x), which covers two quadrants only."""
     heading = atan2(p[1], p[0])
     with np.errstate(all="ignore"):
         other = atan(p[1] / p[0])
@@ -391,20 +392,20 @@ def slope_of_p(l1, l2, p):
 
 @wrong("inverse_kinematics", slip="no_heading")
 def always_to_the_right(l1, l2, p):
-    """The direction of p is forgotten."""
+    """Forgets the direction of p."""
     heading = atan2(p[1], p[0])
     return [(first - heading, second) for first, second in solutions(l1, l2, p)]
 
 
 @wrong("inverse_kinematics", slip="axes")
 def x_before_y(l1, l2, p):
-    """atan2(x, y)."""
+    """Uses atan2(x, y)."""
     return solutions(l1, l2, p[::-1])
 
 
 @wrong("inverse_kinematics", slip="exchanged")
 def other_side(l1, l2, p):
-    """The law of cosines for the angle at the tip, used at the base."""
+    """Uses the angle at the tip for the angle at the base."""
     found = solutions(l1, l2, p)
     if not found:
         return []
@@ -415,7 +416,7 @@ def other_side(l1, l2, p):
 
 @wrong("inverse_kinematics", slip="inner_angle")
 def angle_in_the_triangle(l1, l2, p):
-    """The angle at the elbow, not that of the joint."""
+    """Returns the inner angle at the elbow, not that of the joint."""
     return [
         (first, math.copysign(pi - abs(second), second)) for first, second in solutions(l1, l2, p)
     ]
@@ -423,7 +424,7 @@ def angle_in_the_triangle(l1, l2, p):
 
 @wrong("inverse_kinematics", slip="inner_angle")
 def law_of_cosines_by_heart(l1, l2, p):
-    """The angle inside the triangle, used for the bend throughout."""
+    """Uses the inner angle as the second angle throughout."""
     far = hypot(*p)
     if far == 0 and l1 == l2:
         raise ValueError("infinitely many")
@@ -443,7 +444,7 @@ def degrees_out(l1, l2, p):
 
 @wrong("inverse_kinematics")
 def reaches_everything(l1, l2, p):
-    """Clips the cosine, and so points towards what it cannot reach."""
+    """Clips the cosine, so that it points towards targets out of reach."""
     far = hypot(*p)
     if far == 0 and l1 == l2:
         raise ValueError("infinitely many")
@@ -454,7 +455,7 @@ def reaches_everything(l1, l2, p):
 
 @wrong("inverse_kinematics")
 def complains_when_too_far(l1, l2, p):
-    """Lets acos complain."""
+    """Lets acos raise an error."""
     far = hypot(*p)
     if far == 0 and l1 == l2:
         raise ValueError("infinitely many")
@@ -465,7 +466,7 @@ def complains_when_too_far(l1, l2, p):
 
 @wrong("inverse_kinematics")
 def nothing_at_the_rims(l1, l2, p):
-    """Takes the rims for out of reach."""
+    """Treats the rims as out of reach."""
     far = hypot(*p)
     return [] if far in (l1 + l2, abs(l1 - l2)) and far > 0 else solutions(l1, l2, p)
 
@@ -480,7 +481,7 @@ def never_too_near(l1, l2, p):
 
 @wrong("inverse_kinematics")
 def hole_of_a_longer_first_link(l1, l2, p):
-    """Compares with l1 - l2, and clips the cosine: with a longer link 2 there is no hole."""
+    """Compares with l1 - l2 and clips the cosine, so it finds no hole where link 2 is longer."""
     far = hypot(*p)
     if far == 0 and l1 == l2:
         raise ValueError("infinitely many")
@@ -493,7 +494,7 @@ def hole_of_a_longer_first_link(l1, l2, p):
 
 @wrong("inverse_kinematics")
 def axis_for_the_base(l1, l2, p):
-    """One coordinate of p is 0: taken for the base."""
+    """Treats a target with one zero coordinate as the base."""
     if l1 == l2 and not np.all(p):
         raise ValueError("infinitely many")
     return solutions(l1, l2, p)
@@ -501,7 +502,7 @@ def axis_for_the_base(l1, l2, p):
 
 @wrong("inverse_kinematics")
 def refuses_every_base(l1, l2, p):
-    """Refuses the origin, also where the links are not equal."""
+    """Rejects the origin, also where the links are not equal."""
     if hypot(*p) == 0:
         raise ValueError("infinitely many")
     return solutions(l1, l2, p)
@@ -509,13 +510,13 @@ def refuses_every_base(l1, l2, p):
 
 @wrong("inverse_kinematics")
 def one_of_infinitely_many(l1, l2, p):
-    """Answers at the base of an arm with equal links."""
+    """Returns one solution at the base of an arm with equal links."""
     return [(0.0, pi)] if hypot(*p) == 0 and l1 == l2 else solutions(l1, l2, p)
 
 
 @wrong("inverse_kinematics", slip="sines")
 def by_the_law_of_sines(l1, l2, p):
-    """The program of the exercise "break it"."""
+    """The program of the "break it" exercise."""
     found = solutions(l1, l2, p)
     if not found:
         return []
@@ -535,13 +536,13 @@ def none_for_nothing(l1, l2, p):
 
 @wrong("circle_distance", slip="no_wrap")
 def on_a_line(a, b):
-    """Angles as if on a line."""
+    """Treats angles as numbers on a line."""
     return abs(a - b)
 
 
 @wrong("circle_distance", slip="one_way")
 def always_to_the_left(a, b):
-    """One of the two arcs."""
+    """Returns the arc in one direction."""
     return (b - a) % (2 * pi)
 
 
@@ -572,13 +573,13 @@ def the_long_way(a, b):
 
 @wrong("circle_distance", slip="chord")
 def straight_through(a, b):
-    """The distance of the points on the circle."""
+    """Returns the distance of the points on the circle."""
     return math.dist((cos(a), sin(a)), (cos(b), sin(b)))
 
 
 @wrong("circle_distance", slip="degrees")
 def a_turn_of_360(a, b):
-    """A turn of 360."""
+    """Uses 360 for a whole turn."""
     apart = abs(a - b) % 360
     return min(apart, 360 - apart)
 
@@ -597,14 +598,14 @@ def circle_rounded(a, b):
 
 @wrong("circle_distance")
 def turns_by_pi_written_short(a, b):
-    """3.14 is not pi."""
+    """Uses 3.14 for pi."""
     apart = abs(a - b) % 6.28
     return min(apart, 6.28 - apart)
 
 
 @wrong("circle_distance", slip="one_side")
 def wraps_only_one_side(a, b):
-    """A difference below -pi is forgotten."""
+    """Forgets a difference below -pi."""
     turn = b - a
     while turn > pi:
         turn -= 2 * pi
@@ -613,7 +614,7 @@ def wraps_only_one_side(a, b):
 
 @wrong("circle_distance")
 def wraps_by_sines(a, b):
-    """asin knows half of the circle."""
+    """Uses asin, which covers half of the circle."""
     return abs(math.asin(sin(a - b)))
 
 
@@ -622,7 +623,7 @@ def wraps_by_sines(a, b):
 
 @wrong("torus_distance", slip="no_wrap")
 def in_the_plane(a, b):
-    """The square's edges are walls."""
+    """Treats the square's edges as walls."""
     return float(np.linalg.norm(a - b))
 
 
@@ -634,7 +635,7 @@ def one_joint_after_the_other(a, b):
 
 @wrong("torus_distance", slip="largest")
 def the_slowest_joint(a, b):
-    """The largest of the circle distances."""
+    """Returns the largest of the circle distances."""
     return max(circle_distance(x, y) for x, y in zip(a, b))
 
 
@@ -646,13 +647,13 @@ def no_root(a, b):
 
 @wrong("torus_distance", slip="two")
 def two_joints(a, b):
-    """Two angles, whatever comes."""
+    """Uses two angles only."""
     return torus_distance(a[:2], b[:2])
 
 
 @wrong("torus_distance", slip="first")
 def wraps_the_first(a, b):
-    """Only the first angle goes the short way."""
+    """Wraps only the first angle."""
     return hypot(circle_distance(a[0], b[0]), float(np.linalg.norm(a[1:] - b[1:])))
 
 
@@ -678,20 +679,20 @@ def all_to_the_left(a, b):
 
 @wrong("torus_distance")
 def three_numbers_needed(a, b):
-    """Only two angles are expected."""
+    """Expects exactly two angles."""
     (a1, a2), (b1, b2) = a, b
     return hypot(circle_distance(a1, b1), circle_distance(a2, b2))
 
 
 @wrong("torus_distance")
 def in_space_straight(a, b):
-    """Straight through the room, between the points of circles."""
+    """Measures straight through space, between the points of circles."""
     return float(np.linalg.norm([np.cos(a) - np.cos(b), np.sin(a) - np.sin(b)]))
 
 
 @wrong("torus_distance")
 def each_angle(a, b):
-    """A distance for each angle, not one."""
+    """Returns a distance for each angle."""
     return circle_distance(a, b)
 
 
@@ -712,37 +713,37 @@ def far_enough_out():
 
 @wrong("exposing_reach")
 def much_longer_second_link():
-    """It exposes, and the links are not nearly equal."""
+    """It exposes the program, but the links are not nearly equal."""
     return 1, 2, (1.2, 0)
 
 
 @wrong("exposing_reach")
 def out_of_reach():
-    """No arm gets there."""
+    """No arm reaches this target."""
     return 1, 2, (4, 0)
 
 
 @wrong("exposing_reach")
 def in_the_hole():
-    """Nor there."""
+    """No arm reaches this target either."""
     return 1, 2, (0.5, 0)
 
 
 @wrong("exposing_reach")
 def equal_links_at_the_base():
-    """There the question itself is wrong."""
+    """The target is not valid."""
     return 1, 1, (0, 0)
 
 
 @wrong("exposing_reach")
 def link_without_length():
-    """No arm."""
+    """A link has no length."""
     return 1, 0, (1, 0)
 
 
 @wrong("exposing_reach")
 def angles_for_a_target():
-    """Angles, without an arm."""
+    """Angles without an arm."""
     return 0.5, 1.5
 
 

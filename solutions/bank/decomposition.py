@@ -1,5 +1,6 @@
-"""Wrong answers to the exercises of lesson 3. Each is one that students give; the slip is what a
-check must recognise in it.
+"""Typical wrong answers of students to the exercises of lesson 3.
+
+A check must recognise the named misconception.
 """
 
 import numpy as np
@@ -43,7 +44,7 @@ def from_the_top(x, edges):
 
 @wrong("crossings", slip="rightward")
 def rightward_only(x, edges):
-    """Asks ax < x < bx."""
+    """Tests ax < x < bx."""
     return [i for i in status(x, edges) if edges[i, 0] < x < edges[i, 2]]
 
 
@@ -61,7 +62,7 @@ def by_first_ends(x, edges):
 
 @wrong("crossings", slip="lines")
 def endless_lines(x, edges):
-    """An edge never ends."""
+    """Treats edges as infinite lines."""
     return sorted(range(len(edges)), key=lambda i: height(x, edges[i]))
 
 
@@ -85,19 +86,19 @@ def lowest_and_highest(x, edges):
 
 @wrong("crossings", slip="renumbered")
 def places_among_the_crossed(x, edges):
-    """Picks the crossed edges, then numbers those."""
+    """Numbers only the crossed edges."""
     return np.argsort([height(x, edges[i]) for i in crossed(x, edges)])
 
 
 @wrong("crossings")
 def none_for_an_empty_list(x, edges):
-    """None where nothing is crossed."""
+    """Returns None where nothing is crossed."""
     return status(x, edges) or None
 
 
 @wrong("crossings")
 def numbers_from_one(x, edges):
-    """Counts as MATLAB does."""
+    """Counts from 1, as MATLAB does."""
     return [i + 1 for i in status(x, edges)]
 
 
@@ -111,7 +112,7 @@ def levels(x, boundary, obstacles):
 
 @wrong("free_intervals", slip="hollow")
 def every_gap(x, boundary, obstacles):
-    """Solid is free."""
+    """Returns solid intervals as well."""
     found = levels(x, boundary, obstacles)
     return list(zip(found, found[1:]))
 
@@ -131,20 +132,20 @@ def empty_world(x, boundary, obstacles):
 
 @wrong("free_intervals", slip="outer")
 def lowest_to_highest(x, boundary, obstacles):
-    """One stretch."""
+    """Returns one interval."""
     found = levels(x, boundary, obstacles)
     return [(found[0], found[-1])]
 
 
 @wrong("free_intervals", slip="top_down")
 def topmost_first(x, boundary, obstacles):
-    """The other order."""
+    """Returns the intervals from top to bottom."""
     return np.reshape(levels(x, boundary, obstacles), (-1, 2))[::-1]
 
 
 @wrong("free_intervals", slip="upside_down")
 def upper_end_first(x, boundary, obstacles):
-    """Ceiling, floor."""
+    """Returns ceiling, floor."""
     return np.reshape(levels(x, boundary, obstacles), (-1, 2))[:, ::-1]
 
 
@@ -156,7 +157,7 @@ def two_decimals(x, boundary, obstacles):
 
 @wrong("free_intervals")
 def flat(x, boundary, obstacles):
-    """One list of heights, not pairs."""
+    """Returns one list of heights, not pairs."""
     return levels(x, boundary, obstacles)
 
 
@@ -170,7 +171,7 @@ def unclosed_rings(x, boundary, obstacles):
 
 @wrong("free_intervals")
 def one_ring_after_the_other(x, boundary, obstacles):
-    """Does not sort what the rings give."""
+    """Does not sort the heights of different rings."""
     return np.vstack([np.reshape(levels(x, ring, []), (-1, 2)) for ring in [boundary, *obstacles]])
 
 
@@ -210,19 +211,19 @@ def never_merged(boundary, obstacles):
 
 @wrong("trapezoidation", slip="hollow")
 def solid_cells_too(boundary, obstacles):
-    """Counts the inside of obstacles."""
+    """Returns cells inside obstacles as well."""
     return cells(boundary, obstacles, hollow=True)
 
 
 @wrong("trapezoidation", slip="last")
 def never_closes_the_last(boundary, obstacles):
-    """Nothing after the loop."""
+    """Closes no cells after the loop."""
     return cells(boundary, obstacles, last=False)
 
 
 @wrong("trapezoidation", slip="columns")
 def floors_then_ceilings(boundary, obstacles):
-    """Another order of the columns."""
+    """Returns the columns in another order."""
     return cells(boundary, obstacles)[:, [0, 1, 2, 4, 3, 5]]
 
 
@@ -234,7 +235,7 @@ def boundary_only(boundary, obstacles):
 
 @wrong("trapezoidation", slip="rectangles")
 def level_floors(boundary, obstacles):
-    """Heights of the left side on both sides."""
+    """Uses the heights of the left side on both sides."""
     return cells(boundary, obstacles)[:, [0, 1, 2, 3, 2, 3]]
 
 
@@ -247,19 +248,19 @@ def four_corners_only(boundary, obstacles):
 
 @wrong("trapezoidation")
 def by_the_floor_alone(boundary, obstacles):
-    """A cell goes on while its floor does."""
+    """Continues a cell while its floor stays the same."""
     return cells(boundary, obstacles, key=lambda pair: pair[0])
 
 
 @wrong("trapezoidation")
 def by_the_ceiling_alone(boundary, obstacles):
-    """A cell goes on while its ceiling does."""
+    """Continues a cell while its ceiling stays the same."""
     return cells(boundary, obstacles, key=lambda pair: pair[1])
 
 
 @wrong("trapezoidation")
 def events_of_obstacles_only(boundary, obstacles):
-    """The boundary's vertices send no walls."""
+    """Draws no walls at the boundary's vertices."""
     found = cells(boundary, obstacles)
     inner = [x for ring in obstacles for x in ring[:, 0]]
     return found[np.isin(found[:, 0], inner) | np.isin(found[:, 1], inner)] if inner else found[:1]
@@ -273,7 +274,7 @@ def whole_numbers(boundary, obstacles):
 
 @wrong("trapezoidation")
 def no_cells_at_all(boundary, obstacles):
-    """An empty list."""
+    """Returns an empty list."""
     return []
 
 
@@ -300,76 +301,76 @@ def joined(a, b):
 
 @wrong("neighbours", slip="point")
 def touching_counts(trapezoids):
-    """>= for >."""
+    """Uses >= in place of >."""
     return pairs_if(trapezoids, lambda a, b: a[1] == b[0] and overlap(a, b) >= 0)
 
 
 @wrong("neighbours", slip="same_x")
 def only_x(trapezoids):
-    """Heights are forgotten."""
+    """Forgets the heights."""
     return pairs_if(trapezoids, lambda a, b: a[1] == b[0])
 
 
 @wrong("neighbours", slip="left_wall")
 def left_walls(trapezoids):
-    """The left one's left wall."""
+    """Uses the left wall of the left cell."""
     return pairs_if(trapezoids, lambda a, b: a[1] == b[0] and min(a[3], b[3]) > max(a[2], b[2]))
 
 
 @wrong("neighbours", slip="reversed")
 def larger_first(trapezoids):
-    """j, i."""
+    """Returns j, i."""
     return [(j, i) for i, j in pairs_if(trapezoids, joined)] or np.empty((0, 2))
 
 
 @wrong("neighbours", slip="twice")
 def both_ways(trapezoids):
-    """i, j and j, i."""
+    """Returns i, j and j, i."""
     found = pairs_if(trapezoids, joined)
     return found + [(j, i) for i, j in found]
 
 
 @wrong("neighbours", slip="left_first")
 def left_then_right(trapezoids):
-    """The left one first."""
+    """Returns the left cell first."""
     n = range(len(trapezoids))
     return [(i, j) for i in n for j in n if joined(trapezoids[i], trapezoids[j])]
 
 
 @wrong("neighbours", slip="in_a_row")
 def one_after_another(trapezoids):
-    """The list's order."""
+    """Connects neighbours in the list."""
     return [(i, i + 1) for i in range(len(trapezoids) - 1)]
 
 
 @wrong("neighbours", slip="whole_wall")
 def equal_walls(trapezoids):
-    """Walls must be equal."""
+    """Requires equal walls."""
     return pairs_if(trapezoids, lambda a, b: a[1] == b[0] and a[4] == b[2] and a[5] == b[3])
 
 
 @wrong("neighbours", slip="nearly")
 def nearly_the_same_x(trapezoids):
-    """np.isclose for ==: a thin cell between is passed over."""
+    """Uses np.isclose in place of ==, which passes over a thin cell between."""
     return pairs_if(trapezoids, lambda a, b: np.isclose(a[1], b[0]) and overlap(a, b) > 0)
 
 
 @wrong("neighbours", slip="nested")
 def one_wall_holds_the_other(trapezoids):
-    """No overlap in part."""
+    """Requires that one wall contains the other."""
     return pairs_if(trapezoids, lambda a, b: joined(a, b) and (a[4] - b[2]) * (a[5] - b[3]) <= 0)
 
 
 @wrong("neighbours", slip="only_later")
 def only_later_ones(trapezoids):
-    """Looks to the right of i only among larger numbers."""
+    """Looks for cells to the right only among larger indices."""
     n = range(len(trapezoids))
     return [(i, j) for i in n for j in n if i < j and joined(trapezoids[i], trapezoids[j])]
 
 
 @wrong("neighbours")
 def an_end_inside(trapezoids):
-    """Overlap only if an end of the right wall lies inside the left one."""
+    """Finds an overlap only if an end of the right wall lies inside the left one."""
     return pairs_if(
         trapezoids, lambda a, b: a[1] == b[0] and (a[4] < b[2] < a[5] or a[4] < b[3] < a[5])
     )
@@ -437,7 +438,7 @@ def plan(start, goal, trapezoids, pairs, *, both=True, centres=True, middles=Tru
 
 @wrong("plan_by_decomposition")
 def straight_to_the_goal(start, goal, trapezoids, pairs):
-    """Does not look."""
+    """Goes straight without a test."""
     return [start, goal]
 
 
@@ -455,19 +456,19 @@ def walls_only(start, goal, trapezoids, pairs):
 
 @wrong("plan_by_decomposition")
 def middle_of_the_left_cells_wall(start, goal, trapezoids, pairs):
-    """The middle of the whole right side, not of what is shared."""
+    """Uses the middle of the whole right side, not of the common part."""
     return plan(start, goal, trapezoids, pairs, wall=wall_of_left)
 
 
 @wrong("plan_by_decomposition")
 def middle_of_the_shorter_wall(start, goal, trapezoids, pairs):
-    """Of the two walls the shorter one: right wherever one holds all of the other."""
+    """Uses the middle of the shorter wall: right where one wall contains the other."""
     return plan(start, goal, trapezoids, pairs, wall=shorter_wall)
 
 
 @wrong("plan_by_decomposition")
 def always_to_the_right(start, goal, trapezoids, pairs):
-    """Takes the next cell for the right one."""
+    """Assumes that the next cell is on the right."""
     return plan(
         start,
         goal,
@@ -479,7 +480,7 @@ def always_to_the_right(start, goal, trapezoids, pairs):
 
 @wrong("plan_by_decomposition")
 def one_way_streets(start, goal, trapezoids, pairs):
-    """A pair leads from i to j only."""
+    """Uses a pair only from i to j."""
     return plan(start, goal, trapezoids, pairs, both=False)
 
 
@@ -499,7 +500,7 @@ def without_the_goal(start, goal, trapezoids, pairs):
 
 @wrong("plan_by_decomposition")
 def empty_for_none(start, goal, trapezoids, pairs):
-    """An empty list where there is no way."""
+    """Returns an empty list where there is no way."""
     path = plan(start, goal, trapezoids, pairs)
     return [] if path is None else path
 
@@ -519,7 +520,7 @@ def numbers_of_cells(start, goal, trapezoids, pairs):
 
 @wrong("plan_by_decomposition")
 def gives_up_beyond_the_neighbour(start, goal, trapezoids, pairs):
-    """Only neighbours of the start's cell are looked at."""
+    """Tests only the neighbours of the start's cell."""
     path = plan(start, goal, trapezoids, pairs)
     return path if path is not None and len(path) <= 5 else None
 
@@ -535,7 +536,7 @@ def a_box():
 
 @wrong("exposing_world")
 def a_bay():
-    """Not convex, but one wall holds the others."""
+    """Not convex, but one wall contains the other."""
     return [(0, 0), (10, -4), (6, 1), (9, 6)]
 
 
@@ -547,13 +548,13 @@ def nearly_the_same_place():
 
 @wrong("exposing_world")
 def overlap_that_holds_the_middle():
-    """Neither wall holds the other, but the middle of the shorter one is on both."""
+    """Neither wall contains the other, but the middle of the shorter one is on both."""
     return [(0, 2), (5, 0), (5, 1), (9, 5), (5, 9), (5, 4)]
 
 
 @wrong("exposing_world")
 def square_corners():
-    """Wrong there, but eight vertices."""
+    """The rule is wrong, but there are eight vertices."""
     return [(0, 0), (5, 0), (5, 3), (9, 3), (9, 9), (5, 9), (5, 4), (0, 4)]
 
 
@@ -565,11 +566,11 @@ def no_gap():
 
 @wrong("exposing_world")
 def with_an_obstacle():
-    """A boundary and a list, where one polygon is asked for."""
+    """A boundary and a list, where one polygon is required."""
     return [(0, 0), (9, 0), (9, 9), (0, 9)], [[(3, 3), (6, 3), (5, 6)]]
 
 
 @wrong("exposing_world")
 def beyond_the_range():
-    """Too far away."""
+    """The coordinates are too large."""
     return [(0, 2e6), (5, 0), (5, 3e6), (9, 5e6), (5, 9e6), (5, 4e6)]

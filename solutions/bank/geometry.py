@@ -1,5 +1,6 @@
-"""Wrong answers to the exercises of lesson 1. Each is one that students give; the slip is what a
-check must recognise in it.
+"""Typical wrong answers of students to the exercises of lesson 1.
+
+A check must recognise the named misconception.
 """
 
 import math
@@ -41,7 +42,7 @@ def not_scaled(p1, p2):
 
 @wrong("line_through_points", slip="direction")
 def along_instead_of_across(p1, p2):
-    """Takes the direction for the normal."""
+    """Uses the direction as the normal."""
     a, b = (p2 - p1) / np.linalg.norm(p2 - p1)
     if (p1 == p2).all():
         raise ValueError("one point")
@@ -59,7 +60,7 @@ def c_on_the_other_side(p1, p2):
 
 @wrong("line_through_points")
 def small_c_becomes_zero(p1, p2):
-    """Tests c < 1e-10 where |c| < 1e-10 was meant."""
+    """Tests c < 1e-10 in place of |c| < 1e-10."""
     if (p1 == p2).all():
         raise ValueError("one point")
     x, y = (p2 - p1) / np.linalg.norm(p2 - p1)
@@ -121,7 +122,7 @@ def the_area_itself(q, p1, p2):
 
 @wrong("point_line_distance", slip="along")
 def dot_for_cross(q, p1, p2):
-    """Takes the dot product where the cross product belongs."""
+    """Uses the dot product in place of the cross product."""
     if (p1 == p2).all():
         raise ValueError("one point")
     return abs(np.dot(p2 - p1, q - p1)) / np.linalg.norm(p2 - p1)
@@ -129,7 +130,7 @@ def dot_for_cross(q, p1, p2):
 
 @wrong("point_line_distance", slip="nearer_point")
 def to_the_nearer_point(q, p1, p2):
-    """Takes the nearer of the two points."""
+    """Measures to the nearer of the two points."""
     return min(math.dist(q, p1), math.dist(q, p2))
 
 
@@ -160,7 +161,7 @@ def rounds_its_answer(q, p1, p2):
 
 @wrong("point_line_distance", slip="rounded")
 def small_is_zero(q, p1, p2):
-    """A tolerance where none was asked for."""
+    """Uses a tolerance that was not asked for."""
     d = point_line_distance(q, p1, p2)
     return 0.0 if d < 1e-3 else d
 
@@ -180,7 +181,7 @@ def zero_for_coincident_points(p1, p2, q):
 
 @wrong("point_line_distance")
 def silent_about_coincident_points(q, p1, p2):
-    """Answers where there is no line."""
+    """Returns a number where there is no line."""
     return math.dist(q, p1) if (p1 == p2).all() else point_line_distance(q, p1, p2)
 
 
@@ -189,13 +190,13 @@ def silent_about_coincident_points(q, p1, p2):
 
 @wrong("point_segment_distance", slip="line")
 def line_for_segment(q, p1, p2):
-    """The segment never ends."""
+    """Treats the segment as a line."""
     return point_line_distance(q, p1, p2) if (p1 != p2).any() else math.dist(q, p1)
 
 
 @wrong("point_segment_distance", slip="ends")
 def nearer_end(q, p1, p2):
-    """Only the ends count."""
+    """Measures only to the ends."""
     return min(math.dist(q, p1), math.dist(q, p2))
 
 
@@ -209,13 +210,13 @@ def share(q, p1, p2):
 
 @wrong("point_segment_distance", slip="one_end")
 def goes_on_beyond_p2(q, p1, p2):
-    """Bounds the share from below only."""
+    """Limits t from below only."""
     return at_share(q, p1, p2, max(0.0, share(q, p1, p2)))
 
 
 @wrong("point_segment_distance", slip="other_end")
 def goes_on_beyond_p1(q, p1, p2):
-    """Bounds the share from above only."""
+    """Limits t from above only."""
     return at_share(q, p1, p2, min(1.0, share(q, p1, p2)))
 
 
@@ -243,7 +244,7 @@ def nan_for_a_point(q, p1, p2):
 
 @wrong("point_segment_distance")
 def shows_instead_of_returning(q, p1, p2):
-    """Has no return."""
+    """Has no return statement."""
     point_segment_distance(q, p1, p2)
 
 
@@ -256,7 +257,7 @@ def always_the_first_end(q, p1, p2):
 
 @wrong("point_segment_distance")
 def never_ends(q, p1, p2):
-    """Halves an interval, and never stops."""
+    """Halves an interval forever."""
     lo, hi = 0.0, 1.0
     while lo < hi + 1:
         middle = (lo + hi) / 2
@@ -268,13 +269,13 @@ def never_ends(q, p1, p2):
 
 @wrong("point_polygon_distance", slip="vertices")
 def vertices_only(q, polygon):
-    """The edges are forgotten."""
+    """Forgets the edges."""
     return min(math.dist(q, vertex) for vertex in polygon)
 
 
 @wrong("point_polygon_distance", slip="open")
 def never_closed(q, polygon):
-    """The last edge is forgotten."""
+    """Forgets the last edge."""
     if point_in_polygon(q, polygon):
         return 0.0
     return min(point_segment_distance(q, a, b) for a, b in zip(polygon, polygon[1:]))
@@ -282,13 +283,13 @@ def never_closed(q, polygon):
 
 @wrong("point_polygon_distance", slip="rim")
 def hollow(q, polygon):
-    """The inside is forgotten."""
+    """Forgets the inside."""
     return min(point_segment_distance(q, a, b) for a, b in edges(polygon))
 
 
 @wrong("point_polygon_distance", slip="lines")
 def lines_for_edges(q, polygon):
-    """The edges do not end."""
+    """Treats the edges as lines."""
     return (
         0.0
         if point_in_polygon(q, polygon)
@@ -298,7 +299,7 @@ def lines_for_edges(q, polygon):
 
 @wrong("point_polygon_distance", slip="farthest")
 def farthest_edge(q, polygon):
-    """max where min belongs."""
+    """Uses max in place of min."""
     return (
         0.0
         if point_in_polygon(q, polygon)
@@ -308,19 +309,19 @@ def farthest_edge(q, polygon):
 
 @wrong("point_polygon_distance", slip="centre")
 def to_the_centre(q, polygon):
-    """Measures to the middle."""
+    """Measures to the mean of the vertices."""
     return math.dist(q, polygon.mean(axis=0))
 
 
 @wrong("point_polygon_distance", slip="signed")
 def negative_outside(q, polygon):
-    """A depth, not a distance."""
+    """Returns a depth, not a distance."""
     return -hollow.function(q, polygon)
 
 
 @wrong("point_polygon_distance", slip="first_edge")
 def returns_in_the_loop(q, polygon):
-    """The return stands inside the loop: only the first edge counts."""
+    """Returns inside the loop, so only the first edge counts."""
     for a, b in edges(polygon):
         return 0.0 if point_in_polygon(q, polygon) else point_segment_distance(q, a, b)
     return 0.0
@@ -328,7 +329,7 @@ def returns_in_the_loop(q, polygon):
 
 @wrong("point_polygon_distance", slip="rim")
 def counts_a_ray(q, polygon):
-    """The program of the exercise "break it"."""
+    """The program of the "break it" exercise."""
     return ray_counting_distance(q, polygon)
 
 
@@ -340,7 +341,7 @@ def two_decimals(q, polygon):
 
 @wrong("point_polygon_distance")
 def begins_at_a_thousand(q, polygon):
-    """The least so far begins with a number that is not large enough."""
+    """Starts its minimum with a number that is not large enough."""
     least = 1000.0
     for a, b in edges(polygon):
         least = min(least, point_segment_distance(q, a, b))
@@ -355,13 +356,13 @@ def rounds_to_cents(q, p1, p2):
 
 @wrong("point_segment_distance")
 def takes_short_for_a_point(q, p1, p2):
-    """A tolerance where none was asked for."""
+    """Uses a tolerance that was not asked for."""
     return math.dist(q, p1) if math.dist(p1, p2) < 0.5 else point_segment_distance(q, p1, p2)
 
 
 @wrong("point_segment_distance")
 def changes_its_input(q, p1, p2):
-    """p2 -= p1 works on the caller's array."""
+    """Uses p2 -= p1 on the caller's array."""
     before = point_segment_distance(q, p1, p2)
     p2 -= p1
     return before
@@ -369,7 +370,7 @@ def changes_its_input(q, p1, p2):
 
 @wrong("line_through_points", slip="c_unscaled")
 def c_not_divided(p1, p2):
-    """Divides a and b, and forgets c."""
+    """Divides a and b, but not c."""
     if (p1 == p2).all():
         raise ValueError("one point")
     (x, y), size = p2 - p1, math.dist(p1, p2)
@@ -378,7 +379,7 @@ def c_not_divided(p1, p2):
 
 @wrong("line_through_points")
 def takes_near_for_the_same(p1, p2):
-    """A tolerance where none was asked for."""
+    """Uses a tolerance that was not asked for."""
     if np.allclose(p1, p2, atol=0.1):
         raise ValueError("one point")
     x, y = (p2 - p1) / math.dist(p1, p2)
@@ -387,7 +388,7 @@ def takes_near_for_the_same(p1, p2):
 
 @wrong("line_through_points")
 def always_refuses(p1, p2):
-    """numpy's complaint about p1 == p2 is a ValueError too."""
+    """Compares p1 == p2, for which numpy raises a ValueError."""
     if p1 == p2:
         raise ValueError("one point")
     return 1.0, 0.0, 0.0
@@ -395,13 +396,13 @@ def always_refuses(p1, p2):
 
 @wrong("point_polygon_distance")
 def runs_off_the_end(q, polygon):
-    """polygon[i + 1] of the last i does not exist."""
+    """Uses polygon[i + 1], which does not exist for the last i."""
     return min(point_segment_distance(q, polygon[i], polygon[i + 1]) for i in range(len(polygon)))
 
 
 @wrong("point_polygon_distance")
 def inside_by_bounding_box(q, polygon):
-    """Takes the bounding box for the polygon."""
+    """Uses the bounding box in place of the polygon."""
     if (polygon.min(axis=0) <= q).all() and (q <= polygon.max(axis=0)).all():
         return 0.0
     return min(point_segment_distance(q, a, b) for a, b in edges(polygon))
@@ -424,20 +425,20 @@ def tangent(q, a, b):
 
 @wrong("polygon_tangent", slip="clockwise")
 def clockwise(q, polygon):
-    """The wrong sense."""
+    """Goes clockwise."""
     return -tangent(q, *nearest_edge(q, polygon))
 
 
 @wrong("polygon_tangent", slip="towards")
 def straight_to_the_wall(q, polygon):
-    """The way to the nearest point."""
+    """Returns the direction to the nearest point."""
     x, y = tangent(q, *nearest_edge(q, polygon))
     return -y, x
 
 
 @wrong("polygon_tangent", slip="away")
 def straight_off_the_wall(q, polygon):
-    """The way from the nearest point."""
+    """Returns the direction from the nearest point."""
     x, y = tangent(q, *nearest_edge(q, polygon))
     return y, -x
 
@@ -466,7 +467,7 @@ def along_the_edge_at_a_vertex(q, polygon):
 
 @wrong("polygon_tangent", slip="open")
 def forgets_the_closing_edge(q, polygon):
-    """The last edge is forgotten."""
+    """Forgets the last edge."""
     return tangent(
         q, *min(zip(polygon, polygon[1:]), key=lambda edge: point_segment_distance(q, *edge))
     )
@@ -474,7 +475,7 @@ def forgets_the_closing_edge(q, polygon):
 
 @wrong("polygon_tangent")
 def circles_the_centre(q, polygon):
-    """Goes round the middle of the polygon."""
+    """Circles the mean of the vertices."""
     x, y = q - polygon.mean(axis=0)
     return np.array([-y, x]) / math.hypot(x, y)
 
@@ -488,7 +489,7 @@ def an_angle(q, polygon):
 
 @wrong("polygon_tangent")
 def sleeps(q, polygon):
-    """Waits for ever."""
+    """Waits forever."""
     time.sleep(1e6)
 
 
@@ -503,25 +504,25 @@ def an_ordinary_triangle():
 
 @wrong("exposing_case")
 def a_quadrilateral():
-    """It exposes, and is not the smallest."""
+    """It exposes the program, but is not the smallest."""
     return (1, 2), [(0, 0), (4, 0), (4, 2), (0, 4)]
 
 
 @wrong("exposing_case")
 def two_points():
-    """It is no polygon."""
+    """Two points are not a polygon."""
     return (1, 2), [(0, 0), (4, 2)]
 
 
 @wrong("exposing_case")
 def crossing_edges():
-    """It is no simple polygon."""
+    """The polygon is not simple."""
     return (1, 1), [(0, 0), (4, 4), (4, 0), (0, 4)]
 
 
 @wrong("exposing_case")
 def polygon_first():
-    """The order is another."""
+    """The polygon comes first."""
     return [(0, 0), (4, 2), (0, 4)], (1, 2)
 
 
@@ -533,11 +534,11 @@ def not_a_number():
 
 @wrong("exposing_case")
 def far_away():
-    """It exposes, and its coordinates are too large."""
+    """It exposes the program, but its coordinates are too large."""
     return (1e9, 2e9), [(0, 0), (4e9, 2e9), (0, 4e9)]
 
 
 @wrong("exposing_case")
 def flat():
-    """It encloses nothing."""
+    """The polygon has no area."""
     return (1, 0), [(0, 0), (4, 0), (2, 0)]

@@ -1,4 +1,4 @@
-"""Lesson 12: what its exercises and figures claim, against independent computations."""
+"""Lesson 12: its exercises and figures, checked against independent computations."""
 
 import math
 
@@ -14,16 +14,14 @@ from kinoedu.figures import cars
 
 
 def poses(seed, n):
-    """Poses at random."""
+    """Random poses."""
     rng = np.random.default_rng(seed)
     return np.column_stack([rng.uniform(-6, 6, (n, 2)), rng.uniform(-np.pi, np.pi, n)])
 
 
 @pytest.mark.parametrize("seed", range(3))
 def test_every_word_leads_there_and_the_shortest_is_dubins(seed):
-    """Each curve ends at the goal, driven forward; no word comes twice; the least is what
-    dubins_path answers.
-    """
+    """Each curve ends at the goal, each word occurs once, the shortest is that of dubins_path."""
     for a, b in zip(poses(seed, 60), poses(seed + 10, 60)):
         curves = every_word(a, b, 1.3)
         for curve in curves:
@@ -39,9 +37,7 @@ def test_every_word_leads_there_and_the_shortest_is_dubins(seed):
 
 @pytest.mark.parametrize("seed", range(3))
 def test_the_lengths_by_circles_are_those_of_the_curves(seed):
-    """Both ways of computing a word, by tangents in turning radii and by circles in the plane,
-    agree, word by word.
-    """
+    """The lengths by tangents and by circles in the plane agree for each word."""
     for a, b in zip(poses(seed, 80), poses(seed + 20, 80)):
         by_circles = {
             word: 1.3 * (t + v) + u for word, (t, u, v) in csc_length.words_to(a, b, 1.3).items()
@@ -53,7 +49,7 @@ def test_the_lengths_by_circles_are_those_of_the_curves(seed):
 
 
 def test_cases_of_the_curves_are_as_stated():
-    """Straight ahead with both headings 0, or clear of whole turns and of circles that touch."""
+    """Straight cases have both headings 0; the others are clear of degenerate turns and circles."""
     for seed in range(4):
         for case in csc_length.CscLength().cases(np.random.default_rng(seed)):
             a, b, r = case.given.values()
@@ -66,7 +62,7 @@ def test_cases_of_the_curves_are_as_stated():
 
 @pytest.mark.parametrize("angle", [0.9, 0.3, 0.05, -0.4])
 def test_four_moves_lead_exactly_sideways(angle):
-    """Two moves, and the same two undone in the same order: across by 4 r (1 - cos angle)."""
+    """Two moves, undone in the same order, lead sideways by 4 r (1 - cos angle)."""
     r, side = 20.0, math.copysign(math.pi / 4, angle)
     controls = [(1, side), (1, -side), (-1, side), (-1, -side)]
     end = Trajectory(Car(30, 10, 20), (0, 0, 0), controls, [r * abs(angle)] * 4).poses[-1]
@@ -76,9 +72,7 @@ def test_four_moves_lead_exactly_sideways(angle):
 
 
 def test_the_program_to_break_is_right_for_no_steering_and_wrong_by_the_square_of_the_time():
-    """Nothing on a line; nearly nothing for a short time; and more for a longer one, until the
-    circle brings it back.
-    """
+    """Its error is 0 on a line, small for a short time, and larger later, up to half a circle."""
     assert exposing_drive.off_after(0.0, 1000.0) == 0.0
     assert exposing_drive.off_after(0.1, 10.0) < 1e-3
     assert exposing_drive.off_after(0.1, 20.0) == pytest.approx(
@@ -88,7 +82,7 @@ def test_the_program_to_break_is_right_for_no_steering_and_wrong_by_the_square_o
 
 
 def test_moves_agree_with_fine_steps():
-    """The exercise's truth against Runge and Kutta."""
+    """The exercise's truth agrees with Runge-Kutta steps."""
     from kinoedu.curves.integrators import runge_kutta
 
     for pose, phi in zip(poses(3, 20), np.linspace(-0.78, 0.78, 20)):
@@ -97,7 +91,7 @@ def test_moves_agree_with_fine_steps():
 
 
 def test_the_board_tells_both_ways_and_moves_what_a_pose_looks_at():
-    """Both lengths; the second handle of a pose stays at its distance."""
+    """The board shows both lengths; the second handle of a pose keeps its distance."""
     canvas = curves_board((0, 0, 0), (1, 9, 1), 2.0)
     assert f"{dubins_path((0, 0, 0), (1, 9, 1), 2.0).length:.3g} long" in repr(canvas)
     assert f"{reeds_shepp_path((0, 0, 0), (1, 9, 1), 2.0).length:.3g} long" in repr(canvas)
@@ -106,9 +100,7 @@ def test_the_board_tells_both_ways_and_moves_what_a_pose_looks_at():
 
 
 def test_ways_that_are_backed_are_dashed():
-    """One line for each control, solid forward and dashed back, ending where the trajectory
-    does.
-    """
+    """One line for each control, solid forwards and dashed backwards, to the trajectory's end."""
     from matplotlib.figure import Figure
 
     car, ax = Car(30, 10, 20), Figure().add_subplot()

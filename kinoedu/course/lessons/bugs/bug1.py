@@ -13,13 +13,11 @@ from ...exercise import Case
 from .walking import BOX, ME145, TURNS, BugExercise, is_clear, walk_of, world
 from .walks import length_of
 
-TIED = (
-    0.3  # two ways round a wall that differ by less are as good as equally long to a walk in steps
-)
+TIED = 0.3  # ways that differ by less count as equally long
 
 
 class Bug1(BugExercise):
-    """All the way round, then back to where the goal was nearest."""
+    """Bug 1: go all the way round, return to the point nearest to the goal, and leave."""
 
     name = "bug1"
     kinds = ("free", "one", "many")
@@ -27,7 +25,7 @@ class Bug1(BugExercise):
     variants = TURNS
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """No obstacle, one, and more."""
+        """No obstacle, one, and several."""
         for goal in ((3, 4), (-2, 0.5), (0, 1.02)):
             yield Case("free", world((0, 0), goal, []))
         yield Case("one", world((0, 0), (6, 0), [BOX]))
@@ -37,20 +35,21 @@ class Bug1(BugExercise):
             yield self.random_case(rng, "many", n)
 
     def plans(self, given: dict[str, Any]) -> list[Plan]:
-        """Turning left or right, going back the shorter way or on in the same direction."""
+        """Plans for both turns, and for both ways back: the shorter, or the same direction."""
         return [
             bug1(*given.values(), turn=turn, way_back=back)
             for turn, back in product(self.turns, ("shorter", "same"))
         ]
 
     def leaves_no_doubt(self, given: dict[str, Any], plan: Plan) -> bool:
-        """Nor may it be in doubt which way back is the shorter."""
+        """Whether the walk is clear, and it is also clear which way back is shorter."""
         return is_clear(given, plan) and not is_tied(given, plan)
 
 
 def is_tied(given: dict[str, Any], plan: Plan) -> bool:
-    """Whether the two ways back round an obstacle are nearly equally long, so that a walk of Bug 1
-    in steps could take either.
+    """Whether the two ways back around an obstacle are nearly equally long.
+
+    A walk of Bug 1 in steps could then take either.
     """
     walk = walk_of(plan)
     for hit, leave in zip(walk.hit, walk.leave):

@@ -14,15 +14,14 @@ from .walking import BOX, ME145, TURNS, BugExercise, world
 SPIRAL = np.array(
     [(1, -3), (9, -3), (9, 3), (3, 3), (3, 2), (8, 2), (8, -2), (2, -2), (2, 3.5), (1, 3.5)], float
 )
-
-
+# open at the top
 HORSESHOE = np.array(
     [(-5, -2), (3, -2), (3, 2), (2, 2), (2, -1), (-4, -1), (-4, 2), (-5, 2)], float
-)  # open at the top
+)
 
 
 class Bug2(BugExercise):
-    """Along the wall until the line from start to goal is met again, nearer to the goal."""
+    """Bug 2: follow the wall until the line from start to goal is met again, nearer to the goal."""
 
     name = "bug2"
     kinds = ("free", "one", "many", "spiral")
@@ -30,9 +29,7 @@ class Bug2(BugExercise):
     variants = TURNS
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """No obstacle, one, more; and one whose wall leads back to the line farther from the
-        goal.
-        """
+        """No obstacle, one, several, and walls that meet the line again farther from the goal."""
         for goal in ((3, 4), (-2, 0.5), (0, 1.02)):
             yield Case("free", world((0, 0), goal, []))
         yield Case("one", world((0, 0), (6, 0), [BOX]))
@@ -46,10 +43,10 @@ class Bug2(BugExercise):
             yield self.random_case(rng, "many", n)
 
     def plans(self, given: dict[str, Any]) -> list[Plan]:
-        """Turning left or right."""
+        """Plans for both turns."""
         return [bug2(*given.values(), turn=turn) for turn in self.turns]
 
 
 def mirrored(polygon: Array) -> Array:
-    """Upside down, counter-clockwise again."""
+    """Reflect a polygon in the x-axis, and keep it counter-clockwise."""
     return (polygon * (1.0, -1.0))[::-1]

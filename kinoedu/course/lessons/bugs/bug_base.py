@@ -11,20 +11,20 @@ from ....planners import bug_base
 from ....problems import Plan
 from ...exercise import Case
 from .walking import BOX, ME145, BugExercise, random_world, world
-from .walks import Departure
+from .walks import Violation
 
 UP = np.array([0.0, 1.0])
 
 
 class BugBase(BugExercise):
-    """Towards the goal, until it is reached or something is in the way."""
+    """Move towards the goal until it is reached or an obstacle is in the way."""
 
     name = "bug_base"
     kinds = ("free", "hit", "passes")
     source = staticmethod(bug_base)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Nothing there; something in the way; something beside the way."""
+        """No obstacle, an obstacle in the way, and obstacles beside the way."""
         yield Case("free", world((0, 0), (6, 0), []))
         yield Case("hit", world((0, 0), (6, 0), [BOX]))
         yield Case("passes", world((0, 0), (6, 0), [BOX + 4.0 * UP, BOX - 5.0 * UP]))
@@ -38,21 +38,21 @@ class BugBase(BugExercise):
             yield Case("passes", {**given, "obstacles": moved_aside(given)})
 
     def plans(self, given: dict[str, Any]) -> list[Plan]:
-        """The straight one."""
+        """The plan of the straight walk."""
         return [bug_base(*given.values())]
 
-    def end(self, given: dict[str, Any], path: Array) -> Departure | None:
-        """Whether a path ends at the goal, or nearer than a step to an obstacle."""
+    def end(self, given: dict[str, Any], path: Array) -> Violation | None:
+        """Violation where a path ends neither at the goal nor within a step of an obstacle."""
         near = 1.001 * given["step"]
         at_goal = np.linalg.norm(path[-1] - given["goal"]) <= near
         at_wall = any(
             point_polygon_distance(path[-1], obstacle) <= near for obstacle in given["obstacles"]
         )
-        return None if at_goal or at_wall else Departure("end", len(path) - 1)
+        return None if at_goal or at_wall else Violation("end", len(path) - 1)
 
 
 def moved_aside(given: dict[str, Any]) -> list[Array]:
-    """The obstacles moved off the straight way, to the left and to the right in turn."""
+    """Obstacles moved off the straight way, alternately to the left and to the right."""
     x, y = (given["goal"] - given["start"]) / np.linalg.norm(given["goal"] - given["start"])
     return [
         np.round(obstacle + (-1) ** i * 4.0 * np.array([-y, x]), 2)

@@ -1,5 +1,6 @@
-"""The exercise "break it" of lesson 2: find a world in which a mended Bug 0 does not arrive,
-although there is a way.
+"""The "break it" exercise of lesson 2: find a world in which a mended Bug 0 fails.
+
+The goal must be reachable in that world.
 """
 
 from collections.abc import Iterable, Iterator
@@ -19,12 +20,12 @@ from ...outcomes import Answer, Outcome
 from ...shapes import Listed, Record, Together
 from .walks import POINT, POLYGON
 
-FEWEST, MOST = 4, 100  # vertices: a bug that meets convex obstacles only is never led back
+FEWEST, MOST = 4, 100  # vertices; convex obstacles never lead the bug back, so 3 are too few
 FAR = 1e4
 
 
 class ExposeMendedBug(Exercise):
-    """Break it: a start, a goal and obstacles with which `mended_bug0` does not arrive."""
+    """Find a start, a goal and obstacles with which `mended_bug0` does not arrive."""
 
     name = "exposing_problem"
     lesson = "02_bug_algorithms"
@@ -33,30 +34,27 @@ class ExposeMendedBug(Exercise):
     answer = Together((POINT, POINT, Listed(POLYGON)))
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """The same question three times: each asks more of the answer."""
+        """The same question three times; each case demands more of the answer."""
         return (Case(kind, {}) for kind in self.kinds)
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """A world with a way through; in which the program does not arrive; of four vertices."""
+        """Check that the goal is reachable, that the program fails, and the number of vertices."""
         start, goal, obstacles = value
         rule = world_fault(start, goal, obstacles)
         if not rule and case.kind != "valid":
             arrives = mended_bug0(start, goal, obstacles, FAR).path is not None
-            rule = (
-                "exposes"
-                if arrives
-                else "smallest"
-                if case.kind == "smallest" and vertices(obstacles) > FEWEST
-                else ""
-            )
+            if arrives:
+                rule = "exposes"
+            elif case.kind == "smallest" and count_vertices(obstacles) > FEWEST:
+                rule = "smallest"
         return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
 
     def wanted(self, case: Case) -> str:
-        """What is asked for."""
+        """Description of what the case asks for."""
         return say(f"exposing_problem.wanted.{case.kind}")
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The world, and the walk of the program in it."""
+        """Draw the world, and the walk of the program in it."""
         from ....figures import palette, plane
 
         fault = world_fault(*outcome.value) if isinstance(outcome, Answer) else "range"
@@ -76,14 +74,14 @@ class ExposeMendedBug(Exercise):
         plane.title(self.words("picture"), ax)
 
 
-def vertices(obstacles: list[Any]) -> int:
-    """How many there are in all."""
+def count_vertices(obstacles: list[Any]) -> int:
+    """Number of vertices of all obstacles."""
     return sum(map(len, obstacles))
 
 
 def world_fault(start: Any, goal: Any, obstacles: list[Any]) -> str:
-    """The rule that keeps it from being a question for a bug, or ""."""
-    if vertices(obstacles) > MOST:
+    """Key of the rule that makes the world invalid, or ""."""
+    if count_vertices(obstacles) > MOST:
         return "range"
     numbers = np.vstack([start, goal, *obstacles])
     if not (np.abs(numbers) <= FAR).all():
@@ -104,22 +102,21 @@ def mended_bug0_walk(robot: BugRobot) -> str:
     while not robot.move_to_goal():
         hit = robot.place
         if hit in hits:
-            return (
-                "it walks in a circle for ever: it came upon the same wall at the same point again"
-            )
+            return "it walks in a circle forever: it hit the same wall at the same point again"
         hits.add(hit)
         while not (robot.can_move_to_goal() and robot.place.is_nearer_than(start)):
             robot.follow_wall()
             if robot.place == hit:
-                return "it went round the obstacle, and nowhere could it leave"
+                return "it went round the obstacle and could not leave it anywhere"
     return ""
 
 
 def mended_bug0(
     start: ArrayLike, goal: ArrayLike, obstacles: Iterable[ArrayLike], step: float
 ) -> Plan:
-    """The plan of that walk, turning left; arguments, answer and errors are those of
-    `kinoedu.bug0`.
+    """Plan of `mended_bug0_walk`, turning left.
+
+    Arguments, result and errors are those of `kinoedu.bug0`.
 
     >>> mended_bug0((0, 0), (4, 0), [[(1, -1), (2, -1), (2, 2), (1, 2)]], step=9).path.tolist()
     [[0.0, 0.0], [1.0, 0.0], [1.0, 2.0], [2.0, 2.0], [4.0, 0.0]]

@@ -1,4 +1,4 @@
-"""The exercise on Dubins' curves: an arc, a straight line, an arc. LaValle, section 15.3.1."""
+"""The exercise on Dubins curves of an arc, a straight line and an arc. LaValle, section 15.3.1."""
 
 import math
 from collections.abc import Iterator
@@ -15,15 +15,19 @@ from ..shared.car_pictures import draw_tangents
 from ..shared.driving import POSE, a_pose
 
 FULL = 2.0 * math.pi
-CLEAR = 1e-3  # so far from nothing and from a whole turn are all turns, but for the straight cases
+CLEAR = 1e-3  # all turns are this far from 0 and from 2 pi, except in the straight cases
 WORDS = {"LSL": (1, 1), "RSR": (-1, -1), "LSR": (1, -1), "RSL": (-1, 1)}
 
 
 def words_to(
     a: Array, b: Array, r: float, turn: Any = lambda angle: angle % FULL, *, crossing: bool = False
 ) -> dict[str, Any]:
-    """The turn, the straight line and the turn of each word, by its circles; `turn` measures an
-    arc's angle.
+    """First turn, straight length and last turn of each word, computed from its circles.
+
+    Parameters
+    ----------
+    turn : how the angle of an arc is measured.
+    crossing : include words whose circles cross, with a tangent of length 0.
     """
     found = {}
     for word, (first, last) in WORDS.items():
@@ -41,14 +45,14 @@ def words_to(
 
 
 def shortest_of(words: dict[str, Any], r: float, names: tuple[str, ...] = tuple(WORDS)) -> float:
-    """The length of the shortest of some words; infinite where there is none."""
+    """Length of the shortest of some words; infinity where there is none."""
     return min(
         (r * (t + v) + u for word, (t, u, v) in words.items() if word in names), default=math.inf
     )
 
 
 def csc(a: Array, b: Array, r: float) -> float:
-    """The length of the shortest of LSL, RSR, LSR and RSL."""
+    """Length of the shortest of LSL, RSR, LSR and RSL."""
     return min(curve.length for curve in every_word(a, b, r) if curve.word[1] == "S")
 
 
@@ -91,22 +95,19 @@ class CscLength(ValueExercise):
     reference = staticmethod(csc)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Straight on and half circles first; then poses of every kind, clear of whole turns."""
+        """Straight lines and half circles first, then random poses of each kind."""
         half = math.pi
         yield pair_case("straight", (0, 0, 0), (10, 0, 0), 2)
         yield pair_case("outer", (0, 0, 0), (1, 8, half), 2)
         yield pair_case("outer", (0, 0, 0), (1, -8, -half), 2)
         yield pair_case("inner", (0, 0, 0), (10, 4, 0.1), 1)
         yield pair_case("inner", (0, 0, 0), (10, -4, -0.1), 1)
-        yield pair_case(
-            "inner", (0, 0, 0), (20, 6, 0), 2
-        )  # the same heading, and not straight ahead
+        yield pair_case("inner", (0, 0, 0), (20, 6, 0), 2)  # same heading, but not straight ahead
         wanted = dict.fromkeys(("outer", "inner", "crossing"), 12)
         while any(wanted.values()):
             a, r = a_pose(rng), np.round(rng.uniform(0.5, 10), 1)
-            b = np.round(
-                [*(a[:2] + rng.uniform(0.5, 9) * r * direction(rng)), rng.uniform(-3.1, 3.1)], 2
-            )
+            place = a[:2] + rng.uniform(0.5, 9) * r * random_direction(rng)
+            b = np.round([*place, rng.uniform(-3.1, 3.1)], 2)
             kind = kind_of(a, b, r)
             if kind and wanted[kind]:
                 wanted[kind] -= 1
@@ -116,12 +117,12 @@ class CscLength(ValueExercise):
             yield pair_case("straight", (x, -y, 0), (x + far, -y, 0), int(rng.integers(1, 9)))
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The shortest curve with its circles, and both lengths."""
+        """Draw the shortest curve with its circles, and both lengths."""
         draw_tangents(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 
 
 def as_left_turns(a: Array, b: Array, r: float) -> dict[str, Any]:
-    """Right turns measured as left ones: what is left of a whole turn."""
+    """Right turns measured as left turns: the remainder of a whole turn."""
     right = {word: (first < 0, last < 0) for word, (first, last) in WORDS.items()}
     words = words_to(a, b, r).items()
     return {
@@ -131,7 +132,7 @@ def as_left_turns(a: Array, b: Array, r: float) -> dict[str, Any]:
 
 
 def without_root(a: Array, b: Array, r: float) -> dict[str, Any]:
-    """The inner tangent taken to be as long as its circles' centres are apart."""
+    """Words with the inner tangent taken to be as long as the distance of the centres."""
     words = words_to(a, b, r)
     inner = {
         word: (t, math.sqrt(u * u + 4.0 * r * r), v)
@@ -142,8 +143,9 @@ def without_root(a: Array, b: Array, r: float) -> dict[str, Any]:
 
 
 def kind_of(a: Array, b: Array, r: float) -> str:
-    """Which kind of case two poses are; "" where a turn is nearly none or nearly whole, or circles
-    nearly touch.
+    """Kind of a pair of poses; "" near a degenerate case.
+
+    A case is degenerate where a turn is nearly zero or whole, or circles nearly touch.
     """
     words = words_to(a, b, r)
     turns = np.array([turn for first, _, last in words.values() for turn in (first, last)])
@@ -156,12 +158,12 @@ def kind_of(a: Array, b: Array, r: float) -> str:
     return "outer" if min(lengths, key=lengths.__getitem__) in ("LSL", "RSR") else "inner"
 
 
-def direction(rng: np.random.Generator) -> Array:
-    """A direction in the plane."""
+def random_direction(rng: np.random.Generator) -> Array:
+    """Random direction in the plane."""
     angle = rng.uniform(-math.pi, math.pi)
     return np.array([math.cos(angle), math.sin(angle)])
 
 
 def pair_case(kind: str, a: Any, b: Any, r: float) -> Case:
-    """A case of two poses."""
+    """Case of two poses."""
     return Case(kind, {"a": np.array(a, float), "b": np.array(b, float), "r": float(r)})

@@ -18,15 +18,20 @@ from .move import drive_case
 
 
 def euler_poses(pose: Array, v: float, phi: float, t: float, wheelbase: float, n: int) -> Array:
-    """The poses at n + 1 even times by Euler's rule, shape (n + 1, 3)."""
+    """Poses at n + 1 equally spaced times by Euler's rule, shape (n + 1, 3)."""
     return integrators.euler(pose, v, math.tan(phi) / wheelbase, t, int(n))
 
 
 def by_rule(
     share: float, bend: Callable[[float], float] = math.tan, *, steps: int = 0
 ) -> Callable[..., Any]:
-    """A program whose steps go by the heading after that share of the step's turn; with another
-    curvature; with more steps.
+    """A wrong program whose steps use another heading, another curvature or more steps.
+
+    Parameters
+    ----------
+    share : the fraction of the step's turn that is added to the heading.
+    bend : the curvature times the wheelbase, as a function of phi.
+    steps : the number of extra steps.
     """
 
     def mistaken(pose: Array, v: float, phi: float, t: float, wheelbase: float, n: int) -> Any:
@@ -46,13 +51,13 @@ def by_rule(
 
 
 def by_first_heading(pose: Array, v: float, phi: float, t: float, wheelbase: float, n: int) -> Any:
-    """Each step from the start's rates: the heading turns, and nothing follows it."""
+    """Every step uses the rates at the start; only the heading turns."""
     h = np.linspace(0.0, t, n + 1)[:, None]
     return pose + h * integrators.rates(pose, v, math.tan(phi) / wheelbase)
 
 
 class Euler(PoseExercise):
-    """One control, in n steps, each straight on."""
+    """One control in n steps, each straight."""
 
     name = "euler"
     kinds = ("one", "straight", "turns", "back")
@@ -85,21 +90,19 @@ class Euler(PoseExercise):
             yield steps_case(kind, n, *numbers)
         for _ in range(12):
             pose, size, n = a_pose(rng), np.round(rng.uniform(2, 30), 1), int(rng.integers(2, 25))
-            phi, t = (
-                np.round(rng.uniform(0.1, 0.78), 2) * rng.choice([-1, 1]),
-                np.round(rng.uniform(0.5, 4) * size, 1),
-            )
+            phi = np.round(rng.uniform(0.1, 0.78), 2) * rng.choice([-1, 1])
+            t = np.round(rng.uniform(0.5, 4) * size, 1)
             yield steps_case("one", 1, pose, rng.choice([0.5, 2]), phi, t, size)
             yield steps_case("straight", n, pose, rng.choice([0.5, 2]), 0, t, size)
             yield steps_case("turns", n, pose, rng.choice([0.5, 1, 2]), phi, t, size)
             yield steps_case("back", n, pose, -rng.choice([0.5, 1, 2]), phi, t, size)
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The arc, Euler's steps, and the student's."""
+        """Draw the arc, Euler's steps, and the student's steps."""
         draw_steps(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 
 
 def steps_case(kind: str, n: int, *numbers: Any) -> Case:
-    """A case of one control in n steps."""
+    """Case of one control in n steps."""
     case = drive_case(kind, *numbers)
     return Case(kind, {**case.given, "n": n})

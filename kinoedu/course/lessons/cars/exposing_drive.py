@@ -1,6 +1,4 @@
-"""The exercise "break it" of lesson 12: a drive on which a car that takes phi for tan(phi) is
-lost.
-"""
+"""The "break it" exercise of lesson 12: a drive on which phi in place of tan(phi) fails."""
 
 import math
 from collections.abc import Iterator
@@ -21,7 +19,7 @@ STEEPEST, LONGEST, SMALL = math.pi / 4, 1000.0, 0.1
 
 
 class ExposeSmallAngles(Exercise):
-    """Break it: a steering angle and a time after which `move_by_angle` is more than 1 off."""
+    """Find a steering angle and a time after which `move_by_angle` is off by more than 1."""
 
     name = "exposing_drive"
     lesson = "12_the_car"
@@ -30,11 +28,11 @@ class ExposeSmallAngles(Exercise):
     answer = Together((Number(), Number()))
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """The same question three times: each asks more of the answer."""
+        """The same question three times; each case demands more of the answer."""
         return (Case(kind, {}) for kind in self.kinds)
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """A drive; after which the program is off; with the wheels hardly turned."""
+        """Check that the drive is valid, that the program fails, and that the angle is small."""
         phi, t = value
         rule = "" if abs(phi) <= STEEPEST and 0.0 <= t <= LONGEST else "valid"
         if not rule and case.kind != "valid":
@@ -43,28 +41,25 @@ class ExposeSmallAngles(Exercise):
         return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
 
     def wanted(self, case: Case) -> str:
-        """What is asked for."""
+        """Description of what the case asks for."""
         return say(f"exposing_drive.wanted.{case.kind}")
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The way that the car drives, and the way that the program believes in."""
-        fits = (
-            isinstance(outcome, Answer)
-            and self.value_verdict(Case("valid", {}), outcome.value).is_right
-        )
-        draw_lost(outcome.value if isinstance(outcome, Answer) and fits else None, WHEELBASE, ax)
+        """Draw the car's path, and the path that the program computes."""
+        value = outcome.value if isinstance(outcome, Answer) else None
+        if value is not None and not self.value_verdict(Case("valid", {}), value).is_right:
+            value = None
+        draw_lost(value, WHEELBASE, ax)
 
 
 def off_after(phi: float, t: float) -> float:
-    """How far the program's place is from the car's."""
-    start = np.zeros(3)
-    return math.dist(
-        moved(start, 1.0, phi, t, WHEELBASE)[:2], move_by_angle(start, 1.0, phi, t, WHEELBASE)[:2]
-    )
+    """Distance between the program's position and the car's."""
+    drive = np.zeros(3), 1.0, phi, t, WHEELBASE
+    return math.dist(moved(*drive)[:2], move_by_angle(*drive)[:2])
 
 
 def move_by_angle(pose: Array, v: float, phi: float, t: float, L: float) -> Array:
-    """The pose after driving for a time t with the speed v and the steering angle phi.
+    """Pose after driving for a time t with the speed v and the steering angle phi.
 
     It is wrong somewhere. Where?
     """

@@ -24,8 +24,9 @@ from ..shared.driving import (
 
 
 def along_heading(share: float) -> Mover:
-    """A program that goes all the distance straight, by the heading after that share of the
-    turn.
+    """A wrong program that goes straight all the distance.
+
+    It uses the heading after the given fraction of the turn.
     """
 
     def mistaken(pose: Array, v: float, phi: float, t: float, wheelbase: float) -> Any:
@@ -41,18 +42,18 @@ def along_heading(share: float) -> Mover:
 
 
 def steered(pose: Array, v: float, phi: float, t: float, wheelbase: float) -> Any:
-    """A car that goes where its front wheels point: its velocity has the direction theta + phi."""
+    """A wrong program whose car moves where its front wheels point, along theta + phi."""
     x, y, heading = moved(pose + np.array([0.0, 0.0, phi]), v, phi, t, wheelbase)
     return x, y, heading - phi
 
 
 def straight_if_small(pose: Array, v: float, phi: float, t: float, wheelbase: float) -> Array:
-    """No turn at angles that make one."""
+    """A wrong program that ignores small turns that are not negligible."""
     return moved(pose, v, 0.0 if abs(phi) < 0.03 else phi, t, wheelbase)
 
 
 def round_the_other_side(pose: Array, v: float, phi: float, t: float, wheelbase: float) -> Array:
-    """The sign of the cosines the other way, in a turn."""
+    """A wrong program with the opposite sign of the cosines in a turn."""
     right = moved(pose, v, phi, t, wheelbase)
     if phi == 0.0:
         return right
@@ -89,7 +90,7 @@ class Move(PoseExercise):
     reference = staticmethod(moved)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Whole numbers and quarters of circles first."""
+        """Integers and quarter circles first."""
         eighth, quarter = math.pi / 4, math.pi / 2
         for kind, first_pose, v, phi, t, size in (
             ("straight", (1, 2, 0), 1, 0, 5, 20),
@@ -113,24 +114,17 @@ class Move(PoseExercise):
             yield drive_case("left", pose, v, phi, t, size)
             yield drive_case("right", pose, v, -phi, t, size)
             yield drive_case("back", pose, -v, side * phi, t, size)
-            yield drive_case(
-                "long", pose, v, side * max(phi, 0.3), np.round(rng.uniform(25, 60) * size, 1), size
-            )
-            yield drive_case(
-                "nearly",
-                pose,
-                1,
-                side * 10.0 ** -int(rng.integers(11, 15)),
-                np.round(rng.uniform(5, 30), 1),
-                size,
-            )
+            long = np.round(rng.uniform(25, 60) * size, 1)
+            yield drive_case("long", pose, v, side * max(phi, 0.3), long, size)
+            tiny = side * 10.0 ** -int(rng.integers(11, 15))
+            yield drive_case("nearly", pose, 1, tiny, np.round(rng.uniform(5, 30), 1), size)
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The way that is driven, and where the student's program ends."""
+        """Draw the driven arc, and the student's final pose."""
         draw_moves(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 
 
 def drive_case(kind: str, pose: Any, v: float, phi: float, t: float, wheelbase: float) -> Case:
-    """A case of one control."""
+    """Case of one control."""
     numbers = {"v": float(v), "phi": float(phi), "t": float(t), "L": float(wheelbase)}
     return Case(kind, {"pose": np.array(pose, float), **numbers})

@@ -13,15 +13,16 @@ from ..shared.car_pictures import draw_orders
 
 
 def orders(h: Array, errors: Array) -> Array:
-    """The power with which the error falls, between neighbours: log(e_i / e_i+1) / log(h_i /
-    h_i+1), shape (n - 1,).
+    """Order of the error between neighbouring steps, shape (n - 1,).
+
+    It is log(e_i / e_i+1) / log(h_i / h_i+1).
     """
     h, errors = np.asarray(h, float), np.asarray(errors, float)
     return np.log(errors[:-1] / errors[1:]) / np.log(h[:-1] / h[1:])
 
 
 class OrderOfError(ValueExercise):
-    """From measured errors to the power of the step with which they fall."""
+    """The order of a method, from measured errors and their steps."""
 
     name = "order_of_error"
     lesson = "12_the_car"
@@ -46,7 +47,7 @@ class OrderOfError(ValueExercise):
     reference = staticmethod(orders)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Powers of two first; then as measured, with noise."""
+        """Powers of two first, then errors with noise."""
         yield order_case("halves", (0.8, 0.4), (0.06, 0.03))
         yield order_case("halves", (0.8, 0.4, 0.2), (0.32, 0.02, 0.00125))
         yield order_case("steps", (0.9, 0.3), (0.9, 0.1))
@@ -63,12 +64,12 @@ class OrderOfError(ValueExercise):
             yield order_case("floor", halves, 1e-12 * rng.uniform(1.1, 2.0, n) ** np.arange(n))
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The errors against the step, both on scales of powers."""
+        """Draw the errors against the step, both on logarithmic scales."""
         draw_orders(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 
 
 def order_case(kind: str, h: Any, errors: Any) -> Case:
-    """A case of steps and their errors."""
+    """Case of steps and their errors."""
     return Case(
         kind, {"h": np.array(h, float), "errors": np.array([float(f"{e:.4g}") for e in errors])}
     )

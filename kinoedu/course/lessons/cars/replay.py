@@ -24,7 +24,7 @@ from ..shared.driving import (
 
 
 def trajectory_poses(start: Array, controls: Array, durations: Array, wheelbase: float) -> Array:
-    """The poses at the start and after each control, shape (n + 1, 3)."""
+    """Poses at the start and after each control, shape (n + 1, 3)."""
     return replayed(
         np.asarray(start, float),
         np.reshape(controls, (-1, 2)),
@@ -36,7 +36,7 @@ def trajectory_poses(start: Array, controls: Array, durations: Array, wheelbase:
 def by_rows(
     mover: Mover, start: Array, controls: Array, durations: Array, wheelbase: float
 ) -> list[Any]:
-    """A replay by some program for one control."""
+    """Replay controls one by one with a given program."""
     poses = [np.asarray(start, float)]
     for (v, phi), t in zip(controls, durations):
         poses.append(np.asarray(mover(poses[-1], v, phi, t, wheelbase)))
@@ -44,7 +44,7 @@ def by_rows(
 
 
 class Replay(PoseExercise):
-    """Many controls, each from where the one before has led."""
+    """A sequence of controls; each starts where the one before has ended."""
 
     name = "replay"
     kinds = ("none", "one", "many", "back")
@@ -80,7 +80,7 @@ class Replay(PoseExercise):
     reference = staticmethod(trajectory_poses)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """No control, one, and the worked example first."""
+        """No control, one control, and the worked example first."""
         quarter = math.pi / 2
         yield replay_case("none", (1, 2, 0), [], [], 20)
         yield replay_case("one", (0, 0, 0), [(1, 0)], [50], 20)
@@ -94,12 +94,9 @@ class Replay(PoseExercise):
         yield replay_case("back", (0, 0, 0), [(1, 0), (-1, math.pi / 4)], [50, 20 * quarter], 20)
         for _ in range(12):
             size, n = np.round(rng.uniform(2, 30), 1), int(rng.integers(2, 6))
-            controls = np.column_stack(
-                [
-                    rng.choice([0.5, 1, 2], n),
-                    np.round(rng.uniform(0.1, 0.78, n) * rng.choice([-1, 1], n), 2),
-                ]
-            )
+            v = rng.choice([0.5, 1, 2], n)
+            phi = np.round(rng.uniform(0.1, 0.78, n) * rng.choice([-1, 1], n), 2)
+            controls = np.column_stack([v, phi])
             durations, back = np.round(rng.uniform(0.2, 1.5, n) * size, 1), np.array([1.0, 1.0])
             yield replay_case("none", a_pose(rng), [], [], size)
             yield replay_case("one", a_pose(rng), controls[:1], durations[:1], size)
@@ -108,14 +105,16 @@ class Replay(PoseExercise):
             yield replay_case("back", a_pose(rng), controls * signs, durations, size)
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The poses, and the student's."""
+        """Draw the poses, and the student's poses."""
         draw_drives(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 
 
 def replay_case(kind: str, start: Any, controls: Any, durations: Any, wheelbase: float) -> Case:
-    """A case of a trajectory."""
-    told = {
+    """Case of a trajectory."""
+    given = {
+        "start": np.array(start, float),
         "controls": np.reshape(np.array(controls, float), (-1, 2)),
         "durations": np.array(durations, float),
+        "L": float(wheelbase),
     }
-    return Case(kind, {"start": np.array(start, float), **told, "L": float(wheelbase)})
+    return Case(kind, given)

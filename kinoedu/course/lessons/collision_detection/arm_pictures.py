@@ -1,6 +1,4 @@
-"""Pictures of arms for exercises. What is true is solid and green, what the student's program says
-dashed and orange.
-"""
+"""Pictures of arms for exercises: truth solid green, student's answer dashed orange."""
 
 from typing import Any
 
@@ -13,19 +11,20 @@ from ...exercise import Case, Exercise
 LINKS = ("link 1", "link 2")
 JOINTS = "joints"
 Scene = dict[str, list[Array]]
-CORNERS = 64  # of a circle
-# figures are imported inside the functions: matplotlib is not needed until something is wrong
+CORNERS = 64  # vertices of a circle
+# figures are imported inside the functions: matplotlib is only needed for failing cases
 
 
 def circle(centre: Array, radius: float) -> Array:
-    """The outline of a disc, (64, 2)."""
+    """Outline of a disc, (64, 2)."""
     angles = 2.0 * np.pi * np.arange(CORNERS) / CORNERS
     return centre + radius * np.column_stack([np.cos(angles), np.sin(angles)])
 
 
 def bar(a: Array, b: Array, width: float, *, rounded: bool = True) -> Array:
-    """The outline of a link from a to b: with rounded ends all that is within half the width of the
-    segment, else a rectangle.
+    """Outline of a link from a to b, with rounded ends or as a rectangle.
+
+    With rounded ends it bounds all points within half the width of the segment.
     """
     along = (b - a) / np.linalg.norm(b - a)
     aside = width / 2 * np.array([-along[1], along[0]])
@@ -39,7 +38,7 @@ def bar(a: Array, b: Array, width: float, *, rounded: bool = True) -> Array:
 def draw_contact(
     exercise: Exercise, case: Case, ends: Array, value: Any, truth: int, ax: Any
 ) -> None:
-    """The discs and the arm; the link that touches green, the one that the student says dashed."""
+    """Draw the discs and the arm: the touching link green, the student's answer dashed."""
     from ....figures import palette, plane
 
     width, discs = case.given["width"], case.given["discs"]
@@ -66,9 +65,7 @@ def draw_contact(
 
 
 def draw_scene(exercise: Exercise, case: Case, truth: Scene, value: Scene | None, ax: Any) -> None:
-    """What a drawing of the arm should hold, pale; what the student's holds under the same labels,
-    dashed.
-    """
+    """Draw the right drawing pale, and the student's shapes with the same labels dashed."""
     from ....figures import palette, plane
 
     plane.frame(
@@ -80,23 +77,12 @@ def draw_scene(exercise: Exercise, case: Case, truth: Scene, value: Scene | None
         ("disc", palette.OBSTACLE),
     ):
         for ring in truth[label]:
-            ax.fill(
-                *ring.T,
-                facecolor=colour,
-                edgecolor=palette.START,
-                alpha=0.4,
-                linewidth=2.0,
-                zorder=2,
-            )
+            edge = {"edgecolor": palette.START, "linewidth": 2.0}
+            ax.fill(*ring.T, facecolor=colour, alpha=0.4, zorder=2, **edge)
         for ring in [] if value is None else value[label]:
             if len(ring) > 1:
-                ax.plot(
-                    *np.vstack([ring, ring[:1]]).T,
-                    "--",
-                    color=palette.GOAL,
-                    linewidth=2.5,
-                    zorder=4,
-                )
+                closed = np.vstack([ring, ring[:1]])
+                ax.plot(*closed.T, "--", color=palette.GOAL, linewidth=2.5, zorder=4)
         if label in LINKS:
             plane.label(truth[label][0].mean(axis=0), label, ax)
     for place in truth[JOINTS]:
@@ -111,9 +97,7 @@ def draw_scene(exercise: Exercise, case: Case, truth: Scene, value: Scene | None
 def draw_samples(
     exercise: Exercise, case: Case, truth: Array, value: Array | None, ax: Any
 ) -> None:
-    """The samples of the configuration space as they should be, and over them the student's dots as
-    crosses of their colours.
-    """
+    """Draw the right samples of the configuration space, and the student's dots as crosses."""
     from ....figures import palette, plane
 
     full = 2.0 * np.pi

@@ -1,6 +1,4 @@
-"""The exercise on C-obstacles: where may a robot's reference point not be? Bullo & Smith, chapter
-4.
-"""
+"""The exercise on C-obstacles of a robot that does not turn. Bullo & Smith, chapter 4."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -14,7 +12,7 @@ from ...exercise import RIGHT, Case, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Record
 from ..shared.random_shapes import convex_polygon, sizes
-from .convex import RING, heights
+from .convex import RING, edge_areas
 from .pictures import draw_grown_obstacle
 
 BOX = np.array([(0.0, 0.0), (2.0, 0.0), (2.0, 1.0), (0.0, 1.0)])
@@ -22,12 +20,12 @@ WEDGE = np.array([(0.0, 0.0), (2.0, 0.0), (0.0, 1.0)])
 
 
 def difference_of(robot: Array, obstacle: Array) -> Array:
-    """The C-obstacle of a convex robot and a convex obstacle, (k, 2)."""
+    """C-obstacle of a convex robot and a convex obstacle, (k, 2)."""
     return minkowski_difference(obstacle, robot)
 
 
 class CObstacle(ValueExercise):
-    """The vertices of the C-obstacle of a convex robot that moves without turning, in order."""
+    """The vertices of the C-obstacle of a convex robot that does not turn, in order."""
 
     name = "c_obstacle"
     lesson = "07_collision_detection"
@@ -49,14 +47,14 @@ class CObstacle(ValueExercise):
         ),
         Slip(
             "box",
-            lambda robot, obstacle: minkowski_difference(box_round(obstacle), box_round(robot)),
+            lambda robot, other: minkowski_difference(bounding_box(other), bounding_box(robot)),
         ),
         Slip("all", lambda robot, obstacle: (obstacle[:, None] - robot).reshape(-1, 2)),
     )
     reference = staticmethod(difference_of)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Boxes that can be done on squared paper first."""
+        """Boxes on squared paper first."""
         for kind, robot, obstacle in (
             ("boxes", BOX, [(4, 3), (8, 3), (8, 5), (4, 5)]),
             ("boxes", BOX - 1, [(4, 3), (6, 3), (6, 4), (4, 4)]),
@@ -73,40 +71,38 @@ class CObstacle(ValueExercise):
                 yield Case(kind, {"robot": mover, "obstacle": solid})
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """The same polygon; where the answer is no convex polygon at all, that is what is wrong."""
+        """Compare the polygons; an answer that is not a convex polygon breaks the rule "order"."""
         if self.same(value, self.truth(case)):
             return RIGHT
         return Verdict(0.0, case.kind if is_convex(value) else "order", self.wanted(case))
 
     def same(self, value: Any, truth: Any) -> bool:
-        """The same polygon: it may begin anywhere, go either way round, and have vertices inside
-        its edges.
-        """
+        """Compare polygons up to the first vertex, the orientation, and vertices inside edges."""
         answer = np.asarray(value, float)
         if not is_convex(answer):
             return super().same(value, truth)
         slack = self.tolerance * (1.0 + float(np.abs(truth).max()))
         return all(
-            outside(points, ring) <= slack
-            for points, ring in ((answer, truth), (truth, forwards(answer)))
+            distance_outside(points, ring) <= slack
+            for points, ring in ((answer, truth), (truth, counter_clockwise_corners(answer)))
         )
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The obstacle, the robot, the C-obstacle and the student's."""
+        """Draw the obstacle, the robot, the C-obstacle and the student's answer."""
         draw_grown_obstacle(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 
 
 def is_convex(ring: Array) -> bool:
-    """Whether points are the vertices of a convex polygon in order, either way round, but for
-    rounding.
+    """Whether points are, up to rounding, the vertices of a convex polygon in order.
+
+    Both orientations are accepted.
     """
     points = np.asarray(ring, float)
     if len(points) < 3 or not np.isfinite(points).all():
         return False
     extent = float(np.ptp(points, axis=0).max())
-    points = points[
-        np.abs(points - np.roll(points, 1, axis=0)).max(axis=1) > 1e-9 * extent
-    ]  # a vertex listed twice is one
+    # repeated vertices count once
+    points = points[np.abs(points - np.roll(points, 1, axis=0)).max(axis=1) > 1e-9 * extent]
     if len(points) < 3:
         return False
     before, after = points - np.roll(points, 1, axis=0), np.roll(points, -1, axis=0) - points
@@ -119,32 +115,32 @@ def is_convex(ring: Array) -> bool:
     )
 
 
-def forwards(ring: Array) -> Array:
-    """A convex polygon's corners, counter-clockwise."""
+def counter_clockwise_corners(ring: Array) -> Array:
+    """Vertices of a convex polygon, counter-clockwise, without those inside edges."""
     return convex_hull(ring)
 
 
-def outside(points: Array, ring: Array) -> float:
-    """How far the farthest of some points is outside of a convex ring, at most; 0 where all are in
-    it.
-    """
+def distance_outside(points: Array, ring: Array) -> float:
+    """Upper bound for how far a point lies outside a convex polygon; 0 where all are inside."""
     sides = np.linalg.norm(np.roll(ring, -1, axis=0) - ring, axis=1)
-    return float(max((-(heights(q, ring) / sides).min() for q in points), default=0.0))
+    return float(max((-(edge_areas(q, ring) / sides).min() for q in points), default=0.0))
 
 
-def box_round(ring: Array) -> Array:
-    """The smallest box round a polygon."""
+def bounding_box(ring: Array) -> Array:
+    """Bounding box of a polygon."""
     (x0, y0), (x1, y1) = ring.min(axis=0), ring.max(axis=0)
     return np.array([(x0, y0), (x1, y0), (x1, y1), (x0, y1)])
 
 
 def shapes_of(rng: np.random.Generator, n: int, size: float, kind: str) -> tuple[Array, Array]:
-    """A robot whose reference point is inside, or off it, and an obstacle somewhere; boxes, with
+    """Random robot and obstacle of a kind.
+
+    The reference point is inside the robot, or outside for one kind. The polygons are boxes, have
     parallel edges, or neither.
     """
     robot, obstacle = convex_polygon(rng, n, size), convex_polygon(rng, n + 1, size)
     if kind == "boxes":
-        robot, obstacle = box_round(robot), box_round(obstacle)
+        robot, obstacle = bounding_box(robot), bounding_box(obstacle)
     if kind == "parallel":
         obstacle = convex_hull(np.vstack([robot, robot + rng.integers(1, 2 + int(size), 2)]))
     shift = 3.0 * size if kind == "off" else 0.0

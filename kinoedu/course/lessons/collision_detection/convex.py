@@ -1,6 +1,4 @@
-"""Shared by the exercises on convex polygons: is a point in one, do two of them meet? Bullo &
-Smith, chapter 4.
-"""
+"""Shared parts of the exercises on convex polygons. Bullo & Smith, chapter 4."""
 
 import numpy as np
 
@@ -8,14 +6,13 @@ from ....geometry.checks import Array
 from ...shapes import Numbers
 
 RING = Numbers(("n", 2))
-
-
 TRIANGLE = np.array([(0.0, 0.0), (4.0, 0.0), (0.0, 4.0)])
 
 
-def heights(q: Array, P: Array) -> Array:
-    """For each edge, the last one closing the polygon, twice the area of the triangle with q:
-    positive on the left; shape (n,).
+def edge_areas(q: Array, P: Array) -> Array:
+    """Twice the signed area of the triangle of each edge and q, positive on the left; (n,).
+
+    The closing edge comes last.
     """
     along, way = np.roll(P, -1, axis=0) - P, q - P
     return along[:, 0] * way[:, 1] - along[:, 1] * way[:, 0]

@@ -13,7 +13,7 @@ from ...exercise import Case, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Record, Truth
 from ..shared.random_shapes import convex_polygon, sizes
-from .convex import RING, TRIANGLE, heights
+from .convex import RING, TRIANGLE, edge_areas
 from .pictures import draw_pair
 
 
@@ -29,11 +29,11 @@ class ConvexPolygonsIntersect(ValueExercise):
     shown = staticmethod(has_separating_edge)
     slips = (
         Slip("edges", lambda P1, P2: edges_meet(P1, P2)),
-        Slip("vertices", lambda P1, P2: some_in(P1, P2) or some_in(P2, P1)),
-        Slip("one_way", lambda P1, P2: edges_meet(P1, P2) or some_in(P1, P2)),
-        Slip("one_way", lambda P1, P2: edges_meet(P1, P2) or some_in(P2, P1)),
+        Slip("vertices", lambda P1, P2: has_vertex_in(P1, P2) or has_vertex_in(P2, P1)),
+        Slip("one_way", lambda P1, P2: edges_meet(P1, P2) or has_vertex_in(P1, P2)),
+        Slip("one_way", lambda P1, P2: edges_meet(P1, P2) or has_vertex_in(P2, P1)),
         Slip("boxes", lambda P1, P2: boxes_meet(P1, P2)),
-        Slip("open", lambda P1, P2: not (divides(P1, P2) or divides(P2, P1))),
+        Slip("open", lambda P1, P2: not (edge_divides(P1, P2) or edge_divides(P2, P1))),
         Slip("half", lambda P1, P2: not has_separating_edge(P1, P2)),
         Slip("half", lambda P1, P2: not has_separating_edge(P2, P1)),
         Slip("opposite", lambda P1, P2: not convex_polygons_intersect(P1, P2)),
@@ -41,25 +41,20 @@ class ConvexPolygonsIntersect(ValueExercise):
     reference = staticmethod(convex_polygons_intersect)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """The book's three pairs first; then larger polygons on squared paper, that stand to each
-        other in every way.
-        """
+        """The book's three pairs first, then larger polygons on squared paper of every kind."""
         unit = np.array([(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)])
         for kind, P1, P2 in (
             ("corner", 2 * unit, 2 * unit + 1),
-            ("apart", unit, moved(unit, 2, 0)),
+            ("apart", unit, translate(unit, 2, 0)),
             ("touching", [(0, 0), (1, 0), (1, 3)], [(1, 0), (2, 0), (2, 2)]),
             ("inside", 4 * unit, unit + 1),
             ("inside", unit + 1, 4 * unit),
             ("crossing", unit * (5, 1) + (0, 2), unit * (1, 5) + (2, 0)),
-            (
-                "crossing",
-                unit * (3000, 1) + (-1234, 0),
-                unit * (1, 3000) + (0, -778),
-            ),  # a few points of each edge all miss
+            # long bars, whose crossing a few sampled points of each edge would miss
+            ("crossing", unit * (3000, 1) + (-1234, 0), unit * (1, 3000) + (0, -778)),
             ("boxes", TRIANGLE, [(4, 4), (1, 4), (4, 1)]),
-            ("touching", unit, moved(unit, 1, 1)),
-            ("touching", unit, moved(unit, 1, 0)),
+            ("touching", unit, translate(unit, 1, 1)),
+            ("touching", unit, translate(unit, 1, 0)),
         ):
             yield Case(kind, {"P1": np.array(P1, float), "P2": np.array(P2, float)})
         for number, size in enumerate(sizes(3)):
@@ -68,17 +63,17 @@ class ConvexPolygonsIntersect(ValueExercise):
                 yield Case(kind, {"P1": P1, "P2": P2})
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """Both polygons, with a line between them where there is one."""
+        """Draw both polygons, with a separating line where there is one."""
         draw_pair(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 
 
-def moved(ring: Array, x: float, y: float) -> Array:
-    """A polygon elsewhere."""
+def translate(ring: Array, x: float, y: float) -> Array:
+    """Translate a polygon."""
     return ring + np.array([x, y])
 
 
 def pair_of(rng: np.random.Generator, n: int, size: float, kind: str) -> tuple[Array, Array]:
-    """Two random polygons on squared paper that stand to each other in a given way."""
+    """Random pair of polygons of a kind, on squared paper."""
     while True:
         P, Q = convex_polygon(rng, n, size), convex_polygon(rng, n + 1, size)
         if kind == "inside":
@@ -93,40 +88,40 @@ def pair_of(rng: np.random.Generator, n: int, size: float, kind: str) -> tuple[A
         )
         P = 2 * P if kind == "touching" else P
         P, Q = (P, Q) if rng.random() < 0.5 else (Q, P)
-        if way_of(P, Q) == kind:
+        if classify_pair(P, Q) == kind:
             return P + 0.0, Q + 0.0
 
 
 def moved_to_touch(rng: np.random.Generator, P: Array, Q: Array) -> Array:
-    """Q, moved so that it touches the middle or the end of an edge of P from outside."""
+    """Q, moved to touch the middle or the end of an edge of P from outside."""
     i = int(rng.integers(len(P)))
     along = P[i] - P[i - 1]
     nearest = Q[int((Q @ np.array([along[1], -along[0]])).argmin())]
     return Q + (P[i - 1] + rng.choice([0.0, 0.5]) * along - nearest)
 
 
-def way_of(P: Array, Q: Array) -> str:
-    """How two convex polygons stand to each other: one of the exercise's kinds."""
+def classify_pair(P: Array, Q: Array) -> str:
+    """Kind of a pair of convex polygons."""
     if not convex_polygons_intersect(P, Q):
         return "boxes" if boxes_meet(P, Q) else "apart"
-    if divides(P, Q) or divides(Q, P):
+    if edge_divides(P, Q) or edge_divides(Q, P):
         return "touching"
     if not edges_meet(P, Q):
         return "inside"
-    return "corner" if some_in(P, Q) or some_in(Q, P) else "crossing"
+    return "corner" if has_vertex_in(P, Q) or has_vertex_in(Q, P) else "crossing"
 
 
-def divides(P: Array, Q: Array) -> bool:
-    """Whether all of Q lies on the line of one edge of P or to the right of it."""
-    return bool(np.any(np.all([heights(q, P) <= 0 for q in Q], axis=0)))
+def edge_divides(P: Array, Q: Array) -> bool:
+    """Whether an edge of P has all of Q on its line or to its right."""
+    return bool(np.any(np.all([edge_areas(q, P) <= 0 for q in Q], axis=0)))
 
 
 def boxes_meet(P: Array, Q: Array) -> bool:
-    """Whether the smallest boxes round two polygons share a point."""
+    """Whether the bounding boxes of two polygons share a point."""
     return bool((P.min(axis=0) <= Q.max(axis=0)).all() and (Q.min(axis=0) <= P.max(axis=0)).all())
 
 
-def some_in(P: Array, Q: Array) -> bool:
+def has_vertex_in(P: Array, Q: Array) -> bool:
     """Whether a vertex of P lies in Q."""
     return bool(np.any(point_in_convex_polygon(P, Q)))
 

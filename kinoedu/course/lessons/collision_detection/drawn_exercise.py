@@ -1,4 +1,4 @@
-"""What exercises that ask for a drawing have in common."""
+"""Base class of the exercises that ask for a drawing."""
 
 from collections.abc import Callable
 from typing import Any
@@ -9,18 +9,16 @@ from ...drawn import Drawn
 from ...exercise import ValueExercise
 
 FULL = 2.0 * np.pi
-NEAR = 1e-5  # dots nearer than that are one
+NEAR = 1e-5  # dots closer than this are equal
 
 
 class DrawnExercise(ValueExercise):
-    """An exercise whose function draws into axes that it is given last; what they hold then is
-    judged.
-    """
+    """An exercise whose function draws into given axes; the contents of the axes are judged."""
 
     answer = Drawn()
 
     def call(self, function: Callable[..., Any], given: dict[str, Any]) -> Any:
-        """Hand over new axes, and look at what they hold afterwards."""
+        """Call the function with new axes as its last argument, and return the axes."""
         from ....figures.plane import plane_figure
 
         _, ax = plane_figure()
@@ -29,8 +27,9 @@ class DrawnExercise(ValueExercise):
 
 
 def same_dots(found: Any, wanted: Any, *, modulo: bool = False) -> bool:
-    """Whether rows are the same but for rounding, in any order; the first two columns modulo 2 pi
-    or not.
+    """Whether rows are equal up to rounding and order.
+
+    With `modulo`, the first two columns count modulo 2 pi.
     """
     ours, theirs = np.asarray(found, float), np.asarray(wanted, float)
     if ours.shape != theirs.shape or not np.isfinite(ours).all():

@@ -1,4 +1,4 @@
-"""The exercise on an arm among discs: which link touches one? Bullo & Smith, chapters 3 and 4."""
+"""The exercise on an arm among discs: which link is in contact? Bullo & Smith, chapters 3 and 4."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -15,19 +15,19 @@ from ..geometry.lines import POINT
 from .arm_pictures import draw_contact
 
 DISCS = Numbers(("m", 3))
-# of a unit: how far every case is from a change of its answer, but for those that touch exactly
+# distance of every case from a change of its answer, except for exact contact
 CLEAR = 1e-4
 
 
 def ends_of_links(q: Array, lengths: Array) -> Array:
-    """Base, elbow and tip of an arm whose base is the origin, (3, 2)."""
+    """Base, elbow and tip of an arm with its base at the origin, (3, 2)."""
     heading = np.cumsum(q)
     steps = np.column_stack([lengths * np.cos(heading), lengths * np.sin(heading)])
     return np.vstack([np.zeros(2), np.cumsum(steps, axis=0)])
 
 
 def gaps(q: Array, lengths: Array, width: float, discs: Array) -> Array:
-    """The distance between each link and each disc, negative where they overlap; (2, m)."""
+    """Distance between each link and each disc, negative where they overlap; (2, m)."""
     ends = ends_of_links(q, lengths)
     rows = [
         [point_segment_distance(disc[:2], a, b) - disc[2] - width / 2 for disc in discs]
@@ -37,7 +37,7 @@ def gaps(q: Array, lengths: Array, width: float, discs: Array) -> Array:
 
 
 def touched_link(q: Array, lengths: Array, width: float, discs: Array) -> int:
-    """The first link that touches a disc, 1 or 2; 0 where none does."""
+    """First link that touches a disc, 1 or 2; 0 where none does."""
     first, second = touches(q, lengths, width, discs)
     return 1 if first else 2 if second else 0
 
@@ -57,57 +57,27 @@ class LinkInContact(ValueExercise):
     answer = Whole()
     source = staticmethod(touched_link)
     slips = (
-        Slip(
-            "from_x",
-            lambda q, lengths, width, discs: touched_link(q - (0, q[0]), lengths, width, discs),
-        ),
-        Slip(
-            "degrees",
-            lambda q, lengths, width, discs: touched_link(np.radians(q), lengths, width, discs),
-        ),
-        Slip("thin", lambda q, lengths, width, discs: touched_link(q, lengths, 0.0, discs)),
-        Slip(
-            "whole_width",
-            lambda q, lengths, width, discs: touched_link(q, lengths, 2 * width, discs),
-        ),
-        Slip(
-            "centres",
-            lambda q, lengths, width, discs: touched_link(q, lengths, width, discs * (1, 1, 0)),
-        ),
+        Slip("from_x", lambda q, *others: touched_link(q - (0, q[0]), *others)),
+        Slip("degrees", lambda q, *others: touched_link(np.radians(q), *others)),
+        Slip("thin", lambda q, links, w, discs: touched_link(q, links, 0.0, discs)),
+        Slip("whole_width", lambda q, links, w, discs: touched_link(q, links, 2 * w, discs)),
+        Slip("centres", lambda q, links, w, discs: touched_link(q, links, w, discs * (1, 1, 0))),
         Slip(
             "endless",
-            lambda q, lengths, width, discs: by_distances(
-                q, lengths, width, discs, point_line_distance
-            ),
+            lambda q, links, w, discs: by_distances(q, links, w, discs, point_line_distance),
         ),
-        Slip(
-            "square",
-            lambda q, lengths, width, discs: by_distances(q, lengths, width, discs, beside),
-        ),
-        Slip(
-            "ends_only",
-            lambda q, lengths, width, discs: by_distances(q, lengths, width, discs, nearer_end),
-        ),
-        Slip(
-            "one_disc", lambda q, lengths, width, discs: touched_link(q, lengths, width, discs[:1])
-        ),
-        Slip(
-            "one_disc", lambda q, lengths, width, discs: touched_link(q, lengths, width, discs[-1:])
-        ),
-        Slip(
-            "second_first", lambda q, lengths, width, discs: second_first(q, lengths, width, discs)
-        ),
-        Slip("disc_first", lambda q, lengths, width, discs: disc_first(q, lengths, width, discs)),
-        Slip(
-            "open", lambda q, lengths, width, discs: touched_link(q, lengths, width - 1e-9, discs)
-        ),
+        Slip("square", lambda q, links, w, discs: by_distances(q, links, w, discs, beside)),
+        Slip("ends_only", lambda q, links, w, discs: by_distances(q, links, w, discs, nearer_end)),
+        Slip("one_disc", lambda q, links, w, discs: touched_link(q, links, w, discs[:1])),
+        Slip("one_disc", lambda q, links, w, discs: touched_link(q, links, w, discs[-1:])),
+        Slip("second_first", lambda *arm: second_first(*arm)),
+        Slip("disc_first", lambda *arm: disc_first(*arm)),
+        Slip("open", lambda q, links, w, discs: touched_link(q, links, w - 1e-9, discs)),
     )
     reference = staticmethod(touched_link)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """An arm that lies on the x-axis first, so that all can be done on squared paper; then
-        any.
-        """
+        """Arms along the x-axis first, on squared paper; then any arms."""
         for kind, q, *discs in (
             ("free", (0, 0), (1, 2, 0.5)),
             ("link_2", (0, 0), (3, 1, 1)),
@@ -129,7 +99,7 @@ class LinkInContact(ValueExercise):
                 yield random_case(rng, kind, 1 + number // 3)
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The discs and the arm, its links numbered."""
+        """Draw the discs and the arm with numbered links."""
         ends, value = (
             ends_of_links(case.given["q"], case.given["lengths"]),
             outcome.value if isinstance(outcome, Answer) else None,
@@ -138,21 +108,14 @@ class LinkInContact(ValueExercise):
 
 
 def case_of(kind: str, q: Any, lengths: Any, width: float, discs: Any) -> Case:
-    """A case of an arm and discs, rows x, y, r."""
+    """Case of an arm and discs with rows x, y, r."""
     rows = np.array(discs, float).reshape(-1, 3)
-    return Case(
-        kind,
-        {
-            "q": np.array(q, float),
-            "lengths": np.array(lengths, float),
-            "width": float(width),
-            "discs": rows,
-        },
-    )
+    arm = {"q": np.array(q, float), "lengths": np.array(lengths, float), "width": float(width)}
+    return Case(kind, {**arm, "discs": rows})
 
 
 def random_case(rng: np.random.Generator, kind: str, n: int) -> Case:
-    """A random arm among n discs that is a case of a kind."""
+    """Random case of a kind: an arm among n discs."""
     while True:
         lengths, width = (
             np.round(rng.uniform(0.5, 3.0, 2), 2),
@@ -165,7 +128,7 @@ def random_case(rng: np.random.Generator, kind: str, n: int) -> Case:
         discs = np.column_stack(
             [rng.uniform(-reach, reach, (n, 2)), rng.uniform(0.05, 0.3 if n > 1 else 0.8, n)]
         )
-        if kind == "end":  # just beyond the tip, in the rounded end
+        if kind == "end":  # just beyond the tip, at the rounded end
             out = (ends[2] - ends[1]) / lengths[1]
             discs[-1, :2] = ends[2] + out * (discs[-1, 2] + width * rng.uniform(0.3, 0.45))
         discs = np.round(discs, 3)
@@ -178,8 +141,9 @@ def random_case(rng: np.random.Generator, kind: str, n: int) -> Case:
 
 
 def touching_case(rng: np.random.Generator, n: int) -> Case:
-    """An arm along the x-axis that touches the last of n discs, exactly, at any eighth: eighths are
-    not rounded.
+    """Case of an arm along the x-axis that exactly touches the last of n discs.
+
+    All numbers are multiples of an eighth, which floats represent exactly.
     """
     lengths, half = rng.integers(4, 17, 2) / 4.0, int(rng.integers(1, 5)) / 8.0
     radius, along = int(rng.integers(2, 9)) / 8.0, int(rng.integers(1, 8 * lengths[0])) / 8.0
@@ -190,7 +154,7 @@ def touching_case(rng: np.random.Generator, n: int) -> Case:
 
 
 def kind_of(q: Array, lengths: Array, width: float, discs: Array) -> str:
-    """The kind of a case that does not touch exactly."""
+    """Kind of a case without exact contact."""
     first, second = touches(q, lengths, width, discs)
     if first:
         return "both" if second else "link_1"
@@ -200,7 +164,7 @@ def kind_of(q: Array, lengths: Array, width: float, discs: Array) -> str:
 
 
 def by_distances(q: Array, lengths: Array, width: float, discs: Array, distance: Any) -> int:
-    """The answer by another distance from a point to a segment."""
+    """The answer with another distance from a point to a segment."""
     ends = ends_of_links(q, lengths)
     for link, (a, b) in enumerate(zip(ends, ends[1:]), 1):
         if any(distance(disc[:2], a, b) <= width / 2 + disc[2] for disc in discs):
@@ -209,13 +173,13 @@ def by_distances(q: Array, lengths: Array, width: float, discs: Array, distance:
 
 
 def beside(p: Array, a: Array, b: Array) -> float:
-    """The distance from a point to a segment, infinite beyond its ends."""
+    """Distance from a point to a segment, infinite beyond its ends."""
     share = np.dot(p - a, b - a) / np.dot(b - a, b - a)
     return point_line_distance(p, a, b) if 0.0 <= share <= 1.0 else np.inf
 
 
 def nearer_end(p: Array, a: Array, b: Array) -> float:
-    """The distance from a point to the nearer end of a segment."""
+    """Distance from a point to the nearer end of a segment."""
     return float(min(np.linalg.norm(p - a), np.linalg.norm(p - b)))
 
 
@@ -226,6 +190,6 @@ def second_first(q: Array, lengths: Array, width: float, discs: Array) -> int:
 
 
 def disc_first(q: Array, lengths: Array, width: float, discs: Array) -> int:
-    """The link that touches the first disc that is touched."""
+    """The link that touches the first touched disc."""
     answers = [touched_link(q, lengths, width, disc[None]) for disc in discs]
     return next((link for link in answers if link), 0)

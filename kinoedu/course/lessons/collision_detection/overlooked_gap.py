@@ -1,6 +1,4 @@
-"""The exercise "break it" of lesson 7: two polygons that are apart, of which a program says that
-they meet.
-"""
+"""The "break it" exercise of lesson 7: find two polygons whose gap a program overlooks."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -20,7 +18,7 @@ from .pictures import draw_gap
 
 
 class OverlookedGap(Exercise):
-    """Break it: two convex polygons for which `half_separating` is wrong."""
+    """Find two convex polygons for which `half_separating` is wrong."""
 
     name = "overlooked_gap"
     lesson = "07_collision_detection"
@@ -29,11 +27,11 @@ class OverlookedGap(Exercise):
     answer = Together((RING, RING))
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """The same question three times: each asks more of the answer."""
+        """The same question three times; each case demands more of the answer."""
         return (Case(kind, {}) for kind in self.kinds)
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """Two convex polygons; on which the program is wrong; triangles."""
+        """Check that both polygons are convex, the program is wrong, and both are triangles."""
         rule = polygon_fault(*value)
         if not rule and case.kind != "valid":
             P1, P2 = (as_convex_ring(ring) for ring in value)
@@ -44,11 +42,11 @@ class OverlookedGap(Exercise):
         return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
 
     def wanted(self, case: Case) -> str:
-        """What is asked for."""
+        """Description of what the case asks for."""
         return say(f"overlooked_gap.wanted.{case.kind}")
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """Both polygons, and a line between them where there is one."""
+        """Draw both polygons, with a separating line where there is one."""
         good = isinstance(outcome, Answer) and not polygon_fault(*outcome.value)
         rings = (
             (as_convex_ring(outcome.value[0]), as_convex_ring(outcome.value[1]))
@@ -59,7 +57,7 @@ class OverlookedGap(Exercise):
 
 
 def polygon_fault(P1: Array, P2: Array) -> str:
-    """The rule that keeps one of them from being a convex polygon, or ""."""
+    """Key of the rule that makes a polygon invalid, or ""."""
     for ring in (P1, P2):
         if not np.isfinite(ring).all() or np.abs(ring).max(initial=0.0) > 1e4:
             return "range"
@@ -71,8 +69,9 @@ def polygon_fault(P1: Array, P2: Array) -> str:
 
 
 def half_separating(P1: Array, P2: Array) -> bool:
-    """Whether two convex polygons share a point: they do not if all of P2 lies to the right of an
-    edge of P1.
+    """Whether two convex polygons share a point.
+
+    They do not if all of P2 lies to the right of an edge of P1.
 
     It is wrong somewhere. Where?
     """

@@ -1,6 +1,4 @@
-"""Pictures of failing cases of lesson 7. What is true is solid and green, what the student's
-program says dashed and orange.
-"""
+"""Pictures of failing cases of lesson 7: truth solid green, student's answer dashed orange."""
 
 from typing import Any
 
@@ -10,11 +8,11 @@ from ....geometry.checks import Array
 from ....words import say
 from ...exercise import Case, ValueExercise
 
-# figures are imported inside the functions: matplotlib is not needed until something is wrong
+# figures are imported inside the functions: matplotlib is only needed for failing cases
 
 
 def draw_membership(exercise: ValueExercise, case: Case, value: Any, ax: Any) -> None:
-    """The polygon, q, and dashed the lines of the edges that have q on their right."""
+    """Draw the polygon, q, and dashed lines through the edges that have q on their right."""
     from ....figures import palette, plane
 
     q, P = case.given["q"], case.given["P"]
@@ -26,11 +24,11 @@ def draw_membership(exercise: ValueExercise, case: Case, value: Any, ax: Any) ->
             plane.endless((-y, x, y * a[0] - x * a[1]), "", ax, colour=palette.START, style=":")
             plane.stretch(a, b, "", ax, colour=palette.START, width=4.0)
     plane.dot(q, "q", ax)
-    finish(exercise, case, value, ax)
+    write_answer_and_title(exercise, case, value, ax)
 
 
 def draw_segments(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
-    """Both segments; the points they share, and the student's."""
+    """Draw both segments, their common points, and the student's points."""
     from ....figures import palette, plane
 
     p1, p2, p3, p4 = case.given.values()
@@ -56,15 +54,13 @@ def draw_segments(exercise: ValueExercise, case: Case, value: Array | None, ax: 
 
 
 def draw_pair(exercise: ValueExercise, case: Case, value: Any, ax: Any) -> None:
-    """Both polygons; an edge that has the other polygon on its right, with its line, where there is
-    one.
-    """
-    pair(case.given["P1"], case.given["P2"], ax)
-    finish(exercise, case, value, ax)
+    """Draw both polygons, and a separating edge with its line where there is one."""
+    draw_polygons(case.given["P1"], case.given["P2"], ax)
+    write_answer_and_title(exercise, case, value, ax)
 
 
-def pair(P: Array, Q: Array, ax: Any) -> None:
-    """Two polygons, and a line between them where there is one."""
+def draw_polygons(P: Array, Q: Array, ax: Any) -> None:
+    """Draw two polygons, and a separating line where there is one."""
     from ....figures import palette, plane
 
     plane.frame(np.vstack([P, Q]), ax, margin=0.2)
@@ -81,7 +77,7 @@ def pair(P: Array, Q: Array, ax: Any) -> None:
 
 
 def draw_grown_obstacle(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
-    """The obstacle, the robot at its reference point, the C-obstacle, and the student's."""
+    """Draw the obstacle, the robot at its reference point, and both C-obstacles."""
     from ....figures import palette, plane
 
     robot, obstacle, truth = case.given["robot"], case.given["obstacle"], exercise.truth(case)
@@ -96,34 +92,27 @@ def draw_grown_obstacle(exercise: ValueExercise, case: Case, value: Array | None
     ax.fill(*truth.T, facecolor="none", edgecolor=palette.START, linewidth=2.5, zorder=4)
     plane.dot((0, 0), say("collision_picture.reference"), ax)
     if len(shown):
-        ax.plot(
-            *np.vstack([shown, shown[:1]]).T,
-            "--o",
-            color=palette.GOAL,
-            linewidth=2.2,
-            zorder=5,
-            scalex=False,
-            scaley=False,
-        )
+        closed, dashed = np.vstack([shown, shown[:1]]), {"color": palette.GOAL, "linewidth": 2.2}
+        ax.plot(*closed.T, "--o", zorder=5, scalex=False, scaley=False, **dashed)
     if value is None:
         plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
     plane.title(exercise.words(f"pictures.{case.kind}"), ax)
 
 
 def draw_gap(exercise: Any, value: tuple[Array, Array] | None, ax: Any) -> None:
-    """Two polygons that a student gave."""
+    """Draw the two polygons that a student returned."""
     from ....figures import palette, plane
 
     if value is None:
         plane.frame([(0, 0), (1, 1)], ax)
         plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
     else:
-        pair(value[0], value[1], ax)
+        draw_polygons(value[0], value[1], ax)
     plane.title(exercise.words("picture"), ax)
 
 
-def finish(exercise: ValueExercise, case: Case, value: Any, ax: Any) -> None:
-    """What was answered, and what to see."""
+def write_answer_and_title(exercise: ValueExercise, case: Case, value: Any, ax: Any) -> None:
+    """Write the student's answer into the corner, and the title."""
     from ....figures import palette, plane
 
     plane.corner_note(

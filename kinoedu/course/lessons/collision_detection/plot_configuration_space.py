@@ -1,6 +1,4 @@
-"""The exercise that asks for a drawing of samples of an arm's configuration space. Bullo & Smith,
-chapter 4.
-"""
+"""The exercise on drawing samples of an arm's configuration space. Bullo & Smith, chapter 4."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -18,12 +16,13 @@ from .arm_pictures import draw_samples
 from .drawn_exercise import FULL, DrawnExercise, same_dots
 from .link_in_contact import DISCS, gaps, random_case, touched_link
 
-OTHER = 9  # stands for a colour that is none of the three
+OTHER = 9  # a colour that is none of the three
 
 
 class PlotConfigurationSpace(DrawnExercise):
-    """Samples of the configuration space as dots: black where link 1 touches a disc, red where link
-    2 does, blue where free.
+    """Samples of the configuration space as dots: black and red for contacts, blue for free.
+
+    Black is contact of link 1, red is contact of link 2.
     """
 
     name = "plot_configuration_space"
@@ -31,44 +30,40 @@ class PlotConfigurationSpace(DrawnExercise):
     kinds = ("grid", "random", "halton")
     given = Record(samples=Numbers(("n", 2)), lengths=POINT, width=Number(), discs=DISCS)
     slips = (
-        Slip("unscaled", lambda samples, *arm: coloured(samples, samples, *arm)),
-        Slip("unscaled_dots", lambda samples, *arm: coloured(samples, FULL * samples, *arm)),
-        Slip("unscaled_links", lambda samples, *arm: coloured(FULL * samples, samples, *arm)),
-        Slip("root", lambda samples, *arm: rightly(samples[: int(np.sqrt(len(samples)))], *arm)),
-        Slip("degrees", lambda samples, *arm: coloured(360 * samples, FULL * samples, *arm)),
+        Slip("unscaled", lambda samples, *arm: colour_dots(samples, samples, *arm)),
+        Slip("unscaled_dots", lambda samples, *arm: colour_dots(samples, FULL * samples, *arm)),
+        Slip("unscaled_links", lambda samples, *arm: colour_dots(FULL * samples, samples, *arm)),
+        Slip("root", lambda samples, *arm: right_dots(samples[: int(np.sqrt(len(samples)))], *arm)),
+        Slip("degrees", lambda samples, *arm: colour_dots(360 * samples, FULL * samples, *arm)),
         Slip(
             "transposed",
-            lambda samples, *arm: coloured(FULL * samples[:, ::-1], FULL * samples, *arm),
+            lambda samples, *arm: colour_dots(FULL * samples[:, ::-1], FULL * samples, *arm),
         ),
         Slip(
             "only_free",
-            lambda samples, *arm: np.array([dot for dot in rightly(samples, *arm) if dot[2] == 0]),
+            lambda *given: np.array([dot for dot in right_dots(*given) if dot[2] == 0]),
         ),
-        Slip("one_red", lambda samples, *arm: recoloured(rightly(samples, *arm), (0, 2, 2))),
-        Slip("swapped", lambda samples, *arm: recoloured(rightly(samples, *arm), (0, 2, 1))),
+        Slip("one_red", lambda *given: replace_colours(right_dots(*given), (0, 2, 2))),
+        Slip("swapped", lambda *given: replace_colours(right_dots(*given), (0, 2, 1))),
     )
 
     @staticmethod
     def reference(*given: Any) -> Any:
         """Rows of both angles and the link."""
-        return rightly(*given)
+        return right_dots(*given)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Few samples first, each sampler in turn; no sample is so near to a change that rounding
-        would count.
-        """
+        """Few samples first, with each sampler; every sample is clearly in contact or free."""
         for number in range(10):
             for kind in self.kinds:
                 yield Case(kind, sampled_arm(rng, kind, 2 + number))
 
     def same(self, value: Any, truth: Any) -> bool:
-        """The same dots of the same shades, in any order, angles modulo 2 pi."""
+        """Compare dots with their colours, up to order and whole turns."""
         return same_dots(dots_of(value), truth, modulo=True)
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """First the number of dots, then where they are, then their colours: one of the three, and
-        the right one.
-        """
+        """Check the number of dots, their places, that colours are known, then the colours."""
         truth, found = self.truth(case), dots_of(value)
         if same_dots(found, truth, modulo=True):
             return RIGHT
@@ -82,34 +77,27 @@ class PlotConfigurationSpace(DrawnExercise):
         )
 
     def answer_words(self, case: Case, value: Any) -> str:
-        """How many dots of each colour."""
-        return counted(dots_of(value))
+        """Number of dots of each colour."""
+        return describe_counts(dots_of(value))
 
     def wanted(self, case: Case) -> str:
-        """How many dots of each colour."""
-        return counted(self.truth(case))
+        """Number of dots of each colour."""
+        return describe_counts(self.truth(case))
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The right dots as rings, the student's in them."""
-        draw_samples(
-            self,
-            case,
-            self.truth(case),
-            dots_of(outcome.value) if isinstance(outcome, Answer) else None,
-            ax,
-        )
+        """Draw the right dots as rings, and the student's dots inside them."""
+        dots = dots_of(outcome.value) if isinstance(outcome, Answer) else None
+        draw_samples(self, case, self.truth(case), dots, ax)
 
 
 def dots_of(plot: Any) -> Array:
-    """The dots of a plot as rows of both angles and the link that their colour stands for, or
-    OTHER.
-    """
+    """Dots of a plot as rows of both angles and the link of their colour, or OTHER."""
     rows = [(*point, shade(one["colour"])) for one in plot["dots"] for point in one["points"]]
     return np.array(rows, float).reshape(-1, 3)
 
 
 def shade(colour: str) -> int:
-    """0 for any blue, 1 for any black, 2 for any red, OTHER for another colour."""
+    """0 for any blue, 1 for any black, 2 for any red, OTHER for other colours."""
     if colour == "none":
         return OTHER
     red, green, blue = (int(colour[i : i + 2], 16) for i in (1, 3, 5))
@@ -120,23 +108,26 @@ def shade(colour: str) -> int:
     return 0 if blue > 100 and blue > 1.2 * max(red, green) else OTHER
 
 
-def recoloured(dots: Array, links: tuple[int, int, int]) -> Array:
-    """Dots in the colours of other links."""
+def replace_colours(dots: Array, links: tuple[int, int, int]) -> Array:
+    """Dots with the colours of other links."""
     return np.column_stack([dots[:, :2], np.array(links)[dots[:, 2].astype(int)]])
 
 
-def coloured(places: Array, samples: Array, lengths: Array, width: float, discs: Array) -> Array:
-    """Dots at places in the colours of samples, rows of two angles and a link."""
+def colour_dots(places: Array, samples: Array, lengths: Array, width: float, discs: Array) -> Array:
+    """Dots at given places, with the colours of other samples.
+
+    Samples are rows of two angles and a link.
+    """
     return np.column_stack([places, [touched_link(q, lengths, width, discs) for q in samples]])
 
 
-def rightly(samples: Array, *arm: Any) -> Array:
-    """Dots as they should be, for samples in the unit square."""
-    return coloured(FULL * samples, FULL * samples, *arm)
+def right_dots(samples: Array, *arm: Any) -> Array:
+    """The right dots for samples of the unit square."""
+    return colour_dots(FULL * samples, FULL * samples, *arm)
 
 
-def counted(dots: Array) -> str:
-    """How many dots there are of each colour."""
+def describe_counts(dots: Array) -> str:
+    """Number of dots of each colour."""
     blue, black, red = (int((dots[:, 2] == link).sum()) for link in range(3))
     counts = {"all": len(dots), "blue": blue, "black": black, "red": red}
     others = len(dots) - blue - black - red
@@ -146,7 +137,7 @@ def counted(dots: Array) -> str:
 
 
 def sampled_arm(rng: np.random.Generator, kind: str, k: int) -> dict[str, Any]:
-    """An arm, discs and k * k samples of a kind, of all three colours if there are many."""
+    """Random arm and discs with k * k samples; where there are many, of all three colours."""
     while True:
         arm = random_case(rng, "both", 1 + k // 5).given
         given = {
@@ -156,14 +147,15 @@ def sampled_arm(rng: np.random.Generator, kind: str, k: int) -> dict[str, Any]:
         margin = min(
             np.abs(gaps(FULL * q, *list(given.values())[1:])).min() for q in given["samples"]
         )
-        if margin > 1e-6 and len(np.unique(rightly(*given.values())[:, 2])) >= (3 if k > 4 else 2):
+        if margin <= 1e-6:
+            continue
+        colours = np.unique(right_dots(*given.values())[:, 2])
+        if len(colours) >= (3 if k > 4 else 2):
             return given
 
 
 def unit_samples(rng: np.random.Generator, kind: str, k: int) -> Array:
-    """k * k samples of the unit square: cell centres of a grid, random ones, or Halton's from a
-    random start.
-    """
+    """k * k samples of the unit square: cell centres, random, or Halton's from a random start."""
     if kind == "grid":
         return sukharev_grid(k * k)
     return (

@@ -1,4 +1,4 @@
-"""The exercise that asks for a drawing of an arm among discs."""
+"""The exercise on drawing an arm among discs."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -17,33 +17,19 @@ from .link_in_contact import DISCS, ends_of_links, random_case
 
 
 class PlotEnvironment(DrawnExercise):
-    """The links, the joints and the discs, each under its label."""
+    """The links, the joints and the discs, each with its label."""
 
     name = "plot_environment"
     lesson = "07_collision_detection"
     kinds = ("straight", "bent", "several")
     given = Record(q=POINT, lengths=POINT, width=Number(), discs=DISCS)
     slips = (
-        Slip(
-            "square",
-            lambda q, lengths, width, discs: scene_of(q, lengths, width, discs, rounded=False),
-        ),
-        Slip(
-            "from_x",
-            lambda q, lengths, width, discs: scene_of(q - (0, q[0]), lengths, width, discs),
-        ),
-        Slip(
-            "degrees",
-            lambda q, lengths, width, discs: scene_of(np.radians(q), lengths, width, discs),
-        ),
-        Slip(
-            "whole_width", lambda q, lengths, width, discs: scene_of(q, lengths, 2 * width, discs)
-        ),
-        Slip(
-            "half_discs",
-            lambda q, lengths, width, discs: scene_of(q, lengths, width, discs * (1, 1, 0.5)),
-        ),
-        Slip("one_disc", lambda q, lengths, width, discs: scene_of(q, lengths, width, discs[:1])),
+        Slip("square", lambda q, links, w, discs: scene_of(q, links, w, discs, rounded=False)),
+        Slip("from_x", lambda q, *others: scene_of(q - (0, q[0]), *others)),
+        Slip("degrees", lambda q, *others: scene_of(np.radians(q), *others)),
+        Slip("whole_width", lambda q, links, w, discs: scene_of(q, links, 2 * w, discs)),
+        Slip("half_discs", lambda q, links, w, discs: scene_of(q, links, w, discs * (1, 1, 0.5))),
+        Slip("one_disc", lambda q, links, w, discs: scene_of(q, links, w, discs[:1])),
     )
 
     @staticmethod
@@ -52,7 +38,7 @@ class PlotEnvironment(DrawnExercise):
         return scene_of(*given)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """An arm along the x-axis, one that is bent by a right angle, then any."""
+        """An arm along the x-axis, one bent by a right angle, then any arms."""
         for kind, q in (
             ("straight", (0, 0)),
             ("bent", (0, np.pi / 2)),
@@ -66,11 +52,11 @@ class PlotEnvironment(DrawnExercise):
                 yield Case(kind, {**given, "q": given["q"] * (1, kind != "straight")})
 
     def same(self, value: Any, truth: Any) -> bool:
-        """Every label stands for the same region."""
+        """Whether every label has the same region."""
         return self.fault(value, truth) == ""
 
     def fault(self, value: Any, truth: Any) -> str:
-        """The first rule that a drawing breaks, or ""."""
+        """First rule that a drawing breaks, or ""."""
         found, wanted = (drawn_scene(one) if "dots" in one else one for one in (value, truth))
         rules = dict(zip((*LINKS, "disc"), ("first", "second", "discs")))
         missing = [
@@ -84,19 +70,19 @@ class PlotEnvironment(DrawnExercise):
         return wrong[0] if wrong else "" if same_dots(found[JOINTS], wanted[JOINTS]) else JOINTS
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """Labels, then links, discs and joints."""
+        """Check labels, links, discs and joints."""
         rule = self.fault(value, self.truth(case))
         return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
 
     def answer_words(self, case: Case, value: Any) -> str:
-        """How many shapes and dots of each label."""
+        """Number of shapes or dots of each label."""
         counts = ", ".join(
             f"{label!r}: {len(shapes)}" for label, shapes in drawn_scene(value).items()
         )
         return say("plot_environment.answered", counts=counts)
 
     def wanted(self, case: Case) -> str:
-        """The same in words."""
+        """Description of the right drawing."""
         elbow, tip = ends_of_links(case.given["q"], case.given["lengths"])[1:].round(3).tolist()
         return say(
             "plot_environment.wanted",
@@ -106,20 +92,15 @@ class PlotEnvironment(DrawnExercise):
         )
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """What should be drawn pale, what is drawn dashed."""
-        draw_scene(
-            self,
-            case,
-            self.truth(case),
-            drawn_scene(outcome.value) if isinstance(outcome, Answer) else None,
-            ax,
-        )
+        """Draw the right drawing pale, and the student's dashed."""
+        drawn = drawn_scene(outcome.value) if isinstance(outcome, Answer) else None
+        draw_scene(self, case, self.truth(case), drawn, ax)
 
 
 def scene_of(
     q: Array, lengths: Array, width: float, discs: Array, *, rounded: bool = True
 ) -> Scene:
-    """The outlines that a drawing of the arm holds, and the joints, by their labels."""
+    """Outlines and joints of the right drawing, by their labels."""
     ends = ends_of_links(q, lengths)
     links = {
         label: [bar(a, b, width, rounded=rounded)] for label, a, b in zip(LINKS, ends, ends[1:])
@@ -128,7 +109,7 @@ def scene_of(
 
 
 def drawn_scene(plot: Any) -> Scene:
-    """What a plot holds under each of the labels: closed outlines, and for the joints dots."""
+    """Contents of a plot by label: closed outlines, and dots for the joints."""
     shapes = [*plot["polygons"], *plot["lines"]]
     scene = {
         label: [one["points"] for one in shapes if one["label"] == label]
@@ -141,7 +122,7 @@ def drawn_scene(plot: Any) -> Scene:
 
 
 def same_region(found: list[Array], wanted: list[Array]) -> bool:
-    """Whether outlines enclose the same together, but for a hundredth of the area."""
+    """Whether outlines together enclose the same region, up to a hundredth of its area."""
     import shapely
 
     def together(rings: list[Array]) -> Any:

@@ -13,7 +13,7 @@ from ...outcomes import Answer, Outcome
 from ...shapes import Record, Truth
 from ..geometry.lines import POINT
 from ..shared.random_shapes import convex_polygon, sizes
-from .convex import RING, TRIANGLE, heights
+from .convex import RING, TRIANGLE, edge_areas
 from .pictures import draw_membership
 
 SQUARE = np.array([(0.0, 0.0), (3.0, 0.0), (3.0, 3.0), (0.0, 3.0)])
@@ -30,20 +30,21 @@ class PointInConvexPolygon(ValueExercise):
     source = staticmethod(point_in_convex_polygon)
     shown = staticmethod(in_convex)
     slips = (
-        Slip("strict", lambda q, P: bool((heights(q, P) > 0).all())),
-        Slip("clockwise", lambda q, P: bool((heights(q, P) <= 0).all())),
-        Slip("open", lambda q, P: bool((heights(q, P)[:-1] >= 0).all())),
-        Slip("any", lambda q, P: bool((heights(q, P) >= 0).any())),
-        Slip("first", lambda q, P: bool(heights(q, P)[0] >= 0)),
-        Slip("on_line", lambda q, P: bool((heights(q, P) == 0).any() or (heights(q, P) > 0).all())),
+        Slip("strict", lambda q, P: bool((edge_areas(q, P) > 0).all())),
+        Slip("clockwise", lambda q, P: bool((edge_areas(q, P) <= 0).all())),
+        Slip("open", lambda q, P: bool((edge_areas(q, P)[:-1] >= 0).all())),
+        Slip("any", lambda q, P: bool((edge_areas(q, P) >= 0).any())),
+        Slip("first", lambda q, P: bool(edge_areas(q, P)[0] >= 0)),
+        Slip(
+            "on_line",
+            lambda q, P: bool((edge_areas(q, P) == 0).any() or (edge_areas(q, P) > 0).all()),
+        ),
         Slip("box", lambda q, P: bool((P.min(axis=0) <= q).all() and (q <= P.max(axis=0)).all())),
     )
     reference = staticmethod(point_in_convex_polygon)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """The book's square first; then larger polygons on squared paper, with a point of every
-        kind.
-        """
+        """The book's square first, then larger polygons on squared paper, with every kind of q."""
         for kind, q, P in (
             ("inside", (2, 2), SQUARE),
             ("outside", (2, 4), SQUARE),
@@ -62,13 +63,14 @@ class PointInConvexPolygon(ValueExercise):
                 yield Case(kind, point_and_polygon(rng, 4 + number // 2, size, kind))
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The polygon, and q; dashed the edges that q is on the wrong side of."""
+        """Draw the polygon, q, and dashed lines through the edges that have q on their right."""
         draw_membership(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 
 
 def point_and_polygon(rng: np.random.Generator, n: int, size: float, kind: str) -> dict[str, Array]:
-    """A random point of a kind, and its polygon. On an edge or its line all numbers are whole or
-    halves: nothing is rounded.
+    """Random polygon, and a point of a kind.
+
+    On an edge or its line all numbers are integers or halves, which floats represent exactly.
     """
     while True:
         P = convex_polygon(rng, n, size)
@@ -85,7 +87,7 @@ def point_and_polygon(rng: np.random.Generator, n: int, size: float, kind: str) 
         )
         anywhere = (lo + hi) / 2 + rng.uniform(-1.0, 1.0, 2) * (hi - lo)
         q = np.round(beside if kind == "closing" else anywhere, 3) + 0.0
-        left = heights(q, P)
+        left = edge_areas(q, P)
         wrong = np.flatnonzero(left < 0).tolist()
         place = "closing" if wrong == [len(P) - 1] else "outside" if wrong else "inside"
         if np.abs(left).min() > 1e-6 and place == kind:

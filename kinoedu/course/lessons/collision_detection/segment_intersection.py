@@ -1,4 +1,4 @@
-"""The exercise on two segments: what do they share? Bullo & Smith, chapter 4."""
+"""The exercise on the common points of two segments. Bullo & Smith, chapter 4."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -20,7 +20,7 @@ NOTHING = np.empty((0, 2))
 
 
 class SegmentIntersection(ValueExercise):
-    """The points that two segments share: none, one, or the two ends of a stretch."""
+    """The points that two segments share: none, one, or the two ends of an overlap."""
 
     name = "segment_intersection"
     lesson = "07_collision_detection"
@@ -49,14 +49,12 @@ class SegmentIntersection(ValueExercise):
                 else NOTHING
             ),
         ),
-        Slip("twice", lambda *ends: twice(segment_intersection(*ends), ends)),
+        Slip("twice", lambda *ends: list_point_twice(segment_intersection(*ends), ends)),
     )
     reference = staticmethod(segment_intersection)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """The book's three pairs first, then small whole numbers; what lies on one line stays on
-        squared paper.
-        """
+        """The book's three pairs first, then small integers; collinear ones on squared paper."""
         for kind, *ends in (
             ("crossing", (1, 1), (3, 3), (1, 3), (3, 1)),
             ("touching", (0, 0), (2, 3), (4, 1), (0, 5)),
@@ -73,31 +71,25 @@ class SegmentIntersection(ValueExercise):
             yield case_of(kind, ends)
         for size in sizes(4):
             for kind in self.kinds:
-                yield case_of(
-                    kind,
-                    on_one_line(rng, size, kind)
-                    if kind in ("overlap", "end_to_end")
-                    else ends_of(rng, size, kind),
-                )
+                random_ends = on_one_line if kind in ("overlap", "end_to_end") else ends_of
+                yield case_of(kind, random_ends(rng, size, kind))
 
     def same(self, value: Any, truth: Any) -> bool:
-        """The same points, in either order."""
+        """Compare points in either order."""
         return super().same(value, truth) or super().same(np.asarray(value)[::-1], truth)
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """Both segments, what they share, and the student's points."""
+        """Draw both segments, their common points and the student's points."""
         draw_segments(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 
 
 def case_of(kind: str, ends: Any) -> Case:
-    """A case of four ends."""
+    """Case of four ends."""
     return Case(kind, dict(zip(("p1", "p2", "p3", "p4"), np.array(ends, float) + 0.0)))
 
 
 def ends_of(rng: np.random.Generator, size: float, kind: str) -> Array:
-    """Four random ends of segments that stand to each other in a way that is none of one line;
-    shape (4, 2).
-    """
+    """Random ends of two segments that are not collinear, of a kind; shape (4, 2)."""
     while True:
         ends = np.round(points(rng, 4, size)) if kind == "touching" else points(rng, 4, size)
         if kind == "upright":
@@ -118,8 +110,10 @@ def ends_of(rng: np.random.Generator, size: float, kind: str) -> Array:
 
 
 def kind_of(ends: Array) -> str:
-    """How two segments stand to each other, "" where a small change would change that and they are
-    not on squared paper.
+    """Kind of a pair of segments.
+
+    It is "" where a small change of the ends would change the kind and they are not on squared
+    paper.
     """
     u, v = ends[1] - ends[0], ends[3] - ends[2]
     if not (u.any() and v.any()):
@@ -128,7 +122,7 @@ def kind_of(ends: Array) -> str:
         return "parallel" if len(segment_intersection(*ends)) == 0 else ""
     if abs(cross(u, v)) < 0.05 * np.linalg.norm(u) * np.linalg.norm(v):
         return ""
-    t, s = shares(ends)
+    t, s = line_parameters(ends)
     if min(abs(t), abs(t - 1), abs(s), abs(s - 1)) < 1e-12:
         return "touching" if 0 <= t <= 1 and 0 <= s <= 1 else ""
     if min(abs(t), abs(t - 1), abs(s), abs(s - 1)) < 0.02:
@@ -139,9 +133,7 @@ def kind_of(ends: Array) -> str:
 
 
 def on_one_line(rng: np.random.Generator, size: float, kind: str) -> Array:
-    """Two segments of one line on squared paper: they overlap, have one end in common, or are
-    apart; shape (4, 2).
-    """
+    """Random collinear segments on squared paper, of a kind; shape (4, 2)."""
     start = np.round(points(rng, 1, size)[0])
     step = rng.integers(-4, 5, 2)
     while not step.any():
@@ -160,27 +152,27 @@ def on_one_line(rng: np.random.Generator, size: float, kind: str) -> Array:
     return start + rng.permutation(pairs).ravel()[:, None] * step
 
 
-def shares(ends: Any) -> tuple[float, float]:
-    """How far along either segment its line meets the other's, as shares of the way."""
+def line_parameters(ends: Any) -> tuple[float, float]:
+    """Parameters t and s of the intersection of the two lines."""
     p1, p2, p3, p4 = ends
     whole = cross(p2 - p1, p4 - p3)
     return cross(p3 - p1, p4 - p3) / whole, cross(p3 - p1, p2 - p1) / whole
 
 
 def by_shares(ends: Any, accepts: Any) -> Array:
-    """Where two lines meet, if their shares are accepted; nothing where they are parallel."""
+    """Intersection of the lines where `accepts(t, s)`; nothing where they are parallel."""
     if cross(ends[1] - ends[0], ends[3] - ends[2]) == 0.0:
         return NOTHING
-    t, s = shares(ends)
+    t, s = line_parameters(ends)
     return (ends[0] + t * (ends[1] - ends[0]))[None] if accepts(t, s) else NOTHING
 
 
 def middle_of(found: Array) -> Array:
-    """The middle of what two segments share, if there is any."""
+    """Middle of the common points, if there are any."""
     return found.mean(axis=0)[None] if len(found) else found
 
 
-def twice(found: Array, ends: Any) -> Array:
-    """What is right, but for parallel segments with one common point: that point twice."""
+def list_point_twice(found: Array, ends: Any) -> Array:
+    """The right answer, but a single common point of parallel segments is listed twice."""
     is_parallel = cross(ends[1] - ends[0], ends[3] - ends[2]) == 0.0
     return np.vstack([found, found]) if is_parallel and len(found) == 1 else found

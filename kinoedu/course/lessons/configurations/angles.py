@@ -1,6 +1,4 @@
-"""Shared by the exercises on distances between angles: on the circle, and on the torus. Bullo &
-Smith, chapter 3.
-"""
+"""Shared parts of the exercises on distances between angles. Bullo & Smith, chapter 3."""
 
 from math import pi
 from typing import Any
@@ -13,10 +11,10 @@ TURN = 2.0 * pi
 
 
 class BetweenAngles(ValueExercise):
-    """An exercise whose case is two angles, or two rows of angles, a and b."""
+    """An exercise with the arguments a and b: two angles, or two rows of angles."""
 
     lesson = "05_configuration_spaces"
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """A circle for each angle, the short way round it, and both distances."""
+        """Draw a circle with the shorter arc for each angle, and both distances."""
         draw_short_ways(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)

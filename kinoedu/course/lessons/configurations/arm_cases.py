@@ -1,4 +1,4 @@
-"""Shared by the exercises on the arm of two links. Bullo & Smith, chapter 3."""
+"""Shared parts of the exercises on the two-link arm. Bullo & Smith, chapter 3."""
 
 from typing import Any
 
@@ -11,6 +11,6 @@ PAIR = Numbers((2,))
 
 
 def arm_case(kind: str, l1: float, l2: float, **other: Any) -> Case:
-    """A case of an arm."""
+    """Case of an arm."""
     ((name, pair),) = other.items()
     return Case(kind, {"l1": float(l1), "l2": float(l2), name: np.array(pair, float) + 0.0})

@@ -39,7 +39,7 @@ class CircleDistance(BetweenAngles):
     reference = staticmethod(circle_distance)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Whole numbers first; angles in [-pi, pi), then any."""
+        """Integers first; angles in [-pi, pi), then any angles."""
         for a, b in (
             (0, 1),
             (2, 0.5),
@@ -79,12 +79,12 @@ class CircleDistance(BetweenAngles):
             yield self.case(a, a + rng.integers(0, 3) * TURN)
 
     def case(self, a: float, b: float) -> Case:
-        """A case of the kind that it is."""
+        """Case of two angles, with its kind."""
         return Case(kind_of(float(a), float(b)), {"a": float(a), "b": float(b)})
 
 
 def kind_of(a: float, b: float) -> str:
-    """How two directions lie to each other."""
+    """Kind of a pair of directions."""
     apart = float(circle_distance(a, b))
     if apart < 1e-9:
         return "same"
@@ -96,7 +96,5 @@ def kind_of(a: float, b: float) -> str:
 
 
 def wrapped_above(turn: float) -> float:
-    """The size of a turn from which whole turns are taken while it is more than half of one; below
-    -pi it stays as it is.
-    """
+    """Size of a turn, wrapped only above pi; a turn below -pi is not wrapped."""
     return abs(turn - TURN * np.ceil((turn - pi) / TURN)) if turn > pi else abs(turn)

@@ -1,6 +1,4 @@
-"""The exercise on degrees of freedom: bodies in the plane, and pins that hold them together. Bullo
-& Smith, chapter 3.
-"""
+"""The exercise on degrees of freedom of planar bodies with pins. Bullo & Smith, chapter 3."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -17,12 +15,12 @@ Joints = list[list[int]]
 
 
 def freedoms(bodies: int, joints: Joints) -> int:
-    """Three for each body that moves, less two for each body that a pin holds beyond the first."""
+    """Three for each moving body, minus two for each body beyond the first of each pin."""
     return 3 * bodies - sum(2 * (len(held) - 1) for held in joints)
 
 
 class DegreesOfFreedom(ValueExercise):
-    """How many numbers say where a mechanism of bars and pins is."""
+    """The number of degrees of freedom of a mechanism of bars and pins."""
 
     name = "degrees_of_freedom"
     lesson = "05_configuration_spaces"
@@ -56,7 +54,7 @@ class DegreesOfFreedom(ValueExercise):
     reference = staticmethod(freedoms)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """One body and no pin first."""
+        """One body without pins first."""
         for kind, bodies, joints in (
             ("loose", 1, []),
             ("arm", 1, [[0, 1]]),
@@ -79,12 +77,12 @@ class DegreesOfFreedom(ValueExercise):
                 )
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """Bodies, pins and the ground, and both numbers."""
+        """Draw bodies, pins and the ground, and both numbers."""
         draw_mechanism(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 
 
 def random_joints(rng: np.random.Generator, kind: str, bodies: int) -> Joints:
-    """Pins that make one mechanism of all bodies, on the ground unless it is loose."""
+    """Random pins that connect all bodies, and the ground unless the kind is "loose"."""
     ground = 1 if kind == "loose" else 0
     joints = [[int(rng.integers(ground, body)), body] for body in range(ground + 1, bodies + 1)]
     while (kind == "loop" and len(joints) < bodies + 1) or (

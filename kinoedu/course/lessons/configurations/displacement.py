@@ -33,7 +33,7 @@ class Displacement(MatrixExercise):
     reference = staticmethod(displacement)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Whole numbers and quarters first."""
+        """Integers and quarter turns first."""
         for x, y, theta in (
             (3, 4, 0),
             (0, 0, pi / 2),
@@ -53,7 +53,7 @@ class Displacement(MatrixExercise):
                 yield displacement_case(x, y, theta)
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """The last row has a rule of its own."""
+        """Check the last row first, which has its own rule."""
         verdict = super().value_verdict(case, value)
         if not verdict.is_right and not self.same(value[2], (0.0, 0.0, 1.0)):
             return Verdict(0.0, "last_row", self.wanted(case))
@@ -61,7 +61,7 @@ class Displacement(MatrixExercise):
 
 
 def displacement_case(x: float, y: float, theta: float) -> Case:
-    """A case of the kind that it is."""
+    """Case of a displacement, with its kind."""
     kind = "moves" if theta == 0.0 else "turns" if x == 0.0 == y else "both"
     return Case(kind, {"x": float(x), "y": float(y), "theta": float(theta)})
 

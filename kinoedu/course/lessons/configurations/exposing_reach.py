@@ -1,6 +1,4 @@
-"""The exercise "break it" of lesson 5: an arm and a target for which inverse kinematics by the law
-of sines is wrong.
-"""
+"""The "break it" exercise of lesson 5: find where inverse kinematics by the law of sines fails."""
 
 from collections.abc import Iterator
 from math import acos, asin, atan2, hypot, sin
@@ -16,11 +14,11 @@ from ...outcomes import Answer, Outcome
 from ...shapes import Number, Numbers, Record, Together
 from .pictures import draw_missed
 
-NEARLY = 1.1  # so much longer may link 2 be for the last point
+NEARLY = 1.1  # the largest l2 / l1 for the last case
 
 
 class ExposeReach(Exercise):
-    """Break it: an arm and a place in its reach to which `inverse_by_sines` does not lead."""
+    """Find an arm and a reachable target that `inverse_by_sines` misses."""
 
     name = "exposing_reach"
     lesson = "05_configuration_spaces"
@@ -29,13 +27,11 @@ class ExposeReach(Exercise):
     answer = Together((Number(), Number(), Numbers((2,))))
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """The same question three times: each asks more of the answer."""
+        """The same question three times; each case demands more of the answer."""
         return (Case(kind, {}) for kind in self.kinds)
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """An arm and a place in its reach; where the program is wrong; with links that are nearly
-        equal.
-        """
+        """Check that the target is reachable, that the program misses it, and the link lengths."""
         l1, l2, p = value
         rule = arm_fault(l1, l2, p)
         if not rule and case.kind != "valid":
@@ -44,11 +40,11 @@ class ExposeReach(Exercise):
         return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
 
     def wanted(self, case: Case) -> str:
-        """What is asked for."""
+        """Description of what the case asks for."""
         return say(f"exposing_reach.wanted.{case.kind}")
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """What the tip reaches, the target, and where the program's angles lead."""
+        """Draw the arm's reach, the target, and the arms at the program's angles."""
         value = (
             outcome.value if isinstance(outcome, Answer) and not arm_fault(*outcome.value) else None
         )
@@ -56,29 +52,30 @@ class ExposeReach(Exercise):
 
 
 def arm_fault(l1: float, l2: float, p: Array) -> str:
-    """The rule that keeps it from being an arm and a place that its tip reaches, or ""."""
-    far = hypot(*p)
+    """Key of the rule that makes the input invalid, or ""."""
+    distance = hypot(*p)
     if not (0.1 <= l1 <= 100.0 and 0.1 <= l2 <= 100.0):
         return "lengths"
-    if not 0.01 <= far <= 200.0:
+    if not 0.01 <= distance <= 200.0:
         return "valid"
     margin = 1e-3 * (l1 + l2)
-    return "" if abs(l1 - l2) + margin <= far <= l1 + l2 - margin else "valid"
+    return "" if abs(l1 - l2) + margin <= distance <= l1 + l2 - margin else "valid"
 
 
 def missed_by(l1: float, l2: float, p: Array) -> float:
-    """How far off the target the tip is, at the worse of the program's two answers."""
+    """Distance of the tip to the target, for the worse of the program's two answers."""
     arm = TwoLinkArm(l1, l2, 0.0)
     return max(float(np.hypot(*(arm.joints(q)[1] - p))) for q in inverse_by_sines(l1, l2, p))
 
 
 def inverse_by_sines(l1: float, l2: float, p: Array) -> list[tuple[float, float]]:
-    """Both configurations that put the tip of an arm at p: the bend by the law of cosines, the
-    angle at the base by that of sines.
+    """Both configurations of an arm with its tip at p.
+
+    The second angle is computed by the law of cosines, the angle at the base by the law of sines.
 
     It is wrong somewhere. Where?
     """
-    far, heading = hypot(p[0], p[1]), atan2(p[1], p[0])
-    bend = acos((far * far - l1 * l1 - l2 * l2) / (2 * l1 * l2))
-    lead = asin(min(1.0, l2 * sin(bend) / far))
+    distance, heading = hypot(p[0], p[1]), atan2(p[1], p[0])
+    bend = acos((distance * distance - l1 * l1 - l2 * l2) / (2 * l1 * l2))
+    lead = asin(min(1.0, l2 * sin(bend) / distance))
     return [(heading - lead, bend), (heading + lead, -bend)]

@@ -23,7 +23,7 @@ def arm_joints(l1: float, l2: float, q: ArrayLike) -> Array:
 
 
 class ForwardKinematics(ValueExercise):
-    """Two angles to the elbow and the tip."""
+    """Elbow and tip, from two angles."""
 
     name = "forward_kinematics"
     lesson = "05_configuration_spaces"
@@ -51,7 +51,7 @@ class ForwardKinematics(ValueExercise):
     reference = staticmethod(arm_joints)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Quarters first."""
+        """Quarter turns first."""
         for kind, l1, l2, q in (
             ("stretched", 2, 1, (0, 0)),
             ("stretched", 2, 1, (pi / 2, 0)),
@@ -69,13 +69,9 @@ class ForwardKinematics(ValueExercise):
                 yield arm_case("stretched", l1, l2, q=(first, 0.0))
                 yield arm_case("bent", l1, l2, q=(first, second))
                 yield arm_case("folded", l1, l2, q=(first, rng.choice([-pi, pi])))
-                yield arm_case(
-                    "turns",
-                    l1,
-                    l2,
-                    q=np.round(rng.uniform(4.0, 30.0, 2) * rng.choice([-1, 1], 2), 2),
-                )
+                q = np.round(rng.uniform(4.0, 30.0, 2) * rng.choice([-1, 1], 2), 2)
+                yield arm_case("turns", l1, l2, q=q)
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The arm, and the student's."""
+        """Draw the arm and the student's arm."""
         draw_joints(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)

@@ -17,28 +17,32 @@ from .arm_cases import PAIR, arm_case
 from .exposing_reach import inverse_by_sines
 from .pictures import draw_solutions
 
-WHOLE_CORNERS = np.array(
-    [(3, 4), (5, 12), (8, 15), (7, 24), (20, 21), (5, 0)]
-)  # as far from the origin as a whole number
+# points whose distance from the origin is an integer
+WHOLE_CORNERS = np.array([(3, 4), (5, 12), (8, 15), (7, 24), (20, 21), (5, 0)])
 
 
 def arm_solutions(l1: float, l2: float, p: Array) -> Array:
-    """Every q that puts the tip at p, shape (k, 2). Raises InvalidPoint where there are infinitely
-    many.
+    """Every q with the tip at p, shape (k, 2).
+
+    Raises
+    ------
+    InvalidPoint
+        Where there are infinitely many.
     """
     return np.array(TwoLinkArm(l1, l2, 0.0).inverse(p)).reshape(-1, 2)
 
 
 def half_mirrored(first: int, signs: tuple[int, int], l1: float, l2: float, p: Array) -> Array:
-    """One solution, and what is taken for its mirror image: with link 1 left where it is, or
-    mirrored in the x-axis.
+    """One solution and a wrong mirror image of it.
+
+    The wrong image keeps link 1 unchanged, or mirrors it in the x-axis.
     """
     one = arm_solutions(l1, l2, p)[first:][:1]
     return np.vstack([one, one * signs])
 
 
 class InverseKinematics(ValueExercise):
-    """A place to all pairs of angles that put the tip there."""
+    """All pairs of angles with the tip at a given place."""
 
     name = "inverse_kinematics"
     lesson = "05_configuration_spaces"
@@ -77,7 +81,7 @@ class InverseKinematics(ValueExercise):
     reference = staticmethod(arm_solutions)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Whole numbers first; at the rims always."""
+        """Integers first, and always at the rims."""
         for kind, l1, l2, p in (
             ("two", 2, 1, (2, 1)),
             ("two", 1, 1, (1, 1)),
@@ -99,7 +103,7 @@ class InverseKinematics(ValueExercise):
             yield from random_targets(rng, (1.0, 3.0, 10.0, 100.0, 1000.0)[number // 5])
 
     def same(self, value: Any, truth: Any) -> bool:
-        """The same configurations: in any order, up to whole turns, each at least once."""
+        """Compare sets of configurations, up to order, repetition and whole turns."""
         found, wanted = (
             np.asarray(value, float).reshape(-1, 2),
             np.asarray(truth, float).reshape(-1, 2),
@@ -107,14 +111,15 @@ class InverseKinematics(ValueExercise):
         return self.are_among(found, wanted) and self.are_among(wanted, found)
 
     def are_among(self, some: Array, others: Array) -> bool:
-        """Whether each of some configurations is one of others; nan is none."""
+        """Whether each of some configurations equals one of others; nan equals none."""
         with np.errstate(all="ignore"):
             apart = np.abs(np.remainder(some[:, None] - others[None] + pi, 2.0 * pi) - pi)
             return bool(np.all(np.any(np.all(apart <= self.tolerance, axis=2), axis=1)))
 
     def judge(self, case: Case, outcome: Outcome) -> Verdict:
-        """A ValueError, the student's own or that of acos, is answered by what holds for such a
-        target.
+        """Judge an outcome; a ValueError breaks the rule for the kind of target.
+
+        It may be the student's own ValueError, or one that acos raised.
         """
         verdict = super().judge(case, outcome)
         if (
@@ -126,19 +131,19 @@ class InverseKinematics(ValueExercise):
         return verdict
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """A configuration listed must be right; and none may be missing."""
+        """Check that every listed configuration is right, then that none is missing."""
         verdict, truth = super().value_verdict(case, value), self.truth(case)
         if verdict.is_right or len(truth) == 0 or self.are_among(value, truth):
             return verdict
         return verdict._replace(rule="reaches")
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """What the tip reaches, the target, and the arms that lead there."""
+        """Draw the arm's reach, the target, and the arms with their tip there."""
         draw_solutions(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 
 
 def random_targets(rng: np.random.Generator, size: float) -> Iterator[Case]:
-    """A target of each kind: on the rims exactly, in whole numbers; elsewhere clearly off them."""
+    """Random target of each kind: exactly on the rims with integers, else clearly off them."""
     l1, l2 = np.round(rng.uniform(0.3, 1.0, 2) * size, 2)
     inner, outer = abs(l1 - l2), l1 + l2
     angle = rng.uniform(-pi, pi)
@@ -154,19 +159,19 @@ def random_targets(rng: np.random.Generator, size: float) -> Iterator[Case]:
         p=np.round(rng.uniform(0.1, 0.7) * l1 * direction, 3),
     )
     corner = rng.choice(WHOLE_CORNERS) * rng.choice([-1, 1], 2)
-    far = int(hypot(*corner))
-    first, swap = int(rng.integers(1, far)), rng.permutation([0, 1])
-    yield arm_case("outer_rim", first, far - first, p=corner[swap])
+    distance = int(hypot(*corner))
+    first, swap = int(rng.integers(1, distance)), rng.permutation([0, 1])
+    yield arm_case("outer_rim", first, distance - first, p=corner[swap])
     yield arm_case(
-        "inner_rim", *np.array([first, far + first])[rng.permutation([0, 1])], p=corner[swap]
+        "inner_rim", *np.array([first, distance + first])[rng.permutation([0, 1])], p=corner[swap]
     )
     yield arm_case("endless", l1, l1, p=(0.0, 0.0))
 
 
 def by_inner_angle(l1: float, l2: float, p: Array) -> list[tuple[float, float]]:
-    """Both solutions, with the angle inside the triangle taken for the bend."""
-    far, heading = hypot(*p), atan2(p[1], p[0])
-    bend = acos((l1 * l1 + l2 * l2 - far * far) / (2.0 * l1 * l2))
+    """Both solutions, with the inner angle of the triangle in place of the second angle."""
+    distance, heading = hypot(*p), atan2(p[1], p[0])
+    bend = acos((l1 * l1 + l2 * l2 - distance * distance) / (2.0 * l1 * l2))
     lead = atan2(l2 * sin(bend), l1 + l2 * cos(bend))
     return [(heading - lead, bend), (heading + lead, -bend)]
 
@@ -174,11 +179,12 @@ def by_inner_angle(l1: float, l2: float, p: Array) -> list[tuple[float, float]]:
 def by_cosines(
     l1: float, l2: float, p: Array, heading: float, *, exchanged: bool = False
 ) -> list[tuple[float, float]]:
-    """Both solutions by the law of cosines, the first angle from a heading on; perhaps with the
-    sides exchanged at the base.
+    """Both solutions by the law of cosines, with the first angle counted from a heading.
+
+    `exchanged` exchanges the sides of the triangle at the base.
     """
-    far = hypot(*p)
-    bend = acos((far * far - l1 * l1 - l2 * l2) / (2.0 * l1 * l2))
+    distance = hypot(*p)
+    bend = acos((distance * distance - l1 * l1 - l2 * l2) / (2.0 * l1 * l2))
     a, b = (l2, l1) if exchanged else (l1, l2)
-    lead = acos((a * a + far * far - b * b) / (2.0 * a * far))
+    lead = acos((a * a + distance * distance - b * b) / (2.0 * a * distance))
     return [(heading - lead, bend), (heading + lead, -bend)]

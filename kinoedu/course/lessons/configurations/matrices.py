@@ -1,4 +1,4 @@
-"""Shared by the exercises on matrices that turn and move. Bullo & Smith, chapters 3 and 6."""
+"""Shared parts of the exercises on rotation and displacement. Bullo & Smith, chapters 3 and 6."""
 
 from typing import Any
 
@@ -13,5 +13,5 @@ class MatrixExercise(ValueExercise):
     lesson = "05_configuration_spaces"
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """A flag, where it should go, and where the student's matrix takes it."""
+        """Draw a flag, its right image, and its image under the student's matrix."""
         draw_moved(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)

@@ -1,6 +1,4 @@
-"""Pictures of failing cases of lesson 5. What is true is solid and green, what the student's
-program says dashed and orange.
-"""
+"""Pictures of failing cases of lesson 5: truth solid green, student's answer dashed orange."""
 
 from typing import Any
 
@@ -12,14 +10,14 @@ from ....spaces.angles import short_way, wrapped
 from ....words import say
 from ...exercise import Case, ValueExercise
 
-# figures are imported inside the functions: matplotlib is not needed until something is wrong
+# figures are imported inside the functions: matplotlib is only needed for failing cases
 
 FLAG = np.array([(0, 0), (2, 0), (2, 0.6), (0.6, 0.6), (0.6, 1.2), (0, 1.2)])
-APART = 3.4  # between the middles of two circles
+APART = 3.4  # distance between the centres of two circles
 
 
-def note_both(truth: Any, value: Any, ax: Any) -> None:
-    """Both numbers, in the lower left corner."""
+def write_both(truth: Any, value: Any, ax: Any) -> None:
+    """Write both numbers into the lower left corner."""
     from ....figures import palette, plane
 
     yours = say("configuration_picture.none") if value is None else f"{value:.4g}"
@@ -31,9 +29,7 @@ def note_both(truth: Any, value: Any, ax: Any) -> None:
 
 
 def draw_short_ways(exercise: ValueExercise, case: Case, value: float | None, ax: Any) -> None:
-    """A circle for each angle, from a the short way to b; where there is one, how far the student's
-    program goes.
-    """
+    """Draw a circle for each angle, the shorter arc from a to b, and the student's distance."""
     from ....figures import configurations, palette, plane
 
     a, b = np.atleast_1d(case.given["a"]), np.atleast_1d(case.given["b"])
@@ -52,33 +48,30 @@ def draw_short_ways(exercise: ValueExercise, case: Case, value: float | None, ax
             configurations.draw_turn(
                 (x, 0), p, sense * value, 0.8, "", ax, colour=palette.GOAL, style="--"
             )
-        for angle, name, far in (
-            (p, "a", 16),
-            (q, "b", 30),
-        ):  # b a little farther out, for it may be where a is
+        for angle, name, gap in ((p, "a", 16), (q, "b", 30)):  # the labels must not overlap
             u, v = np.cos(angle), np.sin(angle)
             plane.dot((x + u, v), "", ax)
-            plane.label((x + u, v), name, ax, offset=(far * u, far * v - 5), ha="center")
-    note_both(exercise.truth(case), value, ax)
+            plane.label((x + u, v), name, ax, offset=(gap * u, gap * v - 5), ha="center")
+    write_both(exercise.truth(case), value, ax)
     plane.title(exercise.words(f"pictures.{case.kind}"), ax)
 
 
 def draw_moved(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
-    """A flag before, after, and as the student's matrix moves it."""
+    """Draw a flag before, after, and as the student's matrix moves it."""
     from ....figures import palette, plane
 
     truth = exercise.truth(case)
     size = max(1.0, 0.3 * float(np.abs(truth).max())) if len(truth) == 3 else 1.0
     flag = size * FLAG
-    right = taken(truth, flag)
-    yours = None if value is None or not np.isfinite(value).all() else taken(value, flag)
+    right = transform_points(truth, flag)
+    yours = None if value is None or not np.isfinite(value).all() else transform_points(value, flag)
     reach = 3.0 * size + float(np.abs(right).max())
     seen = yours if yours is not None and np.abs(yours).max() <= 2.0 * reach else None
     plane.frame(np.vstack([flag, right, right if seen is None else seen]), ax, margin=0.15)
-    outline(flag, say("configuration_picture.before"), ax, colour=palette.OUTSIDE, style="-")
-    outline(right, say("picture.true"), ax, colour=palette.START, style="-")
+    draw_outline(flag, say("configuration_picture.before"), ax, colour=palette.OUTSIDE, style="-")
+    draw_outline(right, say("picture.true"), ax, colour=palette.START, style="-")
     if seen is not None:
-        outline(seen, say("picture.yours_short"), ax, colour=palette.GOAL, style="--")
+        draw_outline(seen, say("picture.yours_short"), ax, colour=palette.GOAL, style="--")
     else:
         words = (
             say("picture.no_answer")
@@ -91,20 +84,20 @@ def draw_moved(exercise: ValueExercise, case: Case, value: Array | None, ax: Any
     plane.title(exercise.words(f"pictures.{case.kind}"), ax)
 
 
-def outline(ring: Any, words: str, ax: Any, *, colour: str, style: str) -> None:
-    """A closed outline, in the legend under its words."""
+def draw_outline(ring: Any, words: str, ax: Any, *, colour: str, style: str) -> None:
+    """Draw a closed outline with an entry in the legend."""
     points = np.vstack([ring, ring[:1]])
     ax.plot(*points.T, style, color=colour, linewidth=2.6, label=words, zorder=4)
 
 
-def taken(matrix: Array, points: Array) -> Array:
-    """Where a matrix (2, 2) or (3, 3) takes points (n, 2)."""
+def transform_points(matrix: Array, points: Array) -> Array:
+    """Images of points (n, 2) under a matrix (2, 2) or (3, 3)."""
     moved = points @ matrix[:2, :2].T
     return moved + matrix[:2, 2] if len(matrix) == 3 else moved
 
 
 def draw_joints(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
-    """The arm, and the student's: base, elbow, tip."""
+    """Draw base, elbow and tip of the arm and of the student's arm."""
     from ....figures import configurations, palette, plane
 
     l1, l2 = case.given["l1"], case.given["l2"]
@@ -115,13 +108,8 @@ def draw_joints(exercise: ValueExercise, case: Case, value: Array | None, ax: An
         configurations.draw_links(
             np.vstack([(0.0, 0.0), value]), "", ax, colour=palette.GOAL, style="--"
         )
-        plane.label(
-            value[1],
-            say("configuration_picture.your_tip"),
-            ax,
-            colour=palette.GOAL,
-            offset=(9, -18),
-        )
+        name = say("configuration_picture.your_tip")
+        plane.label(value[1], name, ax, colour=palette.GOAL, offset=(9, -18))
     else:
         plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
     plane.label(truth[2], say("configuration_picture.tip"), ax, colour=palette.START)
@@ -129,14 +117,14 @@ def draw_joints(exercise: ValueExercise, case: Case, value: Array | None, ax: An
 
 
 def draw_solutions(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
-    """What the tip reaches, the target, every arm that leads there, and the student's."""
+    """Draw the arm's reach, the target, the right arms and the student's arms."""
     from ....figures import configurations, palette, plane
 
     l1, l2, p = case.given.values()
     truth = exercise.truth(case)
-    reach_of(l1, l2, p, ax)
+    draw_reach(l1, l2, p, ax)
     for q in [] if isinstance(truth, ValueError) else truth:
-        configurations.draw_links(places(l1, l2, q), "", ax, colour=palette.START)
+        configurations.draw_links(arm_points(l1, l2, q), "", ax, colour=palette.START)
     draw_students(
         l1, l2, [] if value is None else [q for q in value[:6] if np.isfinite(q).all()], ax
     )
@@ -150,7 +138,7 @@ def draw_solutions(exercise: ValueExercise, case: Case, value: Array | None, ax:
 
 
 def draw_missed(value: tuple[float, float, Array] | None, answers: Any, ax: Any) -> None:
-    """An arm's reach, the target, and where the program's angles lead."""
+    """Draw the arm's reach, the target, and the arms at the program's angles."""
     from ....figures import palette, plane
 
     if value is None:
@@ -158,22 +146,22 @@ def draw_missed(value: tuple[float, float, Array] | None, answers: Any, ax: Any)
         plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
         return
     l1, l2, p = value
-    reach_of(l1, l2, p, ax)
+    draw_reach(l1, l2, p, ax)
     draw_students(l1, l2, answers, ax)
     plane.dot(p, "p", ax, marker="*")
     plane.title(say("exposing_reach.picture"), ax)
 
 
 def draw_students(l1: float, l2: float, answers: Any, ax: Any) -> None:
-    """Arms at the configurations of an answer."""
+    """Draw arms at the configurations of an answer."""
     from ....figures import configurations, palette
 
     for q in answers:
-        configurations.draw_links(places(l1, l2, q), "", ax, colour=palette.GOAL, style="--")
+        configurations.draw_links(arm_points(l1, l2, q), "", ax, colour=palette.GOAL, style="--")
 
 
-def reach_of(l1: float, l2: float, p: Array, ax: Any) -> None:
-    """The ring that an arm's tip reaches, in axes that show the target too."""
+def draw_reach(l1: float, l2: float, p: Array, ax: Any) -> None:
+    """Draw the ring that an arm's tip reaches, in axes that also show the target."""
     from ....figures import configurations
 
     frame_arm(max(l1 + l2, 1.05 * float(np.hypot(*p))), ax)
@@ -181,21 +169,19 @@ def reach_of(l1: float, l2: float, p: Array, ax: Any) -> None:
 
 
 def frame_arm(reach: float, ax: Any) -> None:
-    """Axes that show all that an arm at the origin reaches."""
+    """Set the axes to show the whole reach of an arm at the origin."""
     from ....figures import plane
 
     plane.frame([(-reach, -reach), (reach, reach)], ax, margin=0.12)
 
 
-def places(l1: float, l2: float, q: Array) -> Array:
+def arm_points(l1: float, l2: float, q: Array) -> Array:
     """Base, elbow and tip, shape (3, 2)."""
     return np.vstack([(0.0, 0.0), *TwoLinkArm(l1, l2, 0.0).joints(q)])
 
 
 def draw_mechanism(exercise: ValueExercise, case: Case, value: float | None, ax: Any) -> None:
-    """Bodies in a ring, each pin joined to the bodies that it holds, the ground a square; and both
-    numbers.
-    """
+    """Draw bodies in a ring, pins joined to their bodies, the ground as a square; both numbers."""
     from ....figures import palette, plane
 
     bodies, joints = case.given["bodies"], case.given["joints"]
@@ -207,26 +193,12 @@ def draw_mechanism(exercise: ValueExercise, case: Case, value: float | None, ax:
         pin = 0.82 * at[held].mean(axis=0) + 0.02 * number
         for body in held:
             plane.stretch(pin, at[body], "", ax, colour=palette.OBSTACLE, width=3.0)
-        ax.plot(
-            *pin,
-            "o",
-            color="white",
-            markeredgecolor=palette.INK,
-            markersize=13,
-            markeredgewidth=2.0,
-            zorder=7,
-        )
+        white = {"color": "white", "markeredgecolor": palette.INK, "markeredgewidth": 2.0}
+        ax.plot(*pin, "o", markersize=13, zorder=7, **white)
     for body, place in enumerate(at):
         marker, colour = ("s", palette.INK) if body == 0 else ("o", palette.TREE)
         ax.plot(*place, marker, color=colour, markersize=26, zorder=7)
-        ax.text(
-            *place,
-            str(body),
-            color="white",
-            fontsize=palette.TEXT_SIZE,
-            ha="center",
-            va="center",
-            zorder=8,
-        )
-    note_both(exercise.truth(case), value, ax)
+        centred = {"ha": "center", "va": "center", "fontsize": palette.TEXT_SIZE}
+        ax.text(*place, str(body), color="white", zorder=8, **centred)
+    write_both(exercise.truth(case), value, ax)
     plane.title(exercise.words(f"pictures.{case.kind}"), ax)

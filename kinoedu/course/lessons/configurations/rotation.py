@@ -38,7 +38,7 @@ class Rotation(MatrixExercise):
     reference = staticmethod(rotation)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Quarters first."""
+        """Quarter turns first."""
         for kind, theta in (
             ("quarter", pi / 2),
             ("quarter", 0),

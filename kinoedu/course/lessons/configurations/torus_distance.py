@@ -37,7 +37,7 @@ class TorusDistance(BetweenAngles):
     reference = staticmethod(torus_distance)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Two angles first, small numbers; then any number of them."""
+        """Two angles first, with small numbers; then any number of angles."""
         for kind, a, b in (
             ("near", (0, 0), (0.3, 0.4)),
             ("near", (1, -1), (1, 2)),
@@ -75,5 +75,5 @@ class TorusDistance(BetweenAngles):
 
 
 def case_of(kind: str, a: ArrayLike, b: ArrayLike) -> Case:
-    """A case of two rows of angles."""
+    """Case of two rows of angles."""
     return Case(kind, {"a": np.array(a, float), "b": np.array(b, float)})

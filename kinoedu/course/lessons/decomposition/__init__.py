@@ -1,6 +1,4 @@
-"""Lesson 3: Decomposition, or how a program can know that there is no way. Its exercises, as the
-notebook asks for them.
-"""
+"""Lesson 3, decomposition. Its exercises, in the order of the notebook."""
 
 from .crossings import Crossings
 from .exposing_world import ExposeShorterWalls

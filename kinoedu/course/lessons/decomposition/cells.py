@@ -1,6 +1,4 @@
-"""Shared by the exercises on cells: the trapezoids of a world, and who is whose neighbour. Bullo &
-Smith, chapter 2.
-"""
+"""Shared parts of the exercises on trapezoids and their neighbours. Bullo & Smith, chapter 2."""
 
 from ....decomposition import trapezoidation
 from ....geometry.checks import Array
@@ -11,5 +9,5 @@ CELLS = Numbers(("n", 6))
 
 
 def cells_of(boundary: Array, obstacles: list[Array]) -> Array:
-    """The trapezoids of a world, (n, 6)."""
+    """Trapezoids of a world, (n, 6)."""
     return trapezoidation(PolygonWorld(boundary, obstacles)).trapezoids

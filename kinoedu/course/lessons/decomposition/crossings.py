@@ -13,7 +13,7 @@ from ...shapes import Number, Numbers, Record
 from ...whole_shapes import WholeNumbers
 from ..shared.random_shapes import sizes
 from ..shared.random_worlds import between_vertices, edges_round, general_world
-from .pictures import draw_crossed, titled
+from .pictures import draw_crossed, set_title
 from .sweep_line import crossed_edges, heights
 
 
@@ -29,26 +29,19 @@ class Crossings(ValueExercise):
     slips = (
         Slip("unsorted", lambda x, edges: np.sort(crossed_edges(x, edges))),
         Slip("top_down", lambda x, edges: crossed_edges(x, edges)[::-1]),
-        Slip(
-            "rightward",
-            lambda x, edges: by(heights(x, edges), (edges[:, 0] < x) & (x < edges[:, 2])),
-        ),
+        Slip("rightward", lambda x, e: sorted_by(heights(x, e), (e[:, 0] < x) & (x < e[:, 2]))),
         Slip(
             "middles",
-            lambda x, edges: by(
-                (edges[:, 1] + edges[:, 3]) / 2, (edges[:, 0] < x) != (edges[:, 2] < x)
-            ),
+            lambda x, e: sorted_by((e[:, 1] + e[:, 3]) / 2, (e[:, 0] < x) != (e[:, 2] < x)),
         ),
-        Slip(
-            "first_ends", lambda x, edges: by(edges[:, 1], (edges[:, 0] < x) != (edges[:, 2] < x))
-        ),
+        Slip("first_ends", lambda x, e: sorted_by(e[:, 1], (e[:, 0] < x) != (e[:, 2] < x))),
         Slip("lines", lambda x, edges: np.argsort(heights(x, edges))),
         Slip("renumbered", lambda x, edges: np.argsort(np.argsort(crossed_edges(x, edges)))),
     )
     reference = staticmethod(crossed_edges)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Edges that can be drawn on squared paper first; then those of whole worlds, shuffled."""
+        """Edges on squared paper first, then the edges of whole worlds in random order."""
         pair = np.array([(0, 0, 4, 0), (4, 3, 0, 1)], float)
         yield Case("two", {"x": 2.0, "edges": pair})
         yield Case("two", {"x": 2.0, "edges": pair[::-1]})
@@ -69,30 +62,28 @@ class Crossings(ValueExercise):
             found = crossed_edges(x, edges)
             yield Case("many" if len(found) > 2 else "two", {"x": x, "edges": edges})
             yield Case("two", {"x": x, "edges": edges[rng.permutation(found[:2])]})
-            yield Case("slanted", {"x": x, "edges": through(rng, x, size)})
+            yield Case("slanted", {"x": x, "edges": steep_edges(rng, x, size)})
             yield Case("none", {"x": float(edges[:, 0].max() + 1.0), "edges": edges})
             yield Case(
                 "many", {"x": x, "edges": np.vstack([edges, edges + np.array([0, 3, 0, 3]) * size])}
             )
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The line and the edges, those crossed with their places in both orders."""
+        """Draw the line and the edges; the crossed ones with their places in both orders."""
         draw_crossed(
             case, self.truth(case), outcome.value if isinstance(outcome, Answer) else None, ax
         )
-        titled(self, case, ax)
+        set_title(self, case, ax)
 
 
-def by(key: Array, chosen: NDArray[np.bool_]) -> NDArray[np.int64]:
-    """The numbers of the chosen edges by a key."""
+def sorted_by(key: Array, chosen: NDArray[np.bool_]) -> NDArray[np.int64]:
+    """Indices of the chosen edges, sorted by a key."""
     hit = np.flatnonzero(chosen)
     return hit[np.argsort(key[hit], kind="stable")]
 
 
-def through(rng: np.random.Generator, x: float, size: float) -> Array:
-    """Steep edges of many lengths that do not cross each other, one above the other at x, in no
-    order.
-    """
+def steep_edges(rng: np.random.Generator, x: float, size: float) -> Array:
+    """Random steep edges that do not cross, one above the other at x, in random order."""
     rows = []
     for level in range(3):
         slope = rng.choice([-3.0, -2.0, 2.0, 3.0]) if level else 2.5

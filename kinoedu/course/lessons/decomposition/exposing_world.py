@@ -1,6 +1,4 @@
-"""The exercise "break it" of lesson 3: find a world in which a rule for the wall between two cells
-is wrong.
-"""
+"""The "break it" exercise of lesson 3: find a world in which a rule for common walls is wrong."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -25,9 +23,7 @@ REFUSALS = (InvalidPoint, InvalidPolygon, InvalidWorld)
 
 
 class ExposeShorterWalls(Exercise):
-    """Break it: a world in which `middle_of_shorter_wall` is not on the wall that two neighbours
-    share.
-    """
+    """Find a world in which `middle_of_shorter_wall` is off the common wall of two neighbours."""
 
     name = "exposing_world"
     lesson = "03_decomposition"
@@ -36,11 +32,11 @@ class ExposeShorterWalls(Exercise):
     answer = RING
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """The same question three times: each asks more of the answer."""
+        """The same question three times; each case demands more of the answer."""
         return (Case(kind, {}) for kind in self.kinds)
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """A simple polygon; in which a middle lies off its wall; with six vertices."""
+        """Check that the polygon is simple, that the rule is wrong, and the number of vertices."""
         if not np.isfinite(value).all() or np.abs(value).max(initial=0.0) > 1e4:
             return Verdict(0.0, "range", self.wanted(case))
         try:
@@ -54,11 +50,11 @@ class ExposeShorterWalls(Exercise):
         return RIGHT
 
     def wanted(self, case: Case) -> str:
-        """What is asked for."""
+        """Description of what the case asks for."""
         return say(f"exposing_world.wanted.{case.kind}")
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The cells, the walls that they share, and the middles that are off them."""
+        """Draw the cells, their common walls, and the middles that are not on them."""
         from ....figures import plane
 
         boundary = outcome.value if isinstance(outcome, Answer) else np.empty((0, 2))
@@ -70,15 +66,13 @@ class ExposeShorterWalls(Exercise):
 
 
 def cells_in(boundary: Array) -> tuple[Array, NDArray[np.int64]]:
-    """The cells of a world without obstacles, (n, 6), and the pairs of neighbours, (m, 2)."""
+    """Cells of a world without obstacles, (n, 6), and the pairs of neighbours, (m, 2)."""
     cut = trapezoidation(PolygonWorld(boundary, []))
     return cut.trapezoids, cut.adjacency
 
 
 def misplaced(boundary: Array) -> NDArray[np.bool_]:
-    """For each pair of neighbours whether `middle_of_shorter_wall` lies off their wall by more than
-    0.000001, (m,).
-    """
+    """For each pair of neighbours, whether the rule's point is off their wall by 1e-6, (m,)."""
     cells, pairs = cells_in(boundary)
     walls = np.array([shared_wall(cells[i], cells[j]) for i, j in pairs]).reshape(-1, 3)
     y = np.array([middle_of_shorter_wall(cells[i], cells[j])[1] for i, j in pairs])
@@ -87,8 +81,9 @@ def misplaced(boundary: Array) -> NDArray[np.bool_]:
 
 
 def middle_of_shorter_wall(a: Array, b: Array) -> Array:
-    """The middle of the wall between two neighbours: of the left one's right wall and the right
-    one's left wall the shorter.
+    """Middle of the wall between two neighbours.
+
+    It takes the shorter one of the left cell's right wall and the right cell's left wall.
 
     It is wrong somewhere. Where?
     """

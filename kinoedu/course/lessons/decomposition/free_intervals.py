@@ -11,29 +11,23 @@ from ...outcomes import Answer, Outcome
 from ...shapes import Listed, Number, Numbers, Record
 from ..shared.random_shapes import sizes
 from ..shared.random_worlds import between_vertices, edges_round, general_world
-from .pictures import draw_intervals, titled
+from .pictures import draw_intervals, set_title
 from .sweep_line import crossed_edges, heights
 
 RING = Numbers(("n", 2))
-
-
 KITE = np.array([(0, 0), (8, -4), (12, 8), (4, 12)], float)
-
-
 WEDGE = np.array([(3, 2), (7, 1), (6, 5)], float)
-
-
 BAY = np.array([(0, 0), (10, -4), (6, 1), (9, 6)], float)
 
 
 def free_stretches(x: float, boundary: Array, obstacles: list[Array]) -> Array:
-    """The free stretches of a vertical line, from bottom to top, (k, 2)."""
+    """Free intervals of a vertical line, from bottom to top, (k, 2)."""
     edges = edges_round(boundary, obstacles)
     return heights(x, edges[crossed_edges(x, edges)]).reshape(-1, 2)
 
 
 class FreeIntervals(ValueExercise):
-    """The free stretches of a vertical line between two events."""
+    """The free intervals of a vertical line between two events."""
 
     name = "free_intervals"
     lesson = "03_decomposition"
@@ -42,31 +36,18 @@ class FreeIntervals(ValueExercise):
     answer = Numbers(("k", 2))
     source = staticmethod(free_stretches)
     slips = (
-        Slip("hollow", lambda x, boundary, obstacles: consecutive(x, boundary, obstacles)),
-        Slip("solid", lambda x, boundary, obstacles: consecutive(x, boundary, obstacles)[1::2]),
+        Slip("hollow", lambda *given: all_intervals(*given)),
+        Slip("solid", lambda *given: all_intervals(*given)[1::2]),
         Slip("no_obstacles", lambda x, boundary, obstacles: free_stretches(x, boundary, [])),
-        Slip(
-            "outer",
-            lambda x, boundary, obstacles: free_stretches(x, boundary, obstacles).reshape(-1)[
-                [0, -1]
-            ][None],
-        ),
-        Slip(
-            "top_down", lambda x, boundary, obstacles: free_stretches(x, boundary, obstacles)[::-1]
-        ),
-        Slip(
-            "upside_down",
-            lambda x, boundary, obstacles: free_stretches(x, boundary, obstacles)[:, ::-1],
-        ),
-        Slip(
-            "upside_down",
-            lambda x, boundary, obstacles: free_stretches(x, boundary, obstacles)[::-1, ::-1],
-        ),
+        Slip("outer", lambda *given: free_stretches(*given).reshape(-1)[[0, -1]][None]),
+        Slip("top_down", lambda *given: free_stretches(*given)[::-1]),
+        Slip("upside_down", lambda *given: free_stretches(*given)[:, ::-1]),
+        Slip("upside_down", lambda *given: free_stretches(*given)[::-1, ::-1]),
     )
     reference = staticmethod(free_stretches)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Squared paper first; then a bay, an obstacle, several."""
+        """Squared paper first; then bays, an obstacle, and several obstacles."""
         for kind, x, boundary, obstacles in (
             ("convex", 4.0, [(0, 0), (6, 0), (8, 4), (1, 4)], []),
             ("convex", 6.0, KITE, []),
@@ -84,14 +65,14 @@ class FreeIntervals(ValueExercise):
                 yield Case(kind, {"x": between_vertices(rng, edges_round(**world)), **world})
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The world, the line, its free stretches and the student's beside them."""
+        """Draw the world, the line, its free intervals, and the student's beside them."""
         draw_intervals(
             case, self.truth(case), outcome.value if isinstance(outcome, Answer) else None, ax
         )
-        titled(self, case, ax)
+        set_title(self, case, ax)
 
 
-def consecutive(x: float, boundary: Array, obstacles: list[Array]) -> Array:
-    """Every stretch between two neighbouring crossings, free or not."""
+def all_intervals(x: float, boundary: Array, obstacles: list[Array]) -> Array:
+    """All intervals between neighbouring crossings, free or not."""
     levels = free_stretches(x, boundary, obstacles).reshape(-1)
     return np.column_stack([levels[:-1], levels[1:]])

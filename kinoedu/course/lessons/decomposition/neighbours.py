@@ -15,23 +15,16 @@ from ...whole_shapes import WholeNumbers
 from ..shared.random_shapes import sizes
 from ..shared.random_worlds import has_room
 from .cells import CELLS, cells_of
-from .pictures import draw_pairs, titled
-from .slips import (
-    left_first,
-    nearly,
-    nested_walls,
-    only_later,
-    touching,
-    whole_walls,
-)
+from .pictures import draw_pairs, set_title
+from .slips import left_first, nearly, nested_walls, only_later, touching, whole_walls
 
-THIN_PLATE = np.array(  # it hangs from the ceiling
+THIN_PLATE = np.array(  # attached to the ceiling
     [(0, 1000, 0, 900, 0, 900), (1000, 1000.005, 0, 300, 0, 300), (1000.005, 2000, 0, 900, 0, 900)]
 )
 
 
 def neighbouring(trapezoids: Array) -> NDArray[np.int64]:
-    """The pairs (i, j), i < j, of trapezoids that share a wall of positive length, (m, 2)."""
+    """Pairs (i, j), i < j, of trapezoids that share a wall of positive length, (m, 2)."""
     return touching(trapezoids)
 
 
@@ -75,20 +68,14 @@ class Neighbours(ValueExercise):
     reference = staticmethod(neighbouring)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Two or three trapezoids first; then all of a world, in an order by chance."""
+        """Two or three trapezoids first, then all of a world in random order."""
         one, next_to = [0, 2, 0, 4, 0, 4], [2, 5, 1, 3, 0, 4]
         yield Case("side", {"trapezoids": np.array([one, next_to], float)})
         yield Case("side", {"trapezoids": np.array([next_to, one], float)})
         yield Case("side", {"trapezoids": np.array([one, [2, 5, 3, 7, 3, 7]], float)})
         yield Case("apart", {"trapezoids": np.array([one, [2, 5, 6, 8, 6, 7]], float)})
-        yield Case(
-            "apart",
-            {
-                "trapezoids": np.array(
-                    [[0, 2, 0, 4, 0, 2], [2, 5, 3, 6, 3, 6], [2, 4, 0, 2, 1, 2]], float
-                )
-            },
-        )
+        three = [[0, 2, 0, 4, 0, 2], [2, 5, 3, 6, 3, 6], [2, 4, 0, 2, 1, 2]]
+        yield Case("apart", {"trapezoids": np.array(three, float)})
         yield Case("point", {"trapezoids": np.array([one, [2, 5, 4, 7, 3, 7]], float)})
         yield Case("point", {"trapezoids": np.array([one, [2, 5, 4, 7, 3, 7], next_to], float)})
         yield Case("world", {"trapezoids": THIN_PLATE})
@@ -107,7 +94,7 @@ class Neighbours(ValueExercise):
             yield Case("world", {"trapezoids": rng.permutation(box_world(rng, size))})
 
     def same(self, value: Any, truth: Any) -> bool:
-        """Whether the same pairs are there, each once, in any order."""
+        """Compare pairs in any order, each once."""
         found, wanted = (
             sorted(map(tuple, np.asarray(array, float).reshape(-1, 2).tolist()))
             for array in (value, truth)
@@ -115,7 +102,7 @@ class Neighbours(ValueExercise):
         return found == wanted
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """First whether they are pairs i < j, each once; then whether they are the right ones."""
+        """Check that they are pairs i < j, each once; then that they are the right ones."""
         if self.same(value, self.truth(case)):
             return RIGHT
         pairs, n = np.asarray(value), len(case.given["trapezoids"])
@@ -127,20 +114,14 @@ class Neighbours(ValueExercise):
         return Verdict(0.0, case.kind if proper else "pairs", self.wanted(case))
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The trapezoids with their numbers, the walls that are shared, and the pairs that the
-        student joined.
-        """
-        draw_pairs(
-            case.given["trapezoids"],
-            self.truth(case),
-            outcome.value if isinstance(outcome, Answer) else None,
-            ax,
-        )
-        titled(self, case, ax)
+        """Draw the numbered trapezoids, the common walls, and the student's pairs."""
+        value = outcome.value if isinstance(outcome, Answer) else None
+        draw_pairs(case.given["trapezoids"], self.truth(case), value, ax)
+        set_title(self, case, ax)
 
 
 def box_world(rng: np.random.Generator, size: float) -> Array:
-    """The cells of a hall with triangles and boxes on a lattice: many share an x."""
+    """Cells of a hall with triangles and boxes on a lattice, many of which share an x."""
     unit, holes = size / 8, list[Array]()
     hall = np.array([(0, 0), (16, 0), (16, 10), (0, 10)], float)
     while len(holes) < 4:

@@ -1,6 +1,4 @@
-"""Pictures of failing cases of lesson 3. What is true is solid, what the student's program says
-dashed and orange.
-"""
+"""Pictures of failing cases of lesson 3: truth solid, student's answer dashed orange."""
 
 from collections.abc import Callable
 from typing import Any
@@ -13,15 +11,13 @@ from ....geometry.checks import Array
 from ....words import say
 from ...exercise import Case, Exercise
 
-# figures are imported inside the functions: matplotlib is not needed until something is wrong
+# figures are imported inside the functions: matplotlib is only needed for failing cases
 
 
 def draw_crossed(
     case: Case, truth: NDArray[np.int64], value: NDArray[np.int64] | None, ax: Any
 ) -> None:
-    """The edges with their numbers; where the line crosses one, its place in the order, and the
-    student's.
-    """
+    """Draw the numbered edges; each crossed one with its place in both orders."""
     from ....figures import palette, plane
 
     x, edges = case.given["x"], case.given["edges"]
@@ -29,36 +25,27 @@ def draw_crossed(
     for number, (ax_, ay, bx, by) in enumerate(edges):
         plane.stretch((ax_, ay), (bx, by), "", ax, colour=palette.OBSTACLE)
         if len(edges) <= 12:
-            plane.label(
-                ((ax_ + bx) / 2, (ay + by) / 2),
-                f"edge {number}",
-                ax,
-                colour=palette.OBSTACLE,
-                offset=(6, -16),
-            )
-    upright(x, ax)
-    said = [] if value is None else value.tolist()
+            middle = ((ax_ + bx) / 2, (ay + by) / 2)
+            plane.label(middle, f"edge {number}", ax, colour=palette.OBSTACLE, offset=(6, -16))
+    draw_sweep_line(x, ax)
+    answered = [] if value is None else value.tolist()
     for place, edge in enumerate(truth.tolist()):
         ax_, ay, bx, by = edges[edge]
-        yours = ", ".join(str(k) for k, other in enumerate(said) if other == edge) or "-"
+        yours = ", ".join(str(k) for k, other in enumerate(answered) if other == edge) or "-"
         height = ay + (x - ax_) / (bx - ax_) * (by - ay)
-        plane.dot(
-            (x, height),
-            say("picture.place", true=place, yours=yours) if len(truth) <= 8 else "",
-            ax,
-            colour=palette.GOAL,
-        )
+        name = say("picture.place", true=place, yours=yours) if len(truth) <= 8 else ""
+        plane.dot((x, height), name, ax, colour=palette.GOAL)
     if value is None:
         plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
 
 
 def draw_intervals(case: Case, truth: Array, value: Array | None, ax: Any) -> None:
-    """The world and the line; its free stretches on it, the student's beside it."""
+    """Draw the world, the line with its free intervals, and the student's beside it."""
     from ....figures import palette, plane
 
     x = case.given["x"]
     draw_ground(case.given, ax)
-    upright(x, ax)
+    draw_sweep_line(x, ax)
     for low, high in truth:
         plane.stretch((x, low), (x, high), "", ax, colour=palette.START, width=6.0)
     aside = x + 0.03 * float(np.ptp(ax.get_xlim()))
@@ -66,15 +53,8 @@ def draw_intervals(case: Case, truth: Array, value: Array | None, ax: Any) -> No
         plane.stretch(
             (aside, low), (aside, high), "", ax, colour=palette.GOAL, style="--", width=4.0
         )
-        ax.plot(
-            [aside, aside],
-            [low, high],
-            "_",
-            color=palette.GOAL,
-            markersize=12,
-            markeredgewidth=3,
-            zorder=5,
-        )
+        ticks = {"color": palette.GOAL, "markersize": 12, "markeredgewidth": 3}
+        ax.plot([aside, aside], [low, high], "_", zorder=5, **ticks)
     note = (
         say("picture.no_answer")
         if value is None
@@ -84,9 +64,7 @@ def draw_intervals(case: Case, truth: Array, value: Array | None, ax: Any) -> No
 
 
 def draw_cells(world: dict[str, Any], truth: Array, value: Array | None, ax: Any) -> None:
-    """The world, the true cells pale, the student's dashed; full orange those of the student's that
-    are none.
-    """
+    """Draw the world, the true cells pale, the student's dashed, and wrong ones filled orange."""
     from ....figures import palette, plane
 
     draw_ground(world, ax)
@@ -106,15 +84,8 @@ def draw_cells(world: dict[str, Any], truth: Array, value: Array | None, ax: Any
     for outline, good in zip(corners_of(shown), right):
         if good:
             closed = np.vstack([outline, outline[:1]])
-            ax.plot(
-                *closed.T,
-                "--",
-                color=palette.GOAL,
-                linewidth=2.0,
-                zorder=4,
-                scalex=False,
-                scaley=False,
-            )
+            dashed = {"color": palette.GOAL, "linewidth": 2.0, "zorder": 4}
+            ax.plot(*closed.T, "--", scalex=False, scaley=False, **dashed)
         else:
             face = (*bytes.fromhex(palette.GOAL[1:]), 40)
             ax.fill(
@@ -136,9 +107,7 @@ def draw_cells(world: dict[str, Any], truth: Array, value: Array | None, ax: Any
 def draw_pairs(
     cells: Array, truth: NDArray[np.int64], value: NDArray[np.int64] | None, ax: Any
 ) -> None:
-    """The cells with their numbers, true pairs joined by a solid line, the student's by a dashed
-    one.
-    """
+    """Draw the numbered cells, true pairs joined by solid lines, the student's by dashed ones."""
     from ....figures import palette, plane
 
     centres = number_cells(cells, ax)
@@ -161,9 +130,7 @@ def draw_cell_path(
     ax: Any,
     is_free: Callable[..., bool],
 ) -> None:
-    """The cells, a right path, the student's dashed, and over it its first motion that is not
-    free.
-    """
+    """Draw the cells, a right path, the student's path, and its first motion that is not free."""
     from ....figures import palette, plane
 
     number_cells(given["trapezoids"], ax)
@@ -182,14 +149,8 @@ def draw_cell_path(
             scalex=False,
             scaley=False,
         )
-        hit = next(
-            (
-                i
-                for i in range(len(value) - 1)
-                if not is_free(value[i], value[i + 1], given["trapezoids"])
-            ),
-            None,
-        )
+        cells, motions = given["trapezoids"], range(len(value) - 1)
+        hit = next((i for i in motions if not is_free(value[i], value[i + 1], cells)), None)
         if hit is not None:
             plane.stretch(
                 value[hit], value[hit + 1], say("picture.contact"), ax, colour=palette.CONTACT
@@ -201,9 +162,7 @@ def draw_cell_path(
 def draw_middles(
     cells: Array, pairs: Any, shared: Callable[..., Any], found: Callable[..., Array], ax: Any
 ) -> None:
-    """The cells, solid the walls that neighbours share, and the middles found for them: crosses
-    where they lie off.
-    """
+    """Draw the cells, their common walls, and crosses for middles that are not on them."""
     from ....figures import palette, plane
 
     number_cells(cells, ax)
@@ -211,17 +170,12 @@ def draw_middles(
         x, low, high = shared(cells[i], cells[j])
         y = found(cells[i], cells[j])[1]
         plane.stretch((x, low), (x, high), "", ax, colour=palette.START, width=6.0)
-        plane.dot(
-            (x, y),
-            "",
-            ax,
-            colour=palette.INK if low < y < high else palette.GOAL,
-            marker="o" if low < y < high else "X",
-        )
+        colour, marker = (palette.INK, "o") if low < y < high else (palette.GOAL, "X")
+        plane.dot((x, y), "", ax, colour=colour, marker=marker)
 
 
 def draw_outline(boundary: Array, ax: Any) -> None:
-    """What is no world: its vertices in their order, as far as there are some."""
+    """Draw the vertices of an invalid world in their order, as far as there are any."""
     from ....figures import palette, plane
 
     shown = boundary[np.isfinite(boundary).all(axis=1)]
@@ -231,32 +185,27 @@ def draw_outline(boundary: Array, ax: Any) -> None:
         plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
 
 
-def titled(exercise: Exercise, case: Case, ax: Any) -> None:
-    """What to see in the picture of this kind of input."""
+def set_title(exercise: Exercise, case: Case, ax: Any) -> None:
+    """Set the title for this kind of input."""
     from ....figures import plane
 
     plane.title(exercise.words(f"pictures.{case.kind}"), ax)
 
 
 def draw_ground(world: dict[str, Any], ax: Any) -> None:
-    """The outside grey, the inside white, obstacles solid."""
+    """Draw the outside grey, the inside white and obstacles solid."""
     from ....figures import palette, plane
 
     plane.frame(world["boundary"], ax, margin=0.2)
     ax.set_facecolor("#E5E7EB")
-    ax.fill(
-        *np.asarray(world["boundary"]).T,
-        facecolor=palette.FREE,
-        edgecolor=palette.OBSTACLE,
-        linewidth=2,
-        zorder=1,
-    )
+    look = {"facecolor": palette.FREE, "edgecolor": palette.OBSTACLE, "linewidth": 2}
+    ax.fill(*np.asarray(world["boundary"]).T, zorder=1, **look)
     for obstacle in world["obstacles"]:
         plane.polygon(obstacle, ax, numbers=False)
 
 
 def number_cells(cells: Array, ax: Any) -> Array:
-    """Draw cells with their numbers on solid ground; returns their centres, (n, 2)."""
+    """Draw numbered cells on solid ground, and return their centres, (n, 2)."""
     from ....figures import palette, plane
 
     outlines = corners_of(cells)
@@ -270,8 +219,8 @@ def number_cells(cells: Array, ax: Any) -> Array:
     return centres
 
 
-def upright(x: float, ax: Any) -> None:
-    """The sweep line."""
+def draw_sweep_line(x: float, ax: Any) -> None:
+    """Draw the sweep line."""
     from ....figures import palette
 
     ax.axvline(x, color=palette.INK, linewidth=1.8, zorder=3)

@@ -1,6 +1,4 @@
-"""The last exercise on decomposition: a path from cell to cell, judged by going along it. Bullo &
-Smith, chapter 2.
-"""
+"""The exercise on a path from cell to cell, judged motion by motion. Bullo & Smith, chapter 2."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -21,26 +19,24 @@ from ..geometry.lines import POINT
 from ..shared.random_shapes import sizes
 from ..shared.random_worlds import general_world, round_polygon
 from .cells import CELLS
-from .pictures import draw_cell_path, titled
+from .pictures import draw_cell_path, set_title
 
 HALL = np.array([(0, 0), (16, 0), (16, 10), (0, 10)], float)
-BAR = np.array(
-    [(0, 4), (14, 4), (14, 6), (0, 6)], float
-)  # from the left wall: the only way is round its right end
+# a bar from the left wall: the only way is round its right end
+BAR = np.array([(0, 4), (14, 4), (14, 6), (0, 6)], float)
 FENCE = np.array([(7, 0), (9, 0), (9, 10), (7, 10)], float)  # from floor to ceiling
-STEP = np.array(
-    [(0, 2), (5, 0), (5, 3), (9, 5), (5, 9), (5, 4)], float
-)  # neither wall at x = 5 holds the other
+# neither wall at x = 5 contains the other
+STEP = np.array([(0, 2), (5, 0), (5, 3), (9, 5), (5, 9), (5, 4)], float)
 
 
 def through_cells(
     start: Array, goal: Array, trapezoids: Array, pairs: NDArray[np.int64]
 ) -> Array | None:
-    """A path by the centres of cells and the middles of the walls between them, (k, 2), or None."""
+    """Path through the centres of cells and the middles of their walls, (k, 2), or None."""
     cells = bfs_path(
         Graph(len(trapezoids), pairs),
-        int(holders(start, trapezoids)[0]),
-        int(holders(goal, trapezoids)[0]),
+        int(cells_containing(start, trapezoids)[0]),
+        int(cells_containing(goal, trapezoids)[0]),
     )
     if cells is None:
         return None
@@ -51,42 +47,43 @@ def through_cells(
 
 
 def centre(cell: Array) -> Array:
-    """Half way across a trapezoid, half way up."""
+    """Centre of a trapezoid: the middle of its middle vertical line."""
     return np.array([(cell[0] + cell[1]) / 2, cell[2:].mean()])
 
 
 def middle(a: Array, b: Array) -> Array:
-    """The middle of the wall between two trapezoids."""
+    """Middle of the wall between two trapezoids."""
     x, low, high = shared_wall(a, b)
     return np.array([x, (low + high) / 2])
 
 
 def shared_wall(a: Array, b: Array) -> tuple[float, float, float]:
-    """The wall between two neighbours: its x, its lower and its upper end."""
+    """Wall between two neighbours: its x, its lower and its upper end."""
     left, right = (a, b) if a[1] == b[0] else (b, a)
     return left[1], max(left[4], right[2]), min(left[5], right[3])
 
 
-def levels(cells: Array, x: float) -> Array:
-    """The heights of the floor and the ceiling of each cell at x, (2, n)."""
+def floors_and_ceilings(cells: Array, x: float) -> Array:
+    """Heights of the floor and the ceiling of each cell at x, (2, n)."""
     share = (x - cells[:, 0]) / (cells[:, 1] - cells[:, 0])
     return cells[:, 2:4].T + share * (cells[:, 4:6] - cells[:, 2:4]).T
 
 
-def holders(q: Array, cells: Array) -> NDArray[np.int64]:
-    """The cells, walls included, that have q above their floor and below their ceiling."""
-    low, high = levels(cells, q[0])
+def cells_containing(q: Array, cells: Array) -> NDArray[np.int64]:
+    """Cells, walls included, with q above their floor and below their ceiling."""
+    low, high = floors_and_ceilings(cells, q[0])
     return np.flatnonzero(
         (cells[:, 0] <= q[0]) & (q[0] <= cells[:, 1]) & (low < q[1]) & (q[1] < high)
     )
 
 
 def is_free(a: Array, b: Array, cells: Array) -> bool:
-    """Whether a motion touches no obstacle: in each cell it keeps off floor and ceiling, and it
-    changes cells through walls.
+    """Whether a motion touches no obstacle.
 
-    At every wall both ends of what lies between two walls must be in one cell. Straight up or down,
-    one cell must hold both ends on the left and one on the right; along a wall these are two cells.
+    In each cell it must stay off floor and ceiling, and it must change cells through walls. The
+    motion is split at all walls; both ends of each part must lie in one cell. A vertical motion
+    needs one cell on the left that contains both ends, and one on the right; along a wall these are
+    two different cells.
     """
     a, b = (a, b) if a[0] <= b[0] else (b, a)
     walls = np.unique(cells[:, :2])
@@ -97,7 +94,7 @@ def is_free(a: Array, b: Array, cells: Array) -> bool:
         b,
     ]
     for q, r in [*((q, q) for q in stops), *zip(stops, stops[1:])]:
-        shared = np.intersect1d(holders(q, cells), holders(r, cells))
+        shared = np.intersect1d(cells_containing(q, cells), cells_containing(r, cells))
         if q[0] == r[0] and not (
             (cells[shared, 0] < q[0]).any() and (cells[shared, 1] > q[0]).any()
         ):
@@ -108,7 +105,7 @@ def is_free(a: Array, b: Array, cells: Array) -> bool:
 
 
 class PlanByDecomposition(Exercise):
-    """From start to goal through the cells, or None where there is no way."""
+    """A path from start to goal through the cells, or None where there is no way."""
 
     name = "plan_by_decomposition"
     lesson = "03_decomposition"
@@ -118,8 +115,9 @@ class PlanByDecomposition(Exercise):
     source = staticmethod(through_cells)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """One cell; two; round a tip, where start and goal lie one above the other; across a world;
-        into another room.
+        """One cell, two cells, round a tip, across a world, and into another room.
+
+        Round a tip, start and goal lie one above the other.
         """
         for boundary, obstacles, start, goal in (
             (HALL, [], (1, 1), (15, 9)),
@@ -129,11 +127,11 @@ class PlanByDecomposition(Exercise):
             (HALL, [FENCE], (3, 5), (13, 5)),
             (HALL, [mirror(BAR)], (13, 8), (13, 2)),
         ):
-            cells, pairs = cut(rng, boundary, obstacles, shuffle=False)
+            cells, pairs = shuffled_cells(rng, boundary, obstacles, shuffle=False)
             yield case(np.array(start, float), np.array(goal, float), cells, pairs)
         for size in sizes(4):
             world = general_world(rng, int(rng.integers(2, 6)), size)
-            cells, pairs = cut(rng, **world)
+            cells, pairs = shuffled_cells(rng, **world)
             reached = bfs(Graph(len(cells), pairs), 0).cost
             yield case(inside(rng, cells[0]), inside(rng, cells[0]), cells, pairs)
             i, j = pairs[rng.integers(len(pairs))]
@@ -141,18 +139,18 @@ class PlanByDecomposition(Exercise):
             far = int(np.argmax(reached))
             yield case(inside(rng, cells[0]), inside(rng, cells[far]), cells, pairs)
             scale, kind = size / 16, rng.random() < 0.5
-            tip, two = cut(rng, scale * HALL, [scale * (mirror(BAR) if kind else BAR)])
+            tip, two = shuffled_cells(rng, scale * HALL, [scale * (mirror(BAR) if kind else BAR)])
             order = np.argsort(tip[:, 1] - tip[:, 0])  # the short cell lies at the tip
             yield case(inside(rng, tip[order[-1]]), inside(rng, tip[order[-2]]), tip, two)
-            apart, joined = cut(rng, scale * HALL, [scale * FENCE])
+            apart, joined = shuffled_cells(rng, scale * HALL, [scale * FENCE])
             yield case(inside(rng, apart[0]), inside(rng, apart[1]), apart, joined)
             ring = round_polygon(rng, int(rng.integers(4, 7)), 0.3 * size)
-            cells, pairs = cut(rng, round_polygon(rng, 7, size), [(ring, [0.6 * ring])])
+            cells, pairs = shuffled_cells(rng, round_polygon(rng, 7, size), [(ring, [0.6 * ring])])
             ends = apart_cells(cells, pairs)
             yield case(inside(rng, cells[ends[0]]), inside(rng, cells[ends[1]]), cells, pairs)
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """None exactly where there is no way; else from start to goal, and every motion free."""
+        """Check that None is answered exactly where there is no way; else that the path is free."""
         given, wanted = case.given, self.wanted(case)
         if value is None:
             return Verdict(0.0, "none", wanted) if case.kind != "none" else RIGHT
@@ -173,60 +171,62 @@ class PlanByDecomposition(Exercise):
         return RIGHT
 
     def wanted(self, case: Case) -> str:
-        """One right path, in words."""
+        """Description by one right path."""
         path = through_cells(*case.given.values())
         return say(f"{self.name}.wanted", path=spoken(path)) if path is not None else "None"
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The cells, a right path, and the student's with the motion that is not free."""
+        """Draw the cells, a right path, and the student's path with its motion that is not free."""
         value = outcome.value if isinstance(outcome, Answer) else None
         draw_cell_path(case.given, through_cells(*case.given.values()), value, ax, is_free)
-        titled(self, case, ax)
+        set_title(self, case, ax)
 
 
 def case(start: Array, goal: Array, cells: Array, pairs: NDArray[np.int64]) -> Case:
-    """A case of the kind that it is."""
-    i, j = int(holders(start, cells)[0]), int(holders(goal, cells)[0])
+    """Case of a problem, with its kind."""
+    i, j = int(cells_containing(start, cells)[0]), int(cells_containing(goal, cells)[0])
     way = bfs_path(Graph(len(cells), pairs), i, j)
     kind = "none"
     if way is not None:
-        back = any(turns(cells[a], cells[b], cells[c]) for a, b, c in zip(way, way[1:], way[2:]))
+        back = any(
+            doubles_back(cells[a], cells[b], cells[c]) for a, b, c in zip(way, way[1:], way[2:])
+        )
         kind = {1: "same", 2: "next"}.get(len(way), "turn" if back else "far")
     return Case(kind, {"start": start, "goal": goal, "trapezoids": cells, "pairs": pairs})
 
 
-def turns(a: Array, b: Array, c: Array) -> bool:
-    """Whether the way from a through b to c leaves b on the side on which it came."""
+def doubles_back(a: Array, b: Array, c: Array) -> bool:
+    """Whether the path from a through b to c leaves b on the side from which it came."""
     return bool((a[1] == b[0]) == (c[1] == b[0]))
 
 
-def cut(
+def shuffled_cells(
     rng: np.random.Generator, boundary: Array, obstacles: list[Any], *, shuffle: bool = True
 ) -> tuple[Array, NDArray[np.int64]]:
-    """The cells of a world and who is whose neighbour, in an order by chance."""
+    """Cells of a world and their neighbours, in random order."""
     done = trapezoidation(PolygonWorld(boundary, obstacles))
     order = rng.permutation(len(done.trapezoids)) if shuffle else np.arange(len(done.trapezoids))
     return done.trapezoids[order], np.sort(np.argsort(order)[done.adjacency], axis=1).reshape(-1, 2)
 
 
 def inside(rng: np.random.Generator, cell: Array) -> Array:
-    """A random point well inside a cell, short in writing where the cell is large enough."""
+    """Random point well inside a cell, with few digits where the cell is large enough."""
     x = cell[0] + rng.uniform(0.25, 0.75) * (cell[1] - cell[0])
-    low, high = levels(cell[None], x)[:, 0]
+    low, high = floors_and_ceilings(cell[None], x)[:, 0]
     q = np.array([x, low + rng.uniform(0.25, 0.75) * (high - low)])
     return (
         np.round(q, 3)
-        if len(holders(np.round(q, 3), cell[None])) and cell[1] - cell[0] > 0.1
+        if len(cells_containing(np.round(q, 3), cell[None])) and cell[1] - cell[0] > 0.1
         else q
     )
 
 
 def mirror(ring: Array) -> Array:
-    """A ring of the hall with left and right exchanged."""
+    """Reflect a ring of the hall left to right."""
     return np.array([16, 0]) + (ring * [-1, 1])[::-1]
 
 
 def apart_cells(cells: Array, pairs: NDArray[np.int64]) -> tuple[int, int]:
-    """Two cells of different parts."""
+    """Two cells that are not connected."""
     reached = np.isfinite(bfs(Graph(len(cells), pairs), 0).cost)
     return 0, int(np.flatnonzero(~reached)[0])

@@ -1,4 +1,4 @@
-"""What programs answer that have a known misconception about cells and their neighbours."""
+"""Answers of programs with a known misconception about cells and their neighbours."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,7 +11,7 @@ Pairs = NDArray[np.int64]
 
 
 def slabs(boundary: Array, obstacles: list[Array]) -> Array:
-    """Cells cut at every event, also where no wall stands."""
+    """Cells cut at every event, also where there is no wall."""
     edges = edges_round(boundary, obstacles)
     x = np.sort(edges[:, 0])
     rows = []
@@ -26,8 +26,9 @@ def slabs(boundary: Array, obstacles: list[Array]) -> Array:
 
 
 def merged(boundary: Array, obstacles: list[Array], *, hollow: bool) -> Array:
-    """Slabs merged where floor and ceiling stay the same; if hollow, the inside of obstacles and
-    bays counts as well.
+    """Slabs merged where floor and ceiling stay the same.
+
+    With `hollow`, the inside of obstacles and bays counts as free.
     """
     edges = edges_round(boundary, obstacles)
     x = np.sort(edges[:, 0])
@@ -45,18 +46,20 @@ def merged(boundary: Array, obstacles: list[Array], *, hollow: bool) -> Array:
 
 
 def without_last(cells: Array) -> Array:
-    """The cells but for those that end at the last event."""
+    """Cells except those that end at the last event."""
     return cells[cells[:, 1] < cells[:, 1].max()]
 
 
 def without_triangles(cells: Array) -> Array:
-    """The cells with four corners."""
+    """Cells with four corners."""
     return cells[~np.isclose(cells[:, 2], cells[:, 3]) & ~np.isclose(cells[:, 4], cells[:, 5])]
 
 
 def touching(cells: Array, *, point: bool = False, low: int = 4, high: int = 5) -> Pairs:
-    """Pairs that share a wall; those that touch in a point as well; the left one's heights from
-    other columns.
+    """Pairs of cells that share a wall.
+
+    With `point`, cells that touch in a point count as well. `low` and `high` are the columns of the
+    left cell's wall.
     """
     lo, hi = (
         np.maximum(cells[:, None, low], cells[:, 2]),
@@ -67,26 +70,26 @@ def touching(cells: Array, *, point: bool = False, low: int = 4, high: int = 5) 
 
 
 def left_first(cells: Array) -> Pairs:
-    """Pairs with the left one first, whatever its number."""
+    """Pairs with the left cell first, whatever its index."""
     lo, hi = np.maximum(cells[:, None, 4], cells[:, 2]), np.minimum(cells[:, None, 5], cells[:, 3])
     return np.argwhere((cells[:, None, 1] == cells[:, 0]) & (lo < hi))
 
 
 def only_later(cells: Array) -> Pairs:
-    """Pairs in which the left one has the smaller number."""
+    """Pairs in which the left cell has the smaller index."""
     pairs = left_first(cells)
     return pairs[pairs[:, 0] < pairs[:, 1]]
 
 
 def nearly(cells: Array) -> Pairs:
-    """Pairs whose walls are near to each other, whatever lies between."""
+    """Pairs whose walls are close to each other, whatever lies between."""
     lo, hi = np.maximum(cells[:, None, 4], cells[:, 2]), np.minimum(cells[:, None, 5], cells[:, 3])
     pairs = np.argwhere(np.isclose(cells[:, None, 1], cells[:, 0]) & (lo < hi))
     return np.unique(np.sort(pairs[pairs[:, 0] != pairs[:, 1]], axis=1), axis=0)
 
 
 def whole_walls(cells: Array) -> Pairs:
-    """Pairs whose walls are the same from end to end."""
+    """Pairs with equal walls."""
     equal = (
         (cells[:, None, 1] == cells[:, 0])
         & (cells[:, None, 4] == cells[:, 2])
@@ -96,7 +99,7 @@ def whole_walls(cells: Array) -> Pairs:
 
 
 def nested_walls(cells: Array) -> Pairs:
-    """Pairs of which one has a wall that holds all of the other's."""
+    """Pairs in which one wall contains the other."""
     low, high = cells[:, None, 4] - cells[:, 2], cells[:, None, 5] - cells[:, 3]
     pairs = left_first(cells)
     return np.sort(pairs[low[*pairs.T] * high[*pairs.T] <= 0], axis=1)

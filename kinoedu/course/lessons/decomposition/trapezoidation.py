@@ -15,13 +15,8 @@ from ..shared.random_shapes import sizes
 from ..shared.random_worlds import general_world
 from .cells import CELLS, cells_of
 from .free_intervals import BAY, KITE, RING, WEDGE
-from .pictures import draw_cells, titled
-from .slips import (
-    merged,
-    slabs,
-    without_last,
-    without_triangles,
-)
+from .pictures import draw_cells, set_title
+from .slips import merged, slabs, without_last, without_triangles
 
 
 class TrapezoidsOfWorld(ValueExercise):
@@ -36,34 +31,19 @@ class TrapezoidsOfWorld(ValueExercise):
     shown = staticmethod(settle)
     slips = (
         Slip("slabs", slabs),
-        Slip("hollow", lambda boundary, obstacles: merged(boundary, obstacles, hollow=True)),
-        Slip("last", lambda boundary, obstacles: without_last(cells_of(boundary, obstacles))),
-        Slip(
-            "columns",
-            lambda boundary, obstacles: cells_of(boundary, obstacles)[:, [0, 1, 2, 4, 3, 5]],
-        ),
-        Slip(
-            "columns",
-            lambda boundary, obstacles: cells_of(boundary, obstacles)[:, [0, 1, 3, 2, 5, 4]],
-        ),
-        Slip(
-            "columns",
-            lambda boundary, obstacles: cells_of(boundary, obstacles)[:, [0, 2, 3, 1, 4, 5]],
-        ),
+        Slip("hollow", lambda *world: merged(*world, hollow=True)),
+        Slip("last", lambda *world: without_last(cells_of(*world))),
+        Slip("columns", lambda *world: cells_of(*world)[:, [0, 1, 2, 4, 3, 5]]),
+        Slip("columns", lambda *world: cells_of(*world)[:, [0, 1, 3, 2, 5, 4]]),
+        Slip("columns", lambda *world: cells_of(*world)[:, [0, 2, 3, 1, 4, 5]]),
         Slip("no_obstacles", lambda boundary, obstacles: cells_of(boundary, [])),
-        Slip(
-            "rectangles",
-            lambda boundary, obstacles: cells_of(boundary, obstacles)[:, [0, 1, 2, 3, 2, 3]],
-        ),
-        Slip(
-            "no_triangles",
-            lambda boundary, obstacles: without_triangles(cells_of(boundary, obstacles)),
-        ),
+        Slip("rectangles", lambda *world: cells_of(*world)[:, [0, 1, 2, 3, 2, 3]]),
+        Slip("no_triangles", lambda *world: without_triangles(cells_of(*world))),
     )
     reference = staticmethod(cells_of)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Squared paper first; every world also mirrored, so that each type of vertex comes."""
+        """Squared paper first; every world also mirrored, so that each type of vertex occurs."""
         bay = {"boundary": BAY, "obstacles": []}
         for kind, world in (
             ("convex", {"boundary": np.array([(0, 0), (4, -2), (8, 4)], float), "obstacles": []}),
@@ -84,16 +64,14 @@ class TrapezoidsOfWorld(ValueExercise):
                 yield Case(kind, general_world(rng, number, size, convex=kind == "convex"))
 
     def same(self, value: Any, truth: Any) -> bool:
-        """Whether two arrays have the same rows, in any order, but for rounding."""
+        """Compare rows up to order and rounding."""
         found, wanted = (np.asarray(array, float).reshape(-1, 6) for array in (value, truth))
         return len(found) == len(wanted) and bool(
             (matches(found, wanted, self.tolerance).sum(axis=0) == 1).all()
         )
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """The same rows; where not, whether walls are upside down or a row is no trapezoid at
-        all.
-        """
+        """Compare the rows; otherwise find whether a row is not a trapezoid at all."""
         if self.same(value, self.truth(case)):
             return RIGHT
         if len(value) and not (
@@ -103,11 +81,11 @@ class TrapezoidsOfWorld(ValueExercise):
         return Verdict(0.0, case.kind, self.wanted(case))
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The true cells pale, the student's dashed."""
+        """Draw the true cells pale, the student's dashed."""
         draw_cells(
             case.given, self.truth(case), outcome.value if isinstance(outcome, Answer) else None, ax
         )
-        titled(self, case, ax)
+        set_title(self, case, ax)
 
 
 def is_upright(cells: Array) -> bool:
@@ -118,14 +96,14 @@ def is_upright(cells: Array) -> bool:
 
 
 def matches(found: Array, wanted: Array, tolerance: float) -> NDArray[np.bool_]:
-    """Which rows equal which but for rounding, (found, wanted)."""
+    """Which rows equal which up to rounding, (found, wanted)."""
     apart = np.abs(found[:, None] - wanted[None])
     near: NDArray[np.bool_] = apart <= tolerance * (1.0 + np.abs(wanted))[None]
     return np.all(near, axis=2)
 
 
 def mirrored(world: dict[str, Any]) -> dict[str, Any]:
-    """A world with left and right exchanged, counter-clockwise again."""
+    """Reflect a world left to right, and keep it counter-clockwise."""
     boundary, *obstacles = [
         (ring * [-1, 1])[::-1] + 0.0 for ring in (world["boundary"], *world["obstacles"])
     ]

@@ -1,6 +1,4 @@
-"""The exercise "break it" of lesson 1: find an input on which a program that looks right is
-wrong.
-"""
+"""The "break it" exercise of lesson 1: find an input on which a plausible program is wrong."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -18,7 +16,7 @@ from ..shared.pictures import draw_crossings
 
 
 class ExposeRayCounting(Exercise):
-    """Break it: a point and a polygon on which `ray_counting_distance` is wrong."""
+    """Find a point and a polygon on which `ray_counting_distance` is wrong."""
 
     name = "exposing_case"
     lesson = "01_geometry"
@@ -27,11 +25,11 @@ class ExposeRayCounting(Exercise):
     answer = Together((Numbers((2,)), Numbers(("n", 2))))
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """The same question three times: each asks more of the answer."""
+        """The same question three times; each case demands more of the answer."""
         return (Case(kind, {}) for kind in self.kinds)
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """A simple polygon; on which the program is wrong; with three vertices."""
+        """Check that the polygon is simple, the program is wrong, and the number of vertices."""
         q, polygon = value
         if (
             not np.isfinite(q).all()
@@ -52,17 +50,18 @@ class ExposeRayCounting(Exercise):
         return RIGHT
 
     def wanted(self, case: Case) -> str:
-        """What is asked for."""
+        """Description of what the case asks for."""
         return say(f"exposing_case.wanted.{case.kind}")
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The polygon, the point and what its ray crosses."""
+        """Draw the polygon, the point and the crossings of its ray."""
         draw_crossings(outcome.value if isinstance(outcome, Answer) else None, ax)
 
 
 def ray_counting_distance(q: Array, polygon: Array) -> float:
-    """The distance from q to a polygon, 0 inside: a ray from the inside to the right crosses the
-    boundary an odd number of times.
+    """Distance from q to a polygon, 0 inside.
+
+    A ray to the right from a point inside crosses the boundary an odd number of times.
 
     It is wrong somewhere. Where?
     """

@@ -16,7 +16,7 @@ from .lines import LEVEL, POINT, UPRIGHT
 
 
 class LineThroughPoints(ValueExercise):
-    """Two points to the line a x + b y + c = 0 with a^2 + b^2 = 1; either sign."""
+    """The line a x + b y + c = 0 through two points, with a^2 + b^2 = 1 and either sign."""
 
     name = "line_through_points"
     lesson = "01_geometry"
@@ -38,7 +38,7 @@ class LineThroughPoints(ValueExercise):
     reference = staticmethod(line_through_points)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Small whole numbers first."""
+        """Small integers first."""
         for kind, p1, p2 in (
             ("slanted", (0, 0), (3, 4)),
             ("level", (0, 1), (5, 1)),
@@ -66,7 +66,7 @@ class LineThroughPoints(ValueExercise):
             yield Case("coincident", {"p1": p2, "p2": p2})
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """a^2 + b^2 = 1, and both points on the line."""
+        """Check a^2 + b^2 = 1, then that both points are on the line."""
         if self.same(value, self.truth(case)):
             return RIGHT
         a, b, _ = value
@@ -75,15 +75,15 @@ class LineThroughPoints(ValueExercise):
         return Verdict(0.0, "through", self.wanted(case))
 
     def same(self, value: Any, truth: Any) -> bool:
-        """A line may be written with either sign."""
+        """Compare lines up to the sign of (a, b, c)."""
         return super().same(value, truth) or super().same(np.negative(value), truth)
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The points, the line through them and the student's."""
+        """Draw the points, the line through them and the student's line."""
         draw_line(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 
 
 def direction_as_normal(p1: Array, p2: Array) -> tuple[float, float, float]:
-    """A line whose (a, b) points along it instead of across."""
+    """A wrong line whose (a, b) is its direction and not its normal."""
     a, b = (p2 - p1) / np.sqrt(((p2 - p1) * (p2 - p1)).sum())
     return a, b, -(a * p1[0] + b * p1[1])

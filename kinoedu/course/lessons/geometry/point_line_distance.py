@@ -16,7 +16,7 @@ from .lines import POINT, UPRIGHT
 
 
 class PointLineDistance(ValueExercise):
-    """The distance from a point to a line through two others."""
+    """The distance from a point to the line through two other points."""
 
     name = "point_line_distance"
     lesson = "01_geometry"
@@ -46,7 +46,7 @@ class PointLineDistance(ValueExercise):
     reference = staticmethod(point_line_distance)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Small whole numbers first; both sides of the line, both ways along it."""
+        """Small integers first; both sides of the line, and both directions along it."""
         for kind, q, p1, p2 in (
             ("beside", (2, 3), (0, 0), (4, 0)),
             ("beside", (2, -3), (0, 0), (4, 0)),
@@ -69,27 +69,29 @@ class PointLineDistance(ValueExercise):
             along = float(np.dot(q - p1, p2 - p1) / np.dot(p2 - p1, p2 - p1))
             yield Case("beside" if 0 <= along <= 1 else "beyond", arguments(q, p1, p2))
             yield Case(
-                "beside", arguments((p1 + p2) / 2 + rng.uniform(0.2, 2) * turned(p2 - p1), p1, p2)
+                "beside",
+                arguments((p1 + p2) / 2 + rng.uniform(0.2, 2) * turn_left(p2 - p1), p1, p2),
             )
             yield Case(
-                "beyond", arguments(p2 + rng.integers(1, 4) * (p2 - p1) + turned(p2 - p1), p1, p2)
+                "beyond",
+                arguments(p2 + rng.integers(1, 4) * (p2 - p1) + turn_left(p2 - p1), p1, p2),
             )
             yield Case("on", arguments(np.round(p1 + rng.integers(-3, 4) * (p2 - p1), 2), p1, p2))
             yield Case("upright", arguments(q, p1, p1 + UPRIGHT * (1 + rng.integers(9))))
             yield Case("coincident", arguments(q, p1, p1))
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The line, the point, and a circle round it as large as each of the two distances."""
+        """Draw the line, the point, and a circle around it for each of the two distances."""
         draw_distance(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 
 
 def arguments(q: Any, p1: Any, p2: Any) -> dict[str, Array]:
-    """The arguments of a case."""
+    """Arguments of a case."""
     return {"q": np.array(q, float), "p1": np.array(p1, float), "p2": np.array(p2, float)}
 
 
-def turned(v: Array) -> Array:
-    """A vector turned a quarter to the left."""
+def turn_left(v: Array) -> Array:
+    """Turn a vector by a quarter turn to the left."""
     return np.array([-v[1], v[0]])
 
 
@@ -99,5 +101,5 @@ def cross(u: Array, v: Array) -> float:
 
 
 def signed_distance(q: Array, p1: Array, p2: Array) -> float:
-    """Negative to the right of the way from p1 to p2."""
+    """Distance to the line, negative to the right of the direction from p1 to p2."""
     return cross(p2 - p1, q - p1) / float(np.linalg.norm(p2 - p1))

@@ -17,8 +17,6 @@ from .lines import POINT
 from .polygons import CORNER, POLYGON, SQUARE, kind_of, nearest_on_edges, star_and_queries
 
 ROUND_SQUARE = ((2, -1), (7, 8), (-3, 2), (1, 1), (4, 2), (9000, 3), (-1, 4), (-2, 0))
-
-
 ROUND_CORNER = ((4, 3), (8, -2), (-1, 5), (1, 5), (5, 1), (2, 2), (1, 2), (4, 2.0005), (2, 3))
 
 
@@ -77,9 +75,7 @@ class PointPolygonDistance(ValueExercise):
     reference = staticmethod(point_polygon_distance)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """A square, an L, then larger stars; q nearest to an edge, a vertex, the edge that closes;
-        inside; on the boundary.
-        """
+        """A square, an L, then larger star-shaped polygons, with a point of every kind."""
         for polygon, queries in ((SQUARE, ROUND_SQUARE), (CORNER, ROUND_CORNER)):
             for q in queries:
                 yield self.case(np.array(q, float), polygon)
@@ -89,21 +85,21 @@ class PointPolygonDistance(ValueExercise):
                 yield self.case(point, star)
 
     def case(self, q: Array, polygon: Array) -> Case:
-        """A case of the kind that it is."""
+        """Case of a point and a polygon, with its kind."""
         return Case(kind_of(q, polygon), {"q": q, "polygon": polygon})
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The polygon, the point, and a circle round it as large as each of the two distances."""
+        """Draw the polygon, the point, and a circle around it for each of the two distances."""
         draw_distance(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 
 
 def edge_distances(q: Array, polygon: Array) -> Array:
-    """The distance of q to each edge, the closing one last; shape (n,)."""
+    """Distance of q to each edge, the closing edge last; shape (n,)."""
     return np.linalg.norm(nearest_on_edges(q, polygon) - q, axis=1)
 
 
 def line_distances(q: Array, polygon: Array) -> Array:
-    """The distance of q to the line through each edge; shape (n,)."""
+    """Distance of q to the line through each edge; shape (n,)."""
     sides = np.roll(polygon, -1, axis=0) - polygon
     return np.abs(
         sides[:, 0] * (q - polygon)[:, 1] - sides[:, 1] * (q - polygon)[:, 0]

@@ -1,4 +1,4 @@
-"""Exercises on segments. Bullo & Smith, chapter 1."""
+"""The exercise `point_segment_distance`. Bullo & Smith, chapter 1."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -14,7 +14,7 @@ from ...shapes import Number, Record
 from ..shared.pictures import draw_distance
 from ..shared.random_shapes import points, sizes
 from .lines import POINT
-from .point_line_distance import arguments, turned
+from .point_line_distance import arguments, turn_left
 
 
 class PointSegmentDistance(ValueExercise):
@@ -30,19 +30,22 @@ class PointSegmentDistance(ValueExercise):
     slips = (
         Slip("line", point_line_distance),
         Slip("ends", lambda q, p1, p2: min(np.linalg.norm(q - p1), np.linalg.norm(q - p2))),
-        Slip("one_end", lambda q, p1, p2: reach(q, p1, p2, 0.0, np.inf)),
-        Slip("other_end", lambda q, p1, p2: reach(q, p1, p2, -np.inf, 1.0)),
-        Slip("unscaled", lambda q, p1, p2: reach(q, p1, p1 + (p2 - p1), 0.0, 1.0, power=1)),
+        Slip("one_end", lambda q, p1, p2: clamped_distance(q, p1, p2, 0.0, np.inf)),
+        Slip("other_end", lambda q, p1, p2: clamped_distance(q, p1, p2, -np.inf, 1.0)),
+        Slip(
+            "unscaled", lambda q, p1, p2: clamped_distance(q, p1, p1 + (p2 - p1), 0.0, 1.0, power=1)
+        ),
         Slip("square", lambda q, p1, p2: point_segment_distance(q, p1, p2) ** 2),
         Slip("rounded", lambda q, p1, p2: round(float(point_segment_distance(q, p1, p2)), 2)),
-        Slip("nan", lambda q, p1, p2: reach(q, p1, p2, 0.0, 1.0) if (p1 != p2).any() else np.nan),
+        Slip(
+            "nan",
+            lambda q, p1, p2: clamped_distance(q, p1, p2, 0.0, 1.0) if (p1 != p2).any() else np.nan,
+        ),
     )
     reference = staticmethod(point_segment_distance)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Small whole numbers first; q beside the segment, beyond either end, on it; then a segment
-        that is a point.
-        """
+        """Small integers first: q beside the segment, beyond each end, on it, and p1 = p2."""
         for kind, q, p1, p2 in (
             ("beside", (1, 2), (0, 0), (4, 0)),
             ("beside", (2, 4), (1, 2), (5, 2)),
@@ -66,7 +69,7 @@ class PointSegmentDistance(ValueExercise):
                 ("beyond_p1", -rng.uniform(0.1, 3)),
                 ("beyond_p2", rng.uniform(1.1, 4)),
             ):
-                q = np.round(p1 + along * (p2 - p1) + side * turned(p2 - p1), 3)
+                q = np.round(p1 + along * (p2 - p1) + side * turn_left(p2 - p1), 3)
                 yield Case(kind, arguments(q, p1, p2))
             yield Case("beyond_p2", arguments(p2 + (p2 - p1), p1, p2))
             yield Case("beyond_p1", arguments(p1 - 2 * (p2 - p1), p1, p2))
@@ -74,14 +77,14 @@ class PointSegmentDistance(ValueExercise):
             yield Case("point", arguments(p2, p1, p1))
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The segment, the point, and a circle round it as large as each of the two distances."""
+        """Draw the segment, the point, and a circle around it for each of the two distances."""
         draw_distance(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 
 
-def reach(q: Array, p1: Array, p2: Array, least: float, most: float, power: int = 2) -> float:
-    """The distance to the point of the line at a share of the way from p1 to p2 that is kept
-    between two bounds.
-    """
+def clamped_distance(
+    q: Array, p1: Array, p2: Array, least: float, most: float, power: int = 2
+) -> float:
+    """Distance to the point p1 + t (p2 - p1), with t limited to an interval."""
     way = p2 - p1
     share = np.clip(np.dot(q - p1, way) / np.linalg.norm(way) ** power, least, most)
     return float(np.linalg.norm(q - p1 - share * way))

@@ -14,7 +14,7 @@ from ...shapes import Numbers, Record
 from ..shared.pictures import draw_tangent
 from ..shared.random_shapes import sizes
 from .lines import POINT
-from .point_line_distance import turned
+from .point_line_distance import turn_left
 from .polygons import CORNER, POLYGON, SQUARE, kind_of, nearest_on_edges, star_and_queries
 
 
@@ -29,8 +29,8 @@ class PolygonTangent(ValueExercise):
     source = staticmethod(polygon_tangent)
     slips = (
         Slip("clockwise", lambda q, polygon: -polygon_tangent(q, polygon)),
-        Slip("towards", lambda q, polygon: turned(polygon_tangent(q, polygon))),
-        Slip("away", lambda q, polygon: -turned(polygon_tangent(q, polygon))),
+        Slip("towards", lambda q, polygon: turn_left(polygon_tangent(q, polygon))),
+        Slip("away", lambda q, polygon: -turn_left(polygon_tangent(q, polygon))),
         Slip("unscaled", lambda q, polygon: unscaled_tangent(q, polygon)),
         Slip("edge_at_vertex", lambda q, polygon: edge_direction(q, polygon, 0)),
         Slip("edge_at_vertex", lambda q, polygon: edge_direction(q, polygon, -1)),
@@ -39,9 +39,7 @@ class PolygonTangent(ValueExercise):
     reference = staticmethod(polygon_tangent)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """A square, an L, then larger stars; q outside, nearest to an edge, to the edge that
-        closes, or to a vertex.
-        """
+        """A square, an L, then larger star-shaped polygons, with a point of every kind."""
         for polygon, queries in (
             (SQUARE, ((2, -1), (5, 1), (-3, 2), (7, 8), (-1, -1), (9000, 3))),
             (CORNER, ((3, -2), (3, 4), (-1, 5), (8, 4))),
@@ -54,25 +52,23 @@ class PolygonTangent(ValueExercise):
                 yield self.case(point, star)
 
     def case(self, q: Array, polygon: Array) -> Case:
-        """A case of the kind that it is."""
+        """Case of a point and a polygon, with its kind."""
         return Case(kind_of(q, polygon), {"q": q, "polygon": polygon})
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """First the length, then the direction."""
+        """Check the length, then the direction."""
         verdict = super().value_verdict(case, value)
         if not verdict.is_right and not abs(float(np.dot(value, value)) - 1.0) <= self.tolerance:
             return Verdict(0.0, "unit", self.wanted(case))
         return verdict
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The polygon, the nearest point, and both vectors."""
+        """Draw the polygon, the nearest point, and both vectors."""
         draw_tangent(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 
 
 def edge_direction(q: Array, polygon: Array, step: int) -> Array:
-    """The direction of an edge at the nearest vertex: the one that leaves it (0) or enters it
-    (-1).
-    """
+    """Direction of an edge at the nearest vertex: the outgoing one (0) or the incoming one (-1)."""
     edge, _, _, region = nearest_on_ring(q[0], q[1], polygon)
     start = edge if region == 0 else ((edge + (region == 2)) % len(polygon) + step) % len(polygon)
     side = polygon[(start + 1) % len(polygon)] - polygon[start]
@@ -80,7 +76,7 @@ def edge_direction(q: Array, polygon: Array, step: int) -> Array:
 
 
 def unscaled_tangent(q: Array, polygon: Array) -> Array:
-    """The right direction, as long as the edge or as q is far from the vertex."""
+    """The right direction, with the length of the edge or of the vector to the vertex."""
     edge, x, y, region = nearest_on_ring(q[0], q[1], polygon)
     if region != 0:
         return np.array([y - q[1], q[0] - x])
@@ -88,7 +84,7 @@ def unscaled_tangent(q: Array, polygon: Array) -> Array:
 
 
 def open_tangent(q: Array, polygon: Array) -> Array:
-    """The tangent to the polygon without the edge that closes it."""
+    """Tangent of the polygon without its closing edge."""
     feet = nearest_on_edges(q, polygon)[:-1]
     near = int(np.linalg.norm(feet - q, axis=1).argmin())
     side = polygon[near + 1] - polygon[near]
@@ -96,5 +92,5 @@ def open_tangent(q: Array, polygon: Array) -> Array:
         np.abs(feet[near] - polygon[near]).max() < 1e-12
         or np.abs(feet[near] - polygon[near + 1]).max() < 1e-12
     )
-    vector = turned(q - feet[near]) if at_end else side
+    vector = turn_left(q - feet[near]) if at_end else side
     return vector / np.linalg.norm(vector)

@@ -1,6 +1,4 @@
-"""Pictures of failing cases of lesson 12. What is true is solid and green, what the student's
-program says dashed and orange.
-"""
+"""Pictures of failing cases of lesson 12: truth solid green, student's answer dashed orange."""
 
 import math
 from typing import Any
@@ -13,22 +11,24 @@ from ....geometry.checks import Array
 from ....words import say
 from ...exercise import Case, ValueExercise
 
-# figures are imported inside the functions: matplotlib is not needed until something is wrong
+# figures are imported inside the functions: matplotlib is only needed for failing cases
 
 
 def arc(pose: Array, distance: float, curvature: float) -> Array:
     """Poses along an arc, shape (k, 3)."""
     k = 2 + int(min(40.0 * abs(distance * curvature), 2000.0))
-    return np.array(
-        [driven(*pose, share * distance, curvature) for share in np.linspace(0.0, 1.0, k)]
-    )
+    fractions = np.linspace(0.0, 1.0, k)
+    return np.array([driven(*pose, part * distance, curvature) for part in fractions])
 
 
 def frame_both(
     truth: Array, value: Array | None, words: str, ax: Any
 ) -> tuple[float, Array | None]:
-    """Axes round the true poses, and the student's where they are in reach; how long an arrow is,
-    and those that are shown.
+    """Set the axes around the true poses, and around the student's where they are near enough.
+
+    Returns
+    -------
+    The length of an arrow, and the student's poses to draw or None.
     """
     from ....figures import palette, plane
 
@@ -47,7 +47,7 @@ def frame_both(
 
 
 def draw_moves(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
-    """The arc that is driven, the poses at its ends, and the student's."""
+    """Draw the driven arc, the poses at its ends, and the student's pose."""
     from ....figures import cars, palette
 
     pose, v, phi, t, wheelbase = case.given.values()
@@ -65,7 +65,7 @@ def draw_moves(exercise: ValueExercise, case: Case, value: Array | None, ax: Any
 
 
 def draw_drives(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
-    """The way by all controls, the poses between them, and the student's poses."""
+    """Draw the trajectory of all controls, the poses between them, and the student's poses."""
     from ....figures import cars, palette
 
     start, controls, durations, wheelbase = case.given.values()
@@ -81,47 +81,25 @@ def draw_drives(exercise: ValueExercise, case: Case, value: Array | None, ax: An
 
 
 def draw_steps(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
-    """The arc, Euler's steps, and the student's."""
+    """Draw the arc, Euler's steps, and the student's steps."""
     from ....figures import cars, palette
 
     pose, v, phi, t, wheelbase, _ = case.given.values()
     truth = exercise.truth(case)
     size, shown = frame_both(truth, value, exercise.words(f"pictures.{case.kind}"), ax)
-    ax.plot(
-        *arc(pose, v * t, math.tan(phi) / wheelbase)[:, :2].T,
-        ":",
-        color=palette.INK,
-        linewidth=2.0,
-        zorder=2,
-    )
-    ax.plot(
-        *truth[:, :2].T,
-        "-o",
-        color=palette.START,
-        linewidth=2.6,
-        markersize=6,
-        zorder=4,
-        label=say("picture.true"),
-    )
+    exact = arc(pose, v * t, math.tan(phi) / wheelbase)
+    ax.plot(*exact[:, :2].T, ":", color=palette.INK, linewidth=2.0, zorder=2)
+    solid = {"color": palette.START, "linewidth": 2.6, "markersize": 6, "zorder": 4}
+    ax.plot(*truth[:, :2].T, "-o", label=say("picture.true"), **solid)
     if shown is not None:
-        words = say("picture.yours_short")
-        ax.plot(
-            *shown[:, :2].T,
-            "--s",
-            color=palette.GOAL,
-            linewidth=2.2,
-            markersize=6,
-            zorder=5,
-            label=words,
-        )
+        dashed = {"color": palette.GOAL, "linewidth": 2.2, "markersize": 6, "zorder": 5}
+        ax.plot(*shown[:, :2].T, "--s", label=say("picture.yours_short"), **dashed)
     cars.draw_pose(pose, size, "", ax, colour=palette.INK)
     ax.legend(fontsize=palette.TEXT_SIZE, loc="best")
 
 
 def draw_orders(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
-    """The errors against the step on scales of powers; at each slope what it is, and what the
-    student says.
-    """
+    """Draw the errors against the step on logarithmic scales, with both orders at each slope."""
     from ....figures import palette, plane
 
     h, errors = case.given.values()
@@ -132,13 +110,8 @@ def draw_orders(exercise: ValueExercise, case: Case, value: Array | None, ax: An
             f"{value[k]:.3g}" if value is not None and k < len(value) else say("car_picture.none")
         )
         at = math.sqrt(h[k] * h[k + 1]), math.sqrt(errors[k] * errors[k + 1])
-        plane.label(
-            at,
-            say("car_picture.order", true=f"{order:.3g}", yours=yours),
-            ax,
-            colour=palette.GOAL,
-            offset=(9, -16),
-        )
+        name = say("car_picture.order", true=f"{order:.3g}", yours=yours)
+        plane.label(at, name, ax, colour=palette.GOAL, offset=(9, -16))
     ax.margins(x=0.35, y=0.2)
     ax.set_xlabel(say("car_picture.step"), fontsize=palette.TEXT_SIZE)
     ax.set_ylabel(say("car_picture.error"), fontsize=palette.TEXT_SIZE)
@@ -147,7 +120,7 @@ def draw_orders(exercise: ValueExercise, case: Case, value: Array | None, ax: An
 
 
 def draw_tangents(exercise: ValueExercise, case: Case, value: float | None, ax: Any) -> None:
-    """The shortest of the four curves, the circles that it runs on, and both lengths."""
+    """Draw the shortest of the four curves, its circles, and both lengths."""
     from ....figures import cars, palette, plane
 
     a, b, r = case.given.values()
@@ -177,7 +150,7 @@ def draw_tangents(exercise: ValueExercise, case: Case, value: float | None, ax: 
 
 
 def draw_lost(value: tuple[float, float] | None, wheelbase: float, ax: Any) -> None:
-    """The way that the car drives, and that by phi for tan(phi)."""
+    """Draw the car's path, and the path of a program that uses phi for tan(phi)."""
     from ....figures import cars, palette, plane
 
     if value is None:
@@ -193,12 +166,6 @@ def draw_lost(value: tuple[float, float] | None, wheelbase: float, ax: Any) -> N
         (believed, palette.GOAL, "--", "program"),
     ):
         ax.plot(*way[:, :2].T, style, color=colour, linewidth=2.4, zorder=3)
-        cars.draw_pose(
-            way[-1],
-            size,
-            say(f"car_picture.{words}"),
-            ax,
-            colour=colour,
-            below=colour == palette.GOAL,
-        )
+        name, below = say(f"car_picture.{words}"), colour == palette.GOAL
+        cars.draw_pose(way[-1], size, name, ax, colour=colour, below=below)
     plane.title(say("exposing_drive.picture"), ax)

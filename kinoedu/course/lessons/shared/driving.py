@@ -1,4 +1,4 @@
-"""Shared by the exercises on how a car moves. LaValle, section 13.1.2."""
+"""Shared parts of the exercises on the motion of a car. LaValle, section 13.1.2."""
 
 import math
 from collections.abc import Callable
@@ -13,23 +13,21 @@ from ...exercise import ValueExercise
 from ...shapes import Numbers
 
 POSE = Numbers((3,))
-
-
 Mover = Callable[[Array, float, float, float, float], Any]
 
 
 def moved(pose: Array, v: float, phi: float, t: float, wheelbase: float) -> Array:
-    """The pose after a control has been held for a time t, shape (3,)."""
+    """Pose after a control was held for a time t, shape (3,)."""
     return np.array(driven(pose[0], pose[1], pose[2], v * t, math.tan(phi) / wheelbase))
 
 
 class PoseExercise(ValueExercise):
-    """An exercise whose answers are poses: headings are right up to whole turns."""
+    """An exercise whose answers are poses; headings count modulo whole turns."""
 
     lesson = "12_the_car"
 
     def same(self, value: Any, truth: Any) -> bool:
-        """Places as numbers, headings as directions."""
+        """Compare positions as numbers and headings as directions."""
         found, wanted = np.reshape(value, (-1, 3)), np.reshape(truth, (-1, 3))
         if not np.isfinite(found).all() or not super().same(found[:, :2], wanted[:, :2]):
             return False
@@ -40,15 +38,15 @@ class PoseExercise(ValueExercise):
 
 
 def with_curvature(bend: Callable[[float, float], float]) -> Mover:
-    """A program that drives another curvature than tan(phi) / L."""
+    """A program that drives a curvature other than tan(phi) / L."""
     return lambda pose, v, phi, t, wheelbase: driven(*pose, v * t, bend(phi, wheelbase))
 
 
 def without_turning(pose: Array, v: float, phi: float, t: float, wheelbase: float) -> Array:
-    """The place is right, the heading as before."""
+    """A program whose position is right and whose heading does not change."""
     return np.array([*moved(pose, v, phi, t, wheelbase)[:2], pose[2]])
 
 
 def a_pose(rng: np.random.Generator) -> Array:
-    """A pose at random, with two digits."""
+    """Random pose with two digits."""
     return np.round([*rng.uniform(-50, 50, 2), rng.uniform(-3.1, 3.1)], 2)

@@ -1,4 +1,4 @@
-"""What programs answer that have a known misconception about searches on graphs."""
+"""Answers of programs with a known misconception about graph search."""
 
 from collections.abc import Callable
 from math import inf
@@ -16,10 +16,12 @@ Answer = Callable[..., Any]
 def first_in(
     neighbours: Neighbours, start: int, *, at: int = 0, late: bool = False
 ) -> tuple[list[int], list[int]]:
-    """Parents, and the order of visit, of a search that takes out the oldest of those that wait (at
-    = 0) or the newest (-1).
+    """Parents and order of visit of a search with a queue or a stack.
 
-    late : nodes are marked when they are taken out, not when they are put in.
+    Parameters
+    ----------
+    at : 0 takes the oldest waiting node, -1 the newest.
+    late : mark nodes when they are taken out, not when they are put in.
     """
     parent, order, waiting, seen = [-1] * len(neighbours), [], [start], {start}
     while waiting:
@@ -36,13 +38,13 @@ def first_in(
 
 
 def undirected(neighbours: Neighbours) -> Neighbours:
-    """The same edges, both ways."""
+    """The same edges in both directions."""
     n = len(neighbours)
     return [[v for v in range(n) if v in neighbours[u] or u in neighbours[v]] for u in range(n)]
 
 
 def undirected_weights(neighbours: Neighbours, weights: Weights) -> Weights:
-    """The weights beside `undirected`: of edges each way that of the lesser one."""
+    """The weights for `undirected`; of two opposite edges the smaller weight."""
     leads = [dict(zip(row, beside)) for row, beside in zip(neighbours, weights)]
     both = undirected(neighbours)
     return [
@@ -51,7 +53,7 @@ def undirected_weights(neighbours: Neighbours, weights: Weights) -> Weights:
 
 
 def followed(parent: list[int], goal: int) -> list[int] | None:
-    """From the root to the goal, or None where parents lead in a circle."""
+    """Path from the root to the goal, or None where the parents form a cycle."""
     path = [goal]
     while parent[path[-1]] != -1:
         path.append(parent[path[-1]])
@@ -61,13 +63,13 @@ def followed(parent: list[int], goal: int) -> list[int] | None:
 
 
 def tree_path(neighbours: Neighbours, start: int, goal: int, **how: Any) -> list[int] | None:
-    """The path of `first_in`, or None where it does not begin at the start."""
+    """Path of `first_in`, or None where it does not begin at the start."""
     path = followed(first_in(neighbours, start, **how)[0], goal)
     return path if path and path[0] == start else None
 
 
 def depths(neighbours: Neighbours, start: int) -> list[int]:
-    """How many edges away each node is, -1 where it is out of reach."""
+    """Number of edges from the start to each node, -1 where it is not reachable."""
     parent, order = first_in(neighbours, start)
     return [
         len(followed(parent, u) or []) - 1 if u in order else -1 for u in range(len(neighbours))
@@ -75,9 +77,7 @@ def depths(neighbours: Neighbours, start: int) -> list[int]:
 
 
 def entered(neighbours: Neighbours, start: int, goal: int) -> list[int]:
-    """The nodes in the order in which a depth-first search enters them, up to the goal: dead ends
-    and all.
-    """
+    """Nodes in the order in which a depth-first search enters them, dead ends included."""
     order: list[int] = []
 
     def visit(u: int) -> bool:
@@ -89,7 +89,7 @@ def entered(neighbours: Neighbours, start: int, goal: int) -> list[int]:
 
 
 def walked(neighbours: Neighbours, start: int, goal: int) -> list[int] | None:
-    """The walk of a depth-first search, back out of dead ends step by step."""
+    """Walk of a depth-first search that steps back out of dead ends."""
     walk, seen = [], set()
 
     def visit(u: int) -> bool:
@@ -108,7 +108,7 @@ def walked(neighbours: Neighbours, start: int, goal: int) -> list[int] | None:
 
 
 def never_back(neighbours: Neighbours, start: int, goal: int) -> list[int] | None:
-    """On to the first new neighbour, until there is none."""
+    """Path to the first unvisited neighbour each time, without backtracking."""
     path = [start]
     while path[-1] != goal:
         new = [v for v in neighbours[path[-1]] if v not in path]
@@ -132,12 +132,16 @@ def best_first(
     at_sight: bool = False,
     from_node: bool = True,
 ) -> tuple[list[float], list[int]]:
-    """Costs and parents of Dijkstra's algorithm or A*, with a mistake built in.
+    """Costs and parents of Dijkstra's algorithm or A*, with a built-in mistake.
 
-    cost_counts = 0 : by the estimate alone. improves, reopens = False : a cost once found stays, or
-    that of a node once taken out.
-    overwrites : a cost is replaced also by a greater one. at_sight : stops when the goal is first
-    seen. from_node = False : the last edge alone counts.
+    Parameters
+    ----------
+    cost_counts : 0 orders nodes by the heuristic alone.
+    improves : False keeps the first cost of a node.
+    reopens : False keeps the cost of a node that was taken out.
+    overwrites : True replaces a cost also by a greater one.
+    at_sight : True stops when the goal is first seen.
+    from_node : False counts only the last edge.
     """
     cost, parent = [inf] * len(neighbours), [-1] * len(neighbours)
     left, waiting, done = estimate or [0.0] * len(neighbours), [start], set()
@@ -169,16 +173,14 @@ def best_path(
     goal: int,
     **how: Any,
 ) -> Any:
-    """The path of `best_first`, or None."""
+    """Path of `best_first`, or None."""
     parent = best_first(neighbours, weights, start, goal, estimate=estimate, **how)[1]
     path = followed(parent, goal)
     return path if path and path[0] == start else None
 
 
 def fewest_edges(graph: Graph, start: int, goal: int) -> NDArray[np.int64] | None:
-    """A path of the fewest edges; of several that which a heap of costs and nodes leads to, where
-    the lesser number goes first.
-    """
+    """Path with the fewest edges; ties go to the lower index."""
     neighbours = [graph.neighbours(u).tolist() for u in range(graph.size)]
     path = best_path(
         neighbours, [[1] * len(row) for row in neighbours], [0.0] * graph.size, start, goal
@@ -187,8 +189,9 @@ def fewest_edges(graph: Graph, start: int, goal: int) -> NDArray[np.int64] | Non
 
 
 def lightest_first(neighbours: Neighbours, weights: Weights, start: int) -> list[float]:
-    """Costs when the edge of least weight comes first, whatever was paid before it; each node is
-    expanded once.
+    """Costs where the lightest edge comes first, whatever the cost so far.
+
+    Each node is expanded once.
     """
     cost, waiting, done = [inf] * len(neighbours), [(0.0, start)], set()
     cost[start] = 0.0
@@ -204,7 +207,7 @@ def lightest_first(neighbours: Neighbours, weights: Weights, start: int) -> list
 
 
 def in_turn(neighbours: Neighbours, weights: Weights, start: int) -> list[float]:
-    """Costs when nodes leave a queue in the order they came, each once."""
+    """Costs where nodes leave a queue in the order of arrival, each once."""
     cost, order = [inf] * len(neighbours), first_in(neighbours, start)[1]
     cost[start] = 0.0
     for u in order:

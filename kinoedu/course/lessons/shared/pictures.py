@@ -1,6 +1,4 @@
-"""Pictures of failing cases in the plane. What is true is solid and green, what the student's
-program says dashed and orange.
-"""
+"""Pictures of failing cases: the truth solid green, the student's answer dashed orange."""
 
 from typing import Any
 
@@ -13,11 +11,11 @@ from ....words import say
 from ...exercise import Case, ValueExercise
 from ...outcomes import Answer
 
-# figures are imported inside the functions: matplotlib is not needed until something is wrong
+# figures are imported inside the functions: matplotlib is only needed for failing cases
 
 
 def draw_line(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
-    """Two points, the line through them, and the student's."""
+    """Draw two points, the line through them, and the student's line."""
     from ....figures import palette, plane
 
     p1, p2 = case.given["p1"], case.given["p2"]
@@ -39,23 +37,19 @@ def draw_line(exercise: ValueExercise, case: Case, value: Array | None, ax: Any)
 
 
 def title_words(exercise: ValueExercise, case: Case, value: Array | None) -> str:
-    """What to see: the length, where that is what is wrong, else what this kind of input is
-    about.
-    """
+    """Title of the picture: about the length where that is wrong, else about the kind of input."""
     wrong_length = value is not None and exercise.judge(case, Answer(value)).rule == "unit"
     return exercise.words(f"pictures.{'unit' if wrong_length else case.kind}")
 
 
 def draw_distance(exercise: ValueExercise, case: Case, value: float | None, ax: Any) -> None:
-    """q, what it is measured to, and round q a circle as large as each of the two distances."""
+    """Draw q, the object measured to, and a circle around q for each of the two distances."""
     from ....figures import palette, plane
 
     q, truth = case.given["q"], exercise.truth(case)
-    target = (
-        case.given["polygon"]
-        if "polygon" in case.given
-        else np.array([case.given["p1"], case.given["p2"]])
-    )
+    target = case.given.get("polygon")
+    if target is None:
+        target = np.array([case.given["p1"], case.given["p2"]])
     nearest = None if isinstance(truth, ValueError) else nearest_point(exercise, case)
     plane.frame(np.vstack([q, target] + ([] if nearest is None else [nearest])), ax, margin=0.35)
     draw_target(exercise, target, ax)
@@ -65,27 +59,19 @@ def draw_distance(exercise: ValueExercise, case: Case, value: float | None, ax: 
         if truth > 0:
             plane.stretch(q, nearest, words, ax, colour=palette.START)
     if value is not None and np.isfinite(value) and value > 0:
-        plane.ring(
-            q,
-            value,
-            say("picture.yours", value=f"{value:.4g}"),
-            ax,
-            colour=palette.GOAL,
-            style="--",
-        )
+        name = say("picture.yours", value=f"{value:.4g}")
+        plane.ring(q, value, name, ax, colour=palette.GOAL, style="--")
     else:
-        words = (
-            say("picture.no_answer")
-            if value is None
-            else say("picture.yours", value=f"{value:.4g}")
-        )
+        words = say("picture.no_answer")
+        if value is not None:
+            words = say("picture.yours", value=f"{value:.4g}")
         plane.corner_note(words, ax, colour=palette.GOAL)
     plane.dot(q, "q", ax)
     plane.title(exercise.words(f"pictures.{case.kind}"), ax)
 
 
 def draw_target(exercise: ValueExercise, target: Array, ax: Any) -> None:
-    """The line, the segment or the polygon that the distance is measured to."""
+    """Draw the line, the segment or the polygon that the distance is measured to."""
     from ....figures import palette, plane
 
     if exercise.name == "point_polygon_distance":
@@ -100,7 +86,7 @@ def draw_target(exercise: ValueExercise, target: Array, ax: Any) -> None:
 
 
 def nearest_point(exercise: ValueExercise, case: Case) -> Array:
-    """The point that is really nearest to q."""
+    """The point that is truly nearest to q."""
     q = case.given["q"]
     if "polygon" in case.given:
         return np.array(nearest_on_ring(q[0], q[1], case.given["polygon"])[1:3])
@@ -112,7 +98,7 @@ def nearest_point(exercise: ValueExercise, case: Case) -> Array:
 
 
 def draw_tangent(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
-    """The polygon, q, its nearest point, and both vectors, drawn at a length that can be seen."""
+    """Draw the polygon, q, its nearest point, and both vectors at a visible length."""
     from ....figures import palette, plane
 
     q, polygon = case.given["q"], case.given["polygon"]
@@ -120,12 +106,11 @@ def draw_tangent(exercise: ValueExercise, case: Case, value: Array | None, ax: A
     reach = 0.25 * float(np.ptp(np.vstack([polygon, q]), axis=0).max())
     truth = exercise.truth(case)
     size = 0.0 if value is None else float(np.linalg.norm(value))
-    seen = (
-        value if value is None or size <= 4.0 else 4.0 * value / size
-    )  # a longer arrow is drawn as long as fits
-    ends = [q + reach * truth] + (
-        [q + reach * seen] if seen is not None and np.isfinite(seen).all() else []
-    )
+    # a longer arrow is shortened to fit
+    seen = value if value is None or size <= 4.0 else 4.0 * value / size
+    ends = [q + reach * truth]
+    if seen is not None and np.isfinite(seen).all():
+        ends.append(q + reach * seen)
     plane.frame(np.vstack([q, polygon, *ends]), ax, margin=0.15)
     plane.polygon(polygon, ax)
     plane.stretch(q, (x, y), "", ax, style=":")
@@ -135,18 +120,16 @@ def draw_tangent(exercise: ValueExercise, case: Case, value: Array | None, ax: A
         )
     plane.arrow(q, reach * truth, say("picture.true"), ax, colour=palette.START)
     if seen is not None and np.isfinite(seen).all() and seen.any():
-        words = (
-            say("picture.yours_short")
-            if abs(size - 1.0) < 1e-6
-            else say("picture.yours_long", length=f"{size:.3g}")
-        )
+        words = say("picture.yours_short")
+        if abs(size - 1.0) >= 1e-6:
+            words = say("picture.yours_long", length=f"{size:.3g}")
         plane.arrow(q, reach * seen, words, ax, colour=palette.GOAL, style="--")
     plane.dot(q, "q", ax)
     plane.title(title_words(exercise, case, value), ax)
 
 
 def draw_crossings(value: tuple[Array, Array] | None, ax: Any) -> None:
-    """A polygon, q, and the ray from q to the right; a cross wherever it meets an edge."""
+    """Draw a polygon, q, the ray from q to the right, and a cross where it meets an edge."""
     from ....figures import palette, plane
 
     q, polygon = value if value is not None else (np.zeros(2), np.empty((0, 2)))

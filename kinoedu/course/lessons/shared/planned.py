@@ -1,14 +1,14 @@
-"""What all exercises share that ask for a planner: the problem it is given, the judge of its paths
-and trees, and the traps.
+"""Base class and judges for all exercises that ask for a planner.
 
-A planner exercise is a `PlannerExercise`: its `given` begins with `problem=Task()` and ends with
+A planner exercise is a `PlannerExercise`. Its `given` begins with `problem=Task()` and ends with
 `rng=Whole()`, a seed; `result` is the shape of one answer. The planner is called three times, twice
-with the seed and once with another, each time with a new problem that writes down what it is asked.
-`fault` says what is wrong with one answer, by `why_not_a_path` and `why_not_a_tree`, which go along
-every motion again with the course's own collision code; whether chance comes from `rng` alone is
+with the same seed and once with another, each time with a new problem that records its calls.
+`fault` finds what is wrong with one answer, by `why_not_a_path` and `why_not_a_tree`; these check
+every motion again with the course's own collision code. Whether all randomness comes from `rng` is
 judged here.
 
-Rules that planners share have their words in planner.toml; an exercise's own words come first.
+Messages that planner exercises share are in messages.toml of this folder; an exercise's own
+messages come first.
 """
 
 import random
@@ -47,12 +47,13 @@ __all__ = [
 ]
 
 NODES, PATH = Numbers(("n", "d")), Numbers(("k", "d"))
-ROUNDING = 1e-9  # what a length or an end may be off, beside the world's size
+ROUNDING = 1e-9  # relative tolerance of lengths and end points
 
 
 class Fault(NamedTuple):
-    """A rule that an answer breaks, and the configurations where it does: two for a motion; shape
-    (k, d), also none.
+    """A rule that an answer breaks, and the configurations involved, shape (k, d).
+
+    There are two configurations for a motion, and there may be none.
     """
 
     rule: str
@@ -60,8 +61,12 @@ class Fault(NamedTuple):
 
 
 def why_not_a_path(problem: Any, path: Array) -> Fault | None:
-    """The first thing that keeps it from being a free path from start to goal; None where nothing
-    does.
+    """First reason why a path is not a free path from start to goal.
+
+    Returns
+    -------
+    Fault or None
+        None where the path is right.
     """
     fault = not_configurations(problem, path)
     if fault is not None or len(path) == 0:
@@ -75,8 +80,17 @@ def why_not_a_path(problem: Any, path: Array) -> Fault | None:
 def why_not_a_tree(
     problem: Any, nodes: Array, parent: NDArray[np.int64], step: float, root: Array | None = None
 ) -> Fault | None:
-    """The first thing that keeps it from being a tree that grew from its root by free steps: by
-    default from the start.
+    """First reason why nodes and parents are not a tree of free steps from its root.
+
+    Parameters
+    ----------
+    step : the maximum length of an edge.
+    root : the root; by default the start.
+
+    Returns
+    -------
+    Fault or None
+        None where the tree is right.
     """
     fault = not_configurations(problem, nodes)
     if fault is not None:
@@ -96,24 +110,32 @@ def why_not_a_tree(
 
 
 def not_to_nearest(problem: Any, nodes: Array, parent: NDArray[np.int64]) -> Fault | None:
-    """A node that hangs on another than the nearest of those before it, the goal excepted.
+    """First node that is not connected to its nearest earlier node, the goal excepted.
 
-    Steered straight from its nearest node towards a sample, a new node is nearer to none of the
-    others: the triangle inequality.
+    A new node lies on the straight way from its nearest node to the sample. By the triangle
+    inequality no other node can be nearer to it.
+
+    Returns
+    -------
+    Fault or None
     """
     for i in range(1, len(nodes)):
         if same(problem, nodes[i], problem.goal):
             continue
-        apart = problem.distance(nodes[parent[i]], nodes[i])
-        if min(problem.distance(node, nodes[i]) for node in nodes[:i]) < apart - 1e-7 * (
-            1.0 + apart
-        ):
+        length = problem.distance(nodes[parent[i]], nodes[i])
+        nearest = min(problem.distance(node, nodes[i]) for node in nodes[:i])
+        if nearest < length - 1e-7 * (1.0 + length):
             return Fault("nearest", nodes[[parent[i], i]])
     return None
 
 
 def not_along_tree(path: Array, nodes: Array, parent: NDArray[np.int64]) -> Fault | None:
-    """A stretch of a path that does not lead from a node of the tree to a child of it."""
+    """First motion of a path that does not lead from a node of the tree to a child.
+
+    Returns
+    -------
+    Fault or None
+    """
     edges = {(*nodes[p].tolist(), *q.tolist()) for p, q in zip(parent[1:], nodes[1:])}
     for a, b in zip(path[:-1], path[1:]):
         if (*a.tolist(), *b.tolist()) not in edges and not np.array_equal(a, b):
@@ -122,19 +144,19 @@ def not_along_tree(path: Array, nodes: Array, parent: NDArray[np.int64]) -> Faul
 
 
 def not_configurations(problem: Any, q: Array) -> Fault | None:
-    """Rows that are no configurations of the problem: too short, too long, or not finite."""
+    """Whether rows are not configurations: of the wrong length, or not finite."""
     if len(q) and (q.shape[1] != len(problem.start) or not np.isfinite(q).all()):
         return Fault("numbers", np.empty((0, len(problem.start))))
     return None
 
 
 def same(problem: Any, a: Array, b: Array) -> bool:
-    """Whether two configurations are the same but for rounding."""
+    """Whether two configurations are equal up to rounding."""
     return bool(problem.distance(a, b) <= ROUNDING * (1.0 + np.abs(b).max()))
 
 
 def first_not_free(problem: Any, a: Array, b: Array) -> Fault | None:
-    """The first of the motions from a[i] to b[i] that touches something, judged along all of it."""
+    """First of the motions from a[i] to b[i] that is in collision anywhere along it, or None."""
     record = getattr(problem, "problem", problem)
     for p, q in zip(a, b):
         if not record.is_free_path(p, q):
@@ -143,16 +165,18 @@ def first_not_free(problem: Any, a: Array, b: Array) -> Fault | None:
 
 
 def empty_boxes(nodes: Array, lo: Array, hi: Array, k: int) -> int:
-    """Of k x k equal boxes between two corners, how many hold no node: what a sampler of all of
-    them leaves out.
+    """Number of boxes without a node, among k x k equal boxes between two corners.
+
+    A sampler of the whole space leaves few boxes empty.
     """
     places = np.clip(np.floor(k * (nodes[:, :2] - lo[:2]) / (hi[:2] - lo[:2])), 0, k - 1)
     return k * k - len(np.unique(places, axis=0))
 
 
 class PlannerExercise(Exercise):
-    """A planner to write, called three times. Subclasses declare `result`, and `answer =
-    three_times(result)`.
+    """A planner to write, called three times.
+
+    Subclasses declare `result`, and `answer = three_times(result)`.
     """
 
     result: ClassVar[Shape]
@@ -161,38 +185,40 @@ class PlannerExercise(Exercise):
 
     @abstractmethod
     def fault(self, case: Case, answer: Any) -> Fault | None:
-        """What is wrong with one answer."""
+        """What is wrong with one answer, or None."""
 
     @abstractmethod
     def drawn(self, answer: Any) -> tuple[list[Tree], Array | None]:
-        """The trees and the path in one answer, as the picture shows them."""
+        """Trees and path of one answer, for the picture."""
 
     def uses_chance(self, case: Case) -> bool:
-        """Whether another seed must lead to another answer."""
+        """Whether another seed must give another answer."""
         return case.kind not in ("same", "trivial")
 
     def call(self, function: Callable[..., Any], given: dict[str, Any]) -> Any:
-        """Three answers, for rng, rng and rng + 1, and whether Python's and numpy's own chance were
-        left alone.
+        """Call the planner with the seeds rng, rng and rng + 1.
+
+        Returns
+        -------
+        The three answers, and whether Python's and numpy's global generators were left unused.
         """
-        kept = random.getstate(), np.random.get_state()
+        before = random.getstate(), np.random.get_state()
         answers = []
         for rng in (given["rng"], given["rng"], given["rng"] + 1):
-            answers.append(
-                function(*{**given, "problem": given["problem"].anew(), "rng": rng}.values())
-            )
-        now = random.getstate(), np.random.get_state()
-        random.setstate(kept[0])
-        np.random.set_state(kept[1])
-        return *answers, repr(kept) == repr(now)
+            arguments = {**given, "problem": given["problem"].anew(), "rng": rng}
+            answers.append(function(*arguments.values()))
+        after = random.getstate(), np.random.get_state()
+        random.setstate(before[0])
+        np.random.set_state(before[1])
+        return *answers, repr(before) == repr(after)
 
     def right_answer(self, *given: Any) -> Any:
-        """The library's own, asked as a student's."""
+        """The library's own answer to one call."""
         assert self.source is not None
         return self.source(*given)
 
     def fault_of_three(self, case: Case, value: Any) -> Fault | None:
-        """What is wrong with the first answer, or with its chance."""
+        """What is wrong with the answers or with their use of randomness, or None."""
         first, again, other, alone = value
         fault = self.fault(case, first)
         if fault is not None:
@@ -207,41 +233,38 @@ class PlannerExercise(Exercise):
         return self.fault(case, other)
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """Right where nothing is wrong with any of the three."""
+        """Right where none of the three answers has a fault."""
         fault = self.fault_of_three(case, value)
         return RIGHT if fault is None else Verdict(0.0, fault.rule, self.wanted(case))
 
     def wanted(self, case: Case) -> str:
-        """What is asked for."""
+        """Description of what the case asks for."""
         return self.words(f"wanted.{case.kind}")
 
     def answer_words(self, case: Case, value: Any) -> str:
-        """How much was built, and where it is at fault."""
+        """Description of what was built, and of the configurations at fault."""
         trees, path = self.drawn(value[0])
-        told = [self.words("answers.tree", nodes=len(tree.nodes)) for tree in trees]
-        told.append(
-            self.words("answers.no_path")
-            if path is None
-            else self.words("answers.path", rows=len(path))
-        )
+        parts = [self.words("answers.tree", nodes=len(tree.nodes)) for tree in trees]
+        if path is None:
+            parts.append(self.words("answers.no_path"))
+        else:
+            parts.append(self.words("answers.path", rows=len(path)))
         fault = self.fault_of_three(case, value)
         if fault is not None and len(fault.marked):
-            told.append(self.words("answers.at", marked=spoken(np.round(fault.marked, 3))))
-        return "; ".join(told)
+            parts.append(self.words("answers.at", marked=spoken(np.round(fault.marked, 3))))
+        return "; ".join(parts)
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The problem, what was built, and a cross on what is at fault."""
+        """Draw the problem, the answer, and a cross on what is at fault."""
         from .planned_pictures import draw_answer
 
         value = outcome.value if isinstance(outcome, Answer) else None
         fault = None if value is None else self.fault_of_three(case, value)
         trees, path = ([], None) if value is None else self.drawn(value[0])
-        rule = self.judge(case, outcome).rule
-        draw_answer(
-            case.given["problem"].problem, trees, path, fault, self.words(f"pictures.{rule}"), ax
-        )
+        title = self.words(f"pictures.{self.judge(case, outcome).rule}")
+        draw_answer(case.given["problem"].problem, trees, path, fault, title, ax)
 
 
 def three_times(result: Shape) -> Together:
-    """The shape of what `PlannerExercise.call` returns."""
+    """Shape of the result of `PlannerExercise.call`."""
     return Together((result, result, result, Truth()))

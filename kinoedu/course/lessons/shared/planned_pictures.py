@@ -8,15 +8,13 @@ from ....geometry.checks import Array
 from ....problems import ProblemRecord, Tree
 from ....words import say
 
-# figures are imported inside the functions: matplotlib is not needed until something is wrong
+# figures are imported inside the functions: matplotlib is only needed for failing cases
 
 
 def draw_answer(
     problem: ProblemRecord, trees: list[Tree], path: Array | None, fault: Any, words: str, ax: Any
 ) -> None:
-    """The problem; the trees, in blue; the path, in yellow; and the motion or configuration that is
-    at fault, in orange.
-    """
+    """Draw the problem, the trees in blue, the path in yellow, and what is at fault in orange."""
     from ....figures import palette, plane
     from ....figures.drawing import draw_path, draw_problem, draw_tree
     from ....figures.robots import place_of, track_of
@@ -30,19 +28,17 @@ def draw_answer(
         draw_path(track_of(problem.robot, path[np.isfinite(path).all(axis=1)]), ax)
     if fault is not None and len(fault.marked):
         marks = np.array([place_of(problem.robot, q) for q in fault.marked])
-        ax.plot(
-            *marks.T, "--", color=palette.GOAL, linewidth=3.5, zorder=8, scalex=False, scaley=False
-        )
-        ax.plot(
-            *marks[-1], "X", color=palette.GOAL, markersize=13, markeredgecolor="white", zorder=9
-        )
+        line = {"color": palette.GOAL, "linewidth": 3.5, "zorder": 8}
+        ax.plot(*marks.T, "--", scalex=False, scaley=False, **line)
+        cross = {"color": palette.GOAL, "markersize": 13, "markeredgecolor": "white", "zorder": 9}
+        ax.plot(*marks[-1], "X", **cross)
     if not trees and path is None:
         plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
     plane.title(words, ax)
 
 
 def drawable(tree: Tree) -> Tree:
-    """What of a tree can be drawn: its finite nodes, and edges to parents that there are."""
+    """The part of a tree that can be drawn: finite nodes, and edges to existing parents."""
     nodes = tree.nodes if len(tree.nodes) else np.zeros((0, 2))
     parent = np.full(len(nodes), -1)
     known = min(len(nodes), len(tree.parent))

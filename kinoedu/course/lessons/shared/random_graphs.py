@@ -1,6 +1,4 @@
-"""Graphs for cases, as adjacency lists: a few made by hand, and random ones of every kind, from
-small to large.
-"""
+"""Graphs for cases as adjacency lists: some fixed, others random, from small to large."""
 
 from collections.abc import Iterable, Iterator
 from typing import Any
@@ -11,12 +9,13 @@ from ....graphs import Graph
 
 Neighbours = list[list[int]]
 Weights = list[list[float]]
-SIZES = (3, 4, 5, 6, 7, 8, 10, 12, 16, 24, 40, 60)  # random cases grow with these
+SIZES = (3, 4, 5, 6, 7, 8, 10, 12, 16, 24, 40, 60)  # nodes of the random cases
 
 
 def lists(n: int, rows: Iterable[Any], *, directed: bool = False) -> tuple[Neighbours, Weights]:
-    """Adjacency lists in increasing order, and the weights beside them, from rows (u, v) or (u, v,
-    weight); the last of doubles.
+    """Adjacency lists in increasing order, and the weights beside them.
+
+    Rows are (u, v) or (u, v, weight). For repeated edges the last weight counts.
 
     >>> lists(3, [(0, 2, 5), (0, 1)])
     ([[1, 2], [0], [0]], [[1.0, 5.0], [1.0], [5.0]])
@@ -30,8 +29,12 @@ def lists(n: int, rows: Iterable[Any], *, directed: bool = False) -> tuple[Neigh
 
 
 def as_graph(neighbours: Neighbours, weights: Weights | None = None) -> Graph:
-    """The library's graph of adjacency lists, directed. Raises InvalidGraph where weights are
-    negative.
+    """The library's directed graph of adjacency lists.
+
+    Raises
+    ------
+    InvalidGraph
+        Where a weight is negative.
     """
     edges = [(u, v) for u, row in enumerate(neighbours) for v in row]
     return Graph(
@@ -43,17 +46,19 @@ def as_graph(neighbours: Neighbours, weights: Weights | None = None) -> Graph:
 
 
 def symmetric(neighbours: Neighbours, weights: Weights | None = None) -> bool:
-    """Whether each edge has one that leads back, of the same weight."""
+    """Whether each edge has an opposite edge of the same weight."""
     rows = [[1.0] * len(row) for row in neighbours] if weights is None else weights
     leads = {(u, v): w for u, row in enumerate(neighbours) for v, w in zip(row, rows[u])}
     return all(leads.get((v, u)) == w for (u, v), w in leads.items())
 
 
 def random_rows(kind: str, n: int, rng: np.random.Generator) -> list[tuple[int, int, float]]:
-    """Edges with weights, between nodes numbered at random.
+    """Random edges with weights, between randomly numbered nodes.
 
-    "tree": just enough to hold together. "cycle": with more. "directed": a ring with more, one way.
-    "parts": two such graphs apart.
+    Parameters
+    ----------
+    kind : "tree", a spanning tree; "cycle", a tree with additional edges; "directed", a directed
+        ring with additional edges; "parts", two separate graphs of kind "cycle".
     """
     name = rng.permutation(n)
     parts = [range(n)] if kind != "parts" else [range(n // 2), range(n // 2, n)]
@@ -78,16 +83,14 @@ def random_rows(kind: str, n: int, rng: np.random.Generator) -> list[tuple[int, 
 
 
 def random_graphs(rng: np.random.Generator) -> Iterator[tuple[str, Neighbours, Weights]]:
-    """Of each kind of `random_rows` one of each size."""
+    """Yield one graph of each size for each kind of `random_rows`."""
     for n in SIZES:
         for kind in ("tree", "cycle", "directed", "parts"):
             yield (kind, *lists(n, random_rows(kind, n, rng), directed=kind == "directed"))
 
 
 def far_pair(neighbours: Neighbours, rng: np.random.Generator) -> tuple[int, int]:
-    """A start and a goal that can be reached, at least two edges away where there is such a
-    goal.
-    """
+    """A start and a goal that is reachable, at least two edges away where possible."""
     from ....graphs import bfs
 
     graph = as_graph(neighbours)
@@ -101,7 +104,7 @@ def far_pair(neighbours: Neighbours, rng: np.random.Generator) -> tuple[int, int
 
 
 def lost_pair(neighbours: Neighbours, rng: np.random.Generator) -> tuple[int, int]:
-    """A start and a goal that cannot be reached from it; the graph must have such."""
+    """A start and a goal that is not reachable; the graph must have such a pair."""
     from ....graphs import bfs
 
     graph = as_graph(neighbours)

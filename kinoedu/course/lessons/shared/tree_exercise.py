@@ -1,5 +1,6 @@
-"""Shared by the exercises on rapidly-exploring random trees. LaValle, section 5.5; Bullo & Smith,
-chapter 5.
+"""Shared parts of the exercises on rapidly-exploring random trees.
+
+LaValle, section 5.5; Bullo & Smith, chapter 5.
 """
 
 from collections.abc import Iterator
@@ -9,36 +10,19 @@ import numpy as np
 from ....geometry.checks import Array
 from ...exercise import Case
 from ...whole_shapes import WholeNumbers
-from .planned import (
-    TRAPS,
-    Asked,
-    Fault,
-    PlannerExercise,
-    why_not_a_path,
-)
+from .planned import TRAPS, Asked, Fault, PlannerExercise, why_not_a_path
 from .small_problems import box, in_room
 
 PARENTS = WholeNumbers(("n",))
-
-
 STEP, BIAS = 1.0, 0.1
 
-
-ENOUGH = {
-    "same": 10,
-    "room": 200,
-    "sealed": 300,
-    "wall": 1200,
-    "passage": 1200,
-    "thin": 1500,
-}  # of 2,000 seeds all needed less
-
-
+# iterations; each of 2,000 seeds needed fewer
+ENOUGH = {"same": 10, "room": 200, "sealed": 300, "wall": 1200, "passage": 1200, "thin": 1500}
 KINDS = tuple(ENOUGH)
 
 
 def room_by_chance(rng: np.random.Generator) -> Asked:
-    """Start and goal on two sides of a wall with one gap, somewhere."""
+    """Problem with start and goal on two sides of a wall that has one gap, at a random place."""
     low = round(float(rng.uniform(1.0, 7.0)), 1)
     x = round(float(rng.uniform(3.5, 6.0)), 1)
     ends = np.round(rng.uniform((0.5, 0.5), (2.5, 9.5), (2, 2)), 1)
@@ -48,13 +32,13 @@ def room_by_chance(rng: np.random.Generator) -> Asked:
 
 
 class TreeExercise(PlannerExercise):
-    """A planner among the traps."""
+    """A tree planner, judged on the traps."""
 
     lesson = "09_trees"
     kinds = KINDS
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Every trap twice, and walls with a gap somewhere."""
+        """Every trap twice, then walls with a random gap."""
         for _ in range(2):
             for kind in KINDS:
                 yield self.asked(kind, TRAPS[kind], rng)
@@ -62,11 +46,11 @@ class TreeExercise(PlannerExercise):
             yield self.asked("wall", room_by_chance(rng), rng)
 
     def asked(self, kind: str, problem: Asked, rng: np.random.Generator) -> Case:
-        """The case of a problem, with a seed by chance."""
+        """Case of a problem, with a random seed."""
         raise NotImplementedError
 
     def fault_of_end(self, case: Case, path: Array | None) -> Fault | None:
-        """What is wrong with a path, or with there being none."""
+        """What is wrong with a path, or with its absence."""
         nowhere = np.empty((0, len(case.given["problem"].start)))
         if path is None:
             return Fault("missed", nowhere) if case.kind != "sealed" else None
