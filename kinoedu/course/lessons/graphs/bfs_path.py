@@ -11,7 +11,7 @@ from .paths import PathExercise, as_list, deep_path
 
 
 class BfsPath(PathExercise):
-    """A path of the fewest edges, any of them."""
+    """Find a path with the fewest edges; any such path is right."""
 
     name = "bfs_path"
     last_rule = "fewest"
@@ -51,17 +51,17 @@ class BfsPath(PathExercise):
 
     @staticmethod
     def reference(neighbours: Neighbours, start: int, goal: int) -> list[int] | None:
-        """The library's path."""
+        """Return the path that the library finds."""
         return as_list(graphs.bfs_path(as_graph(neighbours), start, goal))
 
     source = reference
 
     def is_good(self, case: Case, path: list[int]) -> bool:
-        """Of the fewest edges."""
+        """Whether the path has the fewest edges."""
         return len(path) == len(self.truth(case))
 
 
 def visited(neighbours: Neighbours, start: int, goal: int) -> list[int] | None:
-    """The order of visit of a breadth-first search up to the goal, for a path."""
+    """Return the order of visit of breadth-first search up to the goal, mistaken for a path."""
     order = first_in(neighbours, start)[1]
     return order[: order.index(goal) + 1] if goal in order else None

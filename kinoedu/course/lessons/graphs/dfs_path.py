@@ -11,7 +11,7 @@ from .paths import PathExercise, as_list, deep_path
 
 
 class DfsPath(PathExercise):
-    """Any path that meets no node twice."""
+    """Find a path that meets no node twice; any such path is right."""
 
     name = "dfs_path"
     last_rule = "simple"
@@ -40,11 +40,11 @@ class DfsPath(PathExercise):
 
     @staticmethod
     def reference(neighbours: Neighbours, start: int, goal: int) -> list[int] | None:
-        """The library's path."""
+        """Return the path that the library finds."""
         return as_list(graphs.dfs_path(as_graph(neighbours), start, goal))
 
     source = reference
 
     def is_good(self, case: Case, path: list[int]) -> bool:
-        """No node twice."""
+        """Whether the path meets no node twice."""
         return len(set(path)) == len(path)

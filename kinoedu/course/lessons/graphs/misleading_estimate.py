@@ -1,6 +1,4 @@
-"""The exercise "break it" of lesson 4: an estimate that leads A* to a path that is not the
-shortest.
-"""
+"""The exercise "break it" of lesson 4: an estimate with which A* misses the shortest path."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -23,7 +21,7 @@ MOST_NODES = 20
 
 
 class MisleadingEstimate(Exercise):
-    """Break it: a graph and an estimate for which A* returns a path that is not the shortest."""
+    """Give a graph and an estimate for which A* returns a path that is not the shortest."""
 
     name = "misleading_estimate"
     lesson = "04_graph_search"
@@ -32,11 +30,11 @@ class MisleadingEstimate(Exercise):
     answer = Together((NEIGHBOURS, WEIGHTS, Listed(Number()), Whole(), Whole()))
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """The same question three times: each asks more of the answer."""
+        """Yield the same question three times; each time the answer must fulfil more."""
         return (Case(kind, {}) for kind in self.kinds)
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """A graph with an estimate; that misleads our A*; of three nodes."""
+        """Judge that the graph is valid, that it misleads A*, and that it has three nodes."""
         rule = graph_fault(*value)
         if not rule and case.kind != "valid":
             found, best = both_costs(*value)
@@ -51,11 +49,11 @@ class MisleadingEstimate(Exercise):
         return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
 
     def wanted(self, case: Case) -> str:
-        """What is asked for."""
+        """Describe what the answer to a case must be."""
         return say(f"misleading_estimate.wanted.{case.kind}")
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The graph, what A* returns and what is shortest."""
+        """Draw the graph, the path that A* returns, and a shortest path."""
         value = (
             outcome.value
             if isinstance(outcome, Answer) and not graph_fault(*outcome.value)
@@ -65,7 +63,7 @@ class MisleadingEstimate(Exercise):
 
 
 def graph_fault(neighbours: Any, weights: Any, estimate: Any, start: int, goal: int) -> str:
-    """The rule that keeps it from being a question for A*, or ""."""
+    """Return the rule that makes this an invalid input of A*, or ""."""
     n = len(neighbours)
     if (
         not 0 < n <= MOST_NODES
@@ -89,7 +87,7 @@ def graph_fault(neighbours: Any, weights: Any, estimate: Any, start: int, goal: 
 def both_paths(
     neighbours: Any, weights: Any, estimate: Any, start: int, goal: int
 ) -> tuple[Any, Any]:
-    """The path of our A* by that estimate, and a shortest one; None where there is none."""
+    """Return the path of A* with this estimate, and a shortest one; None where there is none."""
     graph = as_graph(neighbours, weights)
     return as_list(graphs.astar(graph, start, goal, estimate)[0]), as_list(
         graphs.astar(graph, start, goal)[0]
@@ -99,8 +97,11 @@ def both_paths(
 def both_costs(
     neighbours: Any, weights: Any, estimate: Any, start: int, goal: int
 ) -> tuple[float, float]:
-    """The cost of the path that A* returns by this estimate, and of a cheapest one; infinite where
-    there is none.
+    """Return the cost of the path that A* finds with an estimate, and the least cost.
+
+    Returns
+    -------
+    (found, best) : two floats; infinite where no path exists.
     """
     graph = as_graph(neighbours, weights)
     found, best = graphs.astar(graph, start, goal, estimate)[1], graphs.astar(graph, start, goal)[1]

@@ -1,5 +1,6 @@
-"""Shared by the exercises on paths in graphs without weights. Bullo & Smith, chapter 2; LaValle,
-section 2.2.
+"""The base class of the exercises on paths in graphs.
+
+Bullo & Smith, chapter 2; LaValle, section 2.2.
 """
 
 from collections.abc import Iterator
@@ -24,7 +25,7 @@ KINDS = ("small", "cycle", "directed", "unreachable", "start_is_goal")
 
 
 class PathExercise(OnGraph):
-    """An exercise that asks for a path between two nodes, or None."""
+    """An exercise whose answer is a path between two nodes, or None."""
 
     kinds: ClassVar[tuple[str, ...]] = KINDS
     given: ClassVar[Record] = Record(neighbours=NEIGHBOURS, start=Whole(), goal=Whole())
@@ -32,7 +33,7 @@ class PathExercise(OnGraph):
     last_rule: ClassVar[str] = ""
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Graphs that fit on a finger first."""
+        """Yield graphs that can be searched by hand, then random ones."""
         for kind, n, edges, start, goal in (
             ("small", 2, [(0, 1)], 0, 1),
             ("small", 3, LINE, 0, 2),
@@ -67,18 +68,18 @@ class PathExercise(OnGraph):
         yield Case(kind, {"neighbours": neighbours, "start": start, "goal": goal})
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """Every edge of the path is verified; then what this exercise asks of it."""
+        """Judge that every step is an edge, and then what this exercise demands besides."""
         rule = path_fault(case, value, self.truth(case)) or (
             self.last_rule if value and not self.is_good(case, value) else ""
         )
         return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
 
     def is_good(self, case: Case, path: list[int]) -> bool:
-        """Whether a path from start to goal along edges is one that is asked for."""
+        """Whether a path along edges from start to goal is what this exercise asks for."""
         raise NotImplementedError
 
     def wanted(self, case: Case) -> str:
-        """One such path."""
+        """Describe one right path."""
         truth = self.truth(case)
         return (
             spoken(truth)
@@ -87,14 +88,14 @@ class PathExercise(OnGraph):
         )
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The graph, a right path and the student's."""
+        """Draw the graph, a right path and the student's."""
         draw_path_answer(
             self, case, outcome.value if isinstance(outcome, Answer) else None, self.truth(case), ax
         )
 
 
 def path_fault(case: Case, path: list[int] | None, truth: list[int] | None) -> str:
-    """What keeps it from being a path from start to goal: the rule, or ""."""
+    """Return the rule that a path from start to goal breaks, or ""."""
     neighbours, start, goal = (case.given[name] for name in ("neighbours", "start", "goal"))
     if path is None:
         return "" if truth is None else "missing"
@@ -111,10 +112,10 @@ def path_fault(case: Case, path: list[int] | None, truth: list[int] | None) -> s
 
 
 def as_list(path: Any) -> list[int] | None:
-    """A path of the library's as plain numbers."""
+    """Convert a path of the library to a list of ints; None stays None."""
     return None if path is None else [int(u) for u in path]
 
 
 def deep_path(neighbours: Neighbours, start: int, goal: int) -> list[int] | None:
-    """The path of a depth-first search."""
+    """Return the path of a depth-first search, or None."""
     return as_list(graphs.dfs_path(as_graph(neighbours), start, goal))

@@ -1,5 +1,6 @@
-"""Pictures of failing cases on graphs. What is true is solid and green, what the student's program
-says dashed and orange.
+"""Pictures of failing cases on graphs.
+
+The right answer is solid and green, the student's is dashed and orange.
 """
 
 from typing import Any
@@ -23,8 +24,12 @@ def draw_tree_answer(
     ax: Any,
     wanted: list[int] | None = None,
 ) -> None:
-    """The graph, at each node how many edges away it is, and the student's arrows from parents to
-    children. wanted : the one tree that is right, where ties do not go either way.
+    """Draw a graph, each node's distance from the start, and the student's tree.
+
+    Parameters
+    ----------
+    far : distance of each node from the start in edges, infinite where it is not reached.
+    wanted : the only right parents; None where ties may be broken either way.
     """
     from ....figures import palette
 
@@ -57,7 +62,7 @@ def draw_tree_answer(
 def draw_pointers(
     exercise: Exercise, case: Case, value: list[int] | None, truth: list[int] | None, ax: Any
 ) -> None:
-    """The arrow from each node's parent to it; the path from the root, and the student's."""
+    """Draw the arrow from each parent to its child, the path from the root, and the student's."""
     from ....figures import palette
 
     parent = case.given["parent"]
@@ -74,13 +79,13 @@ def draw_pointers(
 def draw_path_answer(
     exercise: Exercise, case: Case, value: list[int] | None, truth: list[int] | None, ax: Any
 ) -> None:
-    """The graph, a right path and the student's; weights and estimates where there are some."""
+    """Draw a graph with its weights and estimates, a right path and the student's."""
     draw_question(case.given, value, truth, ax)
     finish(exercise, case, ax)
 
 
 def draw_misled(exercise: Exercise, value: Any, paths: tuple[Any, Any], ax: Any) -> None:
-    """A graph with an estimate, what A* returns, and what is shortest."""
+    """Draw a graph with an estimate, the path that A* returns, and a shortest path."""
     from ....figures import palette, plane
 
     if value is None:
@@ -95,7 +100,7 @@ def draw_misled(exercise: Exercise, value: Any, paths: tuple[Any, Any], ax: Any)
 
 
 def draw_question(given: dict[str, Any], value: Any, truth: Any, ax: Any) -> None:
-    """A graph with a start and a goal, and two ways."""
+    """Draw a graph with its start and goal, a right path and the student's."""
     from ....figures import palette
 
     start, goal = given["start"], given["goal"]
@@ -116,9 +121,7 @@ def draw_question(given: dict[str, Any], value: Any, truth: Any, ax: Any) -> Non
 
 
 def draw_costs(exercise: Exercise, case: Case, value: Any, truth: Any, ax: Any) -> None:
-    """The graph with its weights, and at each node its cost; and the student's where it is another
-    one.
-    """
+    """Draw a graph with its weights and costs, and the student's costs where they differ."""
     from ....figures import palette
 
     places = draw_ground(case, ax, highlight=[case.given["start"]])
@@ -144,8 +147,11 @@ def draw_costs(exercise: Exercise, case: Case, value: Any, truth: Any, ax: Any) 
 
 
 def draw_ground(case: Case, ax: Any, *, highlight: list[int]) -> Any:
-    """The graph in grey, on a circle, its edges as lines where all lead both ways. Returns where
-    its nodes are, shape (n, 2).
+    """Draw the graph in grey on a circle; an edge in both directions is one line.
+
+    Returns
+    -------
+    Positions of the nodes, shape (n, 2).
     """
     from ....figures import graphs, palette, plane
     from ....graphs import Graph
@@ -168,7 +174,7 @@ def draw_ground(case: Case, ax: Any, *, highlight: list[int]) -> Any:
 
 
 def draw_ways(places: Any, truth: Any, value: Any, ax: Any) -> None:
-    """A right path, wide and green; the student's over it, dashed and orange."""
+    """Draw a right path, wide and green, and over it the student's, dashed and orange."""
     from ....figures import graphs, palette
 
     for path, colour, width, style in (
@@ -187,7 +193,7 @@ def draw_ways(places: Any, truth: Any, value: Any, ax: Any) -> None:
 def pointer(
     places: Any, p: int, u: int, ax: Any, colour: str, style: str, *, width: float = 2.8
 ) -> None:
-    """An arrow from a parent to its child."""
+    """Draw an arrow from a parent to its child."""
     from ....figures import graphs
 
     for artist in graphs.link(
@@ -197,7 +203,7 @@ def pointer(
 
 
 def beside(places: Any, u: int, words: str, ax: Any, colour: str) -> None:
-    """Words outside of the circle on which the nodes stand, as long as there is room for them."""
+    """Write a label outside the circle of nodes, unless there are too many nodes for labels."""
     from ....figures import graphs
 
     if not words or len(places) > MOST_LABELS:
@@ -214,7 +220,7 @@ def beside(places: Any, u: int, words: str, ax: Any, colour: str) -> None:
 
 
 def note(value: Any, ax: Any) -> None:
-    """What the student's program answered, as far as it fits."""
+    """Write the student's answer in the corner, shortened to 60 characters."""
     from ....figures import palette, plane
 
     words = say("picture.no_answer") if value is None else say("picture.yours", value=spoken(value))
@@ -222,7 +228,7 @@ def note(value: Any, ax: Any) -> None:
 
 
 def finish(exercise: Exercise, case: Case, ax: Any) -> None:
-    """No scales, as places mean nothing here; and what to see."""
+    """Hide the axes, since positions mean nothing here, and set the title."""
     from ....figures import plane
 
     ax.set_axis_off()

@@ -1,5 +1,6 @@
-"""Shared by the exercises on graphs with weights: Dijkstra's algorithm and A*. Bullo & Smith,
-chapter 2; LaValle, section 2.2.
+"""Shapes and small graphs of the exercises with weights: Dijkstra's algorithm and A*.
+
+Bullo & Smith, chapter 2; LaValle, section 2.2.
 """
 
 from ...shapes import Listed, Number
@@ -16,5 +17,5 @@ LATE_GAIN = [(0, 1, 1), (0, 2, 4), (1, 2, 2), (2, 3, 1)]
 
 
 def both_ways(neighbours: Neighbours, weights: Weights) -> tuple[Neighbours, Weights]:
-    """The graph with its edges led both ways."""
+    """Return the graph with every edge in both directions."""
     return undirected(neighbours), undirected_weights(neighbours, weights)

@@ -1,6 +1,4 @@
-"""The exercise on one step of a planner that drives: the best of some controls, cut where it is
-best.
-"""
+"""The exercise `best_control`: choose the best of several controls, and where to cut it."""
 
 import math
 from collections.abc import Callable, Iterator
@@ -29,8 +27,14 @@ def chosen(
     first: int = 1,
     cut: Callable[..., Any] = np.argmin,
 ) -> Callable[..., Choice]:
-    """A program that takes the control least off at its best step, counted from `first`, among
-    those that pass for free.
+    """Return a program that takes the control whose best step is closest to the target.
+
+    Parameters
+    ----------
+    off : distance of a pose from the target.
+    is_free : whether a control may be taken; the others are left out.
+    first : the first step that counts.
+    cut : picks the step of one control from the distances at all of its steps.
     """
 
     def choose(problem: Any, q: Array, target: Array, controls: Array, t: float, n: int) -> Choice:
@@ -49,27 +53,27 @@ def chosen(
 
 
 def distance(problem: Any, a: Array, b: Array) -> float:
-    """As the problem has it."""
+    """Return the distance of the problem."""
     return float(problem.distance(a, b))
 
 
 def up_to_cut(problem: Any, q: Array, v: float, phi: float, cut: float, _: float) -> bool:
-    """The drive as far as it is kept."""
+    """Whether the drive is free up to its cut."""
     return bool(problem.is_free_drive(q, v, phi, cut))
 
 
 def all_of_it(problem: Any, q: Array, v: float, phi: float, _: float, t: float) -> bool:
-    """The drive beyond its cut as well."""
+    """Whether the drive is free also beyond its cut."""
     return bool(problem.is_free_drive(q, v, phi, t))
 
 
 def its_end(problem: Any, q: Array, v: float, phi: float, cut: float, _: float) -> bool:
-    """The last pose alone."""
+    """Whether the last pose is free."""
     return bool(problem.problem.is_free(problem.move(q, v, phi, cut)))
 
 
 def anything(*_: Any) -> bool:
-    """No question asked."""
+    """Accept every drive."""
     return True
 
 
@@ -77,32 +81,32 @@ best_of_controls = chosen(distance, up_to_cut)
 
 
 def at_the_end(problem: Any, q: Array, target: Array, controls: Array, t: float, n: int) -> Choice:
-    """Nothing is cut."""
+    """Compare the ends of the drives and cut none."""
     choice = chosen(distance, up_to_cut)(problem, q, target, controls, t, 1)
     return choice and (choice[0], n)
 
 
 def picked_then_checked(*given: Any) -> Choice:
-    """The best of all, or none where that is not free."""
+    """Take the best control of all, and return None where it is not free."""
     best = chosen(distance, anything)(*given)
     return best if best == best_of_controls(*given) else None
 
 
 def counted_from_zero(*given: Any) -> Choice:
-    """A step too few."""
+    """Return a step that is one too low."""
     choice = best_of_controls(*given)
     return choice and (choice[0], choice[1] - 1)
 
 
 def first_dip(away: list[float]) -> int:
-    """The step before the first that is farther away."""
+    """Return the step before the first one that is farther away."""
     return next((k for k in range(len(away) - 1) if away[k + 1] > away[k]), len(away) - 1)
 
 
 def cut_until_free(
     problem: Any, q: Array, target: Array, controls: Array, t: float, n: int
 ) -> Choice:
-    """Every step is asked about: a control that touches something is cut before that."""
+    """Cut a control before its first contact instead of leaving it out."""
     steps = [(i, k) for i in range(len(controls)) for k in range(1, n + 1)]
     free = [(i, k) for i, k in steps if problem.is_free_drive(q, *controls[i], k * t / n)]
     return min(
@@ -113,7 +117,7 @@ def cut_until_free(
 
 
 def only_closer(problem: Any, q: Array, target: Array, controls: Array, t: float, n: int) -> Choice:
-    """The least begins with how far q itself is away."""
+    """Accept only controls that come closer to the target than q itself."""
     choice = best_of_controls(problem, q, target, controls, t, n)
     if choice is None:
         return None
@@ -122,7 +126,7 @@ def only_closer(problem: Any, q: Array, target: Array, controls: Array, t: float
 
 
 def farthest(*given: Any) -> Choice:
-    """max for min."""
+    """Take the farthest control instead of the closest."""
     return chosen(lambda problem, a, b: -problem.distance(a, b), up_to_cut)(*given)
 
 
@@ -141,7 +145,7 @@ ROOMS = (
 
 
 class BestControl(ValueExercise):
-    """Which of some controls to hold, and for how many steps."""
+    """Choose which of several controls to apply, and for how many steps."""
 
     name = "best_control"
     lesson = "13_kinodynamic_planning"
@@ -176,8 +180,9 @@ class BestControl(ValueExercise):
     )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """A control straight on first; one that comes round again; then controls by chance, until
-        there are enough of each kind.
+        """Yield a straight control and one that comes round again, then random controls.
+
+        Random controls are drawn until there are enough cases of each kind.
         """
         yield Case("open", given(ROOMS[0], (100, 100, 0), (110, 100, 0), [(2, 0), (-1, 0)], 4.0, 4))
         yield Case("cut", given(ROOMS[0], (100, 100, 0), (104, 100, 0), [(2, 0), (-1, 0)], 4.0, 4))
@@ -193,8 +198,11 @@ class BestControl(ValueExercise):
         yield from sorted(every, key=lambda case: len(case.given["controls"]) * case.given["n"])
 
     def drawn_case(self, rng: np.random.Generator) -> Case | None:
-        """A case by chance, of the kind that it is; None where two controls are nearly as good, or
-        nothing can be asked.
+        """Draw a random case and classify it.
+
+        Returns
+        -------
+        The case; None where two controls are nearly equally good, or where q is not free.
         """
         room, n, m = (
             ROOMS[int(rng.random() < 0.8)],
@@ -214,24 +222,24 @@ class BestControl(ValueExercise):
         return Case(kind, asked) if kind else None
 
     def same(self, value: Any, truth: Any) -> bool:
-        """The same control and the same step, or None for None."""
+        """Whether both are the same control and step, or both None."""
         return value is None if truth is None else value is not None and list(value) == list(truth)
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """All drives; the right one, and the student's."""
+        """Draw all drives, the right one and the student's."""
         from .pictures import draw_choice
 
         draw_choice(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 
 
 def given(room: Any, q: Any, target: Any, controls: Any, t: float, n: int) -> dict[str, Any]:
-    """The arguments of a case."""
+    """Return the arguments of a case."""
     poses = {"q": np.array(q, float), "target": np.array(target, float)}
     return {"problem": room, **poses, "controls": np.array(controls, float), "t": t, "n": n}
 
 
 def kind_of(asked: dict[str, Any]) -> str:
-    """What a case is about; "" where two answers are nearly as good."""
+    """Return the kind of a case; "" where two answers are nearly equally good."""
     room, q, target, controls, t, n = asked.values()
     poses = room.poses_after(q, controls, t * np.arange(1, n + 1) / n)
     away = np.sort(apart(poses, target, room.radian), axis=1)

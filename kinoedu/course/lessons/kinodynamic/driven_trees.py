@@ -1,5 +1,6 @@
-"""The judge of what is grown by driving: every drive replayed from its control, by the course's own
-code, and free all the way.
+"""The judge of trees of drives.
+
+It replays every drive from its control with the course's own code, and checks that it is free.
 """
 
 import math
@@ -25,8 +26,11 @@ Path = NDArray[np.int64]
 
 
 def why_not_driven(problem: Any, tree: DrivenTree) -> tuple[Fault | None, Array]:
-    """The first thing that keeps it from being a tree of free drives from the start; and its nodes,
-    as far as they are right.
+    """Replay a tree, and return its first fault with the nodes up to there.
+
+    Returns
+    -------
+    (fault, nodes) : None where every drive is valid and free; the poses of the nodes, shape (n, 3).
     """
     _, parent, controls, durations = tree
     if not len(parent) or not len(parent) == len(controls) == len(durations):
@@ -48,7 +52,7 @@ def why_not_driven(problem: Any, tree: DrivenTree) -> tuple[Fault | None, Array]
 
 
 def near_ones(problem: Any, nodes: Array, slack: float = 0.0) -> NDArray[np.int64]:
-    """The numbers of the nodes that are near enough to the goal."""
+    """Return the indices of the nodes that are near enough to the goal."""
     x, y, theta = problem.goal
     off = [math.dist(q[:2], (x, y)) <= problem.tolerance * (1.0 + slack) for q in nodes]
     askew = [
@@ -59,12 +63,12 @@ def near_ones(problem: Any, nodes: Array, slack: float = 0.0) -> NDArray[np.int6
 
 
 def distances(problem: Any, nodes: Array, q: Array) -> Array:
-    """From each node."""
+    """Return the distance from each node to q."""
     return np.array([problem.distance(node, q) for node in nodes])
 
 
 def not_along(parent: NDArray[np.int64], path: Path, nodes: Array) -> Fault | None:
-    """A path that does not begin at node 0, or goes from a node to another than a child of it."""
+    """Return the fault of a path that does not begin at node 0 or leaves the tree, or None."""
     if not len(path):
         return Fault("nothing", NOWHERE)
     if path[0] != 0:
@@ -76,7 +80,10 @@ def not_along(parent: NDArray[np.int64], path: Path, nodes: Array) -> Fault | No
 
 
 def not_nearest_to_goal(problem: Any, nodes: Array, path: Path) -> Fault | None:
-    """A path that ends elsewhere, where no node is near enough."""
+    """Return the fault of a path that does not end at the node nearest to the goal.
+
+    For trees without a node near enough to the goal.
+    """
     off = distances(problem, nodes, problem.goal)
     return (
         None if off[path[-1]] <= off.min() * (1.0 + SLACK) else Fault("closest", nodes[[path[-1]]])
@@ -86,12 +93,17 @@ def not_nearest_to_goal(problem: Any, nodes: Array, path: Path) -> Fault | None:
 def not_biased(
     problem: Any, nodes: Array, before: int, chosen: NDArray[np.int64], turn: int
 ) -> str:
-    """Which rule a turn broke that drove from chosen nodes, when there were so many before it; ""
-    for none.
+    """Return the rule that an iteration broke when it chose its nodes, or "".
 
-    When the goal is the target these are the nearest to it. When it is a pose of the region, each
-    is nearly so: by the triangle inequality, no farther from the goal than twice the region's reach
-    beyond the nearest.
+    Where the goal is the target, the chosen nodes are the nearest to it. Where a pose of the
+    region is the target, each is nearly so: by the triangle inequality, no farther from the
+    goal than the nearest node plus twice the region's radius.
+
+    Parameters
+    ----------
+    before : number of nodes before this iteration.
+    chosen : indices of the nodes from which it drove.
+    turn : number of the iteration, from 1.
     """
     off = distances(problem, nodes[:before], problem.goal)
     nearest = np.sort(off)[: len(chosen)]
@@ -107,8 +119,11 @@ def not_biased(
 def by_turns(
     problem: Any, nodes: Array, turns: list[tuple[int, NDArray[np.int64]]]
 ) -> Fault | None:
-    """Judge the turns of a tree of which no drive can fail: for each, how many nodes there were
-    before, and which were chosen.
+    """Judge each iteration of a tree for which every drive is free.
+
+    Parameters
+    ----------
+    turns : for each iteration, the number of nodes before it and the indices of the chosen ones.
     """
     straight = others = 0
     for turn, (before, chosen) in enumerate(turns, 1):
@@ -122,21 +137,21 @@ def by_turns(
 
 
 class DrivingPlanner(PlannerExercise):
-    """A planner to write whose answer ends with the numbers of the nodes along its drive."""
+    """An exercise on a planner whose answer ends with the nodes along its path."""
 
     lesson = "13_kinodynamic_planning"
     shared = ("driving_planner", "planner", "exercise")
 
     def uses_chance(self, case: Case) -> bool:
-        """Another seed drives otherwise, unless there is nothing to drive."""
+        """Whether another seed gives another answer: always, unless start is goal."""
         return case.kind != "same"
 
     def tree_of(self, case: Case, answer: Any) -> DrivenTree:
-        """The tree in an answer; its nodes are not there yet."""
+        """Return the tree in an answer, without its nodes."""
         raise NotImplementedError
 
     def nodes_of(self, case: Case, answer: Any) -> tuple[DrivenTree, Array]:
-        """The tree as far as it is right, and the poses along the path as far as they are known."""
+        """Return the valid part of the tree, and the known poses along the path."""
         tree = self.tree_of(case, answer)
         _, nodes = why_not_driven(case.given["problem"], tree)
         path = answer[-1][(answer[-1] >= 0) & (answer[-1] < len(nodes))]
@@ -146,11 +161,11 @@ class DrivingPlanner(PlannerExercise):
         ]
 
     def drawn(self, answer: Any) -> tuple[list[Tree], Array | None]:
-        """How much there is is told by `answer_words`."""
+        """Return nothing to draw: `answer_words` describes the answer."""
         return [], None
 
     def answer_words(self, case: Case, value: Any) -> str:
-        """How much was built, where the drive ends, and where it is at fault."""
+        """Describe the size of the answer, where its path ends, and where its fault is."""
         tree, poses = self.nodes_of(case, value[0])
         if not len(poses):
             return self.words("answers.nowhere", nodes=len(tree.nodes))
@@ -163,7 +178,7 @@ class DrivingPlanner(PlannerExercise):
         return f"{told}; {self.words('answers.at', marked=where)}" if where else told
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The problem, the tree, the drive, and a cross on what is at fault."""
+        """Draw the problem, the tree, the path, and a cross at the fault."""
         from .pictures import draw_driven_answer
 
         value = outcome.value if isinstance(outcome, Answer) else None

@@ -1,6 +1,4 @@
-"""The exercise on the fastest drive through a roadmap whose edges are driven one way. LaValle,
-section 2.2.2.
-"""
+"""The exercise on the fastest path through a roadmap of directed drives. LaValle, section 2.2.2."""
 
 from collections.abc import Callable, Iterator, Sequence
 from typing import Any, ClassVar
@@ -30,8 +28,11 @@ def way_by(
     directed: bool = True,
     search: Search = dijkstra_path,
 ) -> Callable[..., Way]:
-    """A program that finds the lightest way from node 0 to one of the ends, by weights of controls
-    (m, 2) and durations (m,).
+    """Return a program that finds the lightest path from node 0 to one of the ends.
+
+    Parameters
+    ----------
+    weights : computes weights (m,) from controls (m, 2) and durations (m,).
     """
 
     def find(n: int, edges: Pairs, controls: Array, durations: Array, ends: Pairs) -> Way:
@@ -51,20 +52,19 @@ def way_by(
 
 
 def by_time(_: Array, durations: Array) -> Array:
-    """What is asked for."""
+    """Return the durations as weights, as the exercise demands."""
     return durations
 
 
 def fastest(n: int, edges: Pairs, controls: Array, durations: Array, ends: Pairs) -> Way:
-    """The nodes of a fastest drive from node 0 to one of the ends; None where no edges lead
-    there.
-    """
+    """Return the nodes of a fastest path from node 0 to one of the ends, or None."""
     return way_by(by_time)(n, edges, controls, durations, ends)
 
 
 def lasts(way: list[int], edges: Pairs, durations: Array, directed: bool = True) -> float:
-    """How long a drive along edges takes; of doubles the quicker. Infinite where an edge is not
-    there.
+    """Return the total duration of a path; infinite where it uses an edge that does not exist.
+
+    Of parallel edges the quickest counts.
     """
     times: dict[tuple[int, int], float] = {}
     for (u, v), t in zip(edges.tolist(), durations.tolist()):
@@ -74,7 +74,7 @@ def lasts(way: list[int], edges: Pairs, durations: Array, directed: bool = True)
 
 
 def last_of_doubles(n: int, edges: Pairs, controls: Array, durations: Array, ends: Pairs) -> Way:
-    """A dictionary of edges keeps the last row of each pair."""
+    """Find a fastest path where only the last of parallel edges is kept."""
     pairs = np.reshape(edges, (-1, 2))
     kept = list({(u, v): i for i, (u, v) in enumerate(pairs.tolist())}.values())
     return fastest(n, pairs[kept], controls[kept], durations[kept], ends)
@@ -83,8 +83,9 @@ def last_of_doubles(n: int, edges: Pairs, controls: Array, durations: Array, end
 def relaxed_three_times(
     n: int, edges: Pairs, controls: Array, durations: Array, ends: Pairs
 ) -> Way:
-    """The rows are gone through too seldom: enough where they stand in the order in which they are
-    driven.
+    """Relax all edges only three times, as in a Bellman-Ford that stops too early.
+
+    This is right where the rows stand in the order in which they are driven.
     """
     ways: dict[int, tuple[float, Way]] = {0: (0.0, [0])}
     for u, v, t in 3 * [
@@ -97,7 +98,7 @@ def relaxed_three_times(
 
 
 def turned(change: Callable[[list[int]], list[int]]) -> Callable[..., Way]:
-    """A program that returns the fastest drive otherwise."""
+    """Return a program that changes the fastest path by `change`."""
 
     def answer(*given: Any) -> Way:
         way = fastest(*given)
@@ -107,7 +108,7 @@ def turned(change: Callable[[list[int]], list[int]]) -> Callable[..., Way]:
 
 
 class FastestDrive(ValueExercise):
-    """From a roadmap of drives to the fastest one that ends near the goal."""
+    """Find the fastest path through a roadmap of drives to a node near the goal."""
 
     name = "fastest_drive"
     lesson = "13_kinodynamic_planning"
@@ -148,7 +149,7 @@ class FastestDrive(ValueExercise):
     )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Chains, a detour that is faster, an edge that is driven the other way; then more."""
+        """Yield chains, a faster detour and a one-way edge, then random roadmaps."""
         for kind, n, rows, ends in (
             ("chain", 2, [(0, 1, 3)], [1]),
             ("chain", 3, [(0, 1, 3), (1, 2, 4)], [2]),
@@ -168,8 +169,9 @@ class FastestDrive(ValueExercise):
                 yield self.random_case(kind, size, rng)
 
     def random_case(self, kind: str, n: int, rng: np.random.Generator) -> Case:
-        """A roadmap by chance, in any order, some of its drives also done slowly; the ends lie far
-        from the start.
+        """Draw a random roadmap whose ends lie far from the start.
+
+        Its rows are in random order, and some drives occur twice with different durations.
         """
         pairs = [(int(rng.integers(max(v - 3, 0), v)), v) for v in range(1, n)]
         if kind != "chain":
@@ -193,12 +195,13 @@ class FastestDrive(ValueExercise):
         return roadmap_case(kind, n, rows, ends)
 
     def same(self, value: Any, truth: Any) -> bool:
-        """The very same nodes."""
+        """Whether both hold the same nodes, or both are None."""
         return value is None if truth is None else value is not None and list(value) == list(truth)
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """None where there is no way; else along edges, as they are driven, from 0 to an end, and
-        none is faster.
+        """Judge that the path starts at node 0, follows edges to an end, and is fastest.
+
+        Where no end can be reached, None is right.
         """
         truth = self.truth(case)
         if value is None or truth is None:
@@ -216,7 +219,7 @@ class FastestDrive(ValueExercise):
         return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
 
     def wanted(self, case: Case) -> str:
-        """One right drive, and how long it takes."""
+        """Describe one right path and its duration."""
         truth = self.truth(case)
         if truth is None:
             return "None"
@@ -227,14 +230,14 @@ class FastestDrive(ValueExercise):
         )
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The roadmap; a fastest drive, and the student's."""
+        """Draw the roadmap, a fastest path and the student's."""
         from .pictures import draw_fastest
 
         draw_fastest(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 
 
 def roadmap_case(kind: str, n: int, rows: Sequence[tuple[float, ...]], ends: list[int]) -> Case:
-    """A case of a roadmap, from rows (from, to, duration, speed), the speed 1 unless given."""
+    """Return a case of a roadmap from rows (from, to, duration, speed); the default speed is 1."""
     whole = np.array([(*row, 1.0)[:4] for row in rows])
     told = {
         "controls": np.column_stack([whole[:, 3], np.zeros(len(rows))]),

@@ -1,5 +1,6 @@
-"""Small problems for a car, some of which are traps. It knows three speeds: the shortest is not the
-fastest.
+"""Small problems for a car, some of them traps.
+
+The car has three speeds, so that the shortest path is not always the fastest.
 """
 
 import math
@@ -15,7 +16,7 @@ CAR = Car(30, 10, 20, speeds=(-1, 0.5, 2))
 
 
 def in_garage(start: Any, goal: Any, *obstacles: Any, size: float = 200.0) -> Drivable:
-    """The car among obstacles, in a square garage."""
+    """Return the problem of the car among obstacles in a square garage."""
     return Drivable(Problem(CAR, PolygonWorld(box(0, 0, size, size), obstacles), start, goal))
 
 

@@ -1,4 +1,4 @@
-"""The exercise on how far two poses are apart. LaValle, section 5.1.2."""
+"""The exercise on the distance between two poses. LaValle, section 5.1.2."""
 
 import math
 from collections.abc import Callable, Iterator
@@ -20,23 +20,23 @@ POSE = Numbers((3,))
 
 
 def pose_distance(a: Array, b: Array, radian: float) -> float:
-    """How far two poses are apart, a radian counting so many units of length."""
+    """Return the distance between two poses, where a radian counts as `radian` units of length."""
     turn = radian * short_way(wrapped(a[2]), wrapped(b[2]))
     return math.sqrt((b[0] - a[0]) ** 2 + (b[1] - a[1]) ** 2 + turn * turn)
 
 
 def with_turn(turn: Callable[[float, float, float], float]) -> Callable[..., float]:
-    """A program that takes something else for the headings' share, turn(a, b, radian)."""
+    """Return a program whose share of the headings is turn(a, b, radian)."""
     return lambda a, b, radian: math.hypot(b[0] - a[0], b[1] - a[1], turn(a[2], b[2], radian))
 
 
 def short(a: float, b: float) -> float:
-    """The size of the short way."""
+    """Return the size of the angle between two headings, the short way."""
     return abs(short_way(wrapped(a), wrapped(b)))
 
 
 class HeadingDistance(ValueExercise):
-    """The distance of poses, with headings that wrap."""
+    """Compute the distance between two poses whose headings wrap."""
 
     name = "heading_distance"
     lesson = "13_kinodynamic_planning"
@@ -65,7 +65,7 @@ class HeadingDistance(ValueExercise):
     )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Whole numbers first."""
+        """Yield poses with whole numbers, then random ones."""
         for kind, a, b, radian in (
             ("place", (0, 0, 1), (3, 4, 1), 5),
             ("heading", (2, 1, 0), (2, 1, 0.5), 10),
@@ -88,12 +88,12 @@ class HeadingDistance(ValueExercise):
             yield apart_case("turns", p, (*q[:2], np.round(q[2] + more, 2)), radian)
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """Both poses, and both distances."""
+        """Draw both poses, the right distance and the student's."""
         from .pictures import draw_two_poses
 
         draw_two_poses(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 
 
 def apart_case(kind: str, a: ArrayLike, b: ArrayLike, radian: float) -> Case:
-    """A case of two poses."""
+    """Return a case of two poses."""
     return Case(kind, {"a": np.array(a, float), "b": np.array(b, float), "radian": float(radian)})

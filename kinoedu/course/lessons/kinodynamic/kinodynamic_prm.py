@@ -1,5 +1,6 @@
-"""The exercise `kinodynamic_prm`. S. M. LaValle, J. J. Kuffner, "Randomized kinodynamic planning"
-(2001).
+"""The exercise `kinodynamic_prm`.
+
+S. M. LaValle, J. J. Kuffner, "Randomized kinodynamic planning" (2001).
 """
 
 from collections.abc import Iterator
@@ -33,7 +34,7 @@ from .garages import GARAGES, KINDS, OPEN
 
 
 def own_kinodynamic_prm(problem: Any, k: int, iterations: int, rng: int) -> Any:
-    """The roadmap as the exercise asks for it."""
+    """Grow the roadmap as the exercise demands, and return its arrays and path."""
     chance, nodes, arrival = np.random.default_rng(rng), [problem.start], [0.0]
     edges, controls, durations = [], [], []
     for turn in range(1, iterations + 1):
@@ -63,7 +64,7 @@ def own_kinodynamic_prm(problem: Any, k: int, iterations: int, rng: int) -> Any:
 
 
 class KinodynamicPrm(DrivingPlanner):
-    """A roadmap of drives, and the fastest drive through it."""
+    """Build a roadmap of drives, and find the fastest path through it."""
 
     name = "kinodynamic_prm"
     kinds = KINDS
@@ -74,7 +75,7 @@ class KinodynamicPrm(DrivingPlanner):
     shown = staticmethod(drive_from_nearest)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Every garage twice, with two nodes a turn and with three."""
+        """Yield every garage twice, with two and with three drives per iteration."""
         for k in (2, 3):
             for kind in KINDS:
                 turns = min(100, TURNS[kind])
@@ -89,11 +90,11 @@ class KinodynamicPrm(DrivingPlanner):
                 )
 
     def uses_chance(self, case: Case) -> bool:
-        """Always: it does not stop at the goal."""
+        """Another seed always gives another answer: the roadmap does not stop at the goal."""
         return True
 
     def tree_of(self, case: Case, answer: Any) -> DrivenTree:
-        """A new node for each edge."""
+        """Return the roadmap as a tree: each edge leads to a new node."""
         edges, controls, durations, _ = answer
         return DrivenTree(
             NOWHERE,
@@ -103,8 +104,9 @@ class KinodynamicPrm(DrivingPlanner):
         )
 
     def fault(self, case: Case, answer: Any) -> Fault | None:
-        """The edges; the drives; the path and its end; and where no drive can fail, from which
-        nodes each turn drove.
+        """Judge the edges, the drives, the path and its end.
+
+        Where every drive is free, also judge from which nodes each iteration drove.
         """
         problem, k, iterations, _ = case.given.values()
         edges, tree, path = answer[0], self.tree_of(case, answer), answer[-1]
@@ -127,7 +129,7 @@ class KinodynamicPrm(DrivingPlanner):
 def not_fastest(
     problem: Any, tree: DrivenTree, nodes: Array, path: NDArray[np.int64]
 ) -> Fault | None:
-    """A path that ends at another node than the one near the goal that is reached first."""
+    """Return a fault where another node near the goal is reached sooner than the path's end."""
     surely, perhaps = near_ones(problem, nodes, -SLACK), near_ones(problem, nodes, SLACK)
     if not len(surely):
         return None if path[-1] in perhaps else not_nearest_to_goal(problem, nodes, path)
@@ -146,8 +148,9 @@ def not_fastest(
 def fault_of_groups(
     problem: Any, edges: NDArray[np.int64], nodes: Array, k: int, iterations: int
 ) -> Fault | None:
-    """Turns that did not drive from k different nodes that were there before them, or from the
-    wrong ones.
+    """Judge that each iteration drove from the right k nodes.
+
+    They must be different, be older than the iteration, and be nearest to its target.
     """
     before, turns = 1, []
     for _ in range(iterations):

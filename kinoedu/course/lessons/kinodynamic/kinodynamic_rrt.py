@@ -1,5 +1,6 @@
-"""The exercise `kinodynamic_rrt`. S. M. LaValle, J. J. Kuffner, "Randomized kinodynamic planning"
-(2001).
+"""The exercise `kinodynamic_rrt`.
+
+S. M. LaValle, J. J. Kuffner, "Randomized kinodynamic planning" (2001).
 """
 
 from collections.abc import Iterator
@@ -33,7 +34,7 @@ from .garages import GARAGES, KINDS, OPEN
 
 
 def own_kinodynamic_rrt(problem: Any, iterations: int, rng: int) -> Any:
-    """The tree as the exercise asks for it."""
+    """Grow the tree as the exercise demands, and return its arrays and path."""
     chance, nodes = np.random.default_rng(rng), [problem.start]
     parent, controls, durations = [-1], [(0.0, 0.0)], [0.0]
     for turn in range(1, iterations + 1):
@@ -59,7 +60,7 @@ def own_kinodynamic_rrt(problem: Any, iterations: int, rng: int) -> Any:
 
 
 class KinodynamicRrt(DrivingPlanner):
-    """A tree of drives."""
+    """Grow a tree of drives."""
 
     name = "kinodynamic_rrt"
     kinds = KINDS
@@ -70,7 +71,7 @@ class KinodynamicRrt(DrivingPlanner):
     shown = staticmethod(grow_by_driving)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Every garage twice."""
+        """Yield every garage twice."""
         for _ in range(2):
             for kind in KINDS:
                 yield Case(
@@ -83,12 +84,13 @@ class KinodynamicRrt(DrivingPlanner):
                 )
 
     def tree_of(self, case: Case, answer: Any) -> DrivenTree:
-        """As it stands."""
+        """Return the tree in an answer."""
         return DrivenTree(NOWHERE, *answer[:3])
 
     def fault(self, case: Case, answer: Any) -> Fault | None:
-        """The drives; the path and its end; and where no drive can fail, from which nodes each turn
-        drove.
+        """Judge the drives, the path and its end.
+
+        Where every drive is free, also judge from which node each iteration drove.
         """
         problem, iterations, _ = case.given.values()
         tree, path = self.tree_of(case, answer), answer[-1]
@@ -108,7 +110,7 @@ class KinodynamicRrt(DrivingPlanner):
 
 
 def not_ended(problem: Any, nodes: Array, path: NDArray[np.int64]) -> Fault | None:
-    """Growth that went on from the goal, or a path that ends elsewhere."""
+    """Return a fault where growth went on after the goal was reached or the path ends elsewhere."""
     surely, perhaps = near_ones(problem, nodes, -SLACK), near_ones(problem, nodes, SLACK)
     if len(surely) and surely[0] < len(nodes) - 1:
         return Fault("returned", nodes[surely[:1]])

@@ -1,5 +1,6 @@
-"""Pictures of failing cases of lesson 13. What is true is solid and green, what the student's
-program says dashed and orange.
+"""Pictures of failing cases of lesson 13.
+
+The right answer is solid and green, the student's is dashed and orange.
 """
 
 import math
@@ -17,9 +18,7 @@ from ..shared.car_pictures import arc, frame_both
 
 
 def draw_driven_answer(problem: Any, built: Any, fault: Any, words: str, ax: Any) -> None:
-    """The problem; the tree, in blue; the drive, in yellow; and the drive or pose that is at fault,
-    in orange.
-    """
+    """Draw the problem, the tree in blue, the path in yellow, and the fault in orange."""
     from ....figures import palette, plane
     from ....figures.drawing import draw_path, draw_problem, draw_tree
 
@@ -63,7 +62,7 @@ def draw_driven_answer(problem: Any, built: Any, fault: Any, words: str, ax: Any
 
 
 def look_closer(places: Array, least: float, ax: Any) -> None:
-    """Where the world is large, show only what is round the places, and so far at least."""
+    """Zoom in on the positions, with at least `least` units around them, in a large world."""
     middle, reach = (
         (places.min(axis=0) + places.max(axis=0)) / 2.0,
         max(0.6 * float(np.ptp(places, axis=0).max()), least),
@@ -75,7 +74,7 @@ def look_closer(places: Array, least: float, ax: Any) -> None:
 
 
 def draw_two_poses(exercise: ValueExercise, case: Case, value: Any, ax: Any) -> None:
-    """Both poses as arrows, what is between their headings, and both distances."""
+    """Draw both poses as arrows, the angle between them, and both distances."""
     from ....figures import cars, palette, plane
 
     a, b, radian = case.given.values()
@@ -94,8 +93,9 @@ def draw_two_poses(exercise: ValueExercise, case: Case, value: Any, ax: Any) -> 
 
 
 def draw_choice(exercise: ValueExercise, case: Case, value: Any, ax: Any) -> None:
-    """The drives by all controls, thin; the right one up to its cut, and the student's, with the
-    car's body where there is one.
+    """Draw the drives by all controls, the right one up to its cut, and the student's.
+
+    Where there is an obstacle, the car's outline is drawn too.
     """
     from ....figures import cars, palette, plane
     from ....figures.drawing import draw_world
@@ -142,19 +142,19 @@ def draw_choice(exercise: ValueExercise, case: Case, value: Any, ax: Any) -> Non
 
 
 def is_choice(choice: Any, controls: Array, n: int) -> bool:
-    """Whether there is such a control, and such a step."""
+    """Whether the answer names an existing control and an existing step."""
     return bool(0 <= choice[0] < len(controls) and 0 <= choice[1] <= n)
 
 
 def swept(case: Case, bends: Array, i: int, k: int) -> Array:
-    """Four poses of a drive by control i up to its step k, with both ends."""
+    """Return four poses of the drive by control i up to step k, both ends included."""
     _, q, _, controls, t, n = case.given.values()
     way = arc(q, controls[i, 0] * t * k / n, bends[i])
     return way[np.unique(np.linspace(0, len(way) - 1, 4).astype(int))]
 
 
 def draw_fastest(exercise: ValueExercise, case: Case, value: Any, ax: Any) -> None:
-    """The roadmap with its durations, a fastest drive, and the student's."""
+    """Draw the roadmap with its durations, a fastest path and the student's."""
     from ....figures import palette, plane
     from ....figures.graphs import draw_graph, layout
     from ....graphs import Graph

@@ -1,5 +1,6 @@
-"""The exercise on chance constraints: how far to stay away from each obstacle, by the union bound
-and the chi-square quantile.
+"""The exercise on chance constraints: a margin for each obstacle.
+
+It uses the union bound and the quantile of the chi-square distribution.
 """
 
 import math
@@ -18,17 +19,17 @@ from .pictures import draw_margins
 
 
 def radius_of(share: float) -> float:
-    """How far an offset of standard deviation 1 lies within, but for a share of the chance."""
+    """Return the radius that an offset of standard deviation 1 exceeds with probability `share`."""
     return math.sqrt(-2.0 * math.log(share))
 
 
 def scaled(factor: Callable[[int, float], float]) -> Callable[..., Array]:
-    """A program that multiplies every sigma by some factor of m and delta."""
+    """Return a program that multiplies every sigma by factor(m, delta)."""
     return lambda sigma, delta: sigma * factor(len(sigma), delta)
 
 
 class ChanceMargins(ValueExercise):
-    """The margins that make the chance of any contact at most delta."""
+    """Compute margins that make the probability of any contact at most delta."""
 
     name = "chance_margins"
     lesson = "14_moving_and_uncertain"
@@ -59,7 +60,7 @@ class ChanceMargins(ValueExercise):
     reference = staticmethod(chance_margins)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """One obstacle first."""
+        """Yield cases with one obstacle first, then with several."""
         yield margin_case("one", [1], 0.05)
         yield margin_case("one", [0.3], 0.5)
         yield margin_case("several", [1, 1], 0.1)
@@ -77,10 +78,10 @@ class ChanceMargins(ValueExercise):
             yield margin_case("seldom", s[:m], 10.0 ** -int(rng.integers(4, 10)))
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """Each margin, and the student's."""
+        """Draw each margin and the student's."""
         draw_margins(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 
 
 def margin_case(kind: str, sigma: Any, delta: float) -> Case:
-    """A case of some obstacles."""
+    """Return a case of some obstacles."""
     return Case(kind, {"sigma": np.array(sigma, float), "delta": float(delta)})

@@ -1,5 +1,6 @@
-"""The exercise on the chance of a collision: a path among discs whose places are uncertain, tried
-in given scenarios.
+"""The exercise on the probability of a collision, estimated from given scenarios.
+
+A path leads among discs whose positions are uncertain.
 """
 
 from collections.abc import Callable, Iterator
@@ -36,27 +37,25 @@ SMALL = (  # kind, path, discs, and a list of offsets for each scenario: what ca
 
 
 def with_interval(hits: float, n: int) -> Array:
-    """The share, and the ends of Wilson's interval."""
+    """Return the fraction hits / n and the ends of its Wilson interval, shape (3,)."""
     low, high = wilson(hits, n)
     return np.array([hits / n, low, high])
 
 
 def tried(path: Array, discs: Array, offsets: Array) -> Array:
-    """The share of the scenarios in which the path is hit, and the ends of its 95 percent interval;
-    shape (3,).
-    """
+    """Return the fraction of scenarios that hit the path with its 95 percent interval, (3,)."""
     return with_interval(int(contacts(path, discs, offsets).any(axis=1).sum()), len(offsets))
 
 
 def normal_interval(path: Array, discs: Array, offsets: Array) -> Array:
-    """The interval of the textbook: the share, and 1.96 standard deviations either way."""
+    """Return the fraction plus and minus 1.96 standard deviations, shape (3,)."""
     share = contacts(path, discs, offsets).any(axis=1).mean()
     reach = Z * np.sqrt(share * (1 - share) / len(offsets))
     return np.array([share, share - reach, share + reach])
 
 
 def counted(count: Callable[[Hits], float]) -> Callable[..., Array]:
-    """A program that counts contacts in another way."""
+    """Return a program that counts contacts with `count`."""
 
     def mistaken(path: Array, discs: Array, offsets: Array) -> Array:
         hits = contacts(path, discs, offsets)
@@ -67,18 +66,18 @@ def counted(count: Callable[[Hits], float]) -> Callable[..., Array]:
 
 
 def among(change: Callable[..., tuple[Array, Array, Array]]) -> Callable[..., Array]:
-    """A program that is right about another path, other discs, or other offsets."""
+    """Return a program that is right about a path, discs or offsets changed by `change`."""
     return lambda path, discs, offsets: tried(*change(path, discs, offsets))
 
 
 def tiny_missed(path: Array, discs: Array, offsets: Array) -> Array:
-    """Discs too small to be met by any of the points that are looked at are not seen."""
+    """Ignore discs so small that they fit between the sampled points of a path."""
     hits = contacts(path, discs, offsets)[:, discs[:, 2] >= TINY]
     return with_interval(int(hits.any(axis=1).sum()), len(offsets))
 
 
 def corners_only(path: Array, discs: Array, offsets: Array) -> Array:
-    """The path's points are looked at, not what lies between."""
+    """Check only the points of the path, not the segments between them."""
     points = np.repeat(path, 2, axis=0)
     hits = np.any(
         [contacts(points[2 * k : 2 * k + 2], discs, offsets) for k in range(len(path))], axis=0
@@ -87,7 +86,7 @@ def corners_only(path: Array, discs: Array, offsets: Array) -> Array:
 
 
 class CollisionProbability(ValueExercise):
-    """The share of the scenarios in which a path is hit, with its interval."""
+    """Estimate the fraction of scenarios in which a path is hit, with its interval."""
 
     name = "collision_probability"
     lesson = "14_moving_and_uncertain"
@@ -131,7 +130,7 @@ class CollisionProbability(ValueExercise):
     reference = staticmethod(tried)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """A few scenarios that can be drawn by hand; then a hundred."""
+        """Yield a few scenarios that can be drawn by hand, then random ones."""
         for kind, *given in SMALL:
             yield Case(
                 kind,
@@ -149,8 +148,10 @@ class CollisionProbability(ValueExercise):
                 yield case
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """A right share with another interval has a rule of its own, but where nothing is hit or
-        all.
+        """Judge the fraction and the interval.
+
+        A right fraction with a wrong interval breaks a rule of its own, except where no
+        scenario or every scenario is hit.
         """
         verdict = super().value_verdict(case, value)
         is_share = self.near(float(value[0]), float(self.truth(case)[0])) and case.kind not in (
@@ -160,12 +161,12 @@ class CollisionProbability(ValueExercise):
         return verdict._replace(rule="interval") if verdict.rule and is_share else verdict
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The path, the discs where they are expected and in scenarios, and both answers."""
+        """Draw the path, the discs at their centres and in scenarios, and both answers."""
         draw_scenarios(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 
 
 def scenario_case(kind: str, rng: np.random.Generator) -> Case | None:
-    """A case of a kind; None where chance has made another."""
+    """Draw a random case of a kind; None where it turns out to be of another kind."""
     n, m, k = (
         int(rng.integers(40, 120)),
         1 if kind == "one" else int(rng.integers(2, 5)),

@@ -1,5 +1,6 @@
-"""The exercise on planning in time: the earliest arrival by safe intervals. Phillips & Likhachev
-(2011).
+"""The exercise on planning in time: earliest arrival by safe intervals.
+
+M. Phillips, M. Likhachev, "SIPP: Safe interval path planning for dynamic environments" (2011).
 """
 
 import math
@@ -24,8 +25,11 @@ Rows = list[tuple[float, float]]
 
 
 def schedule(safe: Any, moves: Any, start: int, goal: int) -> Rows:
-    """The rows (place, time of arrival) of a way that is at the goal as early as can be; none where
-    there is no way.
+    """Find a path in time with the earliest arrival at the goal.
+
+    Returns
+    -------
+    Rows (place, time of arrival); empty where there is no path.
     """
     intervals = [[(float(b), float(e)) for b, e in own] for own in safe]
     ways = two_ways(moves)
@@ -50,7 +54,7 @@ def schedule(safe: Any, moves: Any, start: int, goal: int) -> Rows:
 
 
 def two_ways(moves: Any) -> dict[int, list[tuple[int, float]]]:
-    """The places that can be reached from each, and how long that takes."""
+    """Return for each place its adjacent places, each with the duration of the move."""
     ways: dict[int, list[tuple[int, float]]] = {}
     for u, v, duration in moves:
         ways.setdefault(int(u), []).append((int(v), float(duration)))
@@ -59,7 +63,10 @@ def two_ways(moves: Any) -> dict[int, list[tuple[int, float]]]:
 
 
 def first_fault(safe: Any, moves: Any, start: int, goal: int, rows: Any) -> str:
-    """The first rule that a schedule breaks, or ""; whether it is the earliest is not asked."""
+    """Return the first rule that a schedule breaks, or "".
+
+    Whether the arrival is the earliest is not checked.
+    """
     if not np.isfinite(rows).all() or rows[0][0] != start or abs(rows[0][1]) > LATE:
         return "start"
     if not any(b <= 0.0 <= e for b, e in safe[start]):
@@ -84,7 +91,7 @@ def first_fault(safe: Any, moves: Any, start: int, goal: int, rows: Any) -> str:
 
 
 class EarliestArrival(Exercise):
-    """The way in time that is at the goal first, with waits where something passes."""
+    """Find the path in time that reaches the goal first, waiting where something passes."""
 
     name = "earliest_arrival"
     lesson = "14_moving_and_uncertain"
@@ -97,7 +104,7 @@ class EarliestArrival(Exercise):
     shown = staticmethod(search_intervals)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Two places, then three, then more by chance."""
+        """Yield cases with two places, then with three, then random ones."""
         whole = [(0, END)]
         yield roadmap_case("go", [whole, whole], [(0, 1, 4)], 0, 1)
         yield roadmap_case("go", [whole, whole], [(1, 0, 3)], 0, 1)
@@ -132,7 +139,7 @@ class EarliestArrival(Exercise):
                 yield roadmap_case(kind, safe, moves, start, goal)
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """A way that keeps every rule, and is there as early as ours."""
+        """Judge that the schedule keeps every rule and arrives as early as possible."""
         safe, moves, start, goal = case.given.values()
         best, rows = schedule(safe, moves, start, goal), np.asarray(value).tolist()
         if not rows or not best:
@@ -152,7 +159,7 @@ class EarliestArrival(Exercise):
         return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
 
     def wanted(self, case: Case) -> str:
-        """One right answer, in words."""
+        """Describe one right answer."""
         best = schedule(*case.given.values())
         return (
             self.words(
@@ -163,14 +170,15 @@ class EarliestArrival(Exercise):
         )
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """A line for each place with its safe intervals; a right way, and the student's."""
+        """Draw the safe intervals of each place, a right path and the student's."""
         value = outcome.value if isinstance(outcome, Answer) else None
         draw_schedule(self, case, schedule(*case.given.values()), value, ax)
 
 
 def misread(safe: Any, moves: Any, start: int, goal: int, rows: Rows) -> str:
-    """The rule that was probably misread: read so, the earliest arrival is that of these rows; ""
-    where none fits.
+    """Return the rule that the student probably misread, or "".
+
+    It is the rule without which these rows would have the earliest arrival.
     """
     open_ends = [[(b, e - LATE) for b, e in own] for own in safe]
     last_only = [own[-1:] if place == goal else own for place, own in enumerate(safe)]
@@ -182,12 +190,12 @@ def misread(safe: Any, moves: Any, start: int, goal: int, rows: Rows) -> str:
 
 
 def arrival_of(rows: Rows) -> float:
-    """When a way is at its last place; infinite where there is none."""
+    """Return when a schedule ends; infinity where it has no rows."""
     return rows[-1][1] if rows else math.inf
 
 
 def kind_of(safe: Safe, moves: Any, start: int, goal: int) -> str:
-    """Which kind of case it is, by what a right way does; "" where it is dull."""
+    """Return the kind of a case by what a right path does; "" where the case is dull."""
     best = schedule(safe, moves, start, goal)
     if not best:
         return "none"
@@ -203,7 +211,7 @@ def kind_of(safe: Safe, moves: Any, start: int, goal: int) -> str:
 
 
 def earliest_once(safe: Safe, moves: Any, start: int, goal: int) -> float:
-    """The arrival by a search that keeps for each place its earliest arrival alone."""
+    """Return the arrival of a search that keeps one arrival for each place."""
     ways, done, waiting = two_ways(moves), set[int](), [(0.0, start)]
     while waiting:
         arrived, u = heappop(waiting)
@@ -225,8 +233,10 @@ def earliest_once(safe: Safe, moves: Any, start: int, goal: int) -> float:
 
 
 def random_roadmap(rng: np.random.Generator) -> tuple[Safe, Any, int, int]:
-    """Some places in a row or a ring, met now and then; times in halves, or in sixteenths, which no
-    clock of a program ticks.
+    """Draw places in a row or a ring with random safe intervals.
+
+    Times are multiples of 1/2, or of 1/16, so that a program with a fixed time step misses
+    them.
     """
     n, parts = int(rng.integers(3, 8)), int(rng.choice((2, 16)))
     safe: Safe = []
@@ -253,7 +263,7 @@ def random_roadmap(rng: np.random.Generator) -> tuple[Safe, Any, int, int]:
 
 
 def roadmap_case(kind: str, safe: Any, moves: Any, start: int, goal: int) -> Case:
-    """A case of a roadmap."""
+    """Return a case of a roadmap."""
     rows = [np.reshape(np.array(own, float), (-1, 2)) for own in safe]
     return Case(
         kind,

@@ -1,5 +1,6 @@
-"""The exercise on contact in time: when does a moving point first touch a moving disc? By the
-motion of one seen from the other.
+"""The exercise on the first contact of a moving point and a moving disc.
+
+It is solved by the motion of one seen from the other.
 """
 
 import math
@@ -22,8 +23,11 @@ BRIEF = 0.002
 
 
 def roots(x: Array, v: Array, r: float) -> tuple[float, float] | None:
-    """The two moments at which x + s v is at the distance r from the origin; None where there are
-    none, or all are alike.
+    """Return the two times s at which |x + s v| = r.
+
+    Returns
+    -------
+    Both times in order; None where no time or every time fulfils it.
     """
     a, b, c = float(v @ v), float(x @ v), float(x @ x) - r * r
     square = b * b - a * c
@@ -33,14 +37,17 @@ def roots(x: Array, v: Array, r: float) -> tuple[float, float] | None:
 
 
 def contact_time(p0: Array, p1: Array, c0: Array, c1: Array, r: float) -> float:
-    """The share of the time, 0 to 1, after which the point is first within r of the centre;
-    infinite where it never is.
+    """Return when the point is first within r of the centre.
+
+    Returns
+    -------
+    A fraction of the motion's time, 0 to 1; infinity where there is no contact.
     """
     return seen_from_disc(p0 - c0, (p1 - p0) - (c1 - c0), r)
 
 
 def seen_from_disc(x: Array, v: Array, r: float) -> float:
-    """The same, for a disc that stands round the origin."""
+    """Return the time of contact of a motion x + s v with a disc at the origin."""
     if x @ x <= r * r:
         return 0.0
     found = roots(x, v, r)
@@ -50,22 +57,22 @@ def seen_from_disc(x: Array, v: Array, r: float) -> float:
 def by(
     motion: Callable[..., tuple[Array, Array]], choose: Callable[..., float] = seen_from_disc
 ) -> Callable[..., float]:
-    """A program that has the motion seen from the disc, or what it makes of that, wrong."""
+    """Return a program that makes a mistake in the relative motion, or in what follows from it."""
     return lambda p0, p1, c0, c1, r: choose(*motion(p0, p1, c0, c1), r)
 
 
 def relative(p0: Array, p1: Array, c0: Array, c1: Array) -> tuple[Array, Array]:
-    """Where the point begins, and how it moves, seen from the disc."""
+    """Return the point's first position and its motion, both relative to the disc."""
     return p0 - c0, (p1 - p0) - (c1 - c0)
 
 
 def at_the_ends(x: Array, v: Array, r: float) -> float:
-    """Only the first moment and the last are looked at."""
+    """Check only the first and the last moment."""
     return 0.0 if x @ x <= r * r else 1.0 if (x + v) @ (x + v) <= r * r else math.inf
 
 
 def leaving(x: Array, v: Array, r: float) -> float:
-    """The later of the two moments."""
+    """Return the time at which contact ends."""
     found = roots(x, v, r)
     return (
         0.0
@@ -77,19 +84,19 @@ def leaving(x: Array, v: Array, r: float) -> float:
 
 
 def at_any_time(x: Array, v: Array, r: float) -> float:
-    """The moment may lie before the beginning or after the end."""
+    """Accept times before the beginning or after the end."""
     found = roots(x, v, r)
     return math.inf if found is None else found[0]
 
 
 def nearest_moment(x: Array, v: Array, r: float) -> float:
-    """The moment at which they are nearest, where that is contact."""
+    """Return the time of the least distance, where that is contact."""
     s = 0.0 if v @ v == 0.0 else min(max(-float(x @ v) / float(v @ v), 0.0), 1.0)
     return s if (x + s * v) @ (x + s * v) <= r * r else math.inf
 
 
 def brief_missed(x: Array, v: Array, r: float) -> float:
-    """A contact that is over soon is not seen."""
+    """Miss contacts that are shorter than a sampling program would see."""
     found = roots(x, v, r)
     return (
         math.inf
@@ -99,7 +106,7 @@ def brief_missed(x: Array, v: Array, r: float) -> float:
 
 
 def nearly_alike(x: Array, v: Array, r: float) -> float:
-    """Two that move nearly alike are taken for two that move alike."""
+    """Treat nearly equal velocities as equal."""
     return (
         (0.0 if x @ x <= r * r else math.inf)
         if np.abs(v).max() < CLEAR
@@ -108,13 +115,13 @@ def nearly_alike(x: Array, v: Array, r: float) -> float:
 
 
 def never_at_once(x: Array, v: Array, r: float) -> float:
-    """Whoever touches already is not seen."""
+    """Miss contact at the beginning."""
     found = roots(x, v, r)
     return found[0] if found is not None and 0.0 <= found[0] <= 1.0 else math.inf
 
 
 class FirstContact(ValueExercise):
-    """The share of the time after which a point and a disc, both moving straight, first touch."""
+    """Compute when a point and a disc, both in straight motion, first touch."""
 
     name = "first_contact"
     lesson = "14_moving_and_uncertain"
@@ -142,7 +149,7 @@ class FirstContact(ValueExercise):
     reference = staticmethod(contact_time)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Small whole numbers first."""
+        """Yield cases with small whole numbers, then random ones."""
         yield contact_case("meets", (0, 0), (10, 0), (10, 0), (0, 0), 2)
         yield contact_case("meets", (0, 0), (8, 0), (6, 0), (6, 0), 2)
         yield contact_case("meets", (0, 0), (30, 0), (23, 0), (-30, 0), 0.001)
@@ -165,21 +172,19 @@ class FirstContact(ValueExercise):
                 yield contact_case(kind, p0, p1, c0, c1, r)
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """What is no moment from 0 to 1 has a rule of its own, where the two never touch."""
+        """Judge the time; an answer outside of 0 to 1 breaks a rule of its own."""
         if self.same(value, self.truth(case)):
             return RIGHT
         never = math.isinf(self.truth(case)) and not 0.0 <= value <= 1.0
         return Verdict(0.0, "outside" if never else case.kind, self.wanted(case))
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """Both ways, and where point and disc are at the true moment and at the student's."""
+        """Draw both motions, and point and disc at the right and at the student's time."""
         draw_contact(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 
 
 def kind_of(p0: Array, p1: Array, c0: Array, c1: Array, r: float) -> str:
-    """Which kind of case it is; "" where a program's rounding might decide it, or where it is
-    dull.
-    """
+    """Return the kind of a case; "" where rounding might decide it, or where it is dull."""
     x, v = relative(p0, p1, c0, c1)
     if abs(math.sqrt(x @ x) - r) < CLEAR or abs(math.sqrt((x + v) @ (x + v)) - r) < CLEAR:
         return ""
@@ -199,14 +204,14 @@ def kind_of(p0: Array, p1: Array, c0: Array, c1: Array, r: float) -> str:
 
 
 def ways_cross(p0: Array, p1: Array, c0: Array, c1: Array, r: float) -> bool:
-    """Whether the point's way passes where the disc is at some other time."""
+    """Whether the point's segment passes through the region that the disc sweeps."""
     from ....geometry import segments_intersect
 
     return bool(segments_intersect(p0, p1, c0, c1))
 
 
 def contact_case(kind: str, p0: Any, p1: Any, c0: Any, c1: Any, r: float) -> Case:
-    """A case of two motions."""
+    """Return a case of two motions."""
     places = {
         name: np.array(place, float)
         for name, place in (("p0", p0), ("p1", p1), ("c0", c0), ("c1", c1))

@@ -1,5 +1,6 @@
-"""Pictures of failing cases of lesson 14. What is true is solid and green, what the student's
-program says dashed and orange.
+"""Pictures of failing cases of lesson 14.
+
+The right answer is solid and green, the student's is dashed and orange.
 """
 
 import math
@@ -19,12 +20,12 @@ SPECK = 0.01  # the radius of a disc that is too small to be seen as a ring
 
 
 def told(value: float | None) -> str:
-    """An answer, or that there is none."""
+    """Format an answer, or say that there is none."""
     return say("timed_picture.none") if value is None else spoken(value)
 
 
 def draw_contact(exercise: ValueExercise, case: Case, value: float | None, ax: Any) -> None:
-    """Both ways as arrows, and point and disc at the true moment, and at the student's."""
+    """Draw both motions, and point and disc at the right and at the student's time."""
     from ....figures import palette, plane
 
     p0, p1, c0, c1, r = case.given.values()
@@ -53,7 +54,7 @@ def draw_contact(exercise: ValueExercise, case: Case, value: float | None, ax: A
 
 
 def draw_schedule(exercise: Exercise, case: Case, best: Any, value: Array | None, ax: Any) -> None:
-    """A line for each place, thick where it is safe; the right way solid, the student's dashed."""
+    """Draw a line for each place, thick where safe, with the right path and the student's."""
     from ....figures import palette, plane
 
     safe, moves, start, goal = case.given.values()
@@ -95,7 +96,7 @@ def draw_schedule(exercise: Exercise, case: Case, best: Any, value: Array | None
 
 
 def draw_margins(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
-    """For each obstacle its margin, and the student's."""
+    """Draw the margin of each obstacle, and the student's."""
     from ....figures import palette, plane
 
     truth = exercise.truth(case)
@@ -125,8 +126,9 @@ def draw_margins(exercise: ValueExercise, case: Case, value: Array | None, ax: A
 
 
 def draw_scenarios(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
-    """The path, the discs where they are expected, and in some scenarios: red and solid where the
-    path is hit.
+    """Draw the path, the discs at their centres, and the discs in some scenarios.
+
+    Discs that hit the path are red and solid.
     """
     from ....figures import palette, plane
 
@@ -160,7 +162,7 @@ def draw_scenarios(exercise: ValueExercise, case: Case, value: Array | None, ax:
 
 
 def draw_missed(value: Any, radius: float, moments: int, ax: Any) -> None:
-    """The point's way as the disc sees it, with the moments at which a program looks."""
+    """Draw the point's motion seen from the disc, with the moments that the program samples."""
     from ....figures import palette, plane
 
     if value is None:

@@ -30,7 +30,7 @@ CORRIDOR = PolygonWorld([(0, 0), (10, 0), (10, 1.4), (0, 1.4)], [box(4.9, 0, 5.1
 
 
 def pairwise(problem: Any, nodes: Array, joined: Callable[..., bool]) -> Matrix:
-    """A symmetric matrix of a relation between two configurations, zero on the diagonal."""
+    """Return a symmetric relation between configurations as a matrix, zero on the diagonal."""
     matrix = np.zeros((len(nodes), len(nodes)), np.int64)
     for i, j in zip(*np.triu_indices(len(nodes), 1)):
         matrix[i, j] = matrix[j, i] = joined(problem, nodes[i], nodes[j])
@@ -38,24 +38,24 @@ def pairwise(problem: Any, nodes: Array, joined: Callable[..., bool]) -> Matrix:
 
 
 def free_motions(problem: Any, nodes: Array) -> Matrix:
-    """1 where the motion between two configurations is free."""
+    """Return a matrix with 1 where the motion between two configurations is free."""
     return pairwise(problem, nodes, lambda problem, a, b: problem.is_free_path(a, b))
 
 
 def halfway(problem: Any, a: Array, b: Array) -> bool:
-    """Whether a motion is free at its middle and its ends."""
+    """Whether a motion is free at its middle and at its ends."""
     middle = problem.steer(a, b, problem.distance(a, b) / 2)
     return bool(problem.is_free(a) and problem.is_free(b) and problem.is_free(middle))
 
 
 def chained(problem: Any, nodes: Array) -> Matrix:
-    """Only from each node to the next."""
+    """Return a matrix that joins each node only to the next."""
     whole = free_motions(problem, nodes)
     return np.triu(np.tril(whole, 1), -1)
 
 
 class AdjacencyMatrix(ValueExercise):
-    """Configurations to the matrix of free motions between them."""
+    """Compute the matrix of free motions between configurations."""
 
     name = "adjacency_matrix"
     lesson = LESSON
@@ -87,12 +87,13 @@ class AdjacencyMatrix(ValueExercise):
 
     @staticmethod
     def reference(problem: Any, nodes: Array) -> Matrix:
-        """By the course's own test of motions."""
+        """Return the matrix by the course's own collision check of motions."""
         return free_motions(problem, nodes)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Two or three; a thin wall; a corridor, where a step aside is free and a half turn is not;
-        a touch; a roadmap.
+        """Yield two or three configurations, a thin wall, a corridor, a contact, and roadmaps.
+
+        In the corridor a step to the side is free, and half a turn is not.
         """
         for _ in range(10):
             room = scattered(3, side=10.0, radius=1.5, rng=rng)
@@ -122,24 +123,24 @@ class AdjacencyMatrix(ValueExercise):
             )
 
     def same(self, value: Any, truth: Any) -> bool:
-        """The same entries."""
+        """Whether the entries are the same."""
         return np.array_equal(value, truth)
 
     def wanted(self, case: Case) -> str:
-        """The matrix, row by row."""
+        """Describe the right matrix, row by row."""
         return str(self.truth(case).tolist())
 
     def answer_words(self, case: Case, value: Any) -> str:
-        """The student's, likewise."""
+        """Describe the student's matrix, row by row."""
         return str(value.tolist())
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """A matrix of another size breaks a rule of its own."""
+        """Judge the entries; a matrix of the wrong size breaks a rule of its own."""
         verdict = super().value_verdict(case, value)
         return verdict._replace(rule="size") if len(value) != len(case.given["nodes"]) else verdict
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The configurations, the free motions, and the student's where they differ."""
+        """Draw the configurations, the free motions, and the entries that are wrong."""
         value = outcome.value if isinstance(outcome, Answer) else None
         words = self.words(f"pictures.{case.kind}")
         draw_matrix(

@@ -6,7 +6,7 @@ from .matrices import OnMatrix, on_matrix
 
 
 class BfsOnMatrix(OnMatrix, BfsPath):
-    """A path of the fewest edges."""
+    """Find a path with the fewest edges; any such path is right."""
 
     name = "bfs_on_matrix"
     slips = tuple(

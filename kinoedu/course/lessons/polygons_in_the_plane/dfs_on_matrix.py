@@ -6,7 +6,7 @@ from .matrices import OnMatrix, on_matrix
 
 
 class DfsOnMatrix(OnMatrix, DfsPath):
-    """Any path that meets no node twice."""
+    """Find a path that meets no node twice; any such path is right."""
 
     name = "dfs_on_matrix"
     slips = tuple(

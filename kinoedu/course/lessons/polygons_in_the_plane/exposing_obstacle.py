@@ -1,6 +1,4 @@
-"""The exercise "break it" of lesson 11: a swept disk for which four chords of it, and its middle,
-are to stand.
-"""
+"""The exercise "break it" of lesson 11: four chords and the centre line stand for a swept disk."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -28,7 +26,7 @@ THICK = 0.45
 
 
 class ExposeFourChords(Exercise):
-    """Break it: a motion of a disk of radius 1, and a triangle that it hits and the chords miss."""
+    """Give a motion of a disk of radius 1 and a triangle that it hits and the chords miss."""
 
     name = "exposing_obstacle"
     lesson = "11_polygons_in_the_plane"
@@ -37,11 +35,11 @@ class ExposeFourChords(Exercise):
     answer = Together((POINT, POINT, Numbers((3, 2))))
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """The same question three times: each asks more of the answer."""
+        """Yield the same question three times; each time the answer must fulfil more."""
         return (Case(kind, {}) for kind in self.kinds)
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """A motion and a triangle; the program is wrong; the triangle is thick."""
+        """Judge that the answer is valid, that the program is wrong, and the thickness."""
         rule = fault_of_triangle(*value)
         if not rule and case.kind != "valid":
             rule = (
@@ -52,11 +50,11 @@ class ExposeFourChords(Exercise):
         return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
 
     def wanted(self, case: Case) -> str:
-        """What is asked for."""
+        """Describe what the answer to a case must be."""
         return say(f"exposing_obstacle.wanted.{case.kind}")
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """What the disk sweeps, the chords, and the triangle."""
+        """Draw what the disk sweeps, the chords and the triangle."""
         value = (
             outcome.value
             if isinstance(outcome, Answer) and not fault_of_triangle(*outcome.value)
@@ -68,7 +66,7 @@ class ExposeFourChords(Exercise):
 def chords_hit(a: Array, b: Array, obstacle: Array) -> bool:
     """Whether a disk of radius 1 that moves straight from a to b touches an obstacle.
 
-    It is wrong somewhere. Where?
+    The program is wrong somewhere. Where?
     """
     for p, q in chords(a, b):  # of the middle, and of four points of the rim
         if point_in_polygon(p, obstacle):
@@ -89,13 +87,13 @@ def chords(a: Array, b: Array) -> list[tuple[Array, Array]]:
 
 
 def swept_disk_hits(a: Array, b: Array, obstacle: Array) -> bool:
-    """The truth: by the course's own test of motions, in a room that has room for all."""
+    """Whether the disk really touches the obstacle, by the course's own collision check."""
     room = PolygonWorld(2e4 * np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)]), [obstacle])
     return not bool(free_motions(Disk(1.0), room, a[None], b[None])[0])
 
 
 def fault_of_triangle(a: Array, b: Array, obstacle: Array) -> str:
-    """The rule that keeps it from being a motion and a triangle, or ""."""
+    """Return the rule that the motion and the triangle break, or ""."""
     numbers = np.vstack([a, b, obstacle])
     if not np.isfinite(numbers).all() or np.abs(numbers).max() > 1e4:
         return "range"

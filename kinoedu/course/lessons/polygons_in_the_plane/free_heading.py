@@ -1,5 +1,6 @@
-"""The exercise on free headings: a polygon stands at a place and turns until it is free. LaValle,
-section 4.3.3, for one place.
+"""The exercise on free headings: a polygon turns in place until it is free.
+
+LaValle, section 4.3.3, at one position.
 """
 
 from collections.abc import Iterator
@@ -29,7 +30,7 @@ CORNER = (1.4, 1.4, 0.0)  # where robots stand at first: free in every world her
 
 
 class FreeHeading(Exercise):
-    """A heading at which the robot is free at a place, or None."""
+    """Find a heading at which the robot is free at a position, or None."""
 
     name = "free_heading"
     lesson = "11_polygons_in_the_plane"
@@ -42,9 +43,7 @@ class FreeHeading(Exercise):
     shown = staticmethod(middle_of_widest)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Any heading will do; headings in slots, at every angle; places beside and inside of
-        obstacles.
-        """
+        """Yield open places, slots at many angles, and places beside and inside obstacles."""
         room = PolygonWorld(SQUARE)
         yield case(BAR, room, (5.0, 5.0))
         yield case(BAR, room, (9.0, 5.0))
@@ -61,7 +60,10 @@ class FreeHeading(Exercise):
                     yield case(robot, world, place)
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """None exactly where there is no free heading; else free by the course's own test."""
+        """Judge that None is returned exactly where no heading is free.
+
+        Any other answer must be free by the course's own collision check.
+        """
         if value is None:
             return RIGHT if case.kind == "none" else Verdict(0.0, "missed", self.wanted(case))
         if not np.isfinite(value):
@@ -75,18 +77,18 @@ class FreeHeading(Exercise):
         )
 
     def wanted(self, case: Case) -> str:
-        """The free intervals."""
+        """Describe the free intervals."""
         rows = self.intervals(case)
         told = ", ".join(f"{low:.3f} ... {high:.3f}" for low, high in rows)
         return say("free_heading.wanted", intervals=told) if told else "None"
 
     def intervals(self, case: Case) -> Array:
-        """The free intervals of headings."""
+        """Return the free intervals of headings."""
         problem = case.given["problem"].problem
         return free_headings(problem.robot, problem.world, (case.given["x"], case.given["y"]))
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The robot at the place: as the student turned it, and a heading at which it is free."""
+        """Draw the robot at the student's heading and at a free one."""
         value = outcome.value if isinstance(outcome, Answer) else None
         right = self.source(*case.given.values())
         place = (case.given["x"], case.given["y"])
@@ -101,7 +103,7 @@ class FreeHeading(Exercise):
 
 
 def case(robot: Any, world: Any, place: Any) -> Case:
-    """A case of the kind that it is."""
+    """Return a case and classify it."""
     widths = np.diff(free_headings(robot, world, place))
     kind = "none" if not len(widths) else "slot" if widths.max() < 0.8 else "open"
     problem = Asked(Problem(robot, world, CORNER, CORNER))
@@ -109,9 +111,7 @@ def case(robot: Any, world: Any, place: Any) -> Case:
 
 
 def slot(angle: float, half: float) -> Any:
-    """A room with a dead end of a width of twice `half` round its middle, which opens in one
-    direction.
-    """
+    """Return a room with a dead end of width 2 `half` around its centre, open in one direction."""
     bars = np.array(
         [
             [(-1.2, half), (3.0, half), (3.0, half + 0.4), (-1.2, half + 0.4)],

@@ -1,5 +1,6 @@
-"""Pictures of failing cases of lesson 11. What is true is green and solid, what the student's
-program says orange and dashed.
+"""Pictures of failing cases of lesson 11.
+
+The right answer is solid and green, the student's is dashed and orange.
 """
 
 from typing import Any
@@ -15,7 +16,7 @@ from ....words import say
 def draw_heading(
     problem: Any, place: Any, value: float | None, right: float | None, words: str, ax: Any
 ) -> None:
-    """The world, the robot as it could stand, and as the student turned it."""
+    """Draw the world, the robot at a free heading and at the student's."""
     from ....figures import palette, plane
     from ....figures.drawing import draw_robot, draw_world
 
@@ -33,9 +34,7 @@ def draw_heading(
 
 
 def draw_matrix(problem: Any, nodes: Array, truth: Any, value: Any, words: str, ax: Any) -> None:
-    """The configurations with their numbers; free motions; those that the student has and should
-    not, or lacks.
-    """
+    """Draw the numbered configurations, the free motions, and the student's wrong entries."""
     from ....figures import palette, plane
     from ....figures.drawing import draw_robot, draw_world
 
@@ -56,8 +55,11 @@ def draw_matrix(problem: Any, nodes: Array, truth: Any, value: Any, words: str, 
 
 
 def draw_swept(value: Any, chords: Any, words: str, ax: Any) -> None:
-    """What a disk of radius 1 sweeps from a to b, the chords that stand for it, and an obstacle:
-    value is (a, b, obstacle).
+    """Draw what a disk of radius 1 sweeps, its chords, and an obstacle.
+
+    Parameters
+    ----------
+    value : (a, b, obstacle), or None.
     """
     from ....figures import palette, plane
     from ....figures.bars import draw_bar

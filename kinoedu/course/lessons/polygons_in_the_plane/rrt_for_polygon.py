@@ -1,6 +1,4 @@
-"""The exercise on an RRT for a polygon that turns: lesson 9's planner, asked with configurations
-(x, y, theta).
-"""
+"""The exercise on an RRT for a polygon that rotates: lesson 9's planner in (x, y, theta)."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -21,7 +19,7 @@ STEP, BIAS = 2.0, 0.2
 
 
 def stick(start: Any, goal: Any, *obstacles: Any, robot: Any = STICK) -> Asked:
-    """A stick, or another robot, among obstacles, in a room of 10 x 10."""
+    """Return the problem of a stick, or another robot, among obstacles in a room of 10 x 10."""
     return Asked(Problem(robot, PolygonWorld(SQUARE, obstacles), start, goal))
 
 
@@ -39,7 +37,7 @@ SHEET = stick(
 
 
 class RrtForPolygon(Rrt):
-    """One tree in SE(2)."""
+    """Grow one tree in SE(2)."""
 
     name = "rrt_for_polygon"
     lesson = "11_polygons_in_the_plane"
@@ -47,8 +45,9 @@ class RrtForPolygon(Rrt):
     shared = ("rrt", "planner", "exercise")
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Every task twice, the wall once as a thin one; then straight to the goal, with a way to
-        it and without.
+        """Yield every task twice, then runs straight to the goal with and without a path.
+
+        The second wall is a thin one.
         """
         for tasks in (TASKS, {**TASKS, "wall": SHEET}):
             for kind in tasks:
@@ -57,11 +56,11 @@ class RrtForPolygon(Rrt):
             yield straight(self.asked(kind, TASKS[kind], rng))
 
     def uses_chance(self, case: Case) -> bool:
-        """Where the goal is within a step nothing is drawn."""
+        """Whether anything is drawn: the goal is more than a step away."""
         return case.kind != "seam" and super().uses_chance(case)
 
     def asked(self, kind: str, problem: Asked, rng: np.random.Generator) -> Case:
-        """Fewer iterations where there is no way."""
+        """Return a case, with fewer iterations where no path exists."""
         most = 300 if kind == "sealed" else 800
         given = {
             "problem": problem,
