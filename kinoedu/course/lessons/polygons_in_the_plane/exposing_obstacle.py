@@ -78,9 +78,7 @@ def chords_hit(a: Array, b: Array, obstacle: Array) -> bool:
 
 
 def chords(a: Array, b: Array) -> list[tuple[Array, Array]]:
-    """The ways of the middle of a disk of radius 1, and of the four points of its rim to the right,
-    above, to the left, below.
-    """
+    """Return the paths of the disk's centre and of the right, top, left and bottom of its rim."""
     return [
         (a + off, b + off) for off in np.array([(0, 0), (1, 0), (0, 1), (-1, 0), (0, -1)], float)
     ]
@@ -105,7 +103,7 @@ def fault_of_triangle(a: Array, b: Array, obstacle: Array) -> str:
 
 
 def inner_radius(triangle: Array) -> float:
-    """The radius of the largest disk in a triangle: twice its area over its perimeter."""
+    """Return the inradius of a triangle: twice its area divided by its perimeter."""
     u, v = triangle[1] - triangle[0], triangle[2] - triangle[0]
     sides = triangle - np.roll(triangle, -1, axis=0)
     return float(abs(u[0] * v[1] - u[1] * v[0]) / np.hypot(*sides.T).sum())

@@ -16,14 +16,15 @@ from .rules import NODES, ROUND, Pairs, RuleExercise, closest_pairs, rule_case, 
 
 
 def component_pairs(problem: Any, nodes: Array, k: int) -> Pairs:
-    """Each node in turn joined to every component of those before it, by the first free motion to
-    one of its k closest.
+    """Join each node to every component of the nodes before it.
+
+    It is joined by the first free motion to one of the component's k closest nodes.
     """
     return in_components(problem, nodes, k)
 
 
 class ComponentNeighbours(RuleExercise):
-    """The component-wise K-closest rule."""
+    """Find the pairs that the component-wise K-closest rule joins."""
 
     name = "component_k_closest"
     kinds = ("few", "parts", "wall", "many", "torus")
@@ -43,8 +44,9 @@ class ComponentNeighbours(RuleExercise):
     )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """A row, two parts that a third node joins, a wall round which the second closest leads;
-        then many.
+        """Yield a row, a node that joins two parts, and a wall; then random nodes.
+
+        At the wall only the second closest node can be joined.
         """
         apart = ((6, 3), (10, 3), (8, 8))
         yield rule_case("few", hall(), ((1, 1), (3, 1)), 1)
@@ -66,5 +68,5 @@ class ComponentNeighbours(RuleExercise):
 
 
 def beside(rng: np.random.Generator, left: float, right: float, low: float = 1.0) -> Array:
-    """Two nodes in a strip of the hall."""
+    """Draw two nodes in a strip of the hall."""
     return np.round(rng.uniform((left, low), (right, low + 1.5), (2, 2)), 2)

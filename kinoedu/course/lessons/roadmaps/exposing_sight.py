@@ -27,7 +27,7 @@ REFUSALS = (InvalidPoint, InvalidPolygon, InvalidWorld)
 
 
 class ExposeSight(Exercise):
-    """Break it: obstacles of which `sees` says that two corners see each other, and they do not."""
+    """Give obstacles for which `sees` is wrong about two corners."""
 
     name = "exposing_sight"
     lesson = "08_roadmaps"
@@ -36,11 +36,11 @@ class ExposeSight(Exercise):
     answer = Listed(RING)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """The same question three times: each asks more of the answer."""
+        """Yield the same question three times; each time the answer must fulfil more."""
         return (Case(kind, {}) for kind in self.kinds)
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """Simple polygons apart; through which the program sees; with five vertices in all."""
+        """Judge that the polygons are valid, that `sees` is wrong, and the vertex count."""
         rule = world_fault(value)
         if not rule and case.kind != "valid":
             rule = "" if wrong_views(value) else "exposes"
@@ -50,11 +50,11 @@ class ExposeSight(Exercise):
         return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
 
     def wanted(self, case: Case) -> str:
-        """What is asked for."""
+        """Describe what the answer to a case must be."""
         return say(f"exposing_sight.wanted.{case.kind}")
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The obstacles, and the views on which the program is wrong."""
+        """Draw the obstacles and the pairs about which the program is wrong."""
         from ....figures import palette, plane
 
         rings = outcome.value if isinstance(outcome, Answer) else []
@@ -70,7 +70,7 @@ class ExposeSight(Exercise):
 
 
 def world_fault(obstacles: Any) -> str:
-    """The rule that keeps them from being obstacles of a world, or ""."""
+    """Return the rule that the obstacles of a world break, or ""."""
     rings = list(obstacles)
     if not rings or sum(map(len, rings)) > MOST:
         return "valid"
@@ -93,14 +93,15 @@ def world_fault(obstacles: Any) -> str:
 
 
 def room_round(rings: Any) -> Array:
-    """A room that holds all of the obstacles."""
+    """Return a rectangle that contains all obstacles."""
     (x0, y0), (x1, y1) = np.vstack(rings).min(axis=0) - 1.0, np.vstack(rings).max(axis=0) + 1.0
     return np.array([(x0, y0), (x1, y0), (x1, y1), (x0, y1)])
 
 
 def wrong_views(obstacles: Any) -> list[tuple[Array, Array]]:
-    """The pairs of convex corners of which `sees` says something else than the course's own
-    collision code.
+    """Return the pairs of convex corners about which `sees` is wrong.
+
+    The truth is the course's own collision check.
     """
     world = PolygonWorld(room_round(obstacles), obstacles)
     corners = np.vstack([ring[bends(ring) > 0.0] for ring in obstacles])
@@ -112,10 +113,9 @@ def wrong_views(obstacles: Any) -> list[tuple[Array, Array]]:
 
 
 def sees(a: Array, b: Array, obstacles: list[Array]) -> bool:
-    """Whether two corners see each other: the way crosses no edge, and half of it is not inside an
-    obstacle.
+    """Whether two corners see each other: no edge is crossed, and the midpoint is not inside.
 
-    It is wrong somewhere. Where?
+    The program is wrong somewhere. Where?
     """
     for cx, cy, dx, dy in edges_round(obstacles[0], obstacles[1:]):
         across = (

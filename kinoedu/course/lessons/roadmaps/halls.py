@@ -1,6 +1,4 @@
-"""Problems and nodes for cases on roadmaps: a point in halls with obstacles that stand apart, and
-an arm, whose angles wrap.
-"""
+"""Problems and nodes for cases on roadmaps: a point in halls, and an arm whose angles wrap."""
 
 from typing import Any
 
@@ -30,12 +28,12 @@ START, GOAL = (1.0, 1.0), (15.0, 1.0)
 
 
 def hall(*obstacles: Any, start: Any = START, goal: Any = GOAL, room: Array = HALL) -> Asked:
-    """A problem in the hall, or in another room, with obstacles made by hand."""
+    """Return a problem in the hall, or in another room, with the given obstacles."""
     return Asked(Problem(Point(), PolygonWorld(room, obstacles), start, goal))
 
 
 def arm() -> Asked:
-    """An arm beside a disc: its configurations are two angles."""
+    """Return the problem of an arm beside a disc; its configurations are two angles."""
     room = np.array([(-6, -6), (6, -6), (6, 6), (-6, 6)], float)
     return Asked(
         Problem(TwoLinkArm(2, 1.5, 0.3), PolygonWorld(room, [((0, 2.9), 0.6)]), (0, 0), (3, 0))
@@ -43,13 +41,14 @@ def arm() -> Asked:
 
 
 def is_arm(problem: Any) -> bool:
-    """Whether a problem is the arm's."""
+    """Whether the problem is that of the arm."""
     return isinstance(problem.robot, ArmRobot)
 
 
 def random_obstacles(rng: np.random.Generator, n: int, *, convex: bool = True) -> list[Array]:
-    """So many polygons in the hall, which leave its start and its goal free, counter-clockwise, two
-    decimals.
+    """Draw n polygons in the hall that keep its start and goal free.
+
+    They are counter-clockwise, do not touch each other, and have coordinates with two decimals.
     """
     rings: list[Array] = []
     while len(rings) < n:
@@ -62,13 +61,14 @@ def random_obstacles(rng: np.random.Generator, n: int, *, convex: bool = True) -
 
 
 def is_clear(ring: Array) -> bool:
-    """Whether a ring turns clearly at every vertex."""
+    """Whether no three consecutive vertices of a ring are nearly in line."""
     return bool((np.abs(bends(ring)) > 1e-3).all())
 
 
 def bends(ring: Array) -> Array:
-    """At each vertex of a ring twice the area of the triangle with its neighbours: positive for a
-    turn to the left, (n,).
+    """Return twice the signed area of each vertex with its neighbours, (n,).
+
+    It is positive at a left turn.
     """
     a, b = ring - np.roll(ring, 1, axis=0), np.roll(ring, -1, axis=0) - ring
     turned: Array = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
@@ -76,8 +76,9 @@ def bends(ring: Array) -> Array:
 
 
 def free_nodes(rng: np.random.Generator, problem: Any, n: int) -> Array:
-    """n free configurations of a problem, with two decimals, all distances between them different;
-    shape (n, 2).
+    """Draw n free configurations with two decimals, shape (n, 2).
+
+    All distances between them are different.
     """
     lo, hi = ((0.0, 0.0), (FULL - 0.01, FULL - 0.01)) if is_arm(problem) else (HALL[0], HALL[2])
     while True:
@@ -91,7 +92,7 @@ def free_nodes(rng: np.random.Generator, problem: Any, n: int) -> Array:
 
 
 def distances(problem: Any, nodes: Array) -> Array:
-    """The distance between each two of n nodes, (n, n)."""
+    """Return the distance between any two of n nodes, (n, n)."""
     apart = np.zeros((len(nodes), len(nodes)))
     for j in range(len(nodes)):
         for i in range(j):

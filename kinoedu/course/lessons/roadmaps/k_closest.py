@@ -15,7 +15,7 @@ from .rules import NODES, ROUND, Pairs, RuleExercise, closest_pairs, rule_case, 
 
 
 class KClosestNeighbours(RuleExercise):
-    """The K-closest rule."""
+    """Find the pairs that the K-closest rule joins."""
 
     name = "k_closest"
     kinds = ("few", "one_sided", "ties", "wall", "many", "torus")
@@ -41,8 +41,10 @@ class KClosestNeighbours(RuleExercise):
     )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Three nodes, a node that is nobody's closest, ties on squared paper, a wall; then
-        many.
+        """Yield small cases made by hand, then random nodes.
+
+        By hand: three nodes, a node that is nobody's closest, ties on a lattice, and a
+        wall.
         """
         row, tail = ((1, 1), (3, 1), (6, 1)), ((6, 1), (3, 1), (1, 1))
         yield rule_case("few", hall(), row[:2], 1)
@@ -67,22 +69,22 @@ class KClosestNeighbours(RuleExercise):
 
 
 def lattice(k: int) -> Array:
-    """A lattice of k by 3 nodes, 2 apart."""
+    """Return a lattice of k by 3 nodes with spacing 2."""
     return (2.0 + 2.0 * np.indices((k, 3)).reshape(2, -1).T).astype(float)
 
 
 def chain(rng: np.random.Generator) -> Array:
-    """Nodes in a row whose gaps grow, in an order by chance."""
+    """Draw nodes in a row with growing gaps, in random order."""
     x = np.array([1.0, 2.0, 3.5, 6.0, 9.5])
     return rng.permutation(np.column_stack([x, np.round(rng.uniform(1, 1.2, 5), 2)]))
 
 
 def upwards(rows: Pairs) -> Pairs:
-    """The rows whose second number is the larger one."""
+    """Return the rows whose second index is the larger one."""
     return rows[rows[:, 0] < rows[:, 1]]
 
 
 def twice_named(rows: Pairs) -> Pairs:
-    """The pairs that each of the two names."""
+    """Return the pairs that occur in both directions."""
     pairs, times = np.unique(np.sort(rows, axis=1), axis=0, return_counts=True)
     return pairs[times == 2]

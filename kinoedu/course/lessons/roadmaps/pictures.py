@@ -1,5 +1,6 @@
-"""Pictures of failing cases on roadmaps. What is true is solid and green, what the student's
-program says dashed and orange.
+"""Pictures of failing cases on roadmaps.
+
+The right answer is solid and green, the student's is dashed and orange.
 """
 
 from typing import Any
@@ -15,7 +16,7 @@ MOST_NUMBERS = 25  # nodes with numbers beside them
 
 
 def draw_joined(problem: Any, nodes: Array, truth: Any, value: Any, ax: Any) -> None:
-    """The world, the nodes with their numbers, the right edges, and the student's over them."""
+    """Draw the world, the numbered nodes, the right edges and the student's."""
     from ....figures import palette, plane
 
     draw_problem_ground(problem, ax)
@@ -39,7 +40,7 @@ def draw_joined(problem: Any, nodes: Array, truth: Any, value: Any, ax: Any) -> 
 
 
 def draw_problem_ground(problem: Any, ax: Any) -> None:
-    """The world of a problem; for the arm the square of its angles."""
+    """Draw the world of a problem; for the arm, the square of its angles."""
     from ....figures import plane
     from ....figures.drawing import draw_world
 
@@ -54,8 +55,9 @@ def draw_problem_ground(problem: Any, ax: Any) -> None:
 
 
 def draw_edge(a: Array, b: Array, ax: Any, wraps: bool, **look: Any) -> None:
-    """A straight motion; where angles wrap, the shorter way, in two pieces if it leaves the
-    square.
+    """Draw a straight motion.
+
+    Where angles wrap, it is the shorter way, in two pieces if it leaves the square.
     """
     way = b - a
     if wraps:
@@ -66,7 +68,7 @@ def draw_edge(a: Array, b: Array, ax: Any, wraps: bool, **look: Any) -> None:
 
 
 def number_nodes(nodes: Array, ax: Any, *, first: int = 0) -> None:
-    """The nodes, with their numbers from a first one on, as long as there is room."""
+    """Draw the nodes, with their numbers from `first` on unless there are too many."""
     from ....figures import palette, plane
 
     shown = nodes[np.isfinite(nodes).all(axis=1)]
@@ -77,8 +79,11 @@ def number_nodes(nodes: Array, ax: Any, *, first: int = 0) -> None:
 
 
 def draw_roadmap_answer(problem: Any, truth: Any, value: Any, ax: Any) -> None:
-    """The world, the right roadmap where there is but one, and the student's; each is nodes and
-    edges, or None.
+    """Draw the world, the right roadmap if it is unique, and the student's.
+
+    Parameters
+    ----------
+    truth, value : (nodes, edges), or None.
     """
     from ....figures import palette, plane
 
@@ -104,7 +109,7 @@ def draw_roadmap_answer(problem: Any, truth: Any, value: Any, ax: Any) -> None:
 
 
 def draw_way(nodes: Array, edges: Any, truth: Any, value: Any, ax: Any) -> None:
-    """A roadmap, a shortest path along it and the student's path."""
+    """Draw a roadmap, a shortest path along it and the student's path."""
     from ....figures import palette, plane
 
     plane.frame(nodes[:, :2], ax, margin=0.2)

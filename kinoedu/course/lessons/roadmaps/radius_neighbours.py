@@ -15,12 +15,12 @@ from .rules import NODES, ROUND, Pairs, RuleExercise, rule_case, two_nodes, worl
 
 
 def radius_pairs(problem: Any, nodes: Array, r: float) -> Pairs:
-    """The pairs at most r apart whose motion is free."""
+    """Return the pairs at most r apart whose motion is free."""
     return allowed(problem, nodes, np.argwhere(np.triu(distances(problem, nodes) <= r, 1)))
 
 
 class RadiusNeighbours(RuleExercise):
-    """The r-radius rule."""
+    """Find the pairs that the r-radius rule joins."""
 
     name = "radius_neighbours"
     kinds = ("pair", "wall", "many", "torus")
@@ -48,7 +48,7 @@ class RadiusNeighbours(RuleExercise):
     )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Two nodes, three, a wall; then many."""
+        """Yield two nodes, three nodes and a wall, then random nodes."""
         for row, far in (
             (((2, 2), (4, 2)), 3),
             (((2, 2), (6, 5)), 5),

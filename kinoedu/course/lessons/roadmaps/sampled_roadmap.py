@@ -1,4 +1,7 @@
-"""The exercise on the whole of PRM. Bullo & Smith, chapter 5; LaValle, section 5.6."""
+"""The exercise on a whole probabilistic roadmap.
+
+Bullo & Smith, chapter 5; LaValle, section 5.6.
+"""
 
 from collections.abc import Iterator
 from typing import Any
@@ -25,7 +28,7 @@ EVEN, UNEVEN = (
 
 
 def sampled(problem: Any, n: int, k: int, rng: int) -> tuple[Array, Pairs]:
-    """Start, goal and n free samples, joined by the K-closest rule."""
+    """Return start, goal and n free samples, joined by the K-closest rule."""
     chance, nodes = np.random.default_rng(rng), [problem.start, problem.goal]
     while len(nodes) < n + 2:
         q = problem.sample(chance)
@@ -35,7 +38,7 @@ def sampled(problem: Any, n: int, k: int, rng: int) -> tuple[Array, Pairs]:
 
 
 class SampledRoadmap(PlannerExercise):
-    """A probabilistic roadmap: nodes and edges."""
+    """Build a probabilistic roadmap: nodes and edges."""
 
     name = "sampled_roadmap"
     lesson = "08_roadmaps"
@@ -46,8 +49,9 @@ class SampledRoadmap(PlannerExercise):
     source = staticmethod(sampled)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """No samples, an empty room, a wall, more; and so many nodes that one can count how they
-        are spread.
+        """Yield no samples, an empty room, walls and obstacles, and many samples.
+
+        With many samples the judge can test how evenly they are spread.
         """
 
         def case(kind: str, problem: Any, n: int, k: int) -> Case:
@@ -67,11 +71,11 @@ class SampledRoadmap(PlannerExercise):
             yield case("many", hall(room=room), MANY, 2)
 
     def uses_chance(self, case: Case) -> bool:
-        """Where there is a sample."""
+        """Whether another seed gives another answer: there is a sample."""
         return bool(case.given["n"] > 0)
 
     def fault(self, case: Case, answer: Any) -> Fault | None:
-        """Start and goal, then n free places, spread as chance spreads them; joined by the rule."""
+        """Judge start and goal, the free samples and their spread, and the edges."""
         (nodes, pairs), (problem, n, k, _) = answer, case.given.values()
         nowhere = np.empty((0, 2))
         if len(nodes) != n + 2 or nodes.shape[1] != 2 or not np.isfinite(nodes).all():
@@ -90,7 +94,7 @@ class SampledRoadmap(PlannerExercise):
         return self.fault_of_edges(problem, nodes, pairs, k)
 
     def fault_of_edges(self, problem: Any, nodes: Array, pairs: Pairs, k: int) -> Fault | None:
-        """An edge that is not free, that the rule does not join, or that is missing."""
+        """Judge the edges: each free, each joined by the rule, none missing."""
         free = set(map(tuple, allowed(problem.problem, nodes, pairs).tolist()))
         found, right = (
             set(map(tuple, rows.tolist()))
@@ -106,16 +110,16 @@ class SampledRoadmap(PlannerExercise):
         return None
 
     def drawn(self, answer: Any) -> tuple[list[Any], Array | None]:
-        """Neither trees nor a path."""
+        """Return neither trees nor a path."""
         return [], None
 
     def wanted(self, case: Case) -> str:
-        """What is asked for."""
+        """Describe what is asked for."""
         _, n, k, _ = case.given.values()
         return say(f"{self.name}.wanted", n=n, nodes=n + 2, k=k)
 
     def answer_words(self, case: Case, value: Any) -> str:
-        """How many, and where it is at fault."""
+        """Describe the size of the answer and where its fault is."""
         nodes, pairs = value[0]
         fault = self.fault_of_three(case, value)
         marked = [] if fault is None else np.round(fault.marked, 3).tolist()
@@ -127,7 +131,7 @@ class SampledRoadmap(PlannerExercise):
         )
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The student's roadmap, and a cross on what is at fault."""
+        """Draw the student's roadmap and a cross at the fault."""
         from ....figures import palette, plane
         from .pictures import draw_roadmap_answer
 
@@ -151,8 +155,9 @@ class SampledRoadmap(PlannerExercise):
 
 
 def unevenness(points: Array, size: Array) -> float:
-    """Of 16 equal boxes of a hall of a size, the sum of (count - expected)^2 / expected: about 15
-    for random points.
+    """Return the chi-square statistic of the counts of points in 16 equal boxes of a hall.
+
+    It is the sum of (count - expected)^2 / expected, about 15 for random points.
     """
     places = np.clip(np.floor(SIDE * points / size), 0, SIDE - 1).astype(np.int64)
     counts = np.bincount(SIDE * places[:, 0] + places[:, 1], minlength=SIDE * SIDE)

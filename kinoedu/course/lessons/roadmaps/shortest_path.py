@@ -24,14 +24,14 @@ DETOUR = [(0, 0), (2, 3), (4, 0), (1, -1), (3, -1)]
 
 
 def shortest(nodes: Array, edges: Pairs, start: int, goal: int) -> Way:
-    """A shortest path and its length."""
+    """Return a shortest path and its length."""
     return along(nodes, edges, lengths(nodes, edges), start, goal)
 
 
 def along(
     nodes: Array, edges: Pairs, weights: Array, start: int, goal: int, *, directed: bool = False
 ) -> Way:
-    """A path of the least weight and its length, (None, inf) where there is none."""
+    """Return a path of least weight and its length, or (None, inf)."""
     return measured(
         nodes,
         dijkstra_path(graphs.Graph(len(nodes), edges, weights, directed=directed), start, goal),
@@ -39,25 +39,25 @@ def along(
 
 
 def fewest(nodes: Array, edges: Pairs, start: int, goal: int) -> Way:
-    """A path of the fewest edges and its length."""
+    """Return a path with the fewest edges and its length."""
     return measured(nodes, fewest_edges(graphs.Graph(len(nodes), edges), start, goal))
 
 
 def measured(nodes: Array, path: Pairs | None) -> Way:
-    """A path, as node numbers, and its length; (None, inf) for none."""
+    """Return a path as node indices and its length, or (None, inf)."""
     if path is None:
         return None, np.inf
     return path.tolist(), float(lengths(nodes, np.column_stack([path[:-1], path[1:]])).sum())
 
 
 def lengths(nodes: Array, pairs: Pairs) -> Array:
-    """The Euclidean lengths of edges, (m,)."""
+    """Return the Euclidean lengths of edges, (m,)."""
     found: Array = np.sqrt(((nodes[pairs[:, 0]] - nodes[pairs[:, 1]]) ** 2).sum(axis=1))
     return found
 
 
 def summed_otherwise(weigh: Any) -> Any:
-    """What is answered by one who finds the path by other weights, and sums up those."""
+    """Return a program that finds the path by other weights, and adds up those."""
 
     def answer(nodes: Array, edges: Pairs, start: int, goal: int) -> Way:
         weights = weigh(nodes, edges)
@@ -72,7 +72,7 @@ def summed_otherwise(weigh: Any) -> Any:
 
 
 class ShortestPath(ValueExercise):
-    """From a roadmap and two of its nodes to a shortest path and its length."""
+    """Find a shortest path between two nodes of a roadmap, and its length."""
 
     name = "shortest_path"
     lesson = "08_roadmaps"
@@ -104,7 +104,10 @@ class ShortestPath(ValueExercise):
     )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """An edge, a chain, a detour of more edges that is shorter; then more, also in space."""
+        """Yield an edge, a chain and a shorter detour of more edges, then random roadmaps.
+
+        Some of the random roadmaps have nodes in space.
+        """
         for kind, nodes, edges, s, g in (
             ("small", [(0, 0), (3, 4)], [(0, 1)], 0, 1),
             ("small", [(0, 0), (3, 4)], [(0, 1)], 1, 0),
@@ -128,14 +131,15 @@ class ShortestPath(ValueExercise):
                 yield way_case(kind, places, pairs, *ends(rng, kind, size, pairs))
 
     def same(self, value: Any, truth: Any) -> bool:
-        """The same length and, where it is the answer of a known program, the same path."""
+        """Whether the lengths are equal, and the paths too where both are given."""
         (path, far), (right, least) = value, truth
         both = (path is None) == (right is None)
         return both and self.near(far, least) and (path is None or list(path) == list(right))
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """None and inf where there is no path; else along edges from start to goal, none shorter,
-        and its length is right.
+        """Judge that the path follows edges from start to goal, and its length.
+
+        No other path may be shorter. Without a path, None and inf are right.
         """
         (path, far), (right, least) = value, self.truth(case)
         if path is None or right is None:
@@ -159,7 +163,7 @@ class ShortestPath(ValueExercise):
         return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
 
     def fault_of(self, case: Case, path: Pairs) -> str:
-        """What keeps it from being a path from start to goal, or ""."""
+        """Return the rule that a path from start to goal breaks, or ""."""
         _, edges, start, goal = case.given.values()
         if len(path) == 0 or path[0] != start or path[-1] != goal:
             return "ends"
@@ -171,7 +175,7 @@ class ShortestPath(ValueExercise):
         )
 
     def wanted(self, case: Case) -> str:
-        """One right path, and its length."""
+        """Describe one right path and its length."""
         path, far = self.truth(case)
         return (
             say("shortest_path.wanted", path=spoken(path), length=spoken(far))
@@ -180,7 +184,7 @@ class ShortestPath(ValueExercise):
         )
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The roadmap, a shortest path and the student's."""
+        """Draw the roadmap, a shortest path and the student's."""
         from .pictures import draw_way
 
         value = outcome.value[0] if isinstance(outcome, Answer) else None
@@ -189,12 +193,12 @@ class ShortestPath(ValueExercise):
 
 
 def way_case(kind: str, nodes: Array, edges: Pairs, start: int, goal: int) -> Case:
-    """A case of two nodes of a roadmap."""
+    """Return a case of two nodes of a roadmap."""
     return Case(kind, {"nodes": nodes, "edges": edges.reshape(-1, 2), "start": start, "goal": goal})
 
 
 def ends(rng: np.random.Generator, kind: str, n: int, edges: Pairs) -> tuple[int, int]:
-    """A start and a goal: far away, out of reach, or the same."""
+    """Draw a start and a goal: far apart, in different components, or the same."""
     start = int(rng.integers(n))
     far = graphs.bfs(graphs.Graph(n, edges), start).cost
     if kind == "same":

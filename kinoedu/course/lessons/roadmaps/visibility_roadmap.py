@@ -34,19 +34,19 @@ BENT_BOX = np.array(
 
 
 def seen_corners(problem: Any, obstacles: list[Array]) -> Seen:
-    """The library's roadmap, with start and goal first."""
+    """Return the library's roadmap with start and goal first."""
     roadmap = visibility_roadmap(problem)
     n = len(roadmap.nodes)
     return np.roll(roadmap.nodes, 2, axis=0), np.sort((roadmap.edges + 2) % n, axis=1)
 
 
 def is_convex(ring: Array) -> Any:
-    """Which vertices turn left."""
+    """Return which vertices turn left."""
     return bends(ring) > 0.0
 
 
 def is_on_hull(ring: Array) -> Any:
-    """Which vertices are corners of the convex hull."""
+    """Return which vertices are corners of the convex hull."""
     import shapely
 
     corners = set(shapely.MultiPoint(ring).convex_hull.exterior.coords)
@@ -56,7 +56,7 @@ def is_on_hull(ring: Array) -> Any:
 def roadmap_on(
     problem: Any, obstacles: list[Array], *, kept: Any = is_convex, how: str = "is_semi_free_path"
 ) -> Seen:
-    """Start, goal and the vertices that are kept, and the pairs of them whose motion is allowed."""
+    """Return start, goal and the kept vertices, with the pairs whose motion is allowed."""
     nodes = np.vstack([problem.start, problem.goal, *(ring[kept(ring)] for ring in obstacles)])
     pairs = np.argwhere(np.triu(np.ones((len(nodes), len(nodes))), 1))
     if how != "is_semi_free_path":
@@ -67,13 +67,13 @@ def roadmap_on(
 
 
 def without_ends(problem: Any, obstacles: list[Array]) -> Seen:
-    """Start and goal are nodes, but joined to nothing."""
+    """Return a roadmap whose start and goal have no edges."""
     nodes, pairs = roadmap_on(problem, obstacles)
     return nodes, pairs[(pairs > 1).all(axis=1)]
 
 
 def between_obstacles(problem: Any, obstacles: list[Array]) -> Seen:
-    """No edge joins two vertices of one obstacle."""
+    """Return a roadmap without edges between vertices of one obstacle."""
     nodes, pairs = roadmap_on(problem, obstacles)
     owner = np.concatenate(
         [[-1, -2], *(np.full(int((bends(ring) > 0).sum()), i) for i, ring in enumerate(obstacles))]
@@ -82,7 +82,7 @@ def between_obstacles(problem: Any, obstacles: list[Array]) -> Seen:
 
 
 class VisibleCorners(ValueExercise):
-    """Start, goal and convex corners, and the pairs of them that see each other."""
+    """Build the visibility roadmap of start, goal and convex corners."""
 
     name = "visibility_roadmap"
     lesson = "08_roadmaps"
@@ -115,7 +115,7 @@ class VisibleCorners(ValueExercise):
     )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """A triangle, a box, an angle with a reflex vertex; then more, by chance."""
+        """Yield a triangle, a box and a shape with a reflex vertex, then random obstacles."""
         yield seen_case("one", [TENT])
         yield seen_case("one", [BOX])
         yield seen_case("bay", [ANGLE])
@@ -133,7 +133,7 @@ class VisibleCorners(ValueExercise):
             yield seen_case("several", without_doubt(rng, 2 + i // 4, convex=bool(i % 2)))
 
     def same(self, value: Any, truth: Any) -> bool:
-        """The same nodes in any order, start and goal excepted, and the same edges between them."""
+        """Whether nodes and edges are the same; the order counts for start and goal alone."""
         (found, pairs), (nodes, edges) = value, truth
         if placed(found, nodes) is None:
             return False
@@ -144,9 +144,7 @@ class VisibleCorners(ValueExercise):
         )
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """Start and goal first, then the convex vertices; then pairs i < j, each once; then the
-        right ones.
-        """
+        """Judge the order of start and goal, the convex vertices, and the pairs."""
         if self.same(value, self.truth(case)):
             return Verdict(1.0)
         (found, pairs), problem = value, case.given["problem"]
@@ -160,16 +158,16 @@ class VisibleCorners(ValueExercise):
         return Verdict(0.0, rule, self.wanted(case))
 
     def wanted(self, case: Case) -> str:
-        """How many there are."""
+        """Describe how many nodes and edges are right."""
         nodes, edges = self.truth(case)
         return say("visibility_roadmap.wanted", nodes=len(nodes), edges=len(edges))
 
     def answer_words(self, case: Case, value: Any) -> str:
-        """How many there are of the student's."""
+        """Describe how many nodes and edges the student has."""
         return say("visibility_roadmap.wanted", nodes=len(value[0]), edges=len(value[1]))
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The right roadmap, and the student's over it."""
+        """Draw the right roadmap and the student's over it."""
         from .pictures import draw_roadmap_answer
 
         value = outcome.value if isinstance(outcome, Answer) else None
@@ -178,8 +176,9 @@ class VisibleCorners(ValueExercise):
 
 
 def seen_case(kind: str, obstacles: list[Array]) -> Case:
-    """A case in the hall. It is asked once here, so that no student's time is spent on
-    compiling.
+    """Return a case in the hall.
+
+    One motion is checked here, so that no compilation counts as the student's time.
     """
     problem = hall(*obstacles)
     problem.is_semi_free_path(problem.start, problem.goal)
@@ -189,9 +188,10 @@ def seen_case(kind: str, obstacles: list[Array]) -> Case:
 
 
 def without_doubt(rng: np.random.Generator, n: int, *, convex: bool = True) -> list[Array]:
-    """Obstacles by chance, of whose vertices, start and goal no three are in line: with two
-    decimals such are in line on paper, and miss that in the computer by less than a motion's judge
-    can see.
+    """Draw obstacles such that no three of their vertices, start and goal are in line.
+
+    Three points with two decimals can be in line exactly, yet miss that after rounding by less
+    than the collision check can tell.
     """
     rings = random_obstacles(rng, n, convex=convex)
     while is_in_line(np.vstack([START, GOAL, *rings])):
@@ -200,15 +200,18 @@ def without_doubt(rng: np.random.Generator, n: int, *, convex: bool = True) -> l
 
 
 def is_in_line(points: Array) -> bool:
-    """Whether three of some points are, but for rounding."""
+    """Whether any three of the points are in line, up to rounding."""
     a, b, c = (points[at] for at in np.array(list(combinations(range(len(points)), 3))).T)
     (ux, uy), (vx, vy) = (b - a).T, (c - a).T
     return bool((np.abs(ux * vy - uy * vx) < 1e-9).any())
 
 
 def placed(found: Array, nodes: Array) -> list[int] | None:
-    """For each node that was found the number it should have, start and goal first; None where they
-    are not the same nodes.
+    """Return the right index of each found node, start and goal first.
+
+    Returns
+    -------
+    A list; None where the nodes differ.
     """
     numbers = {tuple(node): i for i, node in enumerate(np.asarray(nodes).tolist())}
     order = [numbers.get(tuple(node), -1) for node in np.asarray(found).tolist()]

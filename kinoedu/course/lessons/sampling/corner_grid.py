@@ -7,7 +7,7 @@ from .grids import GridExercise, diagonal, spread
 
 
 class CornerGrid(GridExercise):
-    """A point at the lower corner of each of k^d cells."""
+    """Put a point at the lower corner of each of k^d cells."""
 
     name = "corner_grid"
     source = staticmethod(corner_grid)

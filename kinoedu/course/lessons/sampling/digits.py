@@ -1,10 +1,11 @@
-"""Shared by the exercises on van der Corput's and Halton's sequences. Bullo & Smith, chapter 4;
-LaValle, section 5.2.4.
+"""Digits for the exercises on van der Corput's and Halton's sequences.
+
+Bullo & Smith, chapter 4; LaValle, section 5.2.4.
 """
 
 
 def digits(i: int, base: int) -> list[int]:
-    """The digits of a whole number, the last one first; those of 0 are [0].
+    """Return the digits of a whole number, lowest first; those of 0 are [0].
 
     >>> digits(6, 2)
     [0, 1, 1]
@@ -16,5 +17,5 @@ def digits(i: int, base: int) -> list[int]:
 
 
 def unmirrored(i: int, base: int) -> float:
-    """The digits behind the point in the order in which they stand."""
+    """Return the number whose digits follow the point in their original order."""
     return i / float(base) ** len(digits(i, base))

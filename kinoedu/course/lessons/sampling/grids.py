@@ -1,4 +1,4 @@
-"""Shared by the exercises on grids in the unit cube. Bullo & Smith, chapter 4."""
+"""The base class of the exercises on grids in the unit cube. Bullo & Smith, chapter 4."""
 
 from collections.abc import Callable, Iterator
 from typing import Any
@@ -45,7 +45,10 @@ SMALL += [(125, 3), (99, 2), (100, 3)]
 
 
 class GridExercise(ValueExercise):
-    """A grid of n = k^d points, in any order; a ValueError where n is no such power."""
+    """An exercise on a grid of n = k^d points, in any order.
+
+    Where n is no such power, a ValueError is the right answer.
+    """
 
     lesson = "06_sampling"
     kinds = ("line", "plane", "space", "power")
@@ -54,7 +57,7 @@ class GridExercise(ValueExercise):
     tolerance = TOLERANCE
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Few points first; then other powers, and numbers that are none."""
+        """Yield few points first, then other powers, and numbers that are not powers."""
         for n, d in SMALL:
             yield grid_case(n, d)
         for _ in range(10):
@@ -66,22 +69,20 @@ class GridExercise(ValueExercise):
             yield grid_case(n, d)
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """First how many, then whether they are in the cube, then where."""
+        """Judge the number of points, whether they are in the cube, and where."""
         return self.fault_of_points(case, value) or super().value_verdict(case, value)
 
     def fault_of_points(self, case: Case, value: Array) -> Verdict | None:
-        """The verdict on points of which there are too many or too few, or that lie outside the
-        cube.
-        """
+        """Return the verdict on points of a wrong number or outside the cube, or None."""
         rule = fault_of_points(value, case.given["n"], case.given["d"])
         return Verdict(0.0, rule, self.wanted(case)) if rule else None
 
     def same(self, value: Any, truth: Any) -> bool:
-        """Grids are sets: the order of their points is free."""
+        """Whether both are the same set of points."""
         return np.shape(value) == np.shape(truth) and super().same(in_order(value), in_order(truth))
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The points that should be there, and the student's."""
+        """Draw the right points and the student's."""
         found, truth = outcome.value if isinstance(outcome, Answer) else None, self.truth(case)
         no_grid, (n, d) = isinstance(truth, ValueError), case.given.values()
         draw_points(
@@ -95,33 +96,36 @@ class GridExercise(ValueExercise):
 
 
 def grid_case(n: int, d: int) -> Case:
-    """A case of the kind that it is."""
+    """Return a case and classify it."""
     kind = DIMENSIONS[d] if root(n, d) ** d == n else "power"
     return Case(kind, {"n": n, "d": d})
 
 
 def fault_of_points(points: Array, n: int, d: int) -> str:
-    """The rule that an array of points breaks, whatever they are meant to be: n of them, in the
-    closed unit cube; or "".
-    """
+    """Return the rule that n points of the closed unit cube break, or ""."""
     if points.shape != (n, d):
         return "count"
     return "" if ((points >= -TOLERANCE) & (points <= 1.0 + TOLERANCE)).all() else "outside"
 
 
 def in_order(points: Any) -> Array:
-    """The points sorted by their coordinates, whatever the rounding."""
+    """Return the points sorted by their rounded coordinates."""
     rows = np.asarray(points, float)
     return rows[np.lexsort(np.round(rows, 9).T[::-1])]
 
 
 def spread(n: int, d: int, place: Callable[[Any, int], Any]) -> Array:
-    """A grid whose coordinates are place(i, k) for i = 0, ..., k - 1."""
+    """Return a grid whose coordinates are place(i, k) for i = 0, ..., k - 1."""
     k = points_a_side(n, d)
     return lattice(place(np.arange(k), k), d)
 
 
 def diagonal(n: int, d: int, place: Callable[[Any, int], Any], each: int = 0) -> Array:
-    """The points of a grid whose coordinates are equal; so many, or k."""
+    """Return the points of a grid whose coordinates are all equal.
+
+    Parameters
+    ----------
+    each : number of points; k by default.
+    """
     k = points_a_side(n, d)
     return np.tile(place(np.arange(each or k), k)[:, None], (1, d))

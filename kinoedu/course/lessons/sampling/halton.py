@@ -18,7 +18,7 @@ PRIMES = (2, 3, 5, 7, 11, 13)
 
 
 class Halton(ValueExercise):
-    """The first n points of Halton's sequence, from number 1 on."""
+    """Compute the first n points of Halton's sequence, from number 1 on."""
 
     name = "halton"
     lesson = "06_sampling"
@@ -53,8 +53,9 @@ class Halton(ValueExercise):
     reference = staticmethod(halton)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """One prime, then two, then more; then primes that are not the first, in any order. All a
-        hundred of the book.
+        """Yield one prime, two, and more; then other primes in any order.
+
+        The hundred points of the book are among them.
         """
         for n, *primes in (
             (1, 2),
@@ -80,7 +81,7 @@ class Halton(ValueExercise):
             )
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """How many, whether they are in the cube, whether in another order, then where."""
+        """Judge the number of points, whether they are in the cube, their order, and where."""
         rule = fault_of_points(value, case.given["n"], len(case.given["primes"]))
         if (
             not rule
@@ -91,18 +92,18 @@ class Halton(ValueExercise):
         return Verdict(0.0, rule, self.wanted(case)) if rule else super().value_verdict(case, value)
 
     def same(self, value: Any, truth: Any) -> bool:
-        """Shapes count too."""
+        """Whether shapes and points are the same."""
         return np.shape(value) == np.shape(truth) and super().same(value, truth)
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The points that should be there, and the student's."""
+        """Draw the right points and the student's."""
         draw_points(
             self, case, outcome.value if isinstance(outcome, Answer) else None, self.truth(case), ax
         )
 
 
 def halton_case(n: int, primes: Any) -> Case:
-    """A case of the kind that it is."""
+    """Return a case and classify it."""
     first = list(primes) == list(PRIMES[: len(primes)])
     kind = ("line", "plane", "more")[min(len(primes), 3) - 1] if first else "others"
     return Case(kind, {"n": n, "primes": list(primes)})

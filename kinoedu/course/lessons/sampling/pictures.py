@@ -1,5 +1,6 @@
-"""Pictures of failing cases in the unit cube. What is true is green, what the student's program
-says orange.
+"""Pictures of failing cases in the unit cube.
+
+The right answer is green, the student's is orange.
 """
 
 from textwrap import fill
@@ -28,10 +29,13 @@ def draw_points(
     *,
     cells: int = 0,
 ) -> None:
-    """The points that should be there as rings, the student's as crosses; of points in space the
-    first two coordinates.
+    """Draw the right points as rings and the student's as crosses.
 
-    cells : draw so many cells along each side.
+    Points in space are drawn by their first two coordinates.
+
+    Parameters
+    ----------
+    cells : number of cells to draw along each side.
     """
     from ....figures import palette, plane
 
@@ -74,8 +78,9 @@ def draw_points(
 
 
 def flat(points: Array) -> Array:
-    """Places in the plane for points (n, d): those of a line at half height, those in space without
-    their third coordinate.
+    """Return positions in the plane for points (n, d).
+
+    Points of a line are put at half height; points in space lose their third coordinate.
     """
     if points.shape[1] == 1:
         return np.column_stack([points[:, 0], np.full(len(points), 0.5)])
@@ -83,9 +88,7 @@ def flat(points: Array) -> Array:
 
 
 def square(ax: Any, others: Array, outline: Any = CORNERS) -> None:
-    """The outline of the unit square, or a line, with room for other points, and for words on the
-    right.
-    """
+    """Draw the outline of the unit square, or a line, with room for outliers and labels."""
     from ....figures import palette, plane
 
     plane.frame(np.vstack([[(0, 0), (1.45, 1)], others]), ax, margin=0.06)
@@ -93,7 +96,7 @@ def square(ax: Any, others: Array, outline: Any = CORNERS) -> None:
 
 
 def beside(words: str, y: float, ax: Any, *, colour: str) -> None:
-    """Words on the right of the square."""
+    """Write a label to the right of the square."""
     from ....figures import palette
     from ....figures.drawing import HALO
 
@@ -102,7 +105,7 @@ def beside(words: str, y: float, ax: Any, *, colour: str) -> None:
 
 
 def draw_mirrored(exercise: Exercise, case: Case, found: float | None, ax: Any) -> None:
-    """The way from 0 to 1, the true place and the student's, and the digits before and after."""
+    """Draw the interval from 0 to 1, the right and the student's number, and the digits."""
     from ....figures import palette, plane
     from ....figures.digits import digits_of, mirrored_digits
 
@@ -152,9 +155,7 @@ def draw_mirrored(exercise: Exercise, case: Case, found: float | None, ax: Any) 
 
 
 def draw_holes(exercise: Exercise, case: Case, found: Array | None, ax: Any) -> None:
-    """The points, the largest ball without any of them, and round its centre a circle for each of
-    the student's bounds.
-    """
+    """Draw the points, the largest empty ball, and the student's bounds as circles."""
     from ....figures import palette, plane
 
     points = case.given["points"]
@@ -183,7 +184,7 @@ def draw_holes(exercise: Exercise, case: Case, found: Array | None, ax: Any) -> 
 
 
 def draw_corridor(corridor: Array | None, ax: Any) -> None:
-    """The points of all five grids, the corridor, and crosses on the points in it."""
+    """Draw the points of all five grids, the corridor, and crosses on the points inside it."""
     from ....figures import palette
 
     square(ax, np.empty((0, 2)))

@@ -37,7 +37,7 @@ SMALL += [(243, 3), (1000, 10), (10**6, 10)]  # powers of the base, whose logari
 
 
 class RadicalInverse(ValueExercise):
-    """The digits of a whole number, mirrored at the point."""
+    """Mirror the digits of a whole number at the point."""
 
     name = "radical_inverse"
     lesson = "06_sampling"
@@ -62,15 +62,15 @@ class RadicalInverse(ValueExercise):
 
     @staticmethod
     def reference(i: int, base: int) -> float:
-        """The one number of the sequence."""
+        """Return the number of van der Corput's sequence."""
         return inverse(i, base)
 
     def right_answer(self, *given: Any) -> Any:
-        """The library has it for many numbers at once."""
+        """Return the library's answer, which is computed for many numbers at once."""
         return inverse(*given)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Small numbers in base 2 and 3 first."""
+        """Yield small numbers in base 2 and 3 first, then others."""
         for i, base in SMALL:
             yield inverse_case(i, base)
         yield inverse_case(10**9 + 7, 7)
@@ -82,28 +82,28 @@ class RadicalInverse(ValueExercise):
             yield inverse_case(int(rng.integers(10**6, 10**12)), int(rng.integers(2, 17)))
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The digits, and both places between 0 and 1."""
+        """Draw the digits, and the right and the student's number between 0 and 1."""
         draw_mirrored(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 
 
 def inverse_case(i: int, base: int) -> Case:
-    """A case of the kind that it is."""
+    """Return a case and classify it."""
     kind = "one_digit" if i < base else "long" if i >= 10**6 else "binary" if base == 2 else "other"
     return Case(kind, {"i": i, "base": base})
 
 
 def inverse(i: int, base: int) -> float:
-    """Number i of van der Corput's sequence."""
+    """Return number i of van der Corput's sequence."""
     return float(van_der_corput(1, base, start=i)[0])
 
 
 def number_of(low_first: list[int], base: int) -> int:
-    """The whole number of these digits, the last one first."""
+    """Return the whole number with these digits, lowest first."""
     return sum(digit * base**place for place, digit in enumerate(low_first))
 
 
 def divided(i: float, base: int) -> float:
-    """The sum, where i is divided without dropping what is left over."""
+    """Return the sum that results when i is divided with / instead of //."""
     total, weight = 0.0, 1.0
     while i > 0.0 and weight > 0.0:
         weight /= base

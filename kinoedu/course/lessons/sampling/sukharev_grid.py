@@ -7,7 +7,7 @@ from .grids import GridExercise, diagonal, spread
 
 
 class SukharevGrid(GridExercise):
-    """A point at the centre of each of k^d cells."""
+    """Put a point at the centre of each of k^d cells."""
 
     name = "sukharev_grid"
     source = staticmethod(sukharev_grid)

@@ -23,7 +23,7 @@ EVEN, UNEVEN = (
 
 
 class UniformRandom(Exercise):
-    """n random points of the unit cube."""
+    """Draw n random points of the unit cube."""
 
     name = "uniform_random"
     lesson = "06_sampling"
@@ -33,9 +33,7 @@ class UniformRandom(Exercise):
     source = staticmethod(uniform_random)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Few points, the hundred of the book, then so many that one can count how they are
-        spread.
-        """
+        """Yield few points, the hundred of the book, and enough points to test their spread."""
         for n, d in ((3, 1), (4, 2), (1, 2), (2, 3), (100, 2)):
             yield random_case(n, d, int(rng.integers(1000)))
         for _ in range(10):
@@ -46,18 +44,19 @@ class UniformRandom(Exercise):
                 yield random_case(int(rng.integers(MANY, 2000)), d, int(rng.integers(1000)))
 
     def call(self, function: Callable[..., Any], given: dict[str, Any]) -> Any:
-        """Three times: twice the same, then with another seed."""
+        """Call the student's function three times: twice with rng, once with rng + 1."""
         n, d, rng = given.values()
         return function(n, d, rng), function(n, d, rng), function(n, d, rng + 1)
 
     def right_answer(self, *given: Any) -> Any:
-        """The library's own takes rng by its name only."""
+        """Return the library's points; the library takes rng by name only."""
         n, d, rng = given
         return uniform_random(n, d, rng=rng)
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """How many and where; the same again, others for another seed; how they are spread, and
-        whether the seeds share them.
+        """Judge number and range, repeatability, another seed, and the spread.
+
+        It also judges whether two seeds share points.
         """
         n, d, _ = case.given.values()
         first, again, other = value
@@ -72,12 +71,12 @@ class UniformRandom(Exercise):
         return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
 
     def wanted(self, case: Case) -> str:
-        """What is asked for."""
+        """Describe what is asked for."""
         n, d, _ = case.given.values()
         return self.words("wanted", n=n, d=d)
 
     def answer_words(self, case: Case, value: Any) -> str:
-        """The first of the three answers; where two are compared, those."""
+        """Describe the first of the three answers, or the two that are compared."""
         first, again, other = value
         rule = self.value_verdict(case, value).rule
         second = {"again": again, "another": other, "shared": other}.get(rule)
@@ -86,17 +85,17 @@ class UniformRandom(Exercise):
         return self.words(f"answers.{rule}", first=spoken(first[:3]), second=spoken(second[:3]))
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The student's points."""
+        """Draw the student's points."""
         draw_points(self, case, outcome.value[0] if isinstance(outcome, Answer) else None, None, ax)
 
 
 def random_case(n: int, d: int, rng: int) -> Case:
-    """A case of the kind that it is."""
+    """Return a case and classify it."""
     return Case(DIMENSIONS[d] if n >= 100 else "few", {"n": n, "d": d, "rng": rng})
 
 
 def fault_of_chance(points: Array) -> str:
-    """What random points (n, d) of the cube would never do, as a rule; or ""."""
+    """Return the rule that shows that points (n, d) are not random, or ""."""
     n, d = points.shape
     if d > 1 and (points == points[:, :1]).all():
         return "diagonal"
@@ -109,8 +108,9 @@ def fault_of_chance(points: Array) -> str:
 
 
 def shares(first: Array, other: Array) -> bool:
-    """Whether half of the points of one seed, or a coordinate of all of them, come again with
-    another; asked of three and more.
+    """Whether two seeds share half of their points, or one coordinate of all points.
+
+    It is tested for three points and more.
     """
     rows = set(map(tuple, first.tolist())) & set(map(tuple, other.tolist()))
     columns = (first.T[:, None] == other.T).all(axis=2)
@@ -118,8 +118,9 @@ def shares(first: Array, other: Array) -> bool:
 
 
 def unevenness(points: Array) -> float:
-    """Of 64 equal boxes, the sum of (count - expected)^2 / expected: about 63 for random points,
-    whatever their number.
+    """Return the chi-square statistic of the counts of points in 64 equal boxes.
+
+    It is the sum of (count - expected)^2 / expected, about 63 for random points of any number.
     """
     n, d = points.shape
     places = np.clip(np.floor(points * BOXES[d]), 0, BOXES[d] - 1).astype(np.int64)
