@@ -1,4 +1,4 @@
-"""The exercise on what a motion costs on a terrain: an integral, from cell to cell."""
+"""The exercise on the cost of a motion on a terrain: an integral over cells."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -16,7 +16,7 @@ from .motions import crossed, cuts, length
 
 
 class CostAlong(ValueExercise):
-    """The integral of the cells' costs along a segment."""
+    """Integrate the cost of the cells along a segment."""
 
     name = "cost_along"
     lesson = "10_terrains"
@@ -40,13 +40,13 @@ class CostAlong(ValueExercise):
 
     @staticmethod
     def reference(cost: Array, a: Array, b: Array) -> float:
-        """The library's."""
+        """Return the library's integral."""
         return exact(cost, a, b)
 
     source = reference
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Two cells first; no motion runs along a side."""
+        """Yield motions over two cells first; no motion runs along a side of a cell."""
         two = np.array([[1.0, 3.0]])
         square = np.array([[1.0, 2.0], [4.0, 8.0]])
         for kind, cost, a, b in (
@@ -64,7 +64,7 @@ class CostAlong(ValueExercise):
                 yield Case(kind, case_by_chance(kind, 2 + number // 2, rng))
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The cells with their costs, and the motion cut where it enters another."""
+        """Draw the cells with their costs, and the motion cut where it enters another cell."""
         from .pictures import draw_costs
 
         found = outcome.value if isinstance(outcome, Answer) else None
@@ -72,7 +72,7 @@ class CostAlong(ValueExercise):
 
 
 def case_by_chance(kind: str, n: int, rng: np.random.Generator) -> dict[str, Any]:
-    """A motion over cells of whole costs, in rows and columns of different number."""
+    """Draw a motion over cells with whole costs; rows and columns differ in number."""
     cost = rng.integers(1, 10, (n, n + 1)).astype(float)
     a, b = np.round(rng.uniform((0, 0), (n + 1, n), (2, 2)), 2) * 0.98 + 0.013
     if kind == "row":
@@ -93,7 +93,7 @@ def case_by_chance(kind: str, n: int, rng: np.random.Generator) -> dict[str, Any
 
 
 def exact(cost: Array, a: Array, b: Array) -> float:
-    """The library's integral over cells of side 1; none outside."""
+    """Return the library's integral over cells of side 1, with cost 0 outside."""
     value = float(integral(np.ascontiguousarray(cost), a[0], a[1], b[0], b[1]))
     if value == np.inf:
         raise ValueError("outside")
@@ -101,7 +101,7 @@ def exact(cost: Array, a: Array, b: Array) -> float:
 
 
 def transposed(cost: Array, a: Array, b: Array) -> float:
-    """The sum with cost[column, row], where there is one."""
+    """Return the integral with cost[column, row], 0 where there is no such cell."""
     stretches = np.diff(cuts(a, b)) * length(a, b)
     inside = [
         (s, i, j)
@@ -112,8 +112,12 @@ def transposed(cost: Array, a: Array, b: Array) -> float:
 
 
 def summed(cost: Array, a: Array, b: Array, shares: Array, look: float) -> float:
-    """The sum over the pieces between shares of a motion, each looked up at one of its places: 0 is
-    its first end, 1 its last.
+    """Return the sum of the costs of the pieces of a motion.
+
+    Parameters
+    ----------
+    shares : fractions of the motion at which it is cut.
+    look : where in a piece its cost is looked up, 0 at its beginning and 1 at its end.
     """
     looked = shares[:-1] + look * np.diff(shares)
     return float(
@@ -122,12 +126,12 @@ def summed(cost: Array, a: Array, b: Array, shares: Array, look: float) -> float
 
 
 def at(cost: Array, q: Array) -> float:
-    """The cost of the cell that holds a place."""
+    """Return the cost of the cell that contains a point."""
     return float(cost[int(q[1]), int(q[0])])
 
 
 def sampled(cost: Array, a: Array, b: Array, step: float) -> float:
-    """A sum over samples, each worth a step."""
+    """Return the sum of costs at samples, each multiplied by the step."""
     whole = length(a, b)
     return (
         sum(at(cost, a + (b - a) * (s / whole)) * step for s in np.arange(0.0, whole, step))

@@ -1,6 +1,4 @@
-"""Straight motions on a terrain: where they cross cells, samples along them, and what may be wrong
-with one.
-"""
+"""Straight motions on a terrain: the cells they cross, samples along them, and their faults."""
 
 import numpy as np
 
@@ -10,12 +8,12 @@ MOST = 12  # cells either way
 
 
 def length(a: Array, b: Array) -> float:
-    """|b - a|."""
+    """Return |b - a|."""
     return float(np.sqrt(((b - a) ** 2).sum()))
 
 
 def cuts(a: Array, b: Array) -> Array:
-    """The shares of a motion after which it enters another cell, with 0 and 1, in order."""
+    """Return the sorted fractions of a motion at which it enters another cell, with 0 and 1."""
     shares = [0.0, 1.0]
     for p, q in zip(a, b):
         lines = np.arange(np.ceil(min(p, q)), np.floor(max(p, q)) + 1.0)
@@ -24,8 +22,9 @@ def cuts(a: Array, b: Array) -> Array:
 
 
 def crossed(cost: Array, a: Array, b: Array) -> list[tuple[int, int]]:
-    """The cells (i, j) that a motion passes through, in order; the one that holds it where it
-    stays.
+    """Return the cells (i, j) that a motion crosses, in order.
+
+    A motion of length 0 crosses the cell that contains it.
     """
     shares = cuts(a, b)
     middles = [a + (b - a) * t for t in (shares[1:] + shares[:-1]) / 2]
@@ -33,13 +32,13 @@ def crossed(cost: Array, a: Array, b: Array) -> list[tuple[int, int]]:
 
 
 def samples_along(a: Array, b: Array) -> Array:
-    """Places half a cell apart along a motion, from a, and b itself, (n, 2)."""
+    """Return points half a cell apart along a motion from a, and b itself, (n, 2)."""
     shares = np.append(np.arange(0.0, length(a, b), 0.5) / (length(a, b) or 1.0), 1.0)
     return a + shares[:, None] * (b - a)
 
 
 def fault_of_motion(free: Array, a: Array, b: Array) -> str:
-    """The rule that keeps it from being a terrain with a motion inside it, or ""."""
+    """Return the rule that a terrain with a motion inside it breaks, or ""."""
     rows, columns = free.shape
     if not (1 <= rows <= MOST and 1 <= columns <= MOST) or not np.isin(free, (0, 1)).all():
         return "valid"

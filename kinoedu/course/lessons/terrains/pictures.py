@@ -1,5 +1,6 @@
-"""Pictures of failing cases of lesson 10. What is true is green, what the student's program says
-orange.
+"""Pictures of failing cases of lesson 10.
+
+The right answer is green, the student's is orange.
 """
 
 from typing import Any
@@ -15,7 +16,7 @@ from .motions import cuts, fault_of_motion, samples_along
 
 
 def draw_costs(exercise: Exercise, case: Case, found: float | None, truth: str, ax: Any) -> None:
-    """The cells with their costs, and the motion cut where it enters another."""
+    """Draw the cells with their costs, and the motion cut where it enters another cell."""
     from ....figures import palette, plane
 
     cost, a, b = case.given.values()
@@ -49,7 +50,7 @@ def draw_costs(exercise: Exercise, case: Case, found: float | None, truth: str, 
 
 
 def dress(ax: Any, columns: int, rows: int) -> None:
-    """Equal axes with a line at every side of a cell."""
+    """Set equal axes with a line at every side of a cell."""
     from ....figures import palette
 
     ax.set_aspect("equal")
@@ -62,7 +63,7 @@ def dress(ax: Any, columns: int, rows: int) -> None:
 
 
 def draw_table(exercise: Exercise, case: Case, found: Array | None, truth: Any, ax: Any) -> None:
-    """The table; what is repeated in green, what else was named in orange."""
+    """Draw the table with the repeats in green and the student's wrong entries in orange."""
     from ....figures import palette, plane
 
     table = case.given["table"]
@@ -102,8 +103,9 @@ def draw_table(exercise: Exercise, case: Case, found: Array | None, truth: Any, 
 
 
 def draw_runs(exercise: Exercise, case: Case, found: Array | None, truth: Array, ax: Any) -> None:
-    """Every run with a path as a dot; the right quartiles and median in green, the student's in
-    orange below.
+    """Draw every run with a path as a dot, with quartiles and medians.
+
+    The right ones are green, the student's are orange and below.
     """
     from ....figures import palette, plane
 
@@ -141,7 +143,7 @@ def draw_runs(exercise: Exercise, case: Case, found: Array | None, truth: Array,
 
 
 def draw_samples_on(value: Any, words: str, ax: Any) -> None:
-    """A small terrain, a motion, and the places where it is looked at."""
+    """Draw a small terrain, a motion and its samples."""
     from ....figures import palette, plane
 
     if value is None or fault_of_motion(*value):

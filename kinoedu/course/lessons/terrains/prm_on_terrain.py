@@ -1,6 +1,4 @@
-"""The exercise that asks for the document's second planner: PRM on a bitmap, with every free pair
-joined.
-"""
+"""The exercise on the document's second planner: a PRM on a bitmap that joins every free pair."""
 
 from typing import Any
 
@@ -18,12 +16,12 @@ from .rrt_on_terrain import TerrainPlanner
 
 
 def bounds(problem: Any) -> tuple[Array, Array]:
-    """The corners of a problem's world."""
+    """Return the corners of a problem's world."""
     return problem.world.lo, problem.world.hi
 
 
 def own_prm(problem: Any, n: int, rng: int) -> Any:
-    """PRM as the exercise asks for it."""
+    """Build the PRM as the exercise demands, and return nodes, edges and path."""
     chance, nodes = np.random.default_rng(rng), [problem.start, problem.goal]
     while len(nodes) < n + 2:
         q = problem.sample(chance)
@@ -40,7 +38,7 @@ def own_prm(problem: Any, n: int, rng: int) -> Any:
 
 
 def shortest(problem: Any, nodes: Array, edges: Array) -> Any:
-    """The numbers of the nodes on a shortest path from node 0 to node 1, or None."""
+    """Return the indices of the nodes on a shortest path from node 0 to node 1, or None."""
     lengths = [problem.distance(nodes[i], nodes[j]) for i, j in edges]
     return astar(
         Graph(len(nodes), np.reshape(edges, (-1, 2)), np.array(lengths)), 0, 1, np.zeros(len(nodes))
@@ -48,7 +46,7 @@ def shortest(problem: Any, nodes: Array, edges: Array) -> Any:
 
 
 class PrmOnTerrain(TerrainPlanner):
-    """A roadmap of so many free samples, every free pair joined, and a shortest path on it."""
+    """Build a roadmap of n free samples and all free pairs, and find a shortest path."""
 
     name = "prm_on_terrain"
     given = Record(problem=Task(), n=Whole(), rng=Whole())
@@ -58,16 +56,17 @@ class PrmOnTerrain(TerrainPlanner):
     shown = staticmethod(prm)
 
     def asked(self, kind: str, problem: Asked, rng: int) -> Case:
-        """Enough samples for every trap."""
+        """Return a case with enough samples for every trap."""
         return Case(kind, {"problem": problem, "n": 8 if kind == "same" else 40, "rng": rng})
 
     def uses_chance(self, case: Case) -> bool:
-        """Nodes are drawn in every case."""
+        """Another seed always gives another answer."""
         return True
 
     def fault(self, case: Case, answer: Any) -> Fault | None:
-        """The nodes; the edges, each free pair once; the path, along them, and as short as they
-        allow.
+        """Judge the nodes, the edges and the path.
+
+        Each free pair must be there once; the path must follow edges and be shortest.
         """
         nodes, edges, path = answer
         problem, n = case.given["problem"], case.given["n"]
@@ -78,13 +77,13 @@ class PrmOnTerrain(TerrainPlanner):
         return self.fault_of_end(case, path) or fault_of_way(problem, nodes, edges, path)
 
     def drawn(self, answer: Any) -> tuple[list[Tree], Array | None]:
-        """The nodes, as trees of one node each, and the path."""
+        """Return the nodes, as trees of one node each, and the path."""
         nodes, _, path = answer
         return [Tree(nodes, np.full(len(nodes), -1))], path
 
 
 def fault_of_nodes(problem: Any, nodes: Array, n: int) -> Fault | None:
-    """Start, goal and n free samples from everywhere."""
+    """Judge that the nodes are start, goal and n free samples of the whole terrain."""
     if len(nodes) != n + 2:
         return Fault("count", nodes[:0])
     if not (np.array_equal(nodes[0], problem.start) and np.array_equal(nodes[1], problem.goal)):
@@ -98,7 +97,7 @@ def fault_of_nodes(problem: Any, nodes: Array, n: int) -> Fault | None:
 
 
 def fault_of_edges(problem: Any, nodes: Array, edges: Array) -> Fault | None:
-    """Every free pair, each once and no other."""
+    """Judge that every free pair is an edge, once, and no other pair is."""
     if len(edges) and (edges.min() < 0 or edges.max() >= len(nodes)):
         return Fault("numbers_of_nodes", nodes[:0])
     pairs = {(min(i, j), max(i, j)) for i, j in edges.tolist()}
@@ -112,7 +111,7 @@ def fault_of_edges(problem: Any, nodes: Array, edges: Array) -> Fault | None:
 
 
 def fault_of_way(problem: Any, nodes: Array, edges: Array, path: Array) -> Fault | None:
-    """A path along the edges, no longer than the shortest."""
+    """Judge that the path follows edges and is shortest."""
     at = [int(np.argmin(((nodes - q) ** 2).sum(axis=1))) for q in path]
     pairs = {(i, j) for i, j in edges.tolist()} | {(j, i) for i, j in edges.tolist()}
     for a, b, i, j in zip(path[:-1], path[1:], at[:-1], at[1:]):

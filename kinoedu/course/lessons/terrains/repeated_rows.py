@@ -1,6 +1,4 @@
-"""The exercise on a table of measurements in which numbers come twice: what chance does not do, and
-copying does.
-"""
+"""The exercise on repeated numbers in a table of measurements, which chance rarely makes."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -22,7 +20,7 @@ PUBLISHED = (
 
 
 class RepeatedRows(ValueExercise):
-    """Which two rows of a table have the same number in which column."""
+    """Find pairs of rows that have the same number in the same column."""
 
     name = "repeated_rows"
     lesson = "10_terrains"
@@ -54,13 +52,13 @@ class RepeatedRows(ValueExercise):
 
     @staticmethod
     def reference(table: Array) -> list[tuple[int, int, int]]:
-        """Every pair, column by column."""
+        """Return every pair, column by column."""
         return repeats(table)
 
     source = reference
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Two rows first; then the published table; then tables by chance, with copies put in."""
+        """Yield two rows, the published table, then random tables with copied numbers."""
         nan = float("nan")
         for kind, rows in (
             ("none", [[1, 2], [2, 1]]),
@@ -80,13 +78,13 @@ class RepeatedRows(ValueExercise):
                 yield Case(kind, {"table": table_by_chance(kind, 4 + number, rng)})
 
     def same(self, value: Any, truth: Any) -> bool:
-        """The same triples, in any order, each once."""
+        """Whether both hold the same triples, each once, in any order."""
         return sorted(map(tuple, np.reshape(value, (-1, 3)).tolist())) == sorted(
             map(tuple, np.reshape(truth, (-1, 3)).tolist())
         )
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The table, what is repeated in green, what was said besides in orange."""
+        """Draw the table, the repeats in green and the student's wrong entries in orange."""
         from .pictures import draw_table
 
         draw_table(
@@ -99,8 +97,9 @@ class RepeatedRows(ValueExercise):
 
 
 def repeats(table: Array, near: float = 0.0) -> list[tuple[int, int, int]]:
-    """All (i, j, column), i < j, in which rows i and j differ by at most `near`; what is missing
-    (nan) is equal to nothing.
+    """Return all (i, j, column), i < j, whose numbers differ by at most `near`.
+
+    A missing number, nan, is equal to nothing.
     """
     n, m = table.shape
     return [
@@ -113,13 +112,14 @@ def repeats(table: Array, near: float = 0.0) -> list[tuple[int, int, int]]:
 
 
 def one_each(found: list[tuple[int, int, int]]) -> list[tuple[int, int, int]]:
-    """The first triple of each two rows."""
+    """Return the first triple of each pair of rows."""
     return [t for k, t in enumerate(found) if t[:2] not in {other[:2] for other in found[:k]}]
 
 
 def table_by_chance(kind: str, n: int, rng: np.random.Generator) -> Array:
-    """Lengths, seconds and counts of n runs, all different but for what is copied; two are near
-    each other where nothing is.
+    """Draw lengths, seconds and counts of n runs, all different except for copies.
+
+    In tables without copies, two numbers are close to each other.
     """
     table = np.column_stack(
         [700.0 + rng.permutation(10 * n)[:n] * 7.31, 5.0 + rng.permutation(9 * n)[:n] * 0.37]

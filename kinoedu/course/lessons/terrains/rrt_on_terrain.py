@@ -1,6 +1,4 @@
-"""What the exercises share that ask for the two planners of the document, and the one on RRT on a
-bitmap, with its parameters.
-"""
+"""The base class of the document's two planners on a bitmap, and the exercise on its RRT."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -36,7 +34,7 @@ SMALL = 40  # cells either way
 
 
 def on_terrain(blocked: Any, start: Any, goal: Any) -> Asked:
-    """A point on a terrain of 40 x 40 cells; blocked boxes (x0, y0, x1, y1)."""
+    """Return a point's problem on 40 x 40 cells with blocked boxes (x0, y0, x1, y1)."""
     free = np.ones((SMALL, SMALL), np.bool_)
     for x0, y0, x1, y1 in blocked:
         free[y0:y1, x0:x1] = False
@@ -58,13 +56,13 @@ EMPTY = on_terrain([], (5.5, 5.5), (34.5, 33.5))
 
 
 class TerrainPlanner(PlannerExercise):
-    """A planner on small terrains that are traps."""
+    """An exercise on a planner on small terrains that are traps."""
 
     lesson = "10_terrains"
     kinds = KINDS
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Each terrain twice, and rocks by chance."""
+        """Yield each terrain twice, and random rocks."""
         for _ in range(2):
             for kind, problem in TERRAINS.items():
                 yield self.asked(kind, problem, int(rng.integers(1000)))
@@ -76,11 +74,11 @@ class TerrainPlanner(PlannerExercise):
             )
 
     def asked(self, kind: str, problem: Asked, rng: int) -> Case:
-        """The case of a problem, with a seed."""
+        """Return the case of a problem with a seed."""
         raise NotImplementedError
 
     def fault_of_end(self, case: Case, path: Array | None) -> Fault | None:
-        """What is wrong with a path, or with there being none where there is a way."""
+        """Judge the path, or that none is returned only where none exists."""
         if path is None:
             return None if case.kind == "sealed" else Fault("missed", np.empty((0, 2)))
         return why_not_a_path(case.given["problem"], path)
@@ -89,7 +87,7 @@ class TerrainPlanner(PlannerExercise):
 def own_rrt(
     problem: Any, step: float, spacing: float, goal_bias: float, failures: int, rng: int
 ) -> Any:
-    """RRT as the exercise asks for it."""
+    """Grow the RRT as the exercise demands, and return nodes, parents and path."""
     chance, nodes, parent, in_a_row = np.random.default_rng(rng), [problem.start], [-1], 0
 
     def reached(q: Array) -> bool:
@@ -113,7 +111,7 @@ def own_rrt(
 
 
 class RrtOnTerrain(TerrainPlanner):
-    """One tree, half of whose samples are the goal, given up after so many failures in a row."""
+    """Grow one tree with a goal bias, until too many attempts in a row fail."""
 
     name = "rrt_on_terrain"
     given = Record(
@@ -130,24 +128,25 @@ class RrtOnTerrain(TerrainPlanner):
     shown = staticmethod(grow)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """As for both planners; then empty ground, where every sample is the goal."""
+        """Yield the cases of both planners, then open ground with goal bias 1."""
         yield from super().cases(rng)
         always = self.asked("open", EMPTY, int(rng.integers(1000)))
         yield Case("open", {**always.given, "goal_bias": 1.0})
 
     def asked(self, kind: str, problem: Asked, rng: int) -> Case:
-        """Fewer failures where there is no way: a tree that nothing stops grows for ever."""
+        """Return a case, with fewer failures where no path exists, to end the tree's growth."""
         failures = 80 if kind == "sealed" else FAILURES
         tuning = {"step": STEP, "spacing": SPACING, "goal_bias": 0.5, "failures": failures}
         return Case(kind, {"problem": problem, **tuning, "rng": rng})
 
     def uses_chance(self, case: Case) -> bool:
-        """Not where every sample is the goal."""
+        """Whether another seed gives another answer: not with goal bias 1."""
         return super().uses_chance(case) and case.given["goal_bias"] < 1.0
 
     def fault(self, case: Case, answer: Any) -> Fault | None:
-        """The path; the tree and its rule; whether the one belongs to the other; where it gave
-        up.
+        """Judge the path, the tree and its rule, and where the search gave up.
+
+        The path must also belong to the tree.
         """
         nodes, parent, path = answer
         problem = case.given["problem"]
@@ -172,7 +171,7 @@ class RrtOnTerrain(TerrainPlanner):
         return fault or self.fault_of_end(case, path)
 
     def drawn(self, answer: Any) -> tuple[list[Tree], Array | None]:
-        """The tree and the path."""
+        """Return the tree and the path."""
         nodes, parent, path = answer
         return [Tree(nodes, parent)], path
 
@@ -181,7 +180,10 @@ LEAST = 45  # nodes of a tree that has filled what is not sealed: it has 60 and 
 
 
 def too_near(problem: Any, nodes: Array, spacing: float) -> Fault | None:
-    """A node that is nearer than the spacing to an earlier one, the goal excepted."""
+    """Return the fault of a node nearer than the spacing to an earlier one, or None.
+
+    The goal is excepted.
+    """
     for i in range(1, len(nodes)):
         apart = [problem.distance(q, nodes[i]) for q in nodes[:i]]
         if min(apart) < spacing * (1.0 - 1e-9) and not np.array_equal(nodes[i], problem.goal):
@@ -190,8 +192,9 @@ def too_near(problem: Any, nodes: Array, spacing: float) -> Fault | None:
 
 
 def went_past(problem: Any, nodes: Array, path: Array | None, step: float) -> Fault | None:
-    """A node in free reach of the goal, after which the tree went on: with a path, any but the goal
-    and the one it hangs on.
+    """Return the fault of a tree that grew on although the goal could be added, or None.
+
+    With a path, only the goal and its parent may be within free reach of the goal.
     """
     for q in nodes[: len(nodes) - (0 if path is None else 2)]:
         if problem.distance(q, problem.goal) <= step * (
@@ -202,7 +205,10 @@ def went_past(problem: Any, nodes: Array, path: Array | None, step: float) -> Fa
 
 
 def not_at_the_goal(problem: Any, nodes: Array) -> Fault | None:
-    """A node off the straight way from start to goal, where every sample is the goal."""
+    """Return the fault of a node that is off the segment from start to goal, or None.
+
+    With goal bias 1 on open ground every node lies on that segment.
+    """
     whole = problem.distance(problem.start, problem.goal)
     for q in nodes:
         if problem.distance(problem.start, q) + problem.distance(q, problem.goal) > whole + 1e-6 * (

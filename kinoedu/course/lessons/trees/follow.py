@@ -1,5 +1,6 @@
-"""The exercise on planning with a receding horizon: how far a plan is followed. Bullo & Smith,
-chapter 5.
+"""The exercise on planning with a receding horizon: how far a robot follows its plan.
+
+Bullo & Smith, chapter 5.
 """
 
 from collections.abc import Iterator
@@ -19,7 +20,7 @@ from ..shared.small_problems import box, in_room
 
 
 def followed(problem: Any, path: Array, horizon: float) -> Array:
-    """The first part of a path, as long as the horizon, up to the first motion that is not free."""
+    """Return the first part of a path, as long as the horizon, up to the first blocked motion."""
     gone, left = [path[0]], horizon
     for a, b in zip(path, path[1:]):
         q = problem.steer(a, b, left)
@@ -31,7 +32,7 @@ def followed(problem: Any, path: Array, horizon: float) -> Array:
 
 
 def to_the_corner(problem: Any, path: Array, horizon: float) -> Array:
-    """Goes on to the end of the motion on which the horizon ends."""
+    """Go on to the end of the motion in which the horizon ends."""
     gone, left = [path[0]], horizon
     for a, b in zip(path, path[1:]):
         if left <= 0.0 or not problem.is_free_path(a, b):
@@ -42,7 +43,7 @@ def to_the_corner(problem: Any, path: Array, horizon: float) -> Array:
 
 
 def before_the_corner(problem: Any, path: Array, horizon: float) -> Array:
-    """Stops at the last corner before the horizon."""
+    """Stop at the last corner before the horizon."""
     whole = followed(problem, path, horizon)
     return (
         whole if len(whole) < 2 or np.array_equal(whole[-1], path[len(whole) - 1]) else whole[:-1]
@@ -50,7 +51,7 @@ def before_the_corner(problem: Any, path: Array, horizon: float) -> Array:
 
 
 def trusting(problem: Any, path: Array, horizon: float) -> Array:
-    """Asks nothing of the motions."""
+    """Check no motion."""
     gone, left = [path[0]], horizon
     for a, b in zip(path, path[1:]):
         if left > 0.0:
@@ -60,7 +61,7 @@ def trusting(problem: Any, path: Array, horizon: float) -> Array:
 
 
 def each_within(problem: Any, path: Array, horizon: float) -> Array:
-    """Measures every motion anew."""
+    """Begin a new horizon at every corner."""
     gone = [path[0]]
     for a, b in zip(path, path[1:]):
         q = problem.steer(a, b, horizon)
@@ -73,7 +74,7 @@ def each_within(problem: Any, path: Array, horizon: float) -> Array:
 
 
 def asking_beyond(problem: Any, path: Array, horizon: float) -> Array:
-    """Asks about motions as the plan has them, beyond the horizon too."""
+    """Check whole motions of the path, also beyond the horizon."""
     whole = followed(problem, path, horizon)
     for i, (a, b) in enumerate(zip(path[: len(whole) - 1], path[1:])):
         if not problem.is_free_path(a, b):
@@ -82,7 +83,7 @@ def asking_beyond(problem: Any, path: Array, horizon: float) -> Array:
 
 
 class Follow(ValueExercise):
-    """The stretch of a plan that a robot follows before it looks again."""
+    """Find the part of a plan that a robot follows before it senses again."""
 
     name = "follow"
     lesson = "09_trees"
@@ -101,13 +102,11 @@ class Follow(ValueExercise):
 
     @staticmethod
     def reference(*given: Any) -> Any:
-        """The stretch."""
+        """Return the part that is followed."""
         return followed(*given)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """One motion; round corners; a horizon beyond the goal; a wall that the plan did not
-        know.
-        """
+        """Yield one motion, corners, a horizon beyond the goal, and an unexpected wall."""
         free = in_room((1, 1), (9, 5))
         yield case("straight", free, [(1, 1), (9, 1)], 3.0)
         yield case("corners", free, [(1, 1), (4, 1), (4, 9)], 5.0)
@@ -149,11 +148,11 @@ class Follow(ValueExercise):
             )
 
     def same(self, value: Any, truth: Any) -> bool:
-        """Row for row."""
+        """Whether all rows are the same."""
         return np.shape(value) == np.shape(truth) and super().same(value, truth)
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The plan, the stretch that should be followed, and the student's end of it."""
+        """Draw the plan, the part that should be followed, and where the student's part ends."""
         from ....figures import palette
 
         problem, path = case.given["problem"], case.given["path"]
@@ -168,5 +167,5 @@ class Follow(ValueExercise):
 
 
 def case(kind: str, problem: Asked, path: Any, horizon: float) -> Case:
-    """A case."""
+    """Return a case."""
     return Case(kind, {"problem": problem, "path": np.array(path, float), "horizon": horizon})

@@ -1,5 +1,6 @@
-"""The exercise on one insertion of RRT*. Karaman, Frazzoli, "Sampling-based algorithms for optimal
-motion planning" (2011).
+"""The exercise on one insertion of RRT*.
+
+S. Karaman, E. Frazzoli, "Sampling-based algorithms for optimal motion planning" (2011).
 """
 
 from collections.abc import Iterator
@@ -62,7 +63,7 @@ def inserted(
 
 
 def upwards(node: int, parent: list[int]) -> list[int]:
-    """A node, its parent, its parent's parent, and so on."""
+    """Return a node, its parent, its parent's parent, and so on to the root."""
     way = []
     while node >= 0:
         way.append(node)
@@ -71,7 +72,7 @@ def upwards(node: int, parent: list[int]) -> list[int]:
 
 
 class Insert(ValueExercise):
-    """Hang a new node where it costs least, and its neighbours below it where that costs less."""
+    """Attach a new node at least cost, and rewire its neighbours where that is cheaper."""
 
     name = "insert"
     lesson = "09_trees"
@@ -96,11 +97,11 @@ class Insert(ValueExercise):
 
     @staticmethod
     def reference(*given: Any) -> Any:
-        """The parents and the costs."""
+        """Return the parents and the costs."""
         return inserted(*given)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """On paper; then by chance, each of the kind that it is."""
+        """Yield cases that can be done on paper, then random ones of each kind."""
         yield by_hand("parent", OPEN, [(1, 1), (4, 1), (4, 4)], [-1, 0, 1], (3, 3), 3.0)
         yield by_hand("parent", OPEN, [(1, 1), (1, 5), (5, 5)], [-1, 0, 0], (7, 8), 7.0)
         yield by_hand(
@@ -132,7 +133,7 @@ class Insert(ValueExercise):
                 yield grown_case(rng, WALL)
 
     def same(self, value: Any, truth: Any) -> bool:
-        """The same parents, and costs that are equal but for rounding."""
+        """Whether the parents are the same, and the costs up to rounding."""
         return (
             len(value[0]) == len(truth[0])
             and (np.array(value[0]) == truth[0]).all()
@@ -140,9 +141,7 @@ class Insert(ValueExercise):
         )
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The tree that should be, and a cross on the first node that has another parent or
-        cost.
-        """
+        """Draw the right tree, and a cross at the first node with a wrong parent or cost."""
         from ....figures import palette, plane
 
         problem, nodes = (
@@ -176,7 +175,7 @@ class Insert(ValueExercise):
 
 
 def differs(value: Any, parent: list[int], cost: list[float], i: int) -> bool:
-    """Whether an answer is another for node i."""
+    """Whether an answer has another parent or another cost for node i."""
     parents, costs = value
     return (
         i >= min(len(parents), len(costs))
@@ -186,7 +185,7 @@ def differs(value: Any, parent: list[int], cost: list[float], i: int) -> bool:
 
 
 def by_hand(kind: str, problem: Asked, nodes: Any, parent: Any, q_new: Any, radius: float) -> Case:
-    """A case with the costs that belong to its tree."""
+    """Return a case with the costs that belong to its tree."""
     places, above = np.array(nodes, float), np.array(parent)
     cost = np.zeros(len(places))
     for i in range(len(places)):
@@ -197,8 +196,11 @@ def by_hand(kind: str, problem: Asked, nodes: Any, parent: Any, q_new: Any, radi
 
 
 def by_chance(rng: np.random.Generator, problem: Asked, n: int) -> Case | None:
-    """A small free tree and a new node, of the kind that it is; None where two answers would be
-    nearly as good.
+    """Draw a small free tree and a new node, and classify the case.
+
+    Returns
+    -------
+    The case; None where two answers would be nearly equally good.
     """
     nodes = np.round(rng.uniform(0.5, 9.5, (n, 2)), 1)
     nodes[0] = problem.start
@@ -209,9 +211,7 @@ def by_chance(rng: np.random.Generator, problem: Asked, n: int) -> Case | None:
 
 
 def grown_case(rng: np.random.Generator, problem: Asked) -> Case:
-    """A tree that an RRT grew, in which two nodes were put in already, and a new node within a step
-    of it.
-    """
+    """Draw a tree of an RRT with two nodes inserted, and a new node near it."""
     nodes, parent, _ = own_rrt(
         problem, 1.0, 0.0, int(rng.integers(20, 80)), int(rng.integers(10**6))
     )
@@ -227,8 +227,9 @@ def grown_case(rng: np.random.Generator, problem: Asked) -> Case:
 
 
 def is_fair(given: dict[str, Any]) -> bool:
-    """Whether the tree is free, the new node has a free neighbour, and no two costs that are
-    compared are nearly equal.
+    """Whether the case is valid and no two costs that are compared are nearly equal.
+
+    It is valid if the tree is free and the new node has a neighbour with a free motion.
     """
     problem, nodes, parent, cost, q_new, radius = given.values()
     if (
@@ -250,7 +251,7 @@ def is_fair(given: dict[str, Any]) -> bool:
 
 
 def kind_of(given: dict[str, Any]) -> str:
-    """What the case asks for beyond what the simpler kinds do."""
+    """Return which part of the insertion the case needs."""
     truth = inserted(*given.values())
     if inserted(*given.values(), checks=False) != truth:
         return "blocked"

@@ -24,7 +24,7 @@ PILLARS = in_room((1, 1), (9, 9), box(3, 3, 5, 5), box(6, 1, 7, 6), box(2, 7, 8,
 def grown(
     problem: Any, expand: Any, iterations: int, rng: int, *, accepts: Callable[..., bool]
 ) -> tuple[Array, NDArray[np.int64]]:
-    """The tree that an expansion grows, with those of its edges that are accepted."""
+    """Grow a tree by an expansion, with only those of its edges that are accepted."""
     chance, nodes, parent = np.random.default_rng(rng), [problem.start], [-1]
     for _ in range(iterations):
         node, q = expand(problem, np.array(nodes), chance)
@@ -37,36 +37,36 @@ def grown(
 def free_tree(
     problem: Any, expand: Any, iterations: int, rng: int
 ) -> tuple[Array, NDArray[np.int64]]:
-    """The tree of all edges that are free."""
+    """Grow the tree of all free edges."""
     return grown(
         problem, expand, iterations, rng, accepts=lambda problem, a, b: problem.is_free_path(a, b)
     )
 
 
 def unchecked(*given: Any) -> Any:
-    """Adds every edge."""
+    """Add every edge."""
     return grown(*given, accepts=lambda problem, a, b: True)
 
 
 def ends_only(*given: Any) -> Any:
-    """Asks whether the new end is free."""
+    """Check only whether the new node is free."""
     return grown(*given, accepts=lambda problem, a, b: problem.is_free(b))
 
 
 def parents_from_one(*given: Any) -> Any:
-    """Counts from 1."""
+    """Count parents from 1."""
     nodes, parent = free_tree(*given)
     return nodes, np.where(parent < 0, -1, parent + 1)
 
 
 def chained(*given: Any) -> Any:
-    """Every node hangs on the one before it."""
+    """Attach every node to the one before it."""
     nodes, _ = free_tree(*given)
     return nodes, np.arange(len(nodes)) - 1
 
 
 class TreeRoadmap(ValueExercise):
-    """A tree grown by an expansion that is given."""
+    """Grow a tree with a given expansion function."""
 
     name = "tree_roadmap"
     lesson = "09_trees"
@@ -84,11 +84,11 @@ class TreeRoadmap(ValueExercise):
 
     @staticmethod
     def reference(*given: Any) -> Any:
-        """The tree of all free edges."""
+        """Return the tree of all free edges."""
         return free_tree(*given)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """No iteration, one, a few; then many, by every expansion."""
+        """Yield no iteration, one and a few; then many, with every expansion."""
         for iterations in (0, 1, 2, 3, 4, 5):
             for trap in ("room", "wall"):
                 yield case("few", TRAPS[trap], "reach_out", iterations, rng)
@@ -104,24 +104,24 @@ class TreeRoadmap(ValueExercise):
                 )
 
     def same(self, value: Any, truth: Any) -> bool:
-        """The same nodes, in the same order, with the same parents."""
+        """Whether the nodes are the same, in the same order, with the same parents."""
         return all(
             np.shape(a) == np.shape(b) and np.allclose(a, b, rtol=0, atol=1e-9)
             for a, b in zip(value, truth)
         )
 
     def wanted(self, case: Case) -> str:
-        """How many nodes of how many were to be added."""
+        """Describe the size of the right tree."""
         nodes, _ = self.truth(case)
         return self.words("wanted", nodes=len(nodes), iterations=case.given["iterations"])
 
     def answer_words(self, case: Case, value: Any) -> str:
-        """How many nodes there are, and the first that is another."""
+        """Describe the size of the student's tree and its first wrong node."""
         at = first_other(value, self.truth(case))
         return self.words("answered", nodes=len(value[0]), node=at)
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The student's tree, with what is wrong in it."""
+        """Draw the student's tree and its first fault."""
         problem = case.given["problem"]
         trees = [Tree(*outcome.value)] if isinstance(outcome, Answer) else []
         fault = why_not_a_tree(problem, *trees[0], step=np.inf) if trees else None
@@ -133,7 +133,7 @@ class TreeRoadmap(ValueExercise):
 
 
 def first_other(value: Any, truth: Any) -> int:
-    """The number of the first node that differs from the true one, in place or in parent."""
+    """Return the index of the first node that differs in position or parent."""
     for i, (p, q, a, b) in enumerate(zip(value[0], truth[0], value[1], truth[1])):
         if np.shape(p) != np.shape(q) or not np.allclose(p, q, rtol=0, atol=1e-9) or a != b:
             return i
@@ -141,7 +141,7 @@ def first_other(value: Any, truth: Any) -> int:
 
 
 def case(kind: str, problem: Any, name: str, iterations: int, rng: np.random.Generator) -> Case:
-    """A case with a seed by chance."""
+    """Return a case with a random seed."""
     seed = int(rng.integers(1000))
     return Case(
         kind,
