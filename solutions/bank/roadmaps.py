@@ -453,7 +453,7 @@ def components_by_places(problem, nodes, k):
 
 @wrong("component_k_closest")
 def never_merged(problem, nodes, k):
-    """Joins each node to the first component only, and so never merges components."""
+    """Adds each node to the first component that it joins, and never merges components."""
     components, pairs = [], []
     for i in range(len(nodes)):
         home = None

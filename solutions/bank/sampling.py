@@ -284,7 +284,7 @@ def cut_off_at_the_walls(n, d, rng):
 
 @wrong("uniform_random")
 def bell_curve(n, d, rng):
-    """Draws normal numbers and drops outliers."""
+    """Draws normal numbers and wraps them into the unit interval."""
     drawn = np.random.default_rng(rng).normal(0.5, 0.2, (n, d))
     return drawn % 1.0
 

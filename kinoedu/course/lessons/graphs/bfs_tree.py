@@ -18,11 +18,7 @@ from .on_graphs import NODES, OnGraph
 from .pictures import draw_tree_answer
 
 NEIGHBOURS = Listed(NODES)
-
-
 LINE, RING = [(0, 1), (1, 2)], [(0, 1), (1, 2), (2, 3), (0, 3)]
-
-
 ROUND_TRIP, TRIANGLE = [(0, 1), (1, 2), (2, 0)], [(0, 1), (0, 2), (1, 2)]
 
 

@@ -19,8 +19,6 @@ from .on_graphs import NODES, OnGraph
 from .pictures import draw_path_answer
 
 FORK = [(0, 1), (1, 2), (0, 3)]
-
-
 KINDS = ("small", "cycle", "directed", "unreachable", "start_is_goal")
 
 
@@ -52,7 +50,8 @@ class PathExercise(OnGraph):
             yield from self.asked(
                 kind, lists(n, edges, directed=kind == "directed")[0], start, goal
             )
-        yield from self.asked("unreachable", [[], [0]], 0, 1)  # against the only edge
+        # the only edge leads the other way
+        yield from self.asked("unreachable", [[], [0]], 0, 1)
         for shape, neighbours, _ in random_graphs(rng):
             kind = {"tree": "small", "parts": "unreachable"}.get(shape, shape)
             yield from self.asked(

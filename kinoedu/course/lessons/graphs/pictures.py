@@ -11,9 +11,9 @@ from ....words import say
 from ...exercise import Case, Exercise, spoken
 from ..shared.random_graphs import as_graph, symmetric
 
-MOST_LABELS = 30  # nodes with words beside them
-MOST_STEPS = 100  # of a path: a longer one is told in words
-# figures are imported inside the functions: matplotlib is not needed until something is wrong
+MOST_LABELS = 30  # nodes that get labels
+MOST_STEPS = 100  # edges of a path that are drawn; a longer path is only described
+# functions import figures themselves: matplotlib is needed only where an answer is wrong
 
 
 def draw_tree_answer(
@@ -167,7 +167,7 @@ def draw_ground(case: Case, ax: Any, *, highlight: list[int]) -> Any:
     graphs.draw_graph(graph, ax, highlight=highlight)
     for u, v in graph.edges.tolist() if weights is not None and graph.size <= 16 else []:
         (x, y), aside = places[v] - places[u], graphs.bend(graph, u, v) / 2
-        weight = weights[u][neighbours[u].index(v)]  # the graph itself would refuse a negative one
+        weight = weights[u][neighbours[u].index(v)]  # the Graph refuses negative weights
         at = (places[u] + places[v]) / 2 + aside * np.array([y, -x])
         graphs.beside(at, f"{weight:.3g}", ax, (0, -5), palette.INK, "center")
     return places

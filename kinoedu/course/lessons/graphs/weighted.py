@@ -8,11 +8,7 @@ from ..shared.graph_slips import undirected, undirected_weights
 from ..shared.random_graphs import Neighbours, Weights
 
 WEIGHTS = Listed(Listed(Number()))
-
-
 DETOUR = [(0, 1, 1), (1, 2, 1), (0, 2, 5)]
-
-
 LATE_GAIN = [(0, 1, 1), (0, 2, 4), (1, 2, 2), (2, 3, 1)]
 
 

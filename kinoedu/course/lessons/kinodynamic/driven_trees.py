@@ -19,8 +19,8 @@ from ...outcomes import Answer, Outcome
 from ..shared.planned import Fault, PlannerExercise
 
 GOAL_EVERY, REGION_EVERY = 4, 7
-MANY = 20  # turns from which chance can be told
-SLACK = 1e-9  # what a duration or a distance may be off, as a share of it
+MANY = 20  # iterations with random targets from which randomness can be judged
+SLACK = 1e-9  # relative tolerance of durations and distances
 NOWHERE = np.empty((0, 3))
 Path = NDArray[np.int64]
 

@@ -11,14 +11,9 @@ from ....geometry.checks import Array
 from ...shapes import Numbers
 from ...whole_shapes import WholeNumbers
 from ..shared.planned import Fault
-from .driven_trees import (
-    GOAL_EVERY,
-    REGION_EVERY,
-)
+from .driven_trees import GOAL_EVERY, REGION_EVERY
 
 TURNS = {"same": 20, "room": 300, "turn": 95, "seam": 300, "thin": 300, "far": 60, "sealed": 100}
-
-
 CONTROLS, DURATIONS, ROUTE = Numbers(("n", 2)), Numbers(("n",)), WholeNumbers(("k",))
 
 

@@ -24,15 +24,15 @@ POSTS = [box(x, y, x + 0.5, y + 0.5) for x in range(20, 200, 40) for y in range(
 GARAGES = {
     "same": in_garage((60, 60, 0.5), (60, 60, 0.5)),
     "room": in_garage((70, 100, 0), (88, 100, 0)),
-    "turn": in_garage((1500, 1500, 0), (1500, 1500, 1.2), size=3000.0),  # no wall is in reach
+    # no wall can be reached
+    "turn": in_garage((1500, 1500, 0), (1500, 1500, 1.2), size=3000.0),
     "seam": in_garage((96, 100, 2.92), (80, 103.5, math.pi)),
     "thin": in_garage((35, 40, 0), (115, 80, 0), *POSTS),
-    "far": in_garage(
-        (1500, 1500, 0), (2700, 2400, 1), size=3000.0
-    ),  # farther away than it can drive
+    # the goal cannot be reached in the given number of iterations
+    "far": in_garage((1500, 1500, 0), (2700, 2400, 1), size=3000.0),
     "sealed": in_garage(
         (50, 50, 0), (165, 165, 0.8), box(130, 130, 200, 131), box(130, 130, 131, 200)
     ),
 }
 KINDS = tuple(GARAGES)
-OPEN = ("turn", "far")  # where no drive can fail, so that every turn adds its nodes
+OPEN = ("turn", "far")  # every drive is free, so that every iteration adds its nodes

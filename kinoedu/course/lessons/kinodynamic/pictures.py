@@ -14,7 +14,7 @@ from ....words import say
 from ...exercise import Case, ValueExercise, spoken
 from ..shared.car_pictures import arc, frame_both
 
-# figures are imported inside the functions: matplotlib is not needed until something is wrong
+# functions import figures themselves: matplotlib is needed only where an answer is wrong
 
 
 def draw_driven_answer(problem: Any, built: Any, fault: Any, words: str, ax: Any) -> None:

@@ -17,23 +17,43 @@ from ...shapes import Numbers, Record
 from .pictures import draw_scenarios
 from .scenarios import Hits, contacts, gaps
 
-CLEAR = 1e-4  # in no scenario does a path come nearer than this to just touching
+CLEAR = 1e-4  # scenarios in which a path nearly touches a disc, by less than this, are left out
 Z = 1.96
-TINY = (
-    0.01  # a disc with a smaller radius slips between the points of a path that a program looks at
+# a disc with a smaller radius fits between the points of a path that a program samples
+TINY = 0.01
+
+# kind, path, discs, and a list of offsets for each scenario: cases that can be drawn by hand
+SHORT, LONG, BENT = [(0, 0), (4, 0)], [(0, 0), (6, 0)], [(0, 0), (4, 0), (4, 4)]
+PAIR = [(1, 2, 1), (4, 2, 1)]
+SMALL: tuple[tuple[str, Any, Any, Any], ...] = (
+    ("one", SHORT, [(2, 1.5, 1)], [[(0, 0)], [(0, -1)], [(0, 1)], [(5, 0)]]),
+    ("one", SHORT, [(6.5, 0, 1)], [[(0, 0)], [(-1, 0.2)], [(-2, 0)], [(0, -0.5)]]),
+    (
+        "one",
+        [(0, 0), (20, 0)],
+        [(7, 0.0004, 0.001)],
+        [[(0.0123, 0)], [(3.4567, 0)], [(-5.4321, 0)], [(6, 0.5)]],
+    ),
+    ("bent", BENT, [(6, 2, 1)], [[(0, 0)], [(-1.5, 0)], [(-4, 0)], [(-3.5, -1.8)]]),
+    (
+        "several",
+        LONG,
+        PAIR,
+        [
+            [(0, -1.5), (0, -1.5)],
+            [(0, 0), (0, -1.5)],
+            [(0, -1.5), (0, 1)],
+            [(0, 0), (0, 0)],
+        ],
+    ),
+    ("none", SHORT, [(2, 2, 1)], [[(0, 0)], [(1, 0)], [(0, 1)], [(0, -0.5)]]),
+    (
+        "all",
+        LONG,
+        PAIR,
+        [[(0, -1.5), (0, 0)], [(0, 0), (0, -1.5)], [(0, 1), (0, -1.5)]],
+    ),
 )
-
-
-SMALL = (  # kind, path, discs, and a list of offsets for each scenario: what can be drawn by hand
-    ("one", [(0, 0), (4, 0)], [(2, 1.5, 1)], [[(0, 0)], [(0, -1)], [(0, 1)], [(5, 0)]]),
-    ("one", [(0, 0), (4, 0)], [(6.5, 0, 1)], [[(0, 0)], [(-1, 0.2)], [(-2, 0)], [(0, -0.5)]]),
-    ("one", [(0, 0), (20, 0)], [(7, 0.0004, 0.001)], [[(0.0123, 0)], [(3.4567, 0)], [(-5.4321, 0)], [(6, 0.5)]]),
-    ("bent", [(0, 0), (4, 0), (4, 4)], [(6, 2, 1)], [[(0, 0)], [(-1.5, 0)], [(-4, 0)], [(-3.5, -1.8)]]),
-    ("several", [(0, 0), (6, 0)], [(1, 2, 1), (4, 2, 1)], [[(0, -1.5), (0, -1.5)], [(0, 0), (0, -1.5)], [(0, -1.5), (0, 1)],
-                                                           [(0, 0), (0, 0)]]),
-    ("none", [(0, 0), (4, 0)], [(2, 2, 1)], [[(0, 0)], [(1, 0)], [(0, 1)], [(0, -0.5)]]),
-    ("all", [(0, 0), (6, 0)], [(1, 2, 1), (4, 2, 1)], [[(0, -1.5), (0, 0)], [(0, 0), (0, -1.5)], [(0, 1), (0, -1.5)]]),
-)  # fmt: skip
 
 
 def with_interval(hits: float, n: int) -> Array:

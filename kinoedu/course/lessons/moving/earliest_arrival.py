@@ -17,7 +17,7 @@ from ...shapes import Listed, Numbers, Record
 from ...whole_shapes import Whole
 from .pictures import draw_schedule
 
-LATE = 1e-6  # what a time may be off
+LATE = 1e-6  # tolerance of times
 END = 30.0
 
 Safe = list[list[tuple[float, float]]]

@@ -16,9 +16,9 @@ from ...shapes import Number, Numbers, Record
 from .pictures import draw_contact
 
 PLACE = Numbers((2,))
-CLEAR = 0.01  # no case grazes the disc, begins or ends on its rim by less than this
-# contacts that are over sooner are seen by no program that looks now and then; by chance none of
-# ours is so short
+# cases that graze the disc, or begin or end on its rim, by less than this are left out
+CLEAR = 0.01
+# a contact shorter than this is missed by programs that sample; no random case is so short
 BRIEF = 0.002
 
 

@@ -13,10 +13,10 @@ from ....words import say
 from ...exercise import Case, Exercise, ValueExercise, spoken
 from .scenarios import contacts
 
-# figures are imported inside the functions: matplotlib is not needed until something is wrong
+# functions import figures themselves: matplotlib is needed only where an answer is wrong
 
-MOST_DRAWN = 40  # scenarios
-SPECK = 0.01  # the radius of a disc that is too small to be seen as a ring
+MOST_DRAWN = 40  # scenarios that are drawn
+SPECK = 0.01  # a disc of a smaller radius is too small to be drawn as a ring
 
 
 def told(value: float | None) -> str:

@@ -21,11 +21,7 @@ Matrix = NDArray[np.int64]
 
 
 TOUCHED = PolygonWorld(SQUARE, [box(4, 2, 6, 4.5)])
-
-
 STICK = RigidPolygon([(-0.8, -0.2), (0.8, -0.2), (0.8, 0.2), (-0.8, 0.2)])
-
-
 CORRIDOR = PolygonWorld([(0, 0), (10, 0), (10, 1.4), (0, 1.4)], [box(4.9, 0, 5.1, 0.8)])
 
 
@@ -103,14 +99,12 @@ class AdjacencyMatrix(ValueExercise):
                 SQUARE, [box(wall, 0, wall + 0.01, float(np.round(rng.uniform(5.0, 8.0), 1)))]
             )
             yield case("wall", Disk(0.005), thin, rng, 5)
-            x = np.round(
-                np.concatenate([rng.uniform(1.0, 3.8, 3), rng.uniform(6.2, 9.0, 2)]), 2
-            )  # a sill is between the two sides
+            # a sill is between the three nodes on the left and the two on the right
+            x = np.round(np.concatenate([rng.uniform(1.0, 3.8, 3), rng.uniform(6.2, 9.0, 2)]), 2)
             poses = np.column_stack([x, np.full(5, 0.7), rng.choice([0.0, 0.2, 3.0, -3.0], 5)])
             yield Case("turn", {"problem": at_rest(STICK, CORRIDOR, poses[0]), "nodes": poses})
-        beside = np.array(
-            [(2, 5), (8, 5), (5, 8)], float
-        )  # the disk touches the box on its way from the first to the second
+        # the disk touches the box between the first and the second node
+        beside = np.array([(2, 5), (8, 5), (5, 8)], float)
         yield Case("two", {"problem": at_rest(Disk(0.5), TOUCHED, beside[0]), "nodes": beside})
         for _ in range(10):
             world = scattered(8, side=10.0, radius=1.4, rng=rng)

@@ -20,8 +20,7 @@ from ...shapes import Numbers, Record, Together
 from ..geometry.lines import POINT
 from .pictures import draw_swept
 
-# the radius of the largest disk in the obstacle that is asked for: half the room between two chords
-# is 0.5
+# least inradius of the obstacle; half the gap between two chords is 0.5
 THICK = 0.45
 
 
@@ -68,7 +67,7 @@ def chords_hit(a: Array, b: Array, obstacle: Array) -> bool:
 
     The program is wrong somewhere. Where?
     """
-    for p, q in chords(a, b):  # of the middle, and of four points of the rim
+    for p, q in chords(a, b):  # of the centre, and of four points of the rim
         if point_in_polygon(p, obstacle):
             return True
         for c, d in zip(obstacle, np.roll(obstacle, -1, axis=0)):

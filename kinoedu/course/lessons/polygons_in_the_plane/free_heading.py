@@ -22,11 +22,11 @@ from ...tasks import Asked, Task
 from ..shared.small_problems import SQUARE
 from .pictures import draw_heading
 
-LEAST = 0.2  # radians: where there is a free heading, there are so many side by side
+LEAST = 0.2  # radians: no interval of free headings is shorter
 BAR = RigidPolygon([(-0.5, -0.3), (2.5, -0.3), (2.5, 0.3), (-0.5, 0.3)])
 HOOK = RigidPolygon([(-0.4, -0.4), (1.8, -0.4), (1.8, 0.0), (0.0, 0.0), (0.0, 1.2), (-0.4, 1.2)])
-HALF = 0.56  # of the width of a dead end: the bar has little more than LEAST in it
-CORNER = (1.4, 1.4, 0.0)  # where robots stand at first: free in every world here
+HALF = 0.56  # half the width of a dead end, in which the bar has little more than LEAST
+CORNER = (1.4, 1.4, 0.0)  # the robot's start, which is free in every world
 
 
 class FreeHeading(Exercise):

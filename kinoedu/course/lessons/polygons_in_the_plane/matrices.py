@@ -16,14 +16,9 @@ from ...whole_shapes import Whole, WholeNumbers
 from ..graphs.paths import PathExercise
 from ..shared.random_graphs import Neighbours, symmetric
 
-CROWD = np.pad(
-    1 - np.eye(13, dtype=np.int64), (0, 1)
-)  # everyone is joined to everyone, but for the last
-
-
+# a complete graph, and a node without edges
+CROWD = np.pad(1 - np.eye(13, dtype=np.int64), (0, 1))
 LESSON = "11_polygons_in_the_plane"
-
-
 MATRIX = WholeNumbers(("n", "n"))
 
 

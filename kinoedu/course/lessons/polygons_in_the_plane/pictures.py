@@ -10,7 +10,7 @@ import numpy as np
 from ....geometry.checks import Array
 from ....words import say
 
-# figures are imported inside the functions: matplotlib is not needed until something is wrong
+# functions import figures themselves: matplotlib is needed only where an answer is wrong
 
 
 def draw_heading(

@@ -26,14 +26,13 @@ def stick(start: Any, goal: Any, *obstacles: Any, robot: Any = STICK) -> Asked:
 TASKS = {
     "same": stick((4, 5, 1), (4, 5, 1)),
     "room": stick((2, 3, 0), (8, 7, 1)),
-    "seam": stick((5, 5, 3.0), (5.5, 5, -3.0)),  # the short way is across pi
+    "seam": stick((5, 5, 3.0), (5.5, 5, -3.0)),  # the short way leads across pi
     "door": stick((2.5, 5, 0), (7.5, 5, 0), box(4.9, 0, 5.1, 4), box(4.9, 6, 5.1, 10)),
     "wall": stick((2, 2, 1.57), (8, 2, 1.57), box(4, 0, 6, 7.5)),
     "sealed": stick((2, 2, 0), (8.85, 8.85, 0), box(7.5, 7.5, 10, 7.7), box(7.5, 7.5, 7.7, 10)),
 }
-SHEET = stick(
-    (4.3, 2, 1.57), (5.9, 2, 1.57), box(5, 0, 5.002, 7.5), robot=NEEDLE
-)  # between places along the motion
+# a sheet that fits between sampled points of a motion
+SHEET = stick((4.3, 2, 1.57), (5.9, 2, 1.57), box(5, 0, 5.002, 7.5), robot=NEEDLE)
 
 
 class RrtForPolygon(Rrt):

@@ -21,8 +21,8 @@ from ..decomposition.free_intervals import RING
 from ..shared.random_worlds import edges_round
 from .halls import bends
 
-FEWEST, MOST = 5, 40  # vertices
-LARGEST = 100.0  # whole numbers so small that the middle of two of them is exact
+FEWEST, MOST = 5, 40  # number of vertices
+LARGEST = 100.0  # midpoints of whole numbers up to this are exact
 REFUSALS = (InvalidPoint, InvalidPolygon, InvalidWorld)
 
 
@@ -118,12 +118,9 @@ def sees(a: Array, b: Array, obstacles: list[Array]) -> bool:
     The program is wrong somewhere. Where?
     """
     for cx, cy, dx, dy in edges_round(obstacles[0], obstacles[1:]):
-        across = (
-            turn(*a, *b, cx, cy) * turn(*a, *b, dx, dy) < 0
-        )  # the edge's ends are on both sides of the way,
-        if (
-            across and turn(cx, cy, dx, dy, *a) * turn(cx, cy, dx, dy, *b) < 0
-        ):  # and a and b on both sides of the edge
+        # the ends of the edge are on both sides of the line of sight, a and b on both of the edge
+        across = turn(*a, *b, cx, cy) * turn(*a, *b, dx, dy) < 0
+        if across and turn(cx, cy, dx, dy, *a) * turn(cx, cy, dx, dy, *b) < 0:
             return False
     x, y = (a + b) / 2
     return not any(place(x, y, ring) > 0 for ring in obstacles)  # 1 is inside, 0 on the boundary

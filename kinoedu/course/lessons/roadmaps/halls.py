@@ -16,14 +16,12 @@ from ..shared.random_worlds import has_room, round_polygon
 FULL = 2.0 * np.pi
 HALL = np.array([(0, 0), (16, 0), (16, 10), (0, 10)], float)
 WALL = np.array([(7, 0.5), (9, 0.5), (9, 6), (7, 6)], float)
-SHEET = np.array(
-    [(8, 0.5), (8.001, 0.5), (8.001, 9), (8, 9)], float
-)  # thinner than places along a motion are apart
-GRAZING = (5.5, 4.5), (8.0, 7.0)  # the motion between them touches a corner of the wall
-ASTRIDE = (
-    (5.1, 3.0),
-    (11.37, 4.0),
-)  # of the sheet: no round share of the way between them lies in it
+# a wall so thin that it fits between sampled points of a motion
+SHEET = np.array([(8, 0.5), (8.001, 0.5), (8.001, 9), (8, 9)], float)
+# two points whose motion touches a corner of the wall
+GRAZING = (5.5, 4.5), (8.0, 7.0)
+# two points on both sides of the sheet; no simple fraction of their motion lies in it
+ASTRIDE = (5.1, 3.0), (11.37, 4.0)
 START, GOAL = (1.0, 1.0), (15.0, 1.0)
 
 

@@ -10,7 +10,7 @@ from ....geometry.checks import Array
 from .halls import distances, is_arm
 
 Pairs = NDArray[np.int64]
-SAMPLES = 50  # places along a motion that a hasty program asks about
+SAMPLES = 50  # points of a motion that a mistaken program checks
 
 
 def allowed(problem: Any, nodes: Array, pairs: Pairs) -> Pairs:

@@ -11,8 +11,8 @@ from ....geometry.checks import Array
 from ....words import say
 from .halls import FULL, is_arm
 
-MOST_NUMBERS = 25  # nodes with numbers beside them
-# figures are imported inside the functions: matplotlib is not needed until something is wrong
+MOST_NUMBERS = 25  # nodes that get numbers
+# functions import figures themselves: matplotlib is needed only where an answer is wrong
 
 
 def draw_joined(problem: Any, nodes: Array, truth: Any, value: Any, ax: Any) -> None:
@@ -103,7 +103,7 @@ def draw_roadmap_answer(problem: Any, truth: Any, value: Any, ax: Any) -> None:
     if value is None:
         plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
     else:
-        number_nodes(value[0], ax, first=2)  # start and goal have their names
+        number_nodes(value[0], ax, first=2)  # start and goal are labelled already
     plane.dot(problem.start, "start", ax, colour=palette.START, marker="s")
     plane.dot(problem.goal, "goal", ax, colour=palette.GOAL, marker="*")
 

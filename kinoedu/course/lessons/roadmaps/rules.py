@@ -22,12 +22,8 @@ Pairs = NDArray[np.int64]
 
 
 NODES = Numbers(("n", 2))
-
-
 PAIRS = WholeNumbers(("m", 2))
-
-
-ROUND = 12  # random cases of each kind
+ROUND = 12  # number of random cases of each kind
 
 
 def closest_pairs(problem: Any, nodes: Array, k: int) -> Pairs:

@@ -20,11 +20,10 @@ from .joining import allowed, are_pairs
 from .rules import Pairs, closest_pairs
 
 BUILT = Together((Numbers(("n", "d")), WholeNumbers(("m", 2))))
-MANY, SIDE = 160, 4  # nodes from which on boxes are counted, four along each side of the hall
-EVEN, UNEVEN = (
-    0.5,
-    90.0,
-)  # of 16 boxes' squared deviations over what is expected; outside once in 10^8 for random points
+MANY = 160  # nodes from which their spread is tested
+SIDE = 4  # boxes along each side of the hall
+# bounds of the chi-square statistic of 16 boxes; random points leave them once in 10^8 times
+EVEN, UNEVEN = 0.5, 90.0
 
 
 def sampled(problem: Any, n: int, k: int, rng: int) -> tuple[Array, Pairs]:

@@ -25,12 +25,10 @@ Seen = tuple[Array, NDArray[np.int64]]
 BOX = np.array([(6, 3), (10, 3), (10, 7), (6, 7)], float)
 TENT = np.array([(5, 3), (11, 3), (8, 7)], float)
 ANGLE = np.array([(5, 2), (11, 2), (11, 4), (7, 4), (7, 8), (5, 8)], float)
-CROWN = np.array(
-    [(5, 2), (11, 2), (11, 8), (9.5, 4), (8, 6), (6.5, 4), (5, 8)], float
-)  # its middle tip is not on its hull
-BENT_BOX = np.array(
-    [(6, 3), (8, 3), (10, 3), (10, 5), (10, 7), (6, 7)], float
-)  # two straight angles
+# its middle tip is convex, but not on its convex hull
+CROWN = np.array([(5, 2), (11, 2), (11, 8), (9.5, 4), (8, 6), (6.5, 4), (5, 8)], float)
+# two of its angles are straight
+BENT_BOX = np.array([(6, 3), (8, 3), (10, 3), (10, 5), (10, 7), (6, 7)], float)
 
 
 def seen_corners(problem: Any, obstacles: list[Array]) -> Seen:

@@ -17,7 +17,7 @@ from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record
 from .pictures import draw_holes
 
-APART = 0.02  # how far the bounds may be apart
+APART = 0.02  # the greatest allowed difference of the bounds
 SLACK = 1e-9
 
 

@@ -13,7 +13,7 @@ from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record
 from .pictures import draw_corridor
 
-WIDE = 0.031  # the widest that can hide is 1/32 = 0.03125 wide
+WIDE = 0.031  # the widest hidden corridor is 1/32 = 0.03125 wide
 SLACK = 1e-9
 
 
@@ -60,7 +60,7 @@ def finds_corridor(corridor: Array) -> bool:
     The program returns False for corridors that are wide open. Which?
     """
     x0, y0, x1, y1 = corridor
-    for k in (1, 2, 4, 8, 16):  # finer and finer, 341 points in all: what could hide from them?
+    for k in (1, 2, 4, 8, 16):  # finer and finer grids, 341 points in all: what could they miss?
         x, y = sukharev_grid(k * k).T
         if ((x0 < x) & (x < x1) & (y0 < y) & (y < y1)).any():
             return True

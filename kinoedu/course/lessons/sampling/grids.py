@@ -14,14 +14,8 @@ from ...whole_shapes import Whole
 from .pictures import draw_points
 
 POINTS = Numbers(("n", "d"))
-
-
 TOLERANCE = 1e-9
-
-
 DIMENSIONS = {1: "line", 2: "plane", 3: "space"}
-
-
 SMALL = [
     (2, 1),
     (4, 2),

@@ -13,11 +13,11 @@ from ....sampling import largest_empty_ball, sukharev_grid, van_der_corput
 from ....words import say
 from ...exercise import Case, Exercise
 
-# figures are imported inside the functions: matplotlib is not needed until something is wrong
+# functions import figures themselves: matplotlib is needed only where an answer is wrong
 
 CORNERS = [(0, 0), (1, 0), (1, 1), (0, 1), (0, 0)]
-FAR = 3.0  # points farther out are told in words
-BESIDE = 1.07  # where words stand, on the right of the unit square
+FAR = 3.0  # points farther out are described, not drawn
+BESIDE = 1.07  # x of labels, to the right of the unit square
 
 
 def draw_points(
@@ -40,7 +40,7 @@ def draw_points(
     from ....figures import palette, plane
 
     shown = np.empty((0, 2)) if found is None else flat(found)
-    near = shown[(np.abs(shown) <= FAR).all(axis=1)]  # nan is not near
+    near = shown[(np.abs(shown) <= FAR).all(axis=1)]  # false for nan
     d = next((points.shape[1] for points in (truth, found) if points is not None), 2)
     square(ax, near, [(0, 0.5), (1, 0.5)] if d == 1 else CORNERS)
     for share in np.arange(1, cells) / cells if cells else ():

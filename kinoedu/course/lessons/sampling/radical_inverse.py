@@ -33,7 +33,11 @@ SMALL = [
 ]
 
 
-SMALL += [(243, 3), (1000, 10), (10**6, 10)]  # powers of the base, whose logarithm is rounded down
+SMALL += [
+    (243, 3),
+    (1000, 10),
+    (10**6, 10),
+]  # powers of the base, whose logarithms are rounded down
 
 
 class RadicalInverse(ValueExercise):

@@ -14,12 +14,10 @@ from ...whole_shapes import Whole
 from .grids import DIMENSIONS, POINTS, fault_of_points
 from .pictures import draw_points
 
-BOXES = {1: 64, 2: 8, 3: 4}  # along each side: always 64 boxes
-MANY = 640  # points from which on the boxes are counted: ten for each
-EVEN, UNEVEN = (
-    16.0,
-    160.0,
-)  # of 64 boxes' squared deviations over what is expected; outside once in 10^9 for random points
+BOXES = {1: 64, 2: 8, 3: 4}  # boxes along each side by dimension: 64 in all
+MANY = 640  # points from which their spread is tested: ten in each box
+# bounds of the chi-square statistic of 64 boxes; random points leave them once in 10^9 times
+EVEN, UNEVEN = 16.0, 160.0
 
 
 class UniformRandom(Exercise):

@@ -13,7 +13,7 @@ from ...shapes import Numbers, Record, Together
 from ..geometry.lines import POINT
 from .motions import crossed, cuts, fault_of_motion, length, samples_along
 
-DEEP = 0.49  # of the half that samples are apart
+DEEP = 0.49  # least length in the rock; samples are 0.5 apart
 
 
 class ExposeSampling(Exercise):

@@ -4,7 +4,7 @@ import numpy as np
 
 from ....geometry.checks import Array
 
-MOST = 12  # cells either way
+MOST = 12  # cells along each side
 
 
 def length(a: Array, b: Array) -> float:
@@ -42,5 +42,5 @@ def fault_of_motion(free: Array, a: Array, b: Array) -> str:
     rows, columns = free.shape
     if not (1 <= rows <= MOST and 1 <= columns <= MOST) or not np.isin(free, (0, 1)).all():
         return "valid"
-    inside = all(0 < x < columns and 0 < y < rows for x, y in (a, b))  # false for nan as well
+    inside = all(0 < x < columns and 0 < y < rows for x, y in (a, b))  # false for nan
     return "" if inside else "inside"

@@ -12,7 +12,7 @@ from ....words import say
 from ...exercise import Case, Exercise, spoken
 from .motions import cuts, fault_of_motion, samples_along
 
-# figures are imported inside the functions: matplotlib is not needed until something is wrong
+# functions import figures themselves: matplotlib is needed only where an answer is wrong
 
 
 def draw_costs(exercise: Exercise, case: Case, found: float | None, truth: str, ax: Any) -> None:

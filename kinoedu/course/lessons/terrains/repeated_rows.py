@@ -11,12 +11,22 @@ from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record
 from ...whole_shapes import WholeNumbers
 
-# path length and seconds, RRT on six terrains, then PRM on the same: P. A. Maniar, "AI path
-# prediction and planning for autonomous vehicles", section 6
+# path length and seconds of RRT on six terrains, then of PRM on the same terrains: P. A. Maniar,
+# "AI path prediction and planning for autonomous vehicles", section 6
 PUBLISHED = (
-    (810.1928, 11.88077), (1295.298, 36.51574), (925.14, 23.3382), (1400.944, 36.13657), (1388.704, 36.13657), (1718.973, 25.15795),
-    (685.8932, 7.299953), (1076.54, 6.519054), (925.14, 23.3382), (1311.246, 9.929559), (1228.797, 5.207032), (1433.969, 9.230730),
-)  # fmt: skip
+    (810.1928, 11.88077),
+    (1295.298, 36.51574),
+    (925.14, 23.3382),
+    (1400.944, 36.13657),
+    (1388.704, 36.13657),
+    (1718.973, 25.15795),
+    (685.8932, 7.299953),
+    (1076.54, 6.519054),
+    (925.14, 23.3382),
+    (1311.246, 9.929559),
+    (1228.797, 5.207032),
+    (1433.969, 9.230730),
+)
 
 
 class RepeatedRows(ValueExercise):

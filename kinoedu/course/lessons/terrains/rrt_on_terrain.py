@@ -30,7 +30,8 @@ from ..shared.planned import (
 
 STEP, SPACING, FAILURES = 6.0, 3.0, 400
 KINDS = ("same", "open", "thin", "bag", "sealed")
-SMALL = 40  # cells either way
+LEAST = 45  # nodes of a tree that fills the terrain outside the sealed corner: 60 and more
+SMALL = 40  # cells along each side
 
 
 def on_terrain(blocked: Any, start: Any, goal: Any) -> Asked:
@@ -44,9 +45,8 @@ def on_terrain(blocked: Any, start: Any, goal: Any) -> Asked:
 TERRAINS = {
     "same": on_terrain([], (20.5, 20.5), (20.5, 20.5)),
     "open": on_terrain([(17, 12, 20, 16)], (5.5, 5.5), (34.5, 33.5)),
-    "thin": on_terrain(
-        [(33, 14, 34, 26)], (6.5, 20.5), (35.5, 20.5)
-    ),  # one cell thick, less than a step before the goal
+    # a wall one cell thick, less than a step from the goal
+    "thin": on_terrain([(33, 14, 34, 26)], (6.5, 20.5), (35.5, 20.5)),
     "bag": on_terrain(
         [(26, 10, 28, 30), (14, 10, 28, 12), (14, 28, 28, 30)], (22.5, 20.5), (34.5, 20.5)
     ),
@@ -174,9 +174,6 @@ class RrtOnTerrain(TerrainPlanner):
         """Return the tree and the path."""
         nodes, parent, path = answer
         return [Tree(nodes, parent)], path
-
-
-LEAST = 45  # nodes of a tree that has filled what is not sealed: it has 60 and more
 
 
 def too_near(problem: Any, nodes: Array, spacing: float) -> Fault | None:

@@ -3,8 +3,8 @@
 S. Karaman, E. Frazzoli, "Sampling-based algorithms for optimal motion planning" (2011).
 """
 
-from collections.abc import Iterator
-from typing import Any
+from collections.abc import Callable, Iterator
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,41 +25,105 @@ from .rrt import own_rrt
 LISTS = WholeNumbers(("n",)), Numbers(("n",))
 OPEN = in_room((1, 1), (9, 9))
 WALL = in_room((1, 1), (9, 9), box(4, 3, 4.6, 8))
+Parents = NDArray[np.int64]
+Insertion = tuple[list[int], list[float]]
+
+
+class WithoutObstacles(NamedTuple):
+    """The distances of a problem in which every motion is free."""
+
+    distance: Callable[[Array, Array], float]
+
+    def is_free_path(self, a: Array, b: Array) -> bool:
+        """Accept every motion."""
+        return True
 
 
 def inserted(
-    problem: Any,
-    nodes: Array,
-    parent: NDArray[np.int64],
-    cost: Array,
-    q_new: Array,
-    radius: float,
-    *,
-    chooses: bool = True,
-    rewires: bool = True,
-    passes_on: bool = True,
-    checks: bool = True,
-) -> tuple[list[int], list[float]]:
-    """Parents and costs after one insertion; without one of its parts, what those get who forget
-    it.
+    problem: Any, nodes: Array, parent: Parents, cost: Array, q_new: Array, radius: float
+) -> Insertion:
+    """Insert a node into a tree as RRT* does.
+
+    Returns
+    -------
+    Parents and costs of n + 1 nodes, the new one last.
     """
+    near, apart = find_neighbours(problem, nodes, q_new, radius)
+    best = min(near, key=lambda i: cost[i] + apart[i])
+    return rewire(near, apart, *attach(parent, cost, best, apart[best]))
+
+
+def find_neighbours(
+    problem: Any, nodes: Array, q_new: Array, radius: float
+) -> tuple[list[int], list[float]]:
+    """Return the nodes in the radius with a free motion, and the distance of every node."""
     apart = [problem.distance(q, q_new) for q in nodes]
-    near = [
-        i
-        for i in range(len(nodes))
-        if apart[i] <= radius and (not checks or problem.is_free_path(nodes[i], q_new))
-    ]
-    best = min(near, key=lambda i: cost[i] + apart[i] if chooses else apart[i])
-    parents, costs = [*parent.tolist(), best], [*cost.tolist(), cost[best] + apart[best]]
-    for i in near if rewires else []:
+    near = [i for i, q in enumerate(nodes) if apart[i] <= radius and problem.is_free_path(q, q_new)]
+    return near, apart
+
+
+def attach(parent: Parents, cost: Array, best: int, distance: float) -> Insertion:
+    """Append a node whose parent is `best`."""
+    return [*parent.tolist(), best], [*cost.tolist(), cost[best] + distance]
+
+
+def find_descendants(node: int, parents: list[int]) -> list[int]:
+    """Return a node and all nodes below it; the last of all nodes is not looked at."""
+    return [j for j in range(len(parents) - 1) if node in upwards(j, parents)]
+
+
+def rewire(
+    near: list[int],
+    apart: list[float],
+    parents: list[int],
+    costs: list[float],
+    *,
+    lowered: Callable[[int, list[int]], list[int]] = find_descendants,
+) -> Insertion:
+    """Make the last node the parent of each neighbour that becomes cheaper by it.
+
+    Parameters
+    ----------
+    lowered : returns the nodes whose cost falls together with that of a neighbour.
+    """
+    for i in near:
         gain = costs[i] - (costs[-1] + apart[i])
         if gain > 0.0:
-            parents[i] = len(nodes)
-            for below in (
-                [j for j in range(len(nodes)) if i in upwards(j, parents)] if passes_on else [i]
-            ):
-                costs[below] -= gain
+            parents[i] = len(apart)
+            for j in lowered(i, parents):
+                costs[j] -= gain
     return parents, costs
+
+
+def insert_at_nearest(
+    problem: Any, nodes: Array, parent: Parents, cost: Array, q_new: Array, radius: float
+) -> Insertion:
+    """Take the nearest neighbour as the parent instead of the cheapest."""
+    near, apart = find_neighbours(problem, nodes, q_new, radius)
+    best = min(near, key=lambda i: apart[i])
+    return rewire(near, apart, *attach(parent, cost, best, apart[best]))
+
+
+def insert_without_rewiring(
+    problem: Any, nodes: Array, parent: Parents, cost: Array, q_new: Array, radius: float
+) -> Insertion:
+    """Choose the parent of the new node, and change no other node."""
+    near, apart = find_neighbours(problem, nodes, q_new, radius)
+    best = min(near, key=lambda i: cost[i] + apart[i])
+    return attach(parent, cost, best, apart[best])
+
+
+def insert_without_descendants(*given: Any) -> Insertion:
+    """Rewire neighbours, and leave the costs of their descendants as they were."""
+    problem, nodes, _, _, q_new, radius = given
+    near, apart = find_neighbours(problem, nodes, q_new, radius)
+    tree = insert_without_rewiring(*given)
+    return rewire(near, apart, *tree, lowered=lambda i, parents: [i])
+
+
+def insert_unchecked(problem: Any, *given: Any) -> Insertion:
+    """Insert a node as if every motion were free."""
+    return inserted(WithoutObstacles(problem.distance), *given)
 
 
 def upwards(node: int, parent: list[int]) -> list[int]:
@@ -89,24 +153,20 @@ class Insert(ValueExercise):
     source = staticmethod(inserted)
     shown = staticmethod(grow_shortest)
     slips = (
-        Slip("nearest", lambda *given: inserted(*given, chooses=False)),
-        Slip("no_rewiring", lambda *given: inserted(*given, rewires=False)),
-        Slip("not_below", lambda *given: inserted(*given, passes_on=False)),
-        Slip("unchecked", lambda *given: inserted(*given, checks=False)),
+        Slip("nearest", insert_at_nearest),
+        Slip("no_rewiring", insert_without_rewiring),
+        Slip("not_below", insert_without_descendants),
+        Slip("unchecked", insert_unchecked),
     )
 
-    @staticmethod
-    def reference(*given: Any) -> Any:
-        """Return the parents and the costs."""
-        return inserted(*given)
+    reference = staticmethod(inserted)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Yield cases that can be done on paper, then random ones of each kind."""
         yield by_hand("parent", OPEN, [(1, 1), (4, 1), (4, 4)], [-1, 0, 1], (3, 3), 3.0)
         yield by_hand("parent", OPEN, [(1, 1), (1, 5), (5, 5)], [-1, 0, 0], (7, 8), 7.0)
-        yield by_hand(
-            "parent", OPEN, [(1, 1), (1, 5), (6, 5)], [-1, 0, 0], (4, 5), 5.0
-        )  # the root is as far away as the radius
+        # the root is exactly at the radius
+        yield by_hand("parent", OPEN, [(1, 1), (1, 5), (6, 5)], [-1, 0, 0], (4, 5), 5.0)
         yield by_hand("rewire", OPEN, [(1, 1), (1, 5), (5, 5)], [-1, 0, 1], (3, 3), 3.0)
         yield by_hand(
             "rewire", OPEN, [(1, 1), (1, 4), (4, 6.5), (6.5, 4)], [-1, 0, 1, 2], (4, 4), 4.5
@@ -239,10 +299,8 @@ def is_fair(given: dict[str, Any]) -> bool:
         return False
     if not all(problem.is_free_path(nodes[p], q) for p, q in zip(parent[1:], nodes[1:])):
         return False
-    apart = np.array([problem.distance(q, q_new) for q in nodes])
-    near = [
-        i for i in range(len(nodes)) if apart[i] <= radius and problem.is_free_path(nodes[i], q_new)
-    ]
+    near, distances = find_neighbours(problem, nodes, q_new, radius)
+    apart = np.array(distances)
     if not near or (np.abs(apart - radius) < 1e-6).any() or (apart < 1e-3).any():
         return False
     through = np.sort(cost[near] + apart[near])
@@ -253,8 +311,8 @@ def is_fair(given: dict[str, Any]) -> bool:
 def kind_of(given: dict[str, Any]) -> str:
     """Return which part of the insertion the case needs."""
     truth = inserted(*given.values())
-    if inserted(*given.values(), checks=False) != truth:
+    if insert_unchecked(*given.values()) != truth:
         return "blocked"
-    if inserted(*given.values(), passes_on=False) != truth:
+    if insert_without_descendants(*given.values()) != truth:
         return "below"
     return "rewire" if truth[0][:-1] != given["parent"].tolist() else "parent"
