@@ -20,7 +20,7 @@ from kinoedu.course.lessons.kinodynamic import (
     kinodynamic_prm,
     kinodynamic_rrt,
 )
-from kinoedu.course.lessons.kinodynamic.driven_trees import near_ones, why_not_driven
+from kinoedu.course.lessons.kinodynamic.driven_trees import find_drive_fault, find_near_goal
 from kinoedu.curves.integrators import runge_kutta
 from kinoedu.experiments import read_experiment
 from kinoedu.robots.trajectory import DrivenTree
@@ -114,7 +114,7 @@ def test_replayed_trees_touch_nothing():
     problem = garages.GARAGES["thin"]
     parent, controls, durations, path = kinodynamic_rrt.own_kinodynamic_rrt(problem, 80, 4)
     tree = DrivenTree(None, np.array(parent), np.array(controls), np.array(durations))
-    fault, nodes = why_not_driven(problem, tree)
+    fault, nodes = find_drive_fault(problem, tree)
     assert fault is None
     solid = shapely.union_all([shapely.Polygon(post) for post in garages.POSTS])
     for i in range(1, len(nodes)):
@@ -140,7 +140,7 @@ def test_near_enough_is_judged_across_pi():
             (x + 5.1, y, math.pi),
         ]
     )
-    assert near_ones(problem, poses).tolist() == [0, 1]
+    assert find_near_goal(problem, poses).tolist() == [0, 1]
     assert abs(short_way(wrapped(math.pi - 0.2), -math.pi)) == pytest.approx(0.2)
 
 

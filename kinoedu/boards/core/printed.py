@@ -15,8 +15,8 @@ from matplotlib.patches import Circle, PathPatch
 from PIL import Image, ImageColor
 
 from ...figures import palette
-from ...figures.drawing import HALO, compound
 from ...geometry.checks import Array
+from ...figures.drawing import HALO, compound
 from .drawing import Drawing, Layer
 from .scene import Scene
 

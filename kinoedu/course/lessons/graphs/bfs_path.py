@@ -7,7 +7,7 @@ from ....graphs.bfs import breadth_first
 from ...exercise import Case, Slip
 from ..shared.graph_slips import first_in, followed, tree_path, undirected
 from ..shared.random_graphs import Neighbours, as_graph
-from .paths import PathExercise, as_list, deep_path
+from .paths import PathExercise, convert_path, search_depth_first
 
 
 class BfsPath(PathExercise):
@@ -18,9 +18,9 @@ class BfsPath(PathExercise):
     shown = staticmethod(breadth_first)
     slips: ClassVar[tuple[Slip, ...]] = (
         Slip("stack", lambda neighbours, start, goal: tree_path(neighbours, start, goal, at=-1)),
-        Slip("deep", lambda neighbours, start, goal: deep_path(neighbours, start, goal)),
+        Slip("deep", lambda neighbours, start, goal: search_depth_first(neighbours, start, goal)),
         Slip("late", lambda neighbours, start, goal: tree_path(neighbours, start, goal, late=True)),
-        Slip("order", lambda neighbours, start, goal: visited(neighbours, start, goal)),
+        Slip("order", lambda neighbours, start, goal: find_visit_order(neighbours, start, goal)),
         Slip(
             "reversed",
             lambda neighbours, start, goal: (
@@ -52,7 +52,7 @@ class BfsPath(PathExercise):
     @staticmethod
     def reference(neighbours: Neighbours, start: int, goal: int) -> list[int] | None:
         """Return the path that the library finds."""
-        return as_list(graphs.bfs_path(as_graph(neighbours), start, goal))
+        return convert_path(graphs.bfs_path(as_graph(neighbours), start, goal))
 
     source = reference
 
@@ -61,7 +61,7 @@ class BfsPath(PathExercise):
         return len(path) == len(self.truth(case))
 
 
-def visited(neighbours: Neighbours, start: int, goal: int) -> list[int] | None:
+def find_visit_order(neighbours: Neighbours, start: int, goal: int) -> list[int] | None:
     """Return the order of visit of breadth-first search up to the goal, mistaken for a path."""
     order = first_in(neighbours, start)[1]
     return order[: order.index(goal) + 1] if goal in order else None

@@ -14,7 +14,7 @@ from ...shapes import Listed, Record
 from ...whole_shapes import Whole
 from ..shared.graph_slips import depths, first_in, undirected
 from ..shared.random_graphs import Neighbours, as_graph, lists, random_graphs
-from .on_graphs import NODES, OnGraph
+from .on_graphs import NODES, GraphExercise
 from .pictures import draw_tree_answer
 
 NEIGHBOURS = Listed(NODES)
@@ -22,7 +22,7 @@ LINE, RING = [(0, 1), (1, 2)], [(0, 1), (1, 2), (2, 3), (0, 3)]
 ROUND_TRIP, TRIANGLE = [(0, 1), (1, 2), (2, 0)], [(0, 1), (0, 2), (1, 2)]
 
 
-class BfsTree(OnGraph):
+class BfsTree(GraphExercise):
     """Compute the parents of a breadth-first tree from adjacency lists and a start.
 
     Any breadth-first tree is right, unless a variant says which parent to choose.
@@ -40,9 +40,9 @@ class BfsTree(OnGraph):
         Slip("late", lambda neighbours, start: first_in(neighbours, start, late=True)[0]),
         Slip(
             "own_parent",
-            lambda neighbours, start: with_start(first_in(neighbours, start)[0], start, start),
+            lambda neighbours, start: replace_parent(first_in(neighbours, start)[0], start, start),
         ),
-        Slip("zeros", lambda neighbours, start: unmarked(neighbours, start)),
+        Slip("zeros", lambda neighbours, start: mark_unreached_zero(neighbours, start)),
         Slip("from_one", lambda neighbours, start: [p + 1 for p in first_in(neighbours, start)[0]]),
         Slip("distances", depths),
         Slip("undirected", lambda neighbours, start: first_in(undirected(neighbours), start)[0]),
@@ -83,7 +83,7 @@ class BfsTree(OnGraph):
 
         With a variant, each parent must also be the one that the contract names.
         """
-        rule = tree_fault(case.given["neighbours"], case.given["start"], value)
+        rule = find_tree_fault(case.given["neighbours"], case.given["start"], value)
         if not rule and self.variant and list(value) != self.truth(case):
             rule = CONTRACT
         return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
@@ -92,7 +92,7 @@ class BfsTree(OnGraph):
         """Return one right tree: the library's, or the one that the contract names."""
         if not self.variant:
             return super().truth(case)
-        return tree_of_extremes(
+        return choose_parents(
             case.given["neighbours"],
             case.given["start"],
             min if self.variant == "smallest" else max,
@@ -118,7 +118,7 @@ class BfsTree(OnGraph):
             plane.title(self.words("pictures.contract"), ax)
 
 
-def tree_of_extremes(
+def choose_parents(
     neighbours: Neighbours, start: int, choose: Callable[[list[int]], int]
 ) -> list[int]:
     """Build the breadth-first tree whose parents are picked among all candidates by `choose`."""
@@ -131,18 +131,18 @@ def tree_of_extremes(
     return [choose(nodes) if nodes else -1 for nodes in able]
 
 
-def with_start(parent: list[int], start: int, value: int) -> list[int]:
+def replace_parent(parent: list[int], start: int, value: int) -> list[int]:
     """Return the parents with another value at the start."""
     return [*parent[:start], value, *parent[start + 1 :]]
 
 
-def unmarked(neighbours: Neighbours, start: int) -> list[int]:
+def mark_unreached_zero(neighbours: Neighbours, start: int) -> list[int]:
     """Return parents that are 0 instead of -1 for unreached nodes."""
     parent, order = first_in(neighbours, start)
     return [parent[u] if u in order else 0 for u in range(len(neighbours))]
 
 
-def tree_fault(neighbours: Neighbours, start: int, parent: list[int]) -> str:
+def find_tree_fault(neighbours: Neighbours, start: int, parent: list[int]) -> str:
     """Return the rule that the parents break, or ""."""
     far = graphs.bfs(as_graph(neighbours), start).cost
     if len(parent) != len(neighbours):

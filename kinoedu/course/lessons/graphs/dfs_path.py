@@ -7,7 +7,7 @@ from ....graphs.dfs import depth_first
 from ...exercise import Case, Slip
 from ..shared.graph_slips import entered, never_back, undirected, walked
 from ..shared.random_graphs import Neighbours, as_graph
-from .paths import PathExercise, as_list, deep_path
+from .paths import PathExercise, convert_path, search_depth_first
 
 
 class DfsPath(PathExercise):
@@ -23,17 +23,17 @@ class DfsPath(PathExercise):
         Slip(
             "reversed",
             lambda neighbours, start, goal: (
-                (deep_path(neighbours, start, goal) or [])[::-1] or None
+                (search_depth_first(neighbours, start, goal) or [])[::-1] or None
             ),
         ),
         Slip(
             "undirected",
-            lambda neighbours, start, goal: deep_path(undirected(neighbours), start, goal),
+            lambda neighbours, start, goal: search_depth_first(undirected(neighbours), start, goal),
         ),
         Slip(
             "nowhere",
             lambda neighbours, start, goal: (
-                deep_path(neighbours, start, goal) if start != goal else None
+                search_depth_first(neighbours, start, goal) if start != goal else None
             ),
         ),
     )
@@ -41,7 +41,7 @@ class DfsPath(PathExercise):
     @staticmethod
     def reference(neighbours: Neighbours, start: int, goal: int) -> list[int] | None:
         """Return the path that the library finds."""
-        return as_list(graphs.dfs_path(as_graph(neighbours), start, goal))
+        return convert_path(graphs.dfs_path(as_graph(neighbours), start, goal))
 
     source = reference
 

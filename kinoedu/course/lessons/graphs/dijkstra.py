@@ -15,7 +15,7 @@ from ..shared.graph_slips import best_first, depths, in_turn, lightest_first
 from ..shared.random_graphs import Neighbours, Weights, as_graph, lists, random_graphs
 from .bfs_tree import NEIGHBOURS
 from .pictures import draw_costs
-from .weighted import DETOUR, LATE_GAIN, WEIGHTS, both_ways
+from .weighted import DETOUR, LATE_GAIN, WEIGHTS, make_undirected
 
 LIGHT_EDGES = [(0, 1, 3), (0, 3, 4), (1, 2, 3), (2, 3, 1), (2, 4, 1)]
 
@@ -58,19 +58,19 @@ class Dijkstra(ValueExercise):
         Slip("lightest_first", lightest_first),
         Slip(
             "undirected",
-            lambda neighbours, weights, start: best_first(*both_ways(neighbours, weights), start)[
-                0
-            ],
+            lambda neighbours, weights, start: best_first(
+                *make_undirected(neighbours, weights), start
+            )[0],
         ),
         Slip(
             "minus_one",
-            lambda neighbours, weights, start: finite_or(
+            lambda neighbours, weights, start: replace_infinity(
                 best_first(neighbours, weights, start)[0], -1.0
             ),
         ),
         Slip(
             "zero",
-            lambda neighbours, weights, start: finite_or(
+            lambda neighbours, weights, start: replace_infinity(
                 best_first(neighbours, weights, start)[0], 0.0
             ),
         ),
@@ -126,6 +126,6 @@ class Dijkstra(ValueExercise):
         )
 
 
-def finite_or(costs: list[float], other: float) -> list[float]:
+def replace_infinity(costs: list[float], other: float) -> list[float]:
     """Return the costs with infinite ones replaced by `other`."""
     return [cost if np.isfinite(cost) else other for cost in costs]

@@ -12,11 +12,11 @@ from ...outcomes import Answer, Outcome
 from ...shapes import Maybe, Record
 from ...whole_shapes import Whole
 from ..shared.graph_slips import followed
-from .on_graphs import NODES, OnGraph
+from .on_graphs import NODES, GraphExercise
 from .pictures import draw_pointers
 
 
-class ExtractPath(OnGraph):
+class ExtractPath(GraphExercise):
     """Follow parents from a goal to its root, and return the nodes from the root to the goal."""
 
     name = "extract_path"
@@ -62,7 +62,7 @@ class ExtractPath(OnGraph):
         for n in (4, 5, 6, 7, 8, 10, 12, 16, 24, 40, 60):
             for kind in self.kinds:
                 yield Case(
-                    kind, {"parent": (found := random_parents(kind, n, rng))[0], "goal": found[1]}
+                    kind, {"parent": (found := draw_parents(kind, n, rng))[0], "goal": found[1]}
                 )
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
@@ -72,7 +72,7 @@ class ExtractPath(OnGraph):
         )
 
 
-def random_parents(kind: str, n: int, rng: np.random.Generator) -> tuple[list[int], int]:
+def draw_parents(kind: str, n: int, rng: np.random.Generator) -> tuple[list[int], int]:
     """Draw parents of n nodes, numbered at random, and a goal.
 
     Where the goal is depends on the kind. "root": the root of the only tree. "tree": near the

@@ -13,7 +13,7 @@ from ...shapes import Listed, Number, Record, Together
 from ...whole_shapes import Whole
 from ..shared.random_graphs import as_graph
 from .bfs_tree import NEIGHBOURS
-from .paths import as_list
+from .paths import convert_path
 from .pictures import draw_misled
 from .weighted import WEIGHTS
 
@@ -35,7 +35,7 @@ class MisleadingEstimate(Exercise):
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
         """Judge that the graph is valid, that it misleads A*, and that it has three nodes."""
-        rule = graph_fault(*value)
+        rule = find_graph_fault(*value)
         if not rule and case.kind != "valid":
             found, best = both_costs(*value)
             rule = (
@@ -56,13 +56,13 @@ class MisleadingEstimate(Exercise):
         """Draw the graph, the path that A* returns, and a shortest path."""
         value = (
             outcome.value
-            if isinstance(outcome, Answer) and not graph_fault(*outcome.value)
+            if isinstance(outcome, Answer) and not find_graph_fault(*outcome.value)
             else None
         )
-        draw_misled(self, value, (None, None) if value is None else both_paths(*value), ax)
+        draw_misled(self, value, (None, None) if value is None else find_both_paths(*value), ax)
 
 
-def graph_fault(neighbours: Any, weights: Any, estimate: Any, start: int, goal: int) -> str:
+def find_graph_fault(neighbours: Any, weights: Any, estimate: Any, start: int, goal: int) -> str:
     """Return the rule that makes this an invalid input of A*, or ""."""
     n = len(neighbours)
     if (
@@ -84,12 +84,12 @@ def graph_fault(neighbours: Any, weights: Any, estimate: Any, start: int, goal: 
     return "at_goal" if estimate[goal] != 0.0 else ""
 
 
-def both_paths(
+def find_both_paths(
     neighbours: Any, weights: Any, estimate: Any, start: int, goal: int
 ) -> tuple[Any, Any]:
     """Return the path of A* with this estimate, and a shortest one; None where there is none."""
     graph = as_graph(neighbours, weights)
-    return as_list(graphs.astar(graph, start, goal, estimate)[0]), as_list(
+    return convert_path(graphs.astar(graph, start, goal, estimate)[0]), convert_path(
         graphs.astar(graph, start, goal)[0]
     )
 

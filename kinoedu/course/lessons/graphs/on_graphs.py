@@ -9,7 +9,7 @@ from ...whole_shapes import Whole
 NODES = Listed(Whole())
 
 
-class OnGraph(ValueExercise):
+class GraphExercise(ValueExercise):
     """An exercise of lesson 4 whose answer is a list of nodes, or None."""
 
     lesson = "04_graph_search"

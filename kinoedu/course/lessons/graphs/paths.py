@@ -15,14 +15,14 @@ from ...shapes import Maybe, Record
 from ...whole_shapes import Whole
 from ..shared.random_graphs import Neighbours, as_graph, far_pair, lists, lost_pair, random_graphs
 from .bfs_tree import LINE, NEIGHBOURS, RING, ROUND_TRIP, TRIANGLE
-from .on_graphs import NODES, OnGraph
+from .on_graphs import NODES, GraphExercise
 from .pictures import draw_path_answer
 
 FORK = [(0, 1), (1, 2), (0, 3)]
 KINDS = ("small", "cycle", "directed", "unreachable", "start_is_goal")
 
 
-class PathExercise(OnGraph):
+class PathExercise(GraphExercise):
     """An exercise whose answer is a path between two nodes, or None."""
 
     kinds: ClassVar[tuple[str, ...]] = KINDS
@@ -47,28 +47,28 @@ class PathExercise(OnGraph):
             ("unreachable", 3, [(0, 1)], 0, 2),
             ("start_is_goal", 1, [], 0, 0),
         ):
-            yield from self.asked(
+            yield from self.make_case(
                 kind, lists(n, edges, directed=kind == "directed")[0], start, goal
             )
         # the only edge leads the other way
-        yield from self.asked("unreachable", [[], [0]], 0, 1)
+        yield from self.make_case("unreachable", [[], [0]], 0, 1)
         for shape, neighbours, _ in random_graphs(rng):
             kind = {"tree": "small", "parts": "unreachable"}.get(shape, shape)
-            yield from self.asked(
+            yield from self.make_case(
                 kind, neighbours, *(lost_pair if shape == "parts" else far_pair)(neighbours, rng)
             )
             if shape == "cycle":
-                yield from self.asked(
+                yield from self.make_case(
                     "start_is_goal", neighbours, *(int(rng.integers(len(neighbours))),) * 2
                 )
 
-    def asked(self, kind: str, neighbours: Neighbours, start: int, goal: int) -> Iterator[Case]:
+    def make_case(self, kind: str, neighbours: Neighbours, start: int, goal: int) -> Iterator[Case]:
         """The case of a question."""
         yield Case(kind, {"neighbours": neighbours, "start": start, "goal": goal})
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
         """Judge that every step is an edge, and then what this exercise demands besides."""
-        rule = path_fault(case, value, self.truth(case)) or (
+        rule = find_path_fault(case, value, self.truth(case)) or (
             self.last_rule if value and not self.is_good(case, value) else ""
         )
         return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
@@ -93,7 +93,7 @@ class PathExercise(OnGraph):
         )
 
 
-def path_fault(case: Case, path: list[int] | None, truth: list[int] | None) -> str:
+def find_path_fault(case: Case, path: list[int] | None, truth: list[int] | None) -> str:
     """Return the rule that a path from start to goal breaks, or ""."""
     neighbours, start, goal = (case.given[name] for name in ("neighbours", "start", "goal"))
     if path is None:
@@ -110,11 +110,11 @@ def path_fault(case: Case, path: list[int] | None, truth: list[int] | None) -> s
     )
 
 
-def as_list(path: Any) -> list[int] | None:
+def convert_path(path: Any) -> list[int] | None:
     """Convert a path of the library to a list of ints; None stays None."""
     return None if path is None else [int(u) for u in path]
 
 
-def deep_path(neighbours: Neighbours, start: int, goal: int) -> list[int] | None:
+def search_depth_first(neighbours: Neighbours, start: int, goal: int) -> list[int] | None:
     """Return the path of a depth-first search, or None."""
-    return as_list(graphs.dfs_path(as_graph(neighbours), start, goal))
+    return convert_path(graphs.dfs_path(as_graph(neighbours), start, goal))

@@ -34,16 +34,16 @@ def draw_tree_answer(
     from ....figures import palette
 
     neighbours, start = case.given["neighbours"], case.given["start"]
-    places = draw_ground(case, ax, highlight=[start])
+    places = draw_grey_graph(case, ax, highlight=[start])
     for u, d in enumerate(far):
-        words = (
+        text = (
             say("graph_picture.start")
             if u == start
             else say("graph_picture.far", d=f"{d:.0f}")
             if d < np.inf
             else ""
         )
-        beside(places, u, words or say("graph_picture.unreached"), ax, palette.START)
+        draw_label(places, u, text or say("graph_picture.unreached"), ax, palette.START)
     if value is not None and len(value) == len(neighbours):
         for u, p in enumerate(value):
             if 0 <= p < len(value) and p != u:
@@ -52,11 +52,11 @@ def draw_tree_answer(
                     and far[p] + 1 == far[u]
                     and (wanted is None or wanted[u] == p)
                 )
-                pointer(
+                draw_pointer(
                     places, p, u, ax, palette.START if good else palette.GOAL, "-" if good else "--"
                 )
-    note(value, ax)
-    finish(exercise, case, ax)
+    draw_answer_note(value, ax)
+    finish_picture(exercise, case, ax)
 
 
 def draw_pointers(
@@ -66,14 +66,14 @@ def draw_pointers(
     from ....figures import palette
 
     parent = case.given["parent"]
-    places = draw_ground(case, ax, highlight=[case.given["goal"]])
+    places = draw_grey_graph(case, ax, highlight=[case.given["goal"]])
     for u, p in enumerate(parent):
         if p >= 0 and p != u:
-            pointer(places, p, u, ax, palette.OUTSIDE, "-", width=1.8)
+            draw_pointer(places, p, u, ax, palette.OUTSIDE, "-", width=1.8)
         elif p == -1:
-            beside(places, u, say("graph_picture.root"), ax, palette.INK)
-    draw_ways(places, truth, value, ax)
-    finish(exercise, case, ax)
+            draw_label(places, u, say("graph_picture.root"), ax, palette.INK)
+    draw_paths(places, truth, value, ax)
+    finish_picture(exercise, case, ax)
 
 
 def draw_path_answer(
@@ -81,7 +81,7 @@ def draw_path_answer(
 ) -> None:
     """Draw a graph with its weights and estimates, a right path and the student's."""
     draw_question(case.given, value, truth, ax)
-    finish(exercise, case, ax)
+    finish_picture(exercise, case, ax)
 
 
 def draw_misled(exercise: Exercise, value: Any, paths: tuple[Any, Any], ax: Any) -> None:
@@ -104,31 +104,31 @@ def draw_question(given: dict[str, Any], value: Any, truth: Any, ax: Any) -> Non
     from ....figures import palette
 
     start, goal = given["start"], given["goal"]
-    places = draw_ground(Case("", given), ax, highlight=[start, goal])
+    places = draw_grey_graph(Case("", given), ax, highlight=[start, goal])
     for u in range(len(places)):
-        words = [
-            words
-            for words, node in (
+        text = [
+            text
+            for text, node in (
                 (say("graph_picture.start"), start),
                 (say("graph_picture.goal"), goal),
             )
             if node == u
         ]
         if "estimate" in given and len(places) <= 16:
-            words.append(say("graph_picture.estimate", value=f"{given['estimate'][u]:.3g}"))
-        beside(places, u, ", ".join(words), ax, palette.INK)
-    draw_ways(places, truth, value, ax)
+            text.append(say("graph_picture.estimate", value=f"{given['estimate'][u]:.3g}"))
+        draw_label(places, u, ", ".join(text), ax, palette.INK)
+    draw_paths(places, truth, value, ax)
 
 
 def draw_costs(exercise: Exercise, case: Case, value: Any, truth: Any, ax: Any) -> None:
     """Draw a graph with its weights and costs, and the student's costs where they differ."""
     from ....figures import palette
 
-    places = draw_ground(case, ax, highlight=[case.given["start"]])
+    places = draw_grey_graph(case, ax, highlight=[case.given["start"]])
     fits = value is not None and not isinstance(truth, ValueError) and len(value) == len(truth)
     for u in range(len(places)):
         if isinstance(truth, ValueError):
-            beside(
+            draw_label(
                 places,
                 u,
                 say("graph_picture.start") if u == case.given["start"] else "",
@@ -138,15 +138,15 @@ def draw_costs(exercise: Exercise, case: Case, value: Any, truth: Any, ax: Any) 
         elif fits and not (
             value[u] == truth[u] or abs(value[u] - truth[u]) <= 1e-6 * (1.0 + abs(truth[u]))
         ):
-            words = say("graph_picture.cost", value=spoken(truth[u]), yours=spoken(float(value[u])))
-            beside(places, u, words, ax, palette.GOAL)
+            text = say("graph_picture.cost", value=spoken(truth[u]), yours=spoken(float(value[u])))
+            draw_label(places, u, text, ax, palette.GOAL)
         else:
-            beside(places, u, spoken(truth[u]), ax, palette.START)
-    note(value, ax)
-    finish(exercise, case, ax)
+            draw_label(places, u, spoken(truth[u]), ax, palette.START)
+    draw_answer_note(value, ax)
+    finish_picture(exercise, case, ax)
 
 
-def draw_ground(case: Case, ax: Any, *, highlight: list[int]) -> Any:
+def draw_grey_graph(case: Case, ax: Any, *, highlight: list[int]) -> Any:
     """Draw the graph in grey on a circle; an edge in both directions is one line.
 
     Returns
@@ -173,7 +173,7 @@ def draw_ground(case: Case, ax: Any, *, highlight: list[int]) -> Any:
     return places
 
 
-def draw_ways(places: Any, truth: Any, value: Any, ax: Any) -> None:
+def draw_paths(places: Any, truth: Any, value: Any, ax: Any) -> None:
     """Draw a right path, wide and green, and over it the student's, dashed and orange."""
     from ....figures import graphs, palette
 
@@ -187,10 +187,10 @@ def draw_ways(places: Any, truth: Any, value: Any, ax: Any) -> None:
                 places[u], places[v], ax, colour, arrow=True, width=width, gap=11.0
             ):
                 artist.set(linestyle=style, zorder=4 if style == "-" else 5)
-    note(value, ax)
+    draw_answer_note(value, ax)
 
 
-def pointer(
+def draw_pointer(
     places: Any, p: int, u: int, ax: Any, colour: str, style: str, *, width: float = 2.8
 ) -> None:
     """Draw an arrow from a parent to its child."""
@@ -202,16 +202,16 @@ def pointer(
         artist.set(linestyle=style, zorder=4)
 
 
-def beside(places: Any, u: int, words: str, ax: Any, colour: str) -> None:
+def draw_label(places: Any, u: int, text: str, ax: Any, colour: str) -> None:
     """Write a label outside the circle of nodes, unless there are too many nodes for labels."""
     from ....figures import graphs
 
-    if not words or len(places) > MOST_LABELS:
+    if not text or len(places) > MOST_LABELS:
         return
     x, y = places[u] / np.sqrt((places[u] * places[u]).sum())
     graphs.beside(
         places[u],
-        words,
+        text,
         ax,
         (18 * x, 24 * y - 5),
         colour,
@@ -219,15 +219,15 @@ def beside(places: Any, u: int, words: str, ax: Any, colour: str) -> None:
     )
 
 
-def note(value: Any, ax: Any) -> None:
+def draw_answer_note(value: Any, ax: Any) -> None:
     """Write the student's answer in the corner, shortened to 60 characters."""
     from ....figures import palette, plane
 
-    words = say("picture.no_answer") if value is None else say("picture.yours", value=spoken(value))
-    plane.corner_note(words if len(words) <= 60 else words[:57] + "...", ax, colour=palette.GOAL)
+    text = say("picture.no_answer") if value is None else say("picture.yours", value=spoken(value))
+    plane.corner_note(text if len(text) <= 60 else text[:57] + "...", ax, colour=palette.GOAL)
 
 
-def finish(exercise: Exercise, case: Case, ax: Any) -> None:
+def finish_picture(exercise: Exercise, case: Case, ax: Any) -> None:
     """Hide the axes, since positions mean nothing here, and set the title."""
     from ....figures import plane
 

@@ -12,6 +12,6 @@ DETOUR = [(0, 1, 1), (1, 2, 1), (0, 2, 5)]
 LATE_GAIN = [(0, 1, 1), (0, 2, 4), (1, 2, 2), (2, 3, 1)]
 
 
-def both_ways(neighbours: Neighbours, weights: Weights) -> tuple[Neighbours, Weights]:
+def make_undirected(neighbours: Neighbours, weights: Weights) -> tuple[Neighbours, Weights]:
     """Return the graph with every edge in both directions."""
     return undirected(neighbours), undirected_weights(neighbours, weights)

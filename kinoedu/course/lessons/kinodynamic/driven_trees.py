@@ -25,7 +25,7 @@ NOWHERE = np.empty((0, 3))
 Path = NDArray[np.int64]
 
 
-def why_not_driven(problem: Any, tree: DrivenTree) -> tuple[Fault | None, Array]:
+def find_drive_fault(problem: Any, tree: DrivenTree) -> tuple[Fault | None, Array]:
     """Replay a tree, and return its first fault with the nodes up to there.
 
     Returns
@@ -51,7 +51,7 @@ def why_not_driven(problem: Any, tree: DrivenTree) -> tuple[Fault | None, Array]
     return None, np.array(nodes)
 
 
-def near_ones(problem: Any, nodes: Array, slack: float = 0.0) -> NDArray[np.int64]:
+def find_near_goal(problem: Any, nodes: Array, slack: float = 0.0) -> NDArray[np.int64]:
     """Return the indices of the nodes that are near enough to the goal."""
     x, y, theta = problem.goal
     off = [math.dist(q[:2], (x, y)) <= problem.tolerance * (1.0 + slack) for q in nodes]
@@ -62,12 +62,12 @@ def near_ones(problem: Any, nodes: Array, slack: float = 0.0) -> NDArray[np.int6
     return np.flatnonzero(np.array(off) & np.array(askew))
 
 
-def distances(problem: Any, nodes: Array, q: Array) -> Array:
+def measure_distances(problem: Any, nodes: Array, q: Array) -> Array:
     """Return the distance from each node to q."""
     return np.array([problem.distance(node, q) for node in nodes])
 
 
-def not_along(parent: NDArray[np.int64], path: Path, nodes: Array) -> Fault | None:
+def find_path_fault(parent: NDArray[np.int64], path: Path, nodes: Array) -> Fault | None:
     """Return the fault of a path that does not begin at node 0 or leaves the tree, or None."""
     if not len(path):
         return Fault("nothing", NOWHERE)
@@ -79,18 +79,18 @@ def not_along(parent: NDArray[np.int64], path: Path, nodes: Array) -> Fault | No
     return None
 
 
-def not_nearest_to_goal(problem: Any, nodes: Array, path: Path) -> Fault | None:
+def find_end_fault(problem: Any, nodes: Array, path: Path) -> Fault | None:
     """Return the fault of a path that does not end at the node nearest to the goal.
 
     For trees without a node near enough to the goal.
     """
-    off = distances(problem, nodes, problem.goal)
+    off = measure_distances(problem, nodes, problem.goal)
     return (
         None if off[path[-1]] <= off.min() * (1.0 + SLACK) else Fault("closest", nodes[[path[-1]]])
     )
 
 
-def not_biased(
+def find_bias_fault(
     problem: Any, nodes: Array, before: int, chosen: NDArray[np.int64], turn: int
 ) -> str:
     """Return the rule that an iteration broke when it chose its nodes, or "".
@@ -105,7 +105,7 @@ def not_biased(
     chosen : indices of the nodes from which it drove.
     turn : number of the iteration, from 1.
     """
-    off = distances(problem, nodes[:before], problem.goal)
+    off = measure_distances(problem, nodes[:before], problem.goal)
     nearest = np.sort(off)[: len(chosen)]
     if turn % REGION_EVERY == 0:
         reach = REGION * problem.problem.robot.wheelbase
@@ -116,7 +116,7 @@ def not_biased(
     return ""
 
 
-def by_turns(
+def judge_turns(
     problem: Any, nodes: Array, turns: list[tuple[int, NDArray[np.int64]]]
 ) -> Fault | None:
     """Judge each iteration of a tree for which every drive is free.
@@ -127,12 +127,12 @@ def by_turns(
     """
     straight = others = 0
     for turn, (before, chosen) in enumerate(turns, 1):
-        rule = not_biased(problem, nodes, before, chosen, turn)
+        rule = find_bias_fault(problem, nodes, before, chosen, turn)
         if rule:
             return Fault(rule, nodes[chosen])
         if turn % GOAL_EVERY and turn % REGION_EVERY and turn > 8:
             others += 1
-            straight += not not_biased(problem, nodes, before, chosen, GOAL_EVERY)
+            straight += not find_bias_fault(problem, nodes, before, chosen, GOAL_EVERY)
     return Fault("chance", NOWHERE) if others >= MANY and straight > 0.8 * others else None
 
 
@@ -153,7 +153,7 @@ class DrivingPlanner(PlannerExercise):
     def nodes_of(self, case: Case, answer: Any) -> tuple[DrivenTree, Array]:
         """Return the valid part of the tree, and the known poses along the path."""
         tree = self.tree_of(case, answer)
-        _, nodes = why_not_driven(case.given["problem"], tree)
+        _, nodes = find_drive_fault(case.given["problem"], tree)
         path = answer[-1][(answer[-1] >= 0) & (answer[-1] < len(nodes))]
         n = len(nodes)
         return DrivenTree(nodes, tree.parent[:n], tree.controls[:n], tree.durations[:n]), nodes[
@@ -170,12 +170,12 @@ class DrivingPlanner(PlannerExercise):
         if not len(poses):
             return self.words("answers.nowhere", nodes=len(tree.nodes))
         x, y, theta = poses[-1]
-        told = self.words(
+        text = self.words(
             "answers.drive", nodes=len(tree.nodes), drives=len(poses) - 1, x=x, y=y, theta=theta
         )
         fault = self.fault_of_three(case, value)
         where = np.round(fault.marked, 2).tolist() if fault is not None else []
-        return f"{told}; {self.words('answers.at', marked=where)}" if where else told
+        return f"{text}; {self.words('answers.at', marked=where)}" if where else text
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """Draw the problem, the tree, the path, and a cross at the fault."""

@@ -17,7 +17,7 @@ TURNS = {"same": 20, "room": 300, "turn": 95, "seam": 300, "thin": 300, "far": 6
 CONTROLS, DURATIONS, ROUTE = Numbers(("n", 2)), Numbers(("n",)), WholeNumbers(("k",))
 
 
-def place_to_go(problem: Any, turn: int, rng: np.random.Generator) -> Array:
+def choose_target(problem: Any, turn: int, rng: np.random.Generator) -> Array:
     """Return the target of an iteration.
 
     Every seventh is a pose near the goal, every other fourth is the goal, the rest are random.
@@ -27,7 +27,7 @@ def place_to_go(problem: Any, turn: int, rng: np.random.Generator) -> Array:
     return problem.goal if turn % GOAL_EVERY == 0 else problem.sample(rng)
 
 
-def stopped_early(nodes: Array, iterations: int) -> Fault | None:
+def find_early_stop(nodes: Array, iterations: int) -> Fault | None:
     """Return a fault where the nodes are far fewer than the iterations, or None.
 
     In every garage of the course at least a fifth of the iterations add a node.

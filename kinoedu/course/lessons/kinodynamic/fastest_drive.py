@@ -22,7 +22,7 @@ Pairs = NDArray[np.int64]
 Way = list[int] | None
 
 
-def way_by(
+def make_search(
     weights: Callable[[Array, Array], Array],
     *,
     directed: bool = True,
@@ -46,22 +46,26 @@ def way_by(
             for path in (search(graph, 0, int(end)) for end in ends)
             if path is not None
         ]
-        return min(ways, key=lambda way: lasts(way, pairs, heavy, directed), default=None)
+        return min(
+            ways, key=lambda way: measure_duration(way, pairs, heavy, directed), default=None
+        )
 
     return find
 
 
-def by_time(_: Array, durations: Array) -> Array:
+def weigh_by_time(_: Array, durations: Array) -> Array:
     """Return the durations as weights, as the exercise demands."""
     return durations
 
 
-def fastest(n: int, edges: Pairs, controls: Array, durations: Array, ends: Pairs) -> Way:
+def find_fastest(n: int, edges: Pairs, controls: Array, durations: Array, ends: Pairs) -> Way:
     """Return the nodes of a fastest path from node 0 to one of the ends, or None."""
-    return way_by(by_time)(n, edges, controls, durations, ends)
+    return make_search(weigh_by_time)(n, edges, controls, durations, ends)
 
 
-def lasts(way: list[int], edges: Pairs, durations: Array, directed: bool = True) -> float:
+def measure_duration(
+    way: list[int], edges: Pairs, durations: Array, directed: bool = True
+) -> float:
     """Return the total duration of a path; infinite where it uses an edge that does not exist.
 
     Of parallel edges the quickest counts.
@@ -73,16 +77,14 @@ def lasts(way: list[int], edges: Pairs, durations: Array, directed: bool = True)
     return float(sum(times.get(pair, np.inf) for pair in zip(way, way[1:])))
 
 
-def last_of_doubles(n: int, edges: Pairs, controls: Array, durations: Array, ends: Pairs) -> Way:
+def keep_last_edges(n: int, edges: Pairs, controls: Array, durations: Array, ends: Pairs) -> Way:
     """Find a fastest path where only the last of parallel edges is kept."""
     pairs = np.reshape(edges, (-1, 2))
     kept = list({(u, v): i for i, (u, v) in enumerate(pairs.tolist())}.values())
-    return fastest(n, pairs[kept], controls[kept], durations[kept], ends)
+    return find_fastest(n, pairs[kept], controls[kept], durations[kept], ends)
 
 
-def relaxed_three_times(
-    n: int, edges: Pairs, controls: Array, durations: Array, ends: Pairs
-) -> Way:
+def relax_three_times(n: int, edges: Pairs, controls: Array, durations: Array, ends: Pairs) -> Way:
     """Relax all edges only three times, as in a Bellman-Ford that stops too early.
 
     This is right where the rows stand in the order in which they are driven.
@@ -97,11 +99,11 @@ def relaxed_three_times(
     return min((ways[int(end)] for end in ends if int(end) in ways), default=(np.inf, None))[1]
 
 
-def turned(change: Callable[[list[int]], list[int]]) -> Callable[..., Way]:
+def change_fastest(change: Callable[[list[int]], list[int]]) -> Callable[..., Way]:
     """Return a program that changes the fastest path by `change`."""
 
     def answer(*given: Any) -> Way:
-        way = fastest(*given)
+        way = find_fastest(*given)
         return None if way is None else change(way)
 
     return answer
@@ -121,31 +123,31 @@ class FastestDrive(ValueExercise):
         ends=WholeNumbers(("k",)),
     )
     answer = Maybe(WholeNumbers(("j",)))
-    source = staticmethod(fastest)
+    source = staticmethod(find_fastest)
     shown = staticmethod(searched)
-    reference: ClassVar[Callable[..., Any]] = staticmethod(fastest)
+    reference: ClassVar[Callable[..., Any]] = staticmethod(find_fastest)
     slips = (
-        Slip("undirected", way_by(by_time, directed=False)),
-        Slip("length", way_by(lambda controls, durations: np.abs(controls[:, 0]) * durations)),
+        Slip("undirected", make_search(weigh_by_time, directed=False)),
+        Slip("length", make_search(lambda controls, durations: np.abs(controls[:, 0]) * durations)),
         Slip(
             "fewest",
-            way_by(lambda controls, durations: np.ones(len(durations)), search=fewest_edges),
+            make_search(lambda controls, durations: np.ones(len(durations)), search=fewest_edges),
         ),
         Slip(
             "first_end",
-            lambda n, edges, controls, durations, ends: fastest(
+            lambda n, edges, controls, durations, ends: find_fastest(
                 n, edges, controls, durations, ends[:1]
             ),
         ),
         Slip(
             "against",
-            lambda n, edges, *others: fastest(n, np.reshape(edges, (-1, 2))[:, ::-1], *others),
+            lambda n, edges, *others: find_fastest(n, np.reshape(edges, (-1, 2))[:, ::-1], *others),
         ),
-        Slip("doubles", last_of_doubles),
-        Slip("passes", relaxed_three_times),
-        Slip("backwards", turned(lambda way: way[::-1])),
-        Slip("no_start", turned(lambda way: way[1:])),
-        Slip("no_end", turned(lambda way: way[:-1])),
+        Slip("doubles", keep_last_edges),
+        Slip("passes", relax_three_times),
+        Slip("backwards", change_fastest(lambda way: way[::-1])),
+        Slip("no_start", change_fastest(lambda way: way[1:])),
+        Slip("no_end", change_fastest(lambda way: way[:-1])),
     )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
@@ -162,7 +164,7 @@ class FastestDrive(ValueExercise):
             ("none", 2, [(0, 1, 3)], []),
             ("there", 2, [(0, 1, 3)], [1, 0]),
         ):
-            yield roadmap_case(kind, n, rows, ends)
+            yield make_case(kind, n, rows, ends)
         for n in SIZES:
             size = max(n, 5)
             for kind in self.kinds:
@@ -192,7 +194,7 @@ class FastestDrive(ValueExercise):
             rows = [row for row in rows if row[1] not in ends]
         if kind == "there":
             ends.append(0)
-        return roadmap_case(kind, n, rows, ends)
+        return make_case(kind, n, rows, ends)
 
     def same(self, value: Any, truth: Any) -> bool:
         """Whether both hold the same nodes, or both are None."""
@@ -214,7 +216,10 @@ class FastestDrive(ValueExercise):
         way = value.tolist()
         if not way or way[0] != 0 or way[-1] not in ends:
             return Verdict(0.0, "ends_of_way", self.wanted(case))
-        least, found = lasts(truth, edges, durations), lasts(way, edges, durations)
+        least, found = (
+            measure_duration(truth, edges, durations),
+            measure_duration(way, edges, durations),
+        )
         rule = "edges" if found == np.inf else "" if self.near(found, least) else "slower"
         return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
 
@@ -226,7 +231,7 @@ class FastestDrive(ValueExercise):
         return self.words(
             "wanted",
             way=spoken(truth),
-            time=lasts(truth, case.given["edges"], case.given["durations"]),
+            time=measure_duration(truth, case.given["edges"], case.given["durations"]),
         )
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
@@ -236,14 +241,19 @@ class FastestDrive(ValueExercise):
         draw_fastest(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 
 
-def roadmap_case(kind: str, n: int, rows: Sequence[tuple[float, ...]], ends: list[int]) -> Case:
+def make_case(kind: str, n: int, rows: Sequence[tuple[float, ...]], ends: list[int]) -> Case:
     """Return a case of a roadmap from rows (from, to, duration, speed); the default speed is 1."""
     whole = np.array([(*row, 1.0)[:4] for row in rows])
-    told = {
+    numbers = {
         "controls": np.column_stack([whole[:, 3], np.zeros(len(rows))]),
         "durations": whole[:, 2],
     }
     return Case(
         kind,
-        {"n": n, "edges": whole[:, :2].astype(np.int64), **told, "ends": np.array(ends, np.int64)},
+        {
+            "n": n,
+            "edges": whole[:, :2].astype(np.int64),
+            **numbers,
+            "ends": np.array(ends, np.int64),
+        },
     )

@@ -22,24 +22,26 @@ from .driven_trees import (
     NOWHERE,
     SLACK,
     DrivingPlanner,
-    by_turns,
-    distances,
-    near_ones,
-    not_along,
-    not_nearest_to_goal,
-    why_not_driven,
+    find_drive_fault,
+    find_end_fault,
+    find_near_goal,
+    find_path_fault,
+    judge_turns,
+    measure_distances,
 )
-from .drives import CONTROLS, DURATIONS, ROUTE, TURNS, place_to_go, stopped_early
+from .drives import CONTROLS, DURATIONS, ROUTE, TURNS, choose_target, find_early_stop
 from .garages import GARAGES, KINDS, OPEN
 
 
-def own_kinodynamic_prm(problem: Any, k: int, iterations: int, rng: int) -> Any:
+def grow_roadmap(problem: Any, k: int, iterations: int, rng: int) -> Any:
     """Grow the roadmap as the exercise demands, and return its arrays and path."""
     chance, nodes, arrival = np.random.default_rng(rng), [problem.start], [0.0]
     edges, controls, durations = [], [], []
     for turn in range(1, iterations + 1):
-        target = place_to_go(problem, turn, chance)
-        for near in distances(problem, np.array(nodes), target).argsort(kind="stable")[:k].tolist():
+        target = choose_target(problem, turn, chance)
+        for near in (
+            measure_distances(problem, np.array(nodes), target).argsort(kind="stable")[:k].tolist()
+        ):
             drive = problem.best_drive(nodes[near], target, chance)
             if drive is None:
                 continue
@@ -49,11 +51,11 @@ def own_kinodynamic_prm(problem: Any, k: int, iterations: int, rng: int) -> Any:
             controls.append((v, phi))
             durations.append(t)
             arrival.append(arrival[near] + t)
-    there = near_ones(problem, np.array(nodes))
+    there = find_near_goal(problem, np.array(nodes))
     last = (
         min(there, key=arrival.__getitem__)
         if len(there)
-        else distances(problem, np.array(nodes), problem.goal).argmin()
+        else measure_distances(problem, np.array(nodes), problem.goal).argmin()
     )
     return (
         edges,
@@ -71,7 +73,7 @@ class KinodynamicPrm(DrivingPlanner):
     given = Record(problem=DrivenTask(), k=Whole(), iterations=Whole(), rng=Whole())
     result = Together((WholeNumbers(("n", 2)), CONTROLS, DURATIONS, ROUTE))
     answer = three_times(result)
-    source = staticmethod(own_kinodynamic_prm)
+    source = staticmethod(grow_roadmap)
     shown = staticmethod(drive_from_nearest)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
@@ -113,26 +115,28 @@ class KinodynamicPrm(DrivingPlanner):
         if not np.array_equal(edges[:, 1], np.arange(1, len(edges) + 1)):
             turned = np.array_equal(edges[:, 0], np.arange(1, len(edges) + 1))
             return Fault("turned" if turned else "edges", NOWHERE)
-        fault, nodes = why_not_driven(problem, tree)
+        fault, nodes = find_drive_fault(problem, tree)
         if fault is not None:
             return fault
         if len(nodes) > k * iterations + 1:
             return Fault("iterations", NOWHERE)
-        if stopped_early(nodes, iterations):
+        if find_early_stop(nodes, iterations):
             return Fault("onward", nodes[-1:])
-        fault = not_along(tree.parent, path, nodes) or not_fastest(problem, tree, nodes, path)
+        fault = find_path_fault(tree.parent, path, nodes) or find_slower_end(
+            problem, tree, nodes, path
+        )
         return fault or (
-            fault_of_groups(problem, edges, nodes, k, iterations) if case.kind in OPEN else None
+            find_group_fault(problem, edges, nodes, k, iterations) if case.kind in OPEN else None
         )
 
 
-def not_fastest(
+def find_slower_end(
     problem: Any, tree: DrivenTree, nodes: Array, path: NDArray[np.int64]
 ) -> Fault | None:
     """Return a fault where another node near the goal is reached sooner than the path's end."""
-    surely, perhaps = near_ones(problem, nodes, -SLACK), near_ones(problem, nodes, SLACK)
+    surely, perhaps = find_near_goal(problem, nodes, -SLACK), find_near_goal(problem, nodes, SLACK)
     if not len(surely):
-        return None if path[-1] in perhaps else not_nearest_to_goal(problem, nodes, path)
+        return None if path[-1] in perhaps else find_end_fault(problem, nodes, path)
     arrival = np.zeros(len(nodes))
     for i in range(1, len(nodes)):
         arrival[i] = arrival[tree.parent[i]] + tree.durations[i]
@@ -145,7 +149,7 @@ def not_fastest(
     )
 
 
-def fault_of_groups(
+def find_group_fault(
     problem: Any, edges: NDArray[np.int64], nodes: Array, k: int, iterations: int
 ) -> Fault | None:
     """Judge that each iteration drove from the right k nodes.
@@ -161,4 +165,4 @@ def fault_of_groups(
             return Fault("group", nodes[chosen])
         turns.append((before, chosen))
         before += len(chosen)
-    return by_turns(problem, nodes, turns)
+    return judge_turns(problem, nodes, turns)

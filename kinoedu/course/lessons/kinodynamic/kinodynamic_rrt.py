@@ -22,26 +22,26 @@ from .driven_trees import (
     NOWHERE,
     SLACK,
     DrivingPlanner,
-    by_turns,
-    distances,
-    near_ones,
-    not_along,
-    not_nearest_to_goal,
-    why_not_driven,
+    find_drive_fault,
+    find_end_fault,
+    find_near_goal,
+    find_path_fault,
+    judge_turns,
+    measure_distances,
 )
-from .drives import CONTROLS, DURATIONS, ROUTE, TURNS, place_to_go, stopped_early
+from .drives import CONTROLS, DURATIONS, ROUTE, TURNS, choose_target, find_early_stop
 from .garages import GARAGES, KINDS, OPEN
 
 
-def own_kinodynamic_rrt(problem: Any, iterations: int, rng: int) -> Any:
+def grow_tree(problem: Any, iterations: int, rng: int) -> Any:
     """Grow the tree as the exercise demands, and return its arrays and path."""
     chance, nodes = np.random.default_rng(rng), [problem.start]
     parent, controls, durations = [-1], [(0.0, 0.0)], [0.0]
     for turn in range(1, iterations + 1):
-        if len(near_ones(problem, np.array(nodes[-1:]))):
+        if len(find_near_goal(problem, np.array(nodes[-1:]))):
             break
-        target = place_to_go(problem, turn, chance)
-        near = int(distances(problem, np.array(nodes), target).argmin())
+        target = choose_target(problem, turn, chance)
+        near = int(measure_distances(problem, np.array(nodes), target).argmin())
         drive = problem.best_drive(nodes[near], target, chance)
         if drive is None:
             continue
@@ -50,11 +50,11 @@ def own_kinodynamic_rrt(problem: Any, iterations: int, rng: int) -> Any:
         parent.append(near)
         controls.append((v, phi))
         durations.append(t)
-    there = near_ones(problem, np.array(nodes))
+    there = find_near_goal(problem, np.array(nodes))
     last = (
         int(there[0])
         if len(there)
-        else int(distances(problem, np.array(nodes), problem.goal).argmin())
+        else int(measure_distances(problem, np.array(nodes), problem.goal).argmin())
     )
     return parent, controls, durations, extract_path(np.array(parent), last)
 
@@ -67,7 +67,7 @@ class KinodynamicRrt(DrivingPlanner):
     given = Record(problem=DrivenTask(), iterations=Whole(), rng=Whole())
     result = Together((WholeNumbers(("n",)), CONTROLS, DURATIONS, ROUTE))
     answer = three_times(result)
-    source = staticmethod(own_kinodynamic_rrt)
+    source = staticmethod(grow_tree)
     shown = staticmethod(grow_by_driving)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
@@ -94,30 +94,26 @@ class KinodynamicRrt(DrivingPlanner):
         """
         problem, iterations, _ = case.given.values()
         tree, path = self.tree_of(case, answer), answer[-1]
-        fault, nodes = why_not_driven(problem, tree)
+        fault, nodes = find_drive_fault(problem, tree)
         if fault is not None:
             return fault
         if len(nodes) > iterations + 1:
             return Fault("iterations", NOWHERE)
-        fault = not_along(tree.parent, path, nodes) or not_ended(problem, nodes, path)
-        if fault is None and not len(near_ones(problem, nodes, SLACK)):
-            fault = stopped_early(nodes, iterations)
+        fault = find_path_fault(tree.parent, path, nodes) or find_goal_fault(problem, nodes, path)
+        if fault is None and not len(find_near_goal(problem, nodes, SLACK)):
+            fault = find_early_stop(nodes, iterations)
         if fault is None and case.kind in OPEN:
             turns = [(i, tree.parent[i : i + 1]) for i in range(1, len(nodes))]
-            whole = len(nodes) == iterations + 1 or len(near_ones(problem, nodes, SLACK))
-            fault = by_turns(problem, nodes, turns) if whole else Fault("dropped", NOWHERE)
+            whole = len(nodes) == iterations + 1 or len(find_near_goal(problem, nodes, SLACK))
+            fault = judge_turns(problem, nodes, turns) if whole else Fault("dropped", NOWHERE)
         return fault
 
 
-def not_ended(problem: Any, nodes: Array, path: NDArray[np.int64]) -> Fault | None:
+def find_goal_fault(problem: Any, nodes: Array, path: NDArray[np.int64]) -> Fault | None:
     """Return a fault where growth went on after the goal was reached or the path ends elsewhere."""
-    surely, perhaps = near_ones(problem, nodes, -SLACK), near_ones(problem, nodes, SLACK)
+    surely, perhaps = find_near_goal(problem, nodes, -SLACK), find_near_goal(problem, nodes, SLACK)
     if len(surely) and surely[0] < len(nodes) - 1:
         return Fault("returned", nodes[surely[:1]])
     if path[-1] in perhaps:
         return None
-    return (
-        Fault("goal", nodes[path[-1:]])
-        if len(surely)
-        else not_nearest_to_goal(problem, nodes, path)
-    )
+    return Fault("goal", nodes[path[-1:]]) if len(surely) else find_end_fault(problem, nodes, path)

@@ -17,7 +17,7 @@ from ..shared.car_pictures import arc, frame_both
 # functions import figures themselves: matplotlib is needed only where an answer is wrong
 
 
-def draw_driven_answer(problem: Any, built: Any, fault: Any, words: str, ax: Any) -> None:
+def draw_driven_answer(problem: Any, built: Any, fault: Any, text: str, ax: Any) -> None:
     """Draw the problem, the tree in blue, the path in yellow, and the fault in orange."""
     from ....figures import palette, plane
     from ....figures.drawing import draw_path, draw_problem, draw_tree
@@ -35,7 +35,7 @@ def draw_driven_answer(problem: Any, built: Any, fault: Any, words: str, ax: Any
         )
         if len(numbers):
             draw_path(drive.at(np.linspace(0.0, drive.duration, 12 * len(numbers)))[:, :2], ax)
-        look_closer(
+        zoom_in(
             np.vstack([tree.nodes, problem.start, problem.goal])[:, :2],
             5.0 * problem.robot.wheelbase,
             ax,
@@ -58,10 +58,10 @@ def draw_driven_answer(problem: Any, built: Any, fault: Any, words: str, ax: Any
             markeredgecolor="white",
             zorder=9,
         )
-    plane.title(words, ax)
+    plane.title(text, ax)
 
 
-def look_closer(places: Array, least: float, ax: Any) -> None:
+def zoom_in(places: Array, least: float, ax: Any) -> None:
     """Zoom in on the positions, with at least `least` units around them, in a large world."""
     middle, reach = (
         (places.min(axis=0) + places.max(axis=0)) / 2.0,
@@ -108,7 +108,9 @@ def draw_choice(exercise: ValueExercise, case: Case, value: Any, ax: Any) -> Non
     bodies = (
         []
         if shown is None
-        else [outline_at(room.problem.robot, pose) for pose in swept(case, bends, *shown)]
+        else [
+            outline_at(room.problem.robot, pose) for pose in find_swept_poses(case, bends, *shown)
+        ]
     )
     tips = [
         pose[:2] + 8.0 * np.array([math.cos(pose[2]), math.sin(pose[2])]) for pose in (q, target)
@@ -146,7 +148,7 @@ def is_choice(choice: Any, controls: Array, n: int) -> bool:
     return bool(0 <= choice[0] < len(controls) and 0 <= choice[1] <= n)
 
 
-def swept(case: Case, bends: Array, i: int, k: int) -> Array:
+def find_swept_poses(case: Case, bends: Array, i: int, k: int) -> Array:
     """Return four poses of the drive by control i up to step k, both ends included."""
     _, q, _, controls, t, n = case.given.values()
     way = arc(q, controls[i, 0] * t * k / n, bends[i])

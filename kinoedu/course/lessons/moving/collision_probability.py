@@ -15,7 +15,7 @@ from ...exercise import Case, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record
 from .pictures import draw_scenarios
-from .scenarios import Hits, contacts, gaps
+from .scenarios import Hits, find_contacts, measure_gaps
 
 CLEAR = 1e-4  # scenarios in which a path nearly touches a disc, by less than this, are left out
 Z = 1.96
@@ -56,53 +56,53 @@ SMALL: tuple[tuple[str, Any, Any, Any], ...] = (
 )
 
 
-def with_interval(hits: float, n: int) -> Array:
+def add_interval(hits: float, n: int) -> Array:
     """Return the fraction hits / n and the ends of its Wilson interval, shape (3,)."""
     low, high = wilson(hits, n)
     return np.array([hits / n, low, high])
 
 
-def tried(path: Array, discs: Array, offsets: Array) -> Array:
+def estimate_probability(path: Array, discs: Array, offsets: Array) -> Array:
     """Return the fraction of scenarios that hit the path with its 95 percent interval, (3,)."""
-    return with_interval(int(contacts(path, discs, offsets).any(axis=1).sum()), len(offsets))
+    return add_interval(int(find_contacts(path, discs, offsets).any(axis=1).sum()), len(offsets))
 
 
-def normal_interval(path: Array, discs: Array, offsets: Array) -> Array:
+def use_normal_interval(path: Array, discs: Array, offsets: Array) -> Array:
     """Return the fraction plus and minus 1.96 standard deviations, shape (3,)."""
-    share = contacts(path, discs, offsets).any(axis=1).mean()
+    share = find_contacts(path, discs, offsets).any(axis=1).mean()
     reach = Z * np.sqrt(share * (1 - share) / len(offsets))
     return np.array([share, share - reach, share + reach])
 
 
-def counted(count: Callable[[Hits], float]) -> Callable[..., Array]:
+def count_by(count: Callable[[Hits], float]) -> Callable[..., Array]:
     """Return a program that counts contacts with `count`."""
 
     def mistaken(path: Array, discs: Array, offsets: Array) -> Array:
-        hits = contacts(path, discs, offsets)
+        hits = find_contacts(path, discs, offsets)
         share = min(count(hits), 1.0)
-        return with_interval(share * len(hits), len(hits))
+        return add_interval(share * len(hits), len(hits))
 
     return mistaken
 
 
-def among(change: Callable[..., tuple[Array, Array, Array]]) -> Callable[..., Array]:
+def change_input(change: Callable[..., tuple[Array, Array, Array]]) -> Callable[..., Array]:
     """Return a program that is right about a path, discs or offsets changed by `change`."""
-    return lambda path, discs, offsets: tried(*change(path, discs, offsets))
+    return lambda path, discs, offsets: estimate_probability(*change(path, discs, offsets))
 
 
-def tiny_missed(path: Array, discs: Array, offsets: Array) -> Array:
+def miss_tiny_discs(path: Array, discs: Array, offsets: Array) -> Array:
     """Ignore discs so small that they fit between the sampled points of a path."""
-    hits = contacts(path, discs, offsets)[:, discs[:, 2] >= TINY]
-    return with_interval(int(hits.any(axis=1).sum()), len(offsets))
+    hits = find_contacts(path, discs, offsets)[:, discs[:, 2] >= TINY]
+    return add_interval(int(hits.any(axis=1).sum()), len(offsets))
 
 
-def corners_only(path: Array, discs: Array, offsets: Array) -> Array:
+def check_points_only(path: Array, discs: Array, offsets: Array) -> Array:
     """Check only the points of the path, not the segments between them."""
     points = np.repeat(path, 2, axis=0)
     hits = np.any(
-        [contacts(points[2 * k : 2 * k + 2], discs, offsets) for k in range(len(path))], axis=0
+        [find_contacts(points[2 * k : 2 * k + 2], discs, offsets) for k in range(len(path))], axis=0
     )
-    return with_interval(int(hits.any(axis=1).sum()), len(offsets))
+    return add_interval(int(hits.any(axis=1).sum()), len(offsets))
 
 
 class CollisionProbability(ValueExercise):
@@ -114,19 +114,19 @@ class CollisionProbability(ValueExercise):
     given = Record(path=Numbers(("k", 2)), discs=Numbers(("m", 3)), offsets=Numbers(("n", "m", 2)))
     answer = Numbers((3,))
     tolerance = 1e-4
-    source = staticmethod(tried)
+    source = staticmethod(estimate_probability)
     shown = staticmethod(probability.collision_probability)
     slips = (
-        Slip("corners", corners_only),
-        Slip("points", tiny_missed),
-        Slip("per_disc", counted(lambda hits: float(hits.sum() / len(hits)))),
-        Slip("pairs", counted(lambda hits: float(hits.mean()))),
-        Slip("every_disc", counted(lambda hits: float(hits.all(axis=1).mean()))),
-        Slip("missed", counted(lambda hits: 1.0 - float(hits.any(axis=1).mean()))),
-        Slip("normal", normal_interval),
+        Slip("corners", check_points_only),
+        Slip("points", miss_tiny_discs),
+        Slip("per_disc", count_by(lambda hits: float(hits.sum() / len(hits)))),
+        Slip("pairs", count_by(lambda hits: float(hits.mean()))),
+        Slip("every_disc", count_by(lambda hits: float(hits.all(axis=1).mean()))),
+        Slip("missed", count_by(lambda hits: 1.0 - float(hits.any(axis=1).mean()))),
+        Slip("normal", use_normal_interval),
         Slip(
             "one_offset",
-            among(
+            change_input(
                 lambda path, discs, offsets: (
                     path,
                     discs,
@@ -134,20 +134,27 @@ class CollisionProbability(ValueExercise):
                 )
             ),
         ),
-        Slip("minus", among(lambda path, discs, offsets: (path, discs, -offsets))),
-        Slip("expected", among(lambda path, discs, offsets: (path, discs, 0.0 * offsets))),
-        Slip("first_disc", among(lambda path, discs, offsets: (path, discs[:1], offsets[:, :1]))),
+        Slip("minus", change_input(lambda path, discs, offsets: (path, discs, -offsets))),
+        Slip("expected", change_input(lambda path, discs, offsets: (path, discs, 0.0 * offsets))),
+        Slip(
+            "first_disc",
+            change_input(lambda path, discs, offsets: (path, discs[:1], offsets[:, :1])),
+        ),
         Slip(
             "last_stretch",
-            among(lambda path, discs, offsets: (path[: max(len(path) - 1, 2)], discs, offsets)),
+            change_input(
+                lambda path, discs, offsets: (path[: max(len(path) - 1, 2)], discs, offsets)
+            ),
         ),
         Slip(
             "closed",
-            among(lambda path, discs, offsets: (np.vstack([path, path[:1]]), discs, offsets)),
+            change_input(
+                lambda path, discs, offsets: (np.vstack([path, path[:1]]), discs, offsets)
+            ),
         ),
-        Slip("beeline", among(lambda path, discs, offsets: (path[[0, -1]], discs, offsets))),
+        Slip("beeline", change_input(lambda path, discs, offsets: (path[[0, -1]], discs, offsets))),
     )
-    reference = staticmethod(tried)
+    reference = staticmethod(estimate_probability)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Yield a few scenarios that can be drawn by hand, then random ones."""
@@ -162,7 +169,7 @@ class CollisionProbability(ValueExercise):
         wanted = dict.fromkeys(self.kinds, 10)
         while any(wanted.values()):
             kind = next(kind for kind, left in wanted.items() if left == max(wanted.values()))
-            case = scenario_case(kind, rng)
+            case = draw_case(kind, rng)
             if case is not None:
                 wanted[kind] -= 1
                 yield case
@@ -185,7 +192,7 @@ class CollisionProbability(ValueExercise):
         draw_scenarios(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 
 
-def scenario_case(kind: str, rng: np.random.Generator) -> Case | None:
+def draw_case(kind: str, rng: np.random.Generator) -> Case | None:
     """Draw a random case of a kind; None where it turns out to be of another kind."""
     n, m, k = (
         int(rng.integers(40, 120)),
@@ -196,7 +203,7 @@ def scenario_case(kind: str, rng: np.random.Generator) -> Case | None:
     sizes: Array = rng.uniform(0.3, 1.5, m)
     discs: Array = np.column_stack([rng.uniform(0, 10, (m, 2)), sizes]).round(1)
     offsets: Array = np.round(rng.normal(0, rng.uniform(0.3, 1.5, m)[:, None], (n, m, 2)), 3)
-    near = gaps(path, discs, offsets)
+    near = measure_gaps(path, discs, offsets)
     if np.abs(near).min() < CLEAR or (np.diff(path, axis=0) == 0.0).all(axis=1).any():
         return None
     hits = near <= 0.0

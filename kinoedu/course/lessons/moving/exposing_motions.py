@@ -10,7 +10,7 @@ from ....words import say
 from ...exercise import RIGHT, Case, Exercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record, Together
-from .first_contact import contact_time, relative
+from .first_contact import find_contact, find_relative_motion
 from .pictures import draw_missed
 
 FARTHEST, RADIUS, MOMENTS, DEEP = 100.0, 1.0, 20, 0.1
@@ -36,17 +36,17 @@ class ExposeMoments(Exercise):
         stands still.
         """
         p0, p1, c0, c1 = value
-        rule = "" if valid(value) else "valid" if not inside(value) else "apart"
+        rule = "" if is_valid(value) else "valid" if not is_in_range(value) else "apart"
         if not rule and case.kind != "valid":
             rule = (
                 "exposes"
-                if nearest(*value) >= RADIUS - 1e-9
+                if find_least_distance(*value) >= RADIUS - 1e-9
                 else "seen"
                 if touch_by_moments(p0, p1, c0, c1, RADIUS)
                 else ""
             )
             if not rule and case.kind != "exposes":
-                rule = "deep" if nearest(*value) > DEEP else ""
+                rule = "deep" if find_least_distance(*value) > DEEP else ""
                 rule = rule or ("standing" if case.kind == "standing" and (p0 != p1).any() else "")
         return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
 
@@ -56,26 +56,26 @@ class ExposeMoments(Exercise):
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """Draw the point's motion seen from the disc, with the moments that the program samples."""
-        fits = isinstance(outcome, Answer) and valid(outcome.value)
+        fits = isinstance(outcome, Answer) and is_valid(outcome.value)
         draw_missed(
             outcome.value if isinstance(outcome, Answer) and fits else None, RADIUS, MOMENTS, ax
         )
 
 
-def valid(value: Any) -> bool:
+def is_valid(value: Any) -> bool:
     """Whether the coordinates are in range and point and disc do not touch at the beginning."""
     p0, p1, c0, c1 = value
-    return inside(value) and contact_time(p0, p1, c0, c1, RADIUS) > 0.0
+    return is_in_range(value) and find_contact(p0, p1, c0, c1, RADIUS) > 0.0
 
 
-def inside(value: Any) -> bool:
+def is_in_range(value: Any) -> bool:
     """Whether all coordinates are in range."""
     return bool((np.abs(np.array(value)) <= FARTHEST).all())
 
 
-def nearest(p0: Array, p1: Array, c0: Array, c1: Array) -> float:
+def find_least_distance(p0: Array, p1: Array, c0: Array, c1: Array) -> float:
     """Return the least distance of the point from the disc's centre."""
-    x, v = relative(p0, p1, c0, c1)
+    x, v = find_relative_motion(p0, p1, c0, c1)
     s = 0.0 if v @ v == 0.0 else min(max(-float(x @ v) / float(v @ v), 0.0), 1.0)
     return float(np.sqrt((x + s * v) @ (x + s * v)))
 

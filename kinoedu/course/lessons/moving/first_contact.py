@@ -22,7 +22,7 @@ CLEAR = 0.01
 BRIEF = 0.002
 
 
-def roots(x: Array, v: Array, r: float) -> tuple[float, float] | None:
+def find_roots(x: Array, v: Array, r: float) -> tuple[float, float] | None:
     """Return the two times s at which |x + s v| = r.
 
     Returns
@@ -36,44 +36,44 @@ def roots(x: Array, v: Array, r: float) -> tuple[float, float] | None:
     return (-b - math.sqrt(square)) / a, (-b + math.sqrt(square)) / a
 
 
-def contact_time(p0: Array, p1: Array, c0: Array, c1: Array, r: float) -> float:
+def find_contact(p0: Array, p1: Array, c0: Array, c1: Array, r: float) -> float:
     """Return when the point is first within r of the centre.
 
     Returns
     -------
     A fraction of the motion's time, 0 to 1; infinity where there is no contact.
     """
-    return seen_from_disc(p0 - c0, (p1 - p0) - (c1 - c0), r)
+    return find_relative_contact(p0 - c0, (p1 - p0) - (c1 - c0), r)
 
 
-def seen_from_disc(x: Array, v: Array, r: float) -> float:
+def find_relative_contact(x: Array, v: Array, r: float) -> float:
     """Return the time of contact of a motion x + s v with a disc at the origin."""
     if x @ x <= r * r:
         return 0.0
-    found = roots(x, v, r)
+    found = find_roots(x, v, r)
     return found[0] if found is not None and 0.0 <= found[0] <= 1.0 else math.inf
 
 
-def by(
-    motion: Callable[..., tuple[Array, Array]], choose: Callable[..., float] = seen_from_disc
+def make_program(
+    motion: Callable[..., tuple[Array, Array]], choose: Callable[..., float] = find_relative_contact
 ) -> Callable[..., float]:
     """Return a program that makes a mistake in the relative motion, or in what follows from it."""
     return lambda p0, p1, c0, c1, r: choose(*motion(p0, p1, c0, c1), r)
 
 
-def relative(p0: Array, p1: Array, c0: Array, c1: Array) -> tuple[Array, Array]:
+def find_relative_motion(p0: Array, p1: Array, c0: Array, c1: Array) -> tuple[Array, Array]:
     """Return the point's first position and its motion, both relative to the disc."""
     return p0 - c0, (p1 - p0) - (c1 - c0)
 
 
-def at_the_ends(x: Array, v: Array, r: float) -> float:
+def check_ends_only(x: Array, v: Array, r: float) -> float:
     """Check only the first and the last moment."""
     return 0.0 if x @ x <= r * r else 1.0 if (x + v) @ (x + v) <= r * r else math.inf
 
 
-def leaving(x: Array, v: Array, r: float) -> float:
+def find_end_of_contact(x: Array, v: Array, r: float) -> float:
     """Return the time at which contact ends."""
-    found = roots(x, v, r)
+    found = find_roots(x, v, r)
     return (
         0.0
         if x @ x <= r * r
@@ -83,40 +83,40 @@ def leaving(x: Array, v: Array, r: float) -> float:
     )
 
 
-def at_any_time(x: Array, v: Array, r: float) -> float:
+def find_at_any_time(x: Array, v: Array, r: float) -> float:
     """Accept times before the beginning or after the end."""
-    found = roots(x, v, r)
+    found = find_roots(x, v, r)
     return math.inf if found is None else found[0]
 
 
-def nearest_moment(x: Array, v: Array, r: float) -> float:
+def find_nearest_moment(x: Array, v: Array, r: float) -> float:
     """Return the time of the least distance, where that is contact."""
     s = 0.0 if v @ v == 0.0 else min(max(-float(x @ v) / float(v @ v), 0.0), 1.0)
     return s if (x + s * v) @ (x + s * v) <= r * r else math.inf
 
 
-def brief_missed(x: Array, v: Array, r: float) -> float:
+def miss_brief_contact(x: Array, v: Array, r: float) -> float:
     """Miss contacts that are shorter than a sampling program would see."""
-    found = roots(x, v, r)
+    found = find_roots(x, v, r)
     return (
         math.inf
         if x @ x > r * r and found is not None and found[1] - found[0] < BRIEF
-        else seen_from_disc(x, v, r)
+        else find_relative_contact(x, v, r)
     )
 
 
-def nearly_alike(x: Array, v: Array, r: float) -> float:
+def confuse_equal_velocities(x: Array, v: Array, r: float) -> float:
     """Treat nearly equal velocities as equal."""
     return (
         (0.0 if x @ x <= r * r else math.inf)
         if np.abs(v).max() < CLEAR
-        else seen_from_disc(x, v, r)
+        else find_relative_contact(x, v, r)
     )
 
 
-def never_at_once(x: Array, v: Array, r: float) -> float:
+def miss_first_moment(x: Array, v: Array, r: float) -> float:
     """Miss contact at the beginning."""
-    found = roots(x, v, r)
+    found = find_roots(x, v, r)
     return found[0] if found is not None and 0.0 <= found[0] <= 1.0 else math.inf
 
 
@@ -128,48 +128,48 @@ class FirstContact(ValueExercise):
     kinds = ("meets", "crosses", "outside", "touching", "together")
     given = Record(p0=PLACE, p1=PLACE, c0=PLACE, c1=PLACE, r=Number())
     answer = Number()
-    source = staticmethod(contact_time)
-    shown = staticmethod(contact_time)
+    source = staticmethod(find_contact)
+    shown = staticmethod(find_contact)
     slips = (
-        Slip("standing", by(lambda p0, p1, c0, c1: (p0 - c0, p1 - p0))),
-        Slip("added", by(lambda p0, p1, c0, c1: (p0 - c0, (p1 - p0) + (c1 - c0)))),
-        Slip("backwards", by(lambda p0, p1, c0, c1: (p0 - c0, (c1 - c0) - (p1 - p0)))),
-        Slip("ends_only", by(relative, at_the_ends)),
-        Slip("leaving", by(relative, leaving)),
-        Slip("any_time", by(relative, at_any_time)),
-        Slip("nearest", by(relative, nearest_moment)),
-        Slip("not_at_once", by(relative, never_at_once)),
-        Slip("alike", by(relative, nearly_alike)),
-        Slip("moments", by(relative, brief_missed)),
+        Slip("standing", make_program(lambda p0, p1, c0, c1: (p0 - c0, p1 - p0))),
+        Slip("added", make_program(lambda p0, p1, c0, c1: (p0 - c0, (p1 - p0) + (c1 - c0)))),
+        Slip("backwards", make_program(lambda p0, p1, c0, c1: (p0 - c0, (c1 - c0) - (p1 - p0)))),
+        Slip("ends_only", make_program(find_relative_motion, check_ends_only)),
+        Slip("leaving", make_program(find_relative_motion, find_end_of_contact)),
+        Slip("any_time", make_program(find_relative_motion, find_at_any_time)),
+        Slip("nearest", make_program(find_relative_motion, find_nearest_moment)),
+        Slip("not_at_once", make_program(find_relative_motion, miss_first_moment)),
+        Slip("alike", make_program(find_relative_motion, confuse_equal_velocities)),
+        Slip("moments", make_program(find_relative_motion, miss_brief_contact)),
         Slip(
-            "length", lambda p0, p1, c0, c1, r: contact_time(p0, p1, c0, c1, r) * math.dist(p0, p1)
+            "length", lambda p0, p1, c0, c1, r: find_contact(p0, p1, c0, c1, r) * math.dist(p0, p1)
         ),
-        Slip("diameter", lambda p0, p1, c0, c1, r: contact_time(p0, p1, c0, c1, r / 2)),
+        Slip("diameter", lambda p0, p1, c0, c1, r: find_contact(p0, p1, c0, c1, r / 2)),
     )
-    reference = staticmethod(contact_time)
+    reference = staticmethod(find_contact)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Yield cases with small whole numbers, then random ones."""
-        yield contact_case("meets", (0, 0), (10, 0), (10, 0), (0, 0), 2)
-        yield contact_case("meets", (0, 0), (8, 0), (6, 0), (6, 0), 2)
-        yield contact_case("meets", (0, 0), (30, 0), (23, 0), (-30, 0), 0.001)
-        yield contact_case("meets", (0, 0), (5, 0), (2.001, 0), (6.999, 0), 2)
-        yield contact_case("crosses", (0, 0), (10, 0), (5, -1.5), (5, 18.5), 1)
-        yield contact_case("outside", (0, 0), (4, 0), (9, 0), (9, 0), 1)
-        yield contact_case("outside", (5, 0), (9, 0), (0, 0), (0, 0), 1)
-        yield contact_case("touching", (0, 0), (5, 0), (1, 0), (9, 0), 2)
-        yield contact_case("together", (0, 0), (5, 5), (3, 0), (8, 5), 1)
-        yield contact_case("together", (0, 0), (0, 0), (1, 0), (1, 0), 2)
+        yield make_case("meets", (0, 0), (10, 0), (10, 0), (0, 0), 2)
+        yield make_case("meets", (0, 0), (8, 0), (6, 0), (6, 0), 2)
+        yield make_case("meets", (0, 0), (30, 0), (23, 0), (-30, 0), 0.001)
+        yield make_case("meets", (0, 0), (5, 0), (2.001, 0), (6.999, 0), 2)
+        yield make_case("crosses", (0, 0), (10, 0), (5, -1.5), (5, 18.5), 1)
+        yield make_case("outside", (0, 0), (4, 0), (9, 0), (9, 0), 1)
+        yield make_case("outside", (5, 0), (9, 0), (0, 0), (0, 0), 1)
+        yield make_case("touching", (0, 0), (5, 0), (1, 0), (9, 0), 2)
+        yield make_case("together", (0, 0), (5, 5), (3, 0), (8, 5), 1)
+        yield make_case("together", (0, 0), (0, 0), (1, 0), (1, 0), 2)
         wanted = dict.fromkeys(self.kinds, 12)
         while any(wanted.values()):
             p0, p1, c0, c1 = np.round(rng.uniform(-10, 10, (4, 2)), 1)
             r, which = float(np.round(rng.uniform(0.5, 4), 1)), rng.random()
             c1 = c0 + (p1 - p0) if which < 0.2 else c1
             c0 = np.round(p0 + rng.uniform(-0.6, 0.6, 2) * r, 1) if 0.2 < which < 0.4 else c0
-            kind = kind_of(p0, p1, c0, c1, r)
+            kind = classify(p0, p1, c0, c1, r)
             if kind and wanted[kind]:
                 wanted[kind] -= 1
-                yield contact_case(kind, p0, p1, c0, c1, r)
+                yield make_case(kind, p0, p1, c0, c1, r)
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
         """Judge the time; an answer outside of 0 to 1 breaks a rule of its own."""
@@ -183,9 +183,9 @@ class FirstContact(ValueExercise):
         draw_contact(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 
 
-def kind_of(p0: Array, p1: Array, c0: Array, c1: Array, r: float) -> str:
+def classify(p0: Array, p1: Array, c0: Array, c1: Array, r: float) -> str:
     """Return the kind of a case; "" where rounding might decide it, or where it is dull."""
-    x, v = relative(p0, p1, c0, c1)
+    x, v = find_relative_motion(p0, p1, c0, c1)
     if abs(math.sqrt(x @ x) - r) < CLEAR or abs(math.sqrt((x + v) @ (x + v)) - r) < CLEAR:
         return ""
     if x @ x < r * r:
@@ -193,24 +193,24 @@ def kind_of(p0: Array, p1: Array, c0: Array, c1: Array, r: float) -> str:
     if np.abs(v).max() < 1e-9:
         return "together"
     found, grazed = (
-        roots(x, v, r),
-        (roots(x, v, r - CLEAR) is None) != (roots(x, v, r + CLEAR) is None),
+        find_roots(x, v, r),
+        (find_roots(x, v, r - CLEAR) is None) != (find_roots(x, v, r + CLEAR) is None),
     )
     if grazed or v @ v < 1.0:
         return ""
     if found is None:
-        return "crosses" if ways_cross(p0, p1, c0, c1, r) else ""
+        return "crosses" if do_paths_cross(p0, p1, c0, c1, r) else ""
     return "meets" if 0.0 < found[0] < 1.0 else "outside"
 
 
-def ways_cross(p0: Array, p1: Array, c0: Array, c1: Array, r: float) -> bool:
+def do_paths_cross(p0: Array, p1: Array, c0: Array, c1: Array, r: float) -> bool:
     """Whether the point's segment passes through the region that the disc sweeps."""
     from ....geometry import segments_intersect
 
     return bool(segments_intersect(p0, p1, c0, c1))
 
 
-def contact_case(kind: str, p0: Any, p1: Any, c0: Any, c1: Any, r: float) -> Case:
+def make_case(kind: str, p0: Any, p1: Any, c0: Any, c1: Any, r: float) -> Case:
     """Return a case of two motions."""
     places = {
         name: np.array(place, float)

@@ -11,7 +11,7 @@ import numpy as np
 from ....geometry.checks import Array
 from ....words import say
 from ...exercise import Case, Exercise, ValueExercise, spoken
-from .scenarios import contacts
+from .scenarios import find_contacts
 
 # functions import figures themselves: matplotlib is needed only where an answer is wrong
 
@@ -19,7 +19,7 @@ MOST_DRAWN = 40  # scenarios that are drawn
 SPECK = 0.01  # a disc of a smaller radius is too small to be drawn as a ring
 
 
-def told(value: float | None) -> str:
+def format_answer(value: float | None) -> str:
     """Format an answer, or say that there is none."""
     return say("timed_picture.none") if value is None else spoken(value)
 
@@ -48,7 +48,9 @@ def draw_contact(exercise: ValueExercise, case: Case, value: float | None, ax: A
                 marker="o" if colour == palette.START else "X",
             )
     plane.corner_note(
-        say("timed_picture.both", true=told(truth), yours=told(value)), ax, colour=palette.GOAL
+        say("timed_picture.both", true=format_answer(truth), yours=format_answer(value)),
+        ax,
+        colour=palette.GOAL,
     )
     plane.title(exercise.words(f"pictures.{case.kind}"), ax)
 
@@ -118,9 +120,9 @@ def draw_margins(exercise: ValueExercise, case: Case, value: Array | None, ax: A
     ax.tick_params(labelsize=palette.TEXT_SIZE - 1)
     shown = np.concatenate([truth, yours, [0.0]])
     ax.set_ylim(shown.min(), 1.3 * shown.max())
-    words = say("timed_picture.bars") if len(yours) else say("timed_picture.none")
+    text = say("timed_picture.bars") if len(yours) else say("timed_picture.none")
     ax.annotate(
-        words, (0.02, 0.92), xycoords="axes fraction", fontsize=palette.TEXT_SIZE, color=palette.INK
+        text, (0.02, 0.92), xycoords="axes fraction", fontsize=palette.TEXT_SIZE, color=palette.INK
     )
     plane.title(exercise.words(f"pictures.{case.kind}"), ax)
 
@@ -134,7 +136,7 @@ def draw_scenarios(exercise: ValueExercise, case: Case, value: Array | None, ax:
 
     path, discs, offsets = case.given.values()
     some = offsets[:MOST_DRAWN]
-    centres, hit = discs[:, :2] + some, contacts(path, discs, some)
+    centres, hit = discs[:, :2] + some, find_contacts(path, discs, some)
     plane.frame(
         np.vstack([path, discs[:, :2] - discs[:, 2:], discs[:, :2] + discs[:, 2:]]), ax, margin=0.2
     )

@@ -9,7 +9,7 @@ from ....geometry.segments import point_segment_distance
 Hits = NDArray[np.bool_]
 
 
-def gaps(path: Array, discs: Array, offsets: Array) -> Array:
+def measure_gaps(path: Array, discs: Array, offsets: Array) -> Array:
     """Return the distance from the path to the rim of each disc in each scenario, (n, m).
 
     Distances are negative where the path enters the disc.
@@ -20,6 +20,6 @@ def gaps(path: Array, discs: Array, offsets: Array) -> Array:
     return np.asarray(far.reshape(centres.shape[:2]) - discs[:, 2])
 
 
-def contacts(path: Array, discs: Array, offsets: Array) -> Hits:
+def find_contacts(path: Array, discs: Array, offsets: Array) -> Hits:
     """Return whether the path touches each disc in each scenario, (n, m)."""
-    return np.asarray(gaps(path, discs, offsets) <= 0.0)
+    return np.asarray(measure_gaps(path, discs, offsets) <= 0.0)

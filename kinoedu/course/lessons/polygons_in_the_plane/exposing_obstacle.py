@@ -39,12 +39,12 @@ class ExposeFourChords(Exercise):
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
         """Judge that the answer is valid, that the program is wrong, and the thickness."""
-        rule = fault_of_triangle(*value)
+        rule = find_triangle_fault(*value)
         if not rule and case.kind != "valid":
             rule = (
                 "hits" if not swept_disk_hits(*value) else "exposes" if chords_hit(*value) else ""
             )
-        if not rule and case.kind == "thickest" and inner_radius(value[2]) < THICK:
+        if not rule and case.kind == "thickest" and measure_inradius(value[2]) < THICK:
             rule = "thickest"
         return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
 
@@ -56,7 +56,7 @@ class ExposeFourChords(Exercise):
         """Draw what the disk sweeps, the chords and the triangle."""
         value = (
             outcome.value
-            if isinstance(outcome, Answer) and not fault_of_triangle(*outcome.value)
+            if isinstance(outcome, Answer) and not find_triangle_fault(*outcome.value)
             else None
         )
         draw_swept(value, chords(*value[:2]) if value else [], self.words("picture"), ax)
@@ -89,7 +89,7 @@ def swept_disk_hits(a: Array, b: Array, obstacle: Array) -> bool:
     return not bool(free_motions(Disk(1.0), room, a[None], b[None])[0])
 
 
-def fault_of_triangle(a: Array, b: Array, obstacle: Array) -> str:
+def find_triangle_fault(a: Array, b: Array, obstacle: Array) -> str:
     """Return the rule that the motion and the triangle break, or ""."""
     numbers = np.vstack([a, b, obstacle])
     if not np.isfinite(numbers).all() or np.abs(numbers).max() > 1e4:
@@ -101,7 +101,7 @@ def fault_of_triangle(a: Array, b: Array, obstacle: Array) -> str:
     return ""
 
 
-def inner_radius(triangle: Array) -> float:
+def measure_inradius(triangle: Array) -> float:
     """Return the inradius of a triangle: twice its area divided by its perimeter."""
     u, v = triangle[1] - triangle[0], triangle[2] - triangle[0]
     sides = triangle - np.roll(triangle, -1, axis=0)

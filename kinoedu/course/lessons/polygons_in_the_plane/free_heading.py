@@ -45,19 +45,21 @@ class FreeHeading(Exercise):
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Yield open places, slots at many angles, and places beside and inside obstacles."""
         room = PolygonWorld(SQUARE)
-        yield case(BAR, room, (5.0, 5.0))
-        yield case(BAR, room, (9.0, 5.0))
+        yield make_case(BAR, room, (5.0, 5.0))
+        yield make_case(BAR, room, (9.0, 5.0))
         for angle in (0.0, np.pi / 2, np.pi, -np.pi / 2):
-            yield case(BAR, slot(angle, HALF), (5.0, 5.0))
-        yield case(BAR, slot(0.0, 0.2), (5.0, 5.0))
+            yield make_case(BAR, make_slot(angle, HALF), (5.0, 5.0))
+        yield make_case(BAR, make_slot(0.0, 0.2), (5.0, 5.0))
         for _ in range(12):
-            yield case(BAR, slot(float(np.round(rng.uniform(-np.pi, np.pi), 2)), HALF), (5.0, 5.0))
+            yield make_case(
+                BAR, make_slot(float(np.round(rng.uniform(-np.pi, np.pi), 2)), HALF), (5.0, 5.0)
+            )
         for robot in (BAR, HOOK):
             world = scattered(12, side=10.0, radius=1.2, keep_free=[(1.4, 1.4, 2.6)], rng=rng)
             for place in np.round(rng.uniform(0.5, 9.5, (40, 2)), 2):
                 widths = np.diff(free_headings(robot, world, place))
                 if not len(widths) or widths.max() > LEAST:
-                    yield case(robot, world, place)
+                    yield make_case(robot, world, place)
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
         """Judge that None is returned exactly where no heading is free.
@@ -79,8 +81,8 @@ class FreeHeading(Exercise):
     def wanted(self, case: Case) -> str:
         """Describe the free intervals."""
         rows = self.intervals(case)
-        told = ", ".join(f"{low:.3f} ... {high:.3f}" for low, high in rows)
-        return say("free_heading.wanted", intervals=told) if told else "None"
+        text = ", ".join(f"{low:.3f} ... {high:.3f}" for low, high in rows)
+        return say("free_heading.wanted", intervals=text) if text else "None"
 
     def intervals(self, case: Case) -> Array:
         """Return the free intervals of headings."""
@@ -102,7 +104,7 @@ class FreeHeading(Exercise):
         )
 
 
-def case(robot: Any, world: Any, place: Any) -> Case:
+def make_case(robot: Any, world: Any, place: Any) -> Case:
     """Return a case and classify it."""
     widths = np.diff(free_headings(robot, world, place))
     kind = "none" if not len(widths) else "slot" if widths.max() < 0.8 else "open"
@@ -110,7 +112,7 @@ def case(robot: Any, world: Any, place: Any) -> Case:
     return Case(kind, {"problem": problem, "x": float(place[0]), "y": float(place[1])})
 
 
-def slot(angle: float, half: float) -> Any:
+def make_slot(angle: float, half: float) -> Any:
     """Return a room with a dead end of width 2 `half` around its centre, open in one direction."""
     bars = np.array(
         [

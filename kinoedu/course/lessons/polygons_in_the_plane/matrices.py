@@ -22,37 +22,41 @@ LESSON = "11_polygons_in_the_plane"
 MATRIX = WholeNumbers(("n", "n"))
 
 
-def at_rest(robot: Any, world: Any, q: Any) -> Asked:
+def make_problem(robot: Any, world: Any, q: Any) -> Asked:
     """Return a problem whose start and goal are the same, for its collision checks alone."""
     return Asked(Problem(robot, world, q, q))
 
 
-def case(kind: str, robot: Any, world: Any, rng: np.random.Generator, n: int) -> Case:
+def draw_case(kind: str, robot: Any, world: Any, rng: np.random.Generator, n: int) -> Case:
     """Draw a case with n random free configurations, rounded to two decimals."""
     d = 2 if isinstance(robot, type(Disk(1.0))) else 3
     drawn = np.round(rng.uniform((0, 0, -3.1)[:d], (10, 10, 3.1)[:d], (2000, d)), 2)
     nodes = drawn[free_configurations(robot, world, drawn)][:n]
-    return Case(kind, {"problem": at_rest(robot, world, nodes[0]), "nodes": nodes})
+    return Case(kind, {"problem": make_problem(robot, world, nodes[0]), "nodes": nodes})
 
 
-def lists_of(matrix: Any) -> Neighbours:
+def list_neighbours(matrix: Any) -> Neighbours:
     """Convert an adjacency matrix to adjacency lists."""
     return [np.flatnonzero(row).tolist() for row in np.asarray(matrix)]
 
 
-def in_lists(case: Case) -> Case:
+def convert_case(case: Case) -> Case:
     """Return the same case with adjacency lists."""
     given = dict(case.given)
     matrix = given.pop("matrix", None)
-    return case if matrix is None else Case(case.kind, {"neighbours": lists_of(matrix), **given})
+    return (
+        case
+        if matrix is None
+        else Case(case.kind, {"neighbours": list_neighbours(matrix), **given})
+    )
 
 
-def on_matrix(search: Callable[..., Any]) -> Callable[..., Any]:
+def search_matrix_by(search: Callable[..., Any]) -> Callable[..., Any]:
     """Convert a search on adjacency lists to a search on an adjacency matrix."""
-    return lambda matrix, start, goal: search(lists_of(matrix), start, goal)
+    return lambda matrix, start, goal: search(list_neighbours(matrix), start, goal)
 
 
-class OnMatrix(PathExercise):
+class MatrixExercise(PathExercise):
     """An exercise on a path between two nodes of an adjacency matrix."""
 
     lesson = LESSON
@@ -79,12 +83,12 @@ class OnMatrix(PathExercise):
 
     def truth(self, case: Case) -> Any:
         """Return the right answer on the adjacency lists."""
-        return super().truth(in_lists(case))
+        return super().truth(convert_case(case))
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
         """Judge the path on the adjacency lists."""
-        return super().value_verdict(in_lists(case), value)
+        return super().value_verdict(convert_case(case), value)
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """Draw the graph, a right path and the student's."""
-        super().draw(in_lists(case), outcome, ax)
+        super().draw(convert_case(case), outcome, ax)

@@ -14,7 +14,7 @@ from ....words import say
 
 
 def draw_heading(
-    problem: Any, place: Any, value: float | None, right: float | None, words: str, ax: Any
+    problem: Any, place: Any, value: float | None, right: float | None, text: str, ax: Any
 ) -> None:
     """Draw the world, the robot at a free heading and at the student's."""
     from ....figures import palette, plane
@@ -30,10 +30,10 @@ def draw_heading(
         body.set(linestyle="--")
         plane.corner_note(say("picture.yours", value=f"{value:.4g}"), ax, colour=palette.GOAL)
     plane.dot(place, "", ax)
-    plane.title(words, ax)
+    plane.title(text, ax)
 
 
-def draw_matrix(problem: Any, nodes: Array, truth: Any, value: Any, words: str, ax: Any) -> None:
+def draw_matrix(problem: Any, nodes: Array, truth: Any, value: Any, text: str, ax: Any) -> None:
     """Draw the numbered configurations, the free motions, and the student's wrong entries."""
     from ....figures import palette, plane
     from ....figures.drawing import draw_robot, draw_world
@@ -51,10 +51,10 @@ def draw_matrix(problem: Any, nodes: Array, truth: Any, value: Any, words: str, 
         plane.label(q[:2], str(number), ax, offset=(3, 3))
     if not fits:
         plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
-    plane.title(words, ax)
+    plane.title(text, ax)
 
 
-def draw_swept(value: Any, chords: Any, words: str, ax: Any) -> None:
+def draw_swept(value: Any, chords: Any, text: str, ax: Any) -> None:
     """Draw what a disk of radius 1 sweeps, its chords, and an obstacle.
 
     Parameters
@@ -74,4 +74,4 @@ def draw_swept(value: Any, chords: Any, words: str, ax: Any) -> None:
         for p, q in chords:
             plane.stretch(p, q, "", ax, colour=palette.TREE)
         plane.polygon(obstacle, ax, numbers=False)
-    plane.title(words, ax)
+    plane.title(text, ax)

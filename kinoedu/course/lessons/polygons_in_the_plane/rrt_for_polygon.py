@@ -11,28 +11,30 @@ from ....worlds import PolygonWorld
 from ...exercise import Case
 from ..shared.planned import Asked
 from ..shared.small_problems import SQUARE, box
-from ..trees.rrt import Rrt, straight
+from ..trees.rrt import Rrt, aim_at_goal
 
 STICK = RigidPolygon([(-1.0, -0.2), (1.0, -0.2), (1.0, 0.2), (-1.0, 0.2)])
 NEEDLE = RigidPolygon([(-0.5, -0.002), (0.5, -0.002), (0.5, 0.002), (-0.5, 0.002)])
 STEP, BIAS = 2.0, 0.2
 
 
-def stick(start: Any, goal: Any, *obstacles: Any, robot: Any = STICK) -> Asked:
+def make_problem(start: Any, goal: Any, *obstacles: Any, robot: Any = STICK) -> Asked:
     """Return the problem of a stick, or another robot, among obstacles in a room of 10 x 10."""
     return Asked(Problem(robot, PolygonWorld(SQUARE, obstacles), start, goal))
 
 
 TASKS = {
-    "same": stick((4, 5, 1), (4, 5, 1)),
-    "room": stick((2, 3, 0), (8, 7, 1)),
-    "seam": stick((5, 5, 3.0), (5.5, 5, -3.0)),  # the short way leads across pi
-    "door": stick((2.5, 5, 0), (7.5, 5, 0), box(4.9, 0, 5.1, 4), box(4.9, 6, 5.1, 10)),
-    "wall": stick((2, 2, 1.57), (8, 2, 1.57), box(4, 0, 6, 7.5)),
-    "sealed": stick((2, 2, 0), (8.85, 8.85, 0), box(7.5, 7.5, 10, 7.7), box(7.5, 7.5, 7.7, 10)),
+    "same": make_problem((4, 5, 1), (4, 5, 1)),
+    "room": make_problem((2, 3, 0), (8, 7, 1)),
+    "seam": make_problem((5, 5, 3.0), (5.5, 5, -3.0)),  # the short way leads across pi
+    "door": make_problem((2.5, 5, 0), (7.5, 5, 0), box(4.9, 0, 5.1, 4), box(4.9, 6, 5.1, 10)),
+    "wall": make_problem((2, 2, 1.57), (8, 2, 1.57), box(4, 0, 6, 7.5)),
+    "sealed": make_problem(
+        (2, 2, 0), (8.85, 8.85, 0), box(7.5, 7.5, 10, 7.7), box(7.5, 7.5, 7.7, 10)
+    ),
 }
 # a sheet that fits between sampled points of a motion
-SHEET = stick((4.3, 2, 1.57), (5.9, 2, 1.57), box(5, 0, 5.002, 7.5), robot=NEEDLE)
+SHEET = make_problem((4.3, 2, 1.57), (5.9, 2, 1.57), box(5, 0, 5.002, 7.5), robot=NEEDLE)
 
 
 class RrtForPolygon(Rrt):
@@ -52,7 +54,7 @@ class RrtForPolygon(Rrt):
             for kind in tasks:
                 yield self.asked(kind, tasks[kind], rng)
         for kind in ("room", "sealed"):
-            yield straight(self.asked(kind, TASKS[kind], rng))
+            yield aim_at_goal(self.asked(kind, TASKS[kind], rng))
 
     def uses_chance(self, case: Case) -> bool:
         """Whether anything is drawn: the goal is more than a step away."""

@@ -19,7 +19,7 @@ from ...outcomes import Answer, Outcome
 from ...shapes import Listed, Record
 from ..decomposition.free_intervals import RING
 from ..shared.random_worlds import edges_round
-from .halls import bends
+from .halls import measure_turns
 
 FEWEST, MOST = 5, 40  # number of vertices
 LARGEST = 100.0  # midpoints of whole numbers up to this are exact
@@ -84,7 +84,7 @@ def world_fault(obstacles: Any) -> str:
     import shapely
 
     try:
-        PolygonWorld(room_round(rings), rings)
+        PolygonWorld(make_room(rings), rings)
     except REFUSALS:
         return "valid"
     solids = [shapely.Polygon(ring) for ring in rings]
@@ -92,7 +92,7 @@ def world_fault(obstacles: Any) -> str:
     return "" if apart and all(shapely.LinearRing(ring).is_ccw for ring in rings) else "valid"
 
 
-def room_round(rings: Any) -> Array:
+def make_room(rings: Any) -> Array:
     """Return a rectangle that contains all obstacles."""
     (x0, y0), (x1, y1) = np.vstack(rings).min(axis=0) - 1.0, np.vstack(rings).max(axis=0) + 1.0
     return np.array([(x0, y0), (x1, y0), (x1, y1), (x0, y1)])
@@ -103,8 +103,8 @@ def wrong_views(obstacles: Any) -> list[tuple[Array, Array]]:
 
     The truth is the course's own collision check.
     """
-    world = PolygonWorld(room_round(obstacles), obstacles)
-    corners = np.vstack([ring[bends(ring) > 0.0] for ring in obstacles])
+    world = PolygonWorld(make_room(obstacles), obstacles)
+    corners = np.vstack([ring[measure_turns(ring) > 0.0] for ring in obstacles])
     return [
         (a, b)
         for a, b in combinations(corners, 2)

@@ -25,12 +25,12 @@ ASTRIDE = (5.1, 3.0), (11.37, 4.0)
 START, GOAL = (1.0, 1.0), (15.0, 1.0)
 
 
-def hall(*obstacles: Any, start: Any = START, goal: Any = GOAL, room: Array = HALL) -> Asked:
+def make_hall(*obstacles: Any, start: Any = START, goal: Any = GOAL, room: Array = HALL) -> Asked:
     """Return a problem in the hall, or in another room, with the given obstacles."""
     return Asked(Problem(Point(), PolygonWorld(room, obstacles), start, goal))
 
 
-def arm() -> Asked:
+def make_arm() -> Asked:
     """Return the problem of an arm beside a disc; its configurations are two angles."""
     room = np.array([(-6, -6), (6, -6), (6, 6), (-6, 6)], float)
     return Asked(
@@ -43,7 +43,7 @@ def is_arm(problem: Any) -> bool:
     return isinstance(problem.robot, ArmRobot)
 
 
-def random_obstacles(rng: np.random.Generator, n: int, *, convex: bool = True) -> list[Array]:
+def draw_obstacles(rng: np.random.Generator, n: int, *, convex: bool = True) -> list[Array]:
     """Draw n polygons in the hall that keep its start and goal free.
 
     They are counter-clockwise, do not touch each other, and have coordinates with two decimals.
@@ -60,10 +60,10 @@ def random_obstacles(rng: np.random.Generator, n: int, *, convex: bool = True) -
 
 def is_clear(ring: Array) -> bool:
     """Whether no three consecutive vertices of a ring are nearly in line."""
-    return bool((np.abs(bends(ring)) > 1e-3).all())
+    return bool((np.abs(measure_turns(ring)) > 1e-3).all())
 
 
-def bends(ring: Array) -> Array:
+def measure_turns(ring: Array) -> Array:
     """Return twice the signed area of each vertex with its neighbours, (n,).
 
     It is positive at a left turn.
@@ -73,7 +73,7 @@ def bends(ring: Array) -> Array:
     return turned
 
 
-def free_nodes(rng: np.random.Generator, problem: Any, n: int) -> Array:
+def draw_free_nodes(rng: np.random.Generator, problem: Any, n: int) -> Array:
     """Draw n free configurations with two decimals, shape (n, 2).
 
     All distances between them are different.
@@ -84,12 +84,12 @@ def free_nodes(rng: np.random.Generator, problem: Any, n: int) -> Array:
         while len(nodes) < n:
             q = np.round(rng.uniform(lo, hi), 2)
             nodes += [q] if problem.is_free(q) else []
-        apart = np.sort(distances(problem, np.array(nodes))[np.triu_indices(n, 1)])
+        apart = np.sort(measure_distances(problem, np.array(nodes))[np.triu_indices(n, 1)])
         if (np.diff(apart) > 1e-7).all():
             return np.array(nodes)
 
 
-def distances(problem: Any, nodes: Array) -> Array:
+def measure_distances(problem: Any, nodes: Array) -> Array:
     """Return the distance between any two of n nodes, (n, n)."""
     apart = np.zeros((len(nodes), len(nodes)))
     for j in range(len(nodes)):

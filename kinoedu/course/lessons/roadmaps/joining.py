@@ -7,18 +7,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ....geometry.checks import Array
-from .halls import distances, is_arm
+from .halls import is_arm, measure_distances
 
 Pairs = NDArray[np.int64]
 SAMPLES = 50  # points of a motion that a mistaken program checks
 
 
-def allowed(problem: Any, nodes: Array, pairs: Pairs) -> Pairs:
+def keep_free(problem: Any, nodes: Array, pairs: Pairs) -> Pairs:
     """Return the pairs whose motion is free, (m, 2)."""
     return pairs[[bool(problem.is_free_path(nodes[i], nodes[j])) for i, j in pairs]].reshape(-1, 2)
 
 
-def unique(rows: Pairs) -> Pairs:
+def remove_duplicates(rows: Pairs) -> Pairs:
     """Return each pair once, with the smaller index first."""
     return np.unique(np.sort(rows, axis=1), axis=0).reshape(-1, 2)
 
@@ -28,11 +28,11 @@ def are_pairs(pairs: Pairs, n: int) -> bool:
     return bool(
         ((pairs >= 0) & (pairs < n)).all()
         and (pairs[:, 0] < pairs[:, 1]).all()
-        and len(unique(pairs)) == len(pairs)
+        and len(remove_duplicates(pairs)) == len(pairs)
     )
 
 
-def closest_rows(
+def find_closest(
     problem: Any,
     nodes: Array,
     k: int,
@@ -51,7 +51,7 @@ def closest_rows(
     only_free : leave out nodes whose motion is not free before taking k.
     only_later : leave out nodes j < i before taking k.
     """
-    apart, rows = distances(problem, nodes), []
+    apart, rows = measure_distances(problem, nodes), []
     for i in range(len(nodes)):
         order = np.argsort(-apart[i] if farthest else apart[i], kind="stable").tolist()
         others = [j for j in order if j != i and (j > i or not only_later)]
@@ -61,7 +61,7 @@ def closest_rows(
     return np.array(rows, np.int64).reshape(-1, 2)
 
 
-def in_components(
+def join_components(
     problem: Any,
     nodes: Array,
     k: int,
@@ -80,7 +80,7 @@ def in_components(
     goes_on : join all free ones of the k.
     one : join only the first component that can be joined.
     """
-    apart, part, pairs = distances(problem, nodes), list(range(len(nodes))), []
+    apart, part, pairs = measure_distances(problem, nodes), list(range(len(nodes))), []
     for i in range(1, len(nodes)):
         order = np.argsort(apart[i, :i], kind="stable").tolist()
         joined: list[int] = []
@@ -96,31 +96,31 @@ def in_components(
     return np.array(pairs, np.int64).reshape(-1, 2)
 
 
-class Mistaken(NamedTuple):
+class MistakenProblem(NamedTuple):
     """A problem seen by a program that uses a wrong distance or a wrong collision check."""
 
     distance: Callable[[Array, Array], float]
     is_free_path: Callable[[Array, Array], bool]
 
 
-def without_wrap(problem: Any) -> Any:
+def ignore_wrap(problem: Any) -> Any:
     """Return the arm's problem with angles that do not wrap; other problems unchanged."""
     return (
-        Mistaken(lambda a, b: float(np.hypot(*(a - b))), problem.is_free_path)
+        MistakenProblem(lambda a, b: float(np.hypot(*(a - b))), problem.is_free_path)
         if is_arm(problem)
         else problem
     )
 
 
-def with_contact(problem: Any) -> Mistaken:
+def allow_contact(problem: Any) -> MistakenProblem:
     """Return a problem in which motions may touch obstacles."""
-    return Mistaken(problem.distance, problem.is_semi_free_path)
+    return MistakenProblem(problem.distance, problem.is_semi_free_path)
 
 
-def by_samples(problem: Any) -> Mistaken:
+def check_samples(problem: Any) -> MistakenProblem:
     """Return a problem in which only sampled points of a motion are checked."""
     is_free = problem.problem.is_free
     shares = np.linspace(0.0, 1.0, SAMPLES)
-    return Mistaken(
+    return MistakenProblem(
         problem.distance, lambda a, b: all(is_free(a + share * (b - a)) for share in shares)
     )

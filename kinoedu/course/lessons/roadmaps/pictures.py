@@ -108,7 +108,7 @@ def draw_roadmap_answer(problem: Any, truth: Any, value: Any, ax: Any) -> None:
     plane.dot(problem.goal, "goal", ax, colour=palette.GOAL, marker="*")
 
 
-def draw_way(nodes: Array, edges: Any, truth: Any, value: Any, ax: Any) -> None:
+def draw_shortest_path(nodes: Array, edges: Any, truth: Any, value: Any, ax: Any) -> None:
     """Draw a roadmap, a shortest path along it and the student's path."""
     from ....figures import palette, plane
 

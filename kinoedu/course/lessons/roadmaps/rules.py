@@ -14,8 +14,8 @@ from ...exercise import RIGHT, Case, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Numbers
 from ...whole_shapes import WholeNumbers
-from .halls import ASTRIDE, GRAZING, SHEET, WALL, arm, hall, random_obstacles
-from .joining import allowed, are_pairs, closest_rows, unique
+from .halls import ASTRIDE, GRAZING, SHEET, WALL, draw_obstacles, make_arm, make_hall
+from .joining import are_pairs, find_closest, keep_free, remove_duplicates
 from .pictures import draw_joined
 
 Pairs = NDArray[np.int64]
@@ -26,12 +26,12 @@ PAIRS = WholeNumbers(("m", 2))
 ROUND = 12  # number of random cases of each kind
 
 
-def closest_pairs(problem: Any, nodes: Array, k: int) -> Pairs:
+def join_k_closest(problem: Any, nodes: Array, k: int) -> Pairs:
     """Return the pairs that the K-closest rule joins.
 
     One node is among the other's k closest, and the motion between them is free.
     """
-    return allowed(problem, nodes, unique(closest_rows(problem, nodes, k)))
+    return keep_free(problem, nodes, remove_duplicates(find_closest(problem, nodes, k)))
 
 
 class RuleExercise(ValueExercise):
@@ -54,7 +54,7 @@ class RuleExercise(ValueExercise):
         wanted = self.wanted(case)
         if not are_pairs(value, len(nodes)):
             return Verdict(0.0, "pairs", wanted)
-        if len(allowed(problem, nodes, value)) < len(value):
+        if len(keep_free(problem, nodes, value)) < len(value):
             return Verdict(0.0, "motion", wanted)
         return RIGHT if self.same(value, self.truth(case)) else Verdict(0.0, case.kind, wanted)
 
@@ -62,17 +62,17 @@ class RuleExercise(ValueExercise):
         """Draw the numbered nodes, the right edges and the student's."""
         value = outcome.value if isinstance(outcome, Answer) else None
         draw_joined(case.given["problem"], case.given["nodes"], self.truth(case), value, ax)
-        titled(self, case, ax)
+        set_title(self, case, ax)
 
 
-def titled(exercise: Any, case: Case, ax: Any) -> None:
+def set_title(exercise: Any, case: Case, ax: Any) -> None:
     """Set the title of the picture of this kind of input."""
     from ....figures import plane
 
     plane.title(exercise.words(f"pictures.{case.kind}"), ax)
 
 
-def rule_case(kind: str, problem: Any, nodes: Any, number: float) -> Case:
+def make_case(kind: str, problem: Any, nodes: Any, number: float) -> Case:
     """Return a case; `number` is a radius or K."""
     return Case(
         kind,
@@ -84,18 +84,18 @@ def rule_case(kind: str, problem: Any, nodes: Any, number: float) -> Case:
     )
 
 
-def two_nodes(number: float) -> Iterator[Case]:
+def make_pairs(number: float) -> Iterator[Case]:
     """Yield motions that need the problem's own collision check.
 
     One touches a corner, one crosses a thin wall, and one is an arm's short way round.
     """
-    yield rule_case("wall", hall(WALL), GRAZING, number)
-    yield rule_case("wall", hall(SHEET), ASTRIDE, number)
-    yield rule_case("torus", arm(), ((5.9, 0.3), (0.4, 0.3)), number)
+    yield make_case("wall", make_hall(WALL), GRAZING, number)
+    yield make_case("wall", make_hall(SHEET), ASTRIDE, number)
+    yield make_case("torus", make_arm(), ((5.9, 0.3), (0.4, 0.3)), number)
 
 
-def worlds(rng: np.random.Generator, i: int) -> Iterator[tuple[str, Any]]:
+def draw_worlds(rng: np.random.Generator, i: int) -> Iterator[tuple[str, Any]]:
     """Yield a problem with a wall, one with several obstacles, and the arm's."""
-    yield "wall", hall(WALL)
-    yield "many", hall(*random_obstacles(rng, 1 + i // 4))
-    yield "torus", arm()
+    yield "wall", make_hall(WALL)
+    yield "many", make_hall(*draw_obstacles(rng, 1 + i // 4))
+    yield "torus", make_arm()

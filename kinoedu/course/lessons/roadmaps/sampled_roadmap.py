@@ -15,9 +15,9 @@ from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record, Together
 from ...whole_shapes import Whole, WholeNumbers
 from ..shared.planned import Fault, PlannerExercise, Task, three_times
-from .halls import ASTRIDE, GRAZING, HALL, SHEET, WALL, hall, random_obstacles
-from .joining import allowed, are_pairs
-from .rules import Pairs, closest_pairs
+from .halls import ASTRIDE, GRAZING, HALL, SHEET, WALL, draw_obstacles, make_hall
+from .joining import are_pairs, keep_free
+from .rules import Pairs, join_k_closest
 
 BUILT = Together((Numbers(("n", "d")), WholeNumbers(("m", 2))))
 MANY = 160  # nodes from which their spread is tested
@@ -26,14 +26,14 @@ SIDE = 4  # boxes along each side of the hall
 EVEN, UNEVEN = 0.5, 90.0
 
 
-def sampled(problem: Any, n: int, k: int, rng: int) -> tuple[Array, Pairs]:
+def build_roadmap(problem: Any, n: int, k: int, rng: int) -> tuple[Array, Pairs]:
     """Return start, goal and n free samples, joined by the K-closest rule."""
     chance, nodes = np.random.default_rng(rng), [problem.start, problem.goal]
     while len(nodes) < n + 2:
         q = problem.sample(chance)
         if problem.is_free(q):
             nodes.append(q)
-    return np.array(nodes), closest_pairs(problem, np.array(nodes), k)
+    return np.array(nodes), join_k_closest(problem, np.array(nodes), k)
 
 
 class SampledRoadmap(PlannerExercise):
@@ -45,7 +45,7 @@ class SampledRoadmap(PlannerExercise):
     given = Record(problem=Task(), n=Whole(), k=Whole(), rng=Whole())
     result = BUILT
     answer = three_times(BUILT)
-    source = staticmethod(sampled)
+    source = staticmethod(build_roadmap)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Yield no samples, an empty room, walls and obstacles, and many samples.
@@ -56,18 +56,18 @@ class SampledRoadmap(PlannerExercise):
         def case(kind: str, problem: Any, n: int, k: int) -> Case:
             return Case(kind, {"problem": problem, "n": n, "k": k, "rng": int(rng.integers(1000))})
 
-        yield case("none", hall(), 0, 3)
-        yield case("none", hall(WALL), 0, 3)
-        yield case("none", hall(WALL, start=GRAZING[0], goal=GRAZING[1]), 0, 3)
-        yield case("none", hall(SHEET, start=ASTRIDE[0], goal=ASTRIDE[1]), 0, 3)
-        yield case("room", hall(), 3, 2)
-        yield case("wall", hall(WALL), 6, 2)
+        yield case("none", make_hall(), 0, 3)
+        yield case("none", make_hall(WALL), 0, 3)
+        yield case("none", make_hall(WALL, start=GRAZING[0], goal=GRAZING[1]), 0, 3)
+        yield case("none", make_hall(SHEET, start=ASTRIDE[0], goal=ASTRIDE[1]), 0, 3)
+        yield case("room", make_hall(), 3, 2)
+        yield case("wall", make_hall(WALL), 6, 2)
         for i in range(4):
-            yield case("room", hall(), 4 + 4 * i, 3)
-            yield case("wall", hall(WALL), 10 + 6 * i, 3)
-            yield case("several", hall(*random_obstacles(rng, 2 + i // 2)), 20 + 5 * i, 4)
+            yield case("room", make_hall(), 4 + 4 * i, 3)
+            yield case("wall", make_hall(WALL), 10 + 6 * i, 3)
+            yield case("several", make_hall(*draw_obstacles(rng, 2 + i // 2)), 20 + 5 * i, 4)
         for room in (HALL, 2 * HALL):
-            yield case("many", hall(room=room), MANY, 2)
+            yield case("many", make_hall(room=room), MANY, 2)
 
     def uses_chance(self, case: Case) -> bool:
         """Whether another seed gives another answer: there is a sample."""
@@ -85,7 +85,7 @@ class SampledRoadmap(PlannerExercise):
             if not problem.problem.is_free(q):
                 return Fault("samples", q[None])
         if len(np.unique(nodes, axis=0)) < len(nodes) or (
-            n >= MANY and not EVEN < unevenness(nodes[2:], problem.world.hi) < UNEVEN
+            n >= MANY and not EVEN < measure_unevenness(nodes[2:], problem.world.hi) < UNEVEN
         ):
             return Fault("spread", nowhere)
         if not are_pairs(pairs, len(nodes)):
@@ -94,10 +94,10 @@ class SampledRoadmap(PlannerExercise):
 
     def fault_of_edges(self, problem: Any, nodes: Array, pairs: Pairs, k: int) -> Fault | None:
         """Judge the edges: each free, each joined by the rule, none missing."""
-        free = set(map(tuple, allowed(problem.problem, nodes, pairs).tolist()))
+        free = set(map(tuple, keep_free(problem.problem, nodes, pairs).tolist()))
         found, right = (
             set(map(tuple, rows.tolist()))
-            for rows in (pairs, closest_pairs(problem.problem, nodes, k))
+            for rows in (pairs, join_k_closest(problem.problem, nodes, k))
         )
         for rule, wrong in (
             ("free", found - free),
@@ -153,7 +153,7 @@ class SampledRoadmap(PlannerExercise):
         plane.title(self.words(f"pictures.{rule}"), ax)
 
 
-def unevenness(points: Array, size: Array) -> float:
+def measure_unevenness(points: Array, size: Array) -> float:
     """Return the chi-square statistic of the counts of points in 16 equal boxes of a hall.
 
     It is the sum of (count - expected)^2 / expected, about 15 for random points.

@@ -4,7 +4,7 @@ Bullo & Smith, chapter 4; LaValle, section 5.2.4.
 """
 
 
-def digits(i: int, base: int) -> list[int]:
+def find_digits(i: int, base: int) -> list[int]:
     """Return the digits of a whole number, lowest first; those of 0 are [0].
 
     >>> digits(6, 2)
@@ -16,6 +16,6 @@ def digits(i: int, base: int) -> list[int]:
     return found
 
 
-def unmirrored(i: int, base: int) -> float:
+def keep_order(i: int, base: int) -> float:
     """Return the number whose digits follow the point in their original order."""
-    return i / float(base) ** len(digits(i, base))
+    return i / float(base) ** len(find_digits(i, base))

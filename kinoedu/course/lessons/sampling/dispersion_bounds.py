@@ -48,18 +48,18 @@ class DispersionBounds(Exercise):
             [(0.3, 0.3), (0.4, 0.3), (0.3, 0.4), (0.4, 0.4)],
             [(0.1, 0.5), (0.9, 0.5), (0.5, 0.5)],
         ):
-            yield hole_case(np.array(points, float))
-        yield hole_case(halton(100))
+            yield make_case(np.array(points, float))
+        yield make_case(halton(100))
         yield from self.chosen(rng)
 
     def chosen(self, rng: np.random.Generator) -> Iterator[Case]:
         """Yield eight random cases of each kind."""
         for _ in range(8):
-            yield hole_case(np.round(rng.uniform(0, 1, (1, 2)), 2))
+            yield make_case(np.round(rng.uniform(0, 1, (1, 2)), 2))
             for kind in self.kinds[1:]:
-                case = hole_case(cloud(rng))
+                case = make_case(draw_points_at_random(rng))
                 while case.kind != kind:
-                    case = hole_case(cloud(rng))
+                    case = make_case(draw_points_at_random(rng))
                 yield case
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
@@ -86,7 +86,7 @@ class DispersionBounds(Exercise):
         draw_holes(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 
 
-def hole_case(points: Array) -> Case:
+def make_case(points: Array) -> Case:
     """Return a case, classified by where the centre of the largest hole lies."""
     centre = largest_empty_ball(points).centre
     walls = int(((centre < SLACK) | (centre > 1.0 - SLACK)).sum())
@@ -95,7 +95,7 @@ def hole_case(points: Array) -> Case:
     )
 
 
-def cloud(rng: np.random.Generator) -> Array:
+def draw_points_at_random(rng: np.random.Generator) -> Array:
     """Draw 2 to 60 points of the unit square.
 
     They are random, of Halton's sequence, or of a perturbed grid.

@@ -35,10 +35,10 @@ class ExposeGrids(Exercise):
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
         """Judge that it is a corridor, that no grid finds it, and its width."""
-        rule = fault_of_corridor(value)
+        rule = find_corridor_fault(value)
         if not rule and case.kind != "valid" and finds_corridor(value):
             rule = "exposes"
-        if not rule and case.kind == "widest" and width(value) < WIDE - SLACK:
+        if not rule and case.kind == "widest" and measure_width(value) < WIDE - SLACK:
             rule = "widest"
         return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
 
@@ -67,7 +67,7 @@ def finds_corridor(corridor: Array) -> bool:
     return False
 
 
-def fault_of_corridor(corridor: Array) -> str:
+def find_corridor_fault(corridor: Array) -> str:
     """Return the rule that a corridor across the unit square breaks, or ""."""
     x0, y0, x1, y1 = corridor
     if not (-SLACK <= x0 < x1 <= 1.0 + SLACK and -SLACK <= y0 < y1 <= 1.0 + SLACK):
@@ -75,7 +75,7 @@ def fault_of_corridor(corridor: Array) -> str:
     return "" if max(x1 - x0, y1 - y0) >= 1.0 - SLACK else "across"
 
 
-def width(corridor: Array) -> float:
+def measure_width(corridor: Array) -> float:
     """Return the width of a corridor."""
     x0, y0, x1, y1 = corridor
     return float(min(x1 - x0, y1 - y0))

@@ -53,14 +53,14 @@ class GridExercise(ValueExercise):
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Yield few points first, then other powers, and numbers that are not powers."""
         for n, d in SMALL:
-            yield grid_case(n, d)
+            yield make_case(n, d)
         for _ in range(10):
             for d, most in ((1, 30), (2, 12), (3, 5)):
-                yield grid_case(int(rng.integers(2, most + 1)) ** d, d)
+                yield make_case(int(rng.integers(2, most + 1)) ** d, d)
             d, n = int(rng.integers(2, 4)), int(rng.integers(2, 200))
             while root(n, d) ** d == n:
                 n = int(rng.integers(2, 200))
-            yield grid_case(n, d)
+            yield make_case(n, d)
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
         """Judge the number of points, whether they are in the cube, and where."""
@@ -68,12 +68,14 @@ class GridExercise(ValueExercise):
 
     def fault_of_points(self, case: Case, value: Array) -> Verdict | None:
         """Return the verdict on points of a wrong number or outside the cube, or None."""
-        rule = fault_of_points(value, case.given["n"], case.given["d"])
+        rule = find_points_fault(value, case.given["n"], case.given["d"])
         return Verdict(0.0, rule, self.wanted(case)) if rule else None
 
     def same(self, value: Any, truth: Any) -> bool:
         """Whether both are the same set of points."""
-        return np.shape(value) == np.shape(truth) and super().same(in_order(value), in_order(truth))
+        return np.shape(value) == np.shape(truth) and super().same(
+            sort_points(value), sort_points(truth)
+        )
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """Draw the right points and the student's."""
@@ -89,32 +91,32 @@ class GridExercise(ValueExercise):
         )
 
 
-def grid_case(n: int, d: int) -> Case:
+def make_case(n: int, d: int) -> Case:
     """Return a case and classify it."""
     kind = DIMENSIONS[d] if root(n, d) ** d == n else "power"
     return Case(kind, {"n": n, "d": d})
 
 
-def fault_of_points(points: Array, n: int, d: int) -> str:
+def find_points_fault(points: Array, n: int, d: int) -> str:
     """Return the rule that n points of the closed unit cube break, or ""."""
     if points.shape != (n, d):
         return "count"
     return "" if ((points >= -TOLERANCE) & (points <= 1.0 + TOLERANCE)).all() else "outside"
 
 
-def in_order(points: Any) -> Array:
+def sort_points(points: Any) -> Array:
     """Return the points sorted by their rounded coordinates."""
     rows = np.asarray(points, float)
     return rows[np.lexsort(np.round(rows, 9).T[::-1])]
 
 
-def spread(n: int, d: int, place: Callable[[Any, int], Any]) -> Array:
+def make_grid(n: int, d: int, place: Callable[[Any, int], Any]) -> Array:
     """Return a grid whose coordinates are place(i, k) for i = 0, ..., k - 1."""
     k = points_a_side(n, d)
     return lattice(place(np.arange(k), k), d)
 
 
-def diagonal(n: int, d: int, place: Callable[[Any, int], Any], each: int = 0) -> Array:
+def make_diagonal(n: int, d: int, place: Callable[[Any, int], Any], each: int = 0) -> Array:
     """Return the points of a grid whose coordinates are all equal.
 
     Parameters

@@ -39,10 +39,10 @@ def draw_points(
     """
     from ....figures import palette, plane
 
-    shown = np.empty((0, 2)) if found is None else flat(found)
+    shown = np.empty((0, 2)) if found is None else project_points(found)
     near = shown[(np.abs(shown) <= FAR).all(axis=1)]  # false for nan
     d = next((points.shape[1] for points in (truth, found) if points is not None), 2)
-    square(ax, near, [(0, 0.5), (1, 0.5)] if d == 1 else CORNERS)
+    draw_square(ax, near, [(0, 0.5), (1, 0.5)] if d == 1 else CORNERS)
     for share in np.arange(1, cells) / cells if cells else ():
         plane.stretch((share, 0), (share, 1), "", ax, colour=palette.OUTSIDE, width=0.9)
         plane.stretch((0, share), (1, share), "", ax, colour=palette.OUTSIDE, width=0.9)
@@ -53,7 +53,7 @@ def draw_points(
             "markeredgewidth": 2.2,
             "markersize": 11,
         }
-        ax.plot(*flat(truth).T, "o", label=say("picture.true"), zorder=5, **ring)
+        ax.plot(*project_points(truth).T, "o", label=say("picture.true"), zorder=5, **ring)
     if len(near):
         size = 9 if len(near) <= 150 else 4
         ax.plot(
@@ -66,7 +66,7 @@ def draw_points(
             zorder=6,
         )
     else:
-        beside(
+        draw_label(
             say("picture.no_answer") if found is None else say("samples.elsewhere"),
             0.05,
             ax,
@@ -77,7 +77,7 @@ def draw_points(
     plane.title(exercise.words(f"pictures.{case.kind}"), ax)
 
 
-def flat(points: Array) -> Array:
+def project_points(points: Array) -> Array:
     """Return positions in the plane for points (n, d).
 
     Points of a line are put at half height; points in space lose their third coordinate.
@@ -87,7 +87,7 @@ def flat(points: Array) -> Array:
     return points[:, :2].reshape(-1, 2)
 
 
-def square(ax: Any, others: Array, outline: Any = CORNERS) -> None:
+def draw_square(ax: Any, others: Array, outline: Any = CORNERS) -> None:
     """Draw the outline of the unit square, or a line, with room for outliers and labels."""
     from ....figures import palette, plane
 
@@ -95,13 +95,13 @@ def square(ax: Any, others: Array, outline: Any = CORNERS) -> None:
     ax.plot(*np.transpose(outline), color=palette.INK, linewidth=1.8, zorder=2)
 
 
-def beside(words: str, y: float, ax: Any, *, colour: str) -> None:
+def draw_label(text: str, y: float, ax: Any, *, colour: str) -> None:
     """Write a label to the right of the square."""
     from ....figures import palette
     from ....figures.drawing import HALO
 
     look: Any = {"fontsize": palette.TEXT_SIZE, "fontweight": "bold", "path_effects": HALO}
-    ax.text(BESIDE, y, fill(words, 16), color=colour, **look)
+    ax.text(BESIDE, y, fill(text, 16), color=colour, **look)
 
 
 def draw_mirrored(exercise: Exercise, case: Case, found: float | None, ax: Any) -> None:
@@ -114,7 +114,7 @@ def draw_mirrored(exercise: Exercise, case: Case, found: float | None, ax: Any) 
     plane.frame([(0, -0.3), (1, 0.3)], ax, margin=0.06)
     plane.stretch((0, 0), (1, 0), "", ax, colour=palette.OBSTACLE)
     if len(digits_of(i, base)) <= 24:
-        words = say(
+        text = say(
             "samples.mirrored",
             i=i,
             digits=digits_of(i, base),
@@ -122,7 +122,7 @@ def draw_mirrored(exercise: Exercise, case: Case, found: float | None, ax: Any) 
             base=base,
         )
         ax.text(
-            0.5, 0.27, fill(words, 60), ha="center", fontsize=palette.TEXT_SIZE, color=palette.INK
+            0.5, 0.27, fill(text, 60), ha="center", fontsize=palette.TEXT_SIZE, color=palette.INK
         )
     plane.dot((truth, 0), "", ax, colour=palette.START)
     plane.label(
@@ -142,12 +142,12 @@ def draw_mirrored(exercise: Exercise, case: Case, found: float | None, ax: Any) 
             offset=(9, -32),
         )
     else:
-        words = (
+        text = (
             say("picture.no_answer")
             if found is None
             else say("picture.yours", value=f"{found:.6g}")
         )
-        plane.corner_note(words, ax, colour=palette.GOAL)
+        plane.corner_note(text, ax, colour=palette.GOAL)
     ax.set_yticks([])
     ax.set_ylabel("")
     ax.set_xlabel("")
@@ -160,7 +160,7 @@ def draw_holes(exercise: Exercise, case: Case, found: Array | None, ax: Any) -> 
 
     points = case.given["points"]
     ball = largest_empty_ball(points)
-    square(ax, np.empty((0, 2)))
+    draw_square(ax, np.empty((0, 2)))
     (inside,) = ax.fill(*np.transpose(CORNERS), alpha=0.0)
     low, high = (np.nan, np.nan) if found is None else found
     for radius, colour, style in (
@@ -173,13 +173,13 @@ def draw_holes(exercise: Exercise, case: Case, found: Array | None, ax: Any) -> 
                 circle.set_clip_path(inside)
     ax.plot(*points.T, "o", color=palette.TREE, markersize=7, zorder=5)
     plane.dot(ball.centre, "", ax, colour=palette.START, marker="X")
-    words = (
+    text = (
         say("picture.no_answer")
         if found is None
         else say("samples.bounds", low=f"{low:.4f}", high=f"{high:.4f}")
     )
-    beside(words, 0.05, ax, colour=palette.GOAL)
-    beside(say("picture.should_be", value=f"{ball.radius:.4f}"), 0.85, ax, colour=palette.START)
+    draw_label(text, 0.05, ax, colour=palette.GOAL)
+    draw_label(say("picture.should_be", value=f"{ball.radius:.4f}"), 0.85, ax, colour=palette.START)
     plane.title(exercise.words(f"pictures.{case.kind}"), ax)
 
 
@@ -187,11 +187,11 @@ def draw_corridor(corridor: Array | None, ax: Any) -> None:
     """Draw the points of all five grids, the corridor, and crosses on the points inside it."""
     from ....figures import palette
 
-    square(ax, np.empty((0, 2)))
+    draw_square(ax, np.empty((0, 2)))
     points = np.vstack([sukharev_grid(k * k) for k in (1, 2, 4, 8, 16)])
     ax.plot(*points.T, "o", color=palette.TREE, markersize=4, zorder=4)
     if corridor is None or not (np.abs(corridor) <= FAR).all():
-        beside(
+        draw_label(
             say("picture.no_answer") if corridor is None else say("samples.elsewhere"),
             0.05,
             ax,

@@ -11,7 +11,7 @@ from ...exercise import Case, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Record
 from ...whole_shapes import Whole
-from .digits import digits, unmirrored
+from .digits import find_digits, keep_order
 from .grids import TOLERANCE
 from .pictures import draw_mirrored
 
@@ -52,61 +52,64 @@ class RadicalInverse(ValueExercise):
     source = staticmethod(van_der_corput)
     shown = staticmethod(mirrored)
     slips = (
-        Slip("forward", lambda i, base: unmirrored(i, base)),
-        Slip("left", lambda i, base: base * inverse(i, base)),
-        Slip("right", lambda i, base: inverse(i, base) / base),
-        Slip("whole", lambda i, base: number_of(digits(i, base)[::-1], base)),
-        Slip("decimal", lambda i, base: float("0." + "".join(map(str, digits(i, base))))),
-        Slip("base_two", lambda i, base: inverse(i, 2)),
-        Slip("next", lambda i, base: inverse(i + 1, base)),
-        Slip("first_lost", lambda i, base: inverse(number_of(digits(i, base)[:-1], base), base)),
+        Slip("forward", lambda i, base: keep_order(i, base)),
+        Slip("left", lambda i, base: base * find_inverse(i, base)),
+        Slip("right", lambda i, base: find_inverse(i, base) / base),
+        Slip("whole", lambda i, base: join_digits(find_digits(i, base)[::-1], base)),
+        Slip("decimal", lambda i, base: float("0." + "".join(map(str, find_digits(i, base))))),
+        Slip("base_two", lambda i, base: find_inverse(i, 2)),
+        Slip("next", lambda i, base: find_inverse(i + 1, base)),
+        Slip(
+            "first_lost",
+            lambda i, base: find_inverse(join_digits(find_digits(i, base)[:-1], base), base),
+        ),
         Slip("last_only", lambda i, base: i % base / base),
-        Slip("divided", lambda i, base: divided(i, base)),
+        Slip("divided", lambda i, base: divide_inexactly(i, base)),
     )
 
     @staticmethod
     def reference(i: int, base: int) -> float:
         """Return the number of van der Corput's sequence."""
-        return inverse(i, base)
+        return find_inverse(i, base)
 
     def right_answer(self, *given: Any) -> Any:
         """Return the library's answer, which is computed for many numbers at once."""
-        return inverse(*given)
+        return find_inverse(*given)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Yield small numbers in base 2 and 3 first, then others."""
         for i, base in SMALL:
-            yield inverse_case(i, base)
-        yield inverse_case(10**9 + 7, 7)
+            yield make_case(i, base)
+        yield make_case(10**9 + 7, 7)
         for _ in range(10):
             base = int(rng.integers(3, 17))
-            yield inverse_case(int(rng.integers(base)), base)
-            yield inverse_case(int(rng.integers(2, 1000)), 2)
-            yield inverse_case(int(rng.integers(base, 1000)), base)
-            yield inverse_case(int(rng.integers(10**6, 10**12)), int(rng.integers(2, 17)))
+            yield make_case(int(rng.integers(base)), base)
+            yield make_case(int(rng.integers(2, 1000)), 2)
+            yield make_case(int(rng.integers(base, 1000)), base)
+            yield make_case(int(rng.integers(10**6, 10**12)), int(rng.integers(2, 17)))
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """Draw the digits, and the right and the student's number between 0 and 1."""
         draw_mirrored(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 
 
-def inverse_case(i: int, base: int) -> Case:
+def make_case(i: int, base: int) -> Case:
     """Return a case and classify it."""
     kind = "one_digit" if i < base else "long" if i >= 10**6 else "binary" if base == 2 else "other"
     return Case(kind, {"i": i, "base": base})
 
 
-def inverse(i: int, base: int) -> float:
+def find_inverse(i: int, base: int) -> float:
     """Return number i of van der Corput's sequence."""
     return float(van_der_corput(1, base, start=i)[0])
 
 
-def number_of(low_first: list[int], base: int) -> int:
+def join_digits(low_first: list[int], base: int) -> int:
     """Return the whole number with these digits, lowest first."""
     return sum(digit * base**place for place, digit in enumerate(low_first))
 
 
-def divided(i: float, base: int) -> float:
+def divide_inexactly(i: float, base: int) -> float:
     """Return the sum that results when i is divided with / instead of //."""
     total, weight = 0.0, 1.0
     while i > 0.0 and weight > 0.0:

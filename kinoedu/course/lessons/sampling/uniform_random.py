@@ -11,7 +11,7 @@ from ...exercise import RIGHT, Case, Exercise, Verdict, spoken
 from ...outcomes import Answer, Outcome
 from ...shapes import Record, Together
 from ...whole_shapes import Whole
-from .grids import DIMENSIONS, POINTS, fault_of_points
+from .grids import DIMENSIONS, POINTS, find_points_fault
 from .pictures import draw_points
 
 BOXES = {1: 64, 2: 8, 3: 4}  # boxes along each side by dimension: 64 in all
@@ -33,13 +33,13 @@ class UniformRandom(Exercise):
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Yield few points, the hundred of the book, and enough points to test their spread."""
         for n, d in ((3, 1), (4, 2), (1, 2), (2, 3), (100, 2)):
-            yield random_case(n, d, int(rng.integers(1000)))
+            yield make_case(n, d, int(rng.integers(1000)))
         for _ in range(10):
-            yield random_case(
+            yield make_case(
                 int(rng.integers(1, 50)), int(rng.integers(1, 4)), int(rng.integers(1000))
             )
             for d in DIMENSIONS:
-                yield random_case(int(rng.integers(MANY, 2000)), d, int(rng.integers(1000)))
+                yield make_case(int(rng.integers(MANY, 2000)), d, int(rng.integers(1000)))
 
     def call(self, function: Callable[..., Any], given: dict[str, Any]) -> Any:
         """Call the student's function three times: twice with rng, once with rng + 1."""
@@ -58,13 +58,13 @@ class UniformRandom(Exercise):
         """
         n, d, _ = case.given.values()
         first, again, other = value
-        rule = fault_of_points(first, n, d)
+        rule = find_points_fault(first, n, d)
         if not rule and not np.array_equal(first, again):
             rule = "again"
         if not rule and np.array_equal(first, other):
             rule = "another"
-        rule = rule or fault_of_chance(first)
-        if not rule and shares(first, other):
+        rule = rule or find_randomness_fault(first)
+        if not rule and share_points(first, other):
             rule = "shared"
         return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
 
@@ -87,12 +87,12 @@ class UniformRandom(Exercise):
         draw_points(self, case, outcome.value[0] if isinstance(outcome, Answer) else None, None, ax)
 
 
-def random_case(n: int, d: int, rng: int) -> Case:
+def make_case(n: int, d: int, rng: int) -> Case:
     """Return a case and classify it."""
     return Case(DIMENSIONS[d] if n >= 100 else "few", {"n": n, "d": d, "rng": rng})
 
 
-def fault_of_chance(points: Array) -> str:
+def find_randomness_fault(points: Array) -> str:
     """Return the rule that shows that points (n, d) are not random, or ""."""
     n, d = points.shape
     if d > 1 and (points == points[:, :1]).all():
@@ -101,11 +101,11 @@ def fault_of_chance(points: Array) -> str:
         return "distinct"
     if n < MANY:
         return ""
-    off = unevenness(points)
+    off = measure_unevenness(points)
     return "uneven" if off > UNEVEN else "too_even" if off < EVEN else ""
 
 
-def shares(first: Array, other: Array) -> bool:
+def share_points(first: Array, other: Array) -> bool:
     """Whether two seeds share half of their points, or one coordinate of all points.
 
     It is tested for three points and more.
@@ -115,7 +115,7 @@ def shares(first: Array, other: Array) -> bool:
     return len(first) > 2 and (2 * len(rows) >= len(first) or bool(columns.any()))
 
 
-def unevenness(points: Array) -> float:
+def measure_unevenness(points: Array) -> float:
     """Return the chi-square statistic of the counts of points in 64 equal boxes.
 
     It is the sum of (count - expected)^2 / expected, about 63 for random points of any number.

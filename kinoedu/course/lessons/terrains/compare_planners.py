@@ -28,28 +28,28 @@ class ComparePlanners(ValueExercise):
     )
     answer = Numbers(("n", 4))
     slips = (
-        Slip("mean", lambda lengths, *_: table_of(lengths, middle=np.mean)),
-        Slip("with_failures", lambda lengths, *_: table_of(lengths, found=np.ones_like)),
+        Slip("mean", lambda lengths, *_: make_table(lengths, middle=np.mean)),
+        Slip("with_failures", lambda lengths, *_: make_table(lengths, found=np.ones_like)),
         Slip(
             "failures_are_zero",
-            lambda lengths, *_: table_of(
+            lambda lengths, *_: make_table(
                 np.where(np.isfinite(lengths), lengths, 0.0), share_of=lengths
             ),
         ),
-        Slip("percent", lambda lengths, *_: table_of(lengths) * (100.0, 1.0, 1.0, 1.0)),
-        Slip("whole_spread", lambda lengths, *_: table_of(lengths, quarters=(0.0, 0.5, 1.0))),
-        Slip("not_between", lambda lengths, *_: table_of(lengths, method="nearest")),
-        Slip("not_between", lambda lengths, *_: table_of(lengths, method="lower")),
-        Slip("not_between", lambda lengths, *_: table_of(lengths, method="higher")),
-        Slip("deviation", lambda lengths, *_: deviations(lengths)),
-        Slip("one_seed", lambda lengths, *_: table_of(lengths[:, :1])),
-        Slip("counts", lambda lengths, *_: table_of(lengths) * (lengths.shape[1], 1.0, 1.0, 1.0)),
+        Slip("percent", lambda lengths, *_: make_table(lengths) * (100.0, 1.0, 1.0, 1.0)),
+        Slip("whole_spread", lambda lengths, *_: make_table(lengths, quarters=(0.0, 0.5, 1.0))),
+        Slip("not_between", lambda lengths, *_: make_table(lengths, method="nearest")),
+        Slip("not_between", lambda lengths, *_: make_table(lengths, method="lower")),
+        Slip("not_between", lambda lengths, *_: make_table(lengths, method="higher")),
+        Slip("deviation", lambda lengths, *_: use_deviations(lengths)),
+        Slip("one_seed", lambda lengths, *_: make_table(lengths[:, :1])),
+        Slip("counts", lambda lengths, *_: make_table(lengths) * (lengths.shape[1], 1.0, 1.0, 1.0)),
     )
 
     @staticmethod
     def reference(lengths: Array, planners: list[str], seeds: list[int]) -> Array:
         """Return rows of fraction found, lower quartile, median and upper quartile."""
-        return table_of(lengths)
+        return make_table(lengths)
 
     source = reference
 
@@ -64,8 +64,8 @@ class ComparePlanners(ValueExercise):
             """Return the length of a planner's path with a seed; infinity without a path."""
             if planner not in planners or int(seed) not in seeds:
                 raise ValueError(
-                    f"run was asked for {planner!r} with seed {seed!r}; known are {planners} and "
-                    f"{seeds}"
+                    f"run was called with planner {planner!r} and seed {seed!r}; the planners are "
+                    f"{planners}, the seeds are {seeds}"
                 )
             return float(lengths[planners.index(planner), seeds.index(int(seed))])
 
@@ -73,7 +73,9 @@ class ComparePlanners(ValueExercise):
 
     def right_answer(self, run: Any, planners: list[str], seeds: list[int]) -> Array:
         """Return the table of all runs."""
-        return table_of(np.array([[run(planner, seed) for seed in seeds] for planner in planners]))
+        return make_table(
+            np.array([[run(planner, seed) for seed in seeds] for planner in planners])
+        )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Yield four tables that can be computed by hand, then random ones.
@@ -88,7 +90,7 @@ class ComparePlanners(ValueExercise):
             ("none_found", [[inf, inf], [1.0, 2.0]], [0, 1]),
             ("outlier", [[2.0, 2.0, 3.0, 100.0]], [0, 1, 2, 3]),
         ):
-            yield self.asked(kind, np.array(rows), numbers)
+            yield self.make_case(kind, np.array(rows), numbers)
         for _ in range(11):
             for kind in self.kinds:
                 n, m = int(rng.integers(1, 4)), int(rng.integers(5, 40))
@@ -103,9 +105,9 @@ class ComparePlanners(ValueExercise):
                 seeds = (
                     rng.permutation(100)[:m].tolist() if kind == "other_seeds" else list(range(m))
                 )
-                yield self.asked(kind, lengths, seeds)
+                yield self.make_case(kind, lengths, seeds)
 
-    def asked(self, kind: str, lengths: Array, seeds: list[int]) -> Case:
+    def make_case(self, kind: str, lengths: Array, seeds: list[int]) -> Case:
         """Return a case with a planner's name for each row."""
         names = ["RRT", "PRM", "A*"][: len(lengths)]
         return Case(kind, {"lengths": lengths, "planners": names, "seeds": seeds})
@@ -119,7 +121,7 @@ class ComparePlanners(ValueExercise):
         )
 
 
-def table_of(
+def make_table(
     lengths: Array,
     *,
     found: Callable[[Array], Any] = np.isfinite,
@@ -149,9 +151,9 @@ def table_of(
     return np.array(rows)
 
 
-def deviations(lengths: Array) -> Array:
+def use_deviations(lengths: Array) -> Array:
     """Return mean and mean plus and minus one standard deviation."""
-    table = table_of(lengths, middle=np.mean)
+    table = make_table(lengths, middle=np.mean)
     sigma = np.array(
         [np.std(runs[np.isfinite(runs)]) if np.isfinite(runs).any() else np.nan for runs in lengths]
     )

@@ -12,7 +12,7 @@ from ...exercise import Case, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Numbers, Record
 from ..geometry.lines import POINT
-from .motions import crossed, cuts, length
+from .motions import find_crossed_cells, find_cuts, measure_length
 
 
 class CostAlong(ValueExercise):
@@ -25,23 +25,32 @@ class CostAlong(ValueExercise):
     answer = Number()
     shown = staticmethod(cost_on_terrain)
     slips = (
-        Slip("ends", lambda cost, a, b: length(a, b) * (at(cost, a) + at(cost, b)) / 2),
-        Slip("middle", lambda cost, a, b: length(a, b) * at(cost, (a + b) / 2)),
-        Slip("start", lambda cost, a, b: length(a, b) * at(cost, a)),
-        Slip("sampled", lambda cost, a, b: sampled(cost, a, b, 0.5)),
-        Slip("whole_x_only", lambda cost, a, b: summed(cost, a, b, cuts(a[:1], b[:1]), 0.5)),
-        Slip("first_end", lambda cost, a, b: summed(cost, a, b, cuts(a, b), 0.0)),
-        Slip("transposed", lambda cost, a, b: transposed(cost, a, b)),
-        Slip("upside_down", lambda cost, a, b: exact(cost[::-1], a, b)),
-        Slip("length", lambda cost, a, b: length(a, b)),
-        Slip("share", lambda cost, a, b: exact(cost, a, b) / length(a, b)),
-        Slip("cells", lambda cost, a, b: sum(cost[j, i] for i, j in crossed(cost, a, b))),
+        Slip(
+            "ends",
+            lambda cost, a, b: (
+                measure_length(a, b) * (look_up_cost(cost, a) + look_up_cost(cost, b)) / 2
+            ),
+        ),
+        Slip("middle", lambda cost, a, b: measure_length(a, b) * look_up_cost(cost, (a + b) / 2)),
+        Slip("start", lambda cost, a, b: measure_length(a, b) * look_up_cost(cost, a)),
+        Slip("sampled", lambda cost, a, b: sum_samples(cost, a, b, 0.5)),
+        Slip(
+            "whole_x_only", lambda cost, a, b: sum_pieces(cost, a, b, find_cuts(a[:1], b[:1]), 0.5)
+        ),
+        Slip("first_end", lambda cost, a, b: sum_pieces(cost, a, b, find_cuts(a, b), 0.0)),
+        Slip("transposed", lambda cost, a, b: integrate_transposed(cost, a, b)),
+        Slip("upside_down", lambda cost, a, b: integrate(cost[::-1], a, b)),
+        Slip("length", lambda cost, a, b: measure_length(a, b)),
+        Slip("share", lambda cost, a, b: integrate(cost, a, b) / measure_length(a, b)),
+        Slip(
+            "cells", lambda cost, a, b: sum(cost[j, i] for i, j in find_crossed_cells(cost, a, b))
+        ),
     )
 
     @staticmethod
     def reference(cost: Array, a: Array, b: Array) -> float:
         """Return the library's integral."""
-        return exact(cost, a, b)
+        return integrate(cost, a, b)
 
     source = reference
 
@@ -61,7 +70,7 @@ class CostAlong(ValueExercise):
             yield Case(kind, {"cost": cost, "a": np.array(a), "b": np.array(b)})
         for number in range(10):
             for kind in self.kinds:
-                yield Case(kind, case_by_chance(kind, 2 + number // 2, rng))
+                yield Case(kind, draw_case(kind, 2 + number // 2, rng))
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """Draw the cells with their costs, and the motion cut where it enters another cell."""
@@ -71,7 +80,7 @@ class CostAlong(ValueExercise):
         draw_costs(self, case, found, say("picture.should_be", value=self.wanted(case)), ax)
 
 
-def case_by_chance(kind: str, n: int, rng: np.random.Generator) -> dict[str, Any]:
+def draw_case(kind: str, n: int, rng: np.random.Generator) -> dict[str, Any]:
     """Draw a motion over cells with whole costs; rows and columns differ in number."""
     cost = rng.integers(1, 10, (n, n + 1)).astype(float)
     a, b = np.round(rng.uniform((0, 0), (n + 1, n), (2, 2)), 2) * 0.98 + 0.013
@@ -92,7 +101,7 @@ def case_by_chance(kind: str, n: int, rng: np.random.Generator) -> dict[str, Any
     return {"cost": cost, "a": a, "b": b}
 
 
-def exact(cost: Array, a: Array, b: Array) -> float:
+def integrate(cost: Array, a: Array, b: Array) -> float:
     """Return the library's integral over cells of side 1, with cost 0 outside."""
     value = float(integral(np.ascontiguousarray(cost), a[0], a[1], b[0], b[1]))
     if value == np.inf:
@@ -100,18 +109,18 @@ def exact(cost: Array, a: Array, b: Array) -> float:
     return value
 
 
-def transposed(cost: Array, a: Array, b: Array) -> float:
+def integrate_transposed(cost: Array, a: Array, b: Array) -> float:
     """Return the integral with cost[column, row], 0 where there is no such cell."""
-    stretches = np.diff(cuts(a, b)) * length(a, b)
+    stretches = np.diff(find_cuts(a, b)) * measure_length(a, b)
     inside = [
         (s, i, j)
-        for s, (i, j) in zip(stretches, crossed(cost, a, b))
+        for s, (i, j) in zip(stretches, find_crossed_cells(cost, a, b))
         if i < len(cost) and j < len(cost[0])
     ]
     return float(sum(cost[i, j] * s for s, i, j in inside))
 
 
-def summed(cost: Array, a: Array, b: Array, shares: Array, look: float) -> float:
+def sum_pieces(cost: Array, a: Array, b: Array, shares: Array, look: float) -> float:
     """Return the sum of the costs of the pieces of a motion.
 
     Parameters
@@ -121,20 +130,26 @@ def summed(cost: Array, a: Array, b: Array, shares: Array, look: float) -> float
     """
     looked = shares[:-1] + look * np.diff(shares)
     return float(
-        sum(at(cost, a + (b - a) * t) * s for t, s in zip(looked, np.diff(shares) * length(a, b)))
+        sum(
+            look_up_cost(cost, a + (b - a) * t) * s
+            for t, s in zip(looked, np.diff(shares) * measure_length(a, b))
+        )
     )
 
 
-def at(cost: Array, q: Array) -> float:
+def look_up_cost(cost: Array, q: Array) -> float:
     """Return the cost of the cell that contains a point."""
     return float(cost[int(q[1]), int(q[0])])
 
 
-def sampled(cost: Array, a: Array, b: Array, step: float) -> float:
+def sum_samples(cost: Array, a: Array, b: Array, step: float) -> float:
     """Return the sum of costs at samples, each multiplied by the step."""
-    whole = length(a, b)
+    whole = measure_length(a, b)
     return (
-        sum(at(cost, a + (b - a) * (s / whole)) * step for s in np.arange(0.0, whole, step))
+        sum(
+            look_up_cost(cost, a + (b - a) * (s / whole)) * step
+            for s in np.arange(0.0, whole, step)
+        )
         if whole
         else 0.0
     )

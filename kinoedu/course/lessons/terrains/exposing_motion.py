@@ -11,7 +11,7 @@ from ...exercise import RIGHT, Case, Exercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record, Together
 from ..geometry.lines import POINT
-from .motions import crossed, cuts, fault_of_motion, length, samples_along
+from .motions import find_crossed_cells, find_cuts, find_motion_fault, measure_length, samples_along
 
 DEEP = 0.49  # least length in the rock; samples are 0.5 apart
 
@@ -31,10 +31,10 @@ class ExposeSampling(Exercise):
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
         """Judge that the motion is valid, is accepted, and how long it is in the rock."""
-        rule = fault_of_motion(*value)
+        rule = find_motion_fault(*value)
         if not rule and case.kind != "valid":
-            rule = exposing_fault(*value)
-        if not rule and case.kind == "deepest" and deepest(*value) < DEEP:
+            rule = find_exposing_fault(*value)
+        if not rule and case.kind == "deepest" and measure_deepest(*value) < DEEP:
             rule = "deepest"
         return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
 
@@ -59,16 +59,17 @@ def is_free_by_samples(free: Array, a: Array, b: Array) -> bool:
     return all(free[int(y), int(x)] for x, y in samples_along(a, b))
 
 
-def exposing_fault(free: Array, a: Array, b: Array) -> str:
+def find_exposing_fault(free: Array, a: Array, b: Array) -> str:
     """Return the rule that keeps the motion from exposing the samples, or ""."""
     if not is_free_by_samples(free, a, b):
         return "seen"
-    return "" if deepest(free, a, b) > 0.0 else "exposes"
+    return "" if measure_deepest(free, a, b) > 0.0 else "exposes"
 
 
-def deepest(free: Array, a: Array, b: Array) -> float:
+def measure_deepest(free: Array, a: Array, b: Array) -> float:
     """Return the greatest length of a motion inside one blocked cell."""
-    pieces = np.diff(cuts(a, b)) * length(a, b)
+    pieces = np.diff(find_cuts(a, b)) * measure_length(a, b)
     return max(
-        (float(s) for s, (i, j) in zip(pieces, crossed(free, a, b)) if not free[j, i]), default=0.0
+        (float(s) for s, (i, j) in zip(pieces, find_crossed_cells(free, a, b)) if not free[j, i]),
+        default=0.0,
     )

@@ -7,12 +7,12 @@ from ....geometry.checks import Array
 MOST = 12  # cells along each side
 
 
-def length(a: Array, b: Array) -> float:
+def measure_length(a: Array, b: Array) -> float:
     """Return |b - a|."""
     return float(np.sqrt(((b - a) ** 2).sum()))
 
 
-def cuts(a: Array, b: Array) -> Array:
+def find_cuts(a: Array, b: Array) -> Array:
     """Return the sorted fractions of a motion at which it enters another cell, with 0 and 1."""
     shares = [0.0, 1.0]
     for p, q in zip(a, b):
@@ -21,23 +21,25 @@ def cuts(a: Array, b: Array) -> Array:
     return np.unique(np.clip(shares, 0.0, 1.0))
 
 
-def crossed(cost: Array, a: Array, b: Array) -> list[tuple[int, int]]:
+def find_crossed_cells(cost: Array, a: Array, b: Array) -> list[tuple[int, int]]:
     """Return the cells (i, j) that a motion crosses, in order.
 
     A motion of length 0 crosses the cell that contains it.
     """
-    shares = cuts(a, b)
+    shares = find_cuts(a, b)
     middles = [a + (b - a) * t for t in (shares[1:] + shares[:-1]) / 2]
     return [(int(x), int(y)) for x, y in middles]
 
 
 def samples_along(a: Array, b: Array) -> Array:
     """Return points half a cell apart along a motion from a, and b itself, (n, 2)."""
-    shares = np.append(np.arange(0.0, length(a, b), 0.5) / (length(a, b) or 1.0), 1.0)
+    shares = np.append(
+        np.arange(0.0, measure_length(a, b), 0.5) / (measure_length(a, b) or 1.0), 1.0
+    )
     return a + shares[:, None] * (b - a)
 
 
-def fault_of_motion(free: Array, a: Array, b: Array) -> str:
+def find_motion_fault(free: Array, a: Array, b: Array) -> str:
     """Return the rule that a terrain with a motion inside it breaks, or ""."""
     rows, columns = free.shape
     if not (1 <= rows <= MOST and 1 <= columns <= MOST) or not np.isin(free, (0, 1)).all():

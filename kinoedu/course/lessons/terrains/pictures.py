@@ -10,7 +10,7 @@ import numpy as np
 from ....geometry.checks import Array
 from ....words import say
 from ...exercise import Case, Exercise, spoken
-from .motions import cuts, fault_of_motion, samples_along
+from .motions import find_cuts, find_motion_fault, samples_along
 
 # functions import figures themselves: matplotlib is needed only where an answer is wrong
 
@@ -39,17 +39,17 @@ def draw_costs(exercise: Exercise, case: Case, found: float | None, truth: str, 
             color=palette.INK,
             zorder=3,
         )
-    places = a + cuts(a, b)[:, None] * (b - a)
+    places = a + find_cuts(a, b)[:, None] * (b - a)
     ax.plot(*np.array([a, b]).T, color=palette.PATH, linewidth=3.0, zorder=4)
     ax.plot(*places.T, "o", color=palette.INK, markersize=6, zorder=5)
-    dress(ax, columns, rows)
+    set_cell_axes(ax, columns, rows)
     plane.dot(a, "a", ax, colour=palette.START)
     plane.dot(b, "b", ax, colour=palette.GOAL)
     yours = say("picture.no_answer") if found is None else say("picture.yours", value=spoken(found))
     plane.title(f"{exercise.words(f'pictures.{case.kind}')}\n{truth}; {yours}", ax)
 
 
-def dress(ax: Any, columns: int, rows: int) -> None:
+def set_cell_axes(ax: Any, columns: int, rows: int) -> None:
     """Set equal axes with a line at every side of a cell."""
     from ....figures import palette
 
@@ -142,11 +142,11 @@ def draw_runs(exercise: Exercise, case: Case, found: Array | None, truth: Array,
     plane.title(exercise.words(f"pictures.{case.kind}"), ax)
 
 
-def draw_samples_on(value: Any, words: str, ax: Any) -> None:
+def draw_samples_on(value: Any, text: str, ax: Any) -> None:
     """Draw a small terrain, a motion and its samples."""
     from ....figures import palette, plane
 
-    if value is None or fault_of_motion(*value):
+    if value is None or find_motion_fault(*value):
         plane.frame([(0, 0), (3, 2)], ax)
         plane.corner_note(
             say("picture.no_answer" if value is None else "exposing_motion.outside"),
@@ -174,5 +174,5 @@ def draw_samples_on(value: Any, words: str, ax: Any) -> None:
             markeredgecolor="white",
             zorder=5,
         )
-        dress(ax, columns, rows)
-    plane.title(words, ax)
+        set_cell_axes(ax, columns, rows)
+    plane.title(text, ax)

@@ -38,32 +38,33 @@ class RepeatedRows(ValueExercise):
     given = Record(table=Numbers(("n", "m")))
     answer = WholeNumbers(("k", 3))
     slips = (
-        Slip("neighbours", lambda table: [r for r in repeats(table) if r[1] == r[0] + 1]),
+        Slip("neighbours", lambda table: [r for r in find_repeats(table) if r[1] == r[0] + 1]),
         Slip(
-            "whole", lambda table: [r for r in repeats(table) if (table[r[0]] == table[r[1]]).all()]
+            "whole",
+            lambda table: [r for r in find_repeats(table) if (table[r[0]] == table[r[1]]).all()],
         ),
-        Slip("one_each", lambda table: one_each(repeats(table))),
-        Slip("first_column", lambda table: [r for r in repeats(table) if r[2] == 0]),
-        Slip("from_one", lambda table: [(i + 1, j + 1, c + 1) for i, j, c in repeats(table)]),
+        Slip("one_each", lambda table: keep_one_each(find_repeats(table))),
+        Slip("first_column", lambda table: [r for r in find_repeats(table) if r[2] == 0]),
+        Slip("from_one", lambda table: [(i + 1, j + 1, c + 1) for i, j, c in find_repeats(table)]),
         Slip(
             "both_ways",
-            lambda table: [r for i, j, c in repeats(table) for r in ((i, j, c), (j, i, c))],
+            lambda table: [r for i, j, c in find_repeats(table) for r in ((i, j, c), (j, i, c))],
         ),
         Slip(
             "itself",
             lambda table: sorted(
-                repeats(table) + [(i, i, c) for i, c in np.argwhere(table == table).tolist()]
+                find_repeats(table) + [(i, i, c) for i, c in np.argwhere(table == table).tolist()]
             ),
         ),
-        Slip("missing", lambda table: repeats(np.where(np.isnan(table), -1.0, table))),
-        Slip("close", lambda table: repeats(table, 0.5)),
-        Slip("close", lambda table: repeats(table, 0.01)),
+        Slip("missing", lambda table: find_repeats(np.where(np.isnan(table), -1.0, table))),
+        Slip("close", lambda table: find_repeats(table, 0.5)),
+        Slip("close", lambda table: find_repeats(table, 0.01)),
     )
 
     @staticmethod
     def reference(table: Array) -> list[tuple[int, int, int]]:
         """Return every pair, column by column."""
-        return repeats(table)
+        return find_repeats(table)
 
     source = reference
 
@@ -85,7 +86,7 @@ class RepeatedRows(ValueExercise):
             yield Case(kind, {"table": np.array(rows, float)})
         for number in range(10):
             for kind in self.kinds:
-                yield Case(kind, {"table": table_by_chance(kind, 4 + number, rng)})
+                yield Case(kind, {"table": draw_table_at_random(kind, 4 + number, rng)})
 
     def same(self, value: Any, truth: Any) -> bool:
         """Whether both hold the same triples, each once, in any order."""
@@ -106,7 +107,7 @@ class RepeatedRows(ValueExercise):
         )
 
 
-def repeats(table: Array, near: float = 0.0) -> list[tuple[int, int, int]]:
+def find_repeats(table: Array, near: float = 0.0) -> list[tuple[int, int, int]]:
     """Return all (i, j, column), i < j, whose numbers differ by at most `near`.
 
     A missing number, nan, is equal to nothing.
@@ -121,12 +122,12 @@ def repeats(table: Array, near: float = 0.0) -> list[tuple[int, int, int]]:
     ]
 
 
-def one_each(found: list[tuple[int, int, int]]) -> list[tuple[int, int, int]]:
+def keep_one_each(found: list[tuple[int, int, int]]) -> list[tuple[int, int, int]]:
     """Return the first triple of each pair of rows."""
     return [t for k, t in enumerate(found) if t[:2] not in {other[:2] for other in found[:k]}]
 
 
-def table_by_chance(kind: str, n: int, rng: np.random.Generator) -> Array:
+def draw_table_at_random(kind: str, n: int, rng: np.random.Generator) -> Array:
     """Draw lengths, seconds and counts of n runs, all different except for copies.
 
     In tables without copies, two numbers are close to each other.

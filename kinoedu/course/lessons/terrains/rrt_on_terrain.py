@@ -34,7 +34,7 @@ LEAST = 45  # nodes of a tree that fills the terrain outside the sealed corner: 
 SMALL = 40  # cells along each side
 
 
-def on_terrain(blocked: Any, start: Any, goal: Any) -> Asked:
+def make_terrain_problem(blocked: Any, start: Any, goal: Any) -> Asked:
     """Return a point's problem on 40 x 40 cells with blocked boxes (x0, y0, x1, y1)."""
     free = np.ones((SMALL, SMALL), np.bool_)
     for x0, y0, x1, y1 in blocked:
@@ -43,16 +43,16 @@ def on_terrain(blocked: Any, start: Any, goal: Any) -> Asked:
 
 
 TERRAINS = {
-    "same": on_terrain([], (20.5, 20.5), (20.5, 20.5)),
-    "open": on_terrain([(17, 12, 20, 16)], (5.5, 5.5), (34.5, 33.5)),
+    "same": make_terrain_problem([], (20.5, 20.5), (20.5, 20.5)),
+    "open": make_terrain_problem([(17, 12, 20, 16)], (5.5, 5.5), (34.5, 33.5)),
     # a wall one cell thick, less than a step from the goal
-    "thin": on_terrain([(33, 14, 34, 26)], (6.5, 20.5), (35.5, 20.5)),
-    "bag": on_terrain(
+    "thin": make_terrain_problem([(33, 14, 34, 26)], (6.5, 20.5), (35.5, 20.5)),
+    "bag": make_terrain_problem(
         [(26, 10, 28, 30), (14, 10, 28, 12), (14, 28, 28, 30)], (22.5, 20.5), (34.5, 20.5)
     ),
-    "sealed": on_terrain([(28, 28, 40, 30), (28, 28, 30, 40)], (5.5, 5.5), (35.5, 35.5)),
+    "sealed": make_terrain_problem([(28, 28, 40, 30), (28, 28, 30, 40)], (5.5, 5.5), (35.5, 35.5)),
 }
-EMPTY = on_terrain([], (5.5, 5.5), (34.5, 33.5))
+EMPTY = make_terrain_problem([], (5.5, 5.5), (34.5, 33.5))
 
 
 class TerrainPlanner(PlannerExercise):
@@ -65,15 +65,17 @@ class TerrainPlanner(PlannerExercise):
         """Yield each terrain twice, and random rocks."""
         for _ in range(2):
             for kind, problem in TERRAINS.items():
-                yield self.asked(kind, problem, int(rng.integers(1000)))
+                yield self.make_case(kind, problem, int(rng.integers(1000)))
         for _ in range(2):
             corners = rng.integers(8, 28, (5, 2))
             rocks = [(x, y, x + 4, y + 4) for x, y in corners.tolist()]
-            yield self.asked(
-                "open", on_terrain(rocks, (3.5, 3.5), (36.5, 36.5)), int(rng.integers(1000))
+            yield self.make_case(
+                "open",
+                make_terrain_problem(rocks, (3.5, 3.5), (36.5, 36.5)),
+                int(rng.integers(1000)),
             )
 
-    def asked(self, kind: str, problem: Asked, rng: int) -> Case:
+    def make_case(self, kind: str, problem: Asked, rng: int) -> Case:
         """Return the case of a problem with a seed."""
         raise NotImplementedError
 
@@ -84,7 +86,7 @@ class TerrainPlanner(PlannerExercise):
         return why_not_a_path(case.given["problem"], path)
 
 
-def own_rrt(
+def grow_tree(
     problem: Any, step: float, spacing: float, goal_bias: float, failures: int, rng: int
 ) -> Any:
     """Grow the RRT as the exercise demands, and return nodes, parents and path."""
@@ -124,16 +126,16 @@ class RrtOnTerrain(TerrainPlanner):
     )
     result = Together((NODES, WholeNumbers(("n",)), Maybe(PATH)))
     answer = three_times(result)
-    source = staticmethod(own_rrt)
+    source = staticmethod(grow_tree)
     shown = staticmethod(grow)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Yield the cases of both planners, then open ground with goal bias 1."""
         yield from super().cases(rng)
-        always = self.asked("open", EMPTY, int(rng.integers(1000)))
+        always = self.make_case("open", EMPTY, int(rng.integers(1000)))
         yield Case("open", {**always.given, "goal_bias": 1.0})
 
-    def asked(self, kind: str, problem: Asked, rng: int) -> Case:
+    def make_case(self, kind: str, problem: Asked, rng: int) -> Case:
         """Return a case, with fewer failures where no path exists, to end the tree's growth."""
         failures = 80 if kind == "sealed" else FAILURES
         tuning = {"step": STEP, "spacing": SPACING, "goal_bias": 0.5, "failures": failures}
@@ -158,11 +160,11 @@ class RrtOnTerrain(TerrainPlanner):
         )
         fault = (
             fault
-            or too_near(problem, nodes, case.given["spacing"])
-            or went_past(problem, nodes, path, case.given["step"])
+            or find_close_node(problem, nodes, case.given["spacing"])
+            or find_missed_goal(problem, nodes, path, case.given["step"])
         )
         fault = fault or (
-            not_at_the_goal(problem, nodes) if case.given["goal_bias"] == 1.0 else None
+            find_stray_node(problem, nodes) if case.given["goal_bias"] == 1.0 else None
         )
         if fault is None and path is not None:
             fault = not_along_tree(path, nodes, parent)
@@ -176,7 +178,7 @@ class RrtOnTerrain(TerrainPlanner):
         return [Tree(nodes, parent)], path
 
 
-def too_near(problem: Any, nodes: Array, spacing: float) -> Fault | None:
+def find_close_node(problem: Any, nodes: Array, spacing: float) -> Fault | None:
     """Return the fault of a node nearer than the spacing to an earlier one, or None.
 
     The goal is excepted.
@@ -188,7 +190,7 @@ def too_near(problem: Any, nodes: Array, spacing: float) -> Fault | None:
     return None
 
 
-def went_past(problem: Any, nodes: Array, path: Array | None, step: float) -> Fault | None:
+def find_missed_goal(problem: Any, nodes: Array, path: Array | None, step: float) -> Fault | None:
     """Return the fault of a tree that grew on although the goal could be added, or None.
 
     With a path, only the goal and its parent may be within free reach of the goal.
@@ -201,7 +203,7 @@ def went_past(problem: Any, nodes: Array, path: Array | None, step: float) -> Fa
     return None
 
 
-def not_at_the_goal(problem: Any, nodes: Array) -> Fault | None:
+def find_stray_node(problem: Any, nodes: Array) -> Fault | None:
     """Return the fault of a node that is off the segment from start to goal, or None.
 
     With goal bias 1 on open ground every node lies on that segment.

@@ -37,7 +37,7 @@ class ExposeHastyGoal(Exercise):
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
         """Judge that the problem is valid, that the path is not free, and that no path exists."""
-        problem = problem_with(*value)
+        problem = make_problem(*value)
         rule = "valid" if problem is None else ""
         if problem is not None and case.kind != "valid":
             path = hasty_rrt(problem, 1.0, 0.05, 500, 0)
@@ -48,7 +48,7 @@ class ExposeHastyGoal(Exercise):
                 if why_not_a_path(problem, path) is None
                 else ""
             )
-            if not rule and case.kind == "no_way" and in_one_part(*value):
+            if not rule and case.kind == "no_way" and is_connected(*value):
                 rule = "no_way"
         return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
 
@@ -58,14 +58,14 @@ class ExposeHastyGoal(Exercise):
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """Draw the room and the path that the program returns."""
-        problem = problem_with(*outcome.value) if isinstance(outcome, Answer) else None
+        problem = make_problem(*outcome.value) if isinstance(outcome, Answer) else None
         path = None if problem is None else hasty_rrt(problem, 1.0, 0.05, 500, 0)
         shown = (problem or in_room((1, 1), (9, 9))).problem
         fault = None if problem is None or path is None else why_not_a_path(problem, path)
         draw_answer(shown, [], path, fault, say("exposing_room.picture"), ax)
 
 
-def problem_with(start: Array, goal: Array, triangle: Array) -> Asked | None:
+def make_problem(start: Array, goal: Array, triangle: Array) -> Asked | None:
     """Return the problem, or None where it is not valid."""
     if not all((np.abs(points) <= 100.0).all() for points in (start, goal, triangle)):
         return None
@@ -75,7 +75,7 @@ def problem_with(start: Array, goal: Array, triangle: Array) -> Asked | None:
         return None
 
 
-def in_one_part(start: Array, goal: Array, triangle: Array) -> bool:
+def is_connected(start: Array, goal: Array, triangle: Array) -> bool:
     """Whether a path leads from start to goal, both of them free.
 
     They must lie in one connected part of the room without the triangle.

@@ -20,7 +20,7 @@ from ...whole_shapes import WholeNumbers
 from ..shared.planned import NODES, Fault, Task
 from ..shared.planned_pictures import draw_answer
 from ..shared.small_problems import box, in_room
-from .rrt import own_rrt
+from .rrt import grow_tree
 
 LISTS = WholeNumbers(("n",)), Numbers(("n",))
 OPEN = in_room((1, 1), (9, 9))
@@ -69,7 +69,7 @@ def attach(parent: Parents, cost: Array, best: int, distance: float) -> Insertio
 
 def find_descendants(node: int, parents: list[int]) -> list[int]:
     """Return a node and all nodes below it; the last of all nodes is not looked at."""
-    return [j for j in range(len(parents) - 1) if node in upwards(j, parents)]
+    return [j for j in range(len(parents) - 1) if node in find_ancestors(j, parents)]
 
 
 def rewire(
@@ -126,7 +126,7 @@ def insert_unchecked(problem: Any, *given: Any) -> Insertion:
     return inserted(WithoutObstacles(problem.distance), *given)
 
 
-def upwards(node: int, parent: list[int]) -> list[int]:
+def find_ancestors(node: int, parent: list[int]) -> list[int]:
     """Return a node, its parent, its parent's parent, and so on to the root."""
     way = []
     while node >= 0:
@@ -184,13 +184,13 @@ class Insert(ValueExercise):
         left = dict.fromkeys(self.kinds, 12)
         while any(left.values()):
             blocked = bool(rng.random() < 0.5)
-            case = by_chance(rng, WALL if blocked else OPEN, int(rng.integers(3, 8)))
+            case = draw_case(rng, WALL if blocked else OPEN, int(rng.integers(3, 8)))
             if case is not None and left[case.kind]:
                 left[case.kind] -= 1
                 yield case
             if left["grown"]:
                 left["grown"] -= 1
-                yield grown_case(rng, WALL)
+                yield grow_case(rng, WALL)
 
     def same(self, value: Any, truth: Any) -> bool:
         """Whether the parents are the same, and the costs up to rounding."""
@@ -249,13 +249,13 @@ def by_hand(kind: str, problem: Asked, nodes: Any, parent: Any, q_new: Any, radi
     places, above = np.array(nodes, float), np.array(parent)
     cost = np.zeros(len(places))
     for i in range(len(places)):
-        way = upwards(i, parent)
+        way = find_ancestors(i, parent)
         cost[i] = sum(problem.distance(places[a], places[b]) for a, b in zip(way, way[1:]))
     tree = {"problem": problem, "nodes": places, "parent": above, "cost": cost}
     return Case(kind, {**tree, "q_new": np.array(q_new, float), "radius": radius})
 
 
-def by_chance(rng: np.random.Generator, problem: Asked, n: int) -> Case | None:
+def draw_case(rng: np.random.Generator, problem: Asked, n: int) -> Case | None:
     """Draw a small free tree and a new node, and classify the case.
 
     Returns
@@ -267,12 +267,12 @@ def by_chance(rng: np.random.Generator, problem: Asked, n: int) -> Case | None:
     parent = [-1, *(int(rng.integers(i)) * int(rng.integers(2)) for i in range(1, n))]
     q_new = np.round(rng.uniform(1.0, 9.0, 2), 1)
     case = by_hand("", problem, nodes, parent, q_new, round(float(rng.uniform(3.0, 6.0)), 1))
-    return case._replace(kind=kind_of(case.given)) if is_fair(case.given) else None
+    return case._replace(kind=classify(case.given)) if is_fair(case.given) else None
 
 
-def grown_case(rng: np.random.Generator, problem: Asked) -> Case:
+def grow_case(rng: np.random.Generator, problem: Asked) -> Case:
     """Draw a tree of an RRT with two nodes inserted, and a new node near it."""
-    nodes, parent, _ = own_rrt(
+    nodes, parent, _ = grow_tree(
         problem, 1.0, 0.0, int(rng.integers(20, 80)), int(rng.integers(10**6))
     )
     for left in (2, 1, 0):
@@ -308,7 +308,7 @@ def is_fair(given: dict[str, Any]) -> bool:
     return bool((np.diff(through) > 1e-3).all() and (np.abs(gains) > 1e-3).all())
 
 
-def kind_of(given: dict[str, Any]) -> str:
+def classify(given: dict[str, Any]) -> str:
     """Return which part of the insertion the case needs."""
     truth = inserted(*given.values())
     if insert_unchecked(*given.values()) != truth:

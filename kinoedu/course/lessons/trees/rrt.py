@@ -32,7 +32,7 @@ from ..shared.tree_exercise import BIAS, ENOUGH, PARENTS, STEP, TreeExercise
 LEFT_OUT = 2
 
 
-def own_rrt(problem: Any, step: float, goal_bias: float, iterations: int, rng: int) -> Any:
+def grow_tree(problem: Any, step: float, goal_bias: float, iterations: int, rng: int) -> Any:
     """Grow an RRT as the exercise demands, and return nodes, parents and path."""
     chance, nodes, parent = np.random.default_rng(rng), [problem.start], [-1]
     if problem.distance(problem.start, problem.goal) <= step and problem.is_free_path(
@@ -65,7 +65,7 @@ class Rrt(TreeExercise):
     )
     result = Together((NODES, PARENTS, Maybe(PATH)))
     answer = three_times(result)
-    source = staticmethod(own_rrt)
+    source = staticmethod(grow_tree)
     shown = staticmethod(grow)
 
     def asked(self, kind: str, problem: Asked, rng: np.random.Generator) -> Case:
@@ -83,7 +83,7 @@ class Rrt(TreeExercise):
         """Yield traps with a goal bias, then goal bias 1 with and without a free straight path."""
         yield from super().cases(rng)
         for kind in ("room", "sealed"):
-            yield straight(self.asked(kind, TRAPS[kind], rng))
+            yield aim_at_goal(self.asked(kind, TRAPS[kind], rng))
 
     def uses_chance(self, case: Case) -> bool:
         """Whether another seed gives another answer: not with goal bias 1."""
@@ -113,10 +113,10 @@ class Rrt(TreeExercise):
         if fault is None and len(nodes) > case.given["iterations"] + 2:
             fault = Fault("iterations", nodes[:0])
         if fault is None and path is not None:
-            fault = not_along_tree(path, nodes, parent) or not_returned(problem, nodes, step)
+            fault = not_along_tree(path, nodes, parent) or find_missed_goal(problem, nodes, step)
         if (
             fault is None
-            and leaves_out(case)
+            and must_cover_room(case)
             and empty_boxes(nodes, problem.world.lo, problem.world.hi, 4) > LEFT_OUT
         ):
             fault = Fault("corner", nodes[:0])
@@ -128,7 +128,7 @@ class Rrt(TreeExercise):
         return [Tree(nodes, parent)], path
 
 
-def straight(case: Case) -> Case:
+def aim_at_goal(case: Case) -> Case:
     """Return the case with goal bias 1."""
     return case._replace(given={**case.given, "goal_bias": 1.0, "iterations": 20})
 
@@ -138,13 +138,13 @@ def has_same_nodes(case: Case, nodes: Array) -> bool:
 
     With goal bias 1 nothing is random.
     """
-    own = own_rrt(*case.given.values())[0]
+    own = grow_tree(*case.given.values())[0]
     return nodes.shape == (len(own), len(own[0])) and all(
         same(case.given["problem"], a, b) for a, b in zip(nodes, own)
     )
 
 
-def not_returned(problem: Any, nodes: Array, step: float) -> Fault | None:
+def find_missed_goal(problem: Any, nodes: Array, step: float) -> Fault | None:
     """Return the fault of a node that could have reached the goal by one free motion, or None.
 
     The last two nodes are excepted.
@@ -157,6 +157,6 @@ def not_returned(problem: Any, nodes: Array, step: float) -> Fault | None:
     return None
 
 
-def leaves_out(case: Case) -> bool:
+def must_cover_room(case: Case) -> bool:
     """Whether the samples of this case must cover the whole room."""
     return case.kind == "sealed" and case.given.get("goal_bias", 0.0) < 1.0

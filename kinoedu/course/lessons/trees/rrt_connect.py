@@ -25,7 +25,7 @@ from ..shared.planned import (
 from ..shared.tree_exercise import ENOUGH, PARENTS, STEP, TreeExercise
 
 
-def own_rrt_connect(problem: Any, step: float, iterations: int, rng: int) -> Any:
+def grow_two_trees(problem: Any, step: float, iterations: int, rng: int) -> Any:
     """Grow both trees as the exercise demands, and return them with the path."""
     chance, trees = np.random.default_rng(rng), [([problem.start], [-1]), ([problem.goal], [-1])]
 
@@ -62,7 +62,7 @@ class RrtConnect(TreeExercise):
     given = Record(problem=Task(), step=Number(), iterations=Whole(), rng=Whole())
     result = Together((NODES, PARENTS, NODES, PARENTS, Maybe(PATH)))
     answer = three_times(result)
-    source = staticmethod(own_rrt_connect)
+    source = staticmethod(grow_two_trees)
     shown = staticmethod(grow_both)
 
     def asked(self, kind: str, problem: Asked, rng: np.random.Generator) -> Case:
@@ -92,12 +92,8 @@ class RrtConnect(TreeExercise):
                 or not_to_nearest(problem, nodes, parent)
             )
         if fault is None and path is not None:
-            fault = not_along_trees(path, *both)
-        if (
-            fault is None
-            and case.kind == "room"
-            and not ran_straight(problem, both[0], both[2], step)
-        ):
+            fault = find_path_fault(path, *both)
+        if fault is None and case.kind == "room" and not is_greedy(problem, both[0], both[2], step):
             fault = Fault("greedy", both[0][:0])
         return fault or self.fault_of_end(case, path)
 
@@ -106,7 +102,7 @@ class RrtConnect(TreeExercise):
         return [Tree(*answer[:2]), Tree(*answer[2:4])], answer[4]
 
 
-def ran_straight(problem: Any, nodes: Array, goal_nodes: Array, step: float) -> bool:
+def is_greedy(problem: Any, nodes: Array, goal_nodes: Array, step: float) -> bool:
     """Whether one tree took a step and the other went to its end in the fewest steps."""
     for tree in (nodes, goal_nodes):
         if len(tree) > 1 + np.ceil(problem.distance(tree[0], tree[-1]) / step + 1e-6):
@@ -114,7 +110,7 @@ def ran_straight(problem: Any, nodes: Array, goal_nodes: Array, step: float) -> 
     return min(len(nodes), len(goal_nodes)) <= 2
 
 
-def not_along_trees(
+def find_path_fault(
     path: Array, nodes: Array, parent: Any, goal_nodes: Array, goal_parent: Any
 ) -> Fault | None:
     """Return the fault of a path that leaves the trees, or None.

@@ -21,7 +21,7 @@ from ..shared.small_problems import box, in_room
 PILLARS = in_room((1, 1), (9, 9), box(3, 3, 5, 5), box(6, 1, 7, 6), box(2, 7, 8, 8))
 
 
-def grown(
+def grow_by(
     problem: Any, expand: Any, iterations: int, rng: int, *, accepts: Callable[..., bool]
 ) -> tuple[Array, NDArray[np.int64]]:
     """Grow a tree by an expansion, with only those of its edges that are accepted."""
@@ -34,34 +34,34 @@ def grown(
     return np.array(nodes), np.array(parent)
 
 
-def free_tree(
+def grow_free_tree(
     problem: Any, expand: Any, iterations: int, rng: int
 ) -> tuple[Array, NDArray[np.int64]]:
     """Grow the tree of all free edges."""
-    return grown(
+    return grow_by(
         problem, expand, iterations, rng, accepts=lambda problem, a, b: problem.is_free_path(a, b)
     )
 
 
-def unchecked(*given: Any) -> Any:
+def grow_unchecked(*given: Any) -> Any:
     """Add every edge."""
-    return grown(*given, accepts=lambda problem, a, b: True)
+    return grow_by(*given, accepts=lambda problem, a, b: True)
 
 
-def ends_only(*given: Any) -> Any:
+def check_ends_only(*given: Any) -> Any:
     """Check only whether the new node is free."""
-    return grown(*given, accepts=lambda problem, a, b: problem.is_free(b))
+    return grow_by(*given, accepts=lambda problem, a, b: problem.is_free(b))
 
 
-def parents_from_one(*given: Any) -> Any:
+def count_from_one(*given: Any) -> Any:
     """Count parents from 1."""
-    nodes, parent = free_tree(*given)
+    nodes, parent = grow_free_tree(*given)
     return nodes, np.where(parent < 0, -1, parent + 1)
 
 
-def chained(*given: Any) -> Any:
+def chain_nodes(*given: Any) -> Any:
     """Attach every node to the one before it."""
-    nodes, _ = free_tree(*given)
+    nodes, _ = grow_free_tree(*given)
     return nodes, np.arange(len(nodes)) - 1
 
 
@@ -73,29 +73,29 @@ class TreeRoadmap(ValueExercise):
     kinds = ("few", "room", "pillars")
     given = Record(problem=Task(), expand=Rule(), iterations=Whole(), rng=Whole())
     answer = Together((NODES, WholeNumbers(("n",))))
-    source = staticmethod(free_tree)
+    source = staticmethod(grow_free_tree)
     shown = staticmethod(planners.tree_roadmap)
     slips = (
-        Slip("unchecked", unchecked),
-        Slip("ends_only", ends_only),
-        Slip("from_one", parents_from_one),
-        Slip("chained", chained),
+        Slip("unchecked", grow_unchecked),
+        Slip("ends_only", check_ends_only),
+        Slip("from_one", count_from_one),
+        Slip("chained", chain_nodes),
     )
 
     @staticmethod
     def reference(*given: Any) -> Any:
         """Return the tree of all free edges."""
-        return free_tree(*given)
+        return grow_free_tree(*given)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Yield no iteration, one and a few; then many, with every expansion."""
         for iterations in (0, 1, 2, 3, 4, 5):
             for trap in ("room", "wall"):
-                yield case("few", TRAPS[trap], "reach_out", iterations, rng)
+                yield make_case("few", TRAPS[trap], "reach_out", iterations, rng)
         for _ in range(4):
             for name in EXPANSIONS:
-                yield case("room", TRAPS["room"], name, int(rng.integers(10, 40)), rng)
-                yield case(
+                yield make_case("room", TRAPS["room"], name, int(rng.integers(10, 40)), rng)
+                yield make_case(
                     "pillars",
                     (PILLARS, TRAPS["passage"])[int(rng.integers(2))],
                     name,
@@ -117,7 +117,7 @@ class TreeRoadmap(ValueExercise):
 
     def answer_words(self, case: Case, value: Any) -> str:
         """Describe the size of the student's tree and its first wrong node."""
-        at = first_other(value, self.truth(case))
+        at = find_first_difference(value, self.truth(case))
         return self.words("answered", nodes=len(value[0]), node=at)
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
@@ -125,14 +125,18 @@ class TreeRoadmap(ValueExercise):
         problem = case.given["problem"]
         trees = [Tree(*outcome.value)] if isinstance(outcome, Answer) else []
         fault = why_not_a_tree(problem, *trees[0], step=np.inf) if trees else None
-        at = first_other(outcome.value, self.truth(case)) if isinstance(outcome, Answer) else 0
+        at = (
+            find_first_difference(outcome.value, self.truth(case))
+            if isinstance(outcome, Answer)
+            else 0
+        )
         if fault is None and trees and at < len(trees[0].nodes):
             fault = Fault("other", trees[0].nodes[at : at + 1])
         fault = None if fault is None or fault.marked.shape[1] != len(problem.start) else fault
         draw_answer(problem.problem, trees, None, fault, self.words(f"pictures.{case.kind}"), ax)
 
 
-def first_other(value: Any, truth: Any) -> int:
+def find_first_difference(value: Any, truth: Any) -> int:
     """Return the index of the first node that differs in position or parent."""
     for i, (p, q, a, b) in enumerate(zip(value[0], truth[0], value[1], truth[1])):
         if np.shape(p) != np.shape(q) or not np.allclose(p, q, rtol=0, atol=1e-9) or a != b:
@@ -140,7 +144,9 @@ def first_other(value: Any, truth: Any) -> int:
     return min(len(value[0]), len(truth[0]))
 
 
-def case(kind: str, problem: Any, name: str, iterations: int, rng: np.random.Generator) -> Case:
+def make_case(
+    kind: str, problem: Any, name: str, iterations: int, rng: np.random.Generator
+) -> Case:
     """Return a case with a random seed."""
     seed = int(rng.integers(1000))
     return Case(
