@@ -69,7 +69,7 @@ def test_distances_of_poses_by_complex_numbers():
     for case in heading_distance.HeadingDistance().cases(np.random.default_rng(5)):
         a, b, radian = case.given.values()
         turn = np.angle(np.exp(1j * (a[2] - b[2])))
-        assert heading_distance.pose_distance(a, b, radian) == pytest.approx(
+        assert heading_distance.measure_distance(a, b, radian) == pytest.approx(
             np.linalg.norm([*(a - b)[:2], radian * turn])
         )
 
@@ -91,7 +91,7 @@ def test_cases_of_the_best_control_are_as_stated(seed):
         free = [problem.is_free_drive(q, *u, k * t / n) for u, k in zip(controls, cuts)]
         left = np.where(free, away.min(axis=1), np.inf)
         best = int(left.argmin())
-        assert best_control.best_of_controls(*case.given.values()) == (
+        assert best_control.choose_best_control(*case.given.values()) == (
             (best, cuts[best]) if any(free) else None
         )
 
@@ -104,15 +104,15 @@ def test_fastest_drives_by_relaxing_again_and_again():
         for _ in range(n):
             for (u, v), t in zip(edges, durations):
                 time[v] = min(time[v], time[u] + t)
-        way, least = fastest_drive.fastest(*case.given.values()), time[ends].min(initial=np.inf)
+        way, least = fastest_drive.find_fastest(*case.given.values()), time[ends].min(initial=np.inf)
         assert (way is None) == (least == np.inf)
-        assert way is None or fastest_drive.lasts(way, edges, durations) == pytest.approx(least)
+        assert way is None or fastest_drive.measure_duration(way, edges, durations) == pytest.approx(least)
 
 
 def test_replayed_trees_touch_nothing():
     """Bodies along every drive of a tree among posts, by shapely."""
     problem = garages.GARAGES["thin"]
-    parent, controls, durations, path = kinodynamic_rrt.own_kinodynamic_rrt(problem, 80, 4)
+    parent, controls, durations, path = kinodynamic_rrt.grow_tree(problem, 80, 4)
     tree = DrivenTree(None, np.array(parent), np.array(controls), np.array(durations))
     fault, nodes = find_drive_fault(problem, tree)
     assert fault is None

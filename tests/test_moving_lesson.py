@@ -31,7 +31,7 @@ def test_the_first_contact_is_where_dense_sampling_sees_it():
         )  # a contact may be too short for any grid
         s = np.sort(np.append(np.linspace(0, 1, 4001), nearest))
         gaps = np.hypot(*(x + s[:, None] * v).T) - r
-        moment = first_contact.contact_time(*case.given.values())
+        moment = first_contact.find_contact(*case.given.values())
         touched = np.flatnonzero(gaps <= 0)
         assert (len(touched) == 0) == (moment == math.inf)
         assert moment == math.inf or abs(s[touched[0]] - moment) < 1e-3
@@ -42,7 +42,7 @@ TICKS = 16  # in a unit of time: all times in the cases are multiples of one
 
 def stepped(safe, moves, start, goal):
     """The earliest arrival, by stepping through all ticks."""
-    ways = earliest_arrival.two_ways(moves)
+    ways = earliest_arrival.find_adjacent_places(moves)
     interval = [
         {
             t: k
@@ -76,15 +76,15 @@ def test_schedules_are_the_earliest(seed):
             [np.asarray(own).tolist() for own in case.given["safe"]],
             *list(case.given.values())[1:],
         )
-        rows = earliest_arrival.schedule(*given)
+        rows = earliest_arrival.find_schedule(*given)
         assert (rows[-1][1] if rows else math.inf) == stepped(*given)
         if rows:
-            assert earliest_arrival.first_fault(*given, rows) == ""
+            assert earliest_arrival.find_schedule_fault(*given, rows) == ""
         assert (case.kind == "none") == (not rows)
         if case.kind == "aside":
             assert len({place for place, _ in rows}) < len(rows)
         if case.kind == "again":
-            assert earliest_arrival.earliest_once(*given) > rows[-1][1]
+            assert earliest_arrival.search_one_arrival_each(*given) > rows[-1][1]
 
 
 def test_a_schedule_that_breaks_a_rule_is_told_which():
@@ -100,9 +100,9 @@ def test_a_schedule_that_breaks_a_rule_is_told_which():
         ("unsafe", [(0, 0), (1, 4), (2, 8)]),
         ("goal", [(0, 0), (1, 6)]),
     ):
-        assert earliest_arrival.first_fault(safe, moves, 0, 2, rows) == rule
+        assert earliest_arrival.find_schedule_fault(safe, moves, 0, 2, rows) == rule
     assert (
-        earliest_arrival.first_fault([[(2, 30)], *safe[1:]], moves, 0, 2, [(0, 0), (1, 6), (2, 8)])
+        earliest_arrival.find_schedule_fault([[(2, 30)], *safe[1:]], moves, 0, 2, [(0, 0), (1, 6), (2, 8)])
         == "begin"
     )
 
@@ -110,12 +110,12 @@ def test_a_schedule_that_breaks_a_rule_is_told_which():
 def test_a_rule_that_was_misread_is_named():
     """By what the search finds without it; where nothing fits, none."""
     touching = [[(0, 4), (7, 30)], [(0, 30)], [(0, 1), (10, 30)]], [(0, 1, 2), (0, 2, 1)]
-    assert earliest_arrival.misread(*touching, 0, 2, [(0, 0), (1, 2), (0, 7), (2, 10)]) == "closed"
+    assert earliest_arrival.find_misread_rule(*touching, 0, 2, [(0, 0), (1, 2), (0, 7), (2, 10)]) == "closed"
     short = [[(0, 30)], [(0, 3), (6, 30)]], [(0, 1, 2)]
-    assert earliest_arrival.misread(*short, 0, 1, [(0, 0), (1, 6)]) == "forever"
+    assert earliest_arrival.find_misread_rule(*short, 0, 1, [(0, 0), (1, 6)]) == "forever"
     assert (
-        earliest_arrival.misread(*short, 0, 1, [(0, 0), (1, 7)])
-        == earliest_arrival.misread(*short, 0, 1, [])
+        earliest_arrival.find_misread_rule(*short, 0, 1, [(0, 0), (1, 7)])
+        == earliest_arrival.find_misread_rule(*short, 0, 1, [])
         == ""
     )
 
@@ -128,7 +128,7 @@ def test_scenario_cases_are_clear_of_touching():
             > collision_probability.CLEAR
         )
     first = next(collision_probability.CollisionProbability().cases(np.random.default_rng(0)))
-    assert collision_probability.tried(*first.given.values()) == pytest.approx(
+    assert collision_probability.estimate_probability(*first.given.values()) == pytest.approx(
         [0.25, 0.0456, 0.6994], abs=5e-5
     )
 
@@ -139,7 +139,7 @@ def test_the_program_to_break_is_right_for_slow_motions():
     for _ in range(100):
         p0, c0 = rng.uniform(-9, 9, (2, 2))
         p1, c1 = p0 + rng.uniform(-0.5, 0.5, 2), c0 + rng.uniform(-0.5, 0.5, 2)
-        truth = exposing_motions.nearest(p0, p1, c0, c1)
+        truth = exposing_motions.find_least_distance(p0, p1, c0, c1)
         assert (
             exposing_motions.touch_by_moments(p0, p1, c0, c1, 1.0) == (truth <= 1.0)
             or abs(truth - 1.0) < 0.01

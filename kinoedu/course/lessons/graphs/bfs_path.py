@@ -18,9 +18,9 @@ class BfsPath(PathExercise):
     shown = staticmethod(breadth_first)
     slips: ClassVar[tuple[Slip, ...]] = (
         Slip("stack", lambda neighbours, start, goal: tree_path(neighbours, start, goal, at=-1)),
-        Slip("deep", lambda neighbours, start, goal: search_depth_first(neighbours, start, goal)),
+        Slip("deep", search_depth_first),
         Slip("late", lambda neighbours, start, goal: tree_path(neighbours, start, goal, late=True)),
-        Slip("order", lambda neighbours, start, goal: find_visit_order(neighbours, start, goal)),
+        Slip("order", lambda *given: find_visit_order(*given)),
         Slip(
             "reversed",
             lambda neighbours, start, goal: (

@@ -92,11 +92,8 @@ class BfsTree(GraphExercise):
         """Return one right tree: the library's, or the one that the contract names."""
         if not self.variant:
             return super().truth(case)
-        return choose_parents(
-            case.given["neighbours"],
-            case.given["start"],
-            min if self.variant == "smallest" else max,
-        )
+        choose = min if self.variant == "smallest" else max
+        return choose_parents(case.given["neighbours"], case.given["start"], choose)
 
     def wanted(self, case: Case) -> str:
         """Describe one right tree."""
@@ -109,10 +106,8 @@ class BfsTree(GraphExercise):
         from ....figures import plane
 
         far = graphs.bfs(as_graph(case.given["neighbours"]), case.given["start"]).cost
-        value, wanted = (
-            outcome.value if isinstance(outcome, Answer) else None,
-            self.truth(case) if self.variant else None,
-        )
+        value = outcome.value if isinstance(outcome, Answer) else None
+        wanted = self.truth(case) if self.variant else None
         draw_tree_answer(self, case, value, far, ax, wanted)
         if self.judge(case, outcome).rule == CONTRACT:
             plane.title(self.words("pictures.contract"), ax)

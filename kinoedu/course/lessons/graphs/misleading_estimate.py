@@ -38,14 +38,12 @@ class MisleadingEstimate(Exercise):
         rule = find_graph_fault(*value)
         if not rule and case.kind != "valid":
             found, best = both_costs(*value)
-            rule = (
-                "path"
-                if np.isinf(best)
-                else "misleads"
-                if found <= best + 1e-6 * (1.0 + best)
-                else ""
-            )
-            rule = rule or ("smallest" if case.kind == "smallest" and len(value[0]) > 3 else "")
+            if np.isinf(best):
+                rule = "path"
+            elif found <= best + 1e-6 * (1.0 + best):
+                rule = "misleads"
+            elif case.kind == "smallest" and len(value[0]) > 3:
+                rule = "smallest"
         return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
 
     def wanted(self, case: Case) -> str:

@@ -36,14 +36,13 @@ def draw_tree_answer(
     neighbours, start = case.given["neighbours"], case.given["start"]
     places = draw_grey_graph(case, ax, highlight=[start])
     for u, d in enumerate(far):
-        text = (
-            say("graph_picture.start")
-            if u == start
-            else say("graph_picture.far", d=f"{d:.0f}")
-            if d < np.inf
-            else ""
-        )
-        draw_label(places, u, text or say("graph_picture.unreached"), ax, palette.START)
+        if u == start:
+            text = say("graph_picture.start")
+        elif d < np.inf:
+            text = say("graph_picture.far", d=f"{d:.0f}")
+        else:
+            text = say("graph_picture.unreached")
+        draw_label(places, u, text, ax, palette.START)
     if value is not None and len(value) == len(neighbours):
         for u, p in enumerate(value):
             if 0 <= p < len(value) and p != u:
@@ -128,13 +127,8 @@ def draw_costs(exercise: Exercise, case: Case, value: Any, truth: Any, ax: Any) 
     fits = value is not None and not isinstance(truth, ValueError) and len(value) == len(truth)
     for u in range(len(places)):
         if isinstance(truth, ValueError):
-            draw_label(
-                places,
-                u,
-                say("graph_picture.start") if u == case.given["start"] else "",
-                ax,
-                palette.INK,
-            )
+            text = say("graph_picture.start") if u == case.given["start"] else ""
+            draw_label(places, u, text, ax, palette.INK)
         elif fits and not (
             value[u] == truth[u] or abs(value[u] - truth[u]) <= 1e-6 * (1.0 + abs(truth[u]))
         ):
@@ -209,14 +203,8 @@ def draw_label(places: Any, u: int, text: str, ax: Any, colour: str) -> None:
     if not text or len(places) > MOST_LABELS:
         return
     x, y = places[u] / np.sqrt((places[u] * places[u]).sum())
-    graphs.beside(
-        places[u],
-        text,
-        ax,
-        (18 * x, 24 * y - 5),
-        colour,
-        "left" if x > 0.3 else "right" if x < -0.3 else "center",
-    )
+    side = "left" if x > 0.3 else "right" if x < -0.3 else "center"
+    graphs.beside(places[u], text, ax, (18 * x, 24 * y - 5), colour, side)
 
 
 def draw_answer_note(value: Any, ax: Any) -> None:

@@ -222,11 +222,8 @@ class BestControl(ValueExercise):
         -------
         The case; None where two controls are nearly equally good, or where q is not free.
         """
-        room, n, m = (
-            ROOMS[int(rng.random() < 0.8)],
-            int(rng.choice([2, 3, 5, 8, 12, 40])),
-            int(rng.integers(2, 8)),
-        )
+        room = ROOMS[int(rng.random() < 0.8)]
+        n, m = int(rng.choice([2, 3, 5, 8, 12, 40])), int(rng.integers(2, 8))
         q = np.round([*rng.uniform(60, 140, 2), rng.uniform(-3.1, 3.1)], 1)
         target = np.round(q + rng.uniform((-25, -25, -1.5), (25, 25, 1.5)), 1)
         controls = np.column_stack(

@@ -39,9 +39,8 @@ def grow_roadmap(problem: Any, k: int, iterations: int, rng: int) -> Any:
     edges, controls, durations = [], [], []
     for turn in range(1, iterations + 1):
         target = choose_target(problem, turn, chance)
-        for near in (
-            measure_distances(problem, np.array(nodes), target).argsort(kind="stable")[:k].tolist()
-        ):
+        order = measure_distances(problem, np.array(nodes), target).argsort(kind="stable")
+        for near in order[:k].tolist():
             drive = problem.best_drive(nodes[near], target, chance)
             if drive is None:
                 continue
@@ -52,17 +51,10 @@ def grow_roadmap(problem: Any, k: int, iterations: int, rng: int) -> Any:
             durations.append(t)
             arrival.append(arrival[near] + t)
     there = find_near_goal(problem, np.array(nodes))
-    last = (
-        min(there, key=arrival.__getitem__)
-        if len(there)
-        else measure_distances(problem, np.array(nodes), problem.goal).argmin()
-    )
-    return (
-        edges,
-        controls,
-        durations,
-        extract_path(np.array([-1, *(u for u, _ in edges)]), int(last)),
-    )
+    nearest = measure_distances(problem, np.array(nodes), problem.goal).argmin()
+    last = min(there, key=arrival.__getitem__) if len(there) else nearest
+    parent = np.array([-1, *(u for u, _ in edges)])
+    return edges, controls, durations, extract_path(parent, int(last))
 
 
 class KinodynamicPrm(DrivingPlanner):
@@ -80,16 +72,9 @@ class KinodynamicPrm(DrivingPlanner):
         """Yield every garage twice, with two and with three drives per iteration."""
         for k in (2, 3):
             for kind in KINDS:
-                turns = min(100, TURNS[kind])
-                yield Case(
-                    kind,
-                    {
-                        "problem": GARAGES[kind],
-                        "k": k,
-                        "iterations": turns,
-                        "rng": int(rng.integers(1000)),
-                    },
-                )
+                iterations, seed = min(100, TURNS[kind]), int(rng.integers(1000))
+                question = {"problem": GARAGES[kind], "k": k, "iterations": iterations, "rng": seed}
+                yield Case(kind, question)
 
     def uses_chance(self, case: Case) -> bool:
         """Another seed always gives another answer: the roadmap does not stop at the goal."""

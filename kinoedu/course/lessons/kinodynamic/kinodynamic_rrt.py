@@ -51,12 +51,9 @@ def grow_tree(problem: Any, iterations: int, rng: int) -> Any:
         controls.append((v, phi))
         durations.append(t)
     there = find_near_goal(problem, np.array(nodes))
-    last = (
-        int(there[0])
-        if len(there)
-        else int(measure_distances(problem, np.array(nodes), problem.goal).argmin())
-    )
-    return parent, controls, durations, extract_path(np.array(parent), last)
+    nearest = measure_distances(problem, np.array(nodes), problem.goal).argmin()
+    last = there[0] if len(there) else nearest
+    return parent, controls, durations, extract_path(np.array(parent), int(last))
 
 
 class KinodynamicRrt(DrivingPlanner):
@@ -74,14 +71,9 @@ class KinodynamicRrt(DrivingPlanner):
         """Yield every garage twice."""
         for _ in range(2):
             for kind in KINDS:
-                yield Case(
-                    kind,
-                    {
-                        "problem": GARAGES[kind],
-                        "iterations": TURNS[kind],
-                        "rng": int(rng.integers(1000)),
-                    },
-                )
+                seed = int(rng.integers(1000))
+                question = {"problem": GARAGES[kind], "iterations": TURNS[kind], "rng": seed}
+                yield Case(kind, question)
 
     def tree_of(self, case: Case, answer: Any) -> DrivenTree:
         """Return the tree in an answer."""

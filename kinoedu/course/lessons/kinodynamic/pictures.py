@@ -105,23 +105,18 @@ def draw_choice(exercise: ValueExercise, case: Case, value: Any, ax: Any) -> Non
     bends = np.tan(controls[:, 1]) / room.problem.robot.wheelbase
     ways = [arc(q, v * t, bend) for (v, _), bend in zip(controls, bends)]
     shown = exercise.truth(case) if value is None or not is_choice(value, controls, n) else value
-    bodies = (
-        []
-        if shown is None
-        else [
-            outline_at(room.problem.robot, pose) for pose in find_swept_poses(case, bends, *shown)
-        ]
-    )
+    poses: Any = [] if shown is None else find_swept_poses(case, bends, *shown)
+    outlines = [outline_at(room.problem.robot, pose) for pose in poses]
     tips = [
         pose[:2] + 8.0 * np.array([math.cos(pose[2]), math.sin(pose[2])]) for pose in (q, target)
     ]
-    around = np.vstack([*(way[:, :2] for way in ways), *bodies, *tips, target[:2]])
+    around = np.vstack([*(way[:, :2] for way in ways), *outlines, *tips, target[:2]])
     frame_both(around, None if value is None else around[:1], "", ax)
     limits = ax.get_xlim(), ax.get_ylim()
     draw_world(room.problem.world, ax)
     ax.set(xlim=limits[0], ylim=limits[1])
-    for body in bodies:
-        ax.fill(*body.T, facecolor="none", edgecolor=palette.ROBOT, linewidth=1.4, zorder=4)
+    for outline in outlines:
+        ax.fill(*outline.T, facecolor="none", edgecolor=palette.ROBOT, linewidth=1.4, zorder=4)
     for number, way in enumerate(ways):
         ax.plot(*way[:, :2].T, "-", color=palette.OUTSIDE, linewidth=2.0, zorder=3)
         plane.label(way[-1, :2], str(number), ax, colour=palette.INK)

@@ -69,11 +69,8 @@ class ChanceMargins(ValueExercise):
         yield make_case("unequal", [1, 2], 0.1)
         yield make_case("seldom", [1], 1e-6)
         for _ in range(10):
-            m, delta, s = (
-                int(rng.integers(2, 9)),
-                round(float(rng.uniform(0.01, 0.6)), 2),
-                np.round(rng.uniform(0.05, 2, 8), 2),
-            )
+            m, delta = int(rng.integers(2, 9)), round(float(rng.uniform(0.01, 0.6)), 2)
+            s = np.round(rng.uniform(0.05, 2, 8), 2)
             yield make_case("one", s[:1], delta)
             yield make_case("several", np.full(m, s[0]), delta)
             yield make_case("unequal", s[:m], delta)

@@ -194,11 +194,9 @@ class CollisionProbability(ValueExercise):
 
 def draw_case(kind: str, rng: np.random.Generator) -> Case | None:
     """Draw a random case of a kind; None where it turns out to be of another kind."""
-    n, m, k = (
-        int(rng.integers(40, 120)),
-        1 if kind == "one" else int(rng.integers(2, 5)),
-        2 if kind == "one" else int(rng.integers(3, 5)),
-    )
+    n, m, k = int(rng.integers(40, 120)), 1, 2
+    if kind != "one":
+        m, k = int(rng.integers(2, 5)), int(rng.integers(3, 5))
     path = np.round(rng.uniform(0, 10, (k, 2)), 1)
     sizes: Array = rng.uniform(0.3, 1.5, m)
     discs: Array = np.column_stack([rng.uniform(0, 10, (m, 2)), sizes]).round(1)

@@ -142,18 +142,11 @@ class EarliestArrival(Exercise):
         """Judge that the schedule keeps every rule and arrives as early as possible."""
         safe, moves, start, goal = case.given.values()
         best, rows = find_schedule(safe, moves, start, goal), np.asarray(value).tolist()
-        if not rows or not best:
-            rule = (
-                ""
-                if not rows and not best
-                else "found"
-                if best
-                else find_schedule_fault(safe, moves, start, goal, rows)
-            )
-        else:
-            rule = find_schedule_fault(safe, moves, start, goal, rows) or (
-                "later" if rows[-1][1] > best[-1][1] + LATE else ""
-            )
+        rule = find_schedule_fault(safe, moves, start, goal, rows) if rows else ""
+        if best and not rows:
+            rule = "found"
+        elif best and not rule and rows[-1][1] > best[-1][1] + LATE:
+            rule = "later"
         if rule in ("later", "found"):
             rule = find_misread_rule(safe, moves, start, goal, rows) or rule
         return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
@@ -161,13 +154,10 @@ class EarliestArrival(Exercise):
     def wanted(self, case: Case) -> str:
         """Describe one right answer."""
         best = find_schedule(*case.given.values())
-        return (
-            self.words(
-                "wanted", time=spoken(best[-1][1]), rows=spoken([tuple(row) for row in best])
-            )
-            if best
-            else self.words("no_way")
-        )
+        if not best:
+            return self.words("no_way")
+        rows = spoken([tuple(row) for row in best])
+        return self.words("wanted", time=spoken(best[-1][1]), rows=rows)
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """Draw the safe intervals of each place, a right path and the student's."""

@@ -38,13 +38,10 @@ class ExposeMoments(Exercise):
         p0, p1, c0, c1 = value
         rule = "" if is_valid(value) else "valid" if not is_in_range(value) else "apart"
         if not rule and case.kind != "valid":
-            rule = (
-                "exposes"
-                if find_least_distance(*value) >= RADIUS - 1e-9
-                else "seen"
-                if touch_by_moments(p0, p1, c0, c1, RADIUS)
-                else ""
-            )
+            if find_least_distance(*value) >= RADIUS - 1e-9:
+                rule = "exposes"
+            elif touch_by_moments(p0, p1, c0, c1, RADIUS):
+                rule = "seen"
             if not rule and case.kind != "exposes":
                 rule = "deep" if find_least_distance(*value) > DEEP else ""
                 rule = rule or ("standing" if case.kind == "standing" and (p0 != p1).any() else "")

@@ -73,14 +73,10 @@ def check_ends_only(x: Array, v: Array, r: float) -> float:
 
 def find_end_of_contact(x: Array, v: Array, r: float) -> float:
     """Return the time at which contact ends."""
+    if x @ x <= r * r:
+        return 0.0
     found = find_roots(x, v, r)
-    return (
-        0.0
-        if x @ x <= r * r
-        else found[1]
-        if found is not None and 0.0 <= found[1] <= 1.0
-        else math.inf
-    )
+    return found[1] if found is not None and 0.0 <= found[1] <= 1.0 else math.inf
 
 
 def find_at_any_time(x: Array, v: Array, r: float) -> float:
@@ -98,20 +94,16 @@ def find_nearest_moment(x: Array, v: Array, r: float) -> float:
 def miss_brief_contact(x: Array, v: Array, r: float) -> float:
     """Miss contacts that are shorter than a sampling program would see."""
     found = find_roots(x, v, r)
-    return (
-        math.inf
-        if x @ x > r * r and found is not None and found[1] - found[0] < BRIEF
-        else find_relative_contact(x, v, r)
-    )
+    if x @ x > r * r and found is not None and found[1] - found[0] < BRIEF:
+        return math.inf
+    return find_relative_contact(x, v, r)
 
 
 def confuse_equal_velocities(x: Array, v: Array, r: float) -> float:
     """Treat nearly equal velocities as equal."""
-    return (
-        (0.0 if x @ x <= r * r else math.inf)
-        if np.abs(v).max() < CLEAR
-        else find_relative_contact(x, v, r)
-    )
+    if np.abs(v).max() >= CLEAR:
+        return find_relative_contact(x, v, r)
+    return 0.0 if x @ x <= r * r else math.inf
 
 
 def miss_first_moment(x: Array, v: Array, r: float) -> float:
@@ -192,10 +184,8 @@ def classify(p0: Array, p1: Array, c0: Array, c1: Array, r: float) -> str:
         return "touching" if v @ v > 1.0 else ""
     if np.abs(v).max() < 1e-9:
         return "together"
-    found, grazed = (
-        find_roots(x, v, r),
-        (find_roots(x, v, r - CLEAR) is None) != (find_roots(x, v, r + CLEAR) is None),
-    )
+    found = find_roots(x, v, r)
+    grazed = (find_roots(x, v, r - CLEAR) is None) != (find_roots(x, v, r + CLEAR) is None)
     if grazed or v @ v < 1.0:
         return ""
     if found is None:

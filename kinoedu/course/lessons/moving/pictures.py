@@ -40,13 +40,8 @@ def draw_contact(exercise: ValueExercise, case: Case, value: float | None, ax: A
     for s, colour, style in ((truth, palette.START, "-"), (value, palette.GOAL, "--")):
         if s is not None and 0.0 <= s <= 1.0:
             plane.ring(c0 + s * (c1 - c0), r, "", ax, colour=colour, style=style)
-            plane.dot(
-                p0 + s * (p1 - p0),
-                "",
-                ax,
-                colour=colour,
-                marker="o" if colour == palette.START else "X",
-            )
+            marker = "o" if colour == palette.START else "X"
+            plane.dot(p0 + s * (p1 - p0), "", ax, colour=colour, marker=marker)
     plane.corner_note(
         say("timed_picture.both", true=format_answer(truth), yours=format_answer(value)),
         ax,

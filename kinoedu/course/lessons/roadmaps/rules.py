@@ -74,14 +74,8 @@ def set_title(exercise: Any, case: Case, ax: Any) -> None:
 
 def make_case(kind: str, problem: Any, nodes: Any, number: float) -> Case:
     """Return a case; `number` is a radius or K."""
-    return Case(
-        kind,
-        {
-            "problem": problem,
-            "nodes": np.array(nodes, float),
-            "r" if isinstance(number, float) else "k": number,
-        },
-    )
+    name = "r" if isinstance(number, float) else "k"
+    return Case(kind, {"problem": problem, "nodes": np.array(nodes, float), name: number})
 
 
 def make_pairs(number: float) -> Iterator[Case]:

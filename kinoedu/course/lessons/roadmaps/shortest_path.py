@@ -143,23 +143,17 @@ class ShortestPath(ValueExercise):
         """
         (path, far), (right, least) = value, self.truth(case)
         if path is None or right is None:
-            fine = path is None and right is None and far == np.inf
-            return (
-                RIGHT
-                if fine
-                else Verdict(0.0, "missed" if right is not None else "apart", self.wanted(case))
-            )
+            if path is None and right is None and far == np.inf:
+                return RIGHT
+            return Verdict(0.0, "apart" if right is None else "missed", self.wanted(case))
         rule = self.fault_of(case, path)
         if not rule:
             steps = np.column_stack([path[:-1], path[1:]])
             long = float(measure_edges(case.given["nodes"], steps).sum())
-            rule = (
-                "shortest"
-                if not self.near(long, least)
-                else "length"
-                if not self.near(far, least)
-                else ""
-            )
+            if not self.near(long, least):
+                rule = "shortest"
+            elif not self.near(far, least):
+                rule = "length"
         return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
 
     def fault_of(self, case: Case, path: Pairs) -> str:

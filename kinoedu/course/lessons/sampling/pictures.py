@@ -66,12 +66,8 @@ def draw_points(
             zorder=6,
         )
     else:
-        draw_label(
-            say("picture.no_answer") if found is None else say("samples.elsewhere"),
-            0.05,
-            ax,
-            colour=palette.GOAL,
-        )
+        text = say("picture.no_answer" if found is None else "samples.elsewhere")
+        draw_label(text, 0.05, ax, colour=palette.GOAL)
     if truth is not None or len(near):
         ax.legend(fontsize=palette.TEXT_SIZE, loc="upper right", framealpha=1.0)
     plane.title(exercise.words(f"pictures.{case.kind}"), ax)
@@ -191,12 +187,8 @@ def draw_corridor(corridor: Array | None, ax: Any) -> None:
     points = np.vstack([sukharev_grid(k * k) for k in (1, 2, 4, 8, 16)])
     ax.plot(*points.T, "o", color=palette.TREE, markersize=4, zorder=4)
     if corridor is None or not (np.abs(corridor) <= FAR).all():
-        draw_label(
-            say("picture.no_answer") if corridor is None else say("samples.elsewhere"),
-            0.05,
-            ax,
-            colour=palette.GOAL,
-        )
+        text = say("picture.no_answer" if corridor is None else "samples.elsewhere")
+        draw_label(text, 0.05, ax, colour=palette.GOAL)
         return
     x0, y0, x1, y1 = corridor
     ax.fill(

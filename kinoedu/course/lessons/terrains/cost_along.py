@@ -145,11 +145,7 @@ def look_up_cost(cost: Array, q: Array) -> float:
 def sum_samples(cost: Array, a: Array, b: Array, step: float) -> float:
     """Return the sum of costs at samples, each multiplied by the step."""
     whole = measure_length(a, b)
-    return (
-        sum(
-            look_up_cost(cost, a + (b - a) * (s / whole)) * step
-            for s in np.arange(0.0, whole, step)
-        )
-        if whole
-        else 0.0
-    )
+    if not whole:
+        return 0.0
+    shares = np.arange(0.0, whole, step) / whole
+    return sum(look_up_cost(cost, a + (b - a) * share) * step for share in shares)

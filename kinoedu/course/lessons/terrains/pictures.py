@@ -72,20 +72,12 @@ def draw_table(exercise: Exercise, case: Case, found: Array | None, truth: Any, 
     ax.set_ylim(n - 0.4, -1.0)
     ax.axis("off")
     right = {(row, c) for i, j, c in truth for row in (i, j)}
-    named = {
-        (row, c)
-        for i, j, c in np.reshape(found if found is not None else [], (-1, 3)).tolist()
-        for row in (i, j)
-    }
+    triples = np.reshape([] if found is None else found, (-1, 3)).tolist()
+    named = {(row, c) for i, j, c in triples for row in (i, j)}
     size = palette.TEXT_SIZE if n <= 12 else 10
     for (row, c), value in np.ndenumerate(table):
-        colour = (
-            palette.START
-            if (row, c) in right
-            else palette.GOAL
-            if (row, c) in named
-            else palette.INK
-        )
+        colour = palette.GOAL if (row, c) in named else palette.INK
+        colour = palette.START if (row, c) in right else colour
         weight = "bold" if (row, c) in right | named else "normal"
         ax.text(c, row, f"{value:.7g}", fontsize=size, color=colour, fontweight=weight, va="center")
     for row in range(n):
@@ -148,11 +140,8 @@ def draw_samples_on(value: Any, text: str, ax: Any) -> None:
 
     if value is None or find_motion_fault(*value):
         plane.frame([(0, 0), (3, 2)], ax)
-        plane.corner_note(
-            say("picture.no_answer" if value is None else "exposing_motion.outside"),
-            ax,
-            colour=palette.GOAL,
-        )
+        note = say("picture.no_answer" if value is None else "exposing_motion.outside")
+        plane.corner_note(note, ax, colour=palette.GOAL)
     else:
         free, a, b = value
         rows, columns = free.shape

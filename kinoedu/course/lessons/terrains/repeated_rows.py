@@ -98,13 +98,8 @@ class RepeatedRows(ValueExercise):
         """Draw the table, the repeats in green and the student's wrong entries in orange."""
         from .pictures import draw_table
 
-        draw_table(
-            self,
-            case,
-            np.asarray(outcome.value) if isinstance(outcome, Answer) else None,
-            self.truth(case),
-            ax,
-        )
+        value = np.asarray(outcome.value) if isinstance(outcome, Answer) else None
+        draw_table(self, case, value, self.truth(case), ax)
 
 
 def find_repeats(table: Array, near: float = 0.0) -> list[tuple[int, int, int]]:

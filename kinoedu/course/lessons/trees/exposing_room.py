@@ -41,13 +41,10 @@ class ExposeHastyGoal(Exercise):
         rule = "valid" if problem is None else ""
         if problem is not None and case.kind != "valid":
             path = hasty_rrt(problem, 1.0, 0.05, 500, 0)
-            rule = (
-                "none"
-                if path is None
-                else "exposes"
-                if why_not_a_path(problem, path) is None
-                else ""
-            )
+            if path is None:
+                rule = "none"
+            elif why_not_a_path(problem, path) is None:
+                rule = "exposes"
             if not rule and case.kind == "no_way" and is_connected(*value):
                 rule = "no_way"
         return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT

@@ -225,13 +225,8 @@ class Insert(ValueExercise):
         )
         if len(nodes) <= 9:
             for number, (q, c) in enumerate(zip(nodes, cost)):
-                plane.label(
-                    q,
-                    f"{number}: {c:.3g}",
-                    ax,
-                    colour=palette.INK,
-                    offset=(8, -16 if number % 2 else 8),
-                )
+                offset = (8, -16 if number % 2 else 8)
+                plane.label(q, f"{number}: {c:.3g}", ax, colour=palette.INK, offset=offset)
 
 
 def differs(value: Any, parent: list[int], cost: list[float], i: int) -> bool:
