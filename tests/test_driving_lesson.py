@@ -104,9 +104,14 @@ def test_fastest_drives_by_relaxing_again_and_again():
         for _ in range(n):
             for (u, v), t in zip(edges, durations):
                 time[v] = min(time[v], time[u] + t)
-        way, least = fastest_drive.find_fastest(*case.given.values()), time[ends].min(initial=np.inf)
+        way, least = (
+            fastest_drive.find_fastest(*case.given.values()),
+            time[ends].min(initial=np.inf),
+        )
         assert (way is None) == (least == np.inf)
-        assert way is None or fastest_drive.measure_duration(way, edges, durations) == pytest.approx(least)
+        assert way is None or fastest_drive.measure_duration(
+            way, edges, durations
+        ) == pytest.approx(least)
 
 
 def test_replayed_trees_touch_nothing():
@@ -158,16 +163,12 @@ def test_goal_and_region_may_both_have_the_turns_of_both(name, monkeypatch):
     """In turns 28, 56, ... the goal is as right as its region."""
 
     def goal_first(problem, turn, rng):
-        return (
-            problem.goal
-            if turn % 4 == 0
-            else problem.near_goal(rng)
-            if turn % 7 == 0
-            else problem.sample(rng)
-        )
+        if turn % 4 == 0:
+            return problem.goal
+        return problem.near_goal(rng) if turn % 7 == 0 else problem.sample(rng)
 
     for module in (kinodynamic_prm, kinodynamic_rrt):
-        monkeypatch.setattr(module, "place_to_go", goal_first)
+        monkeypatch.setattr(module, "choose_target", goal_first)
     tree, roadmap = kinodynamic_rrt.KinodynamicRrt(), kinodynamic_prm.KinodynamicPrm()
     for exercise, more in ((tree, {}), (roadmap, {"k": 2})):
         case = Case(

@@ -102,7 +102,9 @@ def test_a_schedule_that_breaks_a_rule_is_told_which():
     ):
         assert earliest_arrival.find_schedule_fault(safe, moves, 0, 2, rows) == rule
     assert (
-        earliest_arrival.find_schedule_fault([[(2, 30)], *safe[1:]], moves, 0, 2, [(0, 0), (1, 6), (2, 8)])
+        earliest_arrival.find_schedule_fault(
+            [[(2, 30)], *safe[1:]], moves, 0, 2, [(0, 0), (1, 6), (2, 8)]
+        )
         == "begin"
     )
 
@@ -110,7 +112,10 @@ def test_a_schedule_that_breaks_a_rule_is_told_which():
 def test_a_rule_that_was_misread_is_named():
     """By what the search finds without it; where nothing fits, none."""
     touching = [[(0, 4), (7, 30)], [(0, 30)], [(0, 1), (10, 30)]], [(0, 1, 2), (0, 2, 1)]
-    assert earliest_arrival.find_misread_rule(*touching, 0, 2, [(0, 0), (1, 2), (0, 7), (2, 10)]) == "closed"
+    assert (
+        earliest_arrival.find_misread_rule(*touching, 0, 2, [(0, 0), (1, 2), (0, 7), (2, 10)])
+        == "closed"
+    )
     short = [[(0, 30)], [(0, 3), (6, 30)]], [(0, 1, 2)]
     assert earliest_arrival.find_misread_rule(*short, 0, 1, [(0, 0), (1, 6)]) == "forever"
     assert (
@@ -124,7 +129,7 @@ def test_scenario_cases_are_clear_of_touching():
     """No case is decided by rounding, and the example is as stated."""
     for case in collision_probability.CollisionProbability().cases(np.random.default_rng(0)):
         assert (
-            np.abs(collision_probability.gaps(*case.given.values())).min()
+            np.abs(collision_probability.measure_gaps(*case.given.values())).min()
             > collision_probability.CLEAR
         )
     first = next(collision_probability.CollisionProbability().cases(np.random.default_rng(0)))

@@ -10,6 +10,12 @@ from ..shared.random_graphs import Neighbours, as_graph
 from .paths import PathExercise, convert_path, search_depth_first
 
 
+def find_visit_order(neighbours: Neighbours, start: int, goal: int) -> list[int] | None:
+    """Return the order of visit of breadth-first search up to the goal, mistaken for a path."""
+    order = first_in(neighbours, start)[1]
+    return order[: order.index(goal) + 1] if goal in order else None
+
+
 class BfsPath(PathExercise):
     """Find a path with the fewest edges; any such path is right."""
 
@@ -20,7 +26,7 @@ class BfsPath(PathExercise):
         Slip("stack", lambda neighbours, start, goal: tree_path(neighbours, start, goal, at=-1)),
         Slip("deep", search_depth_first),
         Slip("late", lambda neighbours, start, goal: tree_path(neighbours, start, goal, late=True)),
-        Slip("order", lambda *given: find_visit_order(*given)),
+        Slip("order", find_visit_order),
         Slip(
             "reversed",
             lambda neighbours, start, goal: (
@@ -59,9 +65,3 @@ class BfsPath(PathExercise):
     def is_good(self, case: Case, path: list[int]) -> bool:
         """Whether the path has the fewest edges."""
         return len(path) == len(self.truth(case))
-
-
-def find_visit_order(neighbours: Neighbours, start: int, goal: int) -> list[int] | None:
-    """Return the order of visit of breadth-first search up to the goal, mistaken for a path."""
-    order = first_in(neighbours, start)[1]
-    return order[: order.index(goal) + 1] if goal in order else None
