@@ -1,4 +1,4 @@
-"""Lesson 14: what its exercises and boards claim, against independent computations."""
+"""Lesson 14: its exercises and boards against independent computations."""
 
 import math
 
@@ -22,13 +22,13 @@ WORLD = MovingWorld(HALL, [Moving(1.0, [0, 10], [(9, 3), (-1, 3)])])
 
 
 def test_the_first_contact_is_where_dense_sampling_sees_it():
-    """Before it all is apart, at it they are at the radius; where there is none, all is apart."""
+    """Samples before the contact are apart; at the contact the distance is the radius."""
     for case in first_contact.FirstContact().cases(np.random.default_rng(1)):
         p0, p1, c0, c1, r = case.given.values()
         x, v = p0 - c0, (p1 - p0) - (c1 - c0)
         nearest = np.clip(
             -(x @ v) / max(v @ v, 1e-300), 0, 1
-        )  # a contact may be too short for any grid
+        )  # a contact may be too short for any sampling
         s = np.sort(np.append(np.linspace(0, 1, 4001), nearest))
         gaps = np.hypot(*(x + s[:, None] * v).T) - r
         moment = first_contact.find_contact(*case.given.values())
@@ -37,11 +37,11 @@ def test_the_first_contact_is_where_dense_sampling_sees_it():
         assert moment == math.inf or abs(s[touched[0]] - moment) < 1e-3
 
 
-TICKS = 16  # in a unit of time: all times in the cases are multiples of one
+TICKS = 16  # ticks in a unit of time; all times of the cases are multiples of a tick
 
 
 def stepped(safe, moves, start, goal):
-    """The earliest arrival, by stepping through all ticks."""
+    """Return the earliest arrival by stepping through all ticks."""
     ways = earliest_arrival.find_adjacent_places(moves)
     interval = [
         {
@@ -68,8 +68,9 @@ def stepped(safe, moves, start, goal):
 
 @pytest.mark.parametrize("seed", range(3))
 def test_schedules_are_the_earliest(seed):
-    """No later and no earlier than a search that steps through time; and every rule is kept. Kinds
-    are as stated.
+    """Schedules keep every rule and arrive as early as a search by time steps finds.
+
+    Each case is of the kind that it states.
     """
     for case in earliest_arrival.EarliestArrival().cases(np.random.default_rng(seed)):
         given = (
@@ -88,7 +89,7 @@ def test_schedules_are_the_earliest(seed):
 
 
 def test_a_schedule_that_breaks_a_rule_is_told_which():
-    """Each rule by a schedule that breaks it and no other before it."""
+    """A schedule that breaks one rule, and none before it, gets that rule."""
     safe, moves = [[(0, 30)], [(0, 3), (6, 30)], [(0, 1), (7, 30)]], [(0, 1, 2), (1, 2, 2)]
     for rule, rows in (
         ("", [(0, 0), (1, 6), (2, 8)]),
@@ -110,7 +111,7 @@ def test_a_schedule_that_breaks_a_rule_is_told_which():
 
 
 def test_a_rule_that_was_misread_is_named():
-    """By what the search finds without it; where nothing fits, none."""
+    """A misread rule is recognised by the arrival it leads to; otherwise none is named."""
     touching = [[(0, 4), (7, 30)], [(0, 30)], [(0, 1), (10, 30)]], [(0, 1, 2), (0, 2, 1)]
     assert (
         earliest_arrival.find_misread_rule(*touching, 0, 2, [(0, 0), (1, 2), (0, 7), (2, 10)])
@@ -139,7 +140,7 @@ def test_scenario_cases_are_clear_of_touching():
 
 
 def test_the_program_to_break_is_right_for_slow_motions():
-    """It sees what moves less than a radius between its moments."""
+    """The program sees every contact of motions shorter than a radius between samples."""
     rng = np.random.default_rng(0)
     for _ in range(100):
         p0, c0 = rng.uniform(-9, 9, (2, 2))
@@ -152,9 +153,7 @@ def test_the_program_to_break_is_right_for_slow_motions():
 
 
 def test_the_board_of_time_plans_anew():
-    """A faster robot is there earlier; a goal in a wall is a warning; what has been dragged is
-    planned for.
-    """
+    """A faster robot arrives earlier, a goal in a wall is a warning, and dragging plans again."""
     board = moving_board(TimedProblem(Disk(0.5), WORLD, start=(1, 3), goal=(9, 3)), nodes=60)
     first = board.plan.cost
     assert board.canvas.drawing.total == STEPS and len(board.canvas.drawing.told) == STEPS
@@ -166,7 +165,7 @@ def test_the_board_of_time_plans_anew():
     assert board.plan is None and "not free" in board.canvas.drawing.warning
     assert [layer.kind for layer in board.canvas.drawing.layers] == [
         "bodies"
-    ]  # what moves is still there to be seen
+    ]  # the moving obstacles are still drawn
     board.canvas.arrange({**scene, "handles": [scene["handles"][0], {**goal, "at": [9.0, 5.0]}]})
     assert np.array_equal(board.plan.path[-1, :2], [9, 5])
     assert board.picture().startswith(b"\x89PNG")
@@ -183,7 +182,7 @@ def test_the_board_of_time_plans_anew():
 
 
 def test_the_board_of_chances_keeps_its_promise():
-    """Bound and estimate are below delta; a chance that no path keeps is said to have none."""
+    """Bound and estimate are below delta; without such a path the board says so."""
     world = UncertainWorld(
         [(0, 0), (9, 0), (9, 6), (0, 6)], [((4.5, 3), 1), [(6, 4), (7, 4), (6.5, 5)]], [0.5, 0.2]
     )
