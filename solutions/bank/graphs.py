@@ -34,11 +34,13 @@ def climb(parent, goal):
 
 
 def right_path(neighbours, start, goal):
+    """Return a right path with the fewest edges, or None."""
     path = climb(tree(neighbours, start), goal)
     return path if path[0] == start else None
 
 
 def both_ways(neighbours):
+    """Return the adjacency lists with every edge in both directions."""
     return [
         [v for v in range(len(neighbours)) if v in row or u in neighbours[v]]
         for u, row in enumerate(neighbours)
@@ -472,6 +474,7 @@ def empty_when_out_of_reach(neighbours, start, goal):
 
 
 def costs_by_heap(neighbours, weights, start):
+    """Return the right costs by Dijkstra's algorithm."""
     cost = [inf] * len(neighbours)
     cost[start], queue = 0.0, [(0.0, start)]
     while queue:
@@ -484,6 +487,7 @@ def costs_by_heap(neighbours, weights, start):
 
 
 def refuse_negative(weights):
+    """Raise a ValueError where a weight is negative."""
     if any(w < 0 for row in weights for w in row):
         raise ValueError("negative weight")
 

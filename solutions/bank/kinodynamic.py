@@ -19,10 +19,12 @@ from kinoedu.worlds.polygon_world import rings_of
 
 
 def short_way(a, b):
+    """Return the difference of two headings, the short way."""
     return (b - a + pi) % (2 * pi) - pi
 
 
 def off(a, b, turn):
+    """Return the distance of two poses whose headings contribute `turn`."""
     return hypot(b[0] - a[0], b[1] - a[1], turn)
 
 
@@ -123,6 +125,7 @@ def best(
     move=None,
     cut=None,
 ):
+    """Choose the best control; each argument that is given replaces a part."""
     apart, move, cut = apart or problem.distance, move or problem.move, cut or np.argmin
     choice, least = None, None
     for i, (v, phi) in enumerate(controls):
@@ -296,12 +299,14 @@ def last_free(problem, q, target, controls, t, n):
 
 
 def is_there(problem, q, wrap=True, heading=True):
+    """Whether a pose is near enough to the goal; the flags turn parts of the test off."""
     turn = short_way(q[2], problem.goal[2]) if wrap else q[2] - problem.goal[2]
     near = math.dist(q[:2], problem.goal[:2]) <= problem.tolerance
     return near and (not heading or abs(turn) <= problem.turn_tolerance)
 
 
 def place(problem, turn, rng, goal_every=4, region_every=7):
+    """Return the target of an iteration."""
     if region_every and turn % region_every == 0:
         return problem.near_goal(rng)
     return problem.goal if goal_every and turn % goal_every == 0 else problem.sample(rng)
@@ -310,7 +315,10 @@ def place(problem, turn, rng, goal_every=4, region_every=7):
 def grown(
     problem, iterations, rng, *, k=1, there=is_there, where=place, choose=None, drive=None, **more
 ):
-    """Nodes, parents, controls, durations; and the nodes at which the path may end."""
+    """Grow a tree or a roadmap; each argument that is given replaces a part.
+
+    Returns nodes, parents, controls, durations, and the nodes at which the path may end.
+    """
     first, stop, closest, seed = (
         more.get(*one) for one in (("first", 1), ("stop", True), ("closest", True), ("seed", None))
     )
@@ -341,6 +349,7 @@ def grown(
 
 
 def path_to(parent, node):
+    """Return the path from the root to a node."""
     path = [node]
     while parent[path[-1]] >= 0:
         path.append(parent[path[-1]])
@@ -348,11 +357,13 @@ def path_to(parent, node):
 
 
 def rrt(*given, **options):
+    """Return an RRT in the form of the exercise."""
     _, parent, controls, durations, ends = grown(*given, **options)
     return parent, controls, durations, path_to(parent, ends[0])
 
 
 def prm(problem, k, iterations, rng, **options):
+    """Return a PRM in the form of the exercise."""
     _, parent, controls, durations, ends = grown(
         problem, iterations, rng, **{"k": k, "stop": False, **options}
     )
@@ -681,6 +692,7 @@ def start_left_out(*given):
 
 
 def dijkstra(n, edges, controls, durations, ends, *, rows=None):
+    """Return the fastest path, by Dijkstra's algorithm."""
     rows = [(*pair, t) for pair, t in zip(edges, durations)] if rows is None else rows
     far, parent, queue = {0: 0.0}, {0: -1}, [(0.0, 0)]
     while queue:

@@ -162,6 +162,7 @@ def divides_by_nothing(p0, p1, c0, c1, r):
 
 
 def neighbours(moves, both=True):
+    """Return the adjacent places of each place, with durations."""
     ways = {}
     for u, v, d in moves:
         ways.setdefault(int(u), []).append((int(v), d))
@@ -383,6 +384,7 @@ def says_no_way(safe, moves, start, goal):
 
 
 def root(share):
+    """Return the radius that an offset of standard deviation 1 exceeds with this probability."""
     return math.sqrt(-2 * math.log(share))
 
 
@@ -468,6 +470,7 @@ def three_sigma(sigma, delta):
 
 
 def distance(path, centre):
+    """Return the distance of a point from a path."""
     return min(point_segment_distance(centre, a, b) for a, b in zip(path, path[1:]))
 
 
@@ -482,6 +485,7 @@ def tries(path, discs, offsets, far=distance):
 
 
 def wilson(p, n, z=1.96):
+    """Return the fraction and Wilson's interval."""
     middle, reach = p + z * z / (2 * n), z * math.sqrt(p * (1 - p) / n + z * z / (4 * n * n))
     return p, (middle - reach) / (1 + z * z / n), (middle + reach) / (1 + z * z / n)
 

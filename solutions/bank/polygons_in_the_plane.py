@@ -89,6 +89,7 @@ def a_truth_value(problem, x, y):
 
 
 def filled(nodes, joined):
+    """Return a matrix with 1 where two different configurations are joined."""
     n = len(nodes)
     A = np.zeros((n, n))
     for i in range(n):
@@ -203,6 +204,7 @@ def heading_left_out(problem, nodes):
 
 
 def searched(A, start, goal, take):
+    """Search from the start, where `take` removes a node from the list, and return the path."""
     parent, waiting = {start: None}, deque([start])
     while waiting:
         u = take(waiting)

@@ -21,6 +21,7 @@ def turns(ring):
 
 
 def corners(problem, obstacles, keep=lambda turned: turned > 0):
+    """Return start, goal and the vertices that `keep` accepts."""
     return [
         problem.start,
         problem.goal,
@@ -29,6 +30,7 @@ def corners(problem, obstacles, keep=lambda turned: turned > 0):
 
 
 def seen(nodes, sees):
+    """Return the nodes with the pairs that see each other."""
     pairs = combinations(range(len(nodes)), 2)
     return np.array(nodes), [(i, j) for i, j in pairs if sees(nodes[i], nodes[j])]
 
@@ -673,6 +675,7 @@ def searched(nodes, edges, start, goal, weigh=None, estimate=None, one_way=False
 
 
 def measured(nodes, path):
+    """Return the length of a path."""
     return (
         math.inf
         if path is None

@@ -12,6 +12,7 @@ from kinoedu.course.bank import wrong
 
 
 def whole_root(n, d):
+    """Return k with k^d = n, or raise a ValueError."""
     k = round(n ** (1 / d))
     if k**d != n:
         raise ValueError("no grid has so many points")
@@ -19,6 +20,7 @@ def whole_root(n, d):
 
 
 def combined(along, d):
+    """Return all combinations of d coordinates."""
     return list(product(along, repeat=d))
 
 
@@ -454,6 +456,7 @@ def nothing_for_zero(i, base):
 
 
 def mirrored(i, base):
+    """Return the radical inverse."""
     total, weight = 0, 1 / base
     while i > 0:
         total += i % base * weight
@@ -553,15 +556,18 @@ HALF = math.sqrt(2) / 80  # half the diagonal of a cell
 
 
 def probes(m=40):
+    """Return the centres of m x m cells."""
     along = (np.arange(m) + 0.5) / m
     return np.array(list(product(along, repeat=2)))
 
 
 def gaps(places, points):
+    """Return the absolute differences of coordinates of places and points, (n, m, 2)."""
     return np.abs(places[:, None] - points[None])
 
 
 def farthest(places, points):
+    """Return the greatest distance of a place from its nearest point."""
     return np.sqrt((gaps(places, points) ** 2).sum(axis=2)).min(axis=1).max()
 
 

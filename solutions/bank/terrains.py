@@ -313,6 +313,7 @@ def lower_half(problem, n, rng):
 
 
 def all_repeats(table, same):
+    """Return all (i, j, column) with i < j for which same(i, j, column) holds."""
     n, m = np.shape(table)
     return [(i, j, c) for i in range(n) for j in range(i + 1, n) for c in range(m) if same(i, j, c)]
 
@@ -433,10 +434,12 @@ def across_columns(table):
 
 
 def asked(run, planners, seeds):
+    """Return the lengths of all runs."""
     return [[run(planner, seed) for seed in seeds] for planner in planners]
 
 
 def row(runs, found=None, quarters=(0.25, 0.5, 0.75)):
+    """Return the statistics of a planner's runs."""
     found = [length for length in runs if isfinite(length)] if found is None else found
     return [
         sum(map(isfinite, runs)) / len(runs),

@@ -11,10 +11,12 @@ from kinoedu.course.bank import wrong
 
 
 def nearest(problem, nodes, q):
+    """Return the index of the nearest node."""
     return int(np.argmin([problem.distance(node, q) for node in nodes]))
 
 
 def way_up(nodes, parent, node):
+    """Return the nodes from a node to the root."""
     path = []
     while node >= 0:
         path.append(nodes[node])
@@ -26,6 +28,7 @@ def way_up(nodes, parent, node):
 
 
 def planted(problem, expand, iterations, rng, accepts, number=lambda node, nodes: node):
+    """Grow a tree by `expand`; the arguments replace parts."""
     rng = np.random.default_rng(rng)
     nodes, parent = [problem.start], [-1]
     for _ in range(iterations):
@@ -37,6 +40,7 @@ def planted(problem, expand, iterations, rng, accepts, number=lambda node, nodes
 
 
 def is_free_path(problem, a, b):
+    """Whether the motion is free."""
     return problem.is_free_path(a, b)
 
 
@@ -147,6 +151,7 @@ def rrt_by(
     steer=lambda problem, a, b, step: problem.steer(a, b, step),
     number=lambda near: near,
 ):
+    """Grow an RRT; each argument that is given replaces a part."""
     rng = np.random.default_rng(rng)
     nodes, parent = [problem.start], [-1]
     for i in range(iterations + 1):
@@ -454,6 +459,7 @@ def two_trees(
     accepts_last=is_free_path,
     choose=nearest,
 ):
+    """Grow two trees; each argument that is given replaces a part."""
     rng = np.random.default_rng(rng)
     trees = [([problem.start], [-1]), ([problem.goal], [-1])]
     for turn in range(iterations):
@@ -575,6 +581,7 @@ def one_tree_alone(problem, step, iterations, rng):
 
 
 def put_in(problem, nodes, parent, cost, q_new, radius, *, price=lambda c, d: c + d, depth=10**6):
+    """Insert a node as RRT* does; each argument that is given replaces a part."""
     n, parent, cost = len(nodes), list(parent), list(cost)
     apart = [problem.distance(q, q_new) for q in nodes]
     near = [i for i in range(n) if apart[i] <= radius and problem.is_free_path(nodes[i], q_new)]
