@@ -105,14 +105,7 @@ def draw_question(given: dict[str, Any], value: Any, truth: Any, ax: Any) -> Non
     start, goal = given["start"], given["goal"]
     places = draw_grey_graph(Case("", given), ax, highlight=[start, goal])
     for u in range(len(places)):
-        text = [
-            text
-            for text, node in (
-                (say("graph_picture.start"), start),
-                (say("graph_picture.goal"), goal),
-            )
-            if node == u
-        ]
+        text = [say(f"graph_picture.{name}") for name in ("start", "goal") if given[name] == u]
         if "estimate" in given and len(places) <= 16:
             text.append(say("graph_picture.estimate", value=f"{given['estimate'][u]:.3g}"))
         draw_label(places, u, ", ".join(text), ax, palette.INK)

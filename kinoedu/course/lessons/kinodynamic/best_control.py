@@ -109,15 +109,14 @@ def cut_until_free(
     problem: Any, q: Array, target: Array, controls: Array, t: float, n: int
 ) -> Choice:
     """Cut a control before its first contact instead of leaving it out."""
+
+    def measure(step: tuple[int, int]) -> float:
+        i, k = step
+        return measure_distance(problem, problem.move(q, *controls[i], k * t / n), target)
+
     steps = [(i, k) for i in range(len(controls)) for k in range(1, n + 1)]
     free = [(i, k) for i, k in steps if problem.is_free_drive(q, *controls[i], k * t / n)]
-    return min(
-        free,
-        key=lambda ik: measure_distance(
-            problem, problem.move(q, *controls[ik[0]], ik[1] * t / n), target
-        ),
-        default=None,
-    )
+    return min(free, key=measure, default=None)
 
 
 def demand_closer(

@@ -248,12 +248,5 @@ def make_case(kind: str, n: int, rows: Sequence[tuple[float, ...]], ends: list[i
         "controls": np.column_stack([whole[:, 3], np.zeros(len(rows))]),
         "durations": whole[:, 2],
     }
-    return Case(
-        kind,
-        {
-            "n": n,
-            "edges": whole[:, :2].astype(np.int64),
-            **numbers,
-            "ends": np.array(ends, np.int64),
-        },
-    )
+    edges = {"n": n, "edges": whole[:, :2].astype(np.int64)}
+    return Case(kind, {**edges, **numbers, "ends": np.array(ends, np.int64)})

@@ -41,23 +41,10 @@ def draw_driven_answer(problem: Any, built: Any, fault: Any, text: str, ax: Any)
             ax,
         )
     if fault is not None and len(fault.marked):
-        ax.plot(
-            *fault.marked[:, :2].T,
-            "--",
-            color=palette.GOAL,
-            linewidth=3.5,
-            zorder=8,
-            scalex=False,
-            scaley=False,
-        )
-        ax.plot(
-            *fault.marked[-1, :2],
-            "X",
-            color=palette.GOAL,
-            markersize=13,
-            markeredgecolor="white",
-            zorder=9,
-        )
+        look = {"color": palette.GOAL, "linewidth": 3.5, "zorder": 8}
+        ax.plot(*fault.marked[:, :2].T, "--", **look, scalex=False, scaley=False)
+        look = {"color": palette.GOAL, "markersize": 13, "markeredgecolor": "white", "zorder": 9}
+        ax.plot(*fault.marked[-1, :2], "X", **look)
     plane.title(text, ax)
 
 
@@ -126,13 +113,8 @@ def draw_choice(exercise: ValueExercise, case: Case, value: Any, ax: Any) -> Non
     ):
         if choice is not None and is_choice(choice, controls, n):
             i, k = choice
-            ax.plot(
-                *arc(q, controls[i, 0] * t * k / n, bends[i])[:, :2].T,
-                style,
-                color=colour,
-                linewidth=4.0,
-                zorder=5,
-            )
+            way = arc(q, controls[i, 0] * t * k / n, bends[i])
+            ax.plot(*way[:, :2].T, style, color=colour, linewidth=4.0, zorder=5)
     cars.draw_pose(q, 8.0, "q", ax, colour=palette.INK, below=True)
     cars.draw_pose(target, 8.0, say("driven_picture.target"), ax, colour=palette.TREE)
     plane.title(exercise.words(f"pictures.{case.kind}"), ax)

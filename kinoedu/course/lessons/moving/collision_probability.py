@@ -159,13 +159,8 @@ class CollisionProbability(ValueExercise):
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Yield a few scenarios that can be drawn by hand, then random ones."""
         for kind, *given in SMALL:
-            yield Case(
-                kind,
-                {
-                    name: np.array(rows, float)
-                    for name, rows in zip(("path", "discs", "offsets"), given)
-                },
-            )
+            arrays = [np.array(rows, float) for rows in given]
+            yield Case(kind, dict(zip(("path", "discs", "offsets"), arrays)))
         wanted = dict.fromkeys(self.kinds, 10)
         while any(wanted.values()):
             kind = next(kind for kind, left in wanted.items() if left == max(wanted.values()))

@@ -255,12 +255,5 @@ def draw_roadmap(rng: np.random.Generator) -> tuple[Safe, Any, int, int]:
 def make_case(kind: str, safe: Any, moves: Any, start: int, goal: int) -> Case:
     """Return a case of a roadmap."""
     rows = [np.reshape(np.array(own, float), (-1, 2)) for own in safe]
-    return Case(
-        kind,
-        {
-            "safe": rows,
-            "moves": np.reshape(np.array(moves, float), (-1, 3)),
-            "start": start,
-            "goal": goal,
-        },
-    )
+    rows_of_moves = np.reshape(np.array(moves, float), (-1, 3))
+    return Case(kind, {"safe": rows, "moves": rows_of_moves, "start": start, "goal": goal})

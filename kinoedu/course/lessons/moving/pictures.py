@@ -56,32 +56,19 @@ def draw_schedule(exercise: Exercise, case: Case, best: Any, value: Array | None
 
     safe, moves, start, goal = case.given.values()
     durations = {frozenset((int(u), int(v))): d for u, v, d in moves}
+    thick: Any = {"linewidth": 9, "alpha": 0.45, "solid_capstyle": "butt", "zorder": 2}
     for place, own in enumerate(safe):
         ax.axhline(place, color=palette.OUTSIDE, linewidth=1.0, zorder=1)
         for begin, end in own:
-            ax.plot(
-                [begin, end],
-                [place, place],
-                color=palette.ROADMAP,
-                linewidth=9,
-                alpha=0.45,
-                solid_capstyle="butt",
-                zorder=2,
-            )
+            ax.plot([begin, end], [place, place], color=palette.ROADMAP, **thick)
     yours = np.empty((0, 2)) if value is None else value[np.isfinite(value).all(axis=1)]
     for rows, colour, style in ((best, palette.START, "-o"), (yours, palette.GOAL, "--X")):
         points = []
         for (u, a), (v, b) in zip(rows, rows[1:]):
             points += [(a, u), (b - durations.get(frozenset((int(u), int(v))), 0.0), u)]
         points += [(row[1], row[0]) for row in rows[-1:]]
-        ax.plot(
-            *np.reshape(points, (-1, 2)).T,
-            style,
-            color=colour,
-            linewidth=2.2,
-            markersize=7,
-            zorder=4,
-        )
+        x, y = np.reshape(points, (-1, 2)).T
+        ax.plot(x, y, style, color=colour, linewidth=2.2, markersize=7, zorder=4)
     latest = max([12.0, *(float(row[1]) for row in [*best, *yours.tolist()])])
     ax.set(
         xlim=(-0.5, min(1.15 * latest, 60.0)), ylim=(-0.6, len(safe) - 0.4), yticks=range(len(safe))
@@ -100,15 +87,8 @@ def draw_margins(exercise: ValueExercise, case: Case, value: Array | None, ax: A
     number = np.arange(len(truth))
     ax.bar(number - 0.2, truth, 0.38, color=palette.START, zorder=3)
     yours = np.nan_to_num(value) if value is not None and len(value) == len(truth) else np.empty(0)
-    ax.bar(
-        number[: len(yours)] + 0.2,
-        yours,
-        0.38,
-        color=palette.GOAL,
-        hatch="//",
-        edgecolor="white",
-        zorder=3,
-    )
+    striped = {"hatch": "//", "edgecolor": "white", "zorder": 3}
+    ax.bar(number[: len(yours)] + 0.2, yours, 0.38, color=palette.GOAL, **striped)
     ax.set(xticks=number)
     ax.set_xlabel(say("timed_picture.obstacle"), fontsize=palette.TEXT_SIZE)
     ax.set_ylabel(say("timed_picture.margin"), fontsize=palette.TEXT_SIZE)

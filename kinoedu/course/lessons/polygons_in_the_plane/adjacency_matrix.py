@@ -111,13 +111,8 @@ class AdjacencyMatrix(ValueExercise):
         yield Case("two", {"problem": make_problem(Disk(0.5), TOUCHED, beside[0]), "nodes": beside})
         for _ in range(10):
             world = scattered(8, side=10.0, radius=1.4, rng=rng)
-            yield draw_case(
-                "many",
-                (STICK, Disk(0.4))[int(rng.integers(2))],
-                world,
-                rng,
-                int(rng.integers(6, 13)),
-            )
+            robot = (STICK, Disk(0.4))[int(rng.integers(2))]
+            yield draw_case("many", robot, world, rng, int(rng.integers(6, 13)))
 
     def same(self, value: Any, truth: Any) -> bool:
         """Whether the entries are the same."""

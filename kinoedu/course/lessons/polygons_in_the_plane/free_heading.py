@@ -94,14 +94,8 @@ class FreeHeading(Exercise):
         value = outcome.value if isinstance(outcome, Answer) else None
         right = self.source(*case.given.values())
         place = (case.given["x"], case.given["y"])
-        draw_heading(
-            case.given["problem"].problem,
-            place,
-            value,
-            right,
-            self.words(f"pictures.{case.kind}"),
-            ax,
-        )
+        text = self.words(f"pictures.{case.kind}")
+        draw_heading(case.given["problem"].problem, place, value, right, text, ax)
 
 
 def make_case(robot: Any, world: Any, place: Any) -> Case:

@@ -121,15 +121,8 @@ def draw_shortest_path(nodes: Array, edges: Any, truth: Any, value: Any, ax: Any
     ):
         steps = [int(u) for u in ([] if path is None else path) if 0 <= u < len(nodes)]
         for i, j in zip(steps, steps[1:]):
-            draw_edge(
-                nodes[i, :2],
-                nodes[j, :2],
-                ax,
-                False,
-                color=colour,
-                linestyle=style,
-                linewidth=width,
-            )
+            look = {"color": colour, "linestyle": style, "linewidth": width}
+            draw_edge(nodes[i, :2], nodes[j, :2], ax, False, **look)
     number_nodes(nodes[:, :2], ax)
     if value is None:
         plane.corner_note(say("picture.yours", value="None"), ax, colour=palette.GOAL)

@@ -141,14 +141,8 @@ class SampledRoadmap(PlannerExercise):
         )
         fault = self.fault_of_three(case, value) if value is not None else None
         if fault is not None and len(fault.marked) and good:
-            ax.plot(
-                *fault.marked.T,
-                "X",
-                color=palette.GOAL,
-                markersize=14,
-                markeredgecolor="white",
-                zorder=9,
-            )
+            look = {"color": palette.GOAL, "markeredgecolor": "white", "zorder": 9}
+            ax.plot(*fault.marked.T, "X", markersize=14, **look)
         rule = self.judge(case, outcome).rule
         plane.title(self.words(f"pictures.{rule}"), ax)
 

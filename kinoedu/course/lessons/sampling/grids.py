@@ -81,14 +81,8 @@ class GridExercise(ValueExercise):
         """Draw the right points and the student's."""
         found, truth = outcome.value if isinstance(outcome, Answer) else None, self.truth(case)
         no_grid, (n, d) = isinstance(truth, ValueError), case.given.values()
-        draw_points(
-            self,
-            case,
-            found,
-            None if no_grid else truth,
-            ax,
-            cells=0 if no_grid or d == 1 else root(n, d),
-        )
+        cells = 0 if no_grid or d == 1 else root(n, d)
+        draw_points(self, case, found, None if no_grid else truth, ax, cells=cells)
 
 
 def make_case(n: int, d: int) -> Case:

@@ -56,15 +56,8 @@ def draw_points(
         ax.plot(*project_points(truth).T, "o", label=say("picture.true"), zorder=5, **ring)
     if len(near):
         size = 9 if len(near) <= 150 else 4
-        ax.plot(
-            *near.T,
-            "x",
-            color=palette.GOAL,
-            markersize=size,
-            markeredgewidth=2.2,
-            label=say("picture.yours_short"),
-            zorder=6,
-        )
+        look = {"color": palette.GOAL, "markeredgewidth": 2.2, "zorder": 6}
+        ax.plot(*near.T, "x", markersize=size, label=say("picture.yours_short"), **look)
     else:
         text = say("picture.no_answer" if found is None else "samples.elsewhere")
         draw_label(text, 0.05, ax, colour=palette.GOAL)
@@ -110,33 +103,18 @@ def draw_mirrored(exercise: Exercise, case: Case, found: float | None, ax: Any) 
     plane.frame([(0, -0.3), (1, 0.3)], ax, margin=0.06)
     plane.stretch((0, 0), (1, 0), "", ax, colour=palette.OBSTACLE)
     if len(digits_of(i, base)) <= 24:
-        text = say(
-            "samples.mirrored",
-            i=i,
-            digits=digits_of(i, base),
-            mirrored=mirrored_digits(i, base),
-            base=base,
-        )
+        both = {"digits": digits_of(i, base), "mirrored": mirrored_digits(i, base)}
+        text = say("samples.mirrored", i=i, base=base, **both)
         ax.text(
             0.5, 0.27, fill(text, 60), ha="center", fontsize=palette.TEXT_SIZE, color=palette.INK
         )
     plane.dot((truth, 0), "", ax, colour=palette.START)
-    plane.label(
-        (truth, 0),
-        say("picture.should_be", value=f"{truth:.6g}"),
-        ax,
-        colour=palette.START,
-        offset=(9, 14),
-    )
+    text = say("picture.should_be", value=f"{truth:.6g}")
+    plane.label((truth, 0), text, ax, colour=palette.START, offset=(9, 14))
     if found is not None and -0.1 <= found <= 1.1:
         plane.dot((found, 0), "", ax, colour=palette.GOAL, marker="X")
-        plane.label(
-            (found, 0),
-            say("picture.yours", value=f"{found:.6g}"),
-            ax,
-            colour=palette.GOAL,
-            offset=(9, -32),
-        )
+        text = say("picture.yours", value=f"{found:.6g}")
+        plane.label((found, 0), text, ax, colour=palette.GOAL, offset=(9, -32))
     else:
         text = (
             say("picture.no_answer")
@@ -191,14 +169,7 @@ def draw_corridor(corridor: Array | None, ax: Any) -> None:
         draw_label(text, 0.05, ax, colour=palette.GOAL)
         return
     x0, y0, x1, y1 = corridor
-    ax.fill(
-        [x0, x1, x1, x0],
-        [y0, y0, y1, y1],
-        facecolor=palette.PATH,
-        alpha=0.4,
-        edgecolor=palette.GOAL,
-        linewidth=1.5,
-        zorder=3,
-    )
+    look = {"facecolor": palette.PATH, "alpha": 0.4, "edgecolor": palette.GOAL, "linewidth": 1.5}
+    ax.fill([x0, x1, x1, x0], [y0, y0, y1, y1], **look, zorder=3)
     inside = points[((points > (x0, y0)) & (points < (x1, y1))).all(axis=1)]
     ax.plot(*inside.T, "x", color=palette.GOAL, markersize=10, markeredgewidth=2.5, zorder=6)

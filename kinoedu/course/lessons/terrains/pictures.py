@@ -31,14 +31,8 @@ def draw_costs(exercise: Exercise, case: Case, found: float | None, truth: str, 
         zorder=0,
     )
     for j, i in np.ndindex(rows, columns):
-        ax.text(
-            i + 0.08,
-            j + 0.08,
-            f"{cost[j, i]:g}",
-            fontsize=palette.TEXT_SIZE,
-            color=palette.INK,
-            zorder=3,
-        )
+        look = {"fontsize": palette.TEXT_SIZE, "color": palette.INK, "zorder": 3}
+        ax.text(i + 0.08, j + 0.08, f"{cost[j, i]:g}", **look)
     places = a + find_cuts(a, b)[:, None] * (b - a)
     ax.plot(*np.array([a, b]).T, color=palette.PATH, linewidth=3.0, zorder=4)
     ax.plot(*places.T, "o", color=palette.INK, markersize=6, zorder=5)
@@ -83,14 +77,8 @@ def draw_table(exercise: Exercise, case: Case, found: Array | None, truth: Any, 
     for row in range(n):
         ax.text(-0.5, row, f"{row}", fontsize=size, color=palette.OBSTACLE, va="center")
     for c in range(m):
-        ax.text(
-            c,
-            -0.8,
-            say("repeated_rows.column", number=c),
-            fontsize=size,
-            color=palette.OBSTACLE,
-            va="center",
-        )
+        look = {"fontsize": size, "color": palette.OBSTACLE, "va": "center"}
+        ax.text(c, -0.8, say("repeated_rows.column", number=c), **look)
     plane.title(exercise.words(f"pictures.{case.kind}"), ax)
 
 
@@ -104,29 +92,15 @@ def draw_runs(exercise: Exercise, case: Case, found: Array | None, truth: Array,
     lengths, planners, _ = case.given.values()
     for i, (runs, row) in enumerate(zip(lengths, truth)):
         ends = np.isfinite(runs)
-        ax.plot(
-            runs[ends],
-            np.full(ends.sum(), i),
-            "o",
-            color=palette.TREE,
-            markersize=6,
-            alpha=0.6,
-            zorder=3,
-        )
+        look = {"color": palette.TREE, "markersize": 6, "alpha": 0.6, "zorder": 3}
+        ax.plot(runs[ends], np.full(ends.sum(), i), "o", **look)
         rows = [(row, 0.15, palette.START)]
         if found is not None and len(found) == len(truth):
             rows.append((found[i], 0.3, palette.GOAL))
         for (_, low, median, high), below, colour in rows:
             ax.plot([low, high], [i + below] * 2, color=colour, linewidth=4.0, zorder=4)
-            ax.plot(
-                median,
-                i + below,
-                "D",
-                color=colour,
-                markersize=9,
-                markeredgecolor="white",
-                zorder=5,
-            )
+            look = {"color": colour, "markeredgecolor": "white", "zorder": 5}
+            ax.plot(median, i + below, "D", markersize=9, **look)
     ax.set_yticks(range(len(planners)), planners, fontsize=palette.TEXT_SIZE)
     ax.set_ylim(len(planners) - 0.4, -0.5)
     ax.set_xlabel(say("comparisons.cost"), fontsize=palette.TEXT_SIZE)
@@ -155,13 +129,7 @@ def draw_samples_on(value: Any, text: str, ax: Any) -> None:
             zorder=0,
         )
         ax.plot(*np.array([a, b]).T, color=palette.PATH, linewidth=3.0, zorder=4)
-        ax.plot(
-            *samples_along(a, b).T,
-            "o",
-            color=palette.TREE,
-            markersize=8,
-            markeredgecolor="white",
-            zorder=5,
-        )
+        look = {"color": palette.TREE, "markeredgecolor": "white", "zorder": 5}
+        ax.plot(*samples_along(a, b).T, "o", markersize=8, **look)
         set_cell_axes(ax, columns, rows)
     plane.title(text, ax)

@@ -204,21 +204,14 @@ class Insert(ValueExercise):
         """Draw the right tree, and a cross at the first node with a wrong parent or cost."""
         from ....figures import palette, plane
 
-        problem, nodes = (
-            case.given["problem"],
-            np.vstack([case.given["nodes"], case.given["q_new"]]),
-        )
+        problem = case.given["problem"]
+        nodes = np.vstack([case.given["nodes"], case.given["q_new"]])
         parent, cost = self.truth(case)
         trees, fault = [Tree(nodes, np.array(parent))], None
         if isinstance(outcome, Answer):
-            fault = next(
-                (
-                    Fault("", nodes[i : i + 1])
-                    for i in range(len(nodes))
-                    if differs(outcome.value, parent, cost, i)
-                ),
-                None,
-            )
+            wrong = (i for i in range(len(nodes)) if differs(outcome.value, parent, cost, i))
+            first = next(wrong, None)
+            fault = None if first is None else Fault("", nodes[first : first + 1])
         draw_answer(problem.problem, trees, None, fault, self.words(f"pictures.{case.kind}"), ax)
         plane.ring(
             case.given["q_new"], case.given["radius"], "", ax, colour=palette.OUTSIDE, style=":"

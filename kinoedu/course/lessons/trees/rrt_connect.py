@@ -67,15 +67,8 @@ class RrtConnect(TreeExercise):
 
     def asked(self, kind: str, problem: Asked, rng: np.random.Generator) -> Case:
         """Return a case with more iterations than the trap needs."""
-        return Case(
-            kind,
-            {
-                "problem": problem,
-                "step": STEP,
-                "iterations": ENOUGH[kind],
-                "rng": int(rng.integers(1000)),
-            },
-        )
+        question = {"problem": problem, "step": STEP, "iterations": ENOUGH[kind]}
+        return Case(kind, {**question, "rng": int(rng.integers(1000))})
 
     def fault(self, case: Case, answer: Any) -> Fault | None:
         """Judge the path, both trees and their rule, and that one tree connects greedily.

@@ -95,13 +95,8 @@ class TreeRoadmap(ValueExercise):
         for _ in range(4):
             for name in EXPANSIONS:
                 yield make_case("room", TRAPS["room"], name, int(rng.integers(10, 40)), rng)
-                yield make_case(
-                    "pillars",
-                    (PILLARS, TRAPS["passage"])[int(rng.integers(2))],
-                    name,
-                    int(rng.integers(20, 80)),
-                    rng,
-                )
+                problem = (PILLARS, TRAPS["passage"])[int(rng.integers(2))]
+                yield make_case("pillars", problem, name, int(rng.integers(20, 80)), rng)
 
     def same(self, value: Any, truth: Any) -> bool:
         """Whether the nodes are the same, in the same order, with the same parents."""
