@@ -147,7 +147,7 @@ def test_near_enough_is_judged_across_pi():
 def test_no_wall_can_be_reached_where_every_turn_is_counted(name):
     """All drives together are shorter than the distance to the nearest wall."""
     problem, world = garages.GARAGES[name], garages.GARAGES[name].problem.world
-    reach = drives.TURNS[name] * problem.longest * np.abs(garages.CAR.speeds).max() + 30.0
+    reach = drives.ITERATIONS[name] * problem.longest * np.abs(garages.CAR.speeds).max() + 30.0
     assert (world.lo + reach < problem.start[:2]).all()
     assert (problem.start[:2] < world.hi - reach).all()
 
@@ -167,7 +167,12 @@ def test_goal_and_region_may_both_have_the_turns_of_both(name, monkeypatch):
     for exercise, more in ((tree, {}), (roadmap, {"k": 2})):
         case = Case(
             name,
-            {"problem": garages.GARAGES[name], **more, "iterations": drives.TURNS[name], "rng": 3},
+            {
+                "problem": garages.GARAGES[name],
+                **more,
+                "iterations": drives.ITERATIONS[name],
+                "rng": 3,
+            },
         )
         assert (
             exercise.fault(case, [np.array(part) for part in exercise.source(*case.given.values())])

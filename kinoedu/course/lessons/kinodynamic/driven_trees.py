@@ -125,15 +125,15 @@ def judge_turns(
     ----------
     turns : for each iteration, the number of nodes before it and the indices of the chosen ones.
     """
-    straight = others = 0
+    towards_goal = others = 0
     for turn, (before, chosen) in enumerate(turns, 1):
         rule = find_bias_fault(problem, nodes, before, chosen, turn)
         if rule:
             return Fault(rule, nodes[chosen])
         if turn % GOAL_EVERY and turn % REGION_EVERY and turn > 8:
             others += 1
-            straight += not find_bias_fault(problem, nodes, before, chosen, GOAL_EVERY)
-    return Fault("chance", NOWHERE) if others >= MANY and straight > 0.8 * others else None
+            towards_goal += not find_bias_fault(problem, nodes, before, chosen, GOAL_EVERY)
+    return Fault("chance", NOWHERE) if others >= MANY and towards_goal > 0.8 * others else None
 
 
 class DrivingPlanner(PlannerExercise):

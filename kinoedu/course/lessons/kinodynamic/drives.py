@@ -13,7 +13,15 @@ from ...whole_shapes import WholeNumbers
 from ..shared.planned import Fault
 from .driven_trees import GOAL_EVERY, REGION_EVERY
 
-TURNS = {"same": 20, "room": 300, "turn": 95, "seam": 300, "thin": 300, "far": 60, "sealed": 100}
+ITERATIONS = {
+    "same": 20,
+    "room": 300,
+    "turn": 95,
+    "seam": 300,
+    "thin": 300,
+    "far": 60,
+    "sealed": 100,
+}
 CONTROLS, DURATIONS, ROUTE = Numbers(("n", 2)), Numbers(("n",)), WholeNumbers(("k",))
 
 

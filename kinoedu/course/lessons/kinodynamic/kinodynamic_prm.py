@@ -29,7 +29,7 @@ from .driven_trees import (
     judge_turns,
     measure_distances,
 )
-from .drives import CONTROLS, DURATIONS, ROUTE, TURNS, choose_target, find_early_stop
+from .drives import CONTROLS, DURATIONS, ITERATIONS, ROUTE, choose_target, find_early_stop
 from .garages import GARAGES, KINDS, OPEN
 
 
@@ -72,7 +72,7 @@ class KinodynamicPrm(DrivingPlanner):
         """Yield every garage twice, with two and with three drives per iteration."""
         for k in (2, 3):
             for kind in KINDS:
-                iterations, seed = min(100, TURNS[kind]), int(rng.integers(1000))
+                iterations, seed = min(100, ITERATIONS[kind]), int(rng.integers(1000))
                 question = {"problem": GARAGES[kind], "k": k, "iterations": iterations, "rng": seed}
                 yield Case(kind, question)
 

@@ -29,7 +29,7 @@ from .driven_trees import (
     judge_turns,
     measure_distances,
 )
-from .drives import CONTROLS, DURATIONS, ROUTE, TURNS, choose_target, find_early_stop
+from .drives import CONTROLS, DURATIONS, ITERATIONS, ROUTE, choose_target, find_early_stop
 from .garages import GARAGES, KINDS, OPEN
 
 
@@ -72,7 +72,7 @@ class KinodynamicRrt(DrivingPlanner):
         for _ in range(2):
             for kind in KINDS:
                 seed = int(rng.integers(1000))
-                question = {"problem": GARAGES[kind], "iterations": TURNS[kind], "rng": seed}
+                question = {"problem": GARAGES[kind], "iterations": ITERATIONS[kind], "rng": seed}
                 yield Case(kind, question)
 
     def tree_of(self, case: Case, answer: Any) -> DrivenTree:
